@@ -69,7 +69,7 @@ report_top() {
 }
 report_top '"passing 2 = 31..36" "passing 0.063 < 3"' &&
 	grep -q '<p>Conditions: passing 2 mm 31 to 36 %, .*: met at [0-9.]* m/s (' \
-		top.txt && grep -q '; met from [0-9.]* to [0-9.]* m/s\.' top.txt &&
+		top.txt && grep -q '; met at [0-9.]* to [0-9.]* m/s\.' top.txt &&
 	speed=$(sed -n 's/.*<h2>Product at \(.*\) m.s<.*/\1/p' top.txt) &&
 	grep -q ": met at $speed m/s" top.txt && [ "$speed" != 74 ] &&
 	grep -q '<th[^>]*>certain<' top.html &&
@@ -77,7 +77,7 @@ report_top '"passing 2 = 31..36" "passing 0.063 < 3"' &&
 result $? "a report says first that its conditions are met, at their best speed"
 report_top '"passing 2 = 31..36" speed=84' &&
 	grep -q 'class="warning">Conditions: .*: missed at 84 m/s' top.txt &&
-	grep -q '; met from ' top.txt && report_top '"passing 2 > 95"' &&
+	grep -q '; met at ' top.txt && report_top '"passing 2 > 95"' &&
 	grep -q 'class="warning">Conditions: .*no speed from 65 to 85' top.txt
 result $? "and that they are missed"
 for wrong in '"passing 2 = 45"' '"passing 0.01 < 5"' '"passing 2"'; do

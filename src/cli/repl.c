@@ -211,6 +211,9 @@ static int
 on_read(FILE *in)
 {
 	unsigned char c;
+	/* With it readline 8.2 frees what it undoes twice; a file of settings
+	 * can be read again at any key. */
+	rl_variable_bind("revert-all-at-newline", "off");
 	while (wait_for_key()) {
 		ssize_t got = -1;
 		errno = EINTR;

@@ -48,6 +48,7 @@ draw(struct tui *t, bool begins)
 	view_close(t);
 	t->drawn_at = now;
 	if (t->ways->stopped(t)) {
+		t->stopping = true;
 		raise(SIGINT);
 		pump_let_in();
 	}
@@ -59,7 +60,7 @@ under_way_typed(struct tui *t, const char *line)
 	t->ran_from = session_clock();
 	free(t->under_way);
 	t->under_way = xstrdup(line);
-	t->of_script = false;
+	t->of_script = t->stopping = false;
 }
 
 void
@@ -89,7 +90,8 @@ under_way_end(struct tui *t, bool restores, bool ok)
 	bool told = t->of_script || t->drawn_at >= t->ran_from;
 	if (told)
 		view_close(t);
-	if (told && pump_signal() == SIGINT) {
+	/* A signal from elsewhere ends the program, unless a script runs. */
+	if ((t->of_script || t->stopping) && pump_signal() == SIGINT) {
 		pump_forget_interrupt();
 		said_forget(t);
 		if (t->of_script)

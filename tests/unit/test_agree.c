@@ -375,16 +375,27 @@ all_give_the_same(void **state)
 	}
 }
 
+/* Whether the range of a kind that find stated has a speed. */
+static bool
+range_has(const struct session *s, const char *kind, double v)
+{
+	char low[20], high[20];
+	snprintf(low, sizeof low, "%s_low", kind);
+	snprintf(high, sizeof high, "%s_high", kind);
+	return !(session_known(s, "find", low) > v) &&
+	       !(session_known(s, "find", high) < v);
+}
+
 /* Every shipped site's measured P20, P50 and P80 of each run, asked with its
- * feed: the range of speeds that find states has the speed at which it was
- * measured in two of three.  80 % are stated, of the true product's speed; what
- * was measured has the error of its sample beside. */
+ * feed: both ranges, stated with 80 %, have the speed at which it was measured,
+ * that of the true product in seven of ten, as what was measured has the error
+ * of its sample, and that in which a belt cut may show it in eight. */
 static void
 find_holds_what_was_measured(void **state)
 {
 	struct desk *desk = *state;
 	struct session *s = desk->session;
-	double held = 0, stated = 0;
+	double held = 0, held_true = 0, stated = 0;
 	glob_t found;
 	assert_int_equal(glob("data/sites/*.csv", 0, NULL, &found), 0);
 	for (size_t f = 0; f < found.gl_pathc; f++) {
@@ -396,20 +407,20 @@ find_holds_what_was_measured(void **state)
 			double P = PSD_PASSING[k % PSD_SIZES];
 			ask(desk, "find p%g=%.10g feed=%g", 100 * P,
 			    1000 * psd_size(&run->product, P), run->speed);
-			double low = session_known(s, "find", "speed_low");
-			double high = session_known(s, "find", "speed_high");
-			double v = session_known(s, "find", "speed");
-			if (isnan(low) && isnan(high) && isnan(v))
+			if (isnan(session_known(s, "find", "speed")))
 				continue;
 			stated++;
-			held += !(low > run->speed) && !(high < run->speed);
+			held += range_has(s, "cut", run->speed);
+			held_true += range_has(s, "speed", run->speed);
 		}
 	}
 	globfree(&found);
-	print_message("# the range held %g of %g\n", held, stated);
-	expect_near("ranges stated", stated, 171, 171 / 10.0);
-	if (held < 0.66 * stated)
-		fail_msg("held %g of %g", held, stated);
+	print_message("# of %g speeds the ranges held %g and %g\n", stated,
+	    held, held_true);
+	/* The others were measured coarser or finer than any answer there. */
+	assert_in_range(stated, 145, 171);
+	assert_true(held >= 0.8 * stated);
+	assert_true(held_true >= 0.7 * stated);
 }
 
 int

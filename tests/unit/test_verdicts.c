@@ -138,19 +138,21 @@ a_verdict_is_that_of_the_envelope(void **state)
 		pages_update(t);
 		const struct grading *g = limits_now(t);
 		assert_non_null(g);
-		bool in[32];
+		struct grading own;
+		struct error error = {0};
+		assert_true(grading_in_use(
+		    t->session, tui_entry(t), tui_feed(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
-		double value = response_value(g->conditions.response, 3);
-		for (size_t i = 0; i < g->limits.n; i++)
-			in[i] = window_holds_of(&g->conditions, i);
-		response_at(g->conditions.response, t->tenths / 10.0);
-		for (size_t i = 0; i < g->limits.n; i++)
-			assert_int_equal(
-			    in[i], window_holds_of(&g->conditions, i));
+		forecast_at(own.conditions.forecast, t->tenths / 10.0);
+		for (size_t i = 0; i < g->limits.n; i++, all++) {
+			bool in = wanted_holds(&g->conditions, i);
+			assert_int_equal(in, wanted_holds(&own.conditions, i));
+			in_all += in;
+		}
 		assert_float_equal(
-		    value, response_value(g->conditions.response, 3), 0.002);
-		for (size_t i = 0; i < g->limits.n; i++, all++)
-			in_all += in[i];
+		    forecast_figure(g->conditions.forecast, 3).value,
+		    forecast_figure(own.conditions.forecast, 3).value, 0);
+		grading_close(&own);
 	}
 	assert_in_range(in_all, 1, all - 1);
 	t->tenths = 740;

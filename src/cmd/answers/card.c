@@ -78,7 +78,7 @@ asked_free(struct asked *all)
 	free(all->q);
 	free(all->limits);
 	conditions_free(&all->list);
-	response_free(all->wanted.response);
+	forecast_close(all->wanted.forecast);
 	forecast_close(all->forecast);
 }
 
@@ -131,7 +131,8 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
 		return false;
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
 	if (all->list.n > 0)
-		all->wanted = conditions_ask(s, entry, run, &all->list, NULL);
+		all->wanted =
+		    conditions_ask(s, all->question, &all->list, NULL);
 	all->flows = all->plan.circuit != NULL;
 	if (!all->flows)
 		return true;
@@ -204,10 +205,10 @@ add_flow(struct answer *r, const struct asked *all, double v)
 static void
 add_limits(struct answer *r, struct asked *all, double v)
 {
-	response_at(all->wanted.response, v);
-	answer_cells(
-	    r, "%s", window_holds(&all->wanted) ? tr("met") : tr("missed"));
-	double share = window_certainty(&all->wanted);
+	forecast_at(all->wanted.forecast, v);
+	answer_cells(r, "%s",
+	    wanted_holds(&all->wanted, SIZE_MAX) ? tr("met") : tr("missed"));
+	double share = wanted_certainty(&all->wanted);
 	char *certain = isnan(share) ? xstrdup("-") : conditions_percent(share);
 	answer_text(r, "%s", certain);
 	free(certain);

@@ -28,7 +28,7 @@ struct goal {
 	struct condition_list others;
 	char *limits; /* where those of an envelope are from; or NULL */
 	const struct question *question;
-	struct wanted wanted; /* the others; then the target's quantity */
+	struct wanted wanted; /* the others; then the target */
 };
 
 /* Whether the speeds of an envelope are asked for: of one that is named, or,
@@ -189,19 +189,18 @@ shown(const struct goal *goal, double value)
 	return quantities_shown(&goal->target.quantity, value);
 }
 
-/* At the speed that the response is at, or at v. */
-static double
-value_now(const struct goal *goal)
+/* At the speed that the forecast is at, or at v. */
+static struct figure
+figure_now(const struct goal *goal)
 {
-	return shown(
-	    goal, response_value(goal->wanted.response, goal->wanted.n));
+	return forecast_figure(goal->wanted.forecast, goal->wanted.n);
 }
 
 static double
 value_at(const struct goal *goal, double v)
 {
-	response_at(goal->wanted.response, v);
-	return value_now(goal);
+	forecast_at(goal->wanted.forecast, v);
+	return shown(goal, figure_now(goal).value);
 }
 
 /* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
@@ -223,10 +222,15 @@ goal_words(const struct goal *goal)
 	return words;
 }
 
-/* range: of the speed. */
+static double
+within(double speed)
+{
+	return speed > 0 && isfinite(speed) ? speed : NAN;
+}
+
 static void
 put_goal(struct fields *o, const struct goal *goal, double speed,
-    const double range[2])
+    const struct speed_search *f)
 {
 	const struct quantity *q = &goal->target.quantity;
 	bool passing =
@@ -247,145 +251,110 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
 	    value_at(goal, goal->wanted.from), value_at(goal, goal->wanted.to),
 	    speed);
-	fields_put(o, "speed_low %g speed_high %g",
-	    range[0] > 0 ? range[0] : NAN, isfinite(range[1]) ? range[1] : NAN);
+	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
+	    within(f->range[0]), within(f->range[1]), within(f->cut[0]),
+	    within(f->cut[1]));
 	free(key);
 	free(wanted);
 }
 
-/* What was found.  speed: NAN where there is none; holds: the others do
- * there. */
-struct finding {
-	double speed, range[2];
-	bool holds;
-	size_t n; /* speeds that give the value */
-	double *root;
-	struct window_found w; /* of the others */
-};
-
-static bool
-others_hold(const struct goal *goal, double v)
-{
-	response_at(goal->wanted.response, v);
-	return window_holds(&goal->wanted);
-}
-
-/* How far a speed is from those of the training, or of a model that has none
- * from the middle of the runs. */
+/* The speed of what was found, NAN: none. */
 static double
-beyond(const struct entry *entry, double v)
+speed_of(const struct goal *goal, const struct speed_search *f)
 {
-	double slowest, fastest;
-	if (!origin_reach(entry, &slowest, &fastest))
-		slowest = fastest = site_middle(entry->site);
-	return fmax(0, fmax(slowest - v, v - fastest));
+	return goal->kind == GOAL_VALUE
+		   ? f->found
+		   : speed_search_extreme(f, goal->kind == GOAL_MOST, false);
 }
 
-/* Of the speeds that give the value the one nearest to those of the training,
- * the slowest of several; first of all of those at which the others hold. */
-static void
-choose(const struct entry *entry, const struct goal *goal, struct finding *f)
+/* "66.2 to 68.9", an end of which may lie beyond the speeds searched; the
+ * caller frees. */
+static char *
+range_words(const struct goal *goal, const double range[2])
 {
-	for (size_t i = 0; i < f->n; i++) {
-		bool holds = others_hold(goal, f->root[i]);
-		bool nearer = isnan(f->speed) || beyond(entry, f->root[i]) <
-						     beyond(entry, f->speed);
-		if (holds < f->holds || (holds == f->holds && !nearer))
-			continue;
-		f->holds = holds;
-		f->speed = f->root[i];
-	}
-}
-
-static struct finding
-search(const struct session *s, const struct goal *goal)
-{
-	const struct wanted *c = &goal->wanted;
-	struct finding f = {.speed = NAN, .range = {NAN, NAN}};
-	f.w = window_find(c);
-	if (goal->kind != GOAL_VALUE) {
-		f.speed =
-		    window_extreme(c, &f.w, c->n, goal->kind == GOAL_MOST);
-		f.holds = !isnan(f.speed);
-		return f;
-	}
-	f.n = window_roots(c, c->n, goal->target.least, &f.root);
-	choose(goal->question->entry, goal, &f);
-	/* As another value is to be looked for elsewhere, so is its range. */
-	double about = isnan(f.speed) ? (c->from + c->to) / 2 : f.speed;
-	window_spread(c, c->n, goal->target.least, about,
-	    settings_level(&s->set), f.range);
-	return f;
-}
-
-/* The speed found with its range, an end of which may lie beyond the speeds
- * searched. */
-static void
-note_speed(struct answer *r, const struct session *s, const struct goal *goal,
-    const struct finding *f, const char *words)
-{
-	const double *range = f->range;
 	char low[40], high[40];
 	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : tr("below %g"),
 	    range[0] > 0 ? range[0] : goal->wanted.from);
 	snprintf(high, sizeof high,
 	    isfinite(range[1]) ? "%.2f" : tr("above %g"),
 	    isfinite(range[1]) ? range[1] : goal->wanted.to);
-	if (isnan(range[0]))
-		answer_note(r, "%s at %.2f m/s", words, f->speed);
-	else
-		answer_note(r, "%s at %.2f m/s (%.0f %% range: %s to %s m/s)",
-		    words, f->speed, 100 * settings_level(&s->set), low, high);
-	for (size_t i = 0; i < f->n; i++)
-		if (f->root[i] != f->speed)
-			answer_note(r, "also at %.2f m/s%s", f->root[i],
-			    answers_extrapolates(
-				goal->question->entry, f->root[i])
-				? tr(", extrapolated")
-				: "");
+	return xasprintf(tr("%s to %s m/s"), low, high);
 }
 
-/* "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed the response is at; the
+/* The speed found with its range, and that in which a belt cut may show the
+ * value. */
+static void
+note_speed(struct answer *r, const struct goal *goal,
+    const struct speed_search *f, const char *words)
+{
+	if (isnan(f->range[0])) {
+		answer_note(r, "%s at %.2f m/s", words, f->found);
+	} else {
+		char *range = range_words(goal, f->range);
+		char *cut = range_words(goal, f->cut);
+		answer_note(r,
+		    "%s at %.2f m/s (%.0f %% range: %s; a belt cut may show it "
+		    "from %s)",
+		    words, f->found, 100 * goal->wanted.level, range, cut);
+		free(range);
+		free(cut);
+	}
+	for (size_t i = 0; i < f->n_root; i++) {
+		double v = f->root[i].speed;
+		if (v != f->found)
+			answer_note(r, "also at %.2f m/s%s", v,
+			    answers_extrapolates(goal->question->entry, v)
+				? tr(", extrapolated")
+				: "");
+	}
+}
+
+/* "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed the forecast is at; the
  * caller frees. */
 static char *
-value_words(const struct session *s, const struct goal *goal, size_t i)
+value_words(const struct goal *goal, size_t i)
 {
 	const struct quantity *q = i < goal->wanted.n
 				       ? &goal->wanted.at[i].quantity
 				       : &goal->target.quantity;
 	int digits = quantities_decimals(q);
-	double range[2];
-	struct response *all = goal->wanted.response;
+	struct figure f = forecast_figure(goal->wanted.forecast, i);
 	char *words = quantities_words(q);
-	xappend(&words, " %.*f%s", digits,
-	    quantities_shown(q, response_value(all, i)), quantities_after(q));
-	response_band(all, i, settings_level(&s->set), range);
-	if (isfinite(range[0]) && isfinite(range[1]))
+	xappend(&words, " %.*f%s", digits, quantities_shown(q, f.value),
+	    quantities_after(q));
+	if (isfinite(f.low) && isfinite(f.high))
 		xappend(&words, tr(" (%.*f to %.*f)"), digits,
-		    quantities_shown(q, range[0]), digits,
-		    quantities_shown(q, range[1]));
+		    quantities_shown(q, f.low), digits,
+		    quantities_shown(q, f.high));
 	return words;
 }
 
-/* The largest value, and what keeps it from being larger. */
+/* The largest value, and what keeps it from being larger: a limit that is
+ * missed a tenth further on, or the end of what was searched. */
 static void
-note_extreme(struct answer *r, const struct session *s, const struct goal *goal,
-    const struct finding *f)
+note_extreme(struct answer *r, const struct goal *goal,
+    const struct speed_search *f, double v)
 {
+	const double near = 1e-3;
 	bool most = goal->kind == GOAL_MOST;
-	response_at(goal->wanted.response, f->speed);
-	char *words = value_words(s, goal, goal->wanted.n);
+	forecast_at(goal->wanted.forecast, v);
+	char *words = value_words(goal, goal->wanted.n);
 	answer_note(r, "%s at %.2f m/s: %s", most ? tr("largest") : tr("least"),
-	    f->speed, words);
+	    v, words);
 	free(words);
-	struct window_limit limit;
-	double margin = window_margin(&goal->wanted, &limit);
-	if (goal->wanted.n > 0 && margin < 1e-6) {
-		words = conditions_limit(&goal->others, limit);
+	struct wanted_limit binds = {SIZE_MAX, false};
+	for (size_t k = 0; k < f->n_inside; k++) {
+		const struct speed_range *in = &f->inside[k];
+		if (fabs(in->from - v) < near)
+			binds = in->low;
+		if (fabs(in->to - v) < near)
+			binds = in->high;
+	}
+	if (binds.i != SIZE_MAX) {
+		words = conditions_limit(&goal->others, binds);
 		answer_note(r, "what binds: %s", words);
 		free(words);
-	} else if (f->speed - goal->wanted.from < 1e-3 ||
-		   goal->wanted.to - f->speed < 1e-3) {
+	} else if (v - goal->wanted.from < near || goal->wanted.to - v < near) {
 		answer_say(r, ANSWER_REMARK,
 		    "that is the end of the speeds searched: from= and to= "
 		    "search others");
@@ -395,55 +364,50 @@ note_extreme(struct answer *r, const struct session *s, const struct goal *goal,
 /* The best with the probability of bands, which at a limit that binds is a half
  * only. */
 static void
-note_sure(struct answer *r, const struct session *s, const struct goal *goal,
-    const struct finding *f)
+note_sure(
+    struct answer *r, const struct goal *goal, const struct speed_search *f)
 {
-	double level = settings_level(&s->set);
-	struct window_range sure = {0};
-	struct window_found in = {.n_inside = 1, .inside = &sure};
-	double range[2];
-	window_certain(&f->w, level, range);
-	if (isnan(range[0])) {
+	double level = 100 * goal->wanted.level;
+	double v = speed_search_extreme(f, goal->kind == GOAL_MOST, true);
+	if (isnan(v)) {
 		answer_note(r,
 		    "at no speed do the conditions hold with %.0f %% certainty",
-		    100 * level);
+		    level);
 		return;
 	}
-	sure.from = range[0];
-	sure.to = range[1];
-	double v = window_extreme(
-	    &goal->wanted, &in, goal->wanted.n, goal->kind == GOAL_MOST);
-	response_at(goal->wanted.response, v);
-	char *words = value_words(s, goal, goal->wanted.n);
+	forecast_at(goal->wanted.forecast, v);
+	char *words = value_words(goal, goal->wanted.n);
 	answer_note(
-	    r, "with %.0f %% certainty at %.1f m/s: %s", 100 * level, v, words);
+	    r, "with %.0f %% certainty at %.1f m/s: %s", level, v, words);
 	free(words);
+}
+
+static void
+note_other(struct answer *r, const struct goal *goal, size_t i)
+{
+	const struct condition *c = &goal->wanted.at[i];
+	bool points = quantities_unit(&c->quantity)[0] == '%';
+	char *words = conditions_words(c), *value = value_words(goal, i);
+	if (wanted_holds(&goal->wanted, i))
+		answer_note(r, "%s: met, %s", words, value);
+	else if (!points)
+		answer_note(r, "%s: missed: %s", words, value);
+	else
+		answer_note(r, "%s: missed by %.1f points, %s", words,
+		    -100 * wanted_margin(&goal->wanted, i).passing, value);
+	free(words);
+	free(value);
 }
 
 /* Each other condition at the speed found, and how sure all of them are. */
 static void
-note_others(struct answer *r, const struct session *s, const struct goal *goal,
-    const struct finding *f)
+note_others(struct answer *r, const struct goal *goal,
+    const struct speed_search *f, double v)
 {
-	response_at(goal->wanted.response, f->speed);
-	for (size_t i = 0; i < goal->wanted.n; i++) {
-		struct window_limit limit;
-		double margin = window_margin_of(&goal->wanted, i, &limit);
-		const struct condition *c = &goal->wanted.at[i];
-		char *words = conditions_words(c);
-		bool points = quantities_unit(&c->quantity)[0] == '%';
-		char *value = value_words(s, goal, i);
-		if (window_holds_of(&goal->wanted, i))
-			answer_note(r, "%s: met, %s", words, value);
-		else if (!points)
-			answer_note(r, "%s: missed: %s", words, value);
-		else
-			answer_note(r, "%s: missed by %.1f points, %s", words,
-			    -100 * margin, value);
-		free(words);
-		free(value);
-	}
-	double certain = window_certainty(&goal->wanted);
+	forecast_at(goal->wanted.forecast, v);
+	for (size_t i = 0; i < goal->wanted.n; i++)
+		note_other(r, goal, i);
+	double certain = wanted_certainty(&goal->wanted);
 	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
 		return;
@@ -452,10 +416,10 @@ note_others(struct answer *r, const struct session *s, const struct goal *goal,
 	    goal->wanted.n > 1
 		? N_("at %.2f m/s these conditions hold with %s certainty")
 		: N_("at %.2f m/s this condition holds with %s certainty"),
-	    f->speed, words);
+	    v, words);
 	free(words);
-	if (goal->kind != GOAL_VALUE && certain < settings_level(&s->set))
-		note_sure(r, s, goal, f);
+	if (goal->kind != GOAL_VALUE && certain < goal->wanted.level)
+		note_sure(r, goal, f);
 }
 
 /* Why there is no such speed: what the two ends give. */
@@ -468,8 +432,7 @@ note_unreached(struct answer *r, const struct goal *goal, const char *words)
 	bool falls = (size || q->kind == QUANTITY_PASSING) &&
 		     !fraction_screens(&q->fraction);
 	double high = value_at(goal, c->to), low = value_at(goal, c->from);
-	double over =
-	    response_over(c->response, c->n, goal->target.least, SIZE_MAX);
+	double over = forecast_over(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
 	if (falls)
 		answer_note(r,
@@ -490,81 +453,92 @@ note_unreached(struct answer *r, const struct goal *goal, const char *words)
 }
 
 static void
-note_finding(struct answer *r, const struct session *s, const struct goal *goal,
-    const struct finding *f, const char *words)
+note_finding(struct answer *r, const struct goal *goal,
+    const struct speed_search *f, const char *words)
 {
-	bool found = !isnan(f->speed);
+	double v = speed_of(goal, f);
+	bool found = !isnan(v);
 	if (!found && goal->kind == GOAL_VALUE)
 		note_unreached(r, goal, words);
 	else if (!found)
-		conditions_note_missed(r, &goal->wanted, &goal->others, &f->w);
+		conditions_note_missed(r, &goal->wanted, &goal->others, f);
 	else if (goal->kind == GOAL_VALUE)
-		note_speed(r, s, goal, f, words);
+		note_speed(r, goal, f, words);
 	else
-		note_extreme(r, s, goal, f);
+		note_extreme(r, goal, f, v);
 	if (found && goal->wanted.n > 0)
-		note_others(r, s, goal, f);
+		note_others(r, goal, f, v);
 	if (goal->limits != NULL)
 		answer_say(r, ANSWER_REMARK, "%s", goal->limits);
+}
+
+static void
+put_found(
+    struct fields *o, const struct goal *goal, const struct speed_search *f)
+{
+	double v = speed_of(goal, f);
+	put_goal(o, goal, v, f);
+	if (goal->wanted.n == 0)
+		return;
+	forecast_at(goal->wanted.forecast, isnan(v) ? f->best : v);
+	conditions_put(o, &goal->wanted, f);
+	fields_put(
+	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }
 
 /* The product at the speed found; without one those at the two ends. */
 static void
 answer_goal(struct session *s, struct goal *goal)
 {
-	const struct entry *entry = goal->question->entry;
-	struct finding f = search(s, goal);
-	bool found = !isnan(f.speed);
-	double speed[2] = {
-	    found ? f.speed : goal->wanted.from, goal->wanted.to};
+	const struct question *q = goal->question;
+	const struct entry *entry = q->entry;
+	struct speed_search *f = speed_search_all(&goal->wanted);
+	double v = speed_of(goal, f);
+	bool found = !isnan(v);
+	double speed[2] = {found ? v : goal->wanted.from, goal->wanted.to};
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] =
-		    outlook_predict(s, entry, speed[i], goal->question->feed);
+		p[i] = outlook_predict(s, entry, speed[i], q->feed);
 	session_forget(s);
 	char *words = goal_words(goal);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(r, entry, p, n);
-	note_finding(r, s, goal, &f, words);
+	note_finding(r, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	double near = site_middle(entry->site);
-	answers_note_doubt(s, r, goal->question->entry, goal->question->feed,
-	    found ? f.speed : near);
-	put_goal(answer_fields(r), goal, f.speed, f.range);
-	response_at(goal->wanted.response, found ? f.speed : f.w.best);
-	if (goal->wanted.n > 0)
-		conditions_put(answer_fields(r), s, &goal->wanted, &f.w);
-	if (goal->wanted.n > 0)
-		fields_put(answer_fields(r), "holds %d", f.holds);
+	answers_note_doubt(
+	    s, r, entry, q->feed, found ? v : site_middle(entry->site));
+	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_answer(s, r);
 	if (found)
 		answers_keep(s, entry, &entry->params, &p[0]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
-	window_free(&f.w);
-	free(f.root);
+	speed_search_free(f);
 	free(words);
 }
 
 /* Where none meets it: what is missed at the nearest speed. */
 static void
 note_window(struct answer *r, const struct goal *goal, const struct grading *g,
-    const struct window_found *w)
+    const struct speed_search *w)
 {
-	const struct window_range *in = window_around(w);
+	const struct speed_range *in = speed_search_around(w);
 	if (in != NULL) {
+		char *speeds = conditions_speeds_words(w);
 		answer_note(r,
-		    "meets the envelope from %.2f to %.2f m/s; table: %.2f m/s",
-		    in->from, in->to, in->from);
+		    "meets the envelope at %s m/s, most surely at %.1f; table: "
+		    "%.1f m/s",
+		    speeds, w->best, in->from);
+		free(speeds);
 		return;
 	}
 	answer_note(r,
 	    "no speed from %g to %g m/s meets the envelope; the nearest is "
-	    "%.2f m/s",
+	    "%.1f m/s",
 	    goal->wanted.from, goal->wanted.to, w->best);
 	char *missed = grading_missed(g);
 	answer_note(r, "%s", missed);
@@ -572,12 +546,11 @@ note_window(struct answer *r, const struct goal *goal, const struct grading *g,
 }
 
 static void
-note_certain(struct answer *r, const struct session *s, const double range[2])
+note_certain(struct answer *r, double level, const double range[2])
 {
-	double level = 100 * settings_level(&s->set);
 	if (isfinite(range[0]))
 		answer_note(r,
-		    "holds with %.0f %% probability from %.2f to %.2f m/s",
+		    "holds with %.0f %% probability from %.1f to %.1f m/s",
 		    level, range[0], range[1]);
 	else
 		answer_note(r,
@@ -598,31 +571,30 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;
-	struct window_found w = window_find(&g.conditions);
-	const struct window_range *in = window_around(&w);
-	double v = in != NULL ? in->from : w.best, certain[2];
+	struct speed_search *w = speed_search_all(&g.conditions);
+	const struct speed_range *in = speed_search_around(w);
+	double v = in != NULL ? in->from : w->best;
 	char *words = grading_words(&g);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speeds for %s", words);
 	free(words);
-	window_certain(&w, settings_level(&s->set), certain);
-	grading_rows(r, s, &g, v);
-	note_window(r, goal, &g, &w);
-	if (response_draws(g.conditions.response, 0) != NULL)
-		note_certain(r, s, certain);
-	grading_notes(r, s, &g);
+	grading_rows(r, &g, v);
+	note_window(r, goal, &g, w);
+	if (forecast_draws(g.conditions.forecast, 0) != NULL)
+		note_certain(r, 100 * g.conditions.level, w->sure);
+	grading_notes(r, &g);
 	answers_note_doubt(
 	    s, r, goal->question->entry, goal->question->feed, v);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
-	    "speed %g",
+	    "speed %g best %g",
 	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
-	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v);
+	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
 	grading_put_worst(answer_fields(r), &g);
 	grading_put(r, &g);
 	session_forget(s);
 	session_answer(s, r);
-	window_free(&w);
+	speed_search_free(w);
 	grading_close(&g);
 	return true;
 }
@@ -634,13 +606,12 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 	double from = goal->wanted.from, to = goal->wanted.to;
 	bool ok = read_goal(s, args, goal, error);
 	if (ok) {
-		goal->wanted = conditions_ask(s, goal->question->entry,
-		    goal->question->feed, &goal->others,
-		    &goal->target.quantity);
+		goal->wanted = conditions_ask(
+		    s, goal->question, &goal->others, &goal->target);
 		goal->wanted.from = from;
 		goal->wanted.to = to;
 		answer_goal(s, goal);
-		response_free(goal->wanted.response);
+		forecast_close(goal->wanted.forecast);
 	}
 	conditions_free(&goal->others);
 	free(goal->limits);

@@ -46,7 +46,7 @@ struct ask {
 	const struct question *q;
 	struct condition_list list;
 	struct wanted wanted;
-	struct window_found found;
+	struct speed_search *found;
 };
 
 /* Headings, and the commands below each; NULL: below the heading before.
@@ -222,34 +222,32 @@ put_light(struct session *s, const struct ask *ask)
 static void
 append_window(char **words, const struct ask *ask)
 {
-	const struct window_found *w = &ask->found;
-	for (size_t k = 0; k < w->n_inside; k++)
-		xlist(words, k == 0 ? "; " : tr(" and "),
-		    k == 0 ? tr("met from %.2f to %.2f m/s")
-			   : tr("from %.2f to %.2f m/s"),
-		    w->inside[k].from, w->inside[k].to);
+	const struct speed_search *w = ask->found;
+	char *speeds = conditions_speeds_words(w);
+	if (w->n_inside > 0)
+		xlist(words, "; ", tr("met at %s m/s"), speeds);
+	free(speeds);
 	if (w->n_inside > 0)
 		return;
 	xlist(words, "; ",
 	    ask->list.n > 1 ? tr("no speed from %g to %g m/s meets all of them")
 			    : tr("no speed from %g to %g m/s meets it"),
 	    ask->wanted.from, ask->wanted.to);
-	if (isfinite(w->margin))
+	if (isfinite(w->margin.passing))
 		xlist(words, "; ",
-		    tr("the nearest misses by %.1f points at %.2f m/s"),
-		    -100 * w->margin, w->best);
+		    tr("the nearest misses by %.1f points at %.1f m/s"),
+		    -100 * w->margin.passing, w->best);
 }
 
 /* Whether the product at the report's speed is as it is wanted. */
 static void
 put_conditions(struct session *s, const struct ask *ask)
 {
-	struct window_limit limit;
 	if (!is_met(s, ask, NEED_CONDITIONS))
 		return;
-	response_at(ask->wanted.response, ask->speed);
-	bool met = window_margin(&ask->wanted, &limit) >= 0;
-	double share = window_certainty(&ask->wanted);
+	forecast_at(ask->wanted.forecast, ask->speed);
+	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
+	double share = wanted_certainty(&ask->wanted);
 	char number[32], *list = conditions_list_words(&ask->list);
 	char *certain = conditions_percent(share);
 	char *words = xasprintf(
@@ -380,20 +378,6 @@ take_words(const struct args *args, struct ask *ask)
 			: xstrdup("");
 }
 
-/* The best speed of the window, as few decimals of it as still lie inside. */
-static double
-best_speed(const struct ask *ask)
-{
-	struct window_limit limit;
-	for (double steps = 10; steps <= 1000; steps *= 10) {
-		double v = round(steps * ask->found.best) / steps;
-		response_at(ask->wanted.response, v);
-		if (window_margin(&ask->wanted, &limit) >= 0)
-			return v;
-	}
-	return ask->found.best;
-}
-
 /* What could not be used is said before anything is written. */
 static bool
 read_ask(struct session *s, const struct args *args, struct ask *ask,
@@ -413,19 +397,18 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 	ask->speed = ask->q->speed;
 	if (!is_met(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted = conditions_ask(s, entry, ask->q->feed, &ask->list, NULL);
-	site_reach(site, &ask->wanted.from, &ask->wanted.to);
-	ask->found = window_find(&ask->wanted);
-	if (!ask->q->speed_given && ask->found.n_inside > 0)
-		ask->speed = best_speed(ask);
+	ask->wanted = conditions_ask(s, ask->q, &ask->list, NULL);
+	ask->found = speed_search_all(&ask->wanted);
+	if (!ask->q->speed_given && ask->found->n_inside > 0)
+		ask->speed = ask->found->best;
 	return true;
 }
 
 static void
 ask_free(struct ask *ask)
 {
-	window_free(&ask->found);
-	response_free(ask->wanted.response);
+	speed_search_free(ask->found);
+	forecast_close(ask->wanted.forecast);
 	conditions_free(&ask->list);
 	free(ask->conditions);
 	free(ask->envelope);

@@ -181,8 +181,8 @@ list_specs(struct session *s, const struct args *args, struct error *error)
 static void
 note_verdict(struct answer *r, const struct grading *g, double v)
 {
-	response_at(g->conditions.response, v);
-	double certain = window_certainty(&g->conditions);
+	forecast_at(g->conditions.forecast, v);
+	double certain = wanted_certainty(&g->conditions);
 	char *missed = grading_missed(g);
 	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
 	answer_note(
@@ -213,12 +213,13 @@ compare(struct session *s, const struct args *args, struct question *q,
 	struct answer *r =
 	    answers_new(entry->site, "spec", "%s at %g m/s", name, v);
 	free(name);
-	grading_rows(r, s, &g, v);
+	grading_rows(r, &g, v);
 	note_verdict(r, &g, v);
-	grading_notes(r, s, &g);
+	grading_notes(r, &g);
 	answers_note_doubt(s, r, q->entry, q->feed, v);
 	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
-	    answers_extrapolates(entry, v), window_holds(&g.conditions));
+	    answers_extrapolates(entry, v),
+	    wanted_holds(&g.conditions, SIZE_MAX));
 	grading_put(r, &g);
 	session_answer(s, r);
 	grading_close(&g);

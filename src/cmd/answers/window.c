@@ -20,7 +20,7 @@ struct asking {
 	char *limits; /* where those of an envelope are from; or NULL */
 	const struct question *q;
 	struct wanted wanted;
-	struct window_found w;
+	struct speed_search *w;
 };
 
 static bool
@@ -43,11 +43,11 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 static void
 look(struct session *s, struct asking *a, double from, double to)
 {
-	a->wanted = conditions_ask(s, a->q->entry, a->q->feed, &a->list, NULL);
+	a->wanted = conditions_ask(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
 	a->wanted.to = to;
-	a->w = window_find(&a->wanted);
-	response_at(a->wanted.response, a->w.best);
+	a->w = speed_search_all(&a->wanted);
+	forecast_at(a->wanted.forecast, a->w->best);
 }
 
 /* "passing 0.5 mm binds below 71.5, passing 0.063 mm above 76.2 m/s"; one
@@ -55,7 +55,7 @@ look(struct session *s, struct asking *a, double from, double to)
 static void
 note_binding(struct answer *r, const struct asking *a)
 {
-	const struct window_range *in = window_around(&a->w);
+	const struct speed_range *in = speed_search_around(a->w);
 	char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		char *q = quantities_words(&a->list.at[in->low.i].quantity);
@@ -83,59 +83,47 @@ note_binding(struct answer *r, const struct asking *a)
 	free(words);
 }
 
+/* "1.2 points, 0.9 times the width of its band". */
+static void
+note_margin(struct answer *r, const struct asking *a)
+{
+	const struct margin *m = &a->w->margin;
+	double widths = conditions_widths(&a->wanted, *m);
+	if (!isfinite(m->passing))
+		return;
+	char *limit = conditions_limit(&a->list, m->limit);
+	if (isfinite(widths))
+		answer_note(r,
+		    "nearest limit there: %s, %.1f points away, %.1f times the "
+		    "width of the band",
+		    limit, 100 * m->passing, widths);
+	else
+		answer_note(r, "nearest limit there: %s, %.1f points away",
+		    limit, 100 * m->passing);
+	free(limit);
+}
+
 static void
 note_inside(struct answer *r, const struct asking *a)
 {
-	const struct window_found *w = &a->w;
-	char *ranges = xstrdup("");
-	for (size_t k = 0; k < w->n_inside; k++)
-		xlist(&ranges, tr(" and "), tr("from %.2f to %.2f m/s"),
-		    w->inside[k].from, w->inside[k].to);
+	char *speeds = conditions_speeds_words(a->w);
 	answer_note(r,
-	    a->list.n > 1 ? N_("all conditions hold %s") : N_("it holds %s"),
-	    ranges);
+	    a->list.n > 1 ? N_("all conditions hold at %s m/s")
+			  : N_("it holds at %s m/s"),
+	    speeds);
 	note_binding(r, a);
-	if (isfinite(w->margin))
-		answer_note(r, "best %.1f m/s with %.1f points to spare",
-		    w->best, 100 * w->margin);
-	else
-		answer_note(r, "shown at %.1f m/s", w->best);
-	if (isfinite(w->margin) &&
-	    (w->best - a->wanted.from < 1e-3 || a->wanted.to - w->best < 1e-3))
-		answer_say(r, ANSWER_REMARK,
-		    "the best speed is the end of those searched: from= and "
-		    "to= search others");
-	free(ranges);
+	free(speeds);
 }
 
-/* The most certain speed. */
-static size_t
-most_certain(const struct window_found *w)
+static void
+note_none_sure(struct answer *r, const struct speed_search *w, double level)
 {
 	size_t most = 0;
 	for (size_t k = 0; k < w->n; k++)
 		if (w->certain[k] > w->certain[most])
 			most = k;
-	return most;
-}
-
-static void
-note_certain(struct answer *r, struct session *s, const struct asking *a)
-{
-	const struct window_found *w = &a->w;
-	double level = settings_level(&s->set), range[2];
-	window_certain(w, level, range);
-	size_t most = most_certain(w);
-	char *best = conditions_percent(w->best_certain);
 	char *highest = conditions_percent(w->certain[most]);
-	if (isnan(w->best_certain))
-		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
-	else if (isfinite(range[0]))
-		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s; with "
-		    "%s at %.1f m/s",
-		    100 * level, range[0], range[1], best, w->best);
-	else if (w->certain[most] <= 0)
+	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty: it is "
 		    "under 1 %% at all of them",
@@ -145,21 +133,51 @@ note_certain(struct answer *r, struct session *s, const struct asking *a)
 		    "at no speed does it hold with %.0f %% certainty; most at "
 		    "%.1f m/s, with %s",
 		    100 * level, w->speed[most], highest);
-	free(best);
 	free(highest);
-	if (isfinite(range[0]))
-		answers_put_pair(
-		    answer_fields(r), "certain", range[0], range[1]);
+}
+
+/* The best speed, and how sure it and those about it are. */
+static void
+note_certain(struct answer *r, const struct session *s, const struct asking *a)
+{
+	const struct speed_search *w = a->w;
+	double level = a->wanted.level;
+	bool drawn = !isnan(w->best_certain), sure = isfinite(w->sure[0]);
+	char *best = conditions_percent(w->best_certain);
+	if (w->n_inside > 0 && drawn)
+		answer_note(
+		    r, "best %.1f m/s, with %s certainty", w->best, best);
+	else if (w->n_inside > 0)
+		answer_note(r, "best %.1f m/s", w->best);
+	if (w->n_inside > 0)
+		note_margin(r, a);
+	if (!drawn)
+		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
+	else if (sure)
+		answer_note(r,
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
+		    100 * level, w->sure[0], w->sure[1]);
 	else
-		fields_number(answer_fields(r), "certain", NAN);
-	fields_put(answer_fields(r), "certainty_pct %g level %g",
-	    100 * w->best_certain, 100 * level);
+		note_none_sure(r, w, level);
+	free(best);
+}
+
+static void
+put_certain(struct fields *o, const struct asking *a)
+{
+	const struct speed_search *w = a->w;
+	if (isfinite(w->sure[0]))
+		answers_put_pair(o, "certain", w->sure[0], w->sure[1]);
+	else
+		fields_number(o, "certain", NAN);
+	fields_put(o, "certainty_pct %g level %g", 100 * w->best_certain,
+	    100 * a->wanted.level);
 }
 
 static void
 put_limits(struct fields *o, const struct asking *a)
 {
-	const struct window_limit limit[] = {a->w.low, a->w.high};
+	const struct wanted_limit limit[] = {a->w->low, a->w->high};
 	for (size_t k = 0; k < 2; k++) {
 		if (limit[k].i == SIZE_MAX) {
 			fields_number(
@@ -177,9 +195,9 @@ static void
 note_beyond(struct answer *r, const struct asking *a)
 {
 	const struct entry *entry = a->q->entry;
-	const struct window_range *in = window_around(&a->w);
+	const struct speed_range *in = speed_search_around(a->w);
 	double slowest, fastest;
-	if (in == NULL || answers_extrapolates(entry, a->w.best) ||
+	if (in == NULL || answers_extrapolates(entry, a->w->best) ||
 	    !origin_reach(entry, &slowest, &fastest) ||
 	    (in->from >= slowest && in->to <= fastest))
 		return;
@@ -191,13 +209,17 @@ note_beyond(struct answer *r, const struct asking *a)
 static void
 put_window(struct fields *o, const struct asking *a, bool outside)
 {
-	const struct window_found *w = &a->w;
+	const struct speed_search *w = a->w;
 	struct fields *inside = fields_list(o, "inside");
 	for (size_t k = 0; k < w->n_inside; k++)
 		fields_put(fields_list(inside, NULL), "%g %g",
 		    w->inside[k].from, w->inside[k].to);
-	fields_put(o, "best %g margin_pct %g from %g to %g extrapolated %d",
-	    w->best, 100 * w->margin, a->wanted.from, a->wanted.to, outside);
+	fields_put(o,
+	    "best %g margin_pct %g margin_widths %g from %g to %g "
+	    "extrapolated %d",
+	    w->best, 100 * w->margin.passing,
+	    conditions_widths(&a->wanted, w->margin), a->wanted.from,
+	    a->wanted.to, outside);
 	put_limits(o, a);
 }
 
@@ -227,23 +249,24 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		struct answer *r =
 		    answers_new(entry->site, "window", "%s at %.1f m/s",
 			a.list.n > 1 ? tr("conditions") : tr("the condition"),
-			a.w.best);
-		conditions_rows(r, s, &a.wanted, &a.w);
-		conditions_put(answer_fields(r), s, &a.wanted, &a.w);
-		if (a.w.n_inside > 0)
+			a.w->best);
+		conditions_rows(r, &a.wanted, a.w);
+		conditions_put(answer_fields(r), &a.wanted, a.w);
+		if (a.w->n_inside > 0)
 			note_inside(r, &a);
 		else
-			conditions_note_missed(r, &a.wanted, &a.list, &a.w);
+			conditions_note_missed(r, &a.wanted, &a.list, a.w);
 		put_window(answer_fields(r), &a,
-		    answers_extrapolates(entry, a.w.best));
+		    answers_extrapolates(entry, a.w->best));
 		note_certain(r, s, &a);
+		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
 		note_beyond(r, &a);
-		answers_note_doubt(s, r, q->entry, q->feed, a.w.best);
-		response_free(a.wanted.response);
-		window_free(&a.w);
+		answers_note_doubt(s, r, q->entry, q->feed, a.w->best);
+		forecast_close(a.wanted.forecast);
+		speed_search_free(a.w);
 		ok = session_answer(s, r);
 	}
 	conditions_free(&a.list);

@@ -424,7 +424,7 @@ conditions_list_words(const struct condition_list *list)
 }
 
 char *
-conditions_limit(const struct condition_list *list, struct window_limit limit)
+conditions_limit(const struct condition_list *list, struct wanted_limit limit)
 {
 	struct condition one = list->at[limit.i];
 	if (limit.most)
@@ -434,112 +434,122 @@ conditions_limit(const struct condition_list *list, struct window_limit limit)
 	return conditions_words(&one);
 }
 
-/* Of condition i at the speed: value, low and high. */
 static void
-read_values(const struct session *s, const struct wanted *wanted, size_t i,
-    double value[static 3])
-{
-	value[0] = response_value(wanted->response, i);
-	response_band(wanted->response, i, settings_level(&s->set), value + 1);
-}
-
-static void
-put_condition(struct fields *o, const struct session *s,
-    const struct wanted *wanted, const struct window_found *w, size_t i)
+put_condition(struct fields *o, const struct wanted *wanted,
+    const struct speed_search *found, size_t i)
 {
 	const struct condition *c = &wanted->at[i];
 	const struct quantity *q = &c->quantity;
-	struct window_limit limit;
-	double value[3], margin = window_margin_of(wanted, i, &limit);
+	struct margin margin = wanted_margin(wanted, i);
+	struct figure f = forecast_figure(wanted->forecast, i);
 	char *key = quantities_key(q);
-	read_values(s, wanted, i, value);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
-	    "margin_pct %g holds_from %g holds_to %g",
+	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
 	    key, quantities_unit(q), quantities_shown(q, c->least),
-	    quantities_shown(q, c->most), quantities_shown(q, value[0]),
-	    quantities_shown(q, value[1]), quantities_shown(q, value[2]),
-	    100 * margin, w->alone[i][0], w->alone[i][1]);
+	    quantities_shown(q, c->most), quantities_shown(q, f.value),
+	    quantities_shown(q, f.low), quantities_shown(q, f.high),
+	    100 * margin.passing, conditions_widths(wanted, margin),
+	    found->alone[i][0], found->alone[i][1]);
 	free(key);
 }
 
+char *
+conditions_speeds_words(const struct speed_search *found)
+{
+	const double tenth = 0.1, hair = 1e-6;
+	char *words = xstrdup("");
+	for (size_t k = 0; k < found->n_inside; k++) {
+		double from = found->inside[k].from, to = found->inside[k].to;
+		if (to - from < hair)
+			xlist(&words, tr(" and "), "%.1f", from);
+		else
+			xlist(&words, tr(" and "),
+			    to - from < tenth - hair ? tr("%.2f to %.2f")
+						     : tr("%.1f to %.1f"),
+			    from, to);
+	}
+	return words;
+}
+
+double
+conditions_widths(const struct wanted *wanted, struct margin margin)
+{
+	return wanted->n > 0 && forecast_draws(wanted->forecast, 0) != NULL
+		   ? margin.widths
+		   : NAN;
+}
+
 void
-conditions_put(struct fields *o, const struct session *s,
-    const struct wanted *wanted, const struct window_found *w)
+conditions_put(struct fields *o, const struct wanted *wanted,
+    const struct speed_search *found)
 {
 	struct fields *list = fields_list(o, "conditions");
 	for (size_t i = 0; i < wanted->n; i++)
-		put_condition(fields_object(list, NULL), s, wanted, w, i);
+		put_condition(fields_object(list, NULL), wanted, found, i);
 }
 
 static void
-condition_row(struct answer *r, const struct session *s,
-    const struct wanted *wanted, const struct window_found *w, size_t i)
+condition_row(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found, size_t i)
 {
 	const struct condition *c = &wanted->at[i];
 	const struct quantity *q = &c->quantity;
-	struct window_limit limit;
-	double value[3], margin = window_margin_of(wanted, i, &limit);
+	double margin = wanted_margin(wanted, i).passing;
+	struct figure f = forecast_figure(wanted->forecast, i);
 	char *words = quantities_words(q), *key = quantities_key(q);
 	const char *unit = quantities_unit(q);
 	bool whole = quantities_decimals(q) == 1;
-	read_values(s, wanted, i, value);
 	char *name =
 	    xasprintf("%s%s%s", words, unit[0] != '\0' ? ", " : "", unit);
 	answer_name(r, key, name);
 	answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f",
 	    quantities_shown(q, c->least), quantities_shown(q, c->most),
-	    quantities_shown(q, value[0]));
-	if (response_draws(wanted->response, i) != NULL)
+	    quantities_shown(q, f.value));
+	if (forecast_draws(wanted->forecast, i) != NULL)
 		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
-		    quantities_shown(q, value[1]),
-		    quantities_shown(q, value[2]));
+		    quantities_shown(q, f.low), quantities_shown(q, f.high));
 	answer_cells(r, "%.1f %.1f %.1f", isinf(margin) ? NAN : 100 * margin,
-	    w->alone[i][0], w->alone[i][1]);
+	    found->alone[i][0], found->alone[i][1]);
 	free(name);
 	free(words);
 	free(key);
 }
 
 void
-conditions_rows(struct answer *r, const struct session *s,
-    const struct wanted *wanted, const struct window_found *w)
+conditions_rows(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
 {
 	answer_columns(r, "quantity: condition on, min, max, value");
-	if (response_draws(wanted->response, 0) != NULL)
+	if (forecast_draws(wanted->forecast, 0) != NULL)
 		answer_columns(r, "low, high");
 	answer_columns(r, "margin_pct: points, holds_from: from m/s, "
 			  "holds_to: to m/s");
 	for (size_t i = 0; i < wanted->n; i++)
-		condition_row(r, s, wanted, w, i);
+		condition_row(r, wanted, found, i);
 }
 
 struct wanted
-conditions_ask(const struct session *s, const struct entry *entry, size_t feed,
-    const struct condition_list *list, const struct quantity *more)
+conditions_ask(const struct session *s, const struct question *q,
+    const struct condition_list *list, const struct condition *target)
 {
-	struct quantity *q = xcalloc(list->n + 1, sizeof *q);
-	for (size_t i = 0; i < list->n; i++)
-		q[i] = list->at[i].quantity;
-	if (more != NULL)
-		q[list->n] = *more;
-	struct wanted wanted = {.n = list->n, .at = list->at};
-	wanted.response = outlook_response(s, entry, &entry->params, feed, q,
-	    list->n + (more != NULL ? 1 : 0));
-	free(q);
-	return wanted;
+	const struct quantity *more = target != NULL ? &target->quantity : NULL;
+	struct wanted w =
+	    wanted_of(s, q, list->n, list->at, more != NULL, more);
+	w.target = target;
+	return w;
 }
 
 /* The two limits in the way of the nearest speed; beyond the speeds searched
  * nothing is known. */
 static void
 note_ways(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct window_found *w)
+    const struct condition_list *list, const struct speed_search *found)
 {
-	const struct window_limit limit[] = {w->low, w->high};
+	const struct wanted_limit limit[] = {found->low, found->high};
 	const double end[] = {wanted->from, wanted->to};
 	for (size_t k = 0; k < 2; k++) {
-		if (fabs(w->best - end[k]) < 1e-3) {
+		if (fabs(found->best - end[k]) < 1e-3) {
 			answer_say(r, ANSWER_REMARK,
 			    k == 0 ? N_("%g m/s is the end of the speeds "
 					"searched: from= searches slower ones")
@@ -559,31 +569,29 @@ note_ways(struct answer *r, const struct wanted *wanted,
 
 void
 conditions_note_missed(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct window_found *w)
+    const struct condition_list *list, const struct speed_search *found)
 {
 	const char *what =
 	    list->n > 1 ? tr("all conditions") : tr("the condition");
-	if (!isfinite(w->margin)) {
+	double misses = -100 * found->margin.passing;
+	if (!isfinite(misses)) {
 		answer_note(r,
 		    "no speed from %g to %g m/s gives a value of each "
 		    "condition",
 		    wanted->from, wanted->to);
-	} else if (w->alike) {
-		struct window_limit limit;
-		response_at(wanted->response, w->best);
-		window_margin(wanted, &limit);
-		char *words = conditions_limit(list, limit);
+	} else if (found->alike) {
+		char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s: every speed misses "
 		    "%s alike, by %.1f points",
-		    wanted->from, wanted->to, what, words, -100 * w->margin);
+		    wanted->from, wanted->to, what, words, misses);
 		free(words);
 	} else {
 		answer_note(r,
-		    "no speed from %g to %g m/s meets %s; the nearest is %.2f "
+		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
 		    "m/s, which misses by %.1f points",
-		    wanted->from, wanted->to, what, w->best, -100 * w->margin);
-		note_ways(r, wanted, list, w);
+		    wanted->from, wanted->to, what, found->best, misses);
+		note_ways(r, wanted, list, found);
 	}
 }
 

@@ -5,7 +5,8 @@
 
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
-#include "core/answer/window.h"
+#include "cmd/ask/question.h"
+#include "cmd/ask/speed_search.h"
 
 /* A list that grows. */
 struct condition_list {
@@ -62,26 +63,33 @@ bool conditions_speeds(const struct args *args, const struct site *site,
 char *conditions_words(const struct condition *condition);
 char *conditions_list_words(const struct condition_list *list);
 char *conditions_limit(
-    const struct condition_list *list, struct window_limit limit);
+    const struct condition_list *list, struct wanted_limit limit);
 
 /* Columns and a row for each condition: its limits, its value at the speed the
- * response is at, with the band, the margin and where it alone holds. */
-void conditions_rows(struct answer *r, const struct session *s,
-    const struct wanted *wanted, const struct window_found *w);
+ * forecast is at, with the band, the margin and where it alone holds. */
+void conditions_rows(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found);
 
 /* The same as objects of the list "conditions". */
-void conditions_put(struct fields *o, const struct session *s,
-    const struct wanted *wanted, const struct window_found *w);
+void conditions_put(struct fields *o, const struct wanted *wanted,
+    const struct speed_search *found);
 
-/* A response for the list's quantities and one more, or for NULL none; the
- * list must outlive it, whose `response` is response_free's. */
-struct wanted conditions_ask(const struct session *s, const struct entry *entry,
-    size_t feed, const struct condition_list *list,
-    const struct quantity *more);
+/* The list's quantities and the target's, or for NULL none, of a question, at
+ * the speeds of site_reach; the list and the target must outlive it, whose
+ * `forecast` is forecast_close's. */
+struct wanted conditions_ask(const struct session *s, const struct question *q,
+    const struct condition_list *list, const struct condition *target);
+
+/* The speeds at which all hold: "69.0 to 77.9", "69.0 to 70.1 and 74.4",
+ * "74.42 to 74.47".  The caller frees. */
+char *conditions_speeds_words(const struct speed_search *found);
+
+/* A margin in widths of the band; NAN of a model alone. */
+double conditions_widths(const struct wanted *wanted, struct margin margin);
 
 /* What stands in the way where no speed meets the conditions. */
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct window_found *w);
+    const struct condition_list *list, const struct speed_search *found);
 
 /* "92 %"; draws alone never make sure: "over 99 %", "under 1 %".  The caller
  * frees. */

@@ -216,33 +216,30 @@ grading_limits(const struct spec *spec, const struct fraction *fraction,
 	return l;
 }
 
-static void
-ask(const struct session *s, const struct entry *entry, struct grading *g,
-    size_t feed)
+static double
+grading_value(const struct grading *g, size_t i)
 {
-	size_t n = g->limits.n;
-	struct quantity *asked = xcalloc(n + 2, sizeof *asked);
-	for (size_t i = 0; i < n; i++)
-		asked[i] = g->limits.at[i].quantity;
-	asked[n] =
-	    (struct quantity){.kind = QUANTITY_SHARE, .fraction = g->fraction};
-	asked[n + 1] = (struct quantity){.kind = QUANTITY_MODULUS,
-	    .modulus = g->modulus,
-	    .fraction = g->fraction};
-	g->conditions = (struct wanted){
-	    .response = outlook_response(s, entry, &entry->params, feed, asked,
-		n + (g->modulus != NULL ? 2 : 1)),
-	    .n = n,
-	    .at = g->limits.at};
-	free(asked);
+	return forecast_figure(g->conditions.forecast, i).value;
+}
+
+static void
+ask(const struct session *s, const struct question *q, struct grading *g)
+{
+	const struct quantity more[] = {
+	    {.kind = QUANTITY_SHARE, .fraction = g->fraction},
+	    {.kind = QUANTITY_MODULUS,
+		.modulus = g->modulus,
+		.fraction = g->fraction}};
+	g->conditions = wanted_of(
+	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 }
 
 /* Its fraction is there already. */
 static bool
-open_limits(const struct session *s, const struct entry *entry, size_t feed,
+open_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
-	const struct psd *from = site_feed(entry->site, feed);
+	const struct psd *from = question_feed(q);
 	g->modulus = modulus_of(g->spec);
 	g->limits = grading_limits(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
@@ -252,7 +249,7 @@ open_limits(const struct session *s, const struct entry *entry, size_t feed,
 		    "sieves",
 		    g->spec->name);
 	}
-	ask(s, entry, g, feed);
+	ask(s, q, g);
 	return true;
 }
 
@@ -263,7 +260,7 @@ grading_open(const struct session *s, const struct args *args,
 {
 	*g = (struct grading){.spec = spec};
 	return take_fraction(args, spec, &g->fraction, error) &&
-	       open_limits(s, q->entry, q->feed, g, error);
+	       open_limits(s, q, g, error);
 }
 
 bool
@@ -273,13 +270,14 @@ grading_in_use(const struct session *s, const struct entry *entry, size_t feed,
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
-	return open_limits(s, entry, feed, g, error);
+	struct question q = {.entry = entry, .feed = feed};
+	return open_limits(s, &q, g, error);
 }
 
 void
 grading_close(struct grading *g)
 {
-	response_free(g->conditions.response);
+	forecast_close(g->conditions.forecast);
 	free(g->limits.at);
 }
 
@@ -304,34 +302,29 @@ verdict_of(double value, double least, double most)
 	return value > most + exact ? tr("above") : "ok";
 }
 
-/* Of limit i at the speed the response is at. */
+/* Of limit i at the speed the forecast is at. */
 static const char *
 verdict(const struct grading *g, size_t i)
 {
-	struct window_limit limit;
 	if (i >= g->limits.n_sieve && i < g->spec->n)
 		return tr("not known");
-	if (window_holds_of(&g->conditions, i))
+	if (wanted_holds(&g->conditions, i))
 		return "ok";
-	window_margin_of(&g->conditions, i, &limit);
-	return limit.most ? tr("above") : tr("below");
+	bool above = wanted_margin(&g->conditions, i).limit.most;
+	return above ? tr("above") : tr("below");
 }
 
-/* The sieve that is furthest outside, its limit and its margin; how many are.
- */
+/* The margin of the sieve that is furthest outside; how many are. */
 static size_t
-worst_sieve(const struct grading *g, struct window_limit *worst, double *margin)
+worst_sieve(const struct grading *g, struct margin *worst)
 {
 	size_t out = 0;
-	*margin = INFINITY;
+	worst->passing = INFINITY;
 	for (size_t i = 0; i < g->limits.n_sieve; i++) {
-		struct window_limit limit;
-		double at = window_margin_of(&g->conditions, i, &limit);
-		out += !window_holds_of(&g->conditions, i);
-		if (at >= *margin)
-			continue;
-		*margin = at;
-		*worst = limit;
+		struct margin m = wanted_margin(&g->conditions, i);
+		out += !wanted_holds(&g->conditions, i);
+		if (m.passing < worst->passing)
+			*worst = m;
 	}
 	return out;
 }
@@ -344,11 +337,9 @@ missed_words(const struct grading *g, size_t i)
 	const struct condition *c = &g->limits.at[i];
 	struct quantity q = c->quantity;
 	const double near = 0.005;
-	struct window_limit limit;
-	window_margin_of(&g->conditions, i, &limit);
+	struct wanted_limit limit = wanted_margin(&g->conditions, i).limit;
 	double most = quantities_shown(&q, limit.most ? c->most : c->least);
-	double is =
-	    quantities_shown(&q, response_value(g->conditions.response, i));
+	double is = quantities_shown(&q, grading_value(g, i));
 	const char *unit = quantities_after(&q);
 	q.fraction = (struct fraction){0};
 	char *name = quantities_words(&q);
@@ -362,20 +353,20 @@ missed_words(const struct grading *g, size_t i)
 char *
 grading_missed(const struct grading *g)
 {
-	struct window_limit worst = {0};
-	double margin;
-	size_t out = worst_sieve(g, &worst, &margin);
+	struct margin worst = {0};
+	size_t out = worst_sieve(g, &worst);
 	char *words = xstrdup("");
 	if (out > 0)
 		xappend(&words,
 		    tr("outside on %zu of %zu sieves; worst at %g mm: %.1f "
 		       "points "
 		       "%s"),
-		    out, g->limits.n_sieve, units_mm(g->spec->size[worst.i]),
-		    -100 * margin,
-		    worst.most ? tr("above max") : tr("below min"));
+		    out, g->limits.n_sieve,
+		    units_mm(g->spec->size[worst.limit.i]),
+		    -100 * worst.passing,
+		    worst.limit.most ? tr("above max") : tr("below min"));
 	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
-		if (!window_holds_of(&g->conditions, i)) {
+		if (!wanted_holds(&g->conditions, i)) {
 			char *one = missed_words(g, i);
 			bool first = words[0] == '\0';
 			xlist(&words, "; ",
@@ -389,24 +380,22 @@ grading_missed(const struct grading *g)
 void
 grading_put_worst(struct fields *o, const struct grading *g)
 {
-	struct window_limit worst = {0};
-	double margin;
-	bool out = worst_sieve(g, &worst, &margin) > 0;
+	struct margin worst = {0};
+	bool out = worst_sieve(g, &worst) > 0;
 	fields_put(o, "worst_mm %g outside_pct %g",
-	    out ? units_mm(g->spec->size[worst.i]) : NAN,
-	    !out         ? 0
-	    : worst.most ? -100 * margin
-			 : 100 * margin);
+	    out ? units_mm(g->spec->size[worst.limit.i]) : NAN,
+	    !out               ? 0
+	    : worst.limit.most ? -100 * worst.passing
+			       : 100 * worst.passing);
 }
 
 void
-grading_rows(
-    struct answer *r, const struct session *s, struct grading *g, double v)
+grading_rows(struct answer *r, struct grading *g, double v)
 {
 	const struct spec *spec = g->spec;
-	struct response *response = g->conditions.response;
-	bool band = response_draws(response, 0) != NULL;
-	response_at(response, v);
+	struct forecast *all = g->conditions.forecast;
+	forecast_at(all, v);
+	bool band = forecast_draws(all, 0) != NULL;
 	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
 			  "%%");
 	answer_column(r, "passing_pct",
@@ -417,16 +406,15 @@ grading_rows(
 	answer_columns(r, "verdict");
 	for (size_t i = 0; i < spec->n; i++) {
 		bool known = i < g->limits.n_sieve;
-		double range[2] = {NAN, NAN};
+		struct figure f = {NAN, NAN, NAN};
 		if (known)
-			response_band(
-			    response, i, settings_level(&s->set), range);
+			f = forecast_figure(all, i);
 		answer_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),
-		    known ? units_pct(response_value(response, i)) : NAN);
+		    units_pct(f.value));
 		if (band)
-			answer_cells(r, "%.1f %.1f", units_pct(range[0]),
-			    units_pct(range[1]));
+			answer_cells(r, "%.1f %.1f", units_pct(f.low),
+			    units_pct(f.high));
 		answer_cells(r, "%s", verdict(g, i));
 	}
 }
@@ -458,17 +446,17 @@ modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
 }
 
 static void
-note_modulus(struct answer *r, const struct session *s, const struct grading *g,
-    const struct standards *all)
+note_modulus(
+    struct answer *r, const struct grading *g, const struct standards *all)
 {
 	size_t i = g->limits.n + 1;
 	if (g->modulus == NULL)
 		return;
-	double range[2], fm = response_value(g->conditions.response, i);
-	char *is = modulus_verdict(all, g->spec, fm);
+	struct figure fm = forecast_figure(g->conditions.forecast, i);
+	char *is = modulus_verdict(all, g->spec, fm.value);
 	if (is == NULL)
 		return;
-	if (isnan(fm)) {
+	if (isnan(fm.value)) {
 		free(is);
 		answer_note(r,
 		    "fineness modulus not known: the feed was not sieved down "
@@ -476,13 +464,11 @@ note_modulus(struct answer *r, const struct session *s, const struct grading *g,
 		    g->modulus->mm[g->modulus->n - 1]);
 		return;
 	}
-	response_band(
-	    g->conditions.response, i, settings_level(&s->set), range);
-	char *band = quantities_band(range[0], range[1], 2);
+	char *band = quantities_band(fm.low, fm.high, 2);
 	answer_note(r, "fineness modulus (%s) %.2f%s: %s", g->modulus->standard,
-	    fm, band, is);
-	fields_put(answer_fields(r), "fm %g fm_standard %s fm_verdict %s", fm,
-	    g->modulus->standard, is);
+	    fm.value, band, is);
+	fields_put(answer_fields(r), "fm %g fm_standard %s fm_verdict %s",
+	    fm.value, g->modulus->standard, is);
 	free(band);
 	free(is);
 }
@@ -494,8 +480,7 @@ largest_step(const struct grading *g, size_t *at)
 {
 	double most = 0;
 	for (size_t i = 0; i + 1 < g->limits.n_sieve; i++) {
-		double step = response_value(g->conditions.response, i) -
-			      response_value(g->conditions.response, i + 1);
+		double step = grading_value(g, i) - grading_value(g, i + 1);
 		if (step <= most)
 			continue;
 		most = step;
@@ -505,30 +490,30 @@ largest_step(const struct grading *g, size_t *at)
 }
 
 static void
-step_range(const struct session *s, const struct grading *g, size_t at,
-    double range[2])
+step_range(const struct grading *g, size_t at, double range[2])
 {
 	double step[POSTERIOR_DRAWS];
-	const double *coarse = response_draws(g->conditions.response, at);
+	struct forecast *f = g->conditions.forecast;
+	const double *coarse = forecast_draws(f, at);
 	range[0] = range[1] = NAN;
 	if (coarse == NULL)
 		return;
-	const double *fine = response_draws(g->conditions.response, at + 1);
+	const double *fine = forecast_draws(f, at + 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		step[d] = 100 * (coarse[d] - fine[d]);
-	ensemble_middle(step, settings_level(&s->set), &range[0], &range[1]);
+	ensemble_middle(step, g->conditions.level, &range[0], &range[1]);
 }
 
 static void
-note_steps(struct answer *r, const struct session *s, const struct grading *g,
-    const struct standards *all)
+note_steps(
+    struct answer *r, const struct grading *g, const struct standards *all)
 {
 	const struct standard_limit *l = step_limit(all, g->spec->standard);
 	if (l == NULL || g->limits.n_sieve < 2)
 		return;
 	size_t at = 0;
 	double range[2], step = 100 * largest_step(g, &at);
-	step_range(s, g, at, range);
+	step_range(g, at, range);
 	char *band = quantities_band(range[0], range[1], 1);
 	const char *is = verdict_of(step, -INFINITY, l->most);
 	answer_note(r,
@@ -557,16 +542,14 @@ note_tolerances(
 }
 
 void
-grading_notes(
-    struct answer *r, const struct session *s, const struct grading *g)
+grading_notes(struct answer *r, const struct grading *g)
 {
 	const struct spec *spec = g->spec;
 	struct standards *all = standards_shipped();
-	note_modulus(r, s, g, all);
-	note_steps(r, s, g, all);
+	note_modulus(r, g, all);
+	note_steps(r, g, all);
 	if (fraction_screens(&g->fraction)) {
-		double share =
-		    100 * response_value(g->conditions.response, g->limits.n);
+		double share = 100 * grading_value(g, g->limits.n);
 		char *words = quantities_fraction_words(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0

@@ -7,8 +7,8 @@
 #include <stdbool.h>
 
 #include "cmd/ask/question.h"
+#include "cmd/ask/speed_search.h"
 #include "cmd/session/session.h"
-#include "core/answer/window.h"
 #include "io/formats/spec.h"
 
 /* The envelope that words name: one that comes with the program, or that of a
@@ -60,10 +60,9 @@ char *grading_words(const struct grading *grading);
 
 /* Columns and a row for each sieve at speed v: limits, passing and "ok",
  * "above", "below" or "not known". */
-void grading_rows(struct answer *r, const struct session *s,
-    struct grading *grading, double v);
+void grading_rows(struct answer *r, struct grading *grading, double v);
 
-/* What is missed at the speed the response is at, "outside on 2 of 7 sieves;
+/* What is missed at the speed the forecast is at, "outside on 2 of 7 sieves;
  * worst at 4 mm: 3.1 points above max", "inside on all sieves, but fineness
  * modulus (ASTM C136) 3.15 is above 3.1", or "" where all limits hold.  The
  * caller frees. */
@@ -75,8 +74,7 @@ void grading_put_worst(struct fields *o, const struct grading *grading);
 
 /* Fineness modulus and steps between sieves, at that speed, where the standard
  * limits them; where the limits are from, and what is not checked. */
-void grading_notes(
-    struct answer *r, const struct session *s, const struct grading *grading);
+void grading_notes(struct answer *r, const struct grading *grading);
 
 /* Puts spec, source, cut and the columns of grading_rows into its JSON. */
 void grading_put(struct answer *r, const struct grading *grading);

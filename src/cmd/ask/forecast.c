@@ -12,7 +12,8 @@
  * another site or feed is asked about. */
 struct forecast {
 	const struct session *s;
-	const struct question *q;
+	const struct entry *entry;
+	size_t feed;
 	struct response *response;
 	double level;
 };
@@ -23,7 +24,8 @@ forecast_open(const struct session *s, const struct question *q,
 {
 	struct forecast *f = xcalloc(1, sizeof *f);
 	*f = (struct forecast){.s = s,
-	    .q = q,
+	    .entry = q->entry,
+	    .feed = q->feed,
 	    .response = outlook_reader(
 		s, q->entry, &q->entry->params, q->feed, quantity, n),
 	    .level = settings_level(&s->set)};
@@ -42,9 +44,8 @@ forecast_close(struct forecast *f)
 void
 forecast_at(struct forecast *f, double speed)
 {
-	const struct entry *entry = f->q->entry;
 	outlook_read_at(
-	    f->s, entry, &entry->params, f->q->feed, f->response, speed);
+	    f->s, f->entry, &f->entry->params, f->feed, f->response, speed);
 }
 
 struct figure
@@ -66,6 +67,20 @@ const double *
 forecast_draws(const struct forecast *f, size_t i)
 {
 	return response_draws(f->response, i);
+}
+
+double
+forecast_over(struct forecast *f, size_t i, double limit)
+{
+	return response_over(f->response, i, limit);
+}
+
+void
+forecast_overs(struct forecast *f, size_t i, double limit, bool sample,
+    double over[static POSTERIOR_DRAWS])
+{
+	response_overs(f->response, i, limit,
+	    sample ? ENSEMBLE_SAMPLE : ENSEMBLE_ANSWER, over);
 }
 
 struct figure

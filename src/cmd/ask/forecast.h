@@ -12,7 +12,7 @@ struct figure {
 	double value, low, high;
 };
 
-/* Opaque; the question must outlive it. */
+/* Opaque; the question's entry must outlive it. */
 struct forecast;
 
 /* Of quantities [n]; forecast_close. */
@@ -29,8 +29,15 @@ struct figure forecast_figure(const struct forecast *f, size_t i);
 double forecast_model(struct forecast *f, size_t i);
 
 /* Its values in the draws, [POSTERIOR_DRAWS], borrowed; NULL where the answer
- * is the model alone. */
+ * is the model alone, and before the first move. */
 const double *forecast_draws(const struct forecast *f, size_t i);
+
+/* By how much it lies above a limit, see quantity_over: of the answer; of its
+ * draws, or of belt cuts that these would show (sample), [POSTERIOR_DRAWS] out.
+ * To be asked before another forecast is moved. */
+double forecast_over(struct forecast *f, size_t i, double limit);
+void forecast_overs(struct forecast *f, size_t i, double limit, bool sample,
+    double over[static POSTERIOR_DRAWS]);
 
 /* How much more the second has of quantity i than the first, each at its speed.
  * Their draws go together where both are of one posterior and are independent

@@ -15,8 +15,8 @@
 
 static const struct fraction WHOLE = {.partition = {0, 1}};
 
-/* Speeds looked at in one go, m/s: some 10 ms. */
-static const double PART = 0.5;
+/* Speeds looked at in one go. */
+enum { PART = 6 };
 
 bool
 goals_set(const struct session *s)
@@ -28,7 +28,7 @@ void
 goals_clear(struct goal *g)
 {
 	conditions_free(&g->list);
-	window_free(&g->found);
+	speed_search_free(g->found);
 	free(g->why);
 	free(g->missed);
 	free(g->met);
@@ -129,62 +129,29 @@ goals_read(struct session *s, const char *text, const struct psd *feed,
 bool
 goals_known(const struct session *s, const struct goal *g)
 {
-	return goals_set(s) && g->why == NULL && g->parts > 0 &&
-	       g->done == g->parts;
+	return goals_set(s) && g->known;
 }
 
-/* Those of a part behind those of the parts before it. */
+/* The speeds at which the single value is met, and the end that misses it
+ * least. */
 static void
-join(struct window_found *all, const struct window_found *w)
+meet(struct goal *g, const struct wanted *w)
 {
-	size_t n = all->n + w->n;
-	all->speed = xrealloc(all->speed, n, sizeof *all->speed);
-	all->certain = xrealloc(all->certain, n, sizeof *all->certain);
-	memcpy(all->speed + all->n, w->speed, w->n * sizeof *w->speed);
-	memcpy(all->certain + all->n, w->certain, w->n * sizeof *w->certain);
-	bool better = all->n == 0 || w->margin > all->margin;
-	all->best = better ? w->best : all->best;
-	all->margin = better ? w->margin : all->margin;
-	all->n = n;
-	all->inside = xrealloc(
-	    all->inside, all->n_inside + w->n_inside, sizeof *all->inside);
-	for (size_t k = 0; k < w->n_inside; k++) {
-		struct window_range *last =
-		    all->n_inside > 0 ? &all->inside[all->n_inside - 1] : NULL;
-		if (last != NULL && w->inside[k].from - last->to < 1e-6)
-			last->to = w->inside[k].to;
-		else
-			all->inside[all->n_inside++] = w->inside[k];
-	}
-}
-
-/* The speeds of the single value between two. */
-static void
-meet(struct goal *g, struct wanted *others)
-{
-	size_t i = others->n;
-	double value = g->list.at[i].least, *root,
-	       ends[] = {others->from, others->to};
-	size_t n = window_roots(others, i, value, &root);
-	for (size_t k = 0; k < n; k++) {
-		response_at(others->response, root[k]);
-		bool again =
-		    g->n_met > 0 && root[k] - g->met[g->n_met - 1] < 1e-6;
-		if (again || !window_holds(others))
-			continue;
-		g->met = xrealloc(g->met, g->n_met + 1, sizeof *g->met);
-		g->met[g->n_met++] = root[k];
-	}
+	double least = INFINITY;
+	g->met = xcalloc(g->found->n_root + 1, sizeof *g->met);
+	for (size_t k = 0; k < g->found->n_root; k++)
+		if (g->found->root[k].holds)
+			g->met[g->n_met++] = g->found->root[k].speed;
 	for (size_t k = 0; k < 2; k++) {
-		response_at(others->response, ends[k]);
+		double v = k == 0 ? w->from : w->to;
+		forecast_at(w->forecast, v);
 		double miss =
-		    fabs(response_over(others->response, i, value, SIZE_MAX));
-		if (isnan(g->nearest) || miss < g->miss) {
-			g->miss = miss;
-			g->nearest = ends[k];
+		    fabs(forecast_over(w->forecast, w->n, w->target->least));
+		if (!(miss >= least)) {
+			least = miss;
+			g->nearest = v;
 		}
 	}
-	free(root);
 }
 
 /* A speed at which one can see what binds: where a window ends within the
@@ -192,8 +159,8 @@ meet(struct goal *g, struct wanted *others)
 static double
 telling(const struct goal *g, double best, double from, double to)
 {
-	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++) {
-		const struct window_range *in = &g->found.inside[i];
+	for (size_t i = 0; i < g->found->n_inside && g->n_value == 0; i++) {
+		const struct speed_range *in = &g->found->inside[i];
 		if (in->to < to || in->from > from)
 			return in->to < to ? in->to : in->from;
 	}
@@ -226,23 +193,23 @@ missed_words(const struct condition *c, double value, bool most)
  * speed. */
 static void
 find_binding(const struct session *s, const struct entry *entry, struct goal *g,
-    struct wanted *all)
+    struct wanted all)
 {
-	struct window_limit limit;
-	double from, to, best = goals_best(s, g, answers_usual(entry));
-	site_reach(entry->site, &from, &to);
-	bool met = g->n_met > 0 || (g->n_value == 0 && g->found.n_inside > 0);
-	double at = telling(g, best, from, to);
-	all->n = g->list.n;
+	double best = goals_best(s, g, answers_usual(entry));
+	bool met = g->n_met > 0 || (g->n_value == 0 && g->found->n_inside > 0);
+	double at = telling(g, best, all.from, all.to);
+	all.n = g->list.n;
 	if (isnan(at))
 		return;
-	response_at(all->response, at);
-	if (!isfinite(window_margin(all, &limit)))
+	forecast_at(all.forecast, at);
+	struct margin margin = wanted_margin(&all, SIZE_MAX);
+	if (!isfinite(margin.passing))
 		return;
-	g->binds = limit.i;
+	g->binds = margin.limit.i;
 	if (!met)
-		g->missed = missed_words(&g->list.at[limit.i],
-		    response_value(all->response, limit.i), limit.most);
+		g->missed = missed_words(&g->list.at[g->binds],
+		    forecast_figure(all.forecast, g->binds).value,
+		    margin.limit.most);
 }
 
 /* What is set is read again: another feed may not tell of it. */
@@ -250,12 +217,10 @@ static void
 begin(struct session *s, const struct site *site, struct goal *g, size_t feed)
 {
 	struct error error = {0};
-	double from, to;
 	goals_clear(g);
-	site_reach(site, &from, &to);
 	g->feed = feed;
-	g->parts = (size_t)ceil((to - from) / PART - 1e-6);
-	g->nearest = g->certain[0] = g->certain[1] = NAN;
+	g->begun = true;
+	g->nearest = NAN;
 	if (!goals_read(s, s->set.goal, site_feed(site, feed), &g->list,
 		&g->n_value, &error))
 		g->why = xstrdup(error.text);
@@ -264,41 +229,35 @@ begin(struct session *s, const struct site *site, struct goal *g, size_t feed)
 bool
 goals_pending(const struct session *s, const struct goal *g, size_t feed)
 {
-	bool begun = g->parts > 0 && g->feed == feed;
-	return goals_set(s) &&
-	       (!begun || (g->why == NULL && g->done < g->parts));
+	bool begun = g->begun && g->feed == feed;
+	return goals_set(s) && (!begun || (g->why == NULL && !g->known));
 }
 
 void
 goals_step(
     struct session *s, const struct entry *entry, struct goal *g, size_t feed)
 {
-	if (!goals_set(s))
+	if (!goals_pending(s, g, feed))
 		return;
-	if (g->parts == 0 || g->feed != feed)
+	if (!g->begun || g->feed != feed)
 		begin(s, entry->site, g, feed);
-	if (g->why != NULL || g->done == g->parts)
+	if (g->why != NULL)
 		return;
-	double from, to;
-	site_reach(entry->site, &from, &to);
-	struct wanted all = conditions_ask(s, entry, g->feed, &g->list, NULL);
-	all.n -= g->n_value;
-	all.from = from + PART * (double)g->done;
-	all.to = fmin(to, all.from + PART);
-	all.coarse = true; /* the slider has no other speeds */
-	if (g->n_value > 0)
-		meet(g, &all);
-	if (all.n > 0) {
-		struct window_found w = window_find(&all);
-		join(&g->found, &w);
-		window_free(&w);
-	}
-	g->done++;
-	if (g->done == g->parts && g->found.n > 0)
-		window_certain(&g->found, settings_level(&s->set), g->certain);
-	if (g->done == g->parts)
-		find_binding(s, entry, g, &all);
-	response_free(all.response);
+	struct question q = {.entry = entry, .feed = feed};
+	struct condition_list ranges = {g->list.n - g->n_value, g->list.at};
+	struct wanted w = conditions_ask(
+	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
+	if (g->found == NULL)
+		g->found = speed_search_new(&w);
+	bool done = false;
+	for (int k = 0; k < PART && !done; k++)
+		done = speed_search_step(g->found, &w);
+	g->known = done;
+	if (done && g->n_value > 0)
+		meet(g, &w);
+	if (done)
+		find_binding(s, entry, g, w);
+	forecast_close(w.forecast);
 }
 
 double
@@ -307,9 +266,9 @@ goals_best(const struct session *s, const struct goal *g, double speed)
 	if (!goals_known(s, g))
 		return NAN;
 	if (g->n_value == 0)
-		return g->found.best;
+		return g->found->best;
 	if (g->n_met == 0)
-		return g->list.n > 1 ? g->found.best : g->nearest;
+		return g->list.n > 1 ? g->found->best : g->nearest;
 	size_t near = 0;
 	for (size_t i = 1; i < g->n_met; i++)
 		if (fabs(g->met[i] - speed) < fabs(g->met[near] - speed))
@@ -317,29 +276,15 @@ goals_best(const struct session *s, const struct goal *g, double speed)
 	return g->met[near];
 }
 
-void
-goals_tenths(const struct window_range *in, double *from, double *to)
-{
-	*from = ceil(10 * in->from - 1e-6) / 10;
-	*to = floor(10 * in->to + 1e-6) / 10;
-	if (*from > *to) {
-		*from = in->from;
-		*to = in->to;
-	}
-}
-
-/* "71.2", "65.0 to 70.1, 73.0 to 75.6". */
+/* "71.2", "65.0 to 70.1 and 73.0 to 75.6". */
 static char *
 speeds_words(const struct goal *g)
 {
+	if (g->n_value == 0)
+		return conditions_speeds_words(g->found);
 	char *words = xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
-		xlist(&words, ", ", "%.1f", g->met[i]);
-	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++) {
-		double from, to;
-		goals_tenths(&g->found.inside[i], &from, &to);
-		xlist(&words, ", ", tr("%.1f to %.1f"), from, to);
-	}
+		xlist(&words, tr(" and "), "%.1f", g->met[i]);
 	return words;
 }
 
@@ -347,10 +292,9 @@ speeds_words(const struct goal *g)
 static bool
 all_certain(const struct goal *g)
 {
-	const struct window_range *in = g->found.inside;
-	return g->n_value == 0 && g->found.n_inside == 1 &&
-	       fabs(in->from - g->certain[0]) < 0.05 &&
-	       fabs(in->to - g->certain[1]) < 0.05;
+	const struct speed_range *in = g->found->inside;
+	return g->n_value == 0 && g->found->n_inside == 1 &&
+	       in->from >= g->found->sure[0] && in->to <= g->found->sure[1];
 }
 
 /* What of it lies beyond the speeds that were measured; "" where nothing
@@ -358,12 +302,12 @@ all_certain(const struct goal *g)
 static const char *
 beyond_words(const struct entry *entry, const struct goal *g, double best)
 {
-	bool window = g->n_value == 0 && g->found.n_inside > 0;
+	bool window = g->n_value == 0 && g->found->n_inside > 0;
 	if (isfinite(best) && answers_extrapolates(entry, best))
 		return window ? "best extrapolated" : "extrapolated";
-	for (size_t i = 0; i < g->found.n_inside && window; i++)
-		if (answers_extrapolates(entry, g->found.inside[i].from) ||
-		    answers_extrapolates(entry, g->found.inside[i].to))
+	for (size_t i = 0; i < g->found->n_inside && window; i++)
+		if (answers_extrapolates(entry, g->found->inside[i].from) ||
+		    answers_extrapolates(entry, g->found->inside[i].to))
 			return "partly extrapolated";
 	return "";
 }
@@ -388,9 +332,9 @@ outcome(const struct session *s, const struct entry *entry,
 	free(speeds);
 	if (all_certain(g) && full)
 		xlist(&words, ", ", tr("%.0f %% certain"), 100 * level);
-	else if (g->n_value == 0 && full && isfinite(g->certain[0]))
+	else if (g->n_value == 0 && full && isfinite(g->found->sure[0]))
 		xlist(&words, ", ", tr("%.0f %% certain %.1f to %.1f"),
-		    100 * level, g->certain[0], g->certain[1]);
+		    100 * level, g->found->sure[0], g->found->sure[1]);
 	if (beyond[0] != '\0')
 		xappend(&words, "%s%s", full ? ", " : " ?", full ? beyond : "");
 	return words;

@@ -7,21 +7,23 @@
 #include "cmd/ask/condition.h"
 
 /* list: the conditions; one that is a single value, n_value of them, stands
- * last.  why: what is in the way, or NULL.
+ * last.  why: what is in the way, or NULL.  found: the search, of the
+ * conditions that are ranges with the single value as its target, NULL before
+ * it has begun.
  *
- * What follows is known when `done` parts of the speeds are all: `found` of the
- * conditions that are ranges; met [n_met]: the speeds at which the single value
- * is reached and the ranges hold; nearest: the one that misses it least;
- * missed: what is in the way where no speed will do, or NULL; binds: the
+ * What follows is known when it has ended: met [n_met]: the speeds at which the
+ * single value is reached and the ranges hold; nearest: the one that misses it
+ * least; missed: what is in the way where no speed will do, or NULL; binds: the
  * condition that ends the window, or misses most. */
 struct goal {
 	struct condition_list list;
 	size_t n_value;
 	char *why, *missed;
-	size_t feed, done, parts, binds;
-	struct window_found found;
+	size_t feed, binds;
+	bool begun, known;
+	struct speed_search *found;
 	size_t n_met;
-	double *met, nearest, miss, certain[2];
+	double *met, nearest;
 };
 
 /* Whether one is set. */
@@ -40,7 +42,7 @@ bool goals_read(struct session *s, const char *text, const struct psd *feed,
 void goals_clear(struct goal *goal);
 
 /* Whether the one that is set is worked out for the feed of a run, or whether a
- * part of that is to be done; and does one, some 10 ms. */
+ * part of that is to be done; and does one, of a few ms. */
 bool goals_known(const struct session *s, const struct goal *goal);
 bool goals_pending(
     const struct session *s, const struct goal *goal, size_t feed);
@@ -51,10 +53,6 @@ void goals_step(struct session *s, const struct entry *entry, struct goal *goal,
  * known. */
 double goals_best(
     const struct session *s, const struct goal *goal, double speed);
-
-/* The tenths of a m/s within a range, where the slider can stand; its ends
- * where there are none. */
-void goals_tenths(const struct window_range *in, double *from, double *to);
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met at 65.0 to 75.6 m/s, 80 %
  * certain to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm";

@@ -226,7 +226,7 @@ add_limits(struct chart *chart, const struct drawn *d, size_t i)
 		if (!same_quantity(&c->quantity, &d->q[i]) || isnan(limit))
 			continue;
 		char *words = conditions_limit(
-		    &d->limits, (struct window_limit){k / 2, k % 2 == 1});
+		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
 		struct chart_series *line =
 		    chart_add(chart, look, 2, "%s", words);
 		free(words);
@@ -272,39 +272,36 @@ add_reach(struct chart *chart, const struct entry *entry)
 /* Where all conditions hold, and the best speed. */
 static void
 add_window(
-    struct chart *chart, const struct drawn *d, const struct window_found *w)
+    struct chart *chart, const struct drawn *d, const struct speed_search *w)
 {
 	for (size_t k = 0; k < w->n_inside; k++) {
-		const struct window_range *in = &w->inside[k];
+		const struct speed_range *in = &w->inside[k];
 		chart_add_rule(chart, SERIES_OTHER, in->from,
 		    "limits met from %.1f m/s", in->from);
 		chart_add_rule(
 		    chart, SERIES_OTHER, in->to, "to %.1f m/s", in->to);
 	}
-	if (d->limits.n > 0 && isfinite(w->margin))
+	if (d->limits.n > 0 && isfinite(w->margin.passing))
 		chart_add_rule(chart, SERIES_CROSSHAIR, w->best, "%s %.1f m/s",
 		    w->n_inside > 0 ? tr("best") : tr("nearest"), w->best);
 }
 
 static void
-note_window(
-    struct chart *chart, const struct session *s, const struct window_found *w)
+note_window(struct chart *chart, double level, const struct speed_search *w)
 {
-	double range[2], level = 100 * settings_level(&s->set);
-	window_certain(w, level / 100, range);
 	if (w->n_inside == 0)
 		chart_note(chart, "at no speed are all limits met");
 	if (isnan(w->best_certain))
 		return;
-	if (isfinite(range[0]))
+	if (isfinite(w->sure[0]))
 		chart_note(chart,
 		    "all limits met with %.0f %% certainty from %.1f to %.1f "
 		    "m/s",
-		    level, range[0], range[1]);
+		    100 * level, w->sure[0], w->sure[1]);
 	else
 		chart_note(chart,
 		    "at no speed are all limits met with %.0f %% certainty",
-		    level);
+		    100 * level);
 }
 
 /* The chart of the quantities of one unit, or NULL where there are none. */
@@ -355,16 +352,16 @@ make_charts(struct session *s, struct drawn *d)
 		}
 	}
 	if (d->limits.n > 0) {
-		struct wanted wanted =
-		    conditions_ask(s, entry, d->feed, &d->limits, NULL);
+		struct question q = {.entry = entry, .feed = d->feed};
+		struct wanted wanted = conditions_ask(s, &q, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;
-		struct window_found w = window_find(&wanted);
+		struct speed_search *w = speed_search_all(&wanted);
 		for (struct chart *c = first; c != NULL; c = c->below)
-			add_window(c, d, &w);
-		note_window(last, s, &w);
-		window_free(&w);
-		response_free(wanted.response);
+			add_window(c, d, w);
+		note_window(last, wanted.level, w);
+		speed_search_free(w);
+		forecast_close(wanted.forecast);
 	}
 	char *feed = feed_words(entry->site, d->feed);
 	if (feed != NULL)

@@ -20,6 +20,7 @@ enum { DRAWS = POSTERIOR_DRAWS };
 struct response {
 	struct model *model;
 	struct ensemble *ensemble;
+	bool borrowed;
 	struct psd product;
 	size_t *above;
 	double *share, *sieve;
@@ -132,7 +133,8 @@ response_free(struct response *r)
 		free(r->draw[i]);
 	}
 	model_free(r->model);
-	ensemble_free(r->ensemble);
+	if (!r->borrowed)
+		ensemble_free(r->ensemble);
 	psd_free(&r->product);
 	psd_free(&r->curve);
 	psd_free(&r->part);
@@ -158,9 +160,10 @@ read_off(struct response *r, size_t i, const struct psd *curve)
 
 /* The curve of draw d. */
 static void
-take_draw(const struct response *r, size_t d, struct psd *curve)
+take_draw(const struct response *r, enum ensemble_part part, size_t d,
+    struct psd *curve)
 {
-	const double *P = ensemble_products(r->ensemble, ENSEMBLE_ANSWER) + d;
+	const double *P = ensemble_products(r->ensemble, part) + d;
 	read_between(r, P, DRAWS, curve);
 }
 
@@ -184,7 +187,7 @@ response_at(struct response *r, double v)
 {
 	response_answer_at(r, v);
 	for (size_t d = 0; d < DRAWS && r->ensemble != NULL; d++) {
-		take_draw(r, d, &r->curve);
+		take_draw(r, ENSEMBLE_ANSWER, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
 			r->draw[i][d] = read_off(r, i, &r->curve);
 	}
@@ -196,19 +199,8 @@ response_borrow_at(struct response *r, struct ensemble *e, double v)
 	for (size_t i = 0; i < r->n && r->draw[i] == NULL; i++)
 		r->draw[i] = xdoubles(DRAWS);
 	r->ensemble = e;
+	r->borrowed = true;
 	response_at(r, v);
-	r->ensemble = NULL;
-}
-
-void
-response_take(struct response *r, double v, const struct psd *curve)
-{
-	struct psd *product = &r->product;
-	r->speed = v;
-	for (size_t k = 0; k < product->n; k++)
-		product->passing[k] = psd_passing(curve, product->size[k]);
-	for (size_t i = 0; i < r->n; i++)
-		r->value[i] = read_off(r, i, product);
 }
 
 double
@@ -231,25 +223,47 @@ response_draws(const struct response *r, size_t i)
 	return r->draw[i];
 }
 
-double
-response_over(struct response *r, size_t i, double limit, size_t draw)
+/* Whether the distance from a limit is not that of the value, but one of
+ * passings. */
+static bool
+is_read_between(const struct quantity *q)
+{
+	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
+	       q->kind == QUANTITY_CURVATURE;
+}
+
+/* Of a curve of the product that has this value. */
+static double
+over_of(struct response *r, size_t i, double limit, double value,
+    const struct psd *curve)
 {
 	const struct quantity *q = &r->asked[i];
-	double value = draw == SIZE_MAX ? r->value[i] : r->draw[i][draw];
-	bool read = q->kind == QUANTITY_SIZE ||
-		    q->kind == QUANTITY_UNIFORMITY ||
-		    q->kind == QUANTITY_CURVATURE;
-	if (!read)
+	if (!is_read_between(q))
 		return quantity_over(q, limit, value, NULL);
-	if (draw == SIZE_MAX)
-		memcpy(r->curve.passing, r->product.passing,
-		    r->curve.n * sizeof(double));
-	else
-		take_draw(r, draw, &r->curve);
 	if (r->kept[i] == NULL)
-		return quantity_over(q, limit, value, &r->curve);
-	screening_part(&r->curve, r->kept[i], &r->part);
+		return quantity_over(q, limit, value, curve);
+	screening_part(curve, r->kept[i], &r->part);
 	return quantity_over(q, limit, value, &r->part);
+}
+
+double
+response_over(struct response *r, size_t i, double limit)
+{
+	return over_of(r, i, limit, r->value[i], &r->product);
+}
+
+void
+response_overs(struct response *r, size_t i, double limit,
+    enum ensemble_part part, double over[static POSTERIOR_DRAWS])
+{
+	bool answer = part == ENSEMBLE_ANSWER;
+	for (size_t d = 0; d < DRAWS; d++) {
+		if (!answer || is_read_between(&r->asked[i]))
+			take_draw(r, part, d, &r->curve);
+		double value =
+		    answer ? r->draw[i][d] : read_off(r, i, &r->curve);
+		over[d] = over_of(r, i, limit, value, &r->curve);
+	}
 }
 
 void

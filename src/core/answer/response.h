@@ -25,12 +25,8 @@ void response_at(struct response *r, double v);
 void response_answer_at(struct response *r, double v);
 
 /* Moves to a speed with the draws of an ensemble of the same feed and sieves,
- * which is borrowed for that; of a response without a posterior. */
+ * which is borrowed until the next move; of a response without a posterior. */
 void response_borrow_at(struct response *r, struct ensemble *e, double v);
-
-/* The same for the answer alone, of its curve at that speed made before, and
- * without the work of the draws, which stay where they were. */
-void response_take(struct response *r, double v, const struct psd *curve);
 
 /* Quantity i at that speed: of the answer, and of the model alone.  NAN where
  * the curve does not reach so far. */
@@ -41,9 +37,11 @@ double response_model(struct response *r, size_t i);
  * alone. */
 const double *response_draws(const struct response *r, size_t i);
 
-/* By how much it lies above a limit there, see quantity_over: of draw d, or for
- * SIZE_MAX of the answer. */
-double response_over(struct response *r, size_t i, double limit, size_t draw);
+/* By how much it lies above a limit there, see quantity_over: of the answer; of
+ * its draws, or of the samples that these give, [POSTERIOR_DRAWS] out. */
+double response_over(struct response *r, size_t i, double limit);
+void response_overs(struct response *r, size_t i, double limit,
+    enum ensemble_part part, double over[static POSTERIOR_DRAWS]);
 
 /* The middle `level` of them, widened to hold the value; NAN of a model
  * alone. */

@@ -41,6 +41,7 @@ struct ensemble {
 	/* [n + 1][DRAWS]: below the finest size is nothing. */
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
+	double at;    /* the speed of all that ensemble_at makes; 0: none */
 	/* Answers at the speeds of a grid, which do not fall from one to the
 	 * next, and which of them are not as they were drawn, each
 	 * [n * DRAWS]; made for its speeds slowest to fastest, NULL for the
@@ -198,6 +199,7 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	set_exact(e, p);
 	set_theta(e);
 	e->bypass = settings.bypass;
+	e->at = 0;
 	forget_rising(e);
 }
 
@@ -343,6 +345,7 @@ ensemble_draws_at(struct ensemble *e, double v)
 {
 	struct kernel_out out = {
 	    e->misfit, e->product, ALL, e->softer, e->share_softer};
+	e->at = 0;
 	kernel_set_speed(e->kernel, v);
 	const double *const *theta = (const double *const *)e->theta;
 	kernel_evaluate_part(e->kernel, theta, 0, ALL, 0, &out);
@@ -479,6 +482,8 @@ keep_rising(struct ensemble *e, double v)
 void
 ensemble_at(struct ensemble *e, double v)
 {
+	if (v == e->at)
+		return;
 	if (e->rising[SLOWEST] == NULL)
 		make_rising(e);
 	widen_rising(e, v);
@@ -488,6 +493,7 @@ ensemble_at(struct ensemble *e, double v)
 		make_samples(e);
 		add_bypass(e);
 	}
+	e->at = v;
 }
 
 const double *

@@ -40,22 +40,6 @@ is_current(const struct tui *t)
 	return l != NULL && l->looked == t->looked && l->feed == tui_feed(t);
 }
 
-/* Between the curve's sizes its straight lines are up to 0.2 points off: where
- * a limit is as near as that, all draws are moved, so that no verdict is
- * another than that of `spec`. */
-static void
-move(const struct tui *t, const struct wanted *c)
-{
-	const double near = 0.003;
-	struct window_limit limit;
-	bool close = false;
-	response_take(c->response, t->shown.speed, &t->shown.curve);
-	for (size_t i = 0; i < c->n; i++)
-		close |= fabs(window_margin_of(c, i, &limit)) < near;
-	if (close)
-		response_at(c->response, t->shown.speed);
-}
-
 void
 limits_update(struct tui *t)
 {
@@ -72,7 +56,8 @@ limits_update(struct tui *t)
 		    t->limits->feed, &t->limits->grading, &error);
 	}
 	if (t->limits->open && t->limits->tenths != t->tenths)
-		move(t, &t->limits->grading.conditions);
+		forecast_at(
+		    t->limits->grading.conditions.forecast, t->shown.speed);
 	t->limits->tenths = t->tenths;
 }
 

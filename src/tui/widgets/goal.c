@@ -64,8 +64,10 @@ goal_limits(const struct tui *t, double *speed, size_t most)
 		return 0;
 	for (size_t i = 0; i < g->n_met && n < most; i++)
 		speed[n++] = g->met[i];
-	for (size_t i = 0; i < g->found.n_inside && n + 2 <= most; i++, n += 2)
-		goals_tenths(&g->found.inside[i], &speed[n], &speed[n + 1]);
+	for (size_t i = 0; i < g->found->n_inside && n + 2 <= most; i++) {
+		speed[n++] = g->found->inside[i].from;
+		speed[n++] = g->found->inside[i].to;
+	}
 	if (n == 0 && most > 0)
 		speed[n++] = goal_best(t);
 	return n;
@@ -81,11 +83,11 @@ goal_holds(const struct tui *t, double from, double to, bool *certain)
 		return false;
 	for (size_t i = 0; i < g->n_met; i++)
 		holds = holds || (g->met[i] >= from && g->met[i] < to);
-	for (size_t i = 0; i < g->found.n_inside && g->n_value == 0; i++)
-		holds = holds || (g->found.inside[i].from < to &&
-				     g->found.inside[i].to >= from);
-	*certain = holds && g->n_value == 0 && g->certain[0] < to &&
-		   g->certain[1] >= from;
+	for (size_t i = 0; i < g->found->n_inside && g->n_value == 0; i++)
+		holds = holds || (g->found->inside[i].from < to &&
+				     g->found->inside[i].to >= from);
+	*certain = holds && g->n_value == 0 && g->found->sure[0] < to &&
+		   g->found->sure[1] >= from;
 	return holds;
 }
 

@@ -338,7 +338,7 @@ draw_limit(const struct area *area, int row, const struct grading *g, size_t i)
 	double least = quantities_shown(&q, c->least),
 	       most = quantities_shown(&q, c->most);
 	bool sieve = q.kind == QUANTITY_PASSING,
-	     in = window_holds_of(&g->conditions, i);
+	     in = wanted_holds(&g->conditions, i);
 	if (sieve)
 		snprintf(name, sizeof name, "%g", units_mm(q.x));
 	else
@@ -353,24 +353,22 @@ draw_limit(const struct area *area, int row, const struct grading *g, size_t i)
 	draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
 	screen_text(area, row, VALUE, 0,
 	    q.kind == QUANTITY_MODULUS ? "%6.2f" : "%6.1f",
-	    quantities_shown(&q, response_value(g->conditions.response, i)));
+	    quantities_shown(
+		&q, forecast_figure(g->conditions.forecast, i).value));
 	if (!isnan(least) || !isnan(most))
 		screen_text(area, row, UNIT, LOOK_DIM, "%s", limits);
 	screen_text(area, row, area->columns - 3, in ? LOOK_PLAIN : LOOK_BOLD,
 	    in ? N_(" in") : N_("OUT"));
 }
 
-/* Where limit i stands among all of them, that with the least margin first. */
+/* Where limit i stands among margins [n], the least first. */
 static size_t
-place_of_limit(const struct grading *g, size_t i)
+place_of_limit(const double *margin, size_t n, size_t i)
 {
-	struct window_limit limit;
-	double margin = window_margin_of(&g->conditions, i, &limit);
 	size_t place = 0;
-	for (size_t k = 0; k < g->limits.n; k++) {
-		double other = window_margin_of(&g->conditions, k, &limit);
-		place += other < margin || (k < i && !(margin < other));
-	}
+	for (size_t k = 0; k < n; k++)
+		place += margin[k] < margin[i] ||
+			 (k < i && !(margin[i] < margin[k]));
 	return place;
 }
 
@@ -404,13 +402,18 @@ draw_limits(struct panel *p, const struct area *area)
 					     : N_("not on the feed's sieves"));
 		return;
 	}
-	bool in = window_holds(&g->conditions);
+	bool in = wanted_holds(&g->conditions, SIZE_MAX);
 	screen_text(area, 0, area->columns - 3, in ? LOOK_BOLD : LOOK_REVERSE,
 	    in ? N_(" in") : N_("OUT"));
 	int row = 1;
-	for (size_t i = 0; i < g->limits.n; i++)
-		if ((int)place_of_limit(g, i) < area->rows - 1)
+	size_t n = g->limits.n;
+	double *margin = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		margin[i] = wanted_margin(&g->conditions, i).passing;
+	for (size_t i = 0; i < n; i++)
+		if ((int)place_of_limit(margin, n, i) < area->rows - 1)
 			draw_limit(area, row++, g, i);
+	free(margin);
 }
 
 static struct wish
@@ -681,8 +684,8 @@ verdicts_words(struct tui *t)
 	trust_free(&light);
 	if (g != NULL)
 		xlist(&words, ", ",
-		    window_holds(&g->conditions) ? tr("in %s")
-						 : tr("out of %s"),
+		    wanted_holds(&g->conditions, SIZE_MAX) ? tr("in %s")
+							   : tr("out of %s"),
 		    t->session->spec->name);
 	return words;
 }

@@ -1,0 +1,735 @@
+/* A table over the tenths of a m/s, and what can be read off it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/ask/speed_search.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/posterior/ensemble.h"
+
+enum { DRAWS = POSTERIOR_DRAWS };
+
+/* A limit is met when it is missed by no more than arithmetic does. */
+static const double EXACT = 1e-9;
+
+/* All that people see as 100.0 % or as 0.0 is all or nothing. */
+static const double ROUNDS = 5e-4;
+
+/* A band is no narrower than what sheets are rounded to. */
+static const double NARROW = 1e-3;
+
+/* What chance leaves of a share of the draws. */
+static const double CHANCE = 0.02;
+
+static const struct wanted_limit NONE = {SIZE_MAX, false};
+
+/* margin [n][conditions]; of the target: over and value [n], in the draws and
+ * in samples [n]. */
+struct speed_table {
+	size_t n_condition;
+	struct margin *margin;
+	double *over, *value;
+	double (*draw)[DRAWS], (*sample)[DRAWS];
+};
+
+struct wanted
+wanted_of(const struct session *s, const struct question *q, size_t n,
+    const struct condition *at, size_t n_more, const struct quantity *more)
+{
+	struct quantity *asked = xcalloc(n + n_more, sizeof *asked);
+	for (size_t i = 0; i < n; i++)
+		asked[i] = at[i].quantity;
+	for (size_t i = 0; i < n_more; i++)
+		asked[n + i] = more[i];
+	struct wanted w = {.n = n,
+	    .at = at,
+	    .level = settings_level(&s->set),
+	    .forecast = forecast_open(s, q, asked, n + n_more)};
+	site_reach(q->entry->site, &w.from, &w.to);
+	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))
+		w.measured[0] = w.measured[1] = site_middle(q->entry->site);
+	free(asked);
+	return w;
+}
+
+/* What is above 0 where the value of quantity i is on the right side of a
+ * limit: its distance, times the sign. */
+struct side {
+	size_t i;
+	double limit, sign;
+	bool tight; /* nothing lies beyond the limit */
+};
+
+static double
+side_of(const struct side *side, double over)
+{
+	if (isnan(over))
+		return -INFINITY;
+	over *= side->sign;
+	return side->tight && over >= -ROUNDS ? INFINITY : over;
+}
+
+/* The sides of condition i.  Returns how many. */
+static size_t
+sides_of(const struct wanted *w, size_t i, struct side side[static 2])
+{
+	const struct condition *of = &w->at[i];
+	bool share = of->quantity.kind == QUANTITY_PASSING ||
+		     of->quantity.kind == QUANTITY_SHARE;
+	size_t n = 0;
+	if (!isnan(of->least))
+		side[n++] = (struct side){
+		    i, of->least, 1, share && of->least >= 1 - EXACT};
+	if (!isnan(of->most) && !(share && of->most >= 1))
+		side[n++] =
+		    (struct side){i, of->most, -1, share && of->most <= EXACT};
+	return n;
+}
+
+/* held [DRAWS]: whether all that was asked before holds in a draw. */
+static struct margin
+margin_of_side(const struct wanted *w, const struct side *side, bool *held)
+{
+	double over[DRAWS], low, high;
+	struct forecast *f = w->forecast;
+	struct margin m = {.limit = {side->i, side->sign < 0}};
+	m.passing = side_of(side, forecast_over(f, side->i, side->limit));
+	m.widths = m.passing;
+	if (forecast_draws(f, side->i) == NULL)
+		return m;
+	forecast_overs(f, side->i, side->limit, false, over);
+	for (size_t d = 0; d < DRAWS; d++) {
+		over[d] = side_of(side, over[d]);
+		held[d] = held[d] && over[d] >= -EXACT;
+	}
+	ensemble_middle(over, w->level, &low, &high);
+	double width = isfinite(low) && isfinite(high) ? high - low : 0;
+	if (isfinite(m.passing))
+		m.widths = m.passing / fmax(width, NARROW);
+	return m;
+}
+
+/* What is missed is less than what holds.  It counts by the points that it is
+ * missed by: where a band is wide a miss is no smaller. */
+static bool
+is_less(struct margin a, struct margin b)
+{
+	if (b.limit.i == SIZE_MAX)
+		return true;
+	if (a.passing < -EXACT || b.passing < -EXACT)
+		return a.passing < b.passing;
+	return a.widths < b.widths;
+}
+
+static struct margin
+margin_with(const struct wanted *w, size_t i, bool *held)
+{
+	struct side side[2];
+	struct margin least = {INFINITY, INFINITY, NONE};
+	size_t n = sides_of(w, i, side);
+	for (size_t k = 0; k < n; k++) {
+		struct margin m = margin_of_side(w, &side[k], held);
+		least = is_less(m, least) ? m : least;
+	}
+	return least;
+}
+
+struct margin
+wanted_margin(const struct wanted *w, size_t i)
+{
+	bool held[DRAWS];
+	struct margin least = {INFINITY, INFINITY, NONE};
+	if (i != SIZE_MAX)
+		return margin_with(w, i, held);
+	for (i = 0; i < w->n; i++) {
+		struct margin m = margin_with(w, i, held);
+		if (m.limit.i != SIZE_MAX && is_less(m, least))
+			least = m;
+	}
+	return least;
+}
+
+/* Without the draws, which tell nothing of that. */
+bool
+wanted_holds(const struct wanted *w, size_t i)
+{
+	struct side side[2];
+	size_t first = i == SIZE_MAX ? 0 : i,
+	       end = i == SIZE_MAX ? w->n : i + 1;
+	for (i = first; i < end; i++)
+		for (size_t k = 0, n = sides_of(w, i, side); k < n; k++) {
+			const struct side *of = &side[k];
+			double over =
+			    forecast_over(w->forecast, of->i, of->limit);
+			if (!(side_of(of, over) >= -EXACT))
+				return false;
+		}
+	return true;
+}
+
+/* margin [w->n] out, or NULL. */
+static double
+share_of_draws(const struct wanted *w, struct margin *margin)
+{
+	bool held[DRAWS];
+	size_t n = 0;
+	memset(held, true, sizeof held);
+	for (size_t i = 0; i < w->n; i++) {
+		struct margin m = margin_with(w, i, held);
+		if (margin != NULL)
+			margin[i] = m;
+	}
+	for (size_t d = 0; d < DRAWS; d++)
+		n += held[d];
+	bool drawn = w->n > 0 && forecast_draws(w->forecast, 0) != NULL;
+	return drawn ? (double)n / DRAWS : NAN;
+}
+
+double
+wanted_certainty(const struct wanted *w)
+{
+	return share_of_draws(w, NULL);
+}
+
+/* Both ends of the speeds looked at, and the tenths between. */
+static double *
+tenths(const struct wanted *w, size_t *n)
+{
+	const double hair = 1e-6;
+	double first = floor(10 * w->from + hair) + 1;
+	double last = ceil(10 * w->to - hair) - 1;
+	size_t between = last >= first ? (size_t)(last - first + 1.5) : 0;
+	double *v = xdoubles(between + 2);
+	v[0] = w->from;
+	for (size_t k = 0; k < between; k++)
+		v[k + 1] = (first + (double)k) / 10;
+	v[between + 1] = w->to;
+	*n = between + 2;
+	return v;
+}
+
+struct speed_search *
+speed_search_new(const struct wanted *w)
+{
+	struct speed_search *s = xcalloc(1, sizeof *s);
+	struct speed_table *t = xcalloc(1, sizeof *t);
+	*s = (struct speed_search){.table = t, .found = NAN, .best = NAN};
+	s->range[0] = s->range[1] = s->cut[0] = s->cut[1] = NAN;
+	s->sure[0] = s->sure[1] = s->best_certain = NAN;
+	s->low = s->high = NONE;
+	s->speed = tenths(w, &s->n);
+	s->certain = xdoubles(s->n);
+	t->n_condition = w->n;
+	t->margin = xcalloc(s->n * (w->n + 1), sizeof *t->margin);
+	if (w->target == NULL)
+		return s;
+	t->over = xdoubles(s->n);
+	t->value = xdoubles(s->n);
+	t->draw = xcalloc(s->n, sizeof *t->draw);
+	t->sample = xcalloc(s->n, sizeof *t->sample);
+	return s;
+}
+
+void
+speed_search_free(struct speed_search *s)
+{
+	if (s == NULL)
+		return;
+	free(s->table->margin);
+	free(s->table->over);
+	free(s->table->value);
+	free(s->table->draw);
+	free(s->table->sample);
+	free(s->table);
+	free(s->speed);
+	free(s->certain);
+	free(s->inside);
+	free(s->alone);
+	free(s->root);
+	free(s);
+}
+
+/* The target's, at step k. */
+static void
+look_at_target(struct speed_table *t, const struct wanted *w, size_t k)
+{
+	const struct condition *c = w->target;
+	t->value[k] = forecast_figure(w->forecast, w->n).value;
+	if (isnan(c->least))
+		return;
+	t->over[k] = forecast_over(w->forecast, w->n, c->least);
+	if (forecast_draws(w->forecast, w->n) == NULL)
+		return;
+	forecast_overs(w->forecast, w->n, c->least, false, t->draw[k]);
+	forecast_overs(w->forecast, w->n, c->least, true, t->sample[k]);
+}
+
+/* ---- what is read off the table */
+
+static const struct margin *
+margins_at(const struct speed_search *s, size_t k)
+{
+	return s->table->margin + k * s->table->n_condition;
+}
+
+static bool
+holds_alone(const struct speed_search *s, size_t k, size_t i)
+{
+	return margins_at(s, k)[i].passing >= -EXACT;
+}
+
+static struct margin
+least_at(const struct speed_search *s, size_t k)
+{
+	struct margin least = {INFINITY, INFINITY, NONE};
+	for (size_t i = 0; i < s->table->n_condition; i++) {
+		struct margin m = margins_at(s, k)[i];
+		if (m.limit.i != SIZE_MAX && is_less(m, least))
+			least = m;
+	}
+	return least;
+}
+
+static bool
+holds_at(const struct speed_search *s, size_t k)
+{
+	size_t i = 0, n = s->table->n_condition;
+	while (i < n && holds_alone(s, k, i))
+		i++;
+	return i == n;
+}
+
+/* Of what does not hold at step k; none beyond those looked at. */
+static struct wanted_limit
+missed_at(const struct speed_search *s, size_t k)
+{
+	return k < s->n ? least_at(s, k).limit : NONE;
+}
+
+static void
+add_range(
+    struct speed_search *s, double from, double to, size_t below, size_t above)
+{
+	s->inside = xrealloc(s->inside, s->n_inside + 1, sizeof *s->inside);
+	s->inside[s->n_inside++] = (struct speed_range){
+	    from, to, missed_at(s, below), missed_at(s, above)};
+}
+
+/* Whether a speed between steps k and k + 1, of which neither will do, is too
+ * slow, -1, too fast, 1, or will do, 0: by what is missed at step k. */
+static int
+way_to_go(
+    const struct speed_search *s, const struct wanted *w, size_t k, double v)
+{
+	forecast_at(w->forecast, v);
+	for (size_t i = 0; i < w->n; i++) {
+		struct margin m = wanted_margin(w, i), at = margins_at(s, k)[i];
+		if (!(m.passing < -EXACT))
+			continue;
+		return at.passing < -EXACT && at.limit.most == m.limit.most ? -1
+									    : 1;
+	}
+	return 0;
+}
+
+/* Whether what is missed at step k is another limit than at the next. */
+static bool
+may_hold_between(const struct speed_search *s, size_t k)
+{
+	const struct margin *a = margins_at(s, k), *b = margins_at(s, k + 1);
+	for (size_t i = 0; i < s->table->n_condition; i++)
+		if (a[i].passing < -EXACT && b[i].passing < -EXACT &&
+		    a[i].limit.most == b[i].limit.most)
+			return false;
+	return true;
+}
+
+/* The speed nearest to `bad` that still will do, from one that does. */
+static double
+last_good(const struct speed_search *s, const struct wanted *w, size_t k,
+    double good, double bad)
+{
+	const double close = 1e-4;
+	while (fabs(bad - good) > close) {
+		double v = (good + bad) / 2;
+		*(way_to_go(s, w, k, v) == 0 ? &good : &bad) = v;
+	}
+	return good;
+}
+
+static void
+look_between(struct speed_search *s, const struct wanted *w, size_t k)
+{
+	const double close = 1e-6;
+	double a = s->speed[k], b = s->speed[k + 1];
+	int way = 1;
+	while (way != 0 && b - a > close) {
+		double v = (a + b) / 2;
+		way = way_to_go(s, w, k, v);
+		if (way <= 0)
+			a = v;
+		if (way >= 0)
+			b = v;
+	}
+	if (way == 0)
+		add_range(s, last_good(s, w, k, a, s->speed[k]),
+		    last_good(s, w, k, b, s->speed[k + 1]), k, k + 1);
+}
+
+static void
+find_inside(struct speed_search *s, const struct wanted *w)
+{
+	for (size_t k = 0; k < s->n; k++) {
+		size_t last = k;
+		if (!holds_at(s, k)) {
+			if (k + 1 < s->n && !holds_at(s, k + 1) &&
+			    may_hold_between(s, k))
+				look_between(s, w, k);
+			continue;
+		}
+		while (last + 1 < s->n && holds_at(s, last + 1))
+			last++;
+		/* Before the first step there is none. */
+		add_range(s, s->speed[k], s->speed[last], k - 1, last + 1);
+		k = last;
+	}
+}
+
+static bool
+is_measured(const struct wanted *w, double v)
+{
+	return v >= w->measured[0] - EXACT && v <= w->measured[1] + EXACT;
+}
+
+/* Whether any speed at which all holds lies where it was measured. */
+static bool
+any_measured(const struct speed_search *s, const struct wanted *w)
+{
+	for (size_t k = 0; k < s->n; k++)
+		if (holds_at(s, k) && is_measured(w, s->speed[k]))
+			return true;
+	return false;
+}
+
+/* Steps that may be the best: where anything holds those at which it does,
+ * measured ones where there are any, and as sure as `sure`. */
+struct eligible {
+	bool inside, measured;
+	double sure;
+};
+
+static bool
+is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
+    const struct eligible *e)
+{
+	return (!e->inside || holds_at(s, k)) &&
+	       (!e->measured || is_measured(w, s->speed[k])) &&
+	       !(s->certain[k] < e->sure);
+}
+
+static bool
+is_alike(struct margin a, struct margin b)
+{
+	return a.widths == b.widths || fabs(a.widths - b.widths) < EXACT;
+}
+
+/* The largest margin, of equals the one nearest to the middle; SIZE_MAX where
+ * what holds lies between two steps. */
+static size_t
+best_step(const struct speed_search *s, const struct wanted *w)
+{
+	struct eligible e = {s->n_inside > 0, any_measured(s, w), -INFINITY};
+	bool reaches = w->measured[0] < w->measured[1];
+	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
+				: (w->from + w->to) / 2;
+	struct margin largest = {0};
+	double most = -INFINITY;
+	size_t best = SIZE_MAX;
+	for (size_t k = 0; k < s->n && e.inside; k++)
+		if (is_eligible(s, w, k, &e))
+			most = fmax(most, s->certain[k]);
+	e.sure = most - CHANCE;
+	for (size_t k = 0; k < s->n; k++) {
+		struct margin margin = least_at(s, k);
+		if (!is_eligible(s, w, k, &e))
+			continue;
+		bool nearer =
+		    best != SIZE_MAX &&
+		    fabs(s->speed[k] - middle) < fabs(s->speed[best] - middle);
+		bool better = is_alike(margin, largest)
+				  ? nearer
+				  : is_less(largest, margin);
+		if (best != SIZE_MAX && !better)
+			continue;
+		best = k;
+		largest = margin;
+	}
+	return best;
+}
+
+static void
+find_best(struct speed_search *s, const struct wanted *w)
+{
+	size_t k = best_step(s, w);
+	if (k == SIZE_MAX) {
+		s->best = (s->inside[0].from + s->inside[0].to) / 2;
+		forecast_at(w->forecast, s->best);
+		s->margin = wanted_margin(w, SIZE_MAX);
+		s->best_certain = wanted_certainty(w);
+	} else {
+		s->best = s->speed[k];
+		s->margin = least_at(s, k);
+		s->best_certain = s->certain[k];
+		s->low = missed_at(s, k - 1);
+		s->high = missed_at(s, k + 1);
+	}
+	const struct speed_range *in = speed_search_around(s);
+	if (in != NULL) {
+		s->low = in->low;
+		s->high = in->high;
+	}
+	s->alike = s->margin.passing < 0 && isfinite(s->margin.passing);
+	for (size_t i = 0; i < s->n && s->alike; i++)
+		s->alike = s->margin.passing - least_at(s, i).passing < ROUNDS;
+}
+
+/* The steps about the best speed, or nearest to it, at which condition i alone
+ * holds. */
+static void
+find_alone(const struct speed_search *s, size_t i, double ends[static 2])
+{
+	size_t near = SIZE_MAX;
+	for (size_t k = 0; k < s->n; k++)
+		if (holds_alone(s, k, i) &&
+		    (near == SIZE_MAX || fabs(s->speed[k] - s->best) <
+					     fabs(s->speed[near] - s->best)))
+			near = k;
+	ends[0] = ends[1] = NAN;
+	if (near == SIZE_MAX)
+		return;
+	size_t low = near, high = near;
+	while (low > 0 && holds_alone(s, low - 1, i))
+		low--;
+	while (high + 1 < s->n && holds_alone(s, high + 1, i))
+		high++;
+	if (low > 0)
+		ends[0] = s->speed[low];
+	if (high + 1 < s->n)
+		ends[1] = s->speed[high];
+}
+
+static void
+find_sure(struct speed_search *s, double level)
+{
+	size_t at = SIZE_MAX, most = 0;
+	for (size_t k = 0; k < s->n; k++) {
+		if (s->speed[k] == s->best && s->certain[k] >= level)
+			at = k;
+		if (s->certain[k] > s->certain[most])
+			most = k;
+	}
+	if (at == SIZE_MAX && s->certain[most] >= level)
+		at = most;
+	if (at == SIZE_MAX)
+		return;
+	size_t low = at, high = at;
+	while (low > 0 && s->certain[low - 1] >= level)
+		low--;
+	while (high + 1 < s->n && s->certain[high + 1] >= level)
+		high++;
+	s->sure[0] = s->speed[low];
+	s->sure[1] = s->speed[high];
+}
+
+/* ---- the target's value */
+
+static double
+over_at(const struct wanted *w, double v)
+{
+	forecast_at(w->forecast, v);
+	return forecast_over(w->forecast, w->n, w->target->least);
+}
+
+/* Where it changes its sign between a and b, at which it is fa and fb: secants,
+ * and halves where these gain little.  To 1e-9 m/s, so that predict at the
+ * speed gives the value. */
+static double
+root_between(const struct wanted *w, double a, double fa, double b, double fb)
+{
+	const double close = 1e-9;
+	bool rises = fb >= 0;
+	while (b - a > close) {
+		double width = b - a, middle = (a + b) / 2;
+		double at = a - fa * (width / (fb - fa));
+		/* A little beyond the root, so that both ends close in. */
+		at += at < middle ? close / 4 : -close / 4;
+		for (int half = 0; half < 2 && b - a > width / 2; half++) {
+			double v =
+			    half == 0 && at > a && at < b ? at : (a + b) / 2;
+			double f = over_at(w, v);
+			if ((f >= 0) == rises) {
+				b = v;
+				fb = f;
+			} else {
+				a = v;
+				fa = f;
+			}
+		}
+	}
+	return rises ? b : a;
+}
+
+static void
+add_root(struct speed_search *s, const struct wanted *w, double v)
+{
+	forecast_at(w->forecast, v);
+	s->root = xrealloc(s->root, s->n_root + 1, sizeof *s->root);
+	s->root[s->n_root++] =
+	    (struct speed_root){v, wanted_holds(w, SIZE_MAX)};
+}
+
+static void
+find_roots(struct speed_search *s, const struct wanted *w)
+{
+	const double *f = s->table->over, *v = s->speed;
+	if (f[0] == 0)
+		add_root(s, w, v[0]);
+	for (size_t k = 1; k < s->n; k++)
+		if ((f[k - 1] >= 0) != (f[k] >= 0))
+			add_root(s, w,
+			    root_between(w, v[k - 1], f[k - 1], v[k], f[k]));
+}
+
+/* How far a speed is from those measured. */
+static double
+beyond(const struct wanted *w, double v)
+{
+	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
+}
+
+static void
+choose_root(struct speed_search *s, const struct wanted *w)
+{
+	const struct speed_root *best = NULL;
+	for (size_t i = 0; i < s->n_root; i++) {
+		const struct speed_root *r = &s->root[i];
+		bool better = best == NULL || r->holds > best->holds ||
+			      (r->holds == best->holds &&
+				  beyond(w, r->speed) < beyond(w, best->speed));
+		best = better ? r : best;
+	}
+	s->found = best != NULL ? best->speed : NAN;
+}
+
+/* Where draw d of a table, times a sign, rises through 0 nearest to v. */
+static double
+crossing(const struct speed_search *s, double (*f)[DRAWS], size_t d,
+    double sign, double v)
+{
+	double nearest = NAN;
+	if (f[0][d] == 0)
+		nearest = s->speed[0];
+	for (size_t k = 1; k < s->n; k++) {
+		double a = sign * f[k - 1][d], b = sign * f[k][d];
+		if (!(a < 0 && b >= 0))
+			continue;
+		double at = s->speed[k - 1] +
+			    (s->speed[k] - s->speed[k - 1]) * (a / (a - b));
+		if (isnan(nearest) || fabs(at - v) < fabs(nearest - v))
+			nearest = at;
+	}
+	if (!isnan(nearest))
+		return nearest;
+	return sign * f[0][d] > 0 ? 0 : INFINITY;
+}
+
+static void
+find_ranges(struct speed_search *s, const struct wanted *w)
+{
+	struct speed_table *t = s->table;
+	double about = isnan(s->found) ? (w->from + w->to) / 2 : s->found;
+	double speed[DRAWS];
+	size_t k = 1;
+	if (forecast_draws(w->forecast, w->n) == NULL)
+		return;
+	while (k + 1 < s->n && s->speed[k] < about)
+		k++;
+	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
+	for (size_t d = 0; d < DRAWS; d++)
+		speed[d] = crossing(s, t->draw, d, sign, about);
+	ensemble_middle(speed, w->level, &s->range[0], &s->range[1]);
+	for (size_t d = 0; d < DRAWS; d++)
+		speed[d] = crossing(s, t->sample, d, sign, about);
+	ensemble_middle(speed, w->level, &s->cut[0], &s->cut[1]);
+}
+
+static void
+conclude(struct speed_search *s, const struct wanted *w)
+{
+	find_inside(s, w);
+	find_best(s, w);
+	find_sure(s, w->level);
+	s->alone = xcalloc(w->n + 1, sizeof *s->alone);
+	for (size_t i = 0; i < w->n; i++)
+		find_alone(s, i, s->alone[i]);
+	if (w->target == NULL || isnan(w->target->least))
+		return;
+	find_roots(s, w);
+	choose_root(s, w);
+	find_ranges(s, w);
+}
+
+bool
+speed_search_step(struct speed_search *s, const struct wanted *w)
+{
+	size_t k = s->done;
+	if (k == s->n)
+		return true;
+	forecast_at(w->forecast, s->speed[k]);
+	s->certain[k] = share_of_draws(w, s->table->margin + k * w->n);
+	if (w->target != NULL)
+		look_at_target(s->table, w, k);
+	if (++s->done < s->n)
+		return false;
+	conclude(s, w);
+	return true;
+}
+
+struct speed_search *
+speed_search_all(const struct wanted *w)
+{
+	struct speed_search *s = speed_search_new(w);
+	while (!speed_search_step(s, w))
+		;
+	return s;
+}
+
+const struct speed_range *
+speed_search_around(const struct speed_search *s)
+{
+	for (size_t k = 0; k < s->n_inside; k++)
+		if (s->best >= s->inside[k].from && s->best <= s->inside[k].to)
+			return &s->inside[k];
+	return NULL;
+}
+
+double
+speed_search_extreme(const struct speed_search *s, bool most, bool sure)
+{
+	double best = NAN, speed = NAN;
+	for (size_t k = 0; k < s->n; k++) {
+		double value = s->table->value[k], v = s->speed[k];
+		bool in =
+		    sure ? v >= s->sure[0] && v <= s->sure[1] : holds_at(s, k);
+		bool better =
+		    isnan(best) || (most ? value > best : value < best);
+		if (!in || isnan(value) || !better)
+			continue;
+		best = value;
+		speed = v;
+	}
+	return speed;
+}
