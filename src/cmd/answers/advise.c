@@ -268,7 +268,7 @@ advise(struct session *s, struct wanted *w, struct error *error)
 		    "narrow its band",
 		    w->name, w->question->speed);
 	struct prediction p =
-	    outlook_predict(s, entry, w->question->speed, w->question->feed);
+	    forecast_whole(s, entry, w->question->speed, w->question->feed);
 	answers_show_basis(
 	    s, r, entry, w->question->feed, false, light_of(s, entry, &p));
 	prediction_free(&p);

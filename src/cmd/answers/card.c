@@ -223,7 +223,7 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
 	double rotor = entry->site->rotor;
 	forecast_at(all->forecast, v);
 	struct figure p80 = forecast_figure(all->forecast, P80);
-	struct prediction p = outlook_predict(s, entry, v, all->question->feed);
+	struct prediction p = forecast_whole(s, entry, v, all->question->feed);
 	struct trust light = light_of(s, entry, &p);
 	answer_cells(r, "%g", v);
 	if (rotor > 0)

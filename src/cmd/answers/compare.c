@@ -260,9 +260,11 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 			  s, &s->entry[at], args, like, &side->q, error)
 		    : question_of(s, &s->entry[at], args, &side->q, error)))
 		return false;
-	const struct entry *entry = side->entry = side->q.entry;
-	return screened_predict(s, entry, &entry->params, &side->q.fraction, v,
-	    side->q.feed, &side->p, error);
+	side->entry = side->q.entry;
+	if (!screened_tells(&side->q, error))
+		return false;
+	side->p = forecast_product(s, &side->q, v);
+	return true;
 }
 
 /* What stands over the columns: what the two differ in. */

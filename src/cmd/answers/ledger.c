@@ -9,6 +9,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/ask/feed.h"
@@ -241,7 +242,7 @@ balance_answer(struct session *s, const struct args *args,
 	struct balance b = {
 	    .s = s, .entry = entry, .feed = site_feed(entry->site, q->feed)};
 	for (size_t k = 0; k < 2; k++) {
-		b.p[k] = outlook_predict(s, entry, v[k], q->feed);
+		b.p[k] = forecast_whole(s, entry, v[k], q->feed);
 		b.of[k] = ledger_new(
 		    b.feed, &entry->params, outlook_settings(s, entry), v[k]);
 	}

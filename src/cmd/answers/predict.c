@@ -16,6 +16,7 @@
 #include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
@@ -418,7 +419,9 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	const struct entry *entry = session_entry(s);
 	if (!take_params(s, entry, &params, error))
 		return false;
-	*p = outlook_form(s, entry, &params, speed, feed_run);
+	const struct question q = {
+	    .entry = entry, .feed = feed_run, .params = &params};
+	*p = forecast_product(s, &q, speed);
 	answers_keep(s, entry, &params, p);
 	invocation_asked(s, "predict", line);
 	return true;
@@ -444,13 +447,13 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	struct prediction p;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	if (!take_params(s, entry, &params, error) ||
 	    !whole_for(args, &q->fraction, error) ||
-	    !screened_predict(
-		s, entry, &params, &q->fraction, q->speed, q->feed, &p, error))
+	    !screened_tells(q, error))
 		return false;
+	q->params = &params;
+	struct prediction p = forecast_product(s, q, q->speed);
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);

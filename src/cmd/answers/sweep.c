@@ -9,6 +9,7 @@
 #include "cmd/ask/band.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
@@ -132,10 +133,9 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
 	struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false, ok = true;
+	bool outside = false, ok = screened_tells(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
-		ok = screened_predict(s, entry, &entry->params, &q->fraction,
-		    speed[i], q->feed, &p[i], error);
+		p[i] = forecast_product(s, q, speed[i]);
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);

@@ -177,7 +177,7 @@ note_feeds(struct answer *r, const struct session *s, const struct entry *entry,
 	double x = at->product.size[i], most = 0;
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	for (size_t run = 0; run < site->n_run && !other; run++) {
-		struct prediction p = outlook_predict(s, entry, at->speed, run);
+		struct prediction p = forecast_whole(s, entry, at->speed, run);
 		double P = psd_at_sieve(&p.product, x);
 		if (isfinite(P))
 			most = fmax(most, fabs(P - at->product.passing[i]));
@@ -264,7 +264,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (!take_words(args, q, &draws, error))
 		return false;
 	take_settings(s, args);
-	struct prediction at = outlook_predict(s, entry, q->speed, q->feed);
+	struct prediction at = forecast_whole(s, entry, q->speed, q->feed);
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",

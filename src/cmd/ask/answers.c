@@ -12,6 +12,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/screened.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "io/sitefile/units.h"
@@ -150,6 +151,13 @@ answers_speeds(const struct site *site, size_t *n)
 	for (*n = 0; *n < MOST && (first + (double)*n) * step <= to; (*n)++)
 		speed[*n] = (first + (double)*n) * step;
 	return speed;
+}
+
+struct prediction
+outlook_predict(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
+{
+	return forecast_whole(s, entry, speed, feed_run);
 }
 
 void
@@ -320,7 +328,7 @@ answers_note_doubt(const struct session *s, struct answer *r,
 	/* Of a feed alone a search that found nothing has no speed. */
 	struct prediction p = {0};
 	if (speed > 0)
-		p = outlook_predict(s, entry, speed, feed_run);
+		p = forecast_whole(s, entry, speed, feed_run);
 	struct trust light = light_of(s, entry, speed > 0 ? &p : NULL);
 	prediction_free(&p);
 	note_beyond(r, entry, speed,

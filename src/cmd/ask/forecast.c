@@ -13,6 +13,7 @@
 struct forecast {
 	const struct session *s;
 	const struct question *q;
+	const struct params *params;
 	struct response *response;
 	double level;
 };
@@ -21,12 +22,17 @@ struct forecast *
 forecast_open(const struct session *s, const struct question *q,
     const struct quantity *quantity, size_t n)
 {
+	const struct entry *entry = q->entry;
+	const struct psd *feed = site_feed(entry->site, q->feed);
+	struct psd sizes = predict_sizes(entry->site, feed);
 	struct forecast *f = xcalloc(1, sizeof *f);
 	*f = (struct forecast){.s = s,
 	    .q = q,
-	    .response = outlook_reader(
-		s, q->entry, &q->entry->params, q->feed, quantity, n),
+	    .params = q->params != NULL ? q->params : &entry->params,
 	    .level = settings_level(&s->set)};
+	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
+	    f->params, outlook_settings(s, entry), NULL);
+	psd_free(&sizes);
 	return f;
 }
 
@@ -40,11 +46,23 @@ forecast_close(struct forecast *f)
 }
 
 void
+forecast_part_at(struct forecast *f, double speed, enum ensemble_part part)
+{
+	const struct question *q = f->q;
+	struct ensemble *e =
+	    outlook_answering(f->s, q->entry, f->params) != NULL
+		? outlook_ensemble(f->s, q->entry, q->feed)
+		: NULL;
+	if (e != NULL)
+		response_borrow_at(f->response, e, part, speed);
+	else
+		response_at(f->response, speed);
+}
+
+void
 forecast_at(struct forecast *f, double speed)
 {
-	const struct entry *entry = f->q->entry;
-	outlook_read_at(
-	    f->s, entry, &entry->params, f->q->feed, f->response, speed);
+	forecast_part_at(f, speed, ENSEMBLE_ANSWER);
 }
 
 struct figure
@@ -74,13 +92,37 @@ forecast_difference(
 {
 	double more[POSTERIOR_DRAWS];
 	const double *a = forecast_draws(one, i), *b = forecast_draws(two, i);
-	struct figure f = {
-	    response_value(two->response, i) - response_value(one->response, i),
-	    NAN, NAN};
-	if (a == NULL || b == NULL)
-		return f;
-	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+	double range[2] = {NAN, NAN};
+	for (size_t d = 0; d < POSTERIOR_DRAWS && a != NULL && b != NULL; d++)
 		more[d] = b[d] - a[d];
-	ensemble_middle(more, one->level, &f.low, &f.high);
-	return f;
+	if (a != NULL && b != NULL)
+		ensemble_range(more, one->level, NAN, range);
+	return (struct figure){
+	    response_value(two->response, i) - response_value(one->response, i),
+	    range[0], range[1]};
+}
+
+struct prediction
+forecast_product(
+    const struct session *s, const struct question *q, double speed)
+{
+	const struct site *site = q->entry->site;
+	size_t n;
+	struct quantity *asked =
+	    predict_asks(site, site_feed(site, q->feed), &q->fraction, &n);
+	struct forecast *f = forecast_open(s, q, asked, n);
+	forecast_at(f, speed);
+	struct prediction p =
+	    predict_table(site, q->feed, &q->fraction, f->response, f->level);
+	forecast_close(f);
+	free(asked);
+	return p;
+}
+
+struct prediction
+forecast_whole(const struct session *s, const struct entry *entry, double speed,
+    size_t feed_run)
+{
+	const struct question q = {.entry = entry, .feed = feed_run};
+	return forecast_product(s, &q, speed);
 }

@@ -3,8 +3,8 @@
 #ifndef TIPSPEED_CMD_ASK_FORECAST_H
 #define TIPSPEED_CMD_ASK_FORECAST_H
 
-#include "cmd/ask/question.h"
-#include "core/answer/response.h"
+#include "cmd/ask/asked.h"
+#include "core/answer/predict.h"
 
 /* A quantity of the answer with its band; NAN where the curve does not reach so
  * far, and where there is no band. */
@@ -23,6 +23,12 @@ void forecast_close(struct forecast *f);
 /* Moves to a speed, m/s. */
 void forecast_at(struct forecast *f, double speed);
 
+/* The same with other draws beside the answer's values, of one more sample, or
+ * of the model alone: bands are then of these, and not widened to hold the
+ * value. */
+void forecast_part_at(
+    struct forecast *f, double speed, enum ensemble_part part);
+
 struct figure forecast_figure(const struct forecast *f, size_t i);
 
 /* The same of the model alone. */
@@ -37,5 +43,14 @@ const double *forecast_draws(const struct forecast *f, size_t i);
  * where they are not. */
 struct figure forecast_difference(
     const struct forecast *one, const struct forecast *two, size_t i);
+
+/* The table of the question's product, or of the fraction that it asks for, at
+ * a speed: passings at all sieves, sizes, what breaks; prediction_free. */
+struct prediction forecast_product(
+    const struct session *s, const struct question *q, double speed);
+
+/* The same of the site's whole product with the feed of a run, as it stands. */
+struct prediction forecast_whole(const struct session *s,
+    const struct entry *entry, double speed, size_t feed_run);
 
 #endif

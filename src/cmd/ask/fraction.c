@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
@@ -45,7 +46,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 {
 	const struct run *r = &entry->site->run[run];
 	struct cut c = {.level = settings_level(&s->set)};
-	struct prediction p = outlook_predict(s, entry, r->speed, run);
+	struct prediction p = forecast_whole(s, entry, r->speed, run);
 	struct ensemble *e = outlook_ensemble(s, entry, run);
 	if (e != NULL)
 		ensemble_at(e, r->speed);

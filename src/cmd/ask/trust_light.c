@@ -10,6 +10,7 @@
 #include "cmd/ask/fraction.h"
 #include "cmd/session/energies.h"
 #include "cmd/ask/fit.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/routine.h"
 #include "core/search/misfit.h"
@@ -271,7 +272,7 @@ char *
 light_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
-	struct prediction p = outlook_predict(s, entry, speed, feed);
+	struct prediction p = forecast_whole(s, entry, speed, feed);
 	struct trust t = light_of(s, entry, &p);
 	char *words = light_words(&t);
 	char *said = xasprintf(tr("trust at %g m/s: %s"), speed, words);

@@ -12,6 +12,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
@@ -42,7 +43,7 @@ take_usual(struct session *s, struct drawn *d)
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
 	const struct entry *entry = d->entry;
 	struct prediction p =
-	    outlook_predict(s, entry, site_middle(entry->site), d->feed);
+	    forecast_whole(s, entry, site_middle(entry->site), d->feed);
 	const struct psd *product = &p.product;
 	for (size_t k = 0; k < ARRAY_LEN(WANTED); k++) {
 		size_t best = 0;

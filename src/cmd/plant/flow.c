@@ -12,6 +12,7 @@
 #include "cmd/ask/condition.h"
 #include "cmd/draw/flow_chart.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plot.h"
 #include "cmd/plant/plant.h"
@@ -425,7 +426,7 @@ judge(const struct plant *p, const struct outcome *o)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		struct prediction at = outlook_predict(p->s, entry,
+		struct prediction at = forecast_whole(p->s, entry,
 		    plant_speed(unit, o->speed), p->plan->question->feed);
 		struct trust t = light_of(p->s, entry, &at);
 		double off = feed_difference(p, o, unit);

@@ -11,6 +11,7 @@
 #include "cmd/ask/band.h"
 #include "cmd/sheets/data.h"
 #include "cmd/session/files.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
@@ -140,7 +141,7 @@ give_product(
 {
 	const struct entry *entry = q->entry;
 	double v = q->speed;
-	struct prediction p = outlook_predict(s, entry, v, q->feed);
+	struct prediction p = forecast_whole(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
 	add_rows(r, b, &p.product, &p);
