@@ -262,23 +262,6 @@ note_usual(struct answer *r, const struct session *s, const struct entry *entry,
 		    r, params, site_feed(entry->site, p->feed_run), p);
 }
 
-/* What one more sample would show there, passing 0..1. */
-static bool
-sample_band(const struct session *s, const struct entry *entry,
-    const struct prediction *p, double sieve, double range[static 2])
-{
-	struct ensemble *e = outlook_ensemble(s, entry, p->feed_run);
-	size_t row = 0;
-	while (row < p->curve.n && p->curve.size[row] != sieve)
-		row++;
-	if (e == NULL || row == p->curve.n)
-		return false;
-	ensemble_at(e, p->speed);
-	ensemble_band(e, ENSEMBLE_SAMPLE, row, settings_level(&s->set),
-	    &range[0], &range[1]);
-	return true;
-}
-
 /* "8 times in 10", "with 95 % probability".  The caller frees. */
 static char *
 chance_words(double level)
@@ -291,20 +274,25 @@ chance_words(double level)
 
 /* How sure, in one sentence about one number (D22). */
 static void
-note_sure(struct answer *r, const struct session *s, const struct entry *entry,
+note_sure(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	char *chance = chance_words(settings_level(&s->set));
 	size_t i = answers_sieve(&p->product);
-	double mm = units_mm(p->product.size[i]), sample[2];
-	if (!fraction_screens(&p->fraction) &&
-	    sample_band(s, entry, p, p->product.size[i], sample))
-		answer_note(r,
-		    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
-		    "%.1f; a new belt cut between %.1f and %.1f",
-		    p->speed, units_pct(p->product.passing[i]), mm, chance,
-		    units_pct(p->low[i]), units_pct(p->high[i]),
-		    units_pct(sample[0]), units_pct(sample[1]));
+	const struct quantity passing = {
+	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
+	if (fraction_screens(&p->fraction))
+		return;
+	char *chance = chance_words(settings_level(&s->set));
+	struct forecast *f = forecast_open(s, q, &passing, 1);
+	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
+	struct figure sample = forecast_figure(f, 0);
+	answer_note(r,
+	    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+	    "%.1f; a new belt cut between %.1f and %.1f",
+	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
+	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
+	    units_pct(sample.high));
+	forecast_close(f);
 	free(chance);
 }
 
@@ -341,7 +329,7 @@ explained(const struct session *s, const struct question *q,
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, params, p);
 	if (p->low != NULL)
-		note_sure(r, s, entry, p);
+		note_sure(r, s, q, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
@@ -449,8 +437,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct params params;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	if (!take_params(s, entry, &params, error) ||
-	    !whole_for(args, &q->fraction, error) ||
-	    !screened_tells(q, error))
+	    !whole_for(args, &q->fraction, error) || !screened_tells(q, error))
 		return false;
 	q->params = &params;
 	struct prediction p = forecast_product(s, q, q->speed);

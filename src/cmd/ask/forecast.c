@@ -36,6 +36,18 @@ forecast_open(const struct session *s, const struct question *q,
 	return f;
 }
 
+struct forecast *
+forecast_table(const struct session *s, const struct question *q)
+{
+	const struct site *site = q->entry->site;
+	size_t n;
+	struct quantity *asked =
+	    predict_asks(site, site_feed(site, q->feed), &q->fraction, &n);
+	struct forecast *f = forecast_open(s, q, asked, n);
+	free(asked);
+	return f;
+}
+
 void
 forecast_close(struct forecast *f)
 {
@@ -106,16 +118,11 @@ struct prediction
 forecast_product(
     const struct session *s, const struct question *q, double speed)
 {
-	const struct site *site = q->entry->site;
-	size_t n;
-	struct quantity *asked =
-	    predict_asks(site, site_feed(site, q->feed), &q->fraction, &n);
-	struct forecast *f = forecast_open(s, q, asked, n);
+	struct forecast *f = forecast_table(s, q);
 	forecast_at(f, speed);
-	struct prediction p =
-	    predict_table(site, q->feed, &q->fraction, f->response, f->level);
+	struct prediction p = predict_table(
+	    q->entry->site, q->feed, &q->fraction, f->response, f->level);
 	forecast_close(f);
-	free(asked);
 	return p;
 }
 

@@ -20,6 +20,11 @@ struct forecast *forecast_open(const struct session *s,
     const struct question *q, const struct quantity *quantity, size_t n);
 void forecast_close(struct forecast *f);
 
+/* Of what a table of the question's product shows, in the order of
+ * predict_asks. */
+struct forecast *forecast_table(
+    const struct session *s, const struct question *q);
+
 /* Moves to a speed, m/s. */
 void forecast_at(struct forecast *f, double speed);
 

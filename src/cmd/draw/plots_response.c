@@ -133,21 +133,20 @@ speed_at(const struct drawn *d, size_t k)
 static void
 look(struct session *s, struct drawn *d)
 {
-	const struct entry *entry = d->entry;
-	struct response *r =
-	    outlook_response(s, entry, &entry->params, d->feed, d->q, d->n);
+	const struct question q = {.entry = d->entry, .feed = d->feed};
+	struct forecast *f = forecast_open(s, &q, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
 	for (size_t k = 0; k < POINTS; k++) {
-		response_at(r, speed_at(d, k));
+		forecast_at(f, speed_at(d, k));
 		for (size_t i = 0; i < d->n; i++) {
 			double *value = d->value[i * POINTS + k];
-			value[0] = response_value(r, i);
-			response_band(r, i, settings_level(&s->set), value + 1);
-			for (size_t j = 0; j < 3; j++)
-				value[j] = quantities_shown(&d->q[i], value[j]);
+			struct figure at = forecast_figure(f, i);
+			value[0] = quantities_shown(&d->q[i], at.value);
+			value[1] = quantities_shown(&d->q[i], at.low);
+			value[2] = quantities_shown(&d->q[i], at.high);
 		}
 	}
-	response_free(r);
+	forecast_close(f);
 }
 
 /* The looks of a quantity: colours in turn, which no run has; lines that

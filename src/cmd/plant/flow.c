@@ -30,14 +30,9 @@ static void
 range_of(const struct plant *p, const struct outcome *o, const double *draw,
     double answer, double range[static 2])
 {
-	double value[DRAWS];
 	range[0] = range[1] = NAN;
-	if (o->flow.draws != DRAWS)
-		return;
-	memcpy(value, draw, sizeof value);
-	ensemble_middle(value, p->level, &range[0], &range[1]);
-	range[0] = fmin(range[0], answer);
-	range[1] = fmax(range[1], answer);
+	if (o->flow.draws == DRAWS)
+		ensemble_range(draw, p->level, answer, range);
 }
 
 /* Of what goes into a unit, or for NULL in a stream. */
@@ -325,9 +320,7 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_middle(best, p->level, &range[0], &range[1]);
-	range[0] = fmin(range[0], s->speed[s->best]);
-	range[1] = fmax(range[1], s->speed[s->best]);
+	ensemble_range(best, p->level, s->speed[s->best], range);
 }
 
 /* What the best speed gains over the usual one, and whether that is more than

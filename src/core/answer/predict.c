@@ -117,8 +117,8 @@ predict_table(const struct site *site, size_t feed_run,
 	struct prediction p = {.speed = speed,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,
-	    .fraction = fraction_screens(fraction) ? *fraction
-						   : (struct fraction){0},
+	    .fraction =
+		fraction_screens(fraction) ? *fraction : (struct fraction){0},
 	    .product = product_sieves(site, feed),
 	    .selected = response_selected(r),
 	    .no_daughters = !response_breaks(r)};
