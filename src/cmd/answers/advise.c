@@ -274,11 +274,7 @@ advise(struct session *s, struct wanted *w, struct error *error)
 		    "%s at %g m/s is the same in all draws: no sample can "
 		    "narrow its band",
 		    w->name, w->question->speed);
-	struct prediction p =
-	    forecast_whole(s, entry, w->question->speed, w->question->feed);
-	answers_show_basis(
-	    s, r, entry, w->question->feed, false, light_of(s, entry, &p));
-	prediction_free(&p);
+	answers_show_basis_at(s, r, w->question, w->question->speed, false);
 	return session_answer(s, r);
 }
 

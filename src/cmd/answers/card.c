@@ -302,7 +302,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 		add_row(r, s, all, speed[i], &light);
 	note_limits(r, all);
 	note_flow(r, all);
-	answers_show_basis(s, r, entry, all->question->feed,
+	answers_show_basis(s, r, all->question, 0,
 	    forecast_draws(all->forecast, 0) != NULL, light);
 	return r;
 }

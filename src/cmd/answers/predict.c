@@ -247,19 +247,12 @@ note_only_check(
 	    100 * cut.rms, cut.n);
 }
 
-/* Which sizes break, and which runs correct the model: in detail, or where it
- * is not as usual. */
-static void
-note_usual(struct answer *r, const struct session *s, const struct entry *entry,
-    const struct params *params, const struct prediction *p, bool detail)
+/* Whether what corrects the model is worth a word. */
+static bool
+is_unusual(const struct session *s, const struct entry *entry)
 {
-	bool unusual =
-	    outlook_correction(s, entry) != CORRECTION_ALL || !entry->has_fit;
-	if (p->low != NULL && (detail || unusual))
-		outlook_note(r, s, entry, true);
-	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
-		note_breakage(
-		    r, params, site_feed(entry->site, p->feed_run), p);
+	return outlook_correction(s, entry) != CORRECTION_ALL ||
+	       !entry->has_fit;
 }
 
 /* "8 times in 10", "with 95 % probability".  The caller frees. */
@@ -336,7 +329,9 @@ explained(const struct session *s, const struct question *q,
 		answer_put_columns(r, "low_pct high_pct");
 		band_put(o, s, p);
 	}
-	note_usual(r, s, entry, params, p, detail);
+	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
+		note_breakage(
+		    r, params, site_feed(entry->site, p->feed_run), p);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == entry_loaded(entry))
@@ -354,7 +349,8 @@ explained(const struct session *s, const struct question *q,
 		    p->speed);
 	note_moved(r, s, entry, params, p, between != NULL);
 	note_only_check(r, s, entry);
-	answers_note_doubt(s, r, q->entry, q->feed, p->speed);
+	answers_show_basis_at(s, r, q, p->speed,
+	    p->low != NULL && (detail || is_unusual(s, entry)));
 	free(between);
 	return r;
 }

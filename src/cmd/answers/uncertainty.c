@@ -199,8 +199,7 @@ parts_answer(const struct session *s, const struct question *q,
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, entry, at);
 	note_draws(r, p, outlook_evidence(s, entry));
-	answers_show_basis(
-	    s, r, entry, at->feed_run, false, light_of(s, entry, at));
+	answers_show_basis(s, r, q, at->speed, false, light_of(s, entry, at));
 	return r;
 }
 

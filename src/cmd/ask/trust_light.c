@@ -283,17 +283,6 @@ light_at(const struct session *s, const struct entry *entry, double speed,
 }
 
 void
-light_note(struct answer *r, const struct trust *t)
-{
-	static const enum answer_grade GRADE[] = {
-	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
-	char *words = light_words(t);
-	answer_say(r, GRADE[t->light], "trust: %s%s", words,
-	    t->n > 0 ? tr(" ('why' explains)") : "");
-	free(words);
-}
-
-void
 light_put(struct fields *o, const struct trust *t)
 {
 	fields_put(o, "trust %s", LIGHT_NAME[t->light]);
@@ -305,7 +294,12 @@ light_put(struct fields *o, const struct trust *t)
 void
 light_show(struct answer *r, struct trust t)
 {
-	light_note(r, &t);
+	static const enum answer_grade GRADE[] = {
+	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
+	char *words = light_words(&t);
+	answer_say(r, GRADE[t.light], "trust: %s%s", words,
+	    t.n > 0 ? tr(" ('why' explains)") : "");
+	free(words);
 	light_put(answer_fields(r), &t);
 	trust_free(&t);
 }

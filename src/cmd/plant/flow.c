@@ -482,8 +482,7 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	answers_show_basis(
-	    p->s, r, entry, p->plan->question->feed, band, judge(p, o));
+	answers_show_basis(p->s, r, p->plan->question, 0, band, judge(p, o));
 	if (!pictures_wanted(p->s) || p->s->document != NULL)
 		return session_answer(p->s, r);
 	session_keep(p->s, r);

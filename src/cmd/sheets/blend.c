@@ -150,14 +150,13 @@ give_product(
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		outlook_note(r, s, entry, true);
 		fields_numbers(
 		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
 		fields_numbers(answer_fields(r), "high_pct", p.high,
 		    p.product.n, units_pct);
 		band_put(answer_fields(r), s, &p);
 	}
-	answers_note_doubt(s, r, q->entry, q->feed, v);
+	answers_show_basis_at(s, r, q, v, p.low != NULL);
 	prediction_free(&p);
 	session_answer(s, r);
 }
