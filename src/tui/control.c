@@ -16,6 +16,7 @@
 #include "cmd/session/turn.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
 #include "cmd/answers/predict.h"
@@ -359,8 +360,9 @@ form(struct tui *t)
 	if (!answers_forming(s, entry, &params) && !entry->has_params)
 		return;
 	prediction_free(&t->shown);
-	t->shown =
-	    outlook_form(s, entry, &params, t->tenths / 10.0, tui_feed(t));
+	const struct question q = {
+	    .entry = entry, .feed = tui_feed(t), .params = &params};
+	t->shown = forecast_product(s, &q, t->tenths / 10.0);
 	t->now = numbers_of(s, entry->key, &t->shown);
 }
 

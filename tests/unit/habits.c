@@ -264,7 +264,7 @@ cr(struct plan *p)
 
 /* What is counted. */
 static bool
-quantity(struct plan *p, enum quantity wanted)
+quantity(struct plan *p, enum written wanted)
 {
 	if (!is_passing(p))
 		return false;
@@ -317,7 +317,7 @@ sum_share(struct plan *p)
 static bool
 feed_counted_otherwise(struct plan *p)
 {
-	static const enum quantity OTHERS[] = {PASS_PCT, HELD_PCT, SUM_PCT};
+	static const enum written OTHERS[] = {PASS_PCT, HELD_PCT, SUM_PCT};
 	if (!is_table(p) || p->feed_only)
 		return false;
 	p->feed_quantity = OTHERS[pick(p, 3)];

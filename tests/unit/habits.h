@@ -20,7 +20,7 @@ enum {
 };
 
 /* What a column of a sieving counts. */
-enum quantity {
+enum written {
 	PASS_PCT,
 	PASS_SHARE,
 	HELD_G,
@@ -102,7 +102,7 @@ struct curve {
 	double pct[MOST_SIEVES];
 	bool left_out[MOST_SIEVES + 1], maybe[MOST_SIEVES];
 	double slack, mass, washed, loss;
-	enum quantity quantity;
+	enum written quantity;
 	double shown[MOST_SIEVES + 1];
 	int decimals;
 };
@@ -137,7 +137,7 @@ struct plan {
 	enum speeds speeds;
 	enum sizes sizes;
 	enum coding coding;
-	enum quantity quantity, feed_quantity;
+	enum written quantity, feed_quantity;
 	const struct series *series, *feed_series;
 	char separator, decimal;
 	const char *thousands, *line_end;
@@ -187,9 +187,9 @@ char *plan_habits(const struct plan *plan);
 /* habits_words.c */
 const char *plan_word(
     const struct plan *plan, const char *const *words, size_t most);
-char *plan_quantity(const struct plan *plan, enum quantity quantity);
-const char *quantity_word(const struct plan *plan, enum quantity quantity);
-const char *quantity_unit(const struct plan *plan, enum quantity quantity);
+char *plan_quantity(const struct plan *plan, enum written quantity);
+const char *quantity_word(const struct plan *plan, enum written quantity);
+const char *quantity_unit(const struct plan *plan, enum written quantity);
 char *plan_upper(const struct plan *plan, const char *text);
 char *plan_number(const struct plan *plan, double value, int decimals);
 char *plan_short(const struct plan *plan, double value, int most);
@@ -198,7 +198,7 @@ char *plan_short(const struct plan *plan, double value, int most);
 extern const struct series SERIES_EN, SERIES_EN_2, SERIES_ISO, SERIES_ASTM,
     SERIES_BS, SERIES_TYLER;
 void truth_make(struct plan *plan);
-void truth_show(struct curve *curve, enum quantity quantity, int decimals,
+void truth_show(struct curve *curve, enum written quantity, int decimals,
     bool loss, bool washed);
 
 /* habits_grid.c */

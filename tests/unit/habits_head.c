@@ -178,7 +178,7 @@ head_rows(const struct plan *plan)
 }
 
 static char *
-quantity_text(const struct plan *plan, enum quantity quantity)
+quantity_text(const struct plan *plan, enum written quantity)
 {
 	return plan->plain_heads ? xstrdup("") : plan_quantity(plan, quantity);
 }
@@ -214,7 +214,7 @@ static void
 curve_heads(const struct plan *plan, const struct curve *curve,
     const struct curve *left, struct grid *grid, size_t row, size_t at)
 {
-	enum quantity q = curve->quantity;
+	enum written q = curve->quantity;
 	char *unit = plan->plain_heads ? xstrdup(quantity_unit(plan, q))
 				       : plan_quantity(plan, q);
 	switch (plan->heads) {

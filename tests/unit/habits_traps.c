@@ -188,8 +188,8 @@ ordinals_make(struct plan *p)
 static void
 wrong_quantity_make(struct plan *p)
 {
-	static const enum quantity LIES[] = {HELD_PCT, SUM_PCT, HELD_G, SUM_G};
-	enum quantity lie = LIES[pick(p, 4)];
+	static const enum written LIES[] = {HELD_PCT, SUM_PCT, HELD_G, SUM_G};
+	enum written lie = LIES[pick(p, 4)];
 	for (size_t c = 0; c < p->n_curve; c++)
 		p->curve[c].quantity = lie;
 	p->pan = p->total = false;

@@ -156,7 +156,7 @@ show_held(struct curve *curve, int decimals)
 }
 
 void
-truth_show(struct curve *curve, enum quantity quantity, int decimals, bool loss,
+truth_show(struct curve *curve, enum written quantity, int decimals, bool loss,
     bool washed)
 {
 	bool share = quantity == PASS_SHARE || quantity == HELD_SHARE ||
@@ -254,7 +254,7 @@ leave_gaps(struct plan *plan)
 }
 
 static int
-choose_decimals(const struct plan *plan, enum quantity quantity)
+choose_decimals(const struct plan *plan, enum written quantity)
 {
 	if (quantity == HELD_G || quantity == SUM_G)
 		return plan->grams_whole ? 0 : 1;
@@ -311,8 +311,7 @@ truth_make(struct plan *plan)
 		/* Clay, without which washing would take nothing that shows. */
 		for (size_t k = 0; plan->washed && k < c->n; k++)
 			c->pct[k] = 3 + 0.97 * c->pct[k];
-		enum quantity q =
-		    c->feed ? plan->feed_quantity : plan->quantity;
+		enum written q = c->feed ? plan->feed_quantity : plan->quantity;
 		truth_show(
 		    c, q, choose_decimals(plan, q), plan->loss, plan->washed);
 		write_speed(plan, c);

@@ -114,20 +114,20 @@ plan_word(const struct plan *plan, const char *const *words, size_t most)
 }
 
 static bool
-is_grams(enum quantity quantity)
+is_grams(enum written quantity)
 {
 	return quantity == HELD_G || quantity == SUM_G;
 }
 
 static bool
-is_share(enum quantity quantity)
+is_share(enum written quantity)
 {
 	return quantity == PASS_SHARE || quantity == HELD_SHARE ||
 	       quantity == SUM_SHARE;
 }
 
 const char *
-quantity_word(const struct plan *plan, enum quantity quantity)
+quantity_word(const struct plan *plan, enum written quantity)
 {
 	const struct tongue *t = plan->tongue;
 	return quantity <= PASS_SHARE   ? plan_word(plan, t->passing, 4)
@@ -136,7 +136,7 @@ quantity_word(const struct plan *plan, enum quantity quantity)
 }
 
 const char *
-quantity_unit(const struct plan *plan, enum quantity quantity)
+quantity_unit(const struct plan *plan, enum written quantity)
 {
 	return is_grams(quantity)   ? "g"
 	       : is_share(quantity) ? plan->tongue->share
@@ -145,7 +145,7 @@ quantity_unit(const struct plan *plan, enum quantity quantity)
 
 /* "Siebrückstand [g]". */
 char *
-plan_quantity(const struct plan *plan, enum quantity quantity)
+plan_quantity(const struct plan *plan, enum written quantity)
 {
 	const char *unit = quantity_unit(plan, quantity);
 	char *word = plan_upper(plan, quantity_word(plan, quantity)), *text;

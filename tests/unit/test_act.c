@@ -1191,18 +1191,18 @@ a_pinned_answer_keeps_its_feed(void **state)
 }
 
 /* The linker puts these in the place of what they count. */
-struct prediction __real_predict(const struct site *, const struct params *,
-    struct model_settings, double, size_t);
-struct prediction __wrap_predict(const struct site *, const struct params *,
-    struct model_settings, double, size_t);
+struct prediction __real_predict_table(const struct site *, size_t,
+    const struct fraction *, struct response *, double);
+struct prediction __wrap_predict_table(const struct site *, size_t,
+    const struct fraction *, struct response *, double);
 static size_t predictions;
 
 struct prediction
-__wrap_predict(const struct site *site, const struct params *p,
-    struct model_settings settings, double speed, size_t feed_run)
+__wrap_predict_table(const struct site *site, size_t feed_run,
+    const struct fraction *fraction, struct response *r, double level)
 {
 	predictions++;
-	return __real_predict(site, p, settings, speed, feed_run);
+	return __real_predict_table(site, feed_run, fraction, r, level);
 }
 
 /* With all that the page can show: the band, the crosshair, what is kept

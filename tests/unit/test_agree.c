@@ -117,21 +117,19 @@ same(const struct question *q, const char *view, const char *what, double got,
 static void
 ask_predict(struct desk *desk, struct question *q)
 {
-	struct prediction p;
 	ask(desk, "predict %.17g%s", q->v, q->with);
 	static const char *const SIZE[PSD_SIZES] = {
 	    "p20_mm", "p50_mm", "p80_mm"};
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		q->size[i] = session_known(desk->session, "predict", SIZE[i]);
-	/* Its sieves. */
-	p = outlook_predict(
-	    desk->session, session_entry(desk->session), q->v, SITE_MEAN_FEED);
-	q->product = psd_copy(&p.product);
-	q->low = xdoubles(p.product.n);
-	q->high = xdoubles(p.product.n);
-	q->model = xdoubles(p.product.n);
-	for (size_t i = 0; i < p.product.n; i++) {
-		double mm = 1000 * p.product.size[i];
+	const struct site *site = session_entry(desk->session)->site;
+	q->product = predict_sizes(site, site_feed(site, SITE_MEAN_FEED));
+	size_t n = q->product.n;
+	q->low = xdoubles(n);
+	q->high = xdoubles(n);
+	q->model = xdoubles(n);
+	for (size_t i = 0; i < n; i++) {
+		double mm = 1000 * q->product.size[i];
 		q->product.passing[i] =
 		    said(desk, "sieve_mm", mm, "passing_pct");
 		q->low[i] = said(desk, "sieve_mm", mm, "low_pct");
@@ -141,7 +139,6 @@ ask_predict(struct desk *desk, struct question *q)
 			q->model[i] = q->product.passing[i];
 		assert_true(isfinite(q->product.passing[i]));
 	}
-	prediction_free(&p);
 }
 
 static void

@@ -158,28 +158,56 @@ static const struct quantity ASK[ASKED] = {
     {.kind = QUANTITY_SHARE, .fraction = {.coarse = 4e-3}},
     {.kind = QUANTITY_PASSING, .x = 2e-3, .fraction = {.coarse = 4e-3}}};
 
-/* What is read off by itself is what a prediction has; the fraction's passing
- * is the quotient of two passings, in every draw. */
+/* The P80 of the mean of the draws, and the middle of those of each. */
+static double
+size_of_draws(
+    struct ensemble *e, const struct psd *sizes, double range[static 2])
+{
+	double size[POSTERIOR_DRAWS];
+	struct psd curve = psd_copy(sizes);
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		for (size_t i = 0; i < curve.n; i++)
+			curve.passing[i] = P[i * POSTERIOR_DRAWS + d];
+		size[d] = psd_size(&curve, 0.8);
+	}
+	ensemble_mean(e, curve.passing);
+	double mean = psd_size(&curve, 0.8);
+	ensemble_range(size, 0.8, mean, range);
+	psd_free(&curve);
+	return mean;
+}
+
+/* What is read off by itself is what the draws and the table of a prediction
+ * have; the fraction's passing is the quotient of two passings, in every
+ * draw. */
 static void
 a_response_is_what_is_predicted(void **state)
 {
 	(void)state;
+	const struct fraction whole = {0};
 	struct known k = known();
 	const struct psd *feed = &k.site->run[0].feed;
 	struct psd sizes = predict_sizes(k.site, feed);
-	struct prediction p =
-	    predict(k.site, &k.fit.params, k.fit.settings, 72, 0);
 	struct ensemble *e =
 	    ensemble_new(k.posterior, feed, sizes.size, sizes.n);
-	predict_spread(&p, e, 0.8);
+	size_t n;
+	struct quantity *all = predict_asks(k.site, feed, &whole, &n);
+	struct response *table = response_new(feed, sizes.size, sizes.n, all, n,
+	    &k.fit.params, k.fit.settings, NULL);
+	response_borrow_at(table, e, ENSEMBLE_ANSWER, 72);
+	struct prediction p = predict_table(k.site, 0, &whole, table, 0.8);
 	struct response *r = response_new(feed, sizes.size, sizes.n, ASK, ASKED,
 	    &k.fit.params, k.fit.settings, k.posterior);
 	response_at(r, 72);
-	double range[2];
+	double range[2], ends[2];
 	response_band(r, 1, 0.8, range);
-	expect_near("P80", response_value(r, 1), p.p80, 1e-9);
-	expect_near("low", range[0], p.range[2][0], 1e-9);
-	expect_near("high", range[1], p.range[2][1], 1e-9);
+	expect_near("P80", response_value(r, 1), p.p80, 1e-12);
+	expect_near("low", range[0], p.range[2][0], 1e-12);
+	expect_near("high", range[1], p.range[2][1], 1e-12);
+	expect_near("of draws", p.p80, size_of_draws(e, &sizes, ends), 1e-12);
+	expect_near("their low", p.range[2][0], ends[0], 1e-12);
+	expect_near("their high", p.range[2][1], ends[1], 1e-12);
 	expect_near(
 	    "2 mm", response_value(r, 0), psd_at_sieve(&p.product, 2e-3), 1e-9);
 	expect_near("2 mm of 0/4", response_value(r, 3),
@@ -188,6 +216,8 @@ a_response_is_what_is_predicted(void **state)
 		expect_near("draw", response_draws(r, 3)[d],
 		    response_draws(r, 0)[d] / response_draws(r, 2)[d], 1e-12);
 	response_free(r);
+	response_free(table);
+	free(all);
 	ensemble_free(e);
 	prediction_free(&p);
 	psd_free(&sizes);

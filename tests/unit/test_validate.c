@@ -285,8 +285,8 @@ repeats_train_together_and_are_averaged(void **state)
 		assert_true(isnan(validate_interpolation(site, slow, v, x)));
 	}
 	struct params p = made_params(&TABLE_3[TIERP]);
-	validate_passing(site, 2, slow, &p, model_settings_default(), NULL,
-	    VALIDATE_NEAREST, out);
+	validate_passing(
+	    site, 2, slow, &p, model_settings_default(), VALIDATE_NEAREST, out);
 	for (size_t i = 0; i < misfit_covered(&run[2]); i++)
 		expect_near("nearest", out[i],
 		    (psd_passing(&run[0].product, run[2].product.size[i]) +

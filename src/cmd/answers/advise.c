@@ -90,18 +90,22 @@ by_width(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Of samples at the sieves of the site's products that the feed covers. */
-static struct ensemble *
+/* Of samples at the sieves of the site's products that the feed covers, [*n]
+ * quantities. */
+static struct forecast *
 sieved(const struct session *s, const struct question *q, size_t *n)
 {
-	const struct psd *from = question_feed(q);
 	double *sieve = site_sieves(q->entry->site, n);
-	while (*n > 0 && !psd_covers(from, sieve[*n - 1]))
+	while (*n > 0 && !psd_covers(question_feed(q), sieve[*n - 1]))
 		(*n)--;
-	struct ensemble *e =
-	    ensemble_new(outlook_draws(s, q->entry), from, sieve, *n);
+	struct quantity *asked = xcalloc(*n, sizeof *asked);
+	for (size_t i = 0; i < *n; i++)
+		asked[i] =
+		    (struct quantity){.kind = QUANTITY_PASSING, .x = sieve[i]};
+	struct forecast *f = forecast_open(s, q, asked, *n);
+	free(asked);
 	free(sieve);
-	return e;
+	return f;
 }
 
 /* Sorts the candidates by what they leave of a width. */
@@ -109,15 +113,20 @@ static void
 weigh(const struct session *s, const struct wanted *w, const double *answer,
     double width, struct candidate *c, size_t n)
 {
+	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
-	struct ensemble *e = sieved(s, w->question, &sieves);
+	struct forecast *f = sieved(s, w->question, &sieves);
+	double *sample = xdoubles(sieves * N);
 	for (size_t i = 0; i < n; i++) {
-		ensemble_at(e, c[i].speed);
-		double share = advise_share(
-		    answer, ensemble_products(e, ENSEMBLE_SAMPLE), sieves);
+		forecast_part_at(f, c[i].speed, ENSEMBLE_SAMPLE);
+		for (size_t k = 0; k < sieves; k++)
+			memcpy(sample + k * N, forecast_draws(f, k),
+			    N * sizeof *sample);
+		double share = advise_share(answer, sample, sieves);
 		c[i].width = width * sqrt(1 - share);
 	}
-	ensemble_free(e);
+	free(sample);
+	forecast_close(f);
 	qsort(c, n, sizeof *c, by_width);
 }
 
@@ -180,10 +189,8 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 {
 	const struct entry *entry = w->question->entry;
 	size_t n;
-	double ends[2], *copy = xdoubles(POSTERIOR_DRAWS);
-	memcpy(copy, answer, POSTERIOR_DRAWS * sizeof *copy);
-	ensemble_middle(copy, settings_level(&s->set), &ends[0], &ends[1]);
-	free(copy);
+	double ends[2];
+	ensemble_range(answer, settings_level(&s->set), NAN, ends);
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;
@@ -267,11 +274,7 @@ advise(struct session *s, struct wanted *w, struct error *error)
 		    "%s at %g m/s is the same in all draws: no sample can "
 		    "narrow its band",
 		    w->name, w->question->speed);
-	struct prediction p =
-	    outlook_predict(s, entry, w->question->speed, w->question->feed);
-	answers_show_basis(
-	    s, r, entry, w->question->feed, false, light_of(s, entry, &p));
-	prediction_free(&p);
+	answers_show_basis_at(s, r, w->question, w->question->speed, false);
 	return session_answer(s, r);
 }
 

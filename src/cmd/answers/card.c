@@ -224,7 +224,7 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
 	double rotor = entry->site->rotor;
 	forecast_at(all->forecast, v);
 	struct figure p80 = forecast_figure(all->forecast, P80);
-	struct prediction p = outlook_predict(s, entry, v, all->question->feed);
+	struct prediction p = forecast_whole(s, entry, v, all->question->feed);
 	struct trust light = light_of(s, entry, &p);
 	answer_cells(r, "%g", v);
 	if (rotor > 0)
@@ -303,7 +303,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 		add_row(r, s, all, speed[i], &light);
 	note_limits(r, all);
 	note_flow(r, all);
-	answers_show_basis(s, r, entry, all->question->feed,
+	answers_show_basis(s, r, all->question, 0,
 	    forecast_draws(all->forecast, 0) != NULL, light);
 	return r;
 }

@@ -166,8 +166,8 @@ provenance(const struct side side[2])
 
 /* What limits either side, and the fines. */
 static void
-comparison_notes(const struct session *s, struct answer *r,
-    const struct side side[2], const double *x, size_t n)
+comparison_notes(
+    struct answer *r, const struct side side[2], const double *x, size_t n)
 {
 	double finest = NAN, a = NAN, b = NAN;
 	for (size_t i = 0; i < n; i++) {
@@ -185,20 +185,29 @@ comparison_notes(const struct session *s, struct answer *r,
 		    units_mm(finest), 100 * a, 100 * b, 100 * (b - a));
 	answer_note(r, "broken, %% of feed: %.1f and %.1f",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
-	for (size_t i = 0; i < 2; i++) {
-		const struct entry *entry = side[i].entry;
-		if (answers_extrapolates(entry, side[i].p.speed))
+	for (size_t i = 0; i < 2; i++)
+		if (answers_extrapolates(side[i].entry, side[i].p.speed))
 			answer_say(r, ANSWER_WARNING,
 			    "%s is outside the training speeds", side[i].head);
-		if (i == 1 && !are_two(side))
-			continue;
-		origin_note(r, entry);
-		if (i == 0)
-			answers_note_variant(r, entry);
-		answers_note_model(s, r, entry);
-	}
+}
+
+/* What both rest on, once where it is the same; one light for the two. */
+static void
+show_basis(const struct session *s, struct answer *r, const struct side side[2])
+{
+	bool two = are_two(side);
+	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
 	struct trust light = light_of(s, side[0].entry, &side[0].p);
 	light_worse(&light, light_of(s, side[1].entry, &side[1].p));
+	for (size_t i = 0; i < 2; i++) {
+		const struct question q = {
+		    .entry = side[i].entry, .feed = side[i].p.feed_run};
+		const char *whose = feeds ? side[i].head : NULL;
+		if (i == 0 || two)
+			answers_note_basis(s, r, &q, 0, whose, &light);
+		else if (feeds)
+			feed_note(r, q.entry->site, q.feed, whose);
+	}
 	light_show(r, light);
 }
 
@@ -260,9 +269,11 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 			  s, &s->entry[at], args, like, &side->q, error)
 		    : question_of(s, &s->entry[at], args, &side->q, error)))
 		return false;
-	const struct entry *entry = side->entry = side->q.entry;
-	return screened_predict(s, entry, &entry->params, &side->q.fraction, v,
-	    side->q.feed, &side->p, error);
+	side->entry = side->q.entry;
+	if (!screened_tells(&side->q, error))
+		return false;
+	side->p = forecast_product(s, &side->q, v);
+	return true;
 }
 
 /* What stands over the columns: what the two differ in. */
@@ -304,25 +315,6 @@ head_sites(struct answer *r, const struct side side[2], const char *fraction)
 	free(data);
 }
 
-/* Which feeds the two have. */
-static void
-note_feeds(struct answer *r, const struct side side[2])
-{
-	const struct site *site = side[0].entry->site;
-	if (!are_two(side) && side[0].p.feed_run == side[1].p.feed_run) {
-		feed_note(r, site, side[0].p.feed_run);
-		return;
-	}
-	for (size_t i = 0; i < 2; i++) {
-		char *words =
-		    feed_words(side[i].entry->site, side[i].p.feed_run);
-		if (words != NULL)
-			answer_say(r, ANSWER_REMARK, "feed of %s: %s",
-			    side[i].head, words);
-		free(words);
-	}
-}
-
 static struct answer *
 comparison(const struct session *s, const struct side side[2])
 {
@@ -347,8 +339,8 @@ comparison(const struct session *s, const struct side side[2])
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
-	comparison_notes(s, r, side, x, n);
-	note_feeds(r, side);
+	comparison_notes(r, side, x, n);
+	show_basis(s, r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	for (size_t i = 0; i < 2; i++) {
 		put_side(answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);

@@ -4,7 +4,6 @@
 
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
@@ -104,9 +103,7 @@ cmd_figures(struct session *s, const struct args *args,
 	struct fields *list = fields_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
 		figure_row(r, list, all, i, &q[i]);
-	if (band)
-		outlook_note(r, s, entry, true);
-	answers_note_doubt(s, r, question->entry, question->feed, v);
+	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	free(q);
 	return session_answer(s, r);

@@ -508,8 +508,8 @@ answer_goal(struct session *s, struct goal *goal)
 	note_finding(r, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	answers_note_doubt(
-	    s, r, entry, q->feed, found ? v : site_middle(entry->site));
+	answers_show_basis_at(
+	    s, r, q, found ? v : site_middle(entry->site), false);
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_answer(s, r);
@@ -583,8 +583,7 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	if (forecast_draws(g.conditions.forecast, 0) != NULL)
 		note_certain(r, 100 * g.conditions.level, w->sure);
 	grading_notes(r, &g);
-	answers_note_doubt(
-	    s, r, goal->question->entry, goal->question->feed, v);
+	answers_show_basis_at(s, r, goal->question, v, false);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

@@ -9,6 +9,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/ask/feed.h"
@@ -18,6 +19,7 @@
 /* The site in use at two speeds with one feed. */
 struct balance {
 	struct session *s;
+	const struct question *q;
 	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p[2];
@@ -222,8 +224,8 @@ give(struct balance *b)
 	answer_note(r, "picture: plot psd speed=%g other=%g", b->p[0].speed,
 	    b->p[1].speed);
 	put_balance(answer_fields(r), b);
-	answers_show_basis(b->s, r, entry, b->p[0].feed_run, false,
-	    light_worst(b->s, entry, b->p, 2));
+	answers_show_basis(
+	    b->s, r, b->q, 0, false, light_worst(b->s, entry, b->p, 2));
 	session_answer(b->s, r);
 }
 
@@ -238,10 +240,12 @@ balance_answer(struct session *s, const struct args *args,
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to 200 m/s, got %s",
 		    args->operand[0]);
-	struct balance b = {
-	    .s = s, .entry = entry, .feed = site_feed(entry->site, q->feed)};
+	struct balance b = {.s = s,
+	    .q = q,
+	    .entry = entry,
+	    .feed = site_feed(entry->site, q->feed)};
 	for (size_t k = 0; k < 2; k++) {
-		b.p[k] = outlook_predict(s, entry, v[k], q->feed);
+		b.p[k] = forecast_whole(s, entry, v[k], q->feed);
 		b.of[k] = ledger_new(
 		    b.feed, &entry->params, outlook_settings(s, entry), v[k]);
 	}

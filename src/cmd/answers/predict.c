@@ -16,6 +16,7 @@
 #include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
@@ -246,36 +247,12 @@ note_only_check(
 	    100 * cut.rms, cut.n);
 }
 
-/* Which sizes break, and which runs correct the model: in detail, or where it
- * is not as usual. */
-static void
-note_usual(struct answer *r, const struct session *s, const struct entry *entry,
-    const struct params *params, const struct prediction *p, bool detail)
-{
-	bool unusual =
-	    outlook_correction(s, entry) != CORRECTION_ALL || !entry->has_fit;
-	if (p->low != NULL && (detail || unusual))
-		outlook_note(r, s, entry, true);
-	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
-		note_breakage(
-		    r, params, site_feed(entry->site, p->feed_run), p);
-}
-
-/* What one more sample would show there, passing 0..1. */
+/* Whether what corrects the model is worth a word. */
 static bool
-sample_band(const struct session *s, const struct entry *entry,
-    const struct prediction *p, double sieve, double range[static 2])
+is_unusual(const struct session *s, const struct entry *entry)
 {
-	struct ensemble *e = outlook_ensemble(s, entry, p->feed_run);
-	size_t row = 0;
-	while (row < p->curve.n && p->curve.size[row] != sieve)
-		row++;
-	if (e == NULL || row == p->curve.n)
-		return false;
-	ensemble_at(e, p->speed);
-	ensemble_band(e, ENSEMBLE_SAMPLE, row, settings_level(&s->set),
-	    &range[0], &range[1]);
-	return true;
+	return outlook_correction(s, entry) != CORRECTION_ALL ||
+	       !entry->has_fit;
 }
 
 /* "8 times in 10", "with 95 % probability".  The caller frees. */
@@ -290,20 +267,25 @@ chance_words(double level)
 
 /* How sure, in one sentence about one number (D22). */
 static void
-note_sure(struct answer *r, const struct session *s, const struct entry *entry,
+note_sure(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	char *chance = chance_words(settings_level(&s->set));
 	size_t i = answers_sieve(&p->product);
-	double mm = units_mm(p->product.size[i]), sample[2];
-	if (!fraction_screens(&p->fraction) &&
-	    sample_band(s, entry, p, p->product.size[i], sample))
-		answer_note(r,
-		    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
-		    "%.1f; a new belt cut between %.1f and %.1f",
-		    p->speed, units_pct(p->product.passing[i]), mm, chance,
-		    units_pct(p->low[i]), units_pct(p->high[i]),
-		    units_pct(sample[0]), units_pct(sample[1]));
+	const struct quantity passing = {
+	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
+	if (fraction_screens(&p->fraction))
+		return;
+	char *chance = chance_words(settings_level(&s->set));
+	struct forecast *f = forecast_open(s, q, &passing, 1);
+	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
+	struct figure sample = forecast_figure(f, 0);
+	answer_note(r,
+	    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+	    "%.1f; a new belt cut between %.1f and %.1f",
+	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
+	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
+	    units_pct(sample.high));
+	forecast_close(f);
 	free(chance);
 }
 
@@ -340,14 +322,16 @@ explained(const struct session *s, const struct question *q,
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, params, p);
 	if (p->low != NULL)
-		note_sure(r, s, entry, p);
+		note_sure(r, s, q, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
 		answer_put_columns(r, "low_pct high_pct");
 		band_put(o, s, p);
 	}
-	note_usual(r, s, entry, params, p, detail);
+	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
+		note_breakage(
+		    r, params, site_feed(entry->site, p->feed_run), p);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == entry_loaded(entry))
@@ -365,7 +349,8 @@ explained(const struct session *s, const struct question *q,
 		    p->speed);
 	note_moved(r, s, entry, params, p, between != NULL);
 	note_only_check(r, s, entry);
-	answers_note_doubt(s, r, q->entry, q->feed, p->speed);
+	answers_show_basis_at(s, r, q, p->speed,
+	    p->low != NULL && (detail || is_unusual(s, entry)));
 	free(between);
 	return r;
 }
@@ -418,7 +403,9 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	const struct entry *entry = session_entry(s);
 	if (!take_params(s, entry, &params, error))
 		return false;
-	*p = outlook_form(s, entry, &params, speed, feed_run);
+	const struct question q = {
+	    .entry = entry, .feed = feed_run, .params = &params};
+	*p = forecast_product(s, &q, speed);
 	answers_keep(s, entry, &params, p);
 	invocation_asked(s, "predict", line);
 	return true;
@@ -444,13 +431,12 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	struct prediction p;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	if (!take_params(s, entry, &params, error) ||
-	    !whole_for(args, &q->fraction, error) ||
-	    !screened_predict(
-		s, entry, &params, &q->fraction, q->speed, q->feed, &p, error))
+	    !whole_for(args, &q->fraction, error) || !screened_tells(q, error))
 		return false;
+	q->params = &params;
+	struct prediction p = forecast_product(s, q, q->speed);
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);

@@ -16,6 +16,7 @@
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/run/line.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
@@ -200,7 +201,7 @@ put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct prediction p =
-	    outlook_predict(s, entry, ask->speed, ask->q->feed);
+	    forecast_whole(s, entry, ask->speed, ask->q->feed);
 	struct trust t = light_of(s, entry, &p);
 	char number[32];
 	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),

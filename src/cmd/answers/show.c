@@ -12,6 +12,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "core/model/classes.h"
@@ -161,7 +162,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		if (site_run_repeats(site, i) && !site->individual_feeds)
 			continue;
 		if (entry->has_params) {
-			struct prediction p = outlook_predict(s, entry, v, i);
+			struct prediction p = forecast_whole(s, entry, v, i);
 			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
@@ -232,7 +233,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	double v = args_number(args, "speed", answers_usual(entry));
 	const struct psd *feed = site_feed(entry->site, SITE_MEAN_FEED);
-	struct prediction p = outlook_predict(s, entry, v, SITE_MEAN_FEED);
+	struct prediction p = forecast_whole(s, entry, v, SITE_MEAN_FEED);
 	double *S = xdoubles(feed->n);
 	predict_selection(feed, &entry->params, s->set.model, v, S);
 	struct answer *r = answers_new(
@@ -249,7 +250,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (isfinite(p.break_size) && p.break_size > 0)
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
-	feed_note(r, entry->site, SITE_MEAN_FEED);
+	feed_note(r, entry->site, SITE_MEAN_FEED, NULL);
 	free(S);
 	prediction_free(&p);
 	return session_answer(s, r);

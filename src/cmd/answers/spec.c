@@ -216,7 +216,7 @@ compare(struct session *s, const struct args *args, struct question *q,
 	grading_rows(r, &g, v);
 	note_verdict(r, &g, v);
 	grading_notes(r, &g);
-	answers_note_doubt(s, r, q->entry, q->feed, v);
+	answers_show_basis_at(s, r, q, v, false);
 	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
 	    answers_extrapolates(entry, v),
 	    wanted_holds(&g.conditions, SIZE_MAX));

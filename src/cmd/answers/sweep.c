@@ -9,6 +9,7 @@
 #include "cmd/ask/band.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
@@ -100,9 +101,10 @@ sweep_long(struct answer *r, const struct entry *entry,
 /* The answer of all predictions; outside: one of them lies outside the training
  * speeds. */
 static struct answer *
-sweep_answer(const struct session *s, const struct entry *entry,
+sweep_answer(const struct session *s, const struct question *q,
     const struct prediction *p, size_t n, bool outside)
 {
+	const struct entry *entry = q->entry;
 	enum { ACROSS = 7 };
 	bool band = p[0].low != NULL, across = n <= ACROSS;
 	char *fraction = screened_title(&p[0]);
@@ -116,8 +118,8 @@ sweep_answer(const struct session *s, const struct entry *entry,
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_show_basis(s, r, entry, p[0].feed_run, band && across,
-	    light_worst(s, entry, p, n));
+	answers_show_basis(
+	    s, r, q, 0, band && across, light_worst(s, entry, p, n));
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	return r;
 }
@@ -132,15 +134,14 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
 	struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false, ok = true;
+	bool outside = false, ok = screened_tells(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
-		ok = screened_predict(s, entry, &entry->params, &q->fraction,
-		    speed[i], q->feed, &p[i], error);
+		p[i] = forecast_product(s, q, speed[i]);
 		outside = outside || answers_extrapolates(entry, speed[i]);
 	}
 	free(usual);
 	if (ok)
-		session_answer(s, sweep_answer(s, entry, p, n, outside));
+		session_answer(s, sweep_answer(s, q, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	free(p);

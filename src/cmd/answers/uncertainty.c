@@ -24,46 +24,50 @@ static const char *const PARTS[ENSEMBLE_PARTS] = {
  * narrower: what the runs show the model to leave out goes with its
  * parameters. */
 static void
-add_parts(struct answer *r, const struct session *s, const struct prediction *p,
-    struct ensemble *e)
+add_parts(struct answer *r, const struct session *s, const struct question *q,
+    const struct prediction *p)
 {
+	struct forecast *of[ENSEMBLE_PARTS];
+	for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS; part++) {
+		of[part] = forecast_table(s, q);
+		forecast_part_at(of[part], p->speed, part);
+	}
 	answer_columns(r, "sieve_mm: sieve mm, passing_pct: product %%, "
 			  "parameters_pct: model alone, answer_pct: answer, "
 			  "sample_pct: a new sample");
-	for (size_t i = 0, k = 0; i < p->product.n; i++) {
-		while (p->curve.size[k] > p->product.size[i])
-			k++;
+	for (size_t i = 0; i < p->product.n; i++) {
 		answer_cells(r, "%g %.1f", units_mm(p->product.size[i]),
 		    units_pct(p->product.passing[i]));
-		for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS;
-		     part++) {
-			double low, high;
-			ensemble_band(
-			    e, part, k, settings_level(&s->set), &low, &high);
-			answer_cells(r, "%.2f", 50 * (high - low));
+		for (size_t part = 0; part < ENSEMBLE_PARTS; part++) {
+			struct figure f = forecast_figure(of[part], i);
+			answer_cells(r, "%.2f", 50 * (f.high - f.low));
 		}
 	}
+	for (size_t part = 0; part < ENSEMBLE_PARTS; part++)
+		forecast_close(of[part]);
 }
 
 /* Median and range of the hyperparameters beside their priors. */
 static void
 add_hyper(struct answer *r, const struct session *s, const struct posterior *p)
 {
-	double value[POSTERIOR_DRAWS], low, high, median, unused;
+	double value[POSTERIOR_DRAWS], range[2], median, unused;
 	struct fields *o = fields_object(answer_fields(r), "errors");
 	for (enum hyper h = 0; h < HYPERS; h++) {
 		bool size = h != HYPER_LENGTH && h != HYPER_SLOPE;
 		double unit = size ? 100 : 1;
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 			value[d] = unit * p->draw[d].hyper[h];
+		ensemble_range(value, settings_level(&s->set), NAN, range);
 		ensemble_middle(value, 0, &median, &unused);
-		ensemble_middle(value, settings_level(&s->set), &low, &high);
 		struct fields *one = fields_object(o, HYPER[h].name);
-		fields_put(one, "median %g low %g high %g", median, low, high);
+		fields_put(one, "median %g low %g high %g", median, range[0],
+		    range[1]);
 		answer_note(r,
 		    size ? N_("%s: %.2f points (%.2f to %.2f): %s")
 			 : N_("%s: %.2f (%.2f to %.2f): %s"),
-		    HYPER[h].name, median, low, high, tr(HYPER[h].meaning));
+		    HYPER[h].name, median, range[0], range[1],
+		    tr(HYPER[h].meaning));
 	}
 }
 
@@ -108,31 +112,14 @@ note_draws(
 	    POSTERIOR_DRAWS, 100 * e->halves);
 }
 
-/* The sizes and the passing of each sieve, at the speed asked about. */
-static struct forecast *
-forecast_all(const struct session *s, const struct question *q,
-    const struct prediction *at)
-{
-	size_t n = PSD_SIZES + at->product.n;
-	struct quantity *all = xcalloc(n, sizeof *all);
-	for (size_t i = 0; i < n; i++)
-		all[i] = i < PSD_SIZES
-			     ? (struct quantity){.kind = QUANTITY_SIZE,
-				   .x = PSD_PASSING[i]}
-			     : (struct quantity){.kind = QUANTITY_PASSING,
-				   .x = at->product.size[i - PSD_SIZES]};
-	struct forecast *f = forecast_open(s, q, all, n);
-	forecast_at(f, at->speed);
-	free(all);
-	return f;
-}
-
 /* A row a draw: what it was made of and what it answers. */
 static struct answer *
 draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
 {
-	struct forecast *f = forecast_all(s, q, at);
+	struct forecast *f = forecast_table(s, q);
+	size_t sieves = at->product.n;
+	forecast_at(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	struct answer *r = answers_new(
 	    q->entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
@@ -143,7 +130,7 @@ draws_answer(const struct session *s, const struct question *q,
 	for (size_t h = 0; h < HYPERS; h++)
 		answer_columns(r, "%s", HYPER[h].symbol);
 	answer_columns(r, "p20_mm, p50_mm, p80_mm");
-	for (size_t i = 0; i < at->product.n; i++)
+	for (size_t i = 0; i < sieves; i++)
 		answer_columns(
 		    r, "passing_pct@%g", units_mm(at->product.size[i]));
 	for (size_t d = 0; d < n; d++) {
@@ -157,10 +144,10 @@ draws_answer(const struct session *s, const struct question *q,
 		for (size_t h = 0; h < HYPERS; h++)
 			answer_cells(r, "%.6g", p->draw[d].hyper[h]);
 		for (size_t k = 0; k < PSD_SIZES; k++)
-			answer_cells(r, "%.4f", 1000 * forecast_draws(f, k)[d]);
-		for (size_t i = 0; i < at->product.n; i++)
-			answer_cells(r, "%.4f",
-			    100 * forecast_draws(f, PSD_SIZES + i)[d]);
+			answer_cells(
+			    r, "%.4f", 1000 * forecast_draws(f, sieves + k)[d]);
+		for (size_t i = 0; i < sieves; i++)
+			answer_cells(r, "%.4f", 100 * forecast_draws(f, i)[d]);
 	}
 	forecast_close(f);
 	return r;
@@ -177,7 +164,7 @@ note_feeds(struct answer *r, const struct session *s, const struct entry *entry,
 	double x = at->product.size[i], most = 0;
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	for (size_t run = 0; run < site->n_run && !other; run++) {
-		struct prediction p = outlook_predict(s, entry, at->speed, run);
+		struct prediction p = forecast_whole(s, entry, at->speed, run);
 		double P = psd_at_sieve(&p.product, x);
 		if (isfinite(P))
 			most = fmax(most, fabs(P - at->product.passing[i]));
@@ -192,13 +179,14 @@ note_feeds(struct answer *r, const struct session *s, const struct entry *entry,
 }
 
 static struct answer *
-parts_answer(const struct session *s, const struct entry *entry,
+parts_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at)
 {
+	const struct entry *entry = q->entry;
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    "half width of the %.0f %% band at %.1f m/s, points",
 	    100 * settings_level(&s->set), at->speed);
-	add_parts(r, s, at, outlook_ensemble(s, entry, at->feed_run));
+	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * settings_level(&s->set),
 	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");
@@ -211,8 +199,7 @@ parts_answer(const struct session *s, const struct entry *entry,
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, entry, at);
 	note_draws(r, p, outlook_evidence(s, entry));
-	answers_show_basis(
-	    s, r, entry, at->feed_run, false, light_of(s, entry, at));
+	answers_show_basis(s, r, q, at->speed, false, light_of(s, entry, at));
 	return r;
 }
 
@@ -264,7 +251,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (!take_words(args, q, &draws, error))
 		return false;
 	take_settings(s, args);
-	struct prediction at = outlook_predict(s, entry, q->speed, q->feed);
+	struct prediction at = forecast_whole(s, entry, q->speed, q->feed);
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
@@ -274,8 +261,8 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	}
 	const struct posterior *p = outlook_draws(s, entry);
 	size_t n = (size_t)args_value(args, "n")->whole;
-	session_answer(s, draws ? draws_answer(s, q, p, &at, n)
-				: parts_answer(s, entry, p, &at));
+	session_answer(s,
+	    draws ? draws_answer(s, q, p, &at, n) : parts_answer(s, q, p, &at));
 	prediction_free(&at);
 	return true;
 }

@@ -12,6 +12,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "core/model/breakage.h"
@@ -105,7 +106,7 @@ say_response(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
-	    outlook_predict(a->s, a->entry, v + 1, a->p.feed_run);
+	    forecast_whole(a->s, a->entry, v + 1, a->p.feed_run);
 	for (size_t i = 0; i < a->p.product.n; i++)
 		sum +=
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
@@ -271,7 +272,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	struct subject a = {.s = s,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, run),
-	    .p = outlook_predict(s, entry, v, run),
+	    .p = forecast_whole(s, entry, v, run),
 	    .answer = answers_new(entry->site, "why", "why, at %.4g m/s", v)};
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_breakage(&a);
@@ -282,7 +283,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_light(&a);
 	say_fit(&a);
 	say_data(&a);
-	feed_note(a.answer, entry->site, run);
+	feed_note(a.answer, entry->site, run, NULL);
 	prediction_free(&a.p);
 	return session_answer(s, a.answer);
 }

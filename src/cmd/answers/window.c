@@ -264,7 +264,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
 		note_beyond(r, &a);
-		answers_note_doubt(s, r, q->entry, q->feed, a.w->best);
+		answers_show_basis_at(s, r, q, a.w->best, false);
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_answer(s, r);

@@ -12,6 +12,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/screened.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "io/sitefile/units.h"
@@ -152,6 +153,13 @@ answers_speeds(const struct site *site, size_t *n)
 	return speed;
 }
 
+struct prediction
+outlook_predict(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
+{
+	return forecast_whole(s, entry, speed, feed_run);
+}
+
 void
 answers_keep(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)
@@ -220,9 +228,9 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 	free(sizes);
 }
 
-void
-answers_note_model(
-    const struct session *s, struct answer *r, const struct entry *entry)
+/* Which model it is, where that is not the paper's. */
+static void
+note_model(const struct session *s, struct answer *r, const struct entry *entry)
 {
 	size_t own = entry->params.breakage, set = s->set.model.breakage;
 	if (!entry->has_params)
@@ -270,8 +278,9 @@ note_other_feed(struct answer *r, const struct entry *entry)
 	free(sieve);
 }
 
-void
-answers_note_variant(struct answer *r, const struct entry *entry)
+/* What is to be said of another feed or machine beside title and light. */
+static void
+note_variant(struct answer *r, const struct entry *entry)
 {
 	const struct variant *v = entry->variant;
 	if (v == NULL)
@@ -287,11 +296,12 @@ answers_note_variant(struct answer *r, const struct entry *entry)
 
 /* A speed beyond those that were measured, where the light does not say so. */
 static void
-note_beyond(
-    struct answer *r, const struct entry *entry, double speed, bool said)
+note_beyond(struct answer *r, const struct entry *entry, double speed,
+    const struct trust *light)
 {
 	double slowest, fastest;
-	if (said || !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
+	if ((light->n > 0 && light->reason[0].cause == TRUST_BEYOND) ||
+	    !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
 	    !answers_extrapolates(entry, speed))
 		return;
 	char *speeds = answers_reach(entry, slowest, fastest);
@@ -301,31 +311,52 @@ note_beyond(
 }
 
 void
+answers_note_basis(const struct session *s, struct answer *r,
+    const struct question *q, double speed, const char *whose,
+    const struct trust *light)
+{
+	note_beyond(r, q->entry, speed, light);
+	origin_note(r, q->entry);
+	feed_note(r, q->entry->site, q->feed, whose);
+	note_variant(r, q->entry);
+	note_model(s, r, q->entry);
+}
+
+void
 answers_show_basis(const struct session *s, struct answer *r,
-    const struct entry *entry, size_t feed_run, bool band, struct trust light)
+    const struct question *q, double speed, bool band, struct trust light)
 {
 	if (band)
-		outlook_note(r, s, entry, true);
-	origin_note(r, entry);
-	feed_note(r, entry->site, feed_run);
-	answers_note_variant(r, entry);
-	answers_note_model(s, r, entry);
+		outlook_note(r, s, q->entry, true);
+	answers_note_basis(s, r, q, speed, NULL, &light);
 	light_show(r, light);
 }
 
 void
-answers_note_doubt(const struct session *s, struct answer *r,
-    const struct entry *entry, size_t feed_run, double speed)
+answers_show_basis_at(const struct session *s, struct answer *r,
+    const struct question *q, double speed, bool band)
 {
 	/* Of a feed alone a search that found nothing has no speed. */
 	struct prediction p = {0};
 	if (speed > 0)
-		p = outlook_predict(s, entry, speed, feed_run);
-	struct trust light = light_of(s, entry, speed > 0 ? &p : NULL);
+		p = forecast_whole(s, q->entry, speed, q->feed);
+	answers_show_basis(
+	    s, r, q, speed, band, light_of(s, q->entry, speed > 0 ? &p : NULL));
 	prediction_free(&p);
-	note_beyond(r, entry, speed,
-	    light.n > 0 && light.reason[0].cause == TRUST_BEYOND);
-	answers_show_basis(s, r, entry, feed_run, false, light);
+}
+
+enum light
+answers_show_basis_of_fit(const struct session *s, struct answer *r,
+    const struct entry *entry, bool band)
+{
+	if (band)
+		outlook_note(r, s, entry, false);
+	origin_note(r, entry);
+	note_model(s, r, entry);
+	struct trust trust = light_of(s, entry, NULL);
+	enum light light = trust.light;
+	light_show(r, trust);
+	return light;
 }
 
 const char *

@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
+#include "cmd/ask/asked.h"
 #include "cmd/lang/command.h"
-#include "cmd/session/session.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
 
@@ -52,6 +52,10 @@ double *answers_speeds(const struct site *site, size_t *n);
  * of 2 mm, else the one that half passes most nearly. */
 size_t answers_sieve(const struct psd *product);
 
+/* See forecast_whole. */
+struct prediction outlook_predict(const struct session *s,
+    const struct entry *entry, double speed, size_t feed_run);
+
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p);
@@ -81,28 +85,30 @@ void answers_size_cell(struct answer *r, const struct prediction *p, size_t i);
  * given: "P20 1.14 mm (1.12 to 1.18)". */
 void answers_note_sizes(struct answer *r, const struct prediction *p);
 
-/* Says which model it is, where that is not the paper's. */
-void answers_note_model(
-    const struct session *s, struct answer *r, const struct entry *entry);
-
 /* "training speeds, 69 to 79 m/s", "one measured speed, 72 m/s".  The caller
  * frees. */
 char *answers_reach(const struct entry *entry, double slowest, double fastest);
 
-/* What is to be said of another feed beside title and light, where the entry is
- * asked with one. */
-void answers_note_variant(struct answer *r, const struct entry *entry);
-
 /* What an answer rests on, behind all else: which runs correct it and what low
  * and high are, where it shows a band; where the parameters are from, the feed,
- * the model, and the light, which is freed. */
+ * the model, and the light, which is freed.  speed: 0, or the one that it is
+ * of, which may be beyond the measured ones. */
 void answers_show_basis(const struct session *s, struct answer *r,
-    const struct entry *entry, size_t feed_run, bool band, struct trust light);
+    const struct question *q, double speed, bool band, struct trust light);
 
-/* The same of an answer at one speed, with whether that is beyond the measured
- * ones. */
-void answers_note_doubt(const struct session *s, struct answer *r,
-    const struct entry *entry, size_t feed_run, double speed);
+/* The same with the light of the answer at that speed, or for 0 of the fit. */
+void answers_show_basis_at(const struct session *s, struct answer *r,
+    const struct question *q, double speed, bool band);
+
+/* What a fit rests on, likewise; returns its light. */
+enum light answers_show_basis_of_fit(const struct session *s, struct answer *r,
+    const struct entry *entry, bool band);
+
+/* All of it but band and light, of one side of a comparison.
+ * whose: NULL, or what the feed is said to be of. */
+void answers_note_basis(const struct session *s, struct answer *r,
+    const struct question *q, double speed, const char *whose,
+    const struct trust *light);
 
 /* Columns and a row for each prediction: energy, break size, P20, P50, P80. */
 void answers_speed_rows(struct answer *r, const struct entry *entry,

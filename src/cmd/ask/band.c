@@ -17,9 +17,7 @@ band_parameter(const struct posterior *p, const struct session *s,
 	const char *name = breakage_of(fit)->parameter[j].name;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value(&p->draw[d].params, name);
-	ensemble_middle(value, settings_level(&s->set), &range[0], &range[1]);
-	range[0] = fmin(range[0], fit->at[j]);
-	range[1] = fmax(range[1], fit->at[j]);
+	ensemble_range(value, settings_level(&s->set), fit->at[j], range);
 }
 
 void

@@ -59,10 +59,13 @@ feed_words(const struct site *site, size_t run)
 }
 
 void
-feed_note(struct answer *r, const struct site *site, size_t run)
+feed_note(
+    struct answer *r, const struct site *site, size_t run, const char *whose)
 {
 	char *words = feed_words(site, run);
-	if (words != NULL) {
+	if (words != NULL && whose != NULL) {
+		answer_say(r, ANSWER_REMARK, "feed of %s: %s", whose, words);
+	} else if (words != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed: %s", words);
 		fields_put(answer_fields(r), "feed %s", words);
 	}

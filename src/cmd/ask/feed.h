@@ -21,8 +21,10 @@ double feed_speed(const struct site *site, size_t run);
  * another sheet, which titles say.  The caller frees. */
 char *feed_words(const struct site *site, size_t run);
 
-/* Says it below an answer, "feed: " and those words, which are its key feed. */
-void feed_note(struct answer *r, const struct site *site, size_t run);
+/* Says it below an answer, "feed: " and those words, which are its key feed; of
+ * one of two products (whose) "feed of tierp: ". */
+void feed_note(
+    struct answer *r, const struct site *site, size_t run, const char *whose);
 
 /* A path without its folders, for titles; borrowed. */
 const char *feed_file(const char *path);

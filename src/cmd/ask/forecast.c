@@ -14,6 +14,7 @@ struct forecast {
 	const struct session *s;
 	const struct entry *entry;
 	size_t feed;
+	const struct params *params;
 	struct response *response;
 	double level;
 };
@@ -22,13 +23,30 @@ struct forecast *
 forecast_open(const struct session *s, const struct question *q,
     const struct quantity *quantity, size_t n)
 {
+	const struct entry *entry = q->entry;
+	const struct psd *feed = site_feed(entry->site, q->feed);
+	struct psd sizes = predict_sizes(entry->site, feed);
 	struct forecast *f = xcalloc(1, sizeof *f);
 	*f = (struct forecast){.s = s,
-	    .entry = q->entry,
+	    .entry = entry,
 	    .feed = q->feed,
-	    .response = outlook_reader(
-		s, q->entry, &q->entry->params, q->feed, quantity, n),
+	    .params = q->params != NULL ? q->params : &entry->params,
 	    .level = settings_level(&s->set)};
+	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
+	    f->params, outlook_settings(s, entry), NULL);
+	psd_free(&sizes);
+	return f;
+}
+
+struct forecast *
+forecast_table(const struct session *s, const struct question *q)
+{
+	const struct site *site = q->entry->site;
+	size_t n;
+	struct quantity *asked =
+	    predict_asks(site, site_feed(site, q->feed), &q->fraction, &n);
+	struct forecast *f = forecast_open(s, q, asked, n);
+	free(asked);
 	return f;
 }
 
@@ -42,10 +60,22 @@ forecast_close(struct forecast *f)
 }
 
 void
+forecast_part_at(struct forecast *f, double speed, enum ensemble_part part)
+{
+	struct ensemble *e =
+	    outlook_answering(f->s, f->entry, f->params) != NULL
+		? outlook_ensemble(f->s, f->entry, f->feed)
+		: NULL;
+	if (e != NULL)
+		response_borrow_at(f->response, e, part, speed);
+	else
+		response_at(f->response, speed);
+}
+
+void
 forecast_at(struct forecast *f, double speed)
 {
-	outlook_read_at(
-	    f->s, f->entry, &f->entry->params, f->feed, f->response, speed);
+	forecast_part_at(f, speed, ENSEMBLE_ANSWER);
 }
 
 struct figure
@@ -76,11 +106,10 @@ forecast_over(struct forecast *f, size_t i, double limit)
 }
 
 void
-forecast_overs(struct forecast *f, size_t i, double limit, bool sample,
+forecast_overs(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
-	response_overs(f->response, i, limit,
-	    sample ? ENSEMBLE_SAMPLE : ENSEMBLE_ANSWER, over);
+	response_overs(f->response, i, limit, over);
 }
 
 struct figure
@@ -89,13 +118,32 @@ forecast_difference(
 {
 	double more[POSTERIOR_DRAWS];
 	const double *a = forecast_draws(one, i), *b = forecast_draws(two, i);
-	struct figure f = {
-	    response_value(two->response, i) - response_value(one->response, i),
-	    NAN, NAN};
-	if (a == NULL || b == NULL)
-		return f;
-	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+	double range[2] = {NAN, NAN};
+	for (size_t d = 0; d < POSTERIOR_DRAWS && a != NULL && b != NULL; d++)
 		more[d] = b[d] - a[d];
-	ensemble_middle(more, one->level, &f.low, &f.high);
-	return f;
+	if (a != NULL && b != NULL)
+		ensemble_range(more, one->level, NAN, range);
+	return (struct figure){
+	    response_value(two->response, i) - response_value(one->response, i),
+	    range[0], range[1]};
+}
+
+struct prediction
+forecast_product(
+    const struct session *s, const struct question *q, double speed)
+{
+	struct forecast *f = forecast_table(s, q);
+	forecast_at(f, speed);
+	struct prediction p = predict_table(
+	    q->entry->site, q->feed, &q->fraction, f->response, f->level);
+	forecast_close(f);
+	return p;
+}
+
+struct prediction
+forecast_whole(const struct session *s, const struct entry *entry, double speed,
+    size_t feed_run)
+{
+	const struct question q = {.entry = entry, .feed = feed_run};
+	return forecast_product(s, &q, speed);
 }

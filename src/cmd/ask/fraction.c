@@ -8,26 +8,9 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/outlook.h"
-#include "core/posterior/ensemble.h"
+#include "cmd/ask/forecast.h"
 #include "core/search/misfit.h"
-#include "core/answer/predict.h"
 #include "io/sitefile/units.h"
-
-/* Whether a passing lies in the band of one more sample, to the hundredth of a
- * point that sheets are rounded to. */
-static bool
-is_inside(struct ensemble *e, const struct prediction *p, double x,
-    double passing, double level)
-{
-	const double rounding = 5e-4;
-	double low, high;
-	size_t k = 0;
-	while (k + 1 < p->curve.n && p->curve.size[k] > x)
-		k++;
-	ensemble_band(e, ENSEMBLE_SAMPLE, k, level, &low, &high);
-	return passing >= low - rounding && passing <= high + rounding;
-}
 
 /* Errors go along a curve together, so that half of the sieves outside alone
  * may be chance; a point is what a careful sample repeats to. */
@@ -40,35 +23,50 @@ is_missed(const struct cut *c)
 			   : 2 * c->inside < c->n && c->rms > careful);
 }
 
+/* The passings of a run's product at the sieves that crushing can change, [*n];
+ * the caller frees. */
+static struct quantity *
+changed_sieves(const struct run *r, size_t *n)
+{
+	size_t covered = misfit_covered(r);
+	struct quantity *q = xcalloc(covered, sizeof *q);
+	*n = 0;
+	for (size_t i = 0; i < covered; i++)
+		if (psd_passing(&r->feed, r->product.size[i]) < 1)
+			q[(*n)++] = (struct quantity){
+			    .kind = QUANTITY_PASSING, .x = r->product.size[i]};
+	return q;
+}
+
 struct cut
 cut_compare(const struct session *s, const struct entry *entry, size_t run)
 {
+	/* To the hundredth of a point that sheets are rounded to. */
+	const double rounding = 5e-4;
 	const struct run *r = &entry->site->run[run];
-	struct cut c = {.level = settings_level(&s->set)};
-	struct prediction p = outlook_predict(s, entry, r->speed, run);
-	struct ensemble *e = outlook_ensemble(s, entry, run);
-	if (e != NULL)
-		ensemble_at(e, r->speed);
-	c.no_band = e == NULL;
+	const struct question q = {.entry = entry, .feed = run};
+	struct cut c = {.level = settings_level(&s->set), .no_band = true};
+	struct quantity *asked = changed_sieves(r, &c.n);
+	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;
-	for (size_t i = 0; i < p.product.n; i++) {
-		double x = p.product.size[i];
-		double passing = psd_at_sieve(&r->product, x);
-		double off = passing - p.product.passing[i];
-		if (isnan(passing) || !(p.feed.passing[i] < 1))
-			continue;
-		c.n++;
+	forecast_part_at(f, r->speed, ENSEMBLE_SAMPLE);
+	for (size_t i = 0; i < c.n; i++) {
+		struct figure at = forecast_figure(f, i);
+		double passing = psd_at_sieve(&r->product, asked[i].x);
+		double off = passing - at.value;
 		sum += off * off;
 		if (fabs(off) > fabs(c.worst)) {
 			c.worst = off;
-			c.worst_sieve = x;
+			c.worst_sieve = asked[i].x;
 		}
-		if (e != NULL)
-			c.inside += is_inside(e, &p, x, passing, c.level);
+		c.no_band = forecast_draws(f, i) == NULL;
+		c.inside += passing >= at.low - rounding &&
+			    passing <= at.high + rounding;
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
 	c.missed = is_missed(&c);
-	prediction_free(&p);
+	forecast_close(f);
+	free(asked);
 	return c;
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 
 /* What it was made for; product, most [n]: of each run that was asked for, and
@@ -84,8 +85,9 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	*product = psd_copy(&r->product);
 	if (product->n == 0 || psd_same(&r->feed, site_feed(m->site, m->feed)))
 		return;
-	struct prediction to =
-	    outlook_form(s, entry, &m->params, r->speed, m->feed);
+	const struct question q = {
+	    .entry = entry, .feed = m->feed, .params = &m->params};
+	struct prediction to = forecast_product(s, &q, r->speed);
 	double *own = own_answer(m, s, entry, run);
 	for (size_t i = 0; i < product->n; i++) {
 		double more =

@@ -259,49 +259,18 @@ outlook_answering(const struct session *s, const struct entry *entry,
 	return are_own(entry, params) ? answering(s, entry) : NULL;
 }
 
-/* posterior: NULL for a response that has no draws of its own. */
-static struct response *
-response_of(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run, const struct quantity *asked,
-    size_t n, const struct posterior *posterior)
-{
-	const struct psd *feed = site_feed(entry->site, feed_run);
-	struct psd sizes = predict_sizes(entry->site, feed);
-	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
-	    params, outlook_settings(s, entry), posterior);
-	psd_free(&sizes);
-	return r;
-}
-
 struct response *
 outlook_response(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run, const struct quantity *asked,
     size_t n)
 {
-	return response_of(s, entry, params, feed_run, asked, n,
+	const struct psd *feed = site_feed(entry->site, feed_run);
+	struct psd sizes = predict_sizes(entry->site, feed);
+	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
+	    params, outlook_settings(s, entry),
 	    outlook_answering(s, entry, params));
-}
-
-struct response *
-outlook_reader(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run, const struct quantity *asked,
-    size_t n)
-{
-	return response_of(s, entry, params, feed_run, asked, n, NULL);
-}
-
-void
-outlook_read_at(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run, struct response *r,
-    double speed)
-{
-	struct ensemble *e = are_own(entry, params)
-				 ? outlook_ensemble(s, entry, feed_run)
-				 : NULL;
-	if (e != NULL)
-		response_borrow_at(r, e, speed);
-	else
-		response_at(r, speed);
+	psd_free(&sizes);
+	return r;
 }
 
 struct crusher *
@@ -334,26 +303,6 @@ outlook_ensemble(
 	h->ensemble_of = of;
 	psd_free(&sizes);
 	return h->ensemble;
-}
-
-struct prediction
-outlook_predict(const struct session *s, const struct entry *entry,
-    double speed, size_t feed_run)
-{
-	return outlook_form(s, entry, &entry->params, speed, feed_run);
-}
-
-struct prediction
-outlook_form(const struct session *s, const struct entry *entry,
-    const struct params *params, double speed, size_t feed_run)
-{
-	struct prediction p = predict(
-	    entry->site, params, outlook_settings(s, entry), speed, feed_run);
-	bool own = are_own(entry, params);
-	struct ensemble *e = own ? outlook_ensemble(s, entry, feed_run) : NULL;
-	if (e != NULL)
-		predict_spread(&p, e, settings_level(&s->set));
-	return p;
 }
 
 const char *

@@ -72,20 +72,11 @@ struct ensemble *outlook_ensemble(
 struct model_settings outlook_settings(
     const struct session *s, const struct entry *entry);
 
-/* The same for quantities [n] of a product that is formed with these
- * parameters, as outlook_form; response_free. */
+/* Quantities [n] of a product that is formed with these parameters, with draws
+ * of its own where they are the entry's; response_free. */
 struct response *outlook_response(const struct session *s,
     const struct entry *entry, const struct params *params, size_t feed_run,
     const struct quantity *asked, size_t n);
-
-/* The same without draws of its own: outlook_read_at moves it to a speed with
- * those that outlook_ensemble keeps. */
-struct response *outlook_reader(const struct session *s,
-    const struct entry *entry, const struct params *params, size_t feed_run,
-    const struct quantity *asked, size_t n);
-void outlook_read_at(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run, struct response *r,
-    double speed);
 
 /* What the entry's answers are drawn from, formed with these parameters; NULL:
  * they are the model alone. */
@@ -96,15 +87,6 @@ const struct posterior *outlook_answering(const struct session *s,
  * [n]; crusher_free. */
 struct crusher *outlook_crusher(const struct session *s,
     const struct entry *entry, const double *size, size_t n);
-
-/* The entry's product: the answer, with its band where there is one.
- * outlook_form: with other parameters, as while a calibration runs: the model
- * alone, unless they are the entry's. */
-struct prediction outlook_predict(const struct session *s,
-    const struct entry *entry, double speed, size_t feed_run);
-struct prediction outlook_form(const struct session *s,
-    const struct entry *entry, const struct params *params, double speed,
-    size_t feed_run);
 
 /* Why there is no band, as a sentence.  Not to be asked where there is one. */
 const char *outlook_why_none(

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 
@@ -50,10 +51,12 @@ keep(struct session *s, const struct args *args, struct question *q,
 		    "write: pin speed=74 feed=mean",
 		    q->entry->site->feed_from);
 	question_as_last(s, args, q);
+	struct question whole = {
+	    .entry = entry, .feed = q->feed, .params = &params};
 	struct pin *pin = xcalloc(1, sizeof *pin);
 	*pin = (struct pin){.site = entry->site,
 	    .key = xstrdup(entry->key),
-	    .p = outlook_form(s, entry, &params, q->speed, q->feed)};
+	    .p = forecast_product(s, &whole, q->speed)};
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
 	session_note(s,

@@ -1,29 +1,12 @@
-/* What is asked: of which site, with which feed and machine, at which speed, of
- * which part of the product, and what informs the answer.
+/* Questions as calls put them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_QUESTION_H
 #define TIPSPEED_CMD_ASK_QUESTION_H
 
+#include "cmd/ask/asked.h"
 #include "cmd/ask/blended.h"
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
-#include "core/psd/screening.h"
-
-/* entry: the site as it is asked about.  Where that is with another feed or
- * machine, other sieves or runs to correct the model than it is loaded with, it
- * is a copy that has them, `own`, with `variant` to tell what they are; so a
- * question stays where it was made.  feed: for site_feed.  speed: m/s;
- * speed_given: by the call.  fraction: zeros of the whole product. */
-struct question {
-	const struct entry *entry;
-	size_t feed;
-	double speed;
-	bool speed_given;
-	struct fraction fraction;
-	struct entry own;
-	struct variant variant;
-	struct named *named; /* what the call named */
-};
 
 /* What is asked otherwise than the site is loaded.  feed: NULL for its own;
  * rotor: m, 0: not given; rpm likewise; bypass: 0..1; k: 0: as set.

@@ -7,7 +7,6 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
@@ -28,71 +27,14 @@ check_any(const struct fraction *fraction, const struct psd *feed,
 	    units_mm(edge));
 }
 
-/* What is read off: the share, the passing of each sieve, then the sizes. */
-static struct quantity *
-asked_of(const struct fraction *fraction, const struct psd *sieves)
-{
-	struct quantity *asked =
-			    xcalloc(sieves->n + 1 + PSD_SIZES, sizeof *asked),
-			*q = asked;
-	*q++ = (struct quantity){.kind = QUANTITY_SHARE};
-	for (size_t i = 0; i < sieves->n; i++)
-		*q++ = (struct quantity){
-		    .kind = QUANTITY_PASSING, .x = sieves->size[i]};
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		*q++ = (struct quantity){
-		    .kind = QUANTITY_SIZE, .x = PSD_PASSING[i]};
-	while (q-- > asked)
-		q->fraction = *fraction;
-	return asked;
-}
-
-static void
-read_response(struct prediction *p, struct response *r, double level)
-{
-	size_t n = p->product.n;
-	p->share = response_value(r, 0);
-	response_band(r, 0, level, p->share_range);
-	for (size_t i = 0; i < n; i++) {
-		double range[2];
-		p->product.passing[i] = response_value(r, i + 1);
-		p->model[i] = response_model(r, i + 1);
-		response_band(r, i + 1, level, range);
-		if (p->low == NULL)
-			continue;
-		p->low[i] = range[0];
-		p->high[i] = range[1];
-	}
-	for (size_t i = 0; i < PSD_SIZES; i++) {
-		p->size[i] = response_value(r, n + 1 + i);
-		response_band(r, n + 1 + i, level, p->range[i]);
-	}
-	psd_free(&p->curve);
-	p->curve = response_part(r, 0);
-}
-
 bool
-screened_predict(const struct session *s, const struct entry *entry,
-    const struct params *params, const struct fraction *fraction, double speed,
-    size_t feed_run, struct prediction *p, struct error *error)
+screened_tells(const struct question *q, struct error *error)
 {
-	const struct psd *feed = site_feed(entry->site, feed_run);
-	struct quantity share = {.kind = QUANTITY_SHARE, .fraction = *fraction};
-	if (!quantities_covered(&share, feed, error) ||
-	    !check_any(fraction, feed, error))
-		return false;
-	*p = outlook_form(s, entry, params, speed, feed_run);
-	if (!fraction_screens(fraction))
-		return true;
-	struct quantity *asked = asked_of(fraction, &p->product);
-	struct response *r = outlook_reader(
-	    s, entry, params, feed_run, asked, p->product.n + 1 + PSD_SIZES);
-	outlook_read_at(s, entry, params, feed_run, r, speed);
-	read_response(p, r, settings_level(&s->set));
-	p->fraction = *fraction;
-	response_free(r);
-	free(asked);
-	return true;
+	const struct psd *feed = site_feed(q->entry->site, q->feed);
+	struct quantity share = {
+	    .kind = QUANTITY_SHARE, .fraction = q->fraction};
+	return quantities_covered(&share, feed, error) &&
+	       check_any(&q->fraction, feed, error);
 }
 
 /* share: of the product that the part is. */

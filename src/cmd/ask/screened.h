@@ -1,17 +1,15 @@
-/* A prediction of a screened fraction.
+/* A screened fraction of a product.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_SCREENED_H
 #define TIPSPEED_CMD_ASK_SCREENED_H
 
-#include "cmd/session/session.h"
+#include "cmd/ask/asked.h"
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 
-/* The product of the entry at a speed, or a fraction of it, as outlook_form has
- * it; false where the feed does not tell of that. */
-bool screened_predict(const struct session *s, const struct entry *entry,
-    const struct params *params, const struct fraction *fraction, double speed,
-    size_t feed_run, struct prediction *p, struct error *error);
+/* False with an error where the question's feed does not tell of the fraction
+ * that it asks for. */
+bool screened_tells(const struct question *q, struct error *error);
 
 /* What was measured, of that fraction; psd_free. */
 struct psd screened_measured(

@@ -100,7 +100,7 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 	m.widths = m.passing;
 	if (forecast_draws(f, side->i) == NULL)
 		return m;
-	forecast_overs(f, side->i, side->limit, false, over);
+	forecast_overs(f, side->i, side->limit, over);
 	for (size_t d = 0; d < DRAWS; d++) {
 		over[d] = side_of(side, over[d]);
 		held[d] = held[d] && over[d] >= -EXACT;
@@ -254,7 +254,8 @@ speed_search_free(struct speed_search *s)
 
 /* The target's, at step k. */
 static void
-look_at_target(struct speed_table *t, const struct wanted *w, size_t k)
+look_at_target(
+    struct speed_table *t, const struct wanted *w, size_t k, double v)
 {
 	const struct condition *c = w->target;
 	t->value[k] = forecast_figure(w->forecast, w->n).value;
@@ -263,8 +264,9 @@ look_at_target(struct speed_table *t, const struct wanted *w, size_t k)
 	t->over[k] = forecast_over(w->forecast, w->n, c->least);
 	if (forecast_draws(w->forecast, w->n) == NULL)
 		return;
-	forecast_overs(w->forecast, w->n, c->least, false, t->draw[k]);
-	forecast_overs(w->forecast, w->n, c->least, true, t->sample[k]);
+	forecast_overs(w->forecast, w->n, c->least, t->draw[k]);
+	forecast_part_at(w->forecast, v, ENSEMBLE_SAMPLE);
+	forecast_overs(w->forecast, w->n, c->least, t->sample[k]);
 }
 
 /* ---- what is read off the table */
@@ -691,7 +693,7 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 	forecast_at(w->forecast, s->speed[k]);
 	s->certain[k] = share_of_draws(w, s->table->margin + k * w->n);
 	if (w->target != NULL)
-		look_at_target(s->table, w, k);
+		look_at_target(s->table, w, k, s->speed[k]);
 	if (++s->done < s->n)
 		return false;
 	conclude(s, w);

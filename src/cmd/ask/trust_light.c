@@ -10,6 +10,7 @@
 #include "cmd/ask/fraction.h"
 #include "cmd/session/energies.h"
 #include "cmd/ask/fit.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/routine.h"
 #include "core/search/misfit.h"
@@ -271,7 +272,7 @@ char *
 light_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
-	struct prediction p = outlook_predict(s, entry, speed, feed);
+	struct prediction p = forecast_whole(s, entry, speed, feed);
 	struct trust t = light_of(s, entry, &p);
 	char *words = light_words(&t);
 	char *said = xasprintf(tr("trust at %g m/s: %s"), speed, words);
@@ -279,17 +280,6 @@ light_at(const struct session *s, const struct entry *entry, double speed,
 	trust_free(&t);
 	prediction_free(&p);
 	return said;
-}
-
-void
-light_note(struct answer *r, const struct trust *t)
-{
-	static const enum answer_grade GRADE[] = {
-	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
-	char *words = light_words(t);
-	answer_say(r, GRADE[t->light], "trust: %s%s", words,
-	    t->n > 0 ? tr(" ('why' explains)") : "");
-	free(words);
 }
 
 void
@@ -304,7 +294,12 @@ light_put(struct fields *o, const struct trust *t)
 void
 light_show(struct answer *r, struct trust t)
 {
-	light_note(r, &t);
+	static const enum answer_grade GRADE[] = {
+	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
+	char *words = light_words(&t);
+	answer_say(r, GRADE[t.light], "trust: %s%s", words,
+	    t.n > 0 ? tr(" ('why' explains)") : "");
+	free(words);
 	light_put(answer_fields(r), &t);
 	trust_free(&t);
 }

@@ -22,12 +22,11 @@ struct trust light_worst(const struct session *s, const struct entry *entry,
 char *light_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed);
 
-/* The sentence about it, a warning where it is red.  Puts "trust" and
- * "reasons". */
-void light_note(struct answer *r, const struct trust *t);
+/* Puts "trust" and "reasons". */
 void light_put(struct fields *o, const struct trust *t);
 
-/* Both, of the answer's own, and frees it. */
+/* These of the answer's own, and the sentence about it, a warning where it is
+ * red; frees it. */
 void light_show(struct answer *r, struct trust t);
 
 /* What the fit behind an answer p, or for NULL alone, is called: "poor", "too

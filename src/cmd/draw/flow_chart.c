@@ -51,9 +51,9 @@ take_point(const struct plant *p, const struct outcome *o,
 		return;
 	for (size_t d = 0; d < DRAWS; d++)
 		draw[d] = flow_draw_into(&o->flow, unit, d);
-	ensemble_middle(draw, p->level, &range[0], &range[1]);
-	s->low[k] = fmin(range[0], s->y[k]);
-	s->high[k] = fmax(range[1], s->y[k]);
+	ensemble_range(draw, p->level, s->y[k], range);
+	s->low[k] = range[0];
+	s->high[k] = range[1];
 }
 
 struct chart *

@@ -13,6 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
 #include "cmd/draw/plots_difference.h"
@@ -121,7 +122,9 @@ make_prediction(struct curves *c, const struct session *s,
     size_t feed)
 {
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	*p = outlook_form(s, entry, params, speed, feed);
+	const struct question q = {
+	    .entry = entry, .feed = feed, .params = params};
+	*p = forecast_product(s, &q, speed);
 	return p;
 }
 

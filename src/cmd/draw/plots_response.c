@@ -12,6 +12,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
@@ -42,7 +43,7 @@ take_usual(struct session *s, struct drawn *d)
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
 	const struct entry *entry = d->entry;
 	struct prediction p =
-	    outlook_predict(s, entry, site_middle(entry->site), d->feed);
+	    forecast_whole(s, entry, site_middle(entry->site), d->feed);
 	const struct psd *product = &p.product;
 	for (size_t k = 0; k < ARRAY_LEN(WANTED); k++) {
 		size_t best = 0;
@@ -132,21 +133,20 @@ speed_at(const struct drawn *d, size_t k)
 static void
 look(struct session *s, struct drawn *d)
 {
-	const struct entry *entry = d->entry;
-	struct response *r =
-	    outlook_response(s, entry, &entry->params, d->feed, d->q, d->n);
+	const struct question q = {.entry = d->entry, .feed = d->feed};
+	struct forecast *f = forecast_open(s, &q, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
 	for (size_t k = 0; k < POINTS; k++) {
-		response_at(r, speed_at(d, k));
+		forecast_at(f, speed_at(d, k));
 		for (size_t i = 0; i < d->n; i++) {
 			double *value = d->value[i * POINTS + k];
-			value[0] = response_value(r, i);
-			response_band(r, i, settings_level(&s->set), value + 1);
-			for (size_t j = 0; j < 3; j++)
-				value[j] = quantities_shown(&d->q[i], value[j]);
+			struct figure at = forecast_figure(f, i);
+			value[0] = quantities_shown(&d->q[i], at.value);
+			value[1] = quantities_shown(&d->q[i], at.low);
+			value[2] = quantities_shown(&d->q[i], at.high);
 		}
 	}
-	response_free(r);
+	forecast_close(f);
 }
 
 /* The looks of a quantity: colours in turn, which no run has; lines that

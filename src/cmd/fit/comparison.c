@@ -35,24 +35,27 @@ comparison_take(struct comparison *c, struct comparison *from)
 	comparison_drop(from);
 }
 
-/* How many of the run's passings lie in the band for a sample. */
-static size_t
-count_within(const struct site *site, size_t run,
-    const struct posterior *posterior, double level)
+double *
+comparison_corrected(const struct run *run, const struct posterior *posterior,
+    double level, size_t *within)
 {
-	const struct run *at = &site->run[run];
-	size_t n = misfit_covered(at), within = 0;
+	size_t n = misfit_covered(run);
+	*within = 0;
+	if (posterior == NULL)
+		return NULL;
+	double *passing = xdoubles(n);
 	struct ensemble *e =
-	    ensemble_new(posterior, &at->feed, at->product.size, n);
-	ensemble_at(e, at->speed);
+	    ensemble_new(posterior, &run->feed, run->product.size, n);
+	ensemble_at(e, run->speed);
+	ensemble_mean(e, passing);
 	for (size_t i = 0; i < n; i++) {
-		double P = at->product.passing[i], low, high;
+		double P = run->product.passing[i], low, high;
 		ensemble_band(e, ENSEMBLE_SAMPLE, i, level, &low, &high);
 		/* To the 0.01 % that sheets are rounded to. */
-		within += P >= low - 1e-4 && P <= high + 1e-4;
+		*within += P >= low - 1e-4 && P <= high + 1e-4;
 	}
 	ensemble_free(e);
-	return within;
+	return passing;
 }
 
 /* Speeds of the training runs. */
@@ -75,6 +78,9 @@ compare(struct comparison *c, const struct predicted_by *by, size_t run)
 	const struct posterior *posterior = by->posterior;
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	struct compared *item = &c->item[c->n++];
+	size_t within;
+	double *corrected =
+	    comparison_corrected(&site->run[run], posterior, c->level, &within);
 	*item = (struct compared){.entry = by->entry,
 	    .site = site,
 	    .name =
@@ -82,19 +88,14 @@ compare(struct comparison *c, const struct predicted_by *by, size_t run)
 	    .train = xcalloc(site->n_run, sizeof *by->train),
 	    .params = by->params,
 	    .settings = by->settings,
+	    .corrected = corrected,
 	    .v = validate_run(
-		site, run, by->train, &by->params, by->settings, posterior),
+		site, run, by->train, &by->params, by->settings, corrected),
 	    .open =
 		trust_without_band(by->rmse, count_trained(site, by->train))};
 	memcpy(item->train, by->train, site->n_run * sizeof *by->train);
-	if (c->all)
-		return;
-	item->has_band = posterior != NULL && !item->open;
-	if (item->has_band)
-		item->within = count_within(site, run, posterior, c->level);
-	item->corrected = xdoubles(item->v.n_sieve);
-	validate_passing(site, run, by->train, &by->params, by->settings,
-	    posterior, VALIDATE_CORRECTED, item->corrected);
+	item->has_band = !c->all && posterior != NULL && !item->open;
+	item->within = item->has_band ? within : 0;
 }
 
 void
@@ -121,8 +122,8 @@ comparison_passing(const struct compared *item, enum validate_way way)
 {
 	double *passing = xdoubles(item->v.n_sieve);
 	validate_passing(item->site, item->v.run, item->train, &item->params,
-	    item->settings, NULL, way, passing);
-	if (way == VALIDATE_CORRECTED)
+	    item->settings, way, passing);
+	if (way == VALIDATE_CORRECTED && item->corrected != NULL)
 		memcpy(passing, item->corrected,
 		    item->v.n_sieve * sizeof *passing);
 	return passing;

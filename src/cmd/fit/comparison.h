@@ -47,6 +47,12 @@ struct predicted_by {
 	double rmse;
 };
 
+/* The answer of draws at the run's covered sieves, and how many of its passings
+ * lie in their band for a sample; without draws NULL and 0.  The caller
+ * frees. */
+double *comparison_corrected(const struct run *run,
+    const struct posterior *posterior, double level, size_t *within);
+
 /* Compares all runs of the site that are held out and have a product. */
 void comparison_add(struct comparison *c, const struct predicted_by *by);
 

@@ -176,7 +176,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 						   : ANSWER_WARNING,
 	    "%s", words);
 	say_what_next(a, r);
-	light_show(a, light_of(s, entry, NULL));
+	answers_show_basis_of_fit(s, a, entry, false);
 	free(words);
 	routine_free(r);
 	return session_answer(s, a);

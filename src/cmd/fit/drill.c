@@ -15,6 +15,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/turn.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
@@ -116,7 +117,7 @@ add_band(struct answer *r, struct session *s, const struct drill *d)
 	}
 	const struct entry *entry = &s->entry[at];
 	struct prediction p =
-	    outlook_predict(s, entry, d->answer, SITE_MEAN_FEED);
+	    forecast_whole(s, entry, d->answer, SITE_MEAN_FEED);
 	const struct psd *curve = &p.product;
 	double *truth = xdoubles(curve->n), worst = 0;
 	drill_truth(&d->plant, d->answer, curve->size, curve->n, truth);

@@ -248,8 +248,8 @@ note_edits(struct answer *r, const struct fit *fit)
 
 /* What the search did and how far it determines the parameters. */
 static void
-add_search(struct answer *r, const struct session *s, const struct entry *entry,
-    const struct posterior *u, const struct bounds *bounds)
+add_search(
+    struct answer *r, const struct entry *entry, const struct bounds *bounds)
 {
 	const struct fit *fit = &entry->fit;
 	answer_note(r,
@@ -267,8 +267,6 @@ add_search(struct answer *r, const struct session *s, const struct entry *entry,
 	note_edits(r, fit);
 	add_warnings(r, entry);
 	add_flat(r, fit, bounds);
-	if (u != NULL)
-		outlook_note(r, s, entry, false);
 }
 
 /* What would test a fit of which no speed was held out. */
@@ -316,20 +314,12 @@ add_summary(
 static struct answer *
 new_answer(const struct entry *entry, const char *command, bool detail)
 {
-	const struct breakage *of = breakage_of(&entry->fit.params);
-	const char *model = of != BREAKAGES[0] ? of->name : NULL;
-	if (detail && model == NULL)
-		return answers_new(
-		    entry->site, command, "calibrated parameters");
 	if (detail)
 		return answers_new(
-		    entry->site, command, "calibrated parameters of %s", model);
+		    entry->site, command, "calibrated parameters");
 	char *speeds = session_speeds(entry->site, ", ", entry->train, true);
-	struct answer *r = model == NULL ? answers_new(entry->site, command,
-					       "calibrated on %s m/s", speeds)
-					 : answers_new(entry->site, command,
-					       "calibrated on %s m/s, model %s",
-					       speeds, model);
+	struct answer *r =
+	    answers_new(entry->site, command, "calibrated on %s m/s", speeds);
 	free(speeds);
 	return r;
 }
@@ -343,7 +333,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 	struct answer *r = new_answer(entry, "calibrate", detail);
 	if (detail) {
 		add_params(r, s, fit, u, bounds);
-		add_search(r, s, entry, u, bounds);
+		add_search(r, entry, bounds);
 	} else {
 		answer_for_programs(r);
 		add_params(r, s, fit, u, bounds);
@@ -353,9 +343,8 @@ fit_answer(const struct session *s, const struct entry *entry,
 	}
 	fit_put(
 	    answer_fields(r), entry, light_verdict(s, entry, NULL), seconds);
-	struct trust light = light_of(s, entry, NULL);
-	bool red = light.light == LIGHT_RED;
-	light_show(r, light);
+	bool red = answers_show_basis_of_fit(
+		       s, r, entry, detail && u != NULL) == LIGHT_RED;
 	if (!detail && red)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else if (!detail)
@@ -381,10 +370,10 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 	const struct bounds *bounds = &entry->history->bounds;
 	struct answer *r = new_answer(entry, "show", true);
 	add_params(r, s, &entry->fit, u, bounds);
-	add_search(r, s, entry, u, bounds);
+	add_search(r, entry, bounds);
 	fields_put(answer_fields(r), "what %s", "fit");
 	fit_put(answer_fields(r), entry, light_verdict(s, entry, NULL), NAN);
-	light_show(r, light_of(s, entry, NULL));
+	answers_show_basis_of_fit(s, r, entry, u != NULL);
 	band_put_interval(answer_fields(r), s, u, &entry->fit.params);
 	return session_answer(s, r);
 }
@@ -458,13 +447,11 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	add_generations(r, h, step, false);
 	answer_for_programs(r);
 	add_generations(r, h, step, true);
+	answer_put_rows(r, "rows");
 	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
-	answers_note_model(s, r, entry);
-	struct trust light = light_of(s, entry, NULL);
-	light_note(r, &light);
-	trust_free(&light);
+	answers_show_basis_of_fit(s, r, entry, false);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    entry->fit.edits > 1

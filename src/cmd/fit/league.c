@@ -182,7 +182,7 @@ add_cells(struct league *l, size_t run, const bool *train, size_t from)
 		g->null[way] =
 		    xrealloc(g->null[way], g->n, sizeof *g->null[way]);
 		validate_passing(g->site, run, train, NULL,
-		    model_settings_default(), NULL, way, g->null[way] + from);
+		    model_settings_default(), way, g->null[way] + from);
 	}
 	l->runs++;
 }
@@ -210,8 +210,7 @@ take_round(struct session *s)
 		t->predicted =
 		    xrealloc(t->predicted, t->n, sizeof *t->predicted);
 		validate_passing(g->site, r, job->train, &t->last.params,
-		    t->last.settings, NULL, VALIDATE_MODEL,
-		    t->predicted + from);
+		    t->last.settings, VALIDATE_MODEL, t->predicted + from);
 	}
 }
 

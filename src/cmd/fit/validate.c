@@ -259,12 +259,10 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 	compare_entry(
 	    s, s->current, outlook_posterior(s, entry, CORRECTION_TRAIN), c);
 	struct answer *r = comparison_answer(c, entry->site);
-	origin_note(r, entry);
 	if (entry->has_fit)
 		fields_put(answer_fields(r), "verdict %s",
 		    light_verdict(s, entry, NULL));
-	answers_note_model(s, r, entry);
-	light_show(r, light_of(s, entry, NULL));
+	answers_show_basis_of_fit(s, r, entry, false);
 	return session_answer(s, r);
 }
 

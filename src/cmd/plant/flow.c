@@ -12,6 +12,7 @@
 #include "cmd/ask/condition.h"
 #include "cmd/draw/flow_chart.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plot.h"
 #include "cmd/plant/plant.h"
@@ -29,14 +30,9 @@ static void
 range_of(const struct plant *p, const struct outcome *o, const double *draw,
     double answer, double range[static 2])
 {
-	double value[DRAWS];
 	range[0] = range[1] = NAN;
-	if (o->flow.draws != DRAWS)
-		return;
-	memcpy(value, draw, sizeof value);
-	ensemble_middle(value, p->level, &range[0], &range[1]);
-	range[0] = fmin(range[0], answer);
-	range[1] = fmax(range[1], answer);
+	if (o->flow.draws == DRAWS)
+		ensemble_range(draw, p->level, answer, range);
 }
 
 /* Of what goes into a unit, or for NULL in a stream. */
@@ -324,9 +320,7 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_middle(best, p->level, &range[0], &range[1]);
-	range[0] = fmin(range[0], s->speed[s->best]);
-	range[1] = fmax(range[1], s->speed[s->best]);
+	ensemble_range(best, p->level, s->speed[s->best], range);
 }
 
 /* What the best speed gains over the usual one, and whether that is more than
@@ -425,7 +419,7 @@ judge(const struct plant *p, const struct outcome *o)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		struct prediction at = outlook_predict(p->s, entry,
+		struct prediction at = forecast_whole(p->s, entry,
 		    plant_speed(unit, o->speed), p->plan->question->feed);
 		struct trust t = light_of(p->s, entry, &at);
 		double off = feed_difference(p, o, unit);
@@ -488,8 +482,7 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	answers_show_basis(
-	    p->s, r, entry, p->plan->question->feed, band, judge(p, o));
+	answers_show_basis(p->s, r, p->plan->question, 0, band, judge(p, o));
 	if (!pictures_wanted(p->s) || p->s->document != NULL)
 		return session_answer(p->s, r);
 	session_keep(p->s, r);

@@ -11,6 +11,7 @@
 #include "cmd/ask/band.h"
 #include "cmd/sheets/data.h"
 #include "cmd/session/files.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
@@ -140,7 +141,7 @@ give_product(
 {
 	const struct entry *entry = q->entry;
 	double v = q->speed;
-	struct prediction p = outlook_predict(s, entry, v, q->feed);
+	struct prediction p = forecast_whole(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
 	add_rows(r, b, &p.product, &p);
@@ -149,14 +150,13 @@ give_product(
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		outlook_note(r, s, entry, true);
 		fields_numbers(
 		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
 		fields_numbers(answer_fields(r), "high_pct", p.high,
 		    p.product.n, units_pct);
 		band_put(answer_fields(r), s, &p);
 	}
-	answers_note_doubt(s, r, q->entry, q->feed, v);
+	answers_show_basis_at(s, r, q, v, p.low != NULL);
 	prediction_free(&p);
 	session_answer(s, r);
 }

@@ -34,6 +34,14 @@ covered_sieves(const struct site *site, const struct psd *feed)
 	return psd;
 }
 
+/* Those that a table of the product shows. */
+static struct psd
+product_sieves(const struct site *site, const struct psd *feed)
+{
+	return site->n_shown > 0 ? covered(site->shown, site->n_shown, feed)
+				 : covered_sieves(site, feed);
+}
+
 struct psd
 predict_sizes(const struct site *site, const struct psd *feed)
 {
@@ -50,26 +58,6 @@ predict_sizes(const struct site *site, const struct psd *feed)
 	return psd;
 }
 
-/* The place of a sieve among a curve's sizes, from k on. */
-static size_t
-find_size(const struct psd *curve, size_t k, double sieve)
-{
-	while (k + 1 < curve->n && curve->size[k] > sieve)
-		k++;
-	return k;
-}
-
-static void
-read_curve(struct prediction *p)
-{
-	for (size_t i = 0, k = 0; i < p->product.n; i++) {
-		k = find_size(&p->curve, k, p->product.size[i]);
-		p->product.passing[i] = p->curve.passing[k];
-	}
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		p->size[i] = psd_size(&p->curve, PSD_PASSING[i]);
-}
-
 void
 prediction_drop_band(struct prediction *p)
 {
@@ -80,93 +68,94 @@ prediction_drop_band(struct prediction *p)
 		p->range[i][0] = p->range[i][1] = NAN;
 }
 
+struct quantity *
+predict_asks(const struct site *site, const struct psd *feed,
+    const struct fraction *fraction, size_t *n)
+{
+	struct psd sieves = product_sieves(site, feed);
+	struct quantity *asked =
+	    xcalloc(sieves.n + 1 + PSD_SIZES, sizeof *asked);
+	*n = 0;
+	for (size_t i = 0; i < sieves.n; i++)
+		asked[(*n)++] = (struct quantity){
+		    .kind = QUANTITY_PASSING, .x = sieves.size[i]};
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		asked[(*n)++] = (struct quantity){
+		    .kind = QUANTITY_SIZE, .x = PSD_PASSING[i]};
+	asked[(*n)++] = (struct quantity){.kind = QUANTITY_SHARE};
+	for (size_t i = 0; i < *n; i++)
+		asked[i].fraction = *fraction;
+	psd_free(&sieves);
+	return asked;
+}
+
+static void
+take_passings(struct prediction *p, struct response *r, double level)
+{
+	bool band = response_draws(r, 0) != NULL;
+	p->model = xdoubles(p->product.n);
+	p->low = band ? xdoubles(p->product.n) : NULL;
+	p->high = band ? xdoubles(p->product.n) : NULL;
+	for (size_t i = 0; i < p->product.n; i++) {
+		double range[2];
+		p->product.passing[i] = response_value(r, i);
+		p->model[i] = response_model(r, i);
+		if (!band)
+			continue;
+		response_band(r, i, level, range);
+		p->low[i] = range[0];
+		p->high[i] = range[1];
+	}
+}
+
+struct prediction
+predict_table(const struct site *site, size_t feed_run,
+    const struct fraction *fraction, struct response *r, double level)
+{
+	const struct psd *feed = site_feed(site, feed_run);
+	double speed = response_speed(r);
+	struct prediction p = {.speed = speed,
+	    .energy = energy_specific(speed),
+	    .feed_run = feed_run,
+	    .fraction =
+		fraction_screens(fraction) ? *fraction : (struct fraction){0},
+	    .product = product_sieves(site, feed),
+	    .selected = response_selected(r),
+	    .no_daughters = !response_breaks(r)};
+	size_t n = p.product.n;
+	p.feed = psd_copy(&p.product);
+	for (size_t i = 0; i < n; i++)
+		p.feed.passing[i] = psd_passing(feed, p.feed.size[i]);
+	take_passings(&p, r, level);
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		p.size[i] = response_value(r, n + i);
+		response_band(r, n + i, level, p.range[i]);
+	}
+	p.break_size = response_break_size(r);
+	response_break_band(r, level, p.range[PSD_SIZES]);
+	p.share = response_value(r, n + PSD_SIZES);
+	response_band(r, n + PSD_SIZES, level, p.share_range);
+	p.curve = response_part(r, n + PSD_SIZES);
+	return p;
+}
+
 struct prediction
 predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run)
 {
 	const struct psd *feed = site_feed(site, feed_run);
-	struct prediction out = {.speed = speed,
-	    .energy = energy_specific(speed),
-	    .feed_run = feed_run,
-	    .share = 1,
-	    .share_range = {NAN, NAN},
-	    .product = site->n_shown > 0
-			   ? covered(site->shown, site->n_shown, feed)
-			   : covered_sieves(site, feed),
-	    .curve = predict_sizes(site, feed),
-	    .break_size = params_break_size_by(p, &settings, speed)};
-	out.feed = psd_copy(&out.product);
-	for (size_t i = 0; i < out.feed.n; i++)
-		out.feed.passing[i] = psd_passing(feed, out.feed.size[i]);
-	struct model *model =
-	    model_new(feed, out.curve.size, out.curve.n, settings);
-	model_set(model, p);
-	model_product(model, speed, out.curve.passing);
-	out.selected = model_selected(model, speed);
-	out.no_daughters = !model_breaks(model, speed);
-	model_free(model);
-	read_curve(&out);
-	out.model = xdoubles(out.product.n);
-	memcpy(
-	    out.model, out.product.passing, out.product.n * sizeof *out.model);
-	prediction_drop_band(&out);
+	const struct fraction whole = {0};
+	struct psd sizes = predict_sizes(site, feed);
+	size_t n;
+	struct quantity *asked = predict_asks(site, feed, &whole, &n);
+	struct response *r = response_new(
+	    feed, sizes.size, sizes.n, asked, n, p, settings, NULL);
+	response_at(r, speed);
+	struct prediction out = predict_table(site, feed_run, &whole, r, 0);
+	response_free(r);
+	psd_free(&sizes);
+	free(asked);
 	return out;
-}
-
-/* The size at a level of a draw's curve, whose passings P stand a row of draws
- * apart and fall: as psd_size has it, of the interval that holds it. */
-static double
-size_of_draw(const struct psd *curve, const double *P, double level)
-{
-	enum { N = POSTERIOR_DRAWS };
-	size_t above = 0, n = curve->n < 2 ? curve->n : 2;
-	for (size_t below = curve->n - 1; above + 1 < below;) {
-		size_t middle = (above + below) / 2;
-		*(P[middle * N] > level ? &above : &below) = middle;
-	}
-	double ends[2] = {P[above * N], P[(above + n - 1) * N]};
-	return psd_size(&(struct psd){n, curve->size + above, ends}, level);
-}
-
-/* The sizes of the draws' own curves. */
-static void
-spread_sizes(struct prediction *p, struct ensemble *e, double level)
-{
-	enum { N = POSTERIOR_DRAWS };
-	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
-	double value[N];
-	for (size_t k = 0; k <= PSD_SIZES; k++) {
-		double *range = p->range[k];
-		for (size_t d = 0; d < N; d++)
-			value[d] =
-			    k < PSD_SIZES
-				? size_of_draw(&p->curve, P + d, PSD_PASSING[k])
-				: ensemble_break_size(e, d, p->speed);
-		ensemble_middle(value, level, &range[0], &range[1]);
-		range[0] = fmin(range[0], p->size[k]);
-		range[1] = fmax(range[1], p->size[k]);
-	}
-}
-
-/* Bands are worked out at the sieves only, which are among the curve's
- * sizes. */
-void
-predict_spread(struct prediction *p, struct ensemble *e, double level)
-{
-	const struct psd *product = &p->product;
-	ensemble_at(e, p->speed);
-	ensemble_mean(e, p->curve.passing);
-	read_curve(p);
-	p->low = xdoubles(product->n);
-	p->high = xdoubles(product->n);
-	for (size_t i = 0, k = 0; i < product->n; i++) {
-		k = find_size(&p->curve, k, product->size[i]);
-		ensemble_band(
-		    e, ENSEMBLE_ANSWER, k, level, &p->low[i], &p->high[i]);
-		p->low[i] = fmin(p->low[i], product->passing[i]);
-		p->high[i] = fmax(p->high[i], product->passing[i]);
-	}
-	spread_sizes(p, e, level);
 }
 
 /* A feed of one class alone, selected as a whole: the class's mean S. */

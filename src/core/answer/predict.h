@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/posterior/ensemble.h"
+#include "core/answer/response.h"
 #include "core/model/params.h"
 #include "core/psd/screening.h"
 #include "core/psd/site.h"
@@ -39,10 +39,6 @@ struct prediction {
 	bool no_daughters; /* p(u) is 0 everywhere: product = feed */
 };
 
-/* feed_run: the run whose feed to take, or SITE_MEAN_FEED, see site_feed.
- * Cannot fail; free with prediction_free. */
-struct prediction predict(const struct site *site, const struct params *p,
-    struct model_settings settings, double speed, size_t feed_run);
 struct prediction prediction_copy(const struct prediction *prediction);
 void prediction_free(struct prediction *prediction);
 
@@ -50,13 +46,23 @@ void prediction_free(struct prediction *prediction);
  * first; passings 0.  psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
+/* What predict_table reads, of the whole product or of a fraction: [*n]
+ * quantities, which the caller frees. */
+struct quantity *predict_asks(const struct site *site, const struct psd *feed,
+    const struct fraction *fraction, size_t *n);
+
+/* The table of a response to these at its speed, with the band that holds the
+ * middle `level` of the draws where it has any; prediction_free.
+ * feed_run: whose feed it is of, or SITE_MEAN_FEED, see site_feed. */
+struct prediction predict_table(const struct site *site, size_t feed_run,
+    const struct fraction *fraction, struct response *r, double level);
+
+/* The same of the model alone, of the whole product.  Cannot fail. */
+struct prediction predict(const struct site *site, const struct params *p,
+    struct model_settings settings, double speed, size_t feed_run);
+
 /* Leaves the answer and takes its band away. */
 void prediction_drop_band(struct prediction *p);
-
-/* Makes a prediction of the model alone the mean of the draws, with the band
- * that holds the middle `level` of them, widened to hold the answer.
- * e: of the same site, feed and predict_sizes; it moves to the speed. */
-void predict_spread(struct prediction *p, struct ensemble *e, double level);
 
 /* Selection of each size class of a feed: the share of its mass that breaks.
  * Class i lies between the sieves i and i + 1, the last is the pan.

@@ -7,28 +7,37 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
 #include "core/posterior/ensemble.h"
 #include "core/model/product.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* ensemble: NULL for the model alone.  product: at `speed`, of the model, or
+/* ensemble: NULL for the model alone; drawn: what the draws are of, or NULL.
+ * product: at `speed`, of the model, or
  * the mean of the draws, at the sieves and at the sizes that quantities need,
- * each `share` of the way from the sieve below `above` to it.  curve, part:
- * room for a draw's; sieve [n_sieve]: room for passings at the sieves. */
+ * each `share` of the way from the sieve below `above` to it; alone: the
+ * model's at `alone_speed`.  curve, part: room for a draw's; sieve [n_sieve]:
+ * room for passings at the sieves. */
 struct response {
 	struct model *model;
+	struct params params;
+	struct model_settings settings;
 	struct ensemble *ensemble;
 	bool borrowed;
-	struct psd product;
+	const struct posterior *drawn;
+	struct psd product, alone;
+	double alone_speed;
 	size_t *above;
 	double *share, *sieve;
 	size_t n;
 	struct quantity *asked;
 	double **kept; /* [n][sizes] kept for its fraction; NULL: all */
+	size_t *row;   /* [n] of the size that it is the passing of, or sizes */
 	double *value; /* [n] */
 	double **draw; /* [n][DRAWS] or NULL */
+	enum ensemble_part of; /* what the draws are of */
 	struct psd curve, part;
 	double speed;
 };
@@ -81,6 +90,19 @@ read_between(
 	}
 }
 
+/* The place of a passing of the whole product among the sizes; n for others,
+ * which are read off a curve. */
+static size_t
+find_row(const struct quantity *q, const double *size, size_t n)
+{
+	size_t k = 0;
+	if (q->kind != QUANTITY_PASSING || fraction_screens(&q->fraction))
+		return n;
+	while (k < n && size[k] != q->x)
+		k++;
+	return k;
+}
+
 struct response *
 response_new(const struct psd *feed, const double *size, size_t n,
     const struct quantity *asked, size_t n_asked, const struct params *p,
@@ -91,13 +113,19 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	double *all = all_sizes(feed, size, &n, asked, n_asked);
 	*r =
 	    (struct response){.model = model_new(feed, size, n_sieve, settings),
+		.params = *p,
+		.settings = settings,
+		.drawn = posterior,
 		.product = psd_new(n),
+		.alone_speed = NAN,
+		.of = ENSEMBLE_ANSWER,
 		.above = xcalloc(n, sizeof *r->above),
 		.share = xdoubles(n),
 		.sieve = xdoubles(n_sieve),
 		.n = n_asked,
 		.asked = xcalloc(n_asked, sizeof *asked),
 		.kept = xcalloc(n_asked, sizeof *r->kept),
+		.row = xcalloc(n_asked, sizeof *r->row),
 		.value = xdoubles(n_asked),
 		.draw = xcalloc(n_asked, sizeof *r->draw),
 		.part = psd_new(n)};
@@ -110,8 +138,10 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	memcpy(r->part.size, all, n * sizeof *all);
 	place(r, size, n_sieve);
 	r->curve = psd_copy(&r->product);
+	r->alone = psd_copy(&r->product);
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
+		r->row[i] = find_row(&asked[i], all, n);
 		if (posterior != NULL)
 			r->draw[i] = xdoubles(DRAWS);
 		if (!fraction_screens(&asked[i].fraction))
@@ -136,6 +166,7 @@ response_free(struct response *r)
 	if (!r->borrowed)
 		ensemble_free(r->ensemble);
 	psd_free(&r->product);
+	psd_free(&r->alone);
 	psd_free(&r->curve);
 	psd_free(&r->part);
 	free(r->above);
@@ -143,6 +174,7 @@ response_free(struct response *r)
 	free(r->sieve);
 	free(r->asked);
 	free(r->kept);
+	free(r->row);
 	free(r->value);
 	free(r->draw);
 	free(r);
@@ -152,6 +184,8 @@ response_free(struct response *r)
 static double
 read_off(struct response *r, size_t i, const struct psd *curve)
 {
+	if (r->row[i] < curve->n)
+		return curve->passing[r->row[i]];
 	if (r->kept[i] == NULL)
 		return quantity_read(&r->asked[i], curve, 1);
 	double share = screening_part(curve, r->kept[i], &r->part);
@@ -160,11 +194,36 @@ read_off(struct response *r, size_t i, const struct psd *curve)
 
 /* The curve of draw d. */
 static void
-take_draw(const struct response *r, enum ensemble_part part, size_t d,
-    struct psd *curve)
+take_draw(const struct response *r, size_t d, struct psd *curve)
 {
-	const double *P = ensemble_products(r->ensemble, part) + d;
+	const double *P = ensemble_products(r->ensemble, r->of) + d;
 	read_between(r, P, DRAWS, curve);
+}
+
+/* The same of one size, for all draws. */
+static void
+take_row(const struct response *r, size_t k, double *draw)
+{
+	const double *P = ensemble_products(r->ensemble, r->of);
+	const double *above = P + r->above[k] * DRAWS, *below = above + DRAWS;
+	double t = r->share[k];
+	if (t < 1)
+		for (size_t d = 0; d < DRAWS; d++)
+			draw[d] = t * above[d] + (1 - t) * below[d];
+	else
+		memcpy(draw, above, DRAWS * sizeof *draw);
+}
+
+/* The curve of the model alone. */
+static const struct psd *
+model_curve(struct response *r)
+{
+	if (r->alone_speed != r->speed) {
+		model_product(r->model, r->speed, r->sieve);
+		read_between(r, r->sieve, 1, &r->alone);
+		r->alone_speed = r->speed;
+	}
+	return &r->alone;
 }
 
 void
@@ -172,12 +231,13 @@ response_answer_at(struct response *r, double v)
 {
 	r->speed = v;
 	if (r->ensemble == NULL) {
-		model_product(r->model, v, r->sieve);
+		memcpy(r->product.passing, model_curve(r)->passing,
+		    r->product.n * sizeof *r->product.passing);
 	} else {
 		ensemble_at(r->ensemble, v);
 		ensemble_mean(r->ensemble, r->sieve);
+		read_between(r, r->sieve, 1, &r->product);
 	}
-	read_between(r, r->sieve, 1, &r->product);
 	for (size_t i = 0; i < r->n; i++)
 		r->value[i] = read_off(r, i, &r->product);
 }
@@ -185,21 +245,31 @@ response_answer_at(struct response *r, double v)
 void
 response_at(struct response *r, double v)
 {
+	bool curves = false;
 	response_answer_at(r, v);
-	for (size_t d = 0; d < DRAWS && r->ensemble != NULL; d++) {
-		take_draw(r, ENSEMBLE_ANSWER, d, &r->curve);
+	for (size_t i = 0; i < r->n && r->ensemble != NULL; i++)
+		if (r->row[i] < r->product.n)
+			take_row(r, r->row[i], r->draw[i]);
+		else
+			curves = true;
+	for (size_t d = 0; d < DRAWS && curves; d++) {
+		take_draw(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
-			r->draw[i][d] = read_off(r, i, &r->curve);
+			if (r->row[i] >= r->product.n)
+				r->draw[i][d] = read_off(r, i, &r->curve);
 	}
 }
 
 void
-response_borrow_at(struct response *r, struct ensemble *e, double v)
+response_borrow_at(
+    struct response *r, struct ensemble *e, enum ensemble_part of, double v)
 {
 	for (size_t i = 0; i < r->n && r->draw[i] == NULL; i++)
 		r->draw[i] = xdoubles(DRAWS);
 	r->ensemble = e;
 	r->borrowed = true;
+	r->drawn = ensemble_posterior(e);
+	r->of = of;
 	response_at(r, v);
 }
 
@@ -212,9 +282,45 @@ response_value(const struct response *r, size_t i)
 double
 response_model(struct response *r, size_t i)
 {
-	model_product(r->model, r->speed, r->sieve);
-	read_between(r, r->sieve, 1, &r->curve);
-	return read_off(r, i, &r->curve);
+	return read_off(r, i, model_curve(r));
+}
+
+double
+response_speed(const struct response *r)
+{
+	return r->speed;
+}
+
+double
+response_break_size(const struct response *r)
+{
+	return params_break_size_by(&r->params, &r->settings, r->speed);
+}
+
+void
+response_break_band(
+    const struct response *r, double level, double range[static 2])
+{
+	const struct posterior *p = r->drawn;
+	double draw[DRAWS];
+	range[0] = range[1] = NAN;
+	for (size_t d = 0; d < DRAWS && p != NULL; d++)
+		draw[d] = params_break_size_by(
+		    &p->draw[d].params, &p->settings, r->speed);
+	if (p != NULL)
+		ensemble_range(draw, level, response_break_size(r), range);
+}
+
+double
+response_selected(struct response *r)
+{
+	return model_selected(r->model, r->speed);
+}
+
+bool
+response_breaks(struct response *r)
+{
+	return model_breaks(r->model, r->speed);
 }
 
 const double *
@@ -254,15 +360,12 @@ response_over(struct response *r, size_t i, double limit)
 
 void
 response_overs(struct response *r, size_t i, double limit,
-    enum ensemble_part part, double over[static POSTERIOR_DRAWS])
+    double over[static POSTERIOR_DRAWS])
 {
-	bool answer = part == ENSEMBLE_ANSWER;
 	for (size_t d = 0; d < DRAWS; d++) {
-		if (!answer || is_read_between(&r->asked[i]))
-			take_draw(r, part, d, &r->curve);
-		double value =
-		    answer ? r->draw[i][d] : read_off(r, i, &r->curve);
-		over[d] = over_of(r, i, limit, value, &r->curve);
+		if (is_read_between(&r->asked[i]))
+			take_draw(r, d, &r->curve);
+		over[d] = over_of(r, i, limit, r->draw[i][d], &r->curve);
 	}
 }
 
@@ -270,14 +373,11 @@ void
 response_band(
     const struct response *r, size_t i, double level, double range[static 2])
 {
-	double value[DRAWS];
+	bool answer = r->of == ENSEMBLE_ANSWER;
 	range[0] = range[1] = NAN;
-	if (r->draw[i] == NULL)
-		return;
-	memcpy(value, r->draw[i], sizeof value);
-	ensemble_middle(value, level, &range[0], &range[1]);
-	range[0] = fmin(range[0], r->value[i]);
-	range[1] = fmax(range[1], r->value[i]);
+	if (r->draw[i] != NULL)
+		ensemble_range(
+		    r->draw[i], level, answer ? r->value[i] : NAN, range);
 }
 
 struct psd

@@ -25,26 +25,41 @@ void response_at(struct response *r, double v);
 void response_answer_at(struct response *r, double v);
 
 /* Moves to a speed with the draws of an ensemble of the same feed and sieves,
- * which is borrowed until the next move; of a response without a posterior. */
-void response_borrow_at(struct response *r, struct ensemble *e, double v);
+ * which is borrowed until the next move; of a response without a posterior.
+ * of: what the draws and their bands are of, beside the answer's values. */
+void response_borrow_at(
+    struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
 /* Quantity i at that speed: of the answer, and of the model alone.  NAN where
  * the curve does not reach so far. */
 double response_value(const struct response *r, size_t i);
 double response_model(struct response *r, size_t i);
 
+double response_speed(const struct response *r);
+
+/* The break size at that speed, m, see params_break_size, and the band of the
+ * draws' own. */
+double response_break_size(const struct response *r);
+void response_break_band(
+    const struct response *r, double level, double range[static 2]);
+
+/* What predict_table has of the model alone: the share of the feed that is
+ * selected, and whether anything comes of it. */
+double response_selected(struct response *r);
+bool response_breaks(struct response *r);
+
 /* Its values in the draws, [POSTERIOR_DRAWS], borrowed; NULL of a model
  * alone. */
 const double *response_draws(const struct response *r, size_t i);
 
 /* By how much it lies above a limit there, see quantity_over: of the answer; of
- * its draws, or of the samples that these give, [POSTERIOR_DRAWS] out. */
+ * the draws, [POSTERIOR_DRAWS] out. */
 double response_over(struct response *r, size_t i, double limit);
 void response_overs(struct response *r, size_t i, double limit,
-    enum ensemble_part part, double over[static POSTERIOR_DRAWS]);
+    double over[static POSTERIOR_DRAWS]);
 
-/* The middle `level` of them, widened to hold the value; NAN of a model
- * alone. */
+/* The middle `level` of them, that of the answer widened to hold its value;
+ * NAN of a model alone. */
 void response_band(
     const struct response *r, size_t i, double level, double range[static 2]);
 

@@ -103,26 +103,10 @@ model_passing(const struct run *run, const struct params *p,
 	model_free(model);
 }
 
-static void
-corrected_passing(
-    const struct run *run, const struct posterior *posterior, double *out)
-{
-	size_t n = misfit_covered(run);
-	for (size_t i = 0; i < n; i++)
-		out[i] = NAN;
-	if (posterior == NULL)
-		return;
-	struct ensemble *e =
-	    ensemble_new(posterior, &run->feed, run->product.size, n);
-	ensemble_at(e, run->speed);
-	ensemble_mean(e, out);
-	ensemble_free(e);
-}
-
 void
 validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
-    const struct posterior *posterior, enum validate_way way, double *out)
+    enum validate_way way, double *out)
 {
 	const struct run *at = &site->run[run];
 	double nearest = nearest_speed(site, train, at->speed);
@@ -130,14 +114,11 @@ validate_passing(const struct site *site, size_t run, const bool *train,
 		model_passing(at, p, settings, out);
 		return;
 	}
-	if (way == VALIDATE_CORRECTED) {
-		corrected_passing(at, posterior, out);
-		return;
-	}
 	for (size_t i = 0; i < misfit_covered(at); i++) {
 		double x = at->product.size[i];
 		out[i] =
-		    way == VALIDATE_FEED ? psd_passing(&at->feed, x)
+		    way == VALIDATE_CORRECTED ? NAN
+		    : way == VALIDATE_FEED    ? psd_passing(&at->feed, x)
 		    : way == VALIDATE_NEAREST
 			? mean_passing(site, train, nearest, x)
 			: validate_interpolation(site, train, at->speed, x);
@@ -181,7 +162,7 @@ put_way(struct validation *v, const struct site *site, enum validate_way way,
 struct validation
 validate_run(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
-    const struct posterior *posterior)
+    const double *corrected)
 {
 	const struct run *at = &site->run[run];
 	size_t n = misfit_covered(at);
@@ -197,9 +178,11 @@ validate_run(const struct site *site, size_t run, const bool *train,
 		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
 	double *passing = xdoubles(n);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-		validate_passing(
-		    site, run, train, p, settings, posterior, way, passing);
-		put_way(&v, site, way, passing);
+		bool answer = way == VALIDATE_CORRECTED && corrected != NULL;
+		if (!answer)
+			validate_passing(
+			    site, run, train, p, settings, way, passing);
+		put_way(&v, site, way, answer ? corrected : passing);
 	}
 	free(passing);
 	return v;

@@ -42,17 +42,18 @@ struct validation {
 };
 
 /* Compares the run of that index.  train [n_run]: the runs trained on.
- * posterior: which these inform, or NULL for no corrected answer.  The run must
- * have a product with a covered sieve (asserted). */
+ * corrected: that answer's passings at the covered sieves, or NULL for none.
+ * The run must have a product with a covered sieve (asserted). */
 struct validation validate_run(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
-    const struct posterior *posterior);
+    const double *corrected);
 
 /* Passing, 0..1, that one way predicts for the run at its covered sieves, out
- * [misfit_covered], NAN where it has no answer. */
+ * [misfit_covered], NAN where it has no answer, as for VALIDATE_CORRECTED,
+ * which is made of draws. */
 void validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
-    const struct posterior *posterior, enum validate_way way, double *out);
+    enum validate_way way, double *out);
 
 /* The way with the smallest RMSE. */
 enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);

@@ -504,11 +504,10 @@ ensemble_products(struct ensemble *e, enum ensemble_part part)
 	return e->part[part];
 }
 
-double
-ensemble_break_size(const struct ensemble *e, size_t draw, double v)
+const struct posterior *
+ensemble_posterior(const struct ensemble *e)
 {
-	return params_break_size_by(
-	    &e->of->draw[draw].params, &e->of->settings, v);
+	return e->of;
 }
 
 void
@@ -544,6 +543,17 @@ ensemble_middle(double *value, double level, double *low, double *high)
 		*low = NAN;
 	if (*high < -1e300)
 		*high = NAN;
+}
+
+void
+ensemble_range(
+    const double *draw, double level, double answer, double range[static 2])
+{
+	double value[DRAWS];
+	memcpy(value, draw, sizeof value);
+	ensemble_middle(value, level, &range[0], &range[1]);
+	range[0] = fmin(range[0], answer);
+	range[1] = fmax(range[1], answer);
 }
 
 void

@@ -51,8 +51,8 @@ const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
  * out: see discrepancy_answer. */
 void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 
-/* The break size of a draw at a speed, m. */
-double ensemble_break_size(const struct ensemble *e, size_t draw, double v);
+/* What it is of. */
+const struct posterior *ensemble_posterior(const struct ensemble *e);
 
 /* The middle `level` of a row of products. */
 void ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
@@ -64,6 +64,11 @@ void ensemble_mean(const struct ensemble *e, double *passing);
 /* The middle `level` (0..1) of values [POSTERIOR_DRAWS], whose order changes.
  * NAN counts as the least, and is an end where it is found there. */
 void ensemble_middle(double *value, double level, double *low, double *high);
+
+/* The same of values that stay in their order, widened to hold the answer where
+ * that is no NAN. */
+void ensemble_range(
+    const double *draw, double level, double answer, double range[static 2]);
 
 /* How far the draws' two halves, which were taken at different times, lie apart
  * at speed v: their means or the ends of their bands, whichever differ more,

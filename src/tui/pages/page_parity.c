@@ -13,6 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/fit/comparison.h"
 #include "core/search/misfit.h"
 #include "tui/frame.h"
 #include "cli/pump.h"
@@ -34,10 +35,14 @@ compare(struct tui *t, const struct entry *entry)
 		if (entry->train[r] ||
 		    misfit_covered(&entry->site->run[r]) == 0)
 			continue;
+		size_t within;
+		double *corrected = comparison_corrected(&entry->site->run[r],
+		    posterior, settings_level(&s->set), &within);
 		y->point = xrealloc(y->point, y->n + 1, sizeof *y->point);
 		y->point[y->n++] = (struct parity_point){
 		    y->next, validate_run(entry->site, r, entry->train,
-				 &entry->params, s->set.model, posterior)};
+				 &entry->params, s->set.model, corrected)};
+		free(corrected);
 	}
 }
 

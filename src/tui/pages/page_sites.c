@@ -14,6 +14,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "io/sitefile/units.h"
 #include "tui/widgets/file_picker.h"
@@ -78,7 +79,7 @@ row_at(struct site_row *row, const struct tui *t)
 	if (!answers_known(s, e, &error))
 		return;
 	size_t feed = e == tui_entry(t) ? tui_feed(t) : SITE_MEAN_FEED;
-	struct prediction p = outlook_predict(s, e, speed, feed);
+	struct prediction p = forecast_whole(s, e, speed, feed);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_extrapolates(e, speed);
 	prediction_free(&p);

@@ -11,7 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/outlook.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "tui/widgets/goal.h"
@@ -148,29 +148,27 @@ speed_at(const struct tui *t, double share)
 	return (range.least + share * (range.most - range.least)) / 10;
 }
 
-/* The response is made anew for each part: what it is made of may be gone
+/* The forecast is made anew for each part: what it is made of may be gone
  * between two of them. */
 static void
 work_out(struct tui *t)
 {
 	struct above *a = t->above;
-	const struct entry *entry = tui_entry(t);
 	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->quantity))
 		a->n = 0;
 	a->feed = tui_feed(t);
 	a->of = t->quantity;
-	struct response *r = outlook_response(
-	    t->session, entry, &entry->params, a->feed, &a->of, 1);
+	const struct question q = {.entry = tui_entry(t), .feed = a->feed};
+	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
-		response_at(r, speed_at(t, (double)a->n / (POINTS - 1)));
-		value[0] = response_value(r, 0);
-		response_band(
-		    r, 0, settings_level(&t->session->set), value + 1);
-		for (size_t k = 0; k < 3; k++)
-			value[k] = quantities_shown(&a->of, value[k]);
+		forecast_at(f, speed_at(t, (double)a->n / (POINTS - 1)));
+		struct figure at = forecast_figure(f, 0);
+		value[0] = quantities_shown(&a->of, at.value);
+		value[1] = quantities_shown(&a->of, at.low);
+		value[2] = quantities_shown(&a->of, at.high);
 	}
-	response_free(r);
+	forecast_close(f);
 }
 
 double

@@ -1,0 +1,29 @@
+/* What is asked: of which site, with which feed and machine, at which speed, of
+ * which part of the product, and what informs the answer.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_ASK_ASKED_H
+#define TIPSPEED_CMD_ASK_ASKED_H
+
+#include "cmd/session/session.h"
+#include "core/psd/screening.h"
+
+/* entry: the site as it is asked about.  Where that is with another feed or
+ * machine, other sieves or runs to correct the model than it is loaded with, it
+ * is a copy that has them, `own`, with `variant` to tell what they are; so a
+ * question stays where it was made.  feed: for site_feed.  speed: m/s;
+ * speed_given: by the call.  fraction: zeros of the whole product.
+ * params: what forms the product, NULL: the entry's; with others it is the
+ * model alone. */
+struct question {
+	const struct entry *entry;
+	const struct params *params;
+	size_t feed;
+	double speed;
+	bool speed_given;
+	struct fraction fraction;
+	struct entry own;
+	struct variant variant;
+	struct named *named; /* what the call named */
+};
+
+#endif
