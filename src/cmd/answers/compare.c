@@ -326,7 +326,7 @@ comparison(const struct session *s, const struct side side[2])
 	bool band = f[0] != NULL && f[1] != NULL &&
 		    forecast_draws(f[0], n) != NULL &&
 		    forecast_draws(f[1], n) != NULL;
-	char *fraction = screened_title(&side[0].p);
+	char *fraction = screened_title(&side[0].p.fraction);
 	struct answer *r = are_two(side)
 			       ? answer_new("compare")
 			       : answers_new(side[0].entry->site, "compare",
@@ -356,15 +356,12 @@ comparison(const struct session *s, const struct side side[2])
 static bool
 draw_both(struct session *s, const struct side side[2], struct error *error)
 {
-	if (fraction_screens(&side[0].p.fraction))
-		return error_set(error, ERROR_USAGE,
-		    "the picture shows the whole product, not a fraction\n"
-		    "leave out cut=");
 	const struct side *one = &side[side[1].pinned ? 0 : 1];
 	const struct side *two = &side[side[1].pinned ? 1 : 0];
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.entry = one->entry;
 	request.speed = one->p.speed;
+	request.fraction = one->p.fraction;
 	double feed = feed_speed(one->entry->site, one->p.feed_run);
 	request.feed_speed = feed > 0 ? feed : 0;
 	request.made = &one->p;

@@ -235,6 +235,11 @@ balance_answer(struct session *s, const struct args *args,
 {
 	const struct entry *entry = q->entry;
 	double v[2] = {q->speed, 0};
+	if (fraction_screens(&q->fraction))
+		return error_set(error, ERROR_USAGE,
+		    "why: expected no cut= with two speeds, where each class "
+		    "of the product is told\n"
+		    "leave out cut=, or one of the speeds");
 	if (!value_number(args->operand[0], "m/s", &v[1]) || v[1] < 1 ||
 	    v[1] > 200)
 		return error_set(error, ERROR_USAGE,

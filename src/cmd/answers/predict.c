@@ -205,7 +205,7 @@ prediction_answer(const struct session *s, const struct entry *entry,
     const double *between, bool detail)
 {
 	const char *model = breakage_of(params)->name;
-	char *fraction = screened_title(p);
+	char *fraction = screened_title(&p->fraction);
 	char *more =
 	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
 	char *band =
@@ -365,6 +365,7 @@ draw_curves(struct session *s, const struct question *q,
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.entry = q->entry;
 	request.speed = p->speed;
+	request.fraction = p->fraction;
 	double feed = feed_speed(q->entry->site, p->feed_run);
 	request.feed_speed = feed > 0 ? feed : 0;
 	request.band = pictures_wanted(s) && p->low != NULL;
@@ -411,18 +412,17 @@ predict_step(struct session *s, double speed, size_t feed_run, const char *line,
 	return true;
 }
 
-/* Interpolated products and curves are those of the whole product. */
+/* Interpolated products are those of the whole product. */
 static bool
 whole_for(const struct args *args, const struct fraction *fraction,
     struct error *error)
 {
-	bool asked = args_value(args, "interpolated")->choice == 1 ||
-		     args_value(args, "curve")->choice == 1;
-	if (!asked || !fraction_screens(fraction))
+	if (args_value(args, "interpolated")->choice != 1 ||
+	    !fraction_screens(fraction))
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "interpolated= and curve= show the whole product, not a "
-	    "fraction\nleave out cut=, or write plot response");
+	    "interpolated= shows the whole product, not a fraction\n"
+	    "leave out cut=, or write plot response");
 }
 
 bool

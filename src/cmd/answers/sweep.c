@@ -107,7 +107,7 @@ sweep_answer(const struct session *s, const struct question *q,
 	const struct entry *entry = q->entry;
 	enum { ACROSS = 7 };
 	bool band = p[0].low != NULL, across = n <= ACROSS;
-	char *fraction = screened_title(&p[0]);
+	char *fraction = screened_title(&p[0].fraction);
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? outlook_words(s, entry) : "");

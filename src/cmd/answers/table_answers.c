@@ -138,7 +138,7 @@ static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
 	"known standard deviation of a single passing around 50 %; 0: as the "
 	"data show it"},
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
-    TABLE_QUESTION, TABLE_SIEVES, {.name = NULL}};
+    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option VALIDATE_OPTIONS[] = {
     {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
@@ -161,7 +161,7 @@ static const struct command_option SPEC_OPTIONS[] = {
 
 /* Of why. */
 static const struct command_option AT_SPEED_OPTIONS[] = {
-    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, {.name = NULL}};
+    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option ADVISE_OPTIONS[] = {
     SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
@@ -500,7 +500,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "class of the feed's sieves what stays in it, what breaks and "
 	    "leaves it, what comes from coarser ones, and the change of the "
 	    "product; then in a sentence how much more breaks, and which "
-	    "classes lose and gain most. All columns are shares of the feed's "
+	    "classes lose and gain most. With one speed and cut= it also has "
+	    "the share of that fraction, and what a faster rotor does to it. "
+	    "All columns are shares of the feed's "
 	    "mass and sum to 100 %.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85\nwhy 69 79",
 	.answer = cmd_why},

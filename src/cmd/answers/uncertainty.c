@@ -10,6 +10,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/screened.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
@@ -121,8 +122,10 @@ draws_answer(const struct session *s, const struct question *q,
 	size_t sieves = at->product.n;
 	forecast_at(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
-	struct answer *r = answers_new(
-	    q->entry->site, "uncertainty", "draws at %.1f m/s", at->speed);
+	char *fraction = screened_title(&at->fraction);
+	struct answer *r = answers_new(q->entry->site, "uncertainty",
+	    "draws at %.1f m/s%s", at->speed, fraction);
+	free(fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -156,15 +159,17 @@ draws_answer(const struct session *s, const struct question *q,
 /* How far tomorrow's feed may be from the mean is another question, which the
  * answer of each feed that was sampled tells best. */
 static void
-note_feeds(struct answer *r, const struct session *s, const struct entry *entry,
+note_feeds(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *at)
 {
-	const struct site *site = entry->site;
+	const struct site *site = q->entry->site;
 	size_t i = answers_sieve(&at->product);
 	double x = at->product.size[i], most = 0;
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	for (size_t run = 0; run < site->n_run && !other; run++) {
-		struct prediction p = forecast_whole(s, entry, at->speed, run);
+		struct question own = *q;
+		own.feed = run;
+		struct prediction p = forecast_product(s, &own, at->speed);
 		double P = psd_at_sieve(&p.product, x);
 		if (isfinite(P))
 			most = fmax(most, fabs(P - at->product.passing[i]));
@@ -183,9 +188,11 @@ parts_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at)
 {
 	const struct entry *entry = q->entry;
+	char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
-	    "half width of the %.0f %% band at %.1f m/s, points",
-	    100 * settings_level(&s->set), at->speed);
+	    "half width of the %.0f %% band at %.1f m/s%s, points",
+	    100 * settings_level(&s->set), at->speed, fraction);
+	free(fraction);
 	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * settings_level(&s->set),
@@ -193,13 +200,15 @@ parts_answer(const struct session *s, const struct question *q,
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns(r, PARTS[i]);
 	answer_put_columns(r, "sieve_mm passing_pct");
+	screened_note(r, at);
+	screened_put(answer_fields(r), at);
 	answer_note(r, "%s", outlook_words(s, entry));
 	add_hyper(r, s, p);
 	note_strengths(r, p);
 	if (entry->site->individual_feeds)
-		note_feeds(r, s, entry, at);
+		note_feeds(r, s, q, at);
 	note_draws(r, p, outlook_evidence(s, entry));
-	answers_show_basis(s, r, q, at->speed, false, light_of(s, entry, at));
+	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
 }
 
@@ -251,7 +260,9 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (!take_words(args, q, &draws, error))
 		return false;
 	take_settings(s, args);
-	struct prediction at = forecast_whole(s, entry, q->speed, q->feed);
+	if (!screened_tells(q, error))
+		return false;
+	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",

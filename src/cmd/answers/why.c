@@ -14,6 +14,8 @@
 #include "cmd/lang/table.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/feed.h"
 #include "core/model/breakage.h"
 #include "core/search/misfit.h"
@@ -29,6 +31,7 @@ static const double STILL = 0.001; /* passing that a speed of 1 m/s moves */
 /* What is explained: the site at a speed. */
 struct subject {
 	struct session *s;
+	const struct question *q;
 	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p;
@@ -121,6 +124,35 @@ say_response(const struct subject *a)
 		    "The method classes gives each size class one size, so the "
 		    "product does not change while the break size moves within "
 		    "a class, and then jumps");
+}
+
+/* The fraction that is asked about: how much it is, and what a faster rotor does
+ * to it. */
+static void
+say_fraction(const struct subject *a)
+{
+	const struct quantity share = {
+	    .kind = QUANTITY_SHARE, .fraction = a->q->fraction};
+	double v = a->p.speed;
+	if (!fraction_screens(&share.fraction))
+		return;
+	struct prediction part = forecast_product(a->s, a->q, v);
+	screened_note(a->answer, &part);
+	screened_put(answer_fields(a->answer), &part);
+	struct forecast *slow = forecast_open(a->s, a->q, &share, 1);
+	struct forecast *fast = forecast_open(a->s, a->q, &share, 1);
+	forecast_at(slow, v);
+	forecast_at(fast, v + 1);
+	struct figure more = forecast_difference(slow, fast, 0);
+	char *band =
+	    quantities_band(units_pct(more.low), units_pct(more.high), 2);
+	answer_note(a->answer,
+	    "1 m/s more changes that share by %+.2f points%s",
+	    units_pct(more.value), band);
+	free(band);
+	forecast_close(slow);
+	forecast_close(fast);
+	prediction_free(&part);
 }
 
 static void
@@ -266,10 +298,13 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	if (args->n_operand > 0)
 		return balance_answer(s, args, q, error);
 	question_as_last(s, args, q);
+	if (!screened_tells(q, error))
+		return false;
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	size_t run = q->feed;
 	struct subject a = {.s = s,
+	    .q = q,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, run),
 	    .p = forecast_whole(s, entry, v, run),
@@ -278,6 +313,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_breakage(&a);
 	say_how_much(&a);
 	say_response(&a);
+	say_fraction(&a);
 	say_trained(&a);
 	say_measured(&a);
 	say_light(&a);

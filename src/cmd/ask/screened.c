@@ -84,11 +84,11 @@ screened_value(const struct psd *product, const struct quantity *q)
 }
 
 char *
-screened_title(const struct prediction *p)
+screened_title(const struct fraction *fraction)
 {
-	if (!fraction_screens(&p->fraction))
+	if (!fraction_screens(fraction))
 		return xstrdup("");
-	char *words = quantities_fraction_words(&p->fraction);
+	char *words = quantities_fraction_words(fraction);
 	char *title = xasprintf(tr(", fraction %s"), words);
 	free(words);
 	return title;

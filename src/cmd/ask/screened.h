@@ -19,7 +19,7 @@ struct psd screened_measured(
 double screened_value(const struct psd *product, const struct quantity *q);
 
 /* ", fraction 0/4", or "" of the whole product.  The caller frees. */
-char *screened_title(const struct prediction *p);
+char *screened_title(const struct fraction *fraction);
 
 /* What share of the product the fraction is, in a sentence, and into fields
  * "fraction" and "share_pct"; nothing of the whole product. */

@@ -14,6 +14,7 @@
 #include "cmd/document/document.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/question.h"
+#include "cmd/ask/screened.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/pin.h"
 #include "cmd/session/sites.h"
@@ -93,6 +94,9 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 	double feed = feed_speed(a->q.entry->site, a->q.feed);
 	r->entry = a->q.entry;
 	r->feed_speed = feed > 0 ? feed : 0;
+	r->fraction = a->q.fraction;
+	if (!screened_tells(&a->q, error))
+		return false;
 	if (a->q.speed_given && r->made == NULL)
 		r->speed = a->q.speed;
 	if (r->beside == NULL || !session_find(s, r->beside, &beside, &none))

@@ -4,6 +4,7 @@
 #define TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
 
 #include "cmd/session/session.h"
+#include "core/psd/screening.h"
 #include "plot/draw.h"
 
 enum plot_kind {
@@ -61,10 +62,12 @@ struct plot_request {
 			 * change with the speed */
 	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds */
 	const double *speeds;
-	const char *param;       /* profile: of this parameter; NULL: e0_min */
-	const char *of, *limits; /* response: quantities and conditions in
+	const char *param;        /* profile: of this parameter; NULL: e0_min */
+	const char *of, *limits;  /* response: quantities and conditions in
 				  * words, with commas between; NULL: as
 				  * usual, none */
+	struct fraction fraction; /* psd, sweep, response: of the product; zeros
+				   * of the whole */
 	double feed_speed; /* psd, sweep: take the feed sampled at this speed;
 			    * 0: the mean, or that of another sheet which
 			    * entry has */

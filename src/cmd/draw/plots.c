@@ -15,6 +15,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/pin.h"
 #include "cmd/draw/plots_difference.h"
 #include "cmd/draw/plots_draws.h"
@@ -49,6 +50,7 @@ plots_request(enum plot_kind kind)
 	    .level = 50,
 	    .charset = CHARSET_ASCII,
 	    .words = CHART_ALL,
+	    .fraction = {.partition = PARTITION_IDEAL},
 	    .strip = PLOTS_STRIP};
 }
 
@@ -72,14 +74,15 @@ plots_params(const struct session *s, const struct plot_request *request,
 	return true;
 }
 
-/* Curves to be drawn on one axis.  psd is borrowed, or of a prediction that
- * is kept for it; finer: the same curve at more sizes, or NULL.  near: of what
+/* Curves to be drawn on one axis.  psd is borrowed, of a prediction that is
+ * kept for it, or its own (part); finer: the same curve at more sizes, or NULL.  near: of what
  * was measured nearest to the speed; moved: how far any of that, see
  * moved_by. */
 struct curves {
 	size_t n, n_prediction;
 	struct {
 		const struct psd *psd, *finer;
+		struct psd *part;
 		char *name;
 		bool near;
 		struct chart_series look;
@@ -101,6 +104,7 @@ add_curve(struct curves *c, const struct psd *psd, char *name,
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
 	c->item[c->n].psd = psd;
 	c->item[c->n].finer = NULL;
+	c->item[c->n].part = NULL;
 	c->item[c->n].near = false;
 	c->item[c->n].name = name;
 	c->item[c->n++].look = look;
@@ -118,12 +122,14 @@ add_product(struct curves *c, const struct prediction *p, char *name,
 /* One that is kept with the curves. */
 static const struct prediction *
 make_prediction(struct curves *c, const struct session *s,
-    const struct entry *entry, const struct params *params, double speed,
-    size_t feed)
+    const struct plot_request *request, const struct entry *entry,
+    const struct params *params, double speed, size_t feed)
 {
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	const struct question q = {
-	    .entry = entry, .feed = feed, .params = params};
+	const struct question q = {.entry = entry,
+	    .feed = feed,
+	    .fraction = request->fraction,
+	    .params = params};
 	*p = forecast_product(s, &q, speed);
 	return p;
 }
@@ -171,8 +177,12 @@ put_curves(struct chart *chart, const struct curves *c)
 static void
 free_curves(struct curves *c)
 {
-	for (size_t i = 0; i < c->n; i++)
+	for (size_t i = 0; i < c->n; i++) {
 		free(c->item[i].name);
+		if (c->item[i].part != NULL)
+			psd_free(c->item[i].part);
+		free(c->item[i].part);
+	}
 	for (size_t i = 0; i < c->n_prediction; i++)
 		prediction_free(&c->prediction[i]);
 	free(c->item);
@@ -187,20 +197,29 @@ plots_left_out(const struct site *site)
 	return n > PLOTS_MEASURED ? n - PLOTS_MEASURED : 0;
 }
 
-/* Nothing where another feed or machine is asked about. */
+/* What was measured, or the fraction of it that is drawn.  Nothing where
+ * another feed or machine is asked about. */
 static void
 add_measured(struct curves *c, const struct session *s,
-    const struct entry *entry, const struct params *params, double speed,
-    size_t feed)
+    const struct entry *entry, const struct fraction *fraction,
+    const struct params *params, double speed, size_t feed)
 {
 	const struct site *site = entry->site;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
 		if (!site_run_is_near(site, i, speed, PLOTS_MEASURED))
 			continue;
-		add_curve(c, moved_product(s, entry, params, i, feed),
+		const struct psd *product =
+		    moved_product(s, entry, params, i, feed);
+		struct psd *part = NULL;
+		if (fraction_screens(fraction)) {
+			part = xcalloc(1, sizeof *part);
+			*part = screened_measured(product, fraction);
+		}
+		add_curve(c, part != NULL ? part : product,
 		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
 			site->run[i].repeat),
 		    site_chart_run(site, i, !entry->train[i]));
+		c->item[c->n - 1].part = part;
 		c->item[c->n - 1].near = site_run_is_near(site, i, speed, 1);
 		c->moved = fmax(c->moved, moved_by(s, entry, params, i, feed));
 	}
@@ -414,7 +433,8 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 			    "%s has no feed sampled at %g m/s\n"
 			    "run 'show feed' for its feeds",
 			    site->name, q->other_feed);
-		second->p = make_prediction(c, s, second->whose, own, v, feed);
+		second->p =
+		    make_prediction(c, s, q, second->whose, own, v, feed);
 	}
 	char *name = xasprintf("%s %s%s%g m/s",
 	    s->pin != NULL && q->kept == &s->pin->p ? tr("pin")
@@ -486,9 +506,11 @@ make_first(struct curves *c, struct session *s, const struct plot_request *q,
 {
 	const struct entry *entry = q->entry;
 	const struct prediction *one =
-	    q->made != NULL ? q->made
-			    : make_prediction(c, s, entry, params, speed, feed);
-	add_part(c, s, entry, one);
+	    q->made != NULL
+		? q->made
+		: make_prediction(c, s, q, entry, params, speed, feed);
+	if (!fraction_screens(&q->fraction))
+		add_part(c, s, entry, one);
 	return one;
 }
 
@@ -510,7 +532,8 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 		return NULL;
 	}
 	add_feed(&c, site, feed);
-	add_measured(&c, s, entry, known ? &params : NULL, speed, feed);
+	add_measured(
+	    &c, s, entry, &q->fraction, known ? &params : NULL, speed, feed);
 	const struct prediction *one =
 	    known ? make_first(&c, s, q, &params, speed, feed) : NULL;
 	if (!add_second(
@@ -520,12 +543,14 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	}
 	if (known)
 		add_predicted(&c, s, q, one);
+	char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
-		known                     ? N_("product at %.1f m/s")
+		known                     ? N_("product at %.1f m/s%s")
 		: site_products(site) > 0 ? N_("feed and products")
 					  : N_("feed"),
-		speed);
+		speed, fraction);
+	free(fraction);
 	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	put_curves(chart, &c);
 	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
@@ -566,12 +591,15 @@ sweep_chart(
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
 		add_product(&c,
-		    make_prediction(&c, s, entry, &params, speed[i], feed),
+		    make_prediction(&c, s, q, entry, &params, speed[i], feed),
 		    xasprintf(tr("predicted %g m/s"), speed[i]),
 		    site_chart_look(i));
 	free(usual);
-	struct chart *chart = site_chart(site, sieves_of(&c),
-	    axis_percent(tr("passing, %")), "products at %zu speeds", n);
+	char *fraction = screened_title(&q->fraction);
+	struct chart *chart =
+	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
+		"products at %zu speeds%s", n, fraction);
+	free(fraction);
 	put_curves(chart, &c);
 	free_curves(&c);
 	return chart;
@@ -636,7 +664,8 @@ residuals_chart(
 		return NULL;
 	}
 	double middle = site_middle(site);
-	add_measured(&c, s, q->entry, NULL, middle, SITE_MEAN_FEED);
+	const struct fraction whole = {0};
+	add_measured(&c, s, q->entry, &whole, NULL, middle, SITE_MEAN_FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
 	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {

@@ -30,10 +30,9 @@ struct drawn {
 	struct quantity q[MOST];
 	struct condition_list limits;
 	double from, to, moved;
-	double (*value)[3]; /* [n * POINTS] */
+	struct fraction fraction; /* of quantities that name none */
+	double (*value)[3];       /* [n * POINTS] */
 };
-
-static const struct partition IDEAL = {0, 1};
 
 /* Sieves whose passings are well apart at a speed: those nearest to 80, 50 and
  * 20 %, and the finest one. */
@@ -41,18 +40,23 @@ static void
 take_usual(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
-	const struct entry *entry = d->entry;
+	const struct question asked = {
+	    .entry = d->entry, .feed = d->feed, .fraction = d->fraction};
 	struct prediction p =
-	    forecast_whole(s, entry, site_middle(entry->site), d->feed);
+	    forecast_product(s, &asked, site_middle(d->entry->site));
 	const struct psd *product = &p.product;
+	size_t first = 0;
+	while (first + 1 < product->n && product->passing[first] >= 1)
+		first++;
 	for (size_t k = 0; k < ARRAY_LEN(WANTED); k++) {
-		size_t best = 0;
-		for (size_t i = 1; i < product->n; i++)
+		size_t best = first;
+		for (size_t i = first + 1; i < product->n; i++)
 			if (fabs(product->passing[i] - WANTED[k]) <
 			    fabs(product->passing[best] - WANTED[k]))
 				best = i;
-		struct quantity q = {
-		    .kind = QUANTITY_PASSING, .x = product->size[best]};
+		struct quantity q = {.kind = QUANTITY_PASSING,
+		    .x = product->size[best],
+		    .fraction = d->fraction};
 		if (d->n == 0 || d->q[d->n - 1].x > q.x)
 			d->q[d->n++] = q;
 	}
@@ -98,22 +102,23 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
     struct drawn *d, struct error *error)
 {
 	const struct psd *feed = site_feed(d->entry->site, d->feed);
-	const struct fraction whole = {.partition = IDEAL};
 	size_t n = 0;
 	if (limits != NULL &&
-	    !conditions_read_list(limits, &whole, &d->limits, error))
+	    !conditions_read_list(limits, &d->fraction, &d->limits, error))
 		return false;
 	for (size_t i = 0; i < d->limits.n; i++)
 		if (!conditions_covered(&d->limits.at[i], feed, error))
 			return false;
-	struct quantity *of = of_words != NULL
-				  ? quantities_list(of_words, &IDEAL, &n, error)
-				  : NULL;
+	struct quantity *of =
+	    of_words != NULL
+		? quantities_list(of_words, &d->fraction.partition, &n, error)
+		: NULL;
 	if (of_words != NULL && of == NULL)
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = quantities_covered(&of[i], feed, error) &&
+		ok = quantities_cut(&of[i], &d->fraction, error) &&
+		     quantities_covered(&of[i], feed, error) &&
 		     (take(d, &of[i]) || too_many(error));
 	free(of);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
@@ -386,7 +391,7 @@ plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	struct drawn d = {.entry = entry};
+	struct drawn d = {.entry = entry, .fraction = q->fraction};
 	struct chart *chart = NULL;
 	if (!answers_known(s, entry, error))
 		return NULL;

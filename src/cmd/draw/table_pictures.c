@@ -8,7 +8,7 @@
 	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                       \
 	    "rotor tip speed of psd and selection; default: the middle of "    \
 	    "the runs"},                                                       \
-	    TABLE_TURNS, TABLE_QUESTION,                                       \
+	    TABLE_TURNS, TABLE_QUESTION, TABLE_CUT,                            \
 	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
 		"another speed for comparison"},                               \
 	    {"other_feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",              \
@@ -97,7 +97,8 @@ const struct command TABLE_PICTURES[] = {
 	    "by the misfit with the others refitted and by the draws; "
 	    "correlation: of the draws of all parameters; drift: routine cuts "
 	    "on control charts, as drift follows them; energy: the collision "
-	    "energies loaded. Marks and dashes "
+	    "energies loaded. psd, sweep and response are of a screened "
+	    "fraction with cut=. Marks and dashes "
 	    "distinguish the lines, with "
 	    "and without colour. charset=auto draws with braille dots on a "
 	    "UTF-8 terminal, otherwise with ASCII characters. After >, a file "

@@ -58,7 +58,7 @@ struct value {
 	double *list;
 };
 
-enum { OPTIONS = 24, OPERANDS = 256, EXPECTS = 5 };
+enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5 };
 
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */
