@@ -601,6 +601,29 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	touch_release(&t->touches);
 }
 
+/* Of each speed what predict says there, with its band. */
+static void
+the_curve_above_the_track_is_what_predict_says(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	double speed, value[3];
+	size_t n = 0;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	draw_all(t);
+	for (; above_point(t, n, &speed, value); n++) {
+		struct question q = {
+		    .entry = tui_entry(t), .feed = tui_feed(t)};
+		struct prediction p = forecast_product(t->session, &q, speed);
+		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
+		assert_true(fabs(value[1] - 1000 * p.range[2][0]) < 1e-9);
+		assert_true(fabs(value[2] - 1000 * p.range[2][1]) < 1e-9);
+		prediction_free(&p);
+	}
+	assert_int_equal(n, 41);
+}
+
 static void
 a_point_makes_one_generation(void **state)
 {
@@ -1591,6 +1614,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(what_is_no_goal_stays_in_its_field),
     ON_STAGE(an_envelope_shows_what_binds),
     ON_STAGE(y_goes_round_the_quantities_above_the_track),
+    ON_STAGE(the_curve_above_the_track_is_what_predict_says),
     ON_STAGE(every_letter_is_text_in_a_line),
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),

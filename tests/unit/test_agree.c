@@ -215,6 +215,56 @@ ask_find(struct desk *desk, const struct question *q)
 	    session_known(desk->session, "predict", "p50_mm"), q->size[1]);
 }
 
+/* Both ends of a window are tenths at which predict says the same, and it does
+ * not a tenth further on. */
+static void
+ask_ends(struct desk *desk, const struct question *q, size_t i)
+{
+	double mm = 1000 * q->product.size[i], least = q->product.passing[i];
+	ask(desk, "window \"passing %g > %.17g\"%s", mm, least, q->with);
+	double from = said(desk, NULL, 0, "holds_from");
+	from = isnan(from) ? 65 : from;
+	for (int further = 0; further < 2 && from - further / 10.0 >= 65;
+	     further++) {
+		double v = round(10 * from - further) / 10;
+		ask(desk, "predict %.17g%s", v, q->with);
+		bool holds =
+		    said(desk, "sieve_mm", mm, "passing_pct") >= least - 1e-7;
+		same(q, "window", "end", holds, further == 0);
+	}
+	same(q, "window", "end below", from < q->v + 0.1 + 1e-9, 1);
+}
+
+/* As printed: a report has no more digits. */
+static void
+ask_report(struct desk *desk, const struct question *q, size_t i)
+{
+	char folder[] = "/tmp/agreeXXXXXX", line[2000], row[120], path[40];
+	assert_non_null(mkdtemp(folder));
+	snprintf(path, sizeof path, "%s/r.html", folder);
+	ask(desk, "report speed=%.17g%s > %s", q->v, q->with, path);
+	FILE *file = fopen(path, "r");
+	bool product = false, found = false;
+	snprintf(row, sizeof row, ">%g</td>", 1000 * q->product.size[i]);
+	while (!found && fgets(line, sizeof line, file) != NULL) {
+		product = product || strstr(line, "<h2>Product at") != NULL;
+		const char *cell = strstr(line, row);
+		if (!product || strncmp(line, "<tr>", 4) != 0 || cell == NULL)
+			continue;
+		found = true;
+		for (int k = 0; k < 2; k++)
+			cell = strchr(strchr(cell, '>') + 1, '>');
+		snprintf(row, sizeof row, ">%.1f<", q->product.passing[i]);
+		if (strstr(line, row) == NULL)
+			fail_msg("report at %g m/s%s has not %s: %s", q->v,
+			    q->with, row, line);
+	}
+	assert_true(found);
+	fclose(file);
+	unlink(path);
+	rmdir(folder);
+}
+
 static void
 ask_spec(struct desk *desk, const struct question *q, size_t i)
 {
@@ -273,6 +323,21 @@ predicted(const struct chart *chart)
 	return NULL;
 }
 
+static void
+ask_plot_sweep(struct desk *desk, const struct question *q)
+{
+	struct error error = {0};
+	struct plot_request request = plots_request(PLOT_SWEEP);
+	request.speeds = &q->v;
+	request.n_speed = 1;
+	struct chart *chart = plots_chart(desk->session, &request, &error);
+	const struct chart_series *line = predicted(chart);
+	for (size_t k = 0; k < line->n; k++)
+		same(q, "plot sweep", "passing", line->y[k],
+		    100 * psd_passing(&q->product, line->x[k] / 1000) / 100);
+	chart_free(chart);
+}
+
 /* Pictures and steps of the slider, which know of no other feed than the
  * site's. */
 static void
@@ -302,6 +367,7 @@ ask_plots(struct desk *desk, const struct question *q, size_t i)
 				same(q, "plot response", of,
 				    at->series[0]->y[k], want[c]);
 	chart_free(chart);
+	ask_plot_sweep(desk, q);
 	struct prediction p;
 	assert_true(
 	    predict_step(s, q->v, SITE_MEAN_FEED, "predict", &p, &error));
@@ -330,8 +396,10 @@ ask_all(struct desk *desk, struct question *q, struct draw *draw)
 	ask_figures(desk, q, i);
 	ask_why(desk, q);
 	ask_find(desk, q);
+	ask_ends(desk, q, i);
 	ask_spec(desk, q, i);
 	ask_others(desk, q, i);
+	ask_report(desk, q, i);
 	if (q->with[0] == '\0')
 		ask_plots(desk, q, i);
 	psd_free(&q->product);

@@ -171,6 +171,17 @@ work_out(struct tui *t)
 	forecast_close(f);
 }
 
+bool
+above_point(
+    const struct tui *t, size_t i, double *speed, double value[static 3])
+{
+	if (!is_fresh(t) || i >= POINTS)
+		return false;
+	*speed = speed_at(t, (double)i / (POINTS - 1));
+	memcpy(value, t->above->value[i], 3 * sizeof *value);
+	return true;
+}
+
 double
 above_wait(const struct tui *t)
 {

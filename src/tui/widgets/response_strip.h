@@ -26,6 +26,11 @@ void above_next(struct tui *t, int by);
  * just been moved: some 10 ms.  Without a terminal all of it. */
 void above_update(struct tui *t);
 
+/* Point i of the curve, from the slowest speed on: value, low and high as they
+ * are shown.  False where it is not known, or there are no more. */
+bool above_point(
+    const struct tui *t, size_t i, double *speed, double value[static 3]);
+
 /* How long until there is such a part to work out, s; INFINITY: none. */
 double above_wait(const struct tui *t);
 
