@@ -178,8 +178,11 @@ ask_figures(struct desk *desk, const struct question *q, size_t i)
 	same(q, "card", "P80", said(desk, NULL, 0, "p80_mm"), q->size[2]);
 	ask(desk, "compare %.17g 77%s", q->v, q->with);
 	snprintf(column, sizeof column, "passing_pct@%g", mm);
-	same(q, "compare", "passing", said_of(desk, "quantity", column, "a"),
-	    q->product.passing[i]);
+	double a = said_of(desk, "quantity", column, "a");
+	same(q, "compare", "passing", a, q->product.passing[i]);
+	same(q, "compare", "difference",
+	    said_of(desk, "quantity", column, "difference"),
+	    said_of(desk, "quantity", column, "b") - a);
 	ask(desk, "flow tph=100 speed=%.17g fractions=0/%g%s", q->v, mm,
 	    q->with);
 	same(q, "flow", "passing", said(desk, NULL, 0, "share_pct"),
