@@ -126,8 +126,8 @@ say_response(const struct subject *a)
 		    "a class, and then jumps");
 }
 
-/* The fraction that is asked about: how much it is, and what a faster rotor does
- * to it. */
+/* The fraction that is asked about: how much it is, and what a faster rotor
+ * does to it. */
 static void
 say_fraction(const struct subject *a)
 {

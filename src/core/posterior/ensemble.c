@@ -49,6 +49,7 @@ struct ensemble {
 	bool *moved[RISING];
 	size_t slowest, fastest;
 	double more, bypass; /* k and bypass of another machine */
+	double answered;     /* the speed of the answers there are, or NAN */
 };
 
 /* The same curve with a point at each of sizes [n], coarsest first, and more
@@ -162,6 +163,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	    .fit = xdoubles(n),
 	    .feed = xdoubles(n),
 	    .delta = xdoubles(p->n_knot * DRAWS),
+	    .answered = NAN,
 	    .more = 1};
 	set_exact(e, p->fit);
 	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++)
@@ -198,6 +200,7 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	set_exact(e, p);
 	set_theta(e);
 	e->bypass = settings.bypass;
+	e->answered = NAN;
 	forget_rising(e);
 }
 
@@ -352,6 +355,7 @@ ensemble_draws_at(struct ensemble *e, double v)
 		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 	e->sampled = false;
+	e->answered = NAN;
 }
 
 /* Speed k of the grid, m/s: even over the speeds that are looked at, and 2 %
@@ -479,6 +483,8 @@ keep_rising(struct ensemble *e, double v)
 void
 ensemble_at(struct ensemble *e, double v)
 {
+	if (v == e->answered)
+		return;
 	if (e->rising[SLOWEST] == NULL)
 		make_rising(e);
 	widen_rising(e, v);
@@ -488,6 +494,7 @@ ensemble_at(struct ensemble *e, double v)
 		make_samples(e);
 		add_bypass(e);
 	}
+	e->answered = v;
 }
 
 const double *
