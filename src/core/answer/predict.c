@@ -183,29 +183,6 @@ predict_selection(const struct psd *feed, const struct params *p,
 	}
 }
 
-static double *
-copy_of(const double *from, size_t n)
-{
-	if (from == NULL)
-		return NULL;
-	double *to = xdoubles(n);
-	memcpy(to, from, n * sizeof *to);
-	return to;
-}
-
-struct prediction
-prediction_copy(const struct prediction *from)
-{
-	struct prediction to = *from;
-	to.feed = psd_copy(&from->feed);
-	to.product = psd_copy(&from->product);
-	to.curve = psd_copy(&from->curve);
-	to.model = copy_of(from->model, to.product.n);
-	to.low = copy_of(from->low, to.product.n);
-	to.high = copy_of(from->high, to.product.n);
-	return to;
-}
-
 void
 prediction_free(struct prediction *prediction)
 {
