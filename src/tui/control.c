@@ -17,7 +17,6 @@
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
 #include "cmd/answers/predict.h"
 #include "cmd/ask/quantity_words.h"

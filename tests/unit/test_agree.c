@@ -183,6 +183,12 @@ ask_figures(struct desk *desk, const struct question *q, size_t i)
 	same(q, "compare", "difference",
 	    said_of(desk, "quantity", column, "difference"),
 	    said_of(desk, "quantity", column, "b") - a);
+	/* Draws go together: with itself nothing differs. */
+	ask(desk, "compare %.17g %.17g%s", q->v, q->v, q->with);
+	for (size_t k = 0; k < 2 && !isnan(q->low[i]); k++)
+		same(q, "compare", "band of no difference",
+		    said_of(desk, "quantity", column, k == 0 ? "low" : "high"),
+		    0);
 	ask(desk, "flow tph=100 speed=%.17g fractions=0/%g%s", q->v, mm,
 	    q->with);
 	same(q, "flow", "passing", said(desk, NULL, 0, "share_pct"),

@@ -6,17 +6,13 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/question.h"
-#include "cmd/ask/band.h"
 #include "cmd/ask/condition.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 #include "io/sitefile/units.h"
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
@@ -224,8 +220,7 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
 	double rotor = entry->site->rotor;
 	forecast_at(all->forecast, v);
 	struct figure p80 = forecast_figure(all->forecast, P80);
-	struct prediction p = forecast_whole(s, entry, v, all->question->feed);
-	struct trust light = light_of(s, entry, &p);
+	struct trust light = light_at(s, entry, v, all->question->feed);
 	answer_cells(r, "%g", v);
 	if (rotor > 0)
 		answer_cells(r, "%.0f", units_rpm(v, rotor));
@@ -242,7 +237,6 @@ add_row(struct answer *r, struct session *s, struct asked *all, double v,
 		add_limits(r, all, v);
 	answer_cells(r, "%s", tr(LIGHT_NAME[light.light]));
 	light_worse(worst, light);
-	prediction_free(&p);
 }
 
 static void

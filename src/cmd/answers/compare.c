@@ -17,13 +17,12 @@
 #include "cmd/draw/plots.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* One of the two, with its name for people. */
+/* One of the two, with its name for people; what is pinned is borrowed. */
 struct side {
 	const struct entry *entry;
 	struct question q;
@@ -234,7 +233,7 @@ take_pinned(struct session *s, const struct args *args, struct side *side,
 		return false;
 	const struct entry *entry = &s->entry[at];
 	side->entry = entry;
-	side->p = prediction_copy(&pin->p);
+	side->p = pin->p;
 	side->pinned = true;
 	return true;
 }
@@ -395,7 +394,8 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		session_answer(s, comparison(s, side));
 	}
 	for (size_t i = 0; i < 2; i++) {
-		prediction_free(&side[i].p);
+		if (!side[i].pinned)
+			prediction_free(&side[i].p);
 		question_free(s, &side[i].q);
 		free(side[i].head);
 	}

@@ -7,12 +7,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/question.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
-#include "cmd/ask/feed.h"
 #include "core/answer/mass_balance.h"
 #include "io/sitefile/units.h"
 

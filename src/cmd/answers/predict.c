@@ -8,11 +8,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/band.h"
 #include "cmd/ask/fraction.h"
 #include "cmd/draw/plot.h"
 #include "cmd/draw/plots.h"
-#include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
@@ -327,7 +325,7 @@ explained(const struct session *s, const struct question *q,
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
 		answer_put_columns(r, "low_pct high_pct");
-		band_put(o, s, p);
+		answers_put_band(o, s, p);
 	}
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(

@@ -16,7 +16,6 @@
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/run/line.h"
-#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
@@ -200,9 +199,7 @@ static void
 put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = ask->q->entry;
-	struct prediction p =
-	    forecast_whole(s, entry, ask->speed, ask->q->feed);
-	struct trust t = light_of(s, entry, &p);
+	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
 	char number[32];
 	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),
 	    tr(LIGHT_NAME[t.light]),
@@ -216,7 +213,6 @@ put_light(struct session *s, const struct ask *ask)
 		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
 	free(words);
 	trust_free(&t);
-	prediction_free(&p);
 }
 
 /* "; met from 73.04 to 76.18 m/s", or the nearest miss. */

@@ -13,7 +13,6 @@
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "core/model/classes.h"
 #include "core/model/breakage.h"

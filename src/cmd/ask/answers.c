@@ -337,12 +337,9 @@ answers_show_basis_at(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
 	/* Of a feed alone a search that found nothing has no speed. */
-	struct prediction p = {0};
-	if (speed > 0)
-		p = forecast_whole(s, q->entry, speed, q->feed);
-	answers_show_basis(
-	    s, r, q, speed, band, light_of(s, q->entry, speed > 0 ? &p : NULL));
-	prediction_free(&p);
+	answers_show_basis(s, r, q, speed, band,
+	    speed > 0 ? light_at(s, q->entry, speed, q->feed)
+		      : light_of(s, q->entry, NULL));
 }
 
 enum light
@@ -376,6 +373,17 @@ answers_put_sizes(struct fields *o, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		fields_number(o, ANSWERS_KEYS[i], answers_size(p, i));
+}
+
+void
+answers_put_band(
+    struct fields *o, const struct session *s, const struct prediction *p)
+{
+	for (size_t i = 0; i < ANSWERS_SIZES && p->low != NULL; i++)
+		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * p->range[i][0],
+		    1000 * p->range[i][1]);
+	if (p->low != NULL)
+		fields_put(o, "level %g", 100 * settings_level(&s->set));
 }
 
 void

@@ -119,6 +119,10 @@ void answers_put_pair(
     struct fields *o, const char *key, double low, double high);
 void answers_put_sizes(struct fields *o, const struct prediction *p);
 
+/* Puts the ranges of the sizes and "level", where it has a band. */
+void answers_put_band(
+    struct fields *o, const struct session *s, const struct prediction *p);
+
 /* "classes" or "continuous". */
 const char *answers_method(enum method method);
 

@@ -91,3 +91,32 @@ fit_settings_agree(
 	    "this appearance works with the method classes only\n"
 	    "run 'set method classes' or 'set appearance ratio'");
 }
+
+void
+fit_band(const struct posterior *p, const struct session *s,
+    const struct params *fit, size_t j, double range[static 2])
+{
+	double value[POSTERIOR_DRAWS];
+	const char *name = breakage_of(fit)->parameter[j].name;
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		value[d] = params_value(&p->draw[d].params, name);
+	ensemble_range(value, settings_level(&s->set), fit->at[j], range);
+}
+
+void
+fit_put_bands(struct fields *o, const struct session *s,
+    const struct posterior *posterior, const struct params *fit)
+{
+	const struct breakage *of = breakage_of(fit);
+	if (posterior == NULL) {
+		fields_put(o, "interval %g", NAN);
+		return;
+	}
+	struct fields *interval = fields_object(o, "interval");
+	for (size_t j = 0; j < of->n; j++) {
+		double range[2];
+		fit_band(posterior, s, fit, j, range);
+		fields_put(fields_list(interval, of->parameter[j].name),
+		    "%g %g", range[0], range[1]);
+	}
+}

@@ -50,29 +50,19 @@ moved_free(struct moved *m)
 	free(m);
 }
 
-/* The answer of a run's own feed at its speed, at the sieves of its product,
- * passing 0..1, NAN where the feed does not tell; the caller frees.  Beside the
- * answers of the entry, so that their draws stay at hand. */
-static double *
-own_answer(const struct moved *m, const struct session *s,
-    const struct entry *entry, size_t run)
+/* Passings of sieves at a speed, formed of a feed. */
+static struct forecast *
+passings(const struct session *s, const struct question *q,
+    const struct psd *sieves, double speed)
 {
-	const struct psd *product = &entry->site->run[run].product;
-	struct quantity *asked = xcalloc(product->n, sizeof *asked);
-	double *passing = xdoubles(product->n);
-	for (size_t i = 0; i < product->n; i++)
+	struct quantity *asked = xcalloc(sieves->n, sizeof *asked);
+	for (size_t i = 0; i < sieves->n; i++)
 		asked[i] = (struct quantity){
-		    .kind = QUANTITY_PASSING, .x = product->size[i]};
-	struct response *r =
-	    outlook_response(s, entry, &m->params, run, asked, product->n);
-	response_answer_at(r, entry->site->run[run].speed);
-	for (size_t i = 0; i < product->n; i++)
-		passing[i] = psd_covers(&entry->site->run[run].feed, asked[i].x)
-				 ? response_value(r, i)
-				 : NAN;
-	response_free(r);
+		    .kind = QUANTITY_PASSING, .x = sieves->size[i]};
+	struct forecast *f = forecast_open(s, q, asked, sieves->n);
+	forecast_at(f, speed);
 	free(asked);
-	return passing;
+	return f;
 }
 
 /* Passings stay between 0 and 1, and fall with the size. */
@@ -85,13 +75,15 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	*product = psd_copy(&r->product);
 	if (product->n == 0 || psd_same(&r->feed, site_feed(m->site, m->feed)))
 		return;
-	const struct question q = {
+	struct question q = {
 	    .entry = entry, .feed = m->feed, .params = &m->params};
-	struct prediction to = forecast_product(s, &q, r->speed);
-	double *own = own_answer(m, s, entry, run);
+	struct question own = q;
+	own.feed = run;
+	struct forecast *to = passings(s, &q, product, r->speed);
+	struct forecast *from = passings(s, &own, product, r->speed);
 	for (size_t i = 0; i < product->n; i++) {
-		double more =
-		    psd_at_sieve(&to.curve, product->size[i]) - own[i];
+		double more = forecast_figure(to, i).value -
+			      forecast_figure(from, i).value;
 		if (!isfinite(more))
 			more = 0;
 		double most = i > 0 ? product->passing[i - 1] : 1;
@@ -99,8 +91,8 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 		    fmin(fmax(product->passing[i] + more, 0), most);
 		m->most[run] = fmax(m->most[run], fabs(more));
 	}
-	prediction_free(&to);
-	free(own);
+	forecast_close(to);
+	forecast_close(from);
 }
 
 void

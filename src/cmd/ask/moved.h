@@ -22,8 +22,8 @@ void moved_free(struct moved *moved);
 /* Keeps nothing; to be told where a site goes. */
 void moved_forget(struct moved *moved);
 
-/* The product of a run moved to a feed, see site_feed, by parameters as
- * outlook_form takes them; as measured where there are none (NULL), where the
+/* The product of a run moved to a feed, see site_feed, by these
+ * parameters; as measured where there are none (NULL), where the
  * feeds are the same, and at sieves that the run's feed lacks.  Borrowed, until
  * another site, feed or other parameters are asked for. */
 const struct psd *moved_product(const struct session *s,

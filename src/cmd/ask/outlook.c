@@ -292,17 +292,18 @@ outlook_ensemble(
 	/* A feed that all runs share is the same whichever it is asked of. */
 	if (!entry->site->individual_feeds)
 		feed_run = 0;
-	struct ensemble_of of = {p, entry->site, feed_run};
-	if (h->ensemble != NULL && memcmp(&of, &h->ensemble_of, sizeof of) == 0)
-		return h->ensemble;
-	ensemble_free(h->ensemble);
+	struct ensemble_of *kept = &h->kept[feed_run < entry->site->n_run];
+	if (kept->ensemble != NULL && kept->posterior == p &&
+	    kept->site == entry->site && kept->feed_run == feed_run)
+		return kept->ensemble;
+	ensemble_free(kept->ensemble);
 	const struct psd *feed = site_feed(entry->site, feed_run);
 	struct psd sizes = predict_sizes(entry->site, feed);
-	h->ensemble = ensemble_new(p, feed, sizes.size, sizes.n);
-	ensemble_machine(h->ensemble, outlook_settings(s, entry));
-	h->ensemble_of = of;
+	*kept = (struct ensemble_of){p, entry->site, feed_run,
+	    ensemble_new(p, feed, sizes.size, sizes.n)};
+	ensemble_machine(kept->ensemble, outlook_settings(s, entry));
 	psd_free(&sizes);
-	return h->ensemble;
+	return kept->ensemble;
 }
 
 const char *

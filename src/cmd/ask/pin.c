@@ -11,7 +11,6 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 
 void

@@ -10,7 +10,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/parse.h"

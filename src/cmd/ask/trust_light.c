@@ -268,17 +268,25 @@ light_words(const struct trust *t)
 			 : xasprintf("%s: %s", name, t->reason[0].text);
 }
 
-char *
+struct trust
 light_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
 	struct prediction p = forecast_whole(s, entry, speed, feed);
 	struct trust t = light_of(s, entry, &p);
+	prediction_free(&p);
+	return t;
+}
+
+char *
+light_said_at(const struct session *s, const struct entry *entry, double speed,
+    size_t feed)
+{
+	struct trust t = light_at(s, entry, speed, feed);
 	char *words = light_words(&t);
 	char *said = xasprintf(tr("trust at %g m/s: %s"), speed, words);
 	free(words);
 	trust_free(&t);
-	prediction_free(&p);
 	return said;
 }
 

@@ -17,10 +17,12 @@ void light_worse(struct trust *worst, struct trust t);
 struct trust light_worst(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n);
 
-/* The answer's at a speed with the feed of a run, for charts: "trust at 74 m/s:
- * amber: " and the first reason.  The caller frees. */
-char *light_at(const struct session *s, const struct entry *entry, double speed,
-    size_t feed);
+/* That of the answer at a speed with the feed of a run; in words for charts
+ * "trust at 74 m/s: amber: " and the first reason, which the caller frees. */
+struct trust light_at(const struct session *s, const struct entry *entry,
+    double speed, size_t feed);
+char *light_said_at(const struct session *s, const struct entry *entry,
+    double speed, size_t feed);
 
 /* Puts "trust" and "reasons". */
 void light_put(struct fields *o, const struct trust *t);

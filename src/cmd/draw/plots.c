@@ -75,9 +75,9 @@ plots_params(const struct session *s, const struct plot_request *request,
 }
 
 /* Curves to be drawn on one axis.  psd is borrowed, of a prediction that is
- * kept for it, or its own (part); finer: the same curve at more sizes, or NULL.
- * near: of what was measured nearest to the speed; moved: how far any of that,
- * see moved_by. */
+ * kept for it, or its own (part); finer: the same curve at more sizes, or
+ * NULL.  near: of what was measured nearest to the speed; moved: how far any of
+ * that, see moved_by. */
 struct curves {
 	size_t n, n_prediction;
 	struct {

@@ -7,7 +7,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/trust_light.h"
 #include "cmd/ask/routine.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"

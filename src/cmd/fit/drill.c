@@ -16,7 +16,6 @@
 #include "cmd/session/sites.h"
 #include "cmd/session/turn.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
 #include "core/numeric/rng.h"

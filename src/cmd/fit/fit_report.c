@@ -9,7 +9,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/band.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
@@ -202,7 +201,7 @@ add_range(struct answer *r, const struct session *s, const struct posterior *u,
     const struct params *p, size_t j)
 {
 	double range[2];
-	band_parameter(u, s, p, j, range);
+	fit_band(u, s, p, j, range);
 	answer_cells(r, "%.4f %.4f", range[0], range[1]);
 }
 
@@ -352,7 +351,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 		    "next: 'predict %g', or any speed; 'show fit' "
 		    "has the parameters",
 		    answers_usual(entry));
-	band_put_interval(answer_fields(r), s, u, &fit->params);
+	fit_put_bands(answer_fields(r), s, u, &fit->params);
 	return r;
 }
 
@@ -374,7 +373,7 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 	fields_put(answer_fields(r), "what %s", "fit");
 	fit_put(answer_fields(r), entry, light_verdict(s, entry, NULL), NAN);
 	answers_show_basis_of_fit(s, r, entry, u != NULL);
-	band_put_interval(answer_fields(r), s, u, &entry->fit.params);
+	fit_put_bands(answer_fields(r), s, u, &entry->fit.params);
 	return session_answer(s, r);
 }
 

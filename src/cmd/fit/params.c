@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/band.h"
+#include "cmd/ask/fit.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
@@ -43,7 +43,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL) {
 			double range[2];
-			band_parameter(u, s, &entry->params, j, range);
+			fit_band(u, s, &entry->params, j, range);
 			answer_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
 		answer_cells(r, "%s %s", info->unit, tr(info->meaning));

@@ -8,17 +8,14 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
-#include "cmd/ask/band.h"
 #include "cmd/ask/condition.h"
 #include "cmd/draw/flow_chart.h"
 #include "cmd/ask/trust_light.h"
-#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plot.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -419,9 +416,8 @@ judge(const struct plant *p, const struct outcome *o)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		struct prediction at = forecast_whole(p->s, entry,
+		struct trust t = light_at(p->s, entry,
 		    plant_speed(unit, o->speed), p->plan->question->feed);
-		struct trust t = light_of(p->s, entry, &at);
 		double off = feed_difference(p, o, unit);
 		if (off > other)
 			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
@@ -432,7 +428,6 @@ judge(const struct plant *p, const struct outcome *o)
 				   "feed: it may break differently"),
 				100 * off));
 		light_worse(&worst, t);
-		prediction_free(&at);
 	}
 	return worst;
 }

@@ -10,6 +10,15 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
+static void
+forget_ensembles(struct history *h)
+{
+	for (size_t i = 0; i < ARRAY_LEN(h->kept); i++) {
+		ensemble_free(h->kept[i].ensemble);
+		h->kept[i].ensemble = NULL;
+	}
+}
+
 void
 history_redraw(struct history *h, double noise, unsigned seed)
 {
@@ -21,8 +30,7 @@ history_redraw(struct history *h, double noise, unsigned seed)
 	}
 	posterior_free(posterior_end(h->drawing));
 	h->drawing = NULL;
-	ensemble_free(h->ensemble);
-	h->ensemble = NULL;
+	forget_ensembles(h);
 	h->later.site = NULL;
 	h->alarm.site = NULL;
 	h->noise = noise;
@@ -36,10 +44,8 @@ history_forget(struct history *h, const struct site *site)
 		return;
 	if (h->later.site == site)
 		h->later.site = NULL;
-	if (h->ensemble_of.site != site)
-		return;
-	ensemble_free(h->ensemble);
-	h->ensemble = NULL;
+	if (h->kept[0].site == site || h->kept[1].site == site)
+		forget_ensembles(h);
 }
 
 const struct entry *

@@ -36,7 +36,6 @@ struct history {
 	double weight; /* see calibration_weight */
 	double noise;  /* that they were drawn with, and from */
 	unsigned draw_seed;
-	struct ensemble *ensemble;
 	struct later {
 		const struct site *site; /* NULL: not compared yet */
 		size_t n;
@@ -48,11 +47,14 @@ struct history {
 		const struct posterior *posterior;
 		enum drift_state state;
 	} alarm;
+	/* Of the mean of several feeds, and of one of a run's own or another
+	 * sheet's, so that what was measured can be moved between the two. */
 	struct ensemble_of {
 		const struct posterior *posterior;
 		const struct site *site;
 		size_t feed_run;
-	} ensemble_of;
+		struct ensemble *ensemble; /* NULL: none is kept */
+	} kept[2];
 };
 
 /* Never changed once made, and shared by the entries and snapshots that hold

@@ -8,11 +8,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/band.h"
 #include "cmd/sheets/data.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/blended.h"
@@ -154,7 +152,7 @@ give_product(
 		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
 		fields_numbers(answer_fields(r), "high_pct", p.high,
 		    p.product.n, units_pct);
-		band_put(answer_fields(r), s, &p);
+		answers_put_band(answer_fields(r), s, &p);
 	}
 	answers_show_basis_at(s, r, q, v, p.low != NULL);
 	prediction_free(&p);

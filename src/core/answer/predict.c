@@ -82,7 +82,8 @@ predict_asks(const struct site *site, const struct psd *feed,
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		asked[(*n)++] = (struct quantity){
 		    .kind = QUANTITY_SIZE, .x = PSD_PASSING[i]};
-	asked[(*n)++] = (struct quantity){.kind = QUANTITY_SHARE};
+	if (fraction_screens(fraction))
+		asked[(*n)++] = (struct quantity){.kind = QUANTITY_SHARE};
 	for (size_t i = 0; i < *n; i++)
 		asked[i].fraction = *fraction;
 	psd_free(&sieves);
@@ -117,6 +118,8 @@ predict_table(const struct site *site, size_t feed_run,
 	struct prediction p = {.speed = speed,
 	    .energy = energy_specific(speed),
 	    .feed_run = feed_run,
+	    .share = 1,
+	    .share_range = {NAN, NAN},
 	    .fraction =
 		fraction_screens(fraction) ? *fraction : (struct fraction){0},
 	    .product = product_sieves(site, feed),
@@ -133,9 +136,11 @@ predict_table(const struct site *site, size_t feed_run,
 	}
 	p.break_size = response_break_size(r);
 	response_break_band(r, level, p.range[PSD_SIZES]);
-	p.share = response_value(r, n + PSD_SIZES);
-	response_band(r, n + PSD_SIZES, level, p.share_range);
-	p.curve = response_part(r, n + PSD_SIZES);
+	if (fraction_screens(fraction)) {
+		p.share = response_value(r, n + PSD_SIZES);
+		response_band(r, n + PSD_SIZES, level, p.share_range);
+	}
+	p.curve = response_part(r, n);
 	return p;
 }
 
@@ -176,29 +181,6 @@ predict_selection(const struct psd *feed, const struct params *p,
 		S[i] = fmin(model_selected(model, speed), 1);
 		model_free(model);
 	}
-}
-
-static double *
-copy_of(const double *from, size_t n)
-{
-	if (from == NULL)
-		return NULL;
-	double *to = xdoubles(n);
-	memcpy(to, from, n * sizeof *to);
-	return to;
-}
-
-struct prediction
-prediction_copy(const struct prediction *from)
-{
-	struct prediction to = *from;
-	to.feed = psd_copy(&from->feed);
-	to.product = psd_copy(&from->product);
-	to.curve = psd_copy(&from->curve);
-	to.model = copy_of(from->model, to.product.n);
-	to.low = copy_of(from->low, to.product.n);
-	to.high = copy_of(from->high, to.product.n);
-	return to;
 }
 
 void

@@ -39,7 +39,6 @@ struct prediction {
 	bool no_daughters; /* p(u) is 0 everywhere: product = feed */
 };
 
-struct prediction prediction_copy(const struct prediction *prediction);
 void prediction_free(struct prediction *prediction);
 
 /* The site's sieves that the feed covers and those of site->shown, coarsest

@@ -31,7 +31,7 @@ struct response {
 	double alone_speed;
 	size_t *above;
 	double *share, *sieve;
-	size_t n;
+	size_t n_sieve, n;
 	struct quantity *asked;
 	double **kept; /* [n][sizes] kept for its fraction; NULL: all */
 	size_t *row;   /* [n] of the size that it is the passing of, or sizes */
@@ -82,6 +82,11 @@ static void
 read_between(
     const struct response *r, const double *P, size_t apart, struct psd *curve)
 {
+	if (curve->n == r->n_sieve) {
+		for (size_t k = 0; k < curve->n; k++)
+			curve->passing[k] = P[k * apart];
+		return;
+	}
 	for (size_t k = 0; k < curve->n; k++) {
 		const double *above = P + r->above[k] * apart;
 		double t = r->share[k];
@@ -122,6 +127,7 @@ response_new(const struct psd *feed, const double *size, size_t n,
 		.above = xcalloc(n, sizeof *r->above),
 		.share = xdoubles(n),
 		.sieve = xdoubles(n_sieve),
+		.n_sieve = n_sieve,
 		.n = n_asked,
 		.asked = xcalloc(n_asked, sizeof *asked),
 		.kept = xcalloc(n_asked, sizeof *r->kept),

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 

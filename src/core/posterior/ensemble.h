@@ -34,7 +34,7 @@ enum ensemble_part {
 /* How many sizes it has. */
 size_t ensemble_sizes(const struct ensemble *e);
 
-/* Moves to tip speed v, m/s. */
+/* Moves to tip speed v, m/s; where it is already, for nothing. */
 void ensemble_at(struct ensemble *e, double v);
 
 /* The same for who wants model and differences only: that no passing falls with

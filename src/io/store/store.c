@@ -776,16 +776,6 @@ store_begin(struct store *store, const char *beginning, size_t most,
 	return ok;
 }
 
-bool
-store_list_all(
-    struct store *store, struct stored_list *list, struct error *error)
-{
-	if (!store_list(store, list, error))
-		return false;
-	stored_table3(list);
-	return true;
-}
-
 /* What is not known stays NULL. */
 static void
 bind_row(sqlite3_stmt *stmt, const struct stored *m)

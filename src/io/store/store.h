@@ -78,10 +78,6 @@ bool store_begin(struct store *store, const char *beginning, size_t most,
     void (*take)(void *data, const char *name), void *data,
     struct error *error);
 
-/* The user's own materials, then those of Table 3. */
-bool store_list_all(
-    struct store *store, struct stored_list *list, struct error *error);
-
 /* Puts n materials, all or none; makes the file, and for the default path its
  * folders.  One of the same name (without case and accents) is replaced, or
  * refused with ERROR_USAGE. */

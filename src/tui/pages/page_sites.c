@@ -15,7 +15,6 @@
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/outlook.h"
 #include "io/sitefile/units.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/control.h"
