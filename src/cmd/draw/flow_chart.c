@@ -79,8 +79,8 @@ flow_chart(const struct plant *p, double from, double to)
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
 	/* That of the middle speed: further out it is as good at most. */
-	char *light = light_said_at(p->s, p->plan->question->entry, (from + to) / 2,
-	    p->plan->question->feed);
+	char *light = light_said_at(p->s, p->plan->question->entry,
+	    (from + to) / 2, p->plan->question->feed);
 	chart_note(chart, "%s", light);
 	free(light);
 	free(unit);

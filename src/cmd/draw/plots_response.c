@@ -383,7 +383,8 @@ make_charts(struct session *s, struct drawn *d)
 		chart_note(last, "%s", outlook_why_none(s, entry));
 	/* Lines reach where nothing was measured, which add_reach tells: the
 	 * light is that of the middle, where it is as good as it gets. */
-	char *light = light_said_at(s, entry, site_middle(entry->site), d->feed);
+	char *light =
+	    light_said_at(s, entry, site_middle(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	free(light);
 	return first;
