@@ -32,8 +32,8 @@ bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
 void fit_put_params(struct fields *o, const struct params *p);
 
 /* The middle of the draws of parameter j of the fit's model, widened to hold
- * the fit's value; and puts that of each as "interval": {"beta1":[low, high],
- * ..}, or null without draws. */
+ * the fit's value; and puts that of each as "interval":
+ * {"beta1":[low, high], ..}, or null without draws. */
 void fit_band(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2]);
 void fit_put_bands(struct fields *o, const struct session *s,

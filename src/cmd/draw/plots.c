@@ -15,6 +15,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/pin.h"
 #include "cmd/draw/plots_difference.h"
@@ -256,13 +257,12 @@ typedef double reading(
     const struct chart *, const struct chart_series *, double);
 
 /* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
- * has a band, or " feed -".  range: the band there, mm, or NULL where it is to
- * be read between the sieves. */
+ * has a band there, or " feed -". */
 static void
 add_reading(char **note, const struct chart *chart,
-    const struct chart_series *s, reading *read, double at, const double *range)
+    const struct chart_series *s, reading *read, double at,
+    const struct figure *band)
 {
-	struct chart_series low = *s, high = *s;
 	int digits = read == chart_at ? 1 : 2;
 	double own = read(chart, s, at);
 	if (isnan(own)) {
@@ -271,47 +271,75 @@ add_reading(char **note, const struct chart *chart,
 	}
 	xappend(note, " %s %.*f %s", s->name, digits, own,
 	    read == chart_at ? "%" : "mm");
-	if (s->low == NULL)
-		return;
-	low.y = s->low;
-	high.y = s->high;
-	low.finer = high.finer = NULL;
-	double a = read(chart, &low, at), b = read(chart, &high, at);
-	if (range != NULL) {
-		a = range[0];
-		b = range[1];
+	if (s->low != NULL && isfinite(band->low) && isfinite(band->high))
+		xappend(note, tr(" (%.*f to %.*f)"), digits, band->low, digits,
+		    band->high);
+}
+
+/* What is pinned has bands at its sieves and of its sizes, and no others. */
+static void
+read_pinned(const struct plot_request *q, const struct prediction *p,
+    struct figure band[static 2])
+{
+	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
+		if (fabs(units_mm(p->product.size[i]) - q->crosshair_mm) < 1e-9)
+			band[0] = (struct figure){
+			    NAN, units_pct(p->low[i]), units_pct(p->high[i])};
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		if (fabs(q->level - 100 * PSD_PASSING[k]) < 1e-9)
+			band[1] = (struct figure){
+			    NAN, 1000 * p->range[k][0], 1000 * p->range[k][1]};
+}
+
+/* The band of a passing, %, and of a size, mm. */
+static void
+read_bands(const struct session *s, const struct plot_request *q,
+    const struct params *params, const struct prediction *p,
+    struct figure band[static 2])
+{
+	const struct question question = {
+	    .entry = q->entry, .feed = p->feed_run, .params = params};
+	const struct quantity asked[] = {{.kind = QUANTITY_PASSING,
+					     .x = q->crosshair_mm / 1000,
+					     .fraction = q->fraction},
+	    {.kind = QUANTITY_SIZE,
+		.x = q->level / 100,
+		.fraction = q->fraction}};
+	struct forecast *f = forecast_open(s, &question, asked, 2);
+	forecast_at(f, p->speed);
+	for (size_t i = 0; i < 2; i++) {
+		struct figure at = forecast_figure(f, i);
+		band[i] = (struct figure){quantities_shown(&asked[i], at.value),
+		    quantities_shown(&asked[i], at.low),
+		    quantities_shown(&asked[i], at.high)};
 	}
-	/* Between sieves the band is a straight line, and the curve is not. */
-	if (isfinite(a) && isfinite(b))
-		xappend(note, tr(" (%.*f to %.*f)"), digits,
-		    fmin(fmin(a, b), own), digits, fmax(fmax(a, b), own));
+	forecast_close(f);
 }
 
 /* A rule, and where there are notes "at 2 mm: feed 16.0 %, measured 69 m/s
  * 29.0 %", and of each curve the size that the level passes; p: the prediction
- * whose band it is, or NULL. */
+ * that has a band, of these parameters, or NULL. */
 static void
-note_crosshair(struct chart *chart, const struct plot_request *q,
+note_crosshair(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct params *params,
     const struct prediction *p)
 {
-	double mm[2], *range = NULL, x = q->crosshair_mm, level = q->level;
+	double x = q->crosshair_mm, level = q->level;
+	struct figure band[2] = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
 	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
 	if (!(q->words & CHART_NOTES))
 		return;
-	for (size_t k = 0; k < PSD_SIZES && p != NULL; k++) {
-		if (fabs(level - 100 * PSD_PASSING[k]) > 1e-9)
-			continue;
-		range = mm;
-		mm[0] = 1000 * p->range[k][0];
-		mm[1] = 1000 * p->range[k][1];
-	}
+	if (p != NULL && p == q->made)
+		read_pinned(q, p, band);
+	else if (p != NULL)
+		read_bands(s, q, params, p, band);
 	char *at = xasprintf(tr("at %g mm:"), x);
 	char *sizes = xasprintf(tr("%g %% pass:"), level);
 	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		add_reading(&at, chart, chart->series[i], chart_at, x, NULL);
-		add_reading(
-		    &sizes, chart, chart->series[i], chart_at_y, level, range);
+		add_reading(&at, chart, of, chart_at, x, &band[0]);
+		add_reading(&sizes, chart, of, chart_at_y, level, &band[1]);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
@@ -562,7 +590,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	note_measured(chart, &c, site);
 	site_chart_moved(chart, c.moved);
 	if (!isnan(q->crosshair_mm))
-		note_crosshair(chart, q, one);
+		note_crosshair(chart, s, q, &params, one);
 	free_curves(&c);
 	return chart;
 }

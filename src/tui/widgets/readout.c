@@ -6,6 +6,7 @@
 
 #include "base/tr.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/forecast.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -43,40 +44,26 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 	screen_text(area, row, 15, look, "%9s", size);
 }
 
-/* Between which sizes the level lies in the band, mm. */
-static void
-level_range(const struct prediction *p, int level, double range[2])
-{
-	double passing = level / 100.0;
-	struct psd edge = p->product;
-	edge.passing = p->high;
-	range[0] = 1000 * psd_size(&edge, passing);
-	edge.passing = p->low;
-	range[1] = 1000 * psd_size(&edge, passing);
-	/* Between sieves the band is a straight line, and the curve is not. */
-	double own = 1000 * psd_size(&p->curve, passing);
-	range[0] = own < range[0] ? own : range[0];
-	range[1] = own > range[1] ? own : range[1];
-	for (size_t k = 0; k < PSD_SIZES; k++)
-		for (size_t i = 0; i < 2 && passing == PSD_PASSING[k]; i++)
-			range[i] = 1000 * p->range[k][i];
-}
-
 /* One row, or two where there is room: the passing there, and the size at the
  * level. */
 static int
 draw_band(const struct tui *t, const struct area *area, int row)
 {
 	const struct prediction *p = &t->shown;
-	double range[2];
 	if (!t->band || p->low == NULL)
 		return row;
 	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
 	    100 * p->low[t->cross_at], 100 * p->high[t->cross_at]);
-	level_range(p, t->level, range);
-	if (row < area->rows && isfinite(range[0]) && isfinite(range[1]))
+	const struct quantity size = {
+	    .kind = QUANTITY_SIZE, .x = t->level / 100.0};
+	const struct question q = {.entry = tui_entry(t), .feed = p->feed_run};
+	struct forecast *f = forecast_open(t->session, &q, &size, 1);
+	forecast_at(f, p->speed);
+	struct figure at = forecast_figure(f, 0);
+	if (row < area->rows && isfinite(at.low) && isfinite(at.high))
 		screen_text(area, row++, 0, 0, "     %5.2f .. %.2f mm",
-		    range[0], range[1]);
+		    1000 * at.low, 1000 * at.high);
+	forecast_close(f);
 	return row;
 }
 
