@@ -251,6 +251,8 @@ run(struct tui *t, const char *line)
 	    strcmp(line, "redo") != 0)
 		take_looks(t);
 	tui_keep_feed(t);
+	if (strcmp(s->set.feed, was.feed) != 0)
+		tui_take_feed(t);
 	control_look(t);
 	if (session_busy(s) && !was_busy)
 		begin_job(t, line);

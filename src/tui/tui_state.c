@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
@@ -74,7 +75,17 @@ void
 tui_keep_feed(struct tui *t)
 {
 	double feed = session_known(t->session, "predict", "feed_mps");
-	t->feed = isfinite(feed) ? feed : 0;
+	if (isfinite(feed))
+		t->feed = feed;
+	else
+		tui_take_feed(t);
+}
+
+void
+tui_take_feed(struct tui *t)
+{
+	double set;
+	t->feed = text_number(t->session->set.feed, &set) ? set : 0;
 }
 
 char *
@@ -82,7 +93,7 @@ tui_where(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	double speed = t->tenths / 10.0;
-	/* What is set is of commands: the slider has the mean. */
+	/* A sheet that is set is of commands: the slider has the mean. */
 	bool mean = !(t->feed > 0) && t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||

@@ -299,9 +299,11 @@ struct slider_range tui_range(const struct tui *t);
 
 /* The run of that site whose feed the slider predicts with, whatever its speed:
  * what changes while it moves is what the speed does.  It is the one that the
- * last prediction took, or stood nearest when there was none. */
+ * last prediction took where that was a run's, else the one that is set, of
+ * which a sheet counts as the mean. */
 size_t tui_feed(const struct tui *t);
 void tui_keep_feed(struct tui *t);
+void tui_take_feed(struct tui *t); /* the one that is set */
 
 /* The measured product of a run as it stands beside the prediction, see
  * moved_product. */

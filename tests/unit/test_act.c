@@ -601,6 +601,28 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	touch_release(&t->touches);
 }
 
+/* As set, a run's feed is the slider's too, and it can be taken back. */
+static void
+a_feed_that_is_set_is_the_sliders(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	draw_all(t);
+	double mean = t->shown.p50;
+	type(t, ":set feed 79\n");
+	draw_all(t);
+	assert_true(t->shown.p50 != mean);
+	assert_string_equal(t->command, "predict speed=74.0 feed=79");
+	desk_expect(stage->desk, "predict 74");
+	assert_true(session_known(t->session, "predict", "p50_mm") ==
+		    1000 * t->shown.p50);
+	type(t, ":set feed mean\n");
+	draw_all(t);
+	assert_true(t->shown.p50 == mean);
+}
+
 /* Of each speed what predict says there, with its band. */
 static void
 the_curve_above_the_track_is_what_predict_says(void **state)
@@ -1615,6 +1637,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(an_envelope_shows_what_binds),
     ON_STAGE(y_goes_round_the_quantities_above_the_track),
     ON_STAGE(the_curve_above_the_track_is_what_predict_says),
+    ON_STAGE(a_feed_that_is_set_is_the_sliders),
     ON_STAGE(every_letter_is_text_in_a_line),
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),
