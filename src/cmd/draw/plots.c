@@ -20,7 +20,9 @@
 #include "cmd/draw/plots_drift.h"
 #include "cmd/draw/plots_energy.h"
 #include "cmd/draw/plots_limits.h"
+#include "cmd/draw/plots_past.h"
 #include "cmd/draw/plots_response.h"
+#include "cmd/draw/plots_runs.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/sites.h"
@@ -49,26 +51,6 @@ plots_request(enum plot_kind kind)
 	    .charset = CHARSET_ASCII,
 	    .words = CHART_ALL,
 	    .strip = PLOTS_STRIP};
-}
-
-bool
-plots_params(const struct session *s, const struct plot_request *request,
-    struct params *params, struct error *error)
-{
-	const struct entry *entry = request->entry;
-	struct plots_past past = plots_past(s, entry);
-	bool search = request->generation > 0 || plots_past_runs(s, entry);
-	if (search && past.n > 0) {
-		if (plots_past_at(entry, &past, request->generation, error) ==
-		    past.n)
-			return false;
-		*params = plots_past_best(&past, request->generation);
-		return true;
-	}
-	if (!answers_known(s, entry, error))
-		return false;
-	*params = entry->params;
-	return true;
 }
 
 /* Curves to be drawn on one axis.  psd is borrowed, or of a prediction that
@@ -175,15 +157,6 @@ free_curves(struct curves *c)
 	free(c->item);
 }
 
-size_t
-plots_left_out(const struct site *site)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		n += site->run[i].product.n > 0 && !site_run_repeats(site, i);
-	return n > PLOTS_MEASURED ? n - PLOTS_MEASURED : 0;
-}
-
 /* Nothing where another feed or machine is asked about. */
 static void
 add_measured(struct curves *c, const struct session *s,
@@ -192,7 +165,7 @@ add_measured(struct curves *c, const struct session *s,
 {
 	const struct site *site = entry->site;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
-		if (!site_run_is_near(site, i, speed, PLOTS_MEASURED))
+		if (!site_run_is_near(site, i, speed, SITE_CHART_RUNS))
 			continue;
 		add_curve(c, moved_product(s, entry, params, i, feed),
 		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
@@ -213,9 +186,9 @@ note_measured(
 				       mark_of(c->item[i].look.mark)->hollow);
 	if (hollow)
 		chart_note(chart, "hollow marks: held out from the fit");
-	if (plots_left_out(site) > 0)
+	if (site_chart_left_out(site) > 0)
 		chart_note(chart, "%zu measured runs are not drawn",
-		    plots_left_out(site));
+		    site_chart_left_out(site));
 }
 
 /* Below curves whose last one is the prediction. */
@@ -501,7 +474,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	struct error unknown = {0};
 	struct second two;
 	/* What was measured is worth a look before there are parameters. */
-	bool known = plots_params(s, q, &params, &unknown);
+	bool known = plots_past_params(s, q, &params, &unknown);
 	if (!known && q->generation > 0) {
 		*error = unknown;
 		return NULL;
@@ -548,7 +521,7 @@ sweep_chart(
 	size_t n = q->n_speed;
 	struct curves c = {0};
 	struct params params;
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	if (n > ARRAY_LEN(c.prediction)) {
 		error_set(error, ERROR_USAGE,
@@ -618,7 +591,7 @@ residuals_chart(
 	const struct site *site = q->entry->site;
 	struct params params;
 	struct curves c = {0};
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
@@ -637,7 +610,7 @@ residuals_chart(
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
 	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near(site, i, middle, PLOTS_MEASURED) ||
+		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS) ||
 		    misfit_covered(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
@@ -796,7 +769,7 @@ selection_chart(
 	const struct site *site = q->entry->site;
 	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	struct params params;
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = site_feed(site, feed_at(site, q->feed_speed));
 	struct curves c = {0};
@@ -819,7 +792,7 @@ appearance_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct params params;
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
@@ -958,6 +931,7 @@ plots_chart(
 		plot_make *make;
 		bool any_site;
 	} KINDS[] = {[PLOT_PSD] = {psd_chart, false},
+	    [PLOT_RUNS] = {plots_runs, false},
 	    [PLOT_PARITY] = {parity_chart, false},
 	    [PLOT_CONVERGENCE] = {plots_search_convergence, false},
 	    [PLOT_SPREAD] = {plots_search_spread, false},

@@ -21,7 +21,7 @@
 		"prediction that is, with its site"},                          \
 	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",                 \
 		"tip speeds of sweep; default 65..85:5, extended or moved to " \
-		"cover the runs"},                                             \
+		"cover the runs; of runs: further ones, as 65,85"},            \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",                  \
 		"psd: shade the 80 % uncertainty band"},                       \
 	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                             \
@@ -79,7 +79,10 @@ const struct command TABLE_PICTURES[] = {
 	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
 	.option = PLOT_OPTIONS,
 	.text =
-	    "psd: feed, measured and predicted products; parity: P20, P50 and "
+	    "psd: feed, measured and predicted products; runs: the product of "
+	    "every run, measured (solid, with marks) and predicted by the "
+	    "model alone from the run's own feed (dashed), with speeds= also "
+	    "at speeds that were not measured; parity: P20, P50 and "
 	    "P80 predicted against measured, at the held-out speeds of all "
 	    "loaded sites; search: how far the candidates of a generation lie "
 	    "from each passing that is fitted, as a bar from the 10th to the "
