@@ -517,6 +517,64 @@ runs_are_drawn_with_their_own_feeds(void **state)
 	chart_free(c);
 }
 
+/* Each material by its name, and all loaded sites that have parameters: a fit
+ * at a bound stands out. */
+static void
+the_map_has_all_loaded_sites(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "load data/sites/umea.csv");
+	desk_expect(desk, "params set f_mat=0.8 e0_min=18.61 alpha=0.92");
+	desk_expect(desk, "use tierp");
+	desk_expect(desk, "bounds f_mat 0.001..0.1");
+	desk_expect(desk, SEARCH);
+	struct plot_request q = plots_request(PLOT_MAP);
+	struct chart *c = chart_of(desk, &q);
+	const struct chart_series *gneiss = series_of(c, "Gneiss"),
+				  *free = series_of(c, "loaded sites"),
+				  *bound = series_of(
+				      c, "loaded, a parameter at its bound");
+	assert_string_equal(gneiss->whose[0].site, "table3/umea");
+	assert_string_equal(gneiss->whose[0].label, "Ume\u00e5");
+	assert_true(gneiss->named);
+	assert_int_equal(free->n, 1);
+	assert_string_equal(free->whose[0].site, "umea");
+	assert_int_equal(bound->n, 1);
+	assert_string_equal(bound->whose[0].site, "tierp");
+	assert_true(bound->mark != free->mark);
+	assert_non_null(strstr(c->about, "loaded sites: reconstructed"));
+	chart_free(c);
+}
+
+/* The caption has what `validate all` says of the model. */
+static void
+parity_says_how_good_it_is(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "load data/sites/umea.csv");
+	desk_expect(desk, "calibrate all seed=3 population=60 generations=30");
+	struct plot_request q = plots_request(PLOT_PARITY);
+	struct chart *c = chart_of(desk, &q);
+	desk_expect(desk, "validate all");
+	assert_int_equal(c->n_note, 3);
+	static const char *const SIZES[] = {"p20", "p50", "p80"};
+	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++) {
+		char name[32], wanted[80];
+		double value[3];
+		static const char *const OF[] = {"bias_pct", "rms_pct", "r2"};
+		for (size_t k = 0; k < ARRAY_LEN(OF); k++) {
+			snprintf(name, sizeof name, "%s.%s", SIZES[i], OF[k]);
+			value[k] =
+			    session_known(desk->session, "validate", name);
+		}
+		snprintf(wanted, sizeof wanted,
+		    "P%s: bias %+.2f %%, RMS %.2f %%, R2 %.4f; 2 runs",
+		    SIZES[i] + 1, value[0], value[1], value[2]);
+		assert_string_equal(c->note[i], wanted);
+	}
+	chart_free(c);
+}
+
 /* A signal is answered while the speeds of a goal are looked for. */
 static void
 a_description_is_stopped(void **state)
@@ -565,6 +623,10 @@ main(void)
 		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		differences_have_a_strip, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		the_map_has_all_loaded_sites, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		parity_says_how_good_it_is, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(runs_are_drawn_with_their_own_feeds,
 		open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(

@@ -20,6 +20,7 @@
 #include "cmd/draw/plots_drift.h"
 #include "cmd/draw/plots_energy.h"
 #include "cmd/draw/plots_limits.h"
+#include "cmd/draw/plots_map.h"
 #include "cmd/draw/plots_past.h"
 #include "cmd/draw/plots_response.h"
 #include "cmd/draw/plots_runs.h"
@@ -630,6 +631,7 @@ struct pairs {
 	size_t n, n_site;
 	char *about;
 	const struct entry **entry;
+	struct validation *v;
 	double (*measured)[3], (*predicted)[3];
 };
 
@@ -647,6 +649,8 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		pairs->entry =
 		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));
 		pairs->entry[n] = entry;
+		pairs->v = xrealloc(pairs->v, n + 1, sizeof *pairs->v);
+		pairs->v[n] = v;
 		pairs->measured =
 		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);
 		pairs->predicted =
@@ -683,11 +687,36 @@ put_pairs(
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct entry *of = pairs->entry[j];
 			p->whose[j] = (struct chart_whose){
-			    xstrdup(of->key), site_source(of->site, "")};
+			    xstrdup(of->key), site_source(of->site, ""), NULL};
 			p->x[j] = pairs->measured[j][i];
 			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
 		}
 	}
+}
+
+/* "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all has it. */
+static void
+note_scores(struct chart *chart, const struct pairs *pairs)
+{
+	const struct validation **v = xcalloc(pairs->n, sizeof(*v));
+	for (size_t j = 0; j < pairs->n; j++)
+		v[j] = &pairs->v[j];
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		char r2[16] = "-";
+		struct validate_score score =
+		    validate_score(v, pairs->n, VALIDATE_MODEL, i);
+		if (score.n == 0)
+			continue;
+		if (!isnan(score.r2))
+			snprintf(r2, sizeof r2, "%.4f", score.r2);
+		chart_note(chart,
+		    tr_n("P%g: bias %+.2f %%, RMS %.2f %%, R2 %s; %zu run",
+			"P%g: bias %+.2f %%, RMS %.2f %%, R2 %s; %zu runs",
+			score.n),
+		    100 * PSD_PASSING[i], 100 * score.bias, 100 * score.rms, r2,
+		    score.n);
+	}
+	free(v);
 }
 
 static struct chart *
@@ -717,6 +746,7 @@ parity_chart(
 		chart = chart_new(title, pairs.about, x, y);
 		free(title);
 		put_pairs(chart, &pairs, x.low, x.high);
+		note_scores(chart, &pairs);
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
@@ -726,6 +756,7 @@ parity_chart(
 	}
 	free(pairs.about);
 	free(pairs.entry);
+	free(pairs.v);
 	free(pairs.measured);
 	free(pairs.predicted);
 	return chart;
@@ -819,100 +850,6 @@ appearance_chart(
 	return chart;
 }
 
-/* Materials of one rock, in a series of their own. */
-static void
-add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
-{
-	struct chart_series look = site_chart_look(chart->n);
-	look.line = CHART_MARKS;
-	struct chart_series *series = chart_add(chart, look, list->n, "%s",
-	    rock[0] != '\0' ? rock : tr("not stated"));
-	series->n = 0;
-	for (size_t i = 0; i < list->n; i++) {
-		if (!text_same(list->item[i].rock, rock))
-			continue;
-		series->x[series->n] =
-		    params_value(&list->item[i].params, "f_mat");
-		series->y[series->n++] =
-		    params_value(&list->item[i].params, "e0_min");
-	}
-}
-
-/* The first of its rock in the list. */
-static bool
-is_first(const struct stored_list *list, size_t at)
-{
-	for (size_t i = 0; i < at; i++)
-		if (text_same(list->item[i].rock, list->item[at].rock))
-			return false;
-	return true;
-}
-
-static void
-add_own(struct chart *chart, const struct entry *entry)
-{
-	struct chart_series *own = chart_add(chart,
-	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1,
-	    "%s", entry->site->name);
-	own->x[0] = params_value(&entry->params, "f_mat");
-	own->y[0] = params_value(&entry->params, "e0_min");
-}
-
-/* Of a large store as many as a chart can show: every so many-th. */
-static bool
-list_some(const struct session *s, struct stored_list *list, size_t *apart,
-    struct error *error)
-{
-	enum { MOST = 1000 };
-	size_t n;
-	if (!store_count(s->store, &n, error))
-		return false;
-	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
-	const struct store_query query = {.apart = *apart};
-	bool ok = store_find(s->store, &query, list, error);
-	stored_table3(list);
-	return ok;
-}
-
-static struct chart *
-map_chart(struct session *s, const struct plot_request *q, struct error *error)
-{
-	struct stored_list list = {0};
-	size_t apart;
-	char number[32];
-	if (!list_some(s, &list, &apart, error))
-		return NULL;
-	const struct entry *entry = q->entry;
-	if (entry != NULL && !entry->has_params)
-		entry = NULL;
-	double f_mat = 0, low = INFINITY, high = 0;
-	for (size_t i = 0; i < list.n + (entry != NULL); i++) {
-		const struct params *p =
-		    i < list.n ? &list.item[i].params : &entry->params;
-		f_mat = fmax(f_mat, params_value(p, "f_mat"));
-		low = fmin(low, params_value(p, "e0_min"));
-		high = fmax(high, params_value(p, "e0_min"));
-	}
-	char *about = apart > 1
-			  ? xasprintf(tr("Table 3 of Grunditz et al. (2021) "
-					 "and the user's own fits, one shown "
-					 "of each %s"),
-				text_exact((double)apart, number))
-			  : xstrdup(tr("Table 3 of Grunditz et al. (2021) "
-				       "and the user's own fits"));
-	struct chart *chart = chart_new(tr("materials by rock"), about,
-	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
-	    axis_linear("e0_min, J m/kg", low, high));
-	free(about);
-	for (size_t i = 0; i < list.n; i++)
-		if (is_first(&list, i))
-			add_rock(chart, &list, list.item[i].rock);
-	if (entry != NULL)
-		add_own(chart, entry);
-	stored_list_free(&list);
-	return chart;
-}
-
 /* In the session's colours; *chart stays NULL where there is none. */
 static void
 make_chart(struct session *s, const struct plot_request *request,
@@ -938,7 +875,7 @@ plots_chart(
 	    [PLOT_RESIDUALS] = {residuals_chart, false},
 	    [PLOT_SELECTION] = {selection_chart, false},
 	    [PLOT_APPEARANCE] = {appearance_chart, false},
-	    [PLOT_MAP] = {map_chart, true},
+	    [PLOT_MAP] = {plots_map, true},
 	    [PLOT_SWEEP] = {sweep_chart, false},
 	    [PLOT_RESPONSE] = {plots_response, false},
 	    [PLOT_PROFILE] = {plots_draws_profile, false},
