@@ -32,7 +32,7 @@ for kind in $kinds; do
 		[ "$(grep -c '^<svg\|^</svg>' "$kind.svg")" = 2 ] ||
 			wrong="$wrong $kind"
 	fi
-	grep -q '>data: .*drawn by tipspeed [0-9]' "$kind.svg" ||
+	tr '\n' ' ' <"$kind.svg" | grep -q '>data: .*drawn by tipspeed [0-9]' ||
 		wrong="$wrong $kind"
 done
 result ${#wrong} "SVG is well formed and names its data and program:$wrong"

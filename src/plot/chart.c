@@ -33,6 +33,7 @@ free_series(struct chart_series *s)
 	for (size_t j = 0; j < s->n && s->whose != NULL; j++) {
 		free(s->whose[j].site);
 		free(s->whose[j].about);
+		free(s->whose[j].label);
 	}
 	free(s->whose);
 	for (size_t j = 0; j < s->n && s->field != NULL; j++)

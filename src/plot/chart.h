@@ -20,9 +20,10 @@ enum chart_line {
 	CHART_DOTTED
 };
 
-/* Whose a point is, where a chart has those of several sites. */
+/* Whose a point is, where a chart has those of several sites.  label: what may
+ * be written beside it, or NULL. */
 struct chart_whose {
-	char *site, *about;
+	char *site, *about, *label;
 };
 
 /* What is drawn around a point instead of a mark: a field a unit wide and high,
@@ -41,15 +42,16 @@ struct chart_field {
  * bars: low..high are a bar at each point instead of a shade, y is not drawn;
  * long dashes make it a heavy one.  beside: drawn so many cells to the right of
  * x.  lifted: its marks stand out of bars, in reverse, with a gap on either
- * side.  whose, field [n]: or NULL.  finer: points of the same curve that
- * chart_at_y reads instead, owned; NULL: none. */
+ * side.  named: labels of its points are written where there is room.  whose,
+ * field [n]: or NULL.  finer: points of the same curve that chart_at_y reads
+ * instead, owned; NULL: none. */
 struct chart_series {
 	char *name;
 	enum series series;
 	enum chart_line line;
 	char ascii, mark;
 	bool fine;
-	bool bars, lifted;
+	bool bars, lifted, named;
 	int beside;
 	size_t n;
 	double *x, *y, *low, *high;

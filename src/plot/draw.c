@@ -771,6 +771,47 @@ draw_rules(struct brush *p)
 	}
 }
 
+/* Whether cells of a row, and one on either side, are among the data and hold
+ * nothing yet. */
+static bool
+is_blank(struct brush *p, int column, int row, int wide)
+{
+	for (int c = column - 1; c <= column + wide; c++)
+		if (c < 0 || c >= p->at.width ||
+		    canvas_at(p->at.canvas, p->at.left + c, p->at.top + row)
+			    ->code != ' ')
+			return false;
+	return true;
+}
+
+/* Right of the mark, or left of it, or not at all. */
+static void
+draw_name(struct brush *p, const struct chart_series *s, size_t i)
+{
+	const char *label = s->whose[i].label;
+	if (label == NULL || !isfinite(s->y[i]))
+		return;
+	int wide = text_width(label), at = column_of(p, s, i);
+	int row = layout_row(&p->at, s->y[i], 1);
+	int right = at + 2, left = at - 1 - wide;
+	if (is_blank(p, right, row, wide))
+		canvas_text(p->at.canvas, p->at.left + right, p->at.top + row,
+		    label, s->series, 0);
+	else if (is_blank(p, left, row, wide))
+		canvas_text(p->at.canvas, p->at.left + left, p->at.top + row,
+		    label, s->series, 0);
+}
+
+static void
+draw_names(struct brush *p)
+{
+	for (size_t i = 0; i < p->at.chart->n; i++) {
+		const struct chart_series *s = p->at.chart->series[i];
+		for (size_t j = 0; j < s->n && s->named; j++)
+			draw_name(p, s, j);
+	}
+}
+
 static void
 draw_data(struct brush *p)
 {
@@ -790,6 +831,7 @@ draw_data(struct brush *p)
 	for (size_t i = 0; i < c->n; i++)
 		draw_marks(p, c->series[i]);
 	draw_fine_marks(p);
+	draw_names(p);
 }
 
 static struct canvas *

@@ -313,6 +313,94 @@ draw_field(struct page *p, const struct chart_series *s, size_t i)
 	    &(struct pen_style){.size = 8, .anchor = PEN_MIDDLE});
 }
 
+/* Places on a page that are taken: by a mark or a name. */
+struct taken {
+	size_t n;
+	struct box {
+		double left, top, right, foot;
+	} * box;
+};
+
+static bool
+is_clear(const struct page *p, const struct taken *taken, struct box box)
+{
+	if (box.left < LEFT || box.right > LEFT + WIDTH || box.top < p->top ||
+	    box.foot > p->top + p->height)
+		return false;
+	for (size_t i = 0; i < taken->n; i++) {
+		const struct box *b = &taken->box[i];
+		if (box.left < b->right && b->left < box.right &&
+		    box.top < b->foot && b->top < box.foot)
+			return false;
+	}
+	return true;
+}
+
+static void
+take(struct taken *taken, struct box box)
+{
+	taken->box = xrealloc(taken->box, taken->n + 1, sizeof *taken->box);
+	taken->box[taken->n++] = box;
+}
+
+/* Right of the mark, left of it, above or below; else not at all. */
+static void
+draw_name(
+    struct page *p, const struct chart_series *s, size_t i, struct taken *taken)
+{
+	enum { LETTERS_HIGH = 7, APART = 5 };
+	const double letter = 4.2;
+	const char *label = s->whose[i].label;
+	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
+	double wide = letter * text_width(label);
+	const double left[] = {
+	    x + APART, x - APART - wide, x - wide / 2, x - wide / 2};
+	const double foot[] = {
+	    y + 3, y + 3, y - APART, y + APART + LETTERS_HIGH};
+	for (size_t k = 0; k < ARRAY_LEN(left); k++) {
+		struct box box = {
+		    left[k], foot[k] - LETTERS_HIGH, left[k] + wide, foot[k]};
+		if (!is_clear(p, taken, box))
+			continue;
+		take(taken, box);
+		p->pen->text(p->pen, left[k], foot[k], label,
+		    &(struct pen_style){
+			.size = LETTERS_HIGH, .series = s->series});
+		return;
+	}
+}
+
+static void
+draw_names(struct page *p)
+{
+	const double half = 3;
+	const struct chart *c = p->chart;
+	struct taken taken = {0};
+	for (size_t i = 0; i < c->n; i++)
+		for (size_t j = 0; j < c->series[i]->n; j++) {
+			double x = page_x(p, c->series[i]->x[j]),
+			       y = page_y(p, c->series[i]->y[j]);
+			if (c->series[i]->mark != 0)
+				take(&taken, (struct box){x - half, y - half,
+						 x + half, y + half});
+		}
+	for (size_t i = 0; i < c->n; i++)
+		for (size_t j = 0; j < c->series[i]->n && c->series[i]->named;
+		     j++)
+			if (c->series[i]->whose[j].label != NULL)
+				draw_name(p, c->series[i], j, &taken);
+	free(taken.box);
+}
+
+static bool
+has_names(const struct chart *c)
+{
+	bool any = false;
+	for (size_t i = 0; i < c->n; i++)
+		any = any || c->series[i]->named;
+	return any;
+}
+
 static void
 draw_data(struct page *p)
 {
@@ -339,6 +427,8 @@ draw_data(struct page *p)
 				draw_mark(p, s, page_x(p, s->x[j]) + beside(s),
 				    page_y(p, s->y[j]));
 		}
+	if (has_names(c))
+		draw_names(p);
 }
 
 static void

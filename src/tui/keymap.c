@@ -311,6 +311,8 @@ back(struct tui *t)
 		watch_keep(t);
 	else if (predict && t->cross)
 		page_predict_cross(t);
+	else if (predict && t->runs)
+		t->runs = false;
 	else if (t->focus != NULL && !pages_open(t)->takes_focus)
 		t->focus = NULL;
 	else if (!predict)

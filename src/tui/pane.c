@@ -95,9 +95,10 @@ draw_limits(const struct tui *t, int column, bool ascii)
 	free(words);
 }
 
-/* What was measured: each run's mark, and how many have none. */
+/* What was measured: each run's mark, whether any is moved to the feed, and how
+ * many have none. */
 static int
-draw_runs(const struct tui *t, int column, const struct entry *entry)
+draw_runs(const struct tui *t, int column, const struct entry *entry, bool may)
 {
 	const struct site *site = entry->site;
 	char text[64];
@@ -106,7 +107,7 @@ draw_runs(const struct tui *t, int column, const struct entry *entry)
 		bool held_out = !entry->train[r];
 		if (site_run_repeats(site, r) ||
 		    !site_run_is_near(
-			site, r, t->tenths / 10.0, PLOTS_MEASURED))
+			site, r, t->tenths / 10.0, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look = site_chart_run(site, r, held_out);
 		char *sample = chart_sample(&look, screen_charset());
@@ -114,13 +115,13 @@ draw_runs(const struct tui *t, int column, const struct entry *entry)
 		    site->run[r].speed, held_out ? tr(" held out") : "");
 		free(sample);
 		column = draw_name(t, column, look.series, LOOK_BOLD, text);
-		moved = moved || tui_moved(t, r);
+		moved = moved || (may && tui_moved(t, r));
 	}
 	if (moved)
 		column = draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
-	if (plots_left_out(site) > 0) {
+	if (site_chart_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
-		    plots_left_out(site));
+		    site_chart_left_out(site));
 		column = draw_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
@@ -138,7 +139,11 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	if (entry == NULL)
 		return;
 	const struct site *site = entry->site;
-	if (t->now.site[0] != '\0') {
+	bool runs = request->kind == PLOT_RUNS;
+	if (runs && entry->has_params)
+		column = draw_name(t, column, SERIES_TEXT, 0,
+		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
+	else if (!runs && t->now.site[0] != '\0') {
 		snprintf(text, sizeof text, tr("%s predicted%s"),
 		    ascii ? "#" : "\u2500",
 		    outlook_short(t->session, tui_entry(t), &t->shown));
@@ -148,13 +153,16 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	if (request->kept != NULL)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
-	column = draw_runs(t, column, entry);
-	if (site->individual_feeds && t->feed > 0)
+	column = draw_runs(t, column, entry, !runs);
+	if (site->individual_feeds && t->feed > 0 && !runs)
 		snprintf(sample, sizeof sample, " %g", t->feed);
-	snprintf(
-	    text, sizeof text, tr("%s feed%s"), ascii ? "." : "\u2508", sample);
+	snprintf(text, sizeof text, tr("%s feed%s"),
+	    ascii  ? "."
+	    : runs ? "\u2500"
+		   : "\u2508",
+	    sample);
 	column = draw_name(t, column, SERIES_FEED, 0, text);
-	if (t->now.site[0] == '\0')
+	if (runs || t->now.site[0] == '\0')
 		return;
 	column = draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));
@@ -166,8 +174,9 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 {
 	enum { TALL = 20 };
 	struct area plot = t->places.plot;
-	bool below = request->kind != PLOT_PSD && t->places.legend.rows > 0;
-	request->strip = t->places.strip.rows;
+	bool psd = request->kind == PLOT_PSD, runs = request->kind == PLOT_RUNS;
+	bool below = !psd && !runs && t->places.legend.rows > 0;
+	request->strip = psd ? t->places.strip.rows : 0;
 	plot.rows += t->places.strip.rows;
 	if (request->strip == 0 && (plot.rows >= TALL || below)) {
 		request->words |= CHART_LEGEND | (notes ? CHART_NOTES : 0);

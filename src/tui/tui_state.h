@@ -205,6 +205,7 @@ struct tui {
 	int rows_at;           /* tenths they are of; 0: of another session */
 	size_t looked;         /* counts what may have changed the session */
 	struct limits *limits; /* see limits.h, owned, or NULL */
+	bool runs;             /* page Predict has plot runs for its curves */
 	enum second second;    /* right of the curves */
 	struct second_plot *second_plot; /* see second.h, likewise */
 	char *under_way;   /* line that is run, or NULL */

@@ -1612,10 +1612,34 @@ a_question_is_answered_by_y_alone(void **state)
 	((struct stage *)*state)->was = screen_aside(5, 20, CHARSET_ASCII, 0);
 }
 
+/* r; again or Esc: back. */
+static void
+all_runs_are_a_key_of_the_page(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	frame_draw(t);
+	static const char *const BACK[] = {"r", "Esc"};
+	for (size_t i = 0; i < ARRAY_LEN(BACK); i++) {
+		press(t, "r");
+		frame_draw(t);
+		assert_int_equal(t->drawn[0].request.kind, PLOT_RUNS);
+		char *words = page_predict.words(t);
+		assert_string_equal(words, "runs");
+		free(words);
+		press(t, BACK[i]);
+		frame_draw(t);
+		if (t->drawn[0].request.kind != PLOT_PSD)
+			fail_msg("%s does not lead back", BACK[i]);
+	}
+}
+
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
 static const struct CMUnitTest TESTS[] = {
+    ON_STAGE(all_runs_are_a_key_of_the_page),
     ON_STAGE(a_step_predicts_once_and_says_nothing),
     ON_STAGE(a_shows_the_answer_of_the_correction),
     ON_STAGE(a_line_stops_no_search_unsaid),

@@ -237,6 +237,34 @@ the_paper_preset_is_another_search_without_polish(void **state)
 	assert_true(plain->misfit > best.misfit);
 }
 
+/* No stop but its tolerance, Table 2's bounds whatever the session's are; what a
+ * polished search finds from the same options is said, and not held against
+ * it. */
+static void
+the_paper_preset_says_what_it_leaves(void **state)
+{
+	struct desk *desk = *state;
+	assert_true(desk_say(desk, "bounds alpha 0.5"));
+	assert_true(desk_say(desk, "calibrate preset=paper seed=3 "
+				   "population=600 generations=120"));
+	const struct fit *fit = &session_entry(desk->session)->fit;
+	assert_int_equal(fit->generations, 120);
+	assert_int_equal(fit->stop, CALIBRATE_GENERATIONS);
+	assert_true(fit->params.at[PARAM_ALPHA] != 0.5);
+	double lowest = fit->lowest, above = 100 * (fit->misfit / lowest - 1);
+	char wanted[80];
+	snprintf(wanted, sizeof wanted, "ends %.*f %% above the lowest misfit",
+	    above < 10 ? 1 : 0, above);
+	fflush(desk->session->out);
+	assert_non_null(strstr(desk->out, wanted));
+	assert_non_null(strstr(desk->out, "good fit"));
+	assert_null(strstr(desk->out, "doubtful"));
+	assert_true(desk_say(desk, "bounds default"));
+	assert_true(desk_say(desk, "calibrate seed=3"));
+	assert_true(fabs(fit->misfit / lowest - 1) < 1e-9);
+	assert_true(fit->lowest == 0);
+}
+
 static void
 a_flat_direction_raises_the_misfit_by_a_tenth(void **state)
 {
@@ -529,6 +557,7 @@ main(void)
 	    WITH_SITE(a_new_calibration_replaces_a_paused_one),
 	    WITH_SITE(all_sites_give_what_each_gives_alone),
 	    WITH_SITE(the_paper_preset_is_another_search_without_polish),
+	    WITH_SITE(the_paper_preset_says_what_it_leaves),
 	    WITH_SITE(a_flat_direction_raises_the_misfit_by_a_tenth),
 	    WITH_SITE(standard_deviations_weigh_when_asked_for),
 	    WITH_SITE(edited_bounds_are_told),

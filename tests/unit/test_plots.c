@@ -12,6 +12,8 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots.h"
+#include "cmd/draw/plots_past.h"
+#include "cmd/draw/site_chart.h"
 #include "cmd/session/turn.h"
 
 static const char PARAMS_SET[] =
@@ -62,11 +64,20 @@ every_kind_fits_every_size(void **state)
 		}
 }
 
+static bool
+is_of_a_run(enum series series)
+{
+	return series >= SERIES_MEASURED_1 && series <= SERIES_MEASURED_4;
+}
+
 /* Without colour: by mark, or by line where there are none; in ASCII a line has
- * its character. */
+ * its character.  Predicted runs are told by the marks that they run along. */
 static bool
 look_alike(const struct chart_series *a, const struct chart_series *b)
 {
+	if (a->line == CHART_DASHED && is_of_a_run(a->series) &&
+	    is_of_a_run(b->series))
+		return a->ascii == b->ascii;
 	if (a->mark != b->mark)
 		return false;
 	return a->mark != 0 || a->line == b->line || a->ascii == b->ascii;
@@ -90,12 +101,6 @@ no_two_series_look_alike(void **state)
 	}
 }
 
-static bool
-is_of_a_run(enum series series)
-{
-	return series >= SERIES_MEASURED_1 && series <= SERIES_MEASURED_4;
-}
-
 /* Only what belongs to a measured run has a run's colour, and that its own. */
 static void
 colours_of_runs_are_of_runs_alone(void **state)
@@ -104,7 +109,7 @@ colours_of_runs_are_of_runs_alone(void **state)
 	    PLOT_SPREAD, PLOT_SELECTION, PLOT_APPEARANCE, PLOT_MAP, PLOT_SWEEP,
 	    PLOT_RESPONSE, PLOT_PROFILE, PLOT_CORRELATION};
 	static const enum plot_kind RUNS[] = {
-	    PLOT_PSD, PLOT_RESIDUALS, PLOT_SEARCH};
+	    PLOT_PSD, PLOT_RUNS, PLOT_RESIDUALS, PLOT_SEARCH};
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
 	for (size_t k = 0; k < ARRAY_LEN(NO_RUN); k++) {
@@ -171,12 +176,12 @@ a_running_search_shows_its_best_so_far(void **state)
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_request(PLOT_PSD);
 	q.entry = session_entry(s);
-	assert_true(plots_params(s, &q, &p, &desk->error));
+	assert_true(plots_past_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_busy(s))
 		session_step(s);
 	assert_true(session_settle(s, true, &desk->error));
-	assert_true(plots_params(s, &q, &p, &desk->error));
+	assert_true(plots_past_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &session_entry(s)->params, sizeof p);
 }
 
@@ -190,7 +195,7 @@ a_generation_shows_its_own_best(void **state)
 	struct params p = {0};
 	q.entry = session_entry(desk->session);
 	q.generation = 7;
-	assert_true(plots_params(desk->session, &q, &p, &desk->error));
+	assert_true(plots_past_params(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
 	q.kind = PLOT_CONVERGENCE;
 	struct chart *c = chart_of(desk, &q);
@@ -401,7 +406,7 @@ all_runs_are_drawn(void **state)
 	size_t marks = 0;
 	for (size_t i = 0; i < c->n; i++)
 		marks += c->series[i]->line == CHART_MARKS;
-	assert_int_equal(marks, PLOTS_MEASURED);
+	assert_int_equal(marks, SITE_CHART_RUNS);
 	bool said = false;
 	for (size_t i = 0; i < c->n_note; i++)
 		said = said ||
@@ -460,6 +465,116 @@ stop_at_once(void)
 	return true;
 }
 
+static const struct chart_series *
+series_of(const struct chart *c, const char *name)
+{
+	for (size_t i = 0; i < c->n; i++)
+		if (strcmp(c->series[i]->name, name) == 0)
+			return c->series[i];
+	fail_msg("no series %s", name);
+	return NULL;
+}
+
+/* Measured as the sheet has it, predicted by the model alone from the run's own
+ * feed: nothing is moved, and no run corrects what it is compared with. */
+static void
+runs_are_drawn_with_their_own_feeds(void **state)
+{
+	static const char *const NAMES[][2] = {
+	    {"measured 69 m/s", "predicted 69 m/s"},
+	    {"measured 74 m/s (held out)", "predicted 74 m/s"},
+	    {"measured 79 m/s", "predicted 79 m/s"}};
+	static const double FURTHER[] = {65, 85};
+	struct desk *desk = *state;
+	desk_expect(desk, SEARCH);
+	const struct entry *entry = session_entry(desk->session);
+	const struct site *site = entry->site;
+	struct plot_request q = plots_request(PLOT_RUNS);
+	q.n_speed = ARRAY_LEN(FURTHER);
+	q.speeds = FURTHER;
+	struct chart *c = chart_of(desk, &q);
+	for (size_t r = 0; r < ARRAY_LEN(NAMES); r++) {
+		const struct chart_series *m = series_of(c, NAMES[r][0]);
+		const struct chart_series *p = series_of(c, NAMES[r][1]);
+		const struct run *run = &site->run[r];
+		struct prediction of = predict(site, &entry->params,
+		    desk->session->set.model, run->speed, r);
+		assert_int_equal(m->line, CHART_SOLID);
+		assert_int_equal(p->line, CHART_DASHED);
+		for (size_t i = 0; i < m->n; i++)
+			assert_true(fabs(m->y[i] -
+					 100 * run->product.passing[i]) < 1e-9);
+		for (size_t i = 0; i < p->n; i++)
+			assert_true(
+			    fabs(p->y[i] - 100 * of.product.passing[i]) < 1e-9);
+		prediction_free(&of);
+	}
+	assert_int_equal(series_of(c, "feed 74 m/s")->line, CHART_LONG);
+	double slow = chart_at(c, series_of(c, "predicted 65 m/s"), 2),
+	       fast = chart_at(c, series_of(c, "predicted 85 m/s"), 2),
+	       at = chart_at(c, series_of(c, "predicted 74 m/s"), 2);
+	assert_true(slow < at && at < fast);
+	chart_free(c);
+}
+
+/* Each material by its name, and all loaded sites that have parameters: a fit
+ * at a bound stands out. */
+static void
+the_map_has_all_loaded_sites(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "load data/sites/umea.csv");
+	desk_expect(desk, "params set f_mat=0.8 e0_min=18.61 alpha=0.92");
+	desk_expect(desk, "use tierp");
+	desk_expect(desk, "bounds f_mat 0.001..0.1");
+	desk_expect(desk, SEARCH);
+	struct plot_request q = plots_request(PLOT_MAP);
+	struct chart *c = chart_of(desk, &q);
+	const struct chart_series *gneiss = series_of(c, "Gneiss"),
+				  *free = series_of(c, "loaded sites"),
+				  *bound = series_of(
+				      c, "loaded, a parameter at its bound");
+	assert_string_equal(gneiss->whose[0].site, "table3/umea");
+	assert_string_equal(gneiss->whose[0].label, "Ume\u00e5");
+	assert_true(gneiss->named);
+	assert_int_equal(free->n, 1);
+	assert_string_equal(free->whose[0].site, "umea");
+	assert_int_equal(bound->n, 1);
+	assert_string_equal(bound->whose[0].site, "tierp");
+	assert_true(bound->mark != free->mark);
+	assert_non_null(strstr(c->about, "loaded sites: reconstructed"));
+	chart_free(c);
+}
+
+/* The caption has what `validate all` says of the model. */
+static void
+parity_says_how_good_it_is(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "load data/sites/umea.csv");
+	desk_expect(desk, "calibrate all seed=3 population=60 generations=30");
+	struct plot_request q = plots_request(PLOT_PARITY);
+	struct chart *c = chart_of(desk, &q);
+	desk_expect(desk, "validate all");
+	assert_int_equal(c->n_note, 3);
+	static const char *const SIZES[] = {"p20", "p50", "p80"};
+	for (size_t i = 0; i < ARRAY_LEN(SIZES); i++) {
+		char name[32], wanted[80];
+		double value[3];
+		static const char *const OF[] = {"bias_pct", "rms_pct", "r2"};
+		for (size_t k = 0; k < ARRAY_LEN(OF); k++) {
+			snprintf(name, sizeof name, "%s.%s", SIZES[i], OF[k]);
+			value[k] =
+			    session_known(desk->session, "validate", name);
+		}
+		snprintf(wanted, sizeof wanted,
+		    "P%s: bias %+.2f %%, RMS %.2f %%, R2 %.4f; 2 runs",
+		    SIZES[i] + 1, value[0], value[1], value[2]);
+		assert_string_equal(c->note[i], wanted);
+	}
+	chart_free(c);
+}
+
 /* A signal is answered while the speeds of a goal are looked for. */
 static void
 a_description_is_stopped(void **state)
@@ -508,6 +623,12 @@ main(void)
 		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		differences_have_a_strip, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		the_map_has_all_loaded_sites, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		parity_says_how_good_it_is, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(runs_are_drawn_with_their_own_feeds,
+		open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		all_runs_are_drawn, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(

@@ -110,7 +110,7 @@ judge_calibration(
 		    xstrdup(
 			tr("the calibration was stopped: 'continue' may find "
 			   "better parameters")));
-	else if (!fit->converged)
+	else if (!fit->converged && !fit->plain)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(
 			tr("the calibration has not converged: the misfit can "

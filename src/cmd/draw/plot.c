@@ -509,7 +509,8 @@ sizes_of(const struct tale *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
-	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_SWEEP;
+	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_RUNS ||
+		   t->kind == PLOT_SWEEP;
 	for (size_t i = 0; psd && i < ARRAY_LEN(PASSING); i++) {
 		double x = chart_at_y(t->chart, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);

@@ -9,6 +9,7 @@
 
 enum plot_kind {
 	PLOT_PSD,
+	PLOT_RUNS,
 	PLOT_PARITY,
 	PLOT_CONVERGENCE,
 	PLOT_SPREAD,
@@ -26,8 +27,8 @@ enum plot_kind {
 };
 
 /* In the order of the enum, a space between two. */
-#define PLOT_KINDS                                                      \
-	"psd parity convergence spread residuals selection appearance " \
+#define PLOT_KINDS                                                           \
+	"psd runs parity convergence spread residuals selection appearance " \
 	"map sweep response profile correlation drift search energy"
 
 struct plot_request {
@@ -60,7 +61,8 @@ struct plot_request {
 	unsigned words; /* of CHART_ALL: what to write around it.  Without
 			 * CHART_NOTES the names of psd have no numbers that
 			 * change with the speed */
-	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds */
+	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds.
+			 * runs: those beside the measured ones */
 	const double *speeds;
 	const char *param;        /* profile: of this parameter; NULL: e0_min */
 	const char *of, *limits;  /* response: quantities and conditions in

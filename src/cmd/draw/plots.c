@@ -23,7 +23,10 @@
 #include "cmd/draw/plots_drift.h"
 #include "cmd/draw/plots_energy.h"
 #include "cmd/draw/plots_limits.h"
+#include "cmd/draw/plots_map.h"
+#include "cmd/draw/plots_past.h"
 #include "cmd/draw/plots_response.h"
+#include "cmd/draw/plots_runs.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/sites.h"
@@ -53,26 +56,6 @@ plots_request(enum plot_kind kind)
 	    .words = CHART_ALL,
 	    .fraction = {.partition = PARTITION_IDEAL},
 	    .strip = PLOTS_STRIP};
-}
-
-bool
-plots_params(const struct session *s, const struct plot_request *request,
-    struct params *params, struct error *error)
-{
-	const struct entry *entry = request->entry;
-	struct plots_past past = plots_past(s, entry);
-	bool search = request->generation > 0 || plots_past_runs(s, entry);
-	if (search && past.n > 0) {
-		if (plots_past_at(entry, &past, request->generation, error) ==
-		    past.n)
-			return false;
-		*params = plots_past_best(&past, request->generation);
-		return true;
-	}
-	if (!answers_known(s, entry, error))
-		return false;
-	*params = entry->params;
-	return true;
 }
 
 /* Curves to be drawn on one axis.  psd is borrowed, of a prediction that is
@@ -189,15 +172,6 @@ free_curves(struct curves *c)
 	free(c->item);
 }
 
-size_t
-plots_left_out(const struct site *site)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		n += site->run[i].product.n > 0 && !site_run_repeats(site, i);
-	return n > PLOTS_MEASURED ? n - PLOTS_MEASURED : 0;
-}
-
 /* What was measured, or the fraction of it that is drawn.  Nothing where
  * another feed or machine is asked about. */
 static void
@@ -207,7 +181,7 @@ add_measured(struct curves *c, const struct session *s,
 {
 	const struct site *site = entry->site;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
-		if (!site_run_is_near(site, i, speed, PLOTS_MEASURED))
+		if (!site_run_is_near(site, i, speed, SITE_CHART_RUNS))
 			continue;
 		const struct psd *product =
 		    moved_product(s, entry, params, i, feed);
@@ -236,9 +210,9 @@ note_measured(
 				       mark_of(c->item[i].look.mark)->hollow);
 	if (hollow)
 		chart_note(chart, "hollow marks: held out from the fit");
-	if (plots_left_out(site) > 0)
+	if (site_chart_left_out(site) > 0)
 		chart_note(chart, "%zu measured runs are not drawn",
-		    plots_left_out(site));
+		    site_chart_left_out(site));
 }
 
 /* Below curves whose last one is the prediction. */
@@ -554,7 +528,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	struct error unknown = {0};
 	struct second two;
 	/* What was measured is worth a look before there are parameters. */
-	bool known = plots_params(s, q, &params, &unknown);
+	bool known = plots_past_params(s, q, &params, &unknown);
 	if (!known && q->generation > 0) {
 		*error = unknown;
 		return NULL;
@@ -604,7 +578,7 @@ sweep_chart(
 	size_t n = q->n_speed;
 	struct curves c = {0};
 	struct params params;
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	if (n > ARRAY_LEN(c.prediction)) {
 		error_set(error, ERROR_USAGE,
@@ -677,7 +651,7 @@ residuals_chart(
 	const struct site *site = q->entry->site;
 	struct params params;
 	struct curves c = {0};
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
@@ -697,7 +671,7 @@ residuals_chart(
 	struct chart *chart = site_chart(site, sieves_of(&c), (struct axis){0},
 	    "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near(site, i, middle, PLOTS_MEASURED) ||
+		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS) ||
 		    misfit_covered(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
@@ -717,6 +691,7 @@ struct pairs {
 	size_t n, n_site;
 	char *about;
 	const struct entry **entry;
+	struct validation *v;
 	double (*measured)[3], (*predicted)[3];
 };
 
@@ -734,6 +709,8 @@ add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
 		pairs->entry =
 		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));
 		pairs->entry[n] = entry;
+		pairs->v = xrealloc(pairs->v, n + 1, sizeof *pairs->v);
+		pairs->v[n] = v;
 		pairs->measured =
 		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);
 		pairs->predicted =
@@ -770,11 +747,36 @@ put_pairs(
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct entry *of = pairs->entry[j];
 			p->whose[j] = (struct chart_whose){
-			    xstrdup(of->key), site_source(of->site, "")};
+			    xstrdup(of->key), site_source(of->site, ""), NULL};
 			p->x[j] = pairs->measured[j][i];
 			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
 		}
 	}
+}
+
+/* "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all has it. */
+static void
+note_scores(struct chart *chart, const struct pairs *pairs)
+{
+	const struct validation **v = xcalloc(pairs->n, sizeof(*v));
+	for (size_t j = 0; j < pairs->n; j++)
+		v[j] = &pairs->v[j];
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		char r2[16] = "-";
+		struct validate_score score =
+		    validate_score(v, pairs->n, VALIDATE_MODEL, i);
+		if (score.n == 0)
+			continue;
+		if (!isnan(score.r2))
+			snprintf(r2, sizeof r2, "%.4f", score.r2);
+		chart_note(chart,
+		    tr_n("P%g: bias %+.2f %%, RMS %.2f %%, R2 %s; %zu run",
+			"P%g: bias %+.2f %%, RMS %.2f %%, R2 %s; %zu runs",
+			score.n),
+		    100 * PSD_PASSING[i], 100 * score.bias, 100 * score.rms, r2,
+		    score.n);
+	}
+	free(v);
 }
 
 static struct chart *
@@ -804,6 +806,7 @@ parity_chart(
 		chart = chart_new(title, pairs.about, x, y);
 		free(title);
 		put_pairs(chart, &pairs, x.low, x.high);
+		note_scores(chart, &pairs);
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
@@ -813,6 +816,7 @@ parity_chart(
 	}
 	free(pairs.about);
 	free(pairs.entry);
+	free(pairs.v);
 	free(pairs.measured);
 	free(pairs.predicted);
 	return chart;
@@ -856,7 +860,7 @@ selection_chart(
 	const struct site *site = q->entry->site;
 	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	struct params params;
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = site_feed(site, feed_at(site, q->feed_speed));
 	struct curves c = {0};
@@ -879,7 +883,7 @@ appearance_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct params params;
-	if (!plots_params(s, q, &params, error))
+	if (!plots_past_params(s, q, &params, error))
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
@@ -906,100 +910,6 @@ appearance_chart(
 	return chart;
 }
 
-/* Materials of one rock, in a series of their own. */
-static void
-add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
-{
-	struct chart_series look = site_chart_look(chart->n);
-	look.line = CHART_MARKS;
-	struct chart_series *series = chart_add(chart, look, list->n, "%s",
-	    rock[0] != '\0' ? rock : tr("not stated"));
-	series->n = 0;
-	for (size_t i = 0; i < list->n; i++) {
-		if (!text_same(list->item[i].rock, rock))
-			continue;
-		series->x[series->n] =
-		    params_value(&list->item[i].params, "f_mat");
-		series->y[series->n++] =
-		    params_value(&list->item[i].params, "e0_min");
-	}
-}
-
-/* The first of its rock in the list. */
-static bool
-is_first(const struct stored_list *list, size_t at)
-{
-	for (size_t i = 0; i < at; i++)
-		if (text_same(list->item[i].rock, list->item[at].rock))
-			return false;
-	return true;
-}
-
-static void
-add_own(struct chart *chart, const struct entry *entry)
-{
-	struct chart_series *own = chart_add(chart,
-	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'}, 1,
-	    "%s", entry->site->name);
-	own->x[0] = params_value(&entry->params, "f_mat");
-	own->y[0] = params_value(&entry->params, "e0_min");
-}
-
-/* Of a large store as many as a chart can show: every so many-th. */
-static bool
-list_some(const struct session *s, struct stored_list *list, size_t *apart,
-    struct error *error)
-{
-	enum { MOST = 1000 };
-	size_t n;
-	if (!store_count(s->store, &n, error))
-		return false;
-	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
-	const struct store_query query = {.apart = *apart};
-	bool ok = store_find(s->store, &query, list, error);
-	stored_table3(list);
-	return ok;
-}
-
-static struct chart *
-map_chart(struct session *s, const struct plot_request *q, struct error *error)
-{
-	struct stored_list list = {0};
-	size_t apart;
-	char number[32];
-	if (!list_some(s, &list, &apart, error))
-		return NULL;
-	const struct entry *entry = q->entry;
-	if (entry != NULL && !entry->has_params)
-		entry = NULL;
-	double f_mat = 0, low = INFINITY, high = 0;
-	for (size_t i = 0; i < list.n + (entry != NULL); i++) {
-		const struct params *p =
-		    i < list.n ? &list.item[i].params : &entry->params;
-		f_mat = fmax(f_mat, params_value(p, "f_mat"));
-		low = fmin(low, params_value(p, "e0_min"));
-		high = fmax(high, params_value(p, "e0_min"));
-	}
-	char *about = apart > 1
-			  ? xasprintf(tr("Table 3 of Grunditz et al. (2021) "
-					 "and the user's own fits, one shown "
-					 "of each %s"),
-				text_exact((double)apart, number))
-			  : xstrdup(tr("Table 3 of Grunditz et al. (2021) "
-				       "and the user's own fits"));
-	struct chart *chart = chart_new(tr("materials by rock"), about,
-	    axis_linear("f_mat, kg/(J m)", 0, f_mat),
-	    axis_linear("e0_min, J m/kg", low, high));
-	free(about);
-	for (size_t i = 0; i < list.n; i++)
-		if (is_first(&list, i))
-			add_rock(chart, &list, list.item[i].rock);
-	if (entry != NULL)
-		add_own(chart, entry);
-	stored_list_free(&list);
-	return chart;
-}
-
 /* In the session's colours; *chart stays NULL where there is none. */
 static void
 make_chart(struct session *s, const struct plot_request *request,
@@ -1018,13 +928,14 @@ plots_chart(
 		plot_make *make;
 		bool any_site;
 	} KINDS[] = {[PLOT_PSD] = {psd_chart, false},
+	    [PLOT_RUNS] = {plots_runs, false},
 	    [PLOT_PARITY] = {parity_chart, false},
 	    [PLOT_CONVERGENCE] = {plots_search_convergence, false},
 	    [PLOT_SPREAD] = {plots_search_spread, false},
 	    [PLOT_RESIDUALS] = {residuals_chart, false},
 	    [PLOT_SELECTION] = {selection_chart, false},
 	    [PLOT_APPEARANCE] = {appearance_chart, false},
-	    [PLOT_MAP] = {map_chart, true},
+	    [PLOT_MAP] = {plots_map, true},
 	    [PLOT_SWEEP] = {sweep_chart, false},
 	    [PLOT_RESPONSE] = {plots_response, false},
 	    [PLOT_PROFILE] = {plots_draws_profile, false},

@@ -28,14 +28,4 @@ struct plots_found {
 bool plots_find(struct session *s, const struct plot_request *request,
     int columns, int rows, int column, int row, struct plots_found *found);
 
-/* The parameters to draw the request's entry with: of the generation asked for,
- * the best so far of a calibration under way, or the site's. */
-bool plots_params(const struct session *s, const struct plot_request *request,
-    struct params *params, struct error *error);
-
-/* Measured products of so many speeds, those nearest to its own, has psd, and
- * says how many others there are. */
-enum { PLOTS_MEASURED = 12 };
-size_t plots_left_out(const struct site *site);
-
 #endif

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "cmd/ask/answers.h"
+
 bool
 plots_past_runs(const struct session *s, const struct entry *entry)
 {
@@ -79,4 +81,24 @@ plots_past_points(const struct plots_past *past, double misfit)
 {
 	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
 	return good ? 100 * sqrt(misfit / past->weight) : NAN;
+}
+
+bool
+plots_past_params(const struct session *s, const struct plot_request *request,
+    struct params *params, struct error *error)
+{
+	const struct entry *entry = request->entry;
+	struct plots_past past = plots_past(s, entry);
+	bool search = request->generation > 0 || plots_past_runs(s, entry);
+	if (search && past.n > 0) {
+		if (plots_past_at(entry, &past, request->generation, error) ==
+		    past.n)
+			return false;
+		*params = plots_past_best(&past, request->generation);
+		return true;
+	}
+	if (!answers_known(s, entry, error))
+		return false;
+	*params = entry->params;
+	return true;
 }

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_DRAW_PLOTS_PAST_H
 #define TIPSPEED_CMD_DRAW_PLOTS_PAST_H
 
-#include "cmd/session/session.h"
+#include "cmd/draw/plot_request.h"
 
 /* Of the calibration under way, else of the site's last one.  n is 0 where
  * there is none.  site, train: what was fitted; weight: see
@@ -38,5 +38,11 @@ struct params plots_past_best(const struct plots_past *past, size_t generation);
 
 /* A misfit as the root mean square difference, points; NAN of none. */
 double plots_past_points(const struct plots_past *past, double misfit);
+
+/* The parameters to draw the request's entry with: of the generation asked for,
+ * the best so far of a calibration under way, or the site's. */
+bool plots_past_params(const struct session *s,
+    const struct plot_request *request, struct params *params,
+    struct error *error);
 
 #endif

@@ -61,3 +61,12 @@ site_chart_moved(struct chart *chart, double most)
 	if (most > MOVED_TOLD)
 		chart_note(chart, "measured products moved to this feed");
 }
+
+size_t
+site_chart_left_out(const struct site *site)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < site->n_run; i++)
+		n += site->run[i].product.n > 0 && !site_run_repeats(site, i);
+	return n > SITE_CHART_RUNS ? n - SITE_CHART_RUNS : 0;
+}

@@ -27,4 +27,9 @@ struct chart_series site_chart_run(
  * much, 0..1, that it has to be known, see moved_by. */
 void site_chart_moved(struct chart *chart, double most);
 
+/* Measured products of so many speeds, those nearest to its own, has psd, and
+ * says how many others there are. */
+enum { SITE_CHART_RUNS = 12 };
+size_t site_chart_left_out(const struct site *site);
+
 #endif

@@ -21,7 +21,7 @@
 		"prediction that is, with its site"},                          \
 	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",                 \
 		"tip speeds of sweep; default 65..85:5, extended or moved to " \
-		"cover the runs"},                                             \
+		"cover the runs; of runs: further ones, as 65,85"},            \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",                  \
 		"psd: shade the 80 % uncertainty band"},                       \
 	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                             \
@@ -79,7 +79,10 @@ const struct command TABLE_PICTURES[] = {
 	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
 	.option = PLOT_OPTIONS,
 	.text =
-	    "psd: feed, measured and predicted products; parity: P20, P50 and "
+	    "psd: feed, measured and predicted products; runs: the product of "
+	    "every run, measured (solid, with marks) and predicted by the "
+	    "model alone from the run's own feed (dashed), with speeds= also "
+	    "at speeds that were not measured; parity: P20, P50 and "
 	    "P80 predicted against measured, at the held-out speeds of all "
 	    "loaded sites; search: how far the candidates of a generation lie "
 	    "from each passing that is fitted, as a bar from the 10th to the "
@@ -89,7 +92,8 @@ const struct command TABLE_PICTURES[] = {
 	    "residuals: predicted minus measured, sieve by sieve; selection: "
 	    "the selection function, how much of each size breaks (Eq 3); "
 	    "appearance: the appearance function, the sizes it breaks into (Eq "
-	    "1); map: the materials of the store by rock type; sweep: products "
+	    "1); map: the materials of the store by rock type, and the loaded "
+	    "sites; sweep: products "
 	    "at several speeds; response: quantities of the product against "
 	    "the tip speed, with what was measured, the training speeds and, "
 	    "with limits=, where they are met; profile: what the data say of "

@@ -45,6 +45,8 @@ fit_put(struct fields *o, const struct entry *entry, const char *verdict,
 	fields_put(o, "stop %s converged %d misfit %g seconds %g",
 	    calibrate_state_name(fit->stop), fit->converged, fit->misfit,
 	    seconds);
+	if (fit->lowest > 0)
+		fields_put(o, "lowest_misfit %g", fit->lowest);
 	fields_put(o, "model %s", breakage_of(&fit->params)->name);
 	fit_put_params(o, &fit->params);
 	put_speeds(o, "train", entry, true);
@@ -230,6 +232,24 @@ add_params(struct answer *r, const struct session *s, const struct fit *fit,
 	}
 }
 
+/* What a search that was not to be polished leaves. */
+static void
+note_lowest(struct answer *r, const struct fit *fit)
+{
+	if (!(fit->lowest > 0))
+		return;
+	double above = 100 * (fit->misfit / fit->lowest - 1);
+	if (above >= 0.1)
+		answer_say(r, ANSWER_REMARK,
+		    "the search alone ends %.*f %% above the lowest misfit, "
+		    "%.4g: 'calibrate' finds it",
+		    above < 10 ? 1 : 0, above, fit->lowest);
+	else
+		answer_say(r, ANSWER_REMARK,
+		    "the search alone ends at the lowest misfit: 'calibrate' "
+		    "finds no lower one");
+}
+
 static void
 note_edits(struct answer *r, const struct fit *fit)
 {
@@ -263,6 +283,7 @@ add_search(
 	    fit->parameters);
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, stop_sentence(fit));
+	note_lowest(r, fit);
 	note_edits(r, fit);
 	add_warnings(r, entry);
 	add_flat(r, fit, bounds);
@@ -337,6 +358,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 		answer_for_programs(r);
 		add_params(r, s, fit, u, bounds);
 		add_summary(r, s, entry);
+		note_lowest(r, fit);
 		note_edits(r, fit);
 		add_warnings(r, entry);
 	}

@@ -78,6 +78,7 @@ job_free(struct job *job)
 		job->rounds->drop(job->of);
 	free(job->run_weight);
 	calibration_free(job->calibration);
+	calibration_free(job->lowest);
 	free(job->train);
 	*job = (struct job){0};
 }
@@ -205,6 +206,8 @@ take_entry(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_fit(s->job.calibration);
+	if (s->job.lowest != NULL && entry->fit.plain)
+		entry->fit.lowest = calibration_fit(s->job.lowest).misfit;
 	char *options = options_words(s, &entry->fit);
 	snprintf(entry->options, sizeof entry->options, "%s", options);
 	free(options);
@@ -219,10 +222,36 @@ take_entry(struct session *s)
 	s->job.taken = true;
 }
 
+/* A step of the polished search that a plain one is compared with; true when
+ * that is at its end, or none is wanted. */
+static bool
+seek_lowest(struct session *s)
+{
+	struct job *job = &s->job;
+	struct calibrate_options options = job->options;
+	if (!options.plain || options.polish || !job->rounds->alone)
+		return true;
+	if (job->lowest == NULL) {
+		const struct calibrate_options usual =
+		    calibrate_options_default();
+		options.plain = false;
+		options.polish = true;
+		options.population = usual.population;
+		options.generations = usual.generations;
+		options.stall = usual.stall;
+		options.tolerance = usual.tolerance;
+		job->lowest =
+		    calibration_new(s->entry[job->entry].site, &options);
+	}
+	return calibration_step(job->lowest) >= CALIBRATE_TOLERANCE;
+}
+
 /* The draws that tell its light take longer than many generations. */
 static bool
 draw_fit(struct session *s)
 {
+	if (!s->job.taken && !seek_lowest(s))
+		return false;
 	if (!s->job.taken)
 		take_entry(s);
 	return outlook_draw(s, &s->entry[s->job.entry]);
@@ -780,6 +809,7 @@ chosen_options(const struct session *s, const struct args *args, bool all)
 	const struct value *seed = args_value(args, "seed");
 	const struct value *threads = args_value(args, "threads");
 	const struct value *polish = args_value(args, "polish");
+	const struct value *stall = args_value(args, "stall");
 	o.plain = args_value(args, "preset")->choice == 1;
 	o.seed = seed->given ? seed->whole : o.seed;
 	o.threads = threads->given ? (unsigned)threads->whole : o.threads;
@@ -788,10 +818,12 @@ chosen_options(const struct session *s, const struct args *args, bool all)
 	else if (all && !o.plain)
 		o.population = POPULATION_OF_MANY;
 	o.generations = (size_t)args_value(args, "generations")->whole;
-	o.stall = (size_t)args_value(args, "stall")->whole;
+	o.stall = o.plain && !stall->given ? 0 : (size_t)stall->whole;
 	o.tolerance = args_value(args, "tolerance")->number;
 	o.polish = polish->choice == 0 && (polish->given || !o.plain);
 	o.by_sd = args_value(args, "weights")->choice == 1;
+	if (o.plain)
+		o.bounds = bounds_default(o.settings.breakage);
 	return o;
 }
 
@@ -882,8 +914,8 @@ take_bounds(struct session *s)
 		    BREAKAGES[s->set.model.breakage]->name);
 		return;
 	}
-	if (memcmp(&s->set.bounds, &job->options.bounds,
-		sizeof s->set.bounds) == 0)
+	if (job->options.plain || memcmp(&s->set.bounds, &job->options.bounds,
+				      sizeof s->set.bounds) == 0)
 		return;
 	/* Only its draws are missing. */
 	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {

@@ -21,6 +21,8 @@ struct job {
 	void *of;                    /* what they add up, theirs */
 	void *found;                 /* what followed from a round, likewise */
 	struct calibration *calibration;
+	struct calibration *lowest; /* what a plain search is compared with, or
+				     * NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
 	double started; /* s, of a clock that only goes forward */

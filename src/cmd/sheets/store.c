@@ -19,6 +19,7 @@
 #include "cmd/session/turn.h"
 #include "config.h"
 #include "io/store/store_csv.h"
+#include "io/store/table3.h"
 #include "io/sitefile/units.h"
 
 /* "fit", "set by hand" or "Table 3". */
@@ -438,12 +439,13 @@ has_size(const struct stored *m, double top_mm)
 	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
 }
 
+enum { ALL, TABLE3, OWN };
+
 static bool
 is_wanted(const struct stored *m, const struct args *args)
 {
 	const struct value *rock = args_value(args, "rock");
 	const struct value *top = args_value(args, "top");
-	enum { ALL, TABLE3, OWN };
 	size_t origin = args_value(args, "origin")->choice;
 	return (!rock->given || text_same(m->rock, rock->text)) &&
 	       (!top->given || has_size(m, top->number)) &&
@@ -535,6 +537,46 @@ list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 	return r;
 }
 
+/* A row of the paper as it is printed: its spelling and what the feeds were. */
+static void
+add_printed(struct answer *r, const struct material *m, const char *name)
+{
+	answer_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", name, m->site, m->rock,
+	    m->top_size_mm, m->f_mat, m->e0_min, m->alpha, m->feed_source);
+}
+
+/* Table 3 alone, in one table where the screen or a file has room for it.
+ * Programs have what all lists have first. */
+static struct answer *
+table3_answer(const struct session *s, const struct args *args,
+    const struct stored_list *paper, size_t *n)
+{
+	enum { WIDE = 100 };
+	struct materials *rows = materials_table3();
+	struct answer *r = answer_new("materials");
+	*n = 0;
+	if (s->screen.columns == 0 || s->screen.columns >= WIDE)
+		answer_room(r, WIDE);
+	answer_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
+			  "e0_min, alpha, feed_source: feeds");
+	for (size_t i = 0; i < paper->n; i++)
+		if (is_wanted(&paper->item[i], args)) {
+			add_printed(r, &rows->row[i], paper->item[i].name);
+			++*n;
+		}
+	answer_for_programs(r);
+	answer_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
+			  "origin, data, site, feed_source");
+	for (size_t i = 0; i < paper->n; i++)
+		if (is_wanted(&paper->item[i], args)) {
+			add_row(r, &paper->item[i]);
+			answer_cells(r, "%s %s", rows->row[i].site,
+			    rows->row[i].feed_source);
+		}
+	materials_free(rows);
+	return r;
+}
+
 static bool
 show_list(struct session *s, const struct args *args, struct error *error)
 {
@@ -546,7 +588,9 @@ show_list(struct session *s, const struct args *args, struct error *error)
 		  store_find(s->store, &query, &list, error);
 	size_t listed = list.n;
 	stored_table3(&list);
-	struct answer *r = list_answer(args, &list, &n);
+	bool printed = args_value(args, "origin")->choice == TABLE3;
+	struct answer *r = printed ? table3_answer(s, args, &paper, &n)
+				   : list_answer(args, &list, &n);
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    own + paper.n, own, store_path(s->store));
 	answer_note(r, "Table 3 is the paper's, and read only");

@@ -657,6 +657,7 @@ calibration_fit(struct calibration *c)
 	    .evaluations = c->evaluations,
 	    .perturbations = c->perturbations,
 	    .converged = c->converged,
+	    .plain = c->options.plain && !c->options.polish,
 	    .edits = c->edits,
 	    .edited_at = c->edited_at,
 	    .seed = c->options.seed,

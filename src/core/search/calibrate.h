@@ -131,6 +131,9 @@ struct fit {
 	struct flat flat; /* what the data tell least */
 	enum calibrate_state stop;
 	bool converged; /* the polish that found it came to rest */
+	bool plain;     /* a search that was not to be polished (plain) */
+	double lowest;  /* of such a one: what a polished search from the same
+			 * options found; 0: not known */
 	size_t generations, evaluations, perturbations;
 	size_t edits, edited_at; /* changes of the bounds, last generation */
 	uint64_t seed, site_digest;

@@ -46,6 +46,7 @@ struct fields {
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
 	bool names_sites; /* in its own fields */
+	int room;         /* columns for a table */
 	struct table table[2], *filled;
 	struct fields fields;
 	size_t n_sentence;
@@ -59,7 +60,14 @@ answer_new(const char *command)
 	a->command = xstrdup(command);
 	a->missing = xstrdup("-");
 	a->filled = a->table;
+	a->room = SCREEN;
 	return a;
+}
+
+void
+answer_room(struct answer *answer, int columns)
+{
+	answer->room = columns - 1;
 }
 
 static void
@@ -674,9 +682,10 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 }
 
 /* How a table is set, found once for all rows: width and number [n_column].
- * wraps: the last column holds sentences, wrapped from indent on. */
+ * wraps: the last column holds sentences, wrapped from indent on.  room: of the
+ * screen, in columns. */
 struct form {
-	int *width, indent;
+	int *width, indent, room;
 	bool *number, wraps;
 };
 
@@ -713,10 +722,10 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
  * columns before it, it is wrapped. One column alone is something to be
  * copied. */
 static struct form
-form_of(const struct table *t)
+form_of(const struct table *t, int room)
 {
 	enum { LEAST = 24 };
-	struct form f = {.indent = 2};
+	struct form f = {.indent = 2, .room = room};
 	f.width = xcalloc(t->n_column + 1, sizeof *f.width);
 	f.number = xcalloc(t->n_column + 1, sizeof *f.number);
 	for (size_t c = 0; c < t->n_column; c++) {
@@ -724,8 +733,8 @@ form_of(const struct table *t)
 		f.number[c] = is_number_column(t, c);
 		f.indent += c + 1 < t->n_column ? f.width[c] + 2 : 0;
 	}
-	f.wraps = t->n_column >= 2 && f.indent < SCREEN - LEAST &&
-		  f.indent + f.width[t->n_column - 1] > SCREEN;
+	f.wraps = t->n_column >= 2 && f.indent < room - LEAST &&
+		  f.indent + f.width[t->n_column - 1] > room;
 	return f;
 }
 
@@ -738,12 +747,12 @@ form_free(struct form *f)
 
 /* The last cell of a row, wrapped under itself. */
 static void
-print_sentence(const char *text, int indent, FILE *out)
+print_sentence(const char *text, int indent, int room, FILE *out)
 {
 	char *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&lines, &n);
-	text_wrap(text, indent, SCREEN, memory);
+	text_wrap(text, indent, room, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
 		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
@@ -767,7 +776,7 @@ block_from(const struct table *t, const struct form *f, size_t from)
 		return b;
 	for (b.to = from; b.to < t->n_column; b.to++) {
 		width += f->width[b.to] + 2;
-		if (b.to > from && width > SCREEN + 2)
+		if (b.to > from && width > f->room + 2)
 			break;
 	}
 	return b;
@@ -785,7 +794,7 @@ wrapped_from(const struct table *t, const struct form *f, struct block b)
 	int indent = 4 + f->width[0];
 	for (size_t c = b.from; c < last; c++)
 		indent += f->width[c] + 2;
-	return indent + f->width[last] > SCREEN ? indent : 0;
+	return indent + f->width[last] > f->room ? indent : 0;
 }
 
 static void
@@ -797,7 +806,7 @@ print_row(const struct table *t, const struct form *f, size_t row, bool head,
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (indent > 0 && c + 1 == t->n_column) {
-			print_sentence(text, indent, out);
+			print_sentence(text, indent, f->room, out);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
@@ -865,6 +874,7 @@ put_in(char *(*way)(const char *), const struct answer *a)
 		add_cell(copy, (struct answer_cell){from->cell[i].is_text,
 				   from->cell[i].number, from->cell[i].decimals,
 				   way(from->cell[i].text), NULL});
+	copy->room = a->room;
 	put_sentences(way, a, true, copy);
 	put_sentences(way, a, false, copy);
 	return copy;
@@ -887,7 +897,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = rows_of(t), from = 1;
-	struct form f = form_of(t);
+	struct form f = form_of(t, a->room);
 	while (rows > 0) {
 		struct block block = block_from(t, &f, from);
 		for (size_t row = 0; row <= rows; row++)
@@ -949,7 +959,7 @@ as_markdown(const char *text)
 static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
-	struct form f = form_of(t);
+	struct form f = form_of(t, SCREEN);
 	for (size_t row = 0; row <= rows_of(t); row++) {
 		fputs("| ", out);
 		print_row(t, &f, row - 1, row == 0,

@@ -59,6 +59,9 @@ void answer_columns(struct answer *answer, const char *format, ...)
 /* A column whose head may hold any sign. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
+/* A table for people may be so many columns wide; else it is 80. */
+void answer_room(struct answer *answer, int columns);
+
 /* The columns and cells that follow are another table, which csv and json have
  * instead of the one before. */
 void answer_for_programs(struct answer *answer);

@@ -319,7 +319,8 @@ draw_line(const struct tui *t, const struct area *area)
 static void
 draw_chart(const struct tui *t, const struct area *area)
 {
-	unsigned words = t->places.legend.rows > 0 ? CHART_ALL : CHART_TITLE;
+	unsigned words = t->places.legend.rows > 0 ? CHART_TITLE | CHART_LEGEND
+						   : CHART_TITLE;
 	if (area->rows < 1 || area->columns < 1)
 		return;
 	struct canvas *canvas = chart_draw(t->parity.chart, area->columns,

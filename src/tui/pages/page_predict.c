@@ -18,12 +18,26 @@
 #include "tui/widgets/panel.h"
 
 static void
+draw_runs(struct tui *t)
+{
+	struct plot_request request = plots_request(PLOT_RUNS);
+	request.words = 0;
+	second_draw(t);
+	pane_curves(t, &request, t->places.side.rows == 0);
+}
+
+static void
 draw(struct tui *t)
 {
 	const struct prediction *p = &t->shown;
 	struct plot_request request = plots_request(PLOT_PSD);
 	if (tui_entry(t) == NULL) {
 		first_draw(t);
+		return;
+	}
+	if (t->runs) {
+		draw_runs(t);
+		verdicts_draw(t);
 		return;
 	}
 	request.words = 0;
@@ -79,7 +93,9 @@ act(struct tui *t, const struct key *key)
 	if (tui_entry(t) == NULL)
 		return first_key(t, key);
 	if (key->act == ACT_PICTURE) {
-		second_next(t);
+		t->runs = key->amount == 0 ? !t->runs : t->runs;
+		if (key->amount > 0)
+			second_next(t);
 		return true;
 	}
 	if (key->act == ACT_CHOOSE) {
@@ -104,6 +120,7 @@ void
 page_predict_cross(struct tui *t)
 {
 	t->cross = !t->cross && t->shown.product.n > 0;
+	t->runs = t->runs && !t->cross;
 	if (t->cross && t->cross_at == 0)
 		t->cross_at = t->shown.product.n / 3;
 	if (t->cross)
@@ -161,6 +178,8 @@ static char *
 words(const struct tui *t)
 {
 	const struct prediction *p = &t->shown;
+	if (t->runs)
+		return xstrdup("runs");
 	char *words = pane_curves_words(t);
 	page_predict_beside(t, &words);
 	if (t->band)
@@ -179,6 +198,9 @@ hints(const struct tui *t)
 	bool goal = goals_set(t->session);
 	if (tui_entry(t) == NULL)
 		return tr(FIRST_HINTS);
+	if (t->runs)
+		return tr("r this speed  <-/-> speed  ? keys  q "
+			  "quit  : command  d describe");
 	if (t->focus == &page_predict)
 		return tr("<-/-> sieve  Up/Down passing  Tab speed  c no "
 			  "crosshair  ? keys  q quit  : command");

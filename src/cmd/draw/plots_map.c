@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/draw/plots_map.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/draw/site_chart.h"
+#include "cmd/session/sites.h"
+#include "core/model/breakage.h"
+
+/* So many have their names written beside them, where there is room. */
+enum { NAMED = 60 };
+
+/* Where a material stands; each string is taken. */
+static void
+put(struct chart_series *series, const struct params *p, char *name,
+    char *label, char *about)
+{
+	size_t i = series->n++;
+	series->x[i] = params_value(p, "f_mat");
+	series->y[i] = params_value(p, "e0_min");
+	series->whose[i] = (struct chart_whose){name, about, label};
+}
+
+static struct chart_series *
+add(struct chart *chart, struct chart_series look, size_t most, bool named,
+    const char *name)
+{
+	struct chart_series *series = chart_add(chart, look, most, "%s", name);
+	chart_add_whose(series);
+	series->named = named;
+	series->n = 0;
+	return series;
+}
+
+/* Materials of one rock, in a series of their own. */
+static void
+add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
+{
+	struct chart_series look = site_chart_look(chart->n);
+	look.line = CHART_MARKS;
+	struct chart_series *series = add(chart, look, list->n,
+	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
+	for (size_t i = 0; i < list->n; i++) {
+		const struct stored *m = &list->item[i];
+		if (text_same(m->rock, rock))
+			put(series, &m->params, xstrdup(m->name),
+			    xstrdup(m->site), xstrdup(m->provenance));
+	}
+}
+
+/* The first of its rock in the list. */
+static bool
+is_first(const struct stored_list *list, size_t at)
+{
+	for (size_t i = 0; i < at; i++)
+		if (text_same(list->item[i].rock, list->item[at].rock))
+			return false;
+	return true;
+}
+
+static bool
+at_bound(const struct entry *entry)
+{
+	size_t n = entry->has_fit ? breakage_of(&entry->fit.params)->n : 0;
+	bool any = false;
+	for (size_t j = 0; j < n; j++)
+		any = any || entry->fit.on_bound[j];
+	return any;
+}
+
+/* Loaded sites that have parameters, of which none is at its bound or some
+ * are. */
+static void
+add_loaded(struct chart *chart, const struct session *s, bool bound)
+{
+	struct chart_series *series = NULL;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *entry = &s->entry[i];
+		if (!entry->has_params || at_bound(entry) != bound)
+			continue;
+		if (series == NULL)
+			series = add(chart,
+			    (struct chart_series){.series = SERIES_PREDICTED,
+				.mark = bound ? 'X' : '#'},
+			    s->n_entry, s->n_entry <= NAMED,
+			    bound ? tr("loaded, a parameter at its bound")
+				  : tr("loaded sites"));
+		put(series, &entry->params, xstrdup(entry->key),
+		    xstrdup(entry->site->name), site_source(entry->site, ""));
+	}
+}
+
+/* Of a large store as many as a chart can show: every so many-th. */
+static bool
+list_some(const struct session *s, struct stored_list *list, size_t *apart,
+    struct error *error)
+{
+	enum { MOST = 1000 };
+	size_t n;
+	if (!store_count(s->store, &n, error))
+		return false;
+	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
+	const struct store_query query = {.apart = *apart};
+	bool ok = store_find(s->store, &query, list, error);
+	stored_table3(list);
+	return ok;
+}
+
+/* Where the data are from: of loaded sites as they say.  The caller frees. */
+static char *
+about_of(const struct session *s, size_t apart)
+{
+	char number[32], *loaded = xstrdup("");
+	char *about =
+	    apart > 1 ? xasprintf(tr("Table 3 of Grunditz et al. (2021) and "
+				     "the user's own fits, one shown of each "
+				     "%s"),
+			    text_exact((double)apart, number))
+		      : xstrdup(tr("Table 3 of Grunditz et al. (2021) and the "
+				   "user's own fits"));
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (s->entry[i].has_params)
+			site_add_source(&loaded, s->entry[i].site);
+	if (loaded[0] != '\0')
+		xlist(&about, "; ", tr("loaded sites: %s"), loaded);
+	free(loaded);
+	return about;
+}
+
+/* What the axes have to hold. */
+struct extent {
+	double f_mat, low, high;
+};
+
+static void
+reach(struct extent *e, const struct params *p)
+{
+	e->f_mat = fmax(e->f_mat, params_value(p, "f_mat"));
+	e->low = fmin(e->low, params_value(p, "e0_min"));
+	e->high = fmax(e->high, params_value(p, "e0_min"));
+}
+
+struct chart *
+plots_map(struct session *s, const struct plot_request *q, struct error *error)
+{
+	struct stored_list list = {0};
+	struct extent e = {.low = INFINITY};
+	size_t apart;
+	(void)q;
+	if (!list_some(s, &list, &apart, error))
+		return NULL;
+	for (size_t i = 0; i < list.n; i++)
+		reach(&e, &list.item[i].params);
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (s->entry[i].has_params)
+			reach(&e, &s->entry[i].params);
+	char *about = about_of(s, apart);
+	struct chart *chart = chart_new(tr("materials by rock"), about,
+	    axis_linear("f_mat, kg/(J m)", 0, e.f_mat),
+	    axis_linear("e0_min, J m/kg", e.low, e.high));
+	free(about);
+	for (size_t i = 0; i < list.n; i++)
+		if (is_first(&list, i))
+			add_rock(chart, &list, list.item[i].rock);
+	add_loaded(chart, s, false);
+	add_loaded(chart, s, true);
+	stored_list_free(&list);
+	return chart;
+}

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/draw/plots_runs.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/draw/plots_past.h"
+#include "cmd/draw/site_chart.h"
+#include "cmd/session/sites.h"
+#include "core/answer/predict.h"
+#include "io/sitefile/units.h"
+
+/* Without colour a further speed is told by its mark, which no run has. */
+static const char MARKS[] = "#@%$szNH";
+enum { FURTHER = sizeof MARKS - 1 };
+
+/* Takes the name. */
+static void
+add_curve(struct chart *chart, const struct psd *psd, struct chart_series look,
+    char *name)
+{
+	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
+	for (size_t i = 0; i < psd->n; i++) {
+		s->x[i] = units_mm(psd->size[i]);
+		s->y[i] = units_pct(psd->passing[i]);
+	}
+	free(name);
+}
+
+/* Whether the run's feed is that of an earlier one. */
+static bool
+has_drawn_feed(const struct site *site, size_t run)
+{
+	for (size_t i = 0; i < run; i++)
+		if (psd_same(&site->run[i].feed, &site->run[run].feed))
+			return true;
+	return false;
+}
+
+/* The feeds, each once, in grey. */
+static void
+add_feeds(struct chart *chart, const struct site *site)
+{
+	static const enum chart_line LINES[] = {
+	    CHART_SOLID, CHART_LONG, CHART_DOTTED};
+	static const char ASCII[] = ".,'";
+	size_t n = 0;
+	for (size_t i = 0; i < site->n_run; i++) {
+		size_t kind = n % ARRAY_LEN(LINES);
+		if (has_drawn_feed(site, i))
+			continue;
+		const struct run *r = &site->run[i];
+		add_curve(chart, &r->feed,
+		    (struct chart_series){.series = SERIES_FEED,
+			.line = LINES[kind],
+			.ascii = ASCII[kind]},
+		    site->individual_feeds && r->speed > 0
+			? xasprintf(tr("feed %g m/s%s"), r->speed, r->repeat)
+			: xstrdup(tr("feed")));
+		n++;
+	}
+}
+
+/* The model alone, which is what a held-out run tests. */
+static void
+add_predicted(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct params *params, double speed,
+    size_t feed, struct chart_series look, const char *repeat)
+{
+	struct prediction p = predict(
+	    entry->site, params, outlook_settings(s, entry), speed, feed);
+	add_curve(chart, &p.product, look,
+	    xasprintf(tr("predicted %g m/s%s"), speed, repeat));
+	prediction_free(&p);
+}
+
+/* Its product, and what is predicted for it, unless that is what was for the
+ * run before. */
+static void
+add_run(struct chart *chart, const struct session *s, const struct entry *entry,
+    const struct params *params, size_t run)
+{
+	static const char ASCII[] = "=~_\"`;";
+	const struct site *site = entry->site;
+	const struct run *r = &site->run[run];
+	bool held_out = !entry->train[run];
+	struct chart_series look = site_chart_run(site, run, held_out);
+	struct chart_series dashed = {.series = look.series,
+	    .line = CHART_DASHED,
+	    .ascii = ASCII[run % (sizeof ASCII - 1)]};
+	look.line = CHART_SOLID;
+	look.ascii = '-';
+	add_curve(chart, &r->product, look,
+	    xasprintf(held_out ? tr("measured %g m/s%s (held out)")
+			       : tr("measured %g m/s%s"),
+		r->speed, r->repeat));
+	if (params != NULL &&
+	    (!site_run_repeats(site, run) ||
+		!psd_same(&site->run[run - 1].feed, &r->feed)))
+		add_predicted(
+		    chart, s, entry, params, r->speed, run, dashed, r->repeat);
+}
+
+static void
+add_further(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct params *params)
+{
+	const struct site *site = q->entry->site;
+	size_t feed = feed_at(site, q->feed_speed);
+	for (size_t i = 0; i < q->n_speed; i++) {
+		struct chart_series look = site_chart_look(i);
+		look.line = CHART_LONG;
+		look.mark = MARKS[i];
+		add_predicted(
+		    chart, s, q->entry, params, q->speeds[i], feed, look, "");
+	}
+	char *words = feed_words(site, feed);
+	if (q->n_speed > 0 && words != NULL)
+		chart_note(chart, "feed of the speeds not measured: %s", words);
+	free(words);
+}
+
+static bool
+refuse(const struct plot_request *q, struct error *error)
+{
+	const struct site *site = entry_loaded(q->entry)->site;
+	if (q->n_speed > FURTHER)
+		return !error_set(error, ERROR_USAGE,
+		    "%zu speeds are too many to draw\n"
+		    "use at most %zu, so that the curves can be distinguished",
+		    q->n_speed, (size_t)FURTHER);
+	for (size_t i = 0; i < q->n_speed; i++)
+		if (site_run_at(site, q->speeds[i]) < site->n_run)
+			return !error_set(error, ERROR_USAGE,
+			    "%g m/s was measured and is drawn already\n"
+			    "speeds= adds speeds that were not measured",
+			    q->speeds[i]);
+	return false;
+}
+
+/* All of them on one axis; params: or NULL. */
+static void
+add_all(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct params *params)
+{
+	const struct entry *entry = entry_loaded(q->entry);
+	const struct site *site = entry->site;
+	double middle = site_middle(site);
+	bool hollow = false;
+	add_feeds(chart, site);
+	for (size_t i = 0; i < site->n_run; i++) {
+		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS))
+			continue;
+		add_run(chart, s, entry, params, i);
+		hollow = hollow || !entry->train[i];
+	}
+	if (hollow)
+		chart_note(chart, "hollow marks: held out from the fit");
+	if (site_chart_left_out(site) > 0)
+		chart_note(chart, "%zu measured runs are not drawn",
+		    site_chart_left_out(site));
+	if (params == NULL)
+		return;
+	chart_note(chart,
+	    site->individual_feeds
+		? N_("predicted: the model alone, each run from its own feed")
+		: N_("predicted: the model alone"));
+	add_further(chart, s, q, params);
+}
+
+struct chart *
+plots_runs(struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct site *site = entry_loaded(q->entry)->site;
+	struct params params;
+	struct error unknown = {0};
+	bool known = plots_past_params(s, q, &params, &unknown);
+	if (refuse(q, error))
+		return NULL;
+	if (!known && (q->generation > 0 || q->n_speed > 0)) {
+		*error = unknown;
+		return NULL;
+	}
+	size_t n;
+	double *size = site_sieves(site, &n);
+	for (size_t i = 0; i < n; i++)
+		size[i] = units_mm(size[i]);
+	struct chart *chart =
+	    site_chart(site, axis_sieves(tr("size, mm"), size, n),
+		axis_percent(tr("passing, %")),
+		site_products(site) == 0 ? N_("feed")
+		: known                  ? N_("products measured and predicted")
+					 : N_("feed and products"));
+	free(size);
+	add_all(chart, s, q, known ? &params : NULL);
+	if (!known)
+		chart_note(chart, "no prediction: %s", unknown.text);
+	return chart;
+}
