@@ -481,6 +481,14 @@ test_machine(void **state)
 	ensemble_machine(e, p->settings);
 	ensemble_at(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
+	/* To where it is already, and back from what others left there. */
+	ensemble_at(e, 74);
+	assert_memory_equal(P, own, size * sizeof *own);
+	ensemble_draws_at(e, 60);
+	ensemble_at(e, 74);
+	assert_memory_equal(P, own, size * sizeof *own);
+	ensemble_at(e, 80);
+	assert_memory_not_equal(P, own, size * sizeof *own);
 	free(own);
 	ensemble_free(e);
 	posterior_free(p);

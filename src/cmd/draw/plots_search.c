@@ -4,8 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include <gsl/gsl_sort_double.h>
-
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
@@ -226,9 +224,7 @@ add_drawn(struct session *s, const char *name, struct plots_strip *strip)
 		return;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value(&p->draw[d].params, name);
-	gsl_sort(value, 1, POSTERIOR_DRAWS);
-	strip->drawn[0] = value[POSTERIOR_DRAWS / 10];
-	strip->drawn[1] = value[POSTERIOR_DRAWS - 1 - POSTERIOR_DRAWS / 10];
+	ensemble_range(value, 0.8, NAN, strip->drawn);
 }
 
 struct plots_strip
