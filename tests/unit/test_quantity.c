@@ -194,12 +194,12 @@ a_response_is_what_is_predicted(void **state)
 	size_t n;
 	struct quantity *all = predict_asks(k.site, feed, &whole, &n);
 	struct response *table = response_new(feed, sizes.size, sizes.n, all, n,
-	    &k.fit.params, k.fit.settings, NULL);
-	response_borrow_at(table, e, ENSEMBLE_ANSWER, 72);
+	    &k.fit.params, k.fit.settings);
+	response_at(table, e, ENSEMBLE_ANSWER, 72);
 	struct prediction p = predict_table(k.site, 0, &whole, table, 0.8);
 	struct response *r = response_new(feed, sizes.size, sizes.n, ASK, ASKED,
-	    &k.fit.params, k.fit.settings, k.posterior);
-	response_at(r, 72);
+	    &k.fit.params, k.fit.settings);
+	response_at(r, e, ENSEMBLE_ANSWER, 72);
 	double range[2], ends[2];
 	response_band(r, 1, 0.8, range);
 	expect_near("P80", response_value(r, 1), p.p80, 1e-12);

@@ -499,7 +499,7 @@ answer_goal(struct session *s, struct goal *goal)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = outlook_predict(s, entry, speed[i], q->feed);
+		p[i] = forecast_whole(s, entry, speed[i], q->feed);
 	session_forget(s);
 	char *words = goal_words(goal);
 	struct answer *r =

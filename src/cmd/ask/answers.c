@@ -153,13 +153,6 @@ answers_speeds(const struct site *site, size_t *n)
 	return speed;
 }
 
-struct prediction
-outlook_predict(const struct session *s, const struct entry *entry,
-    double speed, size_t feed_run)
-{
-	return forecast_whole(s, entry, speed, feed_run);
-}
-
 void
 answers_keep(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)

@@ -52,10 +52,6 @@ double *answers_speeds(const struct site *site, size_t *n);
  * of 2 mm, else the one that half passes most nearly. */
 size_t answers_sieve(const struct psd *product);
 
-/* See forecast_whole. */
-struct prediction outlook_predict(const struct session *s,
-    const struct entry *entry, double speed, size_t feed_run);
-
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p);

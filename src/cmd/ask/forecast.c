@@ -33,7 +33,7 @@ forecast_open(const struct session *s, const struct question *q,
 	    .params = q->params != NULL ? q->params : &entry->params,
 	    .level = settings_level(&s->set)};
 	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
-	    f->params, outlook_settings(s, entry), NULL);
+	    f->params, outlook_settings(s, entry));
 	psd_free(&sizes);
 	return f;
 }
@@ -66,10 +66,7 @@ forecast_part_at(struct forecast *f, double speed, enum ensemble_part part)
 	    outlook_answering(f->s, f->entry, f->params) != NULL
 		? outlook_ensemble(f->s, f->entry, f->feed)
 		: NULL;
-	if (e != NULL)
-		response_borrow_at(f->response, e, part, speed);
-	else
-		response_at(f->response, speed);
+	response_at(f->response, e, part, speed);
 }
 
 void

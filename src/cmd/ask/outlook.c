@@ -259,20 +259,6 @@ outlook_answering(const struct session *s, const struct entry *entry,
 	return are_own(entry, params) ? answering(s, entry) : NULL;
 }
 
-struct response *
-outlook_response(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run, const struct quantity *asked,
-    size_t n)
-{
-	const struct psd *feed = site_feed(entry->site, feed_run);
-	struct psd sizes = predict_sizes(entry->site, feed);
-	struct response *r = response_new(feed, sizes.size, sizes.n, asked, n,
-	    params, outlook_settings(s, entry),
-	    outlook_answering(s, entry, params));
-	psd_free(&sizes);
-	return r;
-}
-
 struct crusher *
 outlook_crusher(const struct session *s, const struct entry *entry,
     const double *size, size_t n)

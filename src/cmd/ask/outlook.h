@@ -8,7 +8,6 @@
 #include "core/answer/crusher.h"
 #include "core/posterior/ensemble.h"
 #include "core/answer/predict.h"
-#include "core/answer/response.h"
 #include "io/formats/answer.h"
 
 /* The runs that inform the entry's answers: as set, or as it is asked. */
@@ -71,12 +70,6 @@ struct ensemble *outlook_ensemble(
 /* The settings that are set, with what another machine does otherwise. */
 struct model_settings outlook_settings(
     const struct session *s, const struct entry *entry);
-
-/* Quantities [n] of a product that is formed with these parameters, with draws
- * of its own where they are the entry's; response_free. */
-struct response *outlook_response(const struct session *s,
-    const struct entry *entry, const struct params *params, size_t feed_run,
-    const struct quantity *asked, size_t n);
 
 /* What the entry's answers are drawn from, formed with these parameters; NULL:
  * they are the model alone. */

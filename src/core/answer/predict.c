@@ -153,9 +153,9 @@ predict(const struct site *site, const struct params *p,
 	struct psd sizes = predict_sizes(site, feed);
 	size_t n;
 	struct quantity *asked = predict_asks(site, feed, &whole, &n);
-	struct response *r = response_new(
-	    feed, sizes.size, sizes.n, asked, n, p, settings, NULL);
-	response_at(r, speed);
+	struct response *r =
+	    response_new(feed, sizes.size, sizes.n, asked, n, p, settings);
+	response_at(r, NULL, ENSEMBLE_MODEL, speed);
 	struct prediction out = predict_table(site, feed_run, &whole, r, 0);
 	response_free(r);
 	psd_free(&sizes);

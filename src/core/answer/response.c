@@ -14,8 +14,7 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* ensemble: NULL for the model alone; drawn: what the draws are of, or NULL.
- * product: at `speed`, of the model, or
+/* ensemble: NULL for the model alone.  product: at `speed`, of the model, or
  * the mean of the draws, at the sieves and at the sizes that quantities need,
  * each `share` of the way from the sieve below `above` to it; alone: the
  * model's at `alone_speed`.  curve, part: room for a draw's; sieve [n_sieve]:
@@ -25,8 +24,6 @@ struct response {
 	struct params params;
 	struct model_settings settings;
 	struct ensemble *ensemble;
-	bool borrowed;
-	const struct posterior *drawn;
 	struct psd product, alone;
 	double alone_speed;
 	size_t *above;
@@ -111,7 +108,7 @@ find_row(const struct quantity *q, const double *size, size_t n)
 struct response *
 response_new(const struct psd *feed, const double *size, size_t n,
     const struct quantity *asked, size_t n_asked, const struct params *p,
-    struct model_settings settings, const struct posterior *posterior)
+    struct model_settings settings)
 {
 	struct response *r = xcalloc(1, sizeof *r);
 	size_t n_sieve = n;
@@ -120,7 +117,6 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	    (struct response){.model = model_new(feed, size, n_sieve, settings),
 		.params = *p,
 		.settings = settings,
-		.drawn = posterior,
 		.product = psd_new(n),
 		.alone_speed = NAN,
 		.of = ENSEMBLE_ANSWER,
@@ -136,10 +132,6 @@ response_new(const struct psd *feed, const double *size, size_t n,
 		.draw = xcalloc(n_asked, sizeof *r->draw),
 		.part = psd_new(n)};
 	model_set(r->model, p);
-	if (posterior != NULL) {
-		r->ensemble = ensemble_new(posterior, feed, size, n_sieve);
-		ensemble_machine(r->ensemble, settings);
-	}
 	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
 	place(r, size, n_sieve);
@@ -148,8 +140,6 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
 		r->row[i] = find_row(&asked[i], all, n);
-		if (posterior != NULL)
-			r->draw[i] = xdoubles(DRAWS);
 		if (!fraction_screens(&asked[i].fraction))
 			continue;
 		r->kept[i] = xdoubles(n);
@@ -169,8 +159,6 @@ response_free(struct response *r)
 		free(r->draw[i]);
 	}
 	model_free(r->model);
-	if (!r->borrowed)
-		ensemble_free(r->ensemble);
 	psd_free(&r->product);
 	psd_free(&r->alone);
 	psd_free(&r->curve);
@@ -232,8 +220,8 @@ model_curve(struct response *r)
 	return &r->alone;
 }
 
-void
-response_answer_at(struct response *r, double v)
+static void
+answer_at(struct response *r, double v)
 {
 	r->speed = v;
 	if (r->ensemble == NULL) {
@@ -248,16 +236,18 @@ response_answer_at(struct response *r, double v)
 		r->value[i] = read_off(r, i, &r->product);
 }
 
-void
-response_at(struct response *r, double v)
+static void
+read_draws(struct response *r)
 {
 	bool curves = false;
-	response_answer_at(r, v);
-	for (size_t i = 0; i < r->n && r->ensemble != NULL; i++)
+	for (size_t i = 0; i < r->n; i++) {
+		if (r->draw[i] == NULL)
+			r->draw[i] = xdoubles(DRAWS);
 		if (r->row[i] < r->product.n)
 			take_row(r, r->row[i], r->draw[i]);
 		else
 			curves = true;
+	}
 	for (size_t d = 0; d < DRAWS && curves; d++) {
 		take_draw(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
@@ -267,16 +257,14 @@ response_at(struct response *r, double v)
 }
 
 void
-response_borrow_at(
+response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v)
 {
-	for (size_t i = 0; i < r->n && r->draw[i] == NULL; i++)
-		r->draw[i] = xdoubles(DRAWS);
 	r->ensemble = e;
-	r->borrowed = true;
-	r->drawn = ensemble_posterior(e);
 	r->of = of;
-	response_at(r, v);
+	answer_at(r, v);
+	if (e != NULL)
+		read_draws(r);
 }
 
 double
@@ -307,7 +295,8 @@ void
 response_break_band(
     const struct response *r, double level, double range[static 2])
 {
-	const struct posterior *p = r->drawn;
+	const struct posterior *p =
+	    r->ensemble != NULL ? ensemble_posterior(r->ensemble) : NULL;
 	double draw[DRAWS];
 	range[0] = range[1] = NAN;
 	for (size_t d = 0; d < DRAWS && p != NULL; d++)

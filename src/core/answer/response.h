@@ -7,27 +7,21 @@
 #include "core/psd/psd.h"
 #include "core/psd/quantity.h"
 
-/* Opaque; the posterior must outlive it. */
+/* Opaque. */
 struct response;
 
 /* size [n]: the sieves, m, coarsest first, see predict_sizes; what lies between
  * them is read straight on log size (D20), also at the sizes that quantities
- * [n_asked] need.  posterior: NULL for the model alone. */
+ * [n_asked] need. */
 struct response *response_new(const struct psd *feed, const double *size,
     size_t n, const struct quantity *asked, size_t n_asked,
-    const struct params *p, struct model_settings settings,
-    const struct posterior *posterior);
+    const struct params *p, struct model_settings settings);
 void response_free(struct response *r);
 
-/* Moves to tip speed v, m/s; response_answer_at without the draws, which are of
- * no speed then. */
-void response_at(struct response *r, double v);
-void response_answer_at(struct response *r, double v);
-
-/* Moves to a speed with the draws of an ensemble of the same feed and sieves,
- * which is borrowed until the next move; of a response without a posterior.
+/* Moves to tip speed v, m/s: of the model alone (e NULL), or with the draws of
+ * an ensemble of the same feed and sieves, borrowed until the next move.
  * of: what the draws and their bands are of, beside the answer's values. */
-void response_borrow_at(
+void response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
 /* Quantity i at that speed: of the answer, and of the model alone.  NAN where
