@@ -54,13 +54,14 @@ work(struct session *s)
 }
 
 /* What reads much asks in the midst of a line, of which Esc is then heard; the
- * threads of a search ask too, and draw nothing. */
+ * threads of a search ask too, and draw nothing.  A search that was begun here
+ * asks when the screen has been left, too. */
 static bool
 stops(void)
 {
-	if (!session_busy(open->session))
+	if (open != NULL && !session_busy(open->session))
 		under_way_draw(open);
-	return open->before.hooks.stop != NULL && open->before.hooks.stop();
+	return pump_waited_for();
 }
 
 const struct command *
