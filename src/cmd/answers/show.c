@@ -375,6 +375,7 @@ static const struct {
     {"selection", true, true, show_selection},
     {"appearance", true, false, show_appearance},
     {"equations", false, false, show_equations},
+    {"claims", false, false, show_claims},
     {"search", true, false, cmd_history},
     {"store", false, false, show_store},
     {"log", false, false, show_log},

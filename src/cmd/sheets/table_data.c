@@ -219,9 +219,9 @@ const struct command TABLE_DATA[] = {
     {.name = "show",
 	.brief = "show a site and its model",
 	.operands = {"[site|feed|product|params|fit|bounds|model|models|"
-		     "selection|appearance|equations|search|store|log]",
+		     "selection|appearance|equations|claims|search|store|log]",
 	    {"site feed product params fit bounds model models selection "
-	     "appearance equations search store log"},
+	     "appearance equations claims search store log"},
 	    0, 1},
 	.flags = COMMAND_BESIDE,
 	.option = SHOW_OPTIONS,
@@ -236,7 +236,9 @@ const struct command TABLE_DATA[] = {
 	    "appearance: the size classes of the progeny of each broken class "
 	    "(appearance function, Eq 1, the matrix of the paper's Table 1); "
 	    "equations: Eqs 1 to 5 as printed and as used, and what the "
-	    "printed forms would come to at the site; search: the generations "
+	    "printed forms would come to at the site; claims: what the paper "
+	    "concludes, held against the calibrated sites; search: the "
+	    "generations "
 	    "of the last calibration, as history; "
 	    "store: where remembered materials are kept; log: what the "
 	    "plant's log has.",
