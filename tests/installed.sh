@@ -24,6 +24,11 @@ result $? "on the command line, too"
 cp "$dir/data/sites/atle.csv" tierp
 "$program" -c 'load tierp' 2>&1 | grep -q '^loaded Atle'
 result $? "a file of that name comes first"
+mkdir "$dir/paper"
+(cd "$dir/paper" && "$program" -f "$(find "$dir/root" -name paper.tip)") >out 2>err
+[ $? = 0 ] && [ "$(ls "$dir/paper" | wc -l)" = 17 ] || remark err
+[ -s "$dir/paper/fig10.svg" ] && grep -q 'borne out' out
+result $? "and the script of the paper runs in an empty folder"
 for name in tierp.csv ../tierp ./bro nowhere; do
 	"$program" -c "load $name" >out 2>err
 	[ $? -eq 5 ] && grep -q "$name: cannot read" err

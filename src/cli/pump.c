@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/draw/plots.h"
 #include "cmd/fit/job.h"
 #include "cli/terminal.h"
 
@@ -316,12 +317,17 @@ struct progress {
 	size_t row;
 };
 
-/* Columns of the progress that is on the screen. */
-static int on_screen;
+/* Columns of the progress that is on the screen, and rows of what is watched
+ * above it. */
+static int on_screen, rows_above;
 
 static void
 clear_line(void)
 {
+	if (rows_above > 0)
+		fprintf(stderr, "\r\033[%dA\033[J", rows_above);
+	on_screen = rows_above > 0 ? 0 : on_screen;
+	rows_above = 0;
 	if (on_screen > 0)
 		fprintf(stderr, "\r%*s\r", on_screen, "");
 	on_screen = 0;
@@ -369,13 +375,75 @@ progress_row(
 	    st->generation, st->best, st->median);
 }
 
+/* What can move its cursor up and clear below it. */
+static bool
+can_watch(const struct session *s, const struct progress *p)
+{
+	const char *term = getenv("TERM");
+	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
+	       term != NULL && term[0] != '\0' && strcmp(term, "dumb") != 0;
+}
+
+/* All runs and what the best candidate makes of them, over the picture of the
+ * generation before. */
+static void
+draw_watched(
+    struct session *s, struct progress *p, const struct calibrate_status *st)
+{
+	enum { WIDEST = 100, HIGHEST = 22, LEAST = 8 };
+	int rows, columns;
+	struct error error = {0};
+	struct plot_request request = plots_request(PLOT_RUNS);
+	terminal_size(&rows, &columns);
+	rows = rows - 2 < HIGHEST ? rows - 2 : HIGHEST;
+	if (st->generation == p->row || rows < LEAST)
+		return;
+	p->row = st->generation;
+	request.site = s->entry[s->job.entry].key;
+	request.words = CHART_TITLE | CHART_LEGEND;
+	request.charset = s->screen.drawing ? CHARSET_BRAILLE : CHARSET_ASCII;
+	struct canvas *canvas = plots_draw(s, &request,
+	    columns - 1 < WIDEST ? columns - 1 : WIDEST, rows, &error);
+	if (canvas == NULL)
+		return;
+	clear_line();
+	canvas_print(canvas, s->screen.colours, stderr);
+	canvas_free(canvas);
+	rows_above = rows;
+	p->shown = 0;
+}
+
+/* A search would be over before it is seen: its first generations take a
+ * moment each. */
+static void
+pace_watched(const struct session *s)
+{
+	enum { MOMENT_MS = 40 };
+	const double long_s = 4;
+	if (session_clock() - s->job.started < long_s)
+		poll(NULL, 0, MOMENT_MS);
+}
+
+static void
+watch(struct session *s, struct progress *p, const struct calibrate_status *st)
+{
+	size_t before = p->row;
+	if (st->state == CALIBRATE_SEARCHING)
+		draw_watched(s, p, st);
+	progress_line(p, st);
+	if (p->row != before)
+		pace_watched(s);
+}
+
 static void
 progress(struct session *s, struct progress *p)
 {
 	if (!session_busy(s) || s->notes == NULL)
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (p->terminal)
+	if (can_watch(s, p))
+		watch(s, p, &st);
+	else if (p->terminal)
 		progress_line(p, &st);
 	else
 		progress_row(s, p, &st);

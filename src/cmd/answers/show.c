@@ -374,6 +374,9 @@ static const struct {
     {"models", false, false, show_models},
     {"selection", true, true, show_selection},
     {"appearance", true, false, show_appearance},
+    {"equations", false, false, show_equations},
+    {"claims", false, false, show_claims},
+    {"search", true, false, cmd_history},
     {"store", false, false, show_store},
     {"log", false, false, show_log},
 };
@@ -404,6 +407,11 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",
+		    what);
+	if (args_value(args, "every")->given && WHAT[i].show != cmd_history)
+		return error_set(error, ERROR_USAGE,
+		    "show %s: expected no every=\n"
+		    "generations are those of 'show search every=50'",
 		    what);
 	if (WHAT[i].at_site && !session_need_site(s, "show", error))
 		return false;

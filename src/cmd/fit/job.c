@@ -863,6 +863,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	struct job job = {.rounds = all ? &EVERY : &ALONE,
 	    .options = chosen_options(s, args, all),
 	    .detail = args_value(args, "detail")->choice == 1,
+	    .watch = args_value(args, "watch")->choice == 1,
 	    .pause_at = (size_t)args_value(args, "pause")->whole};
 	if (all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
@@ -876,7 +877,8 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return false;
 	}
 	bool train_all = all && args_value(args, "train")->given;
-	job.apart = all;
+	/* Side by side there is none to watch. */
+	job.apart = all && !job.watch;
 	if (all)
 		job.of = every_new(s, train_all, part, &job.options);
 	if (job_start(s, &job))

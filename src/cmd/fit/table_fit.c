@@ -38,6 +38,8 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"candidates, 800 generations, the bounds of its Table 2, no polish"},
     {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"on: show parameters, bounds and search too, as 'show fit' does"},
+    {"watch", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"on: at a terminal, draw the best curves of each generation in place"},
     {"part", VALUE_TEXT, "", 0, 0, NULL, "",
 	"I/N: of all sites every N-th, from the I-th on; default: as the "
 	"environment of a Slurm job array or of mpirun tells, else all"},

@@ -79,6 +79,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 	    TABLE_SCREENS
 
 /* What show runs too. */
-command_run show_params, show_bounds, show_fit, show_store, show_log;
+command_run show_params, show_bounds, show_fit, show_store, show_log,
+    show_equations, show_claims;
 
 #endif

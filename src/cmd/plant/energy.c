@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -12,6 +13,7 @@
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
 #include "io/fs/file.h"
+#include "io/fs/shipped.h"
 #include "io/sitefile/units.h"
 
 /* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of
@@ -337,7 +339,14 @@ energy_load(struct session *s, const struct args *args, struct error *error)
 	way.speed = args_number(args, "speed", NAN);
 	way.density = args_value(args, "density")->number;
 	way.cut = args_number(args, "cut", way.cut);
-	if (energies_read(s, args->operand[1], &way, error) == NULL)
+	/* A file that is there comes before a shipped one of its name. */
+	const char *asked = args->operand[1];
+	char *shipped =
+	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;
+	const char *path = shipped != NULL ? shipped : asked;
+	bool read = energies_read(s, path, &way, error) != NULL;
+	free(shipped);
+	if (!read)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
 	take_note(e, args_value(args, "note")->text);

@@ -31,6 +31,7 @@ struct job {
 	bool *train;
 	bool fits;          /* its rounds are of their sites' own fits */
 	bool detail;        /* tells of the search, and all of the fit */
+	bool watch;         /* its curves are drawn while it goes on */
 	bool paused;        /* stopped by ^C; `continue` goes on */
 	bool held_back;     /* its site's parameters were better and stayed */
 	bool gave;          /* its site `given` when it was last stopped */

@@ -5,6 +5,8 @@
 static const struct command_option SHOW_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
 	"speed of the selection function; default: a held-out speed, else 74"},
+    {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
+	"search: every N-th generation; default: as many as fit a screen"},
     {.name = NULL}};
 
 /* Options of load and add, which both read sheets. */
@@ -217,9 +219,9 @@ const struct command TABLE_DATA[] = {
     {.name = "show",
 	.brief = "show a site and its model",
 	.operands = {"[site|feed|product|params|fit|bounds|model|models|"
-		     "selection|appearance|store|log]",
+		     "selection|appearance|equations|claims|search|store|log]",
 	    {"site feed product params fit bounds model models selection "
-	     "appearance store log"},
+	     "appearance equations claims search store log"},
 	    0, 1},
 	.flags = COMMAND_BESIDE,
 	.option = SHOW_OPTIONS,
@@ -233,6 +235,11 @@ const struct command TABLE_DATA[] = {
 	    "at a speed (selection function, Eq 3), and its share of the feed; "
 	    "appearance: the size classes of the progeny of each broken class "
 	    "(appearance function, Eq 1, the matrix of the paper's Table 1); "
+	    "equations: Eqs 1 to 5 as printed and as used, and what the "
+	    "printed forms would come to at the site; claims: what the paper "
+	    "concludes, held against the calibrated sites; search: the "
+	    "generations "
+	    "of the last calibration, as history; "
 	    "store: where remembered materials are kept; log: what the "
 	    "plant's log has.",
 	.example = "load data/sites/tierp.csv\n"

@@ -44,17 +44,30 @@ shipped_folder(void)
 	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
 }
 
-char *
-shipped_path(const char *name)
+/* A file of a folder beside that of the sites. */
+static char *
+named(const char *name, const char *from)
 {
 	if (strchr(name, '/') != NULL)
 		return NULL;
 	char *slug = text_slug(name), *folder = shipped_folder();
-	char *path = xasprintf("%s%s.csv", folder, slug);
+	char *path = xasprintf("%s%s%s.csv", folder, from, slug);
 	free(folder);
 	free(slug);
 	if (access(path, R_OK) == 0)
 		return path;
 	free(path);
 	return NULL;
+}
+
+char *
+shipped_path(const char *name)
+{
+	return named(name, "");
+}
+
+char *
+shipped_energies(const char *name)
+{
+	return named(name, "../energy/");
 }

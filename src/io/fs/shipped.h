@@ -11,4 +11,7 @@ char *shipped_folder(void);
  * name has a folder, or no site of it is shipped.  The caller frees. */
 char *shipped_path(const char *name);
 
+/* Likewise of collision energies ("vsi-69"). */
+char *shipped_energies(const char *name);
+
 #endif

@@ -1,0 +1,309 @@
+/* show claims: what the paper concludes, held against the sites that are loaded
+ * and calibrated.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/lang/table.h"
+#include "cmd/session/sites.h"
+#include "core/answer/predict.h"
+#include "core/check/validate.h"
+#include "core/model/breakage.h"
+#include "core/search/misfit.h"
+
+/* The fits of the paper's model at loaded sites [n], their validations at
+ * held-out speeds v [n_run], and Table 3. */
+struct shown {
+	size_t n, n_run;
+	const struct entry **fit;
+	struct validation *v;
+	struct model_settings settings;
+	struct stored_list paper;
+};
+
+static void
+collect(struct shown *c, const struct session *s)
+{
+	c->settings = s->set.model;
+	stored_table3(&c->paper);
+	c->fit = xcalloc(s->n_entry + 1, sizeof(*c->fit));
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *e = &s->entry[i];
+		if (!e->has_fit || e->params.breakage != 0)
+			continue;
+		c->fit[c->n++] = e;
+		for (size_t r = 0; r < e->site->n_run; r++) {
+			if (e->train[r] ||
+			    misfit_covered(&e->site->run[r]) == 0)
+				continue;
+			c->v = xrealloc(c->v, c->n_run + 1, sizeof *c->v);
+			c->v[c->n_run++] = validate_run(e->site, r, e->train,
+			    &e->params, c->settings, NULL);
+		}
+	}
+}
+
+/* The claim, whether these data bear it out, and the figures: for people in a
+ * paragraph, for programs in a row. */
+static void
+claim(struct answer *r, const char *words, bool borne_out, char *figures)
+{
+	answer_note(r,
+	    borne_out ? N_("borne out: %s. %s") : N_("NOT borne out: %s. %s"),
+	    tr(words), figures);
+	answer_cells(r, "%s %s %s", words, borne_out ? "yes" : "no", figures);
+	free(figures);
+}
+
+static void
+claim_range(struct answer *r, const struct shown *c)
+{
+	size_t bound = 0;
+	double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {0};
+	for (size_t i = 0; i < c->n; i++) {
+		bool any = false;
+		for (size_t j = 0; j < 3; j++) {
+			double x = c->fit[i]->fit.params.at[4 + j];
+			low[j] = fmin(low[j], x);
+			high[j] = fmax(high[j], x);
+			any = any || c->fit[i]->fit.on_bound[4 + j];
+		}
+		bound += any;
+	}
+	claim(r, N_("properties converge within the range of rock"), bound == 0,
+	    xasprintf(tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f "
+			 "to %.2f; %zu of %zu sites end with one at a bound of "
+			 "Table 2, which then is the bound's and not the "
+			 "rock's"),
+		low[0], high[0], low[1], high[1], low[2], high[2], bound,
+		c->n));
+}
+
+static void
+claim_sizes(struct answer *r, const struct shown *c)
+{
+	const struct validation **v = xcalloc(c->n_run + 1, sizeof(*v));
+	double rms[PSD_SIZES];
+	for (size_t j = 0; j < c->n_run; j++)
+		v[j] = &c->v[j];
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		rms[i] =
+		    100 * validate_score(v, c->n_run, VALIDATE_MODEL, i).rms;
+	free(v);
+	claim(r, N_("P50 differs least"), rms[1] < rms[0] && rms[1] < rms[2],
+	    xasprintf(tr("relative RMS of P20 %.2f %%, P50 %.2f %%, P80 %.2f "
+			 "%% over %zu held-out runs"),
+		rms[0], rms[1], rms[2], c->n_run));
+	claim(r, N_("the tails lie further off"),
+	    rms[0] > rms[1] && rms[2] > rms[1],
+	    xasprintf(rms[0] > rms[1]
+			  ? (rms[2] > rms[1] ? tr("both, P20 and P80")
+					     : tr("P20 does, P80 does not"))
+			  : (rms[2] > rms[1] ? tr("P80 does, P20 does not")
+					     : tr("neither P20 nor P80"))));
+}
+
+static double
+correlation(const double *x, const double *y, size_t n)
+{
+	double mx = 0, my = 0, xx = 0, yy = 0, xy = 0;
+	for (size_t i = 0; i < n; i++) {
+		mx += x[i] / (double)n;
+		my += y[i] / (double)n;
+	}
+	for (size_t i = 0; i < n; i++) {
+		xx += (x[i] - mx) * (x[i] - mx);
+		yy += (y[i] - my) * (y[i] - my);
+		xy += (x[i] - mx) * (y[i] - my);
+	}
+	return xy / sqrt(xx * yy);
+}
+
+/* A correlation further below 0 than chance brings once in 20 (t about 2). */
+static bool
+is_negative(double r, size_t n)
+{
+	const double t = 2.1;
+	return n > 2 && r < -t / sqrt(t * t + (double)n - 2);
+}
+
+static void
+claim_opposite(struct answer *r, const struct shown *c)
+{
+	size_t most = c->n > c->paper.n ? c->n : c->paper.n;
+	double *x = xdoubles(most), *y = xdoubles(most), printed, fitted;
+	for (size_t i = 0; i < c->paper.n; i++) {
+		x[i] = params_value(&c->paper.item[i].params, "f_mat");
+		y[i] = params_value(&c->paper.item[i].params, "e0_min");
+	}
+	printed = correlation(x, y, c->paper.n);
+	for (size_t i = 0; i < c->n; i++) {
+		x[i] = params_value(&c->fit[i]->params, "f_mat");
+		y[i] = params_value(&c->fit[i]->params, "e0_min");
+	}
+	fitted = correlation(x, y, c->n);
+	free(x);
+	free(y);
+	claim(r, N_("high f_mat goes with low e0_min, and the reverse"),
+	    is_negative(printed, c->paper.n),
+	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3, "
+			 "%+.2f over the %zu fits; chance alone is beyond "
+			 "%.2f once in 20"),
+		printed, c->paper.n, fitted, c->n,
+		2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2)));
+}
+
+/* The row of Table 3 that is called as the site is, or NULL. */
+static const struct stored *
+row_of(const struct shown *c, const struct entry *entry)
+{
+	char *name = xasprintf("table3/%s", entry->key);
+	const struct stored *m = stored_find(&c->paper, name);
+	free(name);
+	return m;
+}
+
+static int
+by_size(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return (x > y) - (x < y);
+}
+
+/* Of reconstructed sites the product at a speed is known: that of their row. */
+static void
+claim_beyond(struct answer *r, const struct shown *c)
+{
+	static const double SPEED[] = {65, 85};
+	const double far = 1;
+	double *off = xdoubles(2 * c->n + 1);
+	size_t n = 0, well = 0;
+	for (size_t i = 0; i < c->n; i++) {
+		const struct site *site = c->fit[i]->site;
+		const struct stored *m = row_of(c, c->fit[i]);
+		for (size_t k = 0; m != NULL && k < ARRAY_LEN(SPEED); k++) {
+			struct prediction p = predict(site, &c->fit[i]->params,
+					      c->settings, SPEED[k],
+					      SITE_MEAN_FEED),
+					  q = predict(site, &m->params,
+					      c->settings, SPEED[k],
+					      SITE_MEAN_FEED);
+			off[n] =
+			    100 * psd_rms(p.product.passing, q.product.passing,
+				      p.product.n, NULL);
+			well += off[n++] < far;
+			prediction_free(&p);
+			prediction_free(&q);
+		}
+	}
+	qsort(off, n, sizeof *off, by_size);
+	if (n > 0)
+		claim(r, N_("65 and 85 m/s can be predicted from 69 and 79"),
+		    well == n,
+		    xasprintf(tr("from the product that the row's own "
+				 "parameters give: RMSE %.2f points (median of "
+				 "%zu), %.2f at worst, of which none is to be "
+				 "above 1; energies %+.1f and "
+				 "%+.1f %% (the text has -12 and 15)"),
+			off[n / 2], n, off[n - 1],
+			100 * (65 * 65 / (69. * 69) - 1),
+			100 * (85 * 85 / (79. * 79) - 1)));
+	free(off);
+}
+
+static void
+claim_middle(struct answer *r, const struct shown *c)
+{
+	size_t wins = 0, n = 0;
+	double sum[2] = {0};
+	for (size_t i = 0; i < c->n_run; i++) {
+		double own = c->v[i].rmse[VALIDATE_MODEL],
+		       line = c->v[i].rmse[VALIDATE_INTERPOLATION];
+		if (isnan(line))
+			continue;
+		n++;
+		wins += own < line;
+		sum[0] += own * own;
+		sum[1] += line * line;
+	}
+	if (n > 0)
+		claim(r, N_("the middle speed verifies the model"),
+		    sum[0] < sum[1],
+		    xasprintf(tr("RMSE %.2f points at held-out speeds, "
+				 "straight interpolation of the two training "
+				 "products %.2f; the model is nearer in %zu of "
+				 "%zu runs"),
+			100 * sqrt(sum[0] / (double)n),
+			100 * sqrt(sum[1] / (double)n), wins, n));
+}
+
+/* D11. */
+static void
+claim_resistance(struct answer *r, const struct shown *c)
+{
+	size_t more = 0;
+	double sum = 0;
+	for (size_t i = 0; i < c->n; i++) {
+		struct params p = c->fit[i]->params;
+		double speed = site_middle(c->fit[i]->site), share[2];
+		for (size_t k = 0; k < 2; k++) {
+			struct prediction of = predict(c->fit[i]->site, &p,
+			    c->settings, speed, SITE_MEAN_FEED);
+			share[k] = 100 * of.selected;
+			prediction_free(&of);
+			p.f_mat *= 1.1;
+		}
+		more += share[1] > share[0];
+		sum += (share[1] - share[0]) / (double)c->n;
+	}
+	claim(r, N_("f_mat is a resistance: less of it, more breakage"),
+	    more == 0,
+	    xasprintf(tr("by Eq 3 10 %% more f_mat breaks more of the feed at "
+			 "%zu of %zu sites, by %+.2f points on average"),
+		more, c->n, sum));
+}
+
+bool
+show_claims(struct session *s, const struct args *args, struct error *error)
+{
+	struct shown c = {0};
+	char *about = xstrdup("");
+	(void)args;
+	collect(&c, s);
+	bool any = c.n > 0 && c.n_run > 0;
+	struct answer *r = answer_new("show");
+	answer_for_programs(r);
+	answer_columns(r, "claim, borne_out, figures");
+	for (size_t i = 0; i < c.n; i++)
+		site_add_source(&about, c.fit[i]->site);
+	answer_title(r,
+	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
+	answer_sites(r, "", about);
+	if (any) {
+		claim_range(r, &c);
+		claim_middle(r, &c);
+		claim_sizes(r, &c);
+		claim_beyond(r, &c);
+		claim_opposite(r, &c);
+		claim_resistance(r, &c);
+	}
+	answer_put_rows(r, "claims");
+	fields_put(answer_fields(r), "what %s sites %zu", "claims", c.n);
+	if (strstr(about, "reconstructed") != NULL)
+		answer_say(r, ANSWER_REMARK,
+		    "reconstructed data are made by the model itself: they can "
+		    "show that its calibration works, not that rock breaks so");
+	free(about);
+	free(c.fit);
+	free(c.v);
+	stored_list_free(&c.paper);
+	if (any)
+		return session_answer(s, r);
+	answer_free(r);
+	return error_set(error, ERROR_USAGE,
+	    "no loaded site has a fit of the paper's model and a held-out run\n"
+	    "load sites with three speeds, then run 'calibrate all'");
+}

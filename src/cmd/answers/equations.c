@@ -1,0 +1,299 @@
+/* show equations: Eqs 1 to 5 as they stand in print and as they are used, and
+ * for each departure what the printed form would come to at the site in use.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/lang/table.h"
+#include "core/answer/predict.h"
+#include "core/model/breakage.h"
+#include "core/search/misfit.h"
+#include "io/sitefile/units.h"
+
+static const struct {
+	const char *equation, *printed, *used;
+} EQUATIONS[] = {
+    {"Eq 1", "a_ij = beta1 + beta2 x_i + beta3 x_i^2 + beta4 x_i^3",
+	"p(u) = max(0, beta1 + beta2 u + beta3 u^2 + beta4 u^3) over ln u, "
+	"u = progeny / parent, its sum 1 (D3, D4)"},
+    {"Eq 2", "P = [B S f + (I - S) f]",
+	"P(s) = F(s) + integral over x > s of S(x) B(s/x) dF(x); 'set method "
+	"classes' has the matrices"},
+    {"Eq 3", "S = [1 - exp(f_mat x_i^alpha k (E_CS - E0_min / x_i^alpha))]",
+	"S(x) = 1 - exp(-f_mat k (x^alpha E - e0_min)), 0 where x^alpha E < "
+	"e0_min, x in m (D1, D2)"},
+    {"Eq 4", "E_CS = v_rotor^2 / 2", "E = v^2 / 2"},
+    {"Eq 5",
+	"E = sum of ((P_exp,high - P_sim,high)^2 - (P_exp,low - P_sim,low)^2)",
+	"E = sum of ((measured - simulated)^2 at both speeds) (D6)"}};
+
+/* What is worked out: the site, its parameters, and the two runs of Eq 5. */
+struct worked {
+	const struct site *site;
+	const struct params *p;
+	struct model_settings settings;
+	size_t low, high;
+};
+
+/* Of Eq 3 the exponent without sign and floor, x in the unit it is given in. */
+static double
+exponent(const struct worked *w, double x, double speed)
+{
+	const struct params *p = w->p;
+	return p->f_mat * w->settings.k *
+	       (pow(x, p->alpha) * speed * speed / 2 - p->e0_min);
+}
+
+/* Two sieves' middle on log size, m, where something breaks, or where nothing
+ * does: the coarsest such class. */
+static double
+class_at(const struct worked *w, double speed, bool breaks)
+{
+	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
+	for (size_t i = 0; i + 1 < feed->n; i++) {
+		double x = sqrt(feed->size[i] * feed->size[i + 1]);
+		if ((exponent(w, x, speed) > 0) == breaks)
+			return x;
+	}
+	return NAN;
+}
+
+static void
+say_sign(struct answer *r, const struct worked *w, double speed)
+{
+	double coarse = class_at(w, speed, true),
+	       fine = class_at(w, speed, false);
+	struct fields *o = fields_object(answer_fields(r), "d1");
+	if (!isnan(coarse)) {
+		double t = exponent(w, coarse, speed);
+		fields_put(o, "coarse_mm %g used_pct %g printed_pct %g",
+		    units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
+		answer_note(r,
+		    "D1, the sign: at %g m/s S of %.3g mm is %.1f %%; as "
+		    "printed it is %.3g %%",
+		    speed, units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
+	}
+	if (!isnan(fine)) {
+		double t = exponent(w, fine, speed);
+		fields_put(o, "fine_mm %g no_floor_pct %g", units_mm(fine),
+		    -100 * expm1(-t));
+		answer_note(r,
+		    "D1, the floor: %.3g mm is below the break size and does "
+		    "not break; without the floor its S is %.3g %%",
+		    units_mm(fine), -100 * expm1(-t));
+	}
+}
+
+/* The share of the feed that breaks where x is in millimetres. */
+static double
+selected_mm(const struct worked *w, double speed)
+{
+	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
+	double sum = 0;
+	for (size_t i = 0; i + 1 < feed->n; i++) {
+		double mm = units_mm(sqrt(feed->size[i] * feed->size[i + 1]));
+		double t = exponent(w, mm, speed);
+		sum += (feed->passing[i] - feed->passing[i + 1]) *
+		       (t > 0 ? -expm1(-t) : 0);
+	}
+	return sum;
+}
+
+static void
+say_metres(struct answer *r, const struct worked *w)
+{
+	double speed[2] = {w->site->run[w->low].speed,
+	    w->site->run[w->high].speed},
+	       metres[2], mm[2];
+	for (size_t i = 0; i < 2; i++) {
+		struct prediction p = predict(
+		    w->site, w->p, w->settings, speed[i], SITE_MEAN_FEED);
+		metres[i] = 100 * p.selected;
+		mm[i] = 100 * selected_mm(w, speed[i]);
+		prediction_free(&p);
+	}
+	fields_put(fields_object(answer_fields(r), "d2"),
+	    "low_pct %g high_pct %g mm_low_pct %g mm_high_pct %g", metres[0],
+	    metres[1], mm[0], mm[1]);
+	answer_note(r,
+	    "D2, metres: %.1f %% of the feed breaks at %g m/s and %.1f %% at "
+	    "%g m/s; with x in millimetres it would be %.1f %% and %.1f %%, "
+	    "whatever the speed",
+	    metres[0], speed[0], metres[1], speed[1], mm[0], mm[1]);
+}
+
+/* RMSE of parameters at one run, or for n_run at both, points. */
+static double
+points(const struct worked *w, struct model_settings settings,
+    const struct params *p, size_t run)
+{
+	bool *train = xcalloc(w->site->n_run, sizeof *train);
+	train[w->low] = run != w->high;
+	train[w->high] = run != w->low;
+	struct misfit *m = misfit_new(w->site, train, NULL, false, settings);
+	double rmse = 100 * misfit_rmse(m, p);
+	misfit_free(m);
+	free(train);
+	return rmse;
+}
+
+/* The literal reading: whatever beta, each progeny class has the same share. */
+static void
+say_parents(struct answer *r, const struct worked *w)
+{
+	struct model_settings literal = w->settings;
+	struct params other = *w->p;
+	double speed = w->site->run[w->high].speed, most = 0;
+	literal.method = METHOD_CLASSES;
+	literal.appearance = APPEARANCE_PARENT_MM;
+	for (size_t i = 0; i < 4; i++)
+		other.beta[i] = i == 0;
+	struct prediction a = predict(
+			      w->site, w->p, literal, speed, SITE_MEAN_FEED),
+			  b = predict(
+			      w->site, &other, literal, speed, SITE_MEAN_FEED);
+	for (size_t i = 0; i < a.product.n; i++)
+		most = fmax(most,
+		    100 * fabs(a.product.passing[i] - b.product.passing[i]));
+	prediction_free(&a);
+	prediction_free(&b);
+	double off = points(w, literal, w->p, w->site->n_run),
+	       used = points(w, w->settings, w->p, w->site->n_run);
+	fields_put(fields_object(answer_fields(r), "d3"),
+	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
+	    used);
+	answer_note(r,
+	    "D3, the progeny: with x_i the parent's size all progeny classes "
+	    "get the same share, and beta 1, 0, 0, 0 moves the product by %.2g "
+	    "points; it misses the two runs by %.2f points (RMSE), u = progeny "
+	    "/ parent by %.2f",
+	    most < 1e-9 ? 0 : most, off, used);
+}
+
+/* Of a grid over Table 2's bounds the parameters of the least printed Eq 5; the
+ * first is the site's own. */
+static double
+least_printed(const struct worked *w, struct misfit *low, struct misfit *high,
+    struct params *best)
+{
+	enum { STEPS = 8 };
+	const struct bounds b = bounds_default(0);
+	double least = misfit_at(high, best) - misfit_at(low, best);
+	struct params p = *w->p;
+	for (size_t i = 0; i < STEPS * STEPS * STEPS; i++) {
+		size_t at[] = {i % STEPS, i / STEPS % STEPS, i / STEPS / STEPS};
+		for (size_t j = 0; j < 3; j++)
+			p.at[4 + j] =
+			    b.lower[4 + j] + (b.upper[4 + j] - b.lower[4 + j]) *
+						 (double)at[j] / (STEPS - 1);
+		double printed = misfit_at(high, &p) - misfit_at(low, &p);
+		if (printed < least) {
+			least = printed;
+			*best = p;
+		}
+	}
+	return least;
+}
+
+static void
+say_minus(struct answer *r, const struct worked *w)
+{
+	struct misfit *m[2];
+	for (size_t i = 0; i < 2; i++) {
+		bool *train = xcalloc(w->site->n_run, sizeof *train);
+		train[i == 0 ? w->low : w->high] = true;
+		m[i] = misfit_new(w->site, train, NULL, false, w->settings);
+		free(train);
+	}
+	struct params best = *w->p;
+	double own = misfit_at(m[1], &best) - misfit_at(m[0], &best);
+	double least = least_printed(w, m[0], m[1], &best);
+	double off[2];
+	for (size_t i = 0; i < 2; i++)
+		off[i] = 100 * misfit_rmse(m[i], &best);
+	fields_put(fields_object(answer_fields(r), "d6"),
+	    "own %g least %g low_rmse_pct %g high_rmse_pct %g", own, least,
+	    off[0], off[1]);
+	answer_note(r,
+	    "D6, the minus: Eq 5 as printed is %.3g for the site's parameters "
+	    "and would prefer f_mat %.3g, e0_min %.3g, alpha %.3g with %.3g, "
+	    "which miss %g m/s by %.1f points and %g m/s by %.1f",
+	    own, best.f_mat, best.e0_min, best.alpha, least,
+	    w->site->run[w->low].speed, off[0], w->site->run[w->high].speed,
+	    off[1]);
+	misfit_free(m[0]);
+	misfit_free(m[1]);
+}
+
+/* The slowest and the fastest run with a product; false where there are no two
+ * of them. */
+static bool
+find_runs(struct worked *w)
+{
+	bool *train = xcalloc(w->site->n_run, sizeof *train);
+	size_t n = misfit_default_train(w->site, train), found = 0;
+	for (size_t i = 0; i < w->site->n_run && n > 0; i++) {
+		if (!train[i])
+			continue;
+		w->low = found++ == 0 ? i : w->low;
+		w->high = i;
+	}
+	free(train);
+	return found > 1 &&
+	       w->site->run[w->low].speed < w->site->run[w->high].speed;
+}
+
+/* With the numbers of the site in use, where it has parameters of the paper's
+ * model. */
+static void
+work_out(struct answer *r, const struct session *s)
+{
+	const struct entry *entry =
+	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	struct worked w = {.settings = s->set.model};
+	if (entry == NULL || !entry->has_params ||
+	    entry->params.breakage != 0) {
+		answer_note(r,
+		    "load and calibrate a site for what the printed forms come "
+		    "to there");
+		return;
+	}
+	w.site = entry->site;
+	w.p = &entry->params;
+	say_sign(r, &w, answers_usual(entry));
+	if (!find_runs(&w))
+		return;
+	say_metres(r, &w);
+	say_parents(r, &w);
+	say_minus(r, &w);
+}
+
+bool
+show_equations(struct session *s, const struct args *args, struct error *error)
+{
+	(void)args;
+	(void)error;
+	struct answer *r = s->n_entry > 0
+			       ? answers_new(s->entry[s->current].site, "show",
+				     "the equations, as printed and as used")
+			       : answer_new("show");
+	answer_columns(r, "equation, as: , formula");
+	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
+		answer_cells(r, "%s %s %s", EQUATIONS[i].equation,
+		    tr("printed"), EQUATIONS[i].printed);
+		answer_cells(r, "%s %s %s", "", tr("used"), EQUATIONS[i].used);
+	}
+	answer_for_programs(r);
+	answer_columns(r, "equation, printed, used");
+	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++)
+		answer_cells(r, "%s %s %s", EQUATIONS[i].equation,
+		    EQUATIONS[i].printed, EQUATIONS[i].used);
+	answer_put_rows(r, "equations");
+	fields_put(answer_fields(r), "what %s", "equations");
+	work_out(r, s);
+	answer_note(r, "'man model' lists the departures D1, D2 ..");
+	return session_answer(s, r);
+}
