@@ -193,8 +193,8 @@ a_response_is_what_is_predicted(void **state)
 	    ensemble_new(k.posterior, feed, sizes.size, sizes.n);
 	size_t n;
 	struct quantity *all = predict_asks(k.site, feed, &whole, &n);
-	struct response *table = response_new(feed, sizes.size, sizes.n, all, n,
-	    &k.fit.params, k.fit.settings);
+	struct response *table = response_new(
+	    feed, sizes.size, sizes.n, all, n, &k.fit.params, k.fit.settings);
 	response_at(table, e, ENSEMBLE_ANSWER, 72);
 	struct prediction p = predict_table(k.site, 0, &whole, table, 0.8);
 	struct response *r = response_new(feed, sizes.size, sizes.n, ASK, ASKED,
