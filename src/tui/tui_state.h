@@ -208,11 +208,11 @@ struct tui {
 	bool runs;             /* page Predict has plot runs for its curves */
 	enum second second;    /* right of the curves */
 	struct second_plot *second_plot; /* see second.h, likewise */
-	char *under_way;   /* line that is run, or NULL */
-	bool of_script;    /* it is one of a script */
-	bool stopping;     /* a key stops it */
-	double ran_from;   /* when it or its script began, s */
-	double drawn_at;   /* when that was last drawn */
+	char *under_way;                 /* line that is run, or NULL */
+	bool of_script;                  /* it is one of a script */
+	bool stopping;                   /* a key stops it */
+	double ran_from;                 /* when it or its script began, s */
+	double drawn_at;                 /* when that was last drawn */
 	const char *begun; /* what takes a moment just now, or NULL */
 	enum plot_kind picture;
 	bool held;            /* the calibration waits */

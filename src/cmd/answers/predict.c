@@ -433,13 +433,14 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	if (!take_params(s, entry, &params, error) ||
 	    !whole_for(args, &q->fraction, error) || !screened_tells(q, error))
 		return false;
-	q->params = &params;
-	struct prediction p = forecast_product(s, q, q->speed);
+	struct question at = *q;
+	at.params = &params;
+	struct prediction p = forecast_product(s, &at, at.speed);
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);
-	struct answer *r = explained(
-	    s, q, &p, &params, wanted, args_value(args, "detail")->choice == 1);
+	struct answer *r = explained(s, &at, &p, &params, wanted,
+	    args_value(args, "detail")->choice == 1);
 	if (asked->given && asked->choice == 1 && p.low == NULL)
 		answer_note(r, "%s", outlook_why_none(s, entry));
 	bool picture = pictures_wanted(s) && s->document == NULL;
@@ -449,7 +450,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 		session_keep(s, r);
 	else
 		session_answer(s, r);
-	bool ok = (!picture && !curve) || draw_curves(s, q, &p, error);
+	bool ok = (!picture && !curve) || draw_curves(s, &at, &p, error);
 	prediction_free(&p);
 	return ok;
 }
