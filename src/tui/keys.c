@@ -93,7 +93,7 @@ const struct key KEYS[] = {
     {'v', "v", ON_PREDICT, ACT_PICTURE, 1, NULL,
 	"another second plot, from 200 columns on"},
     {'r', "r", ON_PREDICT, ACT_PICTURE, 0, NULL,
-	"all runs, measured and predicted; again: this speed"},
+	"all runs measured and predicted; again: back"},
     {'f', "f", ON_ALL, ACT_FIT, 0, "calibrate", "calibrate, or start again"},
     {' ', "Space", ON_ALL, ACT_HOLD, 0, "continue",
 	"pause or resume the calibration; once stopped: continue"},
