@@ -243,7 +243,8 @@ struct course {
 	pid_t shell, program;
 	bool over, changed;
 	int status;
-	char *last; /* of what was written */
+	char state[80]; /* of one that had to be killed */
+	char *last;     /* of what was written */
 	size_t last_n;
 };
 
@@ -579,6 +580,26 @@ play(struct course *c, const struct walk *w)
 	}
 }
 
+/* Whether it runs, sleeps or is stopped, and who traces it: a sanitizer does
+ * while it looks for leaks. */
+static void
+take_state(struct course *c)
+{
+	char line[80], *path = xasprintf("/proc/%d/status", (int)c->program);
+	FILE *in = fopen(path, "r");
+	size_t n = 0;
+	while (in != NULL && fgets(line, sizeof line, in) != NULL) {
+		line[strcspn(line, "\n")] = '\0';
+		if (strncmp(line, "State:", 6) == 0 ||
+		    strncmp(line, "TracerPid:", 10) == 0)
+			n += (size_t)snprintf(c->state + n, sizeof c->state - n,
+			    "%s%s", n > 0 ? ", " : "", line);
+	}
+	if (in != NULL)
+		fclose(in);
+	free(path);
+}
+
 /* False where it had to be killed. */
 static bool
 end(struct course *c, const struct walk *w)
@@ -601,6 +622,7 @@ end(struct course *c, const struct walk *w)
 		if ((clock > LIMIT && own > LIMIT) || clock > LIMIT_CLOCK)
 			break;
 	}
+	take_state(c);
 	kill(c->program, SIGKILL);
 	listen_for(c, 5000, 0);
 	return false;
@@ -705,6 +727,8 @@ walk(const struct walk *w, bool tell)
 		    WIFSIGNALED(c.status) ? WTERMSIG(c.status)
 					  : WEXITSTATUS(c.status));
 		tell_walk(w);
+		if (c.state[0] != '\0')
+			printf("#   it was killed: %s\n", c.state);
 		tell_reports(c.folder, true);
 		printf("#   it wrote last: ");
 		escaped(c.last != NULL ? c.last : "", c.last_n);
