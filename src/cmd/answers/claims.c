@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_statistics_double.h>
+
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/lang/table.h"
@@ -106,22 +108,6 @@ claim_sizes(struct answer *r, const struct shown *c)
 					     : tr("neither P20 nor P80"))));
 }
 
-static double
-correlation(const double *x, const double *y, size_t n)
-{
-	double mx = 0, my = 0, xx = 0, yy = 0, xy = 0;
-	for (size_t i = 0; i < n; i++) {
-		mx += x[i] / (double)n;
-		my += y[i] / (double)n;
-	}
-	for (size_t i = 0; i < n; i++) {
-		xx += (x[i] - mx) * (x[i] - mx);
-		yy += (y[i] - my) * (y[i] - my);
-		xy += (x[i] - mx) * (y[i] - my);
-	}
-	return xy / sqrt(xx * yy);
-}
-
 /* A correlation further below 0 than chance brings once in 20 (t about 2). */
 static bool
 is_negative(double r, size_t n)
@@ -139,12 +125,12 @@ claim_opposite(struct answer *r, const struct shown *c)
 		x[i] = params_value(&c->paper.item[i].params, "f_mat");
 		y[i] = params_value(&c->paper.item[i].params, "e0_min");
 	}
-	printed = correlation(x, y, c->paper.n);
+	printed = gsl_stats_correlation(x, 1, y, 1, c->paper.n);
 	for (size_t i = 0; i < c->n; i++) {
 		x[i] = params_value(&c->fit[i]->params, "f_mat");
 		y[i] = params_value(&c->fit[i]->params, "e0_min");
 	}
-	fitted = correlation(x, y, c->n);
+	fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
 	free(x);
 	free(y);
 	claim(r, N_("high f_mat goes with low e0_min, and the reverse"),
