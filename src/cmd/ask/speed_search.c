@@ -89,7 +89,7 @@ sides_of(const struct wanted *w, size_t i, struct side side[static 2])
 	return n;
 }
 
-/* held [DRAWS]: whether all that was asked before holds in a draw. */
+/* held [DRAWS]: whether all that was asked before holds in a draw, or NULL. */
 static struct margin
 margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 {
@@ -103,7 +103,8 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 	forecast_overs(f, side->i, side->limit, over);
 	for (size_t d = 0; d < DRAWS; d++) {
 		over[d] = side_of(side, over[d]);
-		held[d] = held[d] && over[d] >= -EXACT;
+		if (held != NULL)
+			held[d] = held[d] && over[d] >= -EXACT;
 	}
 	ensemble_middle(over, w->level, &low, &high);
 	double width = isfinite(low) && isfinite(high) ? high - low : 0;
@@ -140,12 +141,11 @@ margin_with(const struct wanted *w, size_t i, bool *held)
 struct margin
 wanted_margin(const struct wanted *w, size_t i)
 {
-	bool held[DRAWS];
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
-		return margin_with(w, i, held);
+		return margin_with(w, i, NULL);
 	for (i = 0; i < w->n; i++) {
-		struct margin m = margin_with(w, i, held);
+		struct margin m = margin_with(w, i, NULL);
 		if (m.limit.i != SIZE_MAX && is_less(m, least))
 			least = m;
 	}
