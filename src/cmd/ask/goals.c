@@ -129,7 +129,8 @@ goals_read(struct session *s, const char *text, const struct psd *feed,
 bool
 goals_known(const struct session *s, const struct goal *g)
 {
-	return goals_set(s) && g->known;
+	return goals_set(s) && g->found != NULL &&
+	       g->found->done == g->found->n;
 }
 
 /* The speeds at which the single value is met, and the end that misses it
@@ -219,7 +220,6 @@ begin(struct session *s, const struct site *site, struct goal *g, size_t feed)
 	struct error error = {0};
 	goals_clear(g);
 	g->feed = feed;
-	g->begun = true;
 	g->nearest = NAN;
 	if (!goals_read(s, s->set.goal, site_feed(site, feed), &g->list,
 		&g->n_value, &error))
@@ -229,8 +229,9 @@ begin(struct session *s, const struct site *site, struct goal *g, size_t feed)
 bool
 goals_pending(const struct session *s, const struct goal *g, size_t feed)
 {
-	bool begun = g->begun && g->feed == feed;
-	return goals_set(s) && (!begun || (g->why == NULL && !g->known));
+	bool begun = g->feed == feed && (g->why != NULL || g->found != NULL);
+	return goals_set(s) &&
+	       (!begun || (g->why == NULL && !goals_known(s, g)));
 }
 
 void
@@ -239,7 +240,7 @@ goals_step(
 {
 	if (!goals_pending(s, g, feed))
 		return;
-	if (!g->begun || g->feed != feed)
+	if (g->found == NULL || g->feed != feed)
 		begin(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
@@ -252,7 +253,6 @@ goals_step(
 	bool done = false;
 	for (int k = 0; k < PART && !done; k++)
 		done = speed_search_step(g->found, &w);
-	g->known = done;
 	if (done && g->n_value > 0)
 		meet(g, &w);
 	if (done)

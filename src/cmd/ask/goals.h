@@ -9,7 +9,7 @@
 /* list: the conditions; one that is a single value, n_value of them, stands
  * last.  why: what is in the way, or NULL.  found: the search, of the
  * conditions that are ranges with the single value as its target, NULL before
- * it has begun.
+ * it has begun and where something is in the way.
  *
  * What follows is known when it has ended: met [n_met]: the speeds at which the
  * single value is reached and the ranges hold; nearest: the one that misses it
@@ -20,7 +20,6 @@ struct goal {
 	size_t n_value;
 	char *why, *missed;
 	size_t feed, binds;
-	bool begun, known;
 	struct speed_search *found;
 	size_t n_met;
 	double *met, nearest;

@@ -113,16 +113,22 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 	return m;
 }
 
-/* What is missed is less than what holds.  It counts by the points that it is
- * missed by: where a band is wide a miss is no smaller. */
-static bool
-is_less(struct margin a, struct margin b)
+/* By which margins compare: what is missed is less than what holds, and counts
+ * by the points that it is missed by: a wide band makes a miss no smaller. */
+static double
+rank_of(struct margin m)
 {
-	if (b.limit.i == SIZE_MAX)
-		return true;
-	if (a.passing < -EXACT || b.passing < -EXACT)
-		return a.passing < b.passing;
-	return a.widths < b.widths;
+	return m.passing < -EXACT ? m.passing : fmax(m.widths, 0);
+}
+
+/* The lesser of two, of which the first may have no limit. */
+static struct margin
+lesser(struct margin least, struct margin m)
+{
+	bool none = least.limit.i == SIZE_MAX;
+	if (m.limit.i != SIZE_MAX && (none || rank_of(m) < rank_of(least)))
+		return m;
+	return least;
 }
 
 static struct margin
@@ -131,10 +137,8 @@ margin_with(const struct wanted *w, size_t i, bool *held)
 	struct side side[2];
 	struct margin least = {INFINITY, INFINITY, NONE};
 	size_t n = sides_of(w, i, side);
-	for (size_t k = 0; k < n; k++) {
-		struct margin m = margin_of_side(w, &side[k], held);
-		least = is_less(m, least) ? m : least;
-	}
+	for (size_t k = 0; k < n; k++)
+		least = lesser(least, margin_of_side(w, &side[k], held));
 	return least;
 }
 
@@ -144,11 +148,8 @@ wanted_margin(const struct wanted *w, size_t i)
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
 		return margin_with(w, i, NULL);
-	for (i = 0; i < w->n; i++) {
-		struct margin m = margin_with(w, i, NULL);
-		if (m.limit.i != SIZE_MAX && is_less(m, least))
-			least = m;
-	}
+	for (i = 0; i < w->n; i++)
+		least = lesser(least, margin_with(w, i, NULL));
 	return least;
 }
 
@@ -287,11 +288,8 @@ static struct margin
 least_at(const struct speed_search *s, size_t k)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
-	for (size_t i = 0; i < s->table->n_condition; i++) {
-		struct margin m = margins_at(s, k)[i];
-		if (m.limit.i != SIZE_MAX && is_less(m, least))
-			least = m;
-	}
+	for (size_t i = 0; i < s->table->n_condition; i++)
+		least = lesser(least, margins_at(s, k)[i]);
 	return least;
 }
 
@@ -432,12 +430,6 @@ is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
 	       !(s->certain[k] < e->sure);
 }
 
-static bool
-is_alike(struct margin a, struct margin b)
-{
-	return a.widths == b.widths || fabs(a.widths - b.widths) < EXACT;
-}
-
 /* The largest margin, of equals the one nearest to the middle; SIZE_MAX where
  * what holds lies between two steps. */
 static size_t
@@ -447,27 +439,23 @@ best_step(const struct speed_search *s, const struct wanted *w)
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
 				: (w->from + w->to) / 2;
-	struct margin largest = {0};
-	double most = -INFINITY;
+	double most = -INFINITY, largest = -INFINITY, off = INFINITY;
 	size_t best = SIZE_MAX;
 	for (size_t k = 0; k < s->n && e.inside; k++)
 		if (is_eligible(s, w, k, &e))
 			most = fmax(most, s->certain[k]);
 	e.sure = most - CHANCE;
 	for (size_t k = 0; k < s->n; k++) {
-		struct margin margin = least_at(s, k);
+		double rank = rank_of(least_at(s, k));
+		double from_middle = fabs(s->speed[k] - middle);
 		if (!is_eligible(s, w, k, &e))
 			continue;
-		bool nearer =
-		    best != SIZE_MAX &&
-		    fabs(s->speed[k] - middle) < fabs(s->speed[best] - middle);
-		bool better = is_alike(margin, largest)
-				  ? nearer
-				  : is_less(largest, margin);
-		if (best != SIZE_MAX && !better)
+		bool alike = rank == largest || fabs(rank - largest) < EXACT;
+		if (alike ? from_middle >= off : rank < largest)
 			continue;
+		off = from_middle;
 		best = k;
-		largest = margin;
+		largest = rank;
 	}
 	return best;
 }
