@@ -75,18 +75,7 @@ for seconds in 0.7 1.5 3 5; do
 done
 
 # Reading is stopped as soon: a sheet of 1,900 sieves and 200 runs, again and again.
-awk 'BEGIN {
-	printf "size_mm,feed"
-	for (k = 0; k < 200; k++)
-		printf ",product@%g", 60 + k / 10
-	print ""
-	for (i = 0; i < 1900; i++) {
-		printf "%.6g,%.5g", 22.4 * exp(-i * log(355) / 1899), 100 - i / 20
-		for (k = 0; k < 200; k++)
-			printf ",%.5g", 100 - i / 21
-		print ""
-	}
-}' >wide.csv
+wide_sheet >wide.csv
 for signal in INT TERM; do
 	want=130
 	[ $signal = INT ] || want=143

@@ -31,6 +31,22 @@ often() {
 		print few + int((many - few) * (share < 1 ? share : 1)) }'
 }
 
+# wide_sheet: 1,900 sieves and 200 runs, which take a second to read.
+wide_sheet() {
+	awk 'BEGIN {
+		printf "size_mm,feed"
+		for (k = 0; k < 200; k++)
+			printf ",product@%g", 60 + k / 10
+		print ""
+		for (i = 0; i < 1900; i++) {
+			printf "%.6g,%.5g", 22.4 * exp(-i * log(355) / 1899), 100 - i / 20
+			for (k = 0; k < 200; k++)
+				printf ",%.5g", 100 - i / 21
+			print ""
+		}
+	}'
+}
+
 # A folder of its own, with data/ as the shipped one.
 scratch() {
 	dir=$(mktemp -d) || exit 99

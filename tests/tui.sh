@@ -503,18 +503,7 @@ for term in dumb no-such-terminal ''; do
 done
 
 # What is read for long is said, and both keys stop it.
-awk 'BEGIN {
-	printf "size_mm,feed"
-	for (k = 0; k < 200; k++)
-		printf ",product@%g", 60 + k / 10
-	print ""
-	for (i = 0; i < 1900; i++) {
-		printf "%.6g,%.5g", 22.4 * exp(-i * log(355) / 1899), 100 - i / 20
-		for (k = 0; k < 200; k++)
-			printf ",%.5g", 100 - i / 21
-		print ""
-	}
-}' >wide.csv
+wide_sheet >wide.csv
 for key in Escape C-c; do
 	start 80 24
 	want '\[74\.0\]'
