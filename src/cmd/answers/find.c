@@ -189,18 +189,12 @@ shown(const struct goal *goal, double value)
 	return quantities_shown(&goal->target.quantity, value);
 }
 
-/* At the speed that the forecast is at, or at v. */
-static struct figure
-figure_now(const struct goal *goal)
-{
-	return forecast_figure(goal->wanted.forecast, goal->wanted.n);
-}
-
 static double
 value_at(const struct goal *goal, double v)
 {
-	forecast_at(goal->wanted.forecast, v);
-	return shown(goal, figure_now(goal).value);
+	struct forecast *f = goal->wanted.forecast;
+	forecast_at(f, v);
+	return shown(goal, forecast_figure(f, goal->wanted.n).value);
 }
 
 /* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
