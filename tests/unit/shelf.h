@@ -89,6 +89,7 @@ full(const char *name)
 	put_text(&m, "date", "2026-11-21");
 	put_text(&m, "note", "wet; # rain, \"heavy\"");
 	put_text(&m, "version", "0.1.0");
+	put_text(&m, "basis", "rmse=0.1 \\nsite,\"a, b\"");
 	m.top_size_mm = 11.2;
 	m.k = 1;
 	m.misfit = 0.1 + 0.2;

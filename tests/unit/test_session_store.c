@@ -88,7 +88,7 @@ what_is_recalled_is_no_fit(void **state)
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "recall Kiruna");
 	assert_true(entry->has_params && !entry->has_fit);
-	assert_true(entry->origin->stored);
+	assert_true(origin_is_stored(entry->origin));
 	assert_string_equal(entry->origin->whose, "table3/kiruna");
 	assert_true(entry->params.f_mat == 0.39);
 	desk_expect(desk, "params");
@@ -97,11 +97,11 @@ what_is_recalled_is_no_fit(void **state)
 	assert_int_equal(desk->error.kind, ERROR_USAGE);
 	/* Whatever else sets the parameters takes the origin away. */
 	desk_expect(desk, "params set alpha=0.9");
-	assert_false(entry->origin->stored);
+	assert_false(origin_is_stored(entry->origin));
 	desk_expect(desk, "remember mine; recall mine");
 	assert_string_equal(entry->origin->whose, "mine");
 	desk_expect(desk, CALIBRATE);
-	assert_false(entry->origin->stored);
+	assert_false(origin_is_stored(entry->origin));
 	assert_true(entry->has_fit);
 }
 
@@ -134,9 +134,188 @@ what_is_forgotten_can_be_brought_back(void **state)
 	stored_list_free(&after);
 }
 
+/* What predict says at 71.5 m/s and the state of drift, without the words on
+ * where it is from. */
+static char *
+said(struct desk *desk, const char *line)
+{
+	static const char *const FROM[] = {"\"recalled\":\"", "\"origin\":\""};
+	size_t before = desk->n_out;
+	desk_expect(desk, line);
+	char *text = xstrdup(desk->out + before);
+	for (size_t i = 0; i < ARRAY_LEN(FROM); i++) {
+		char *at = strstr(text, FROM[i]);
+		if (at == NULL)
+			continue;
+		char *end = strchr(at + strlen(FROM[i]), '"') + 1;
+		end += *end == ',';
+		memmove(at, end, strlen(end) + 1);
+	}
+	return text;
+}
+
+/* Another session at the store of this one, with what was typed first. */
+static struct desk *
+next_day(struct desk *desk, const char *line)
+{
+	void *state;
+	desk_open(&state);
+	struct desk *next = state;
+	store_free(next->session->store);
+	next->session->store = store_new(store_path(desk->session->store));
+	desk_expect(next, line);
+	return next;
+}
+
+static const char ASK[] = "set format json; predict 71.5";
+
+static void
+expect_alike(
+    struct desk *desk, const char *line, const char *ask, const char *wanted)
+{
+	struct desk *next = next_day(desk, line);
+	char *text = said(next, ask);
+	assert_string_equal(text, wanted);
+	free(text);
+	void *state = next;
+	desk_close(&state);
+}
+
+static int
+open_with_file(void **state)
+{
+	char folder[] = "/tmp/tipspeed-store-XXXXXX";
+	assert_non_null(mkdtemp(folder));
+	char *path = xasprintf("%s/s.db", folder);
+	desk_open(state);
+	struct desk *desk = *state;
+	store_free(desk->session->store);
+	desk->session->store = store_new(path);
+	free(path);
+	return 0;
+}
+
+static int
+close_with_file(void **state)
+{
+	struct desk *desk = *state;
+	char *folder = xstrdup(store_path(desk->session->store));
+	*strrchr(folder, '/') = '\0';
+	char *remove = xasprintf("rm -r '%s'", folder);
+	assert_int_equal(system(remove), 0);
+	free(remove);
+	free(folder);
+	return desk_close(state);
+}
+
+/* Individual feeds, one feed, a break size of 0, weights, other bounds and
+ * another model. */
+static void
+what_was_remembered_answers_alike(void **state)
+{
+	static const struct {
+		const char *site, *fit;
+	} CASES[] = {{"tierp", "calibrate population=200"},
+	    {"gavle-4", "calibrate population=200"},
+	    {"ossjo", "calibrate population=200"},
+	    {"umea", "bounds alpha 0.5..0.9; calibrate population=200 "
+		     "train=69,74 run_weights=1,2"},
+	    {"tierp", "set model grunditz-energy; calibrate population=200"}};
+	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
+		struct desk *desk = *state;
+		char *load = xasprintf("load data/sites/%s.csv", CASES[i].site);
+		char *again = xasprintf("%s; recall site", load);
+		desk_expect(desk, load);
+		desk_expect(desk, CASES[i].fit);
+		char *wanted = said(desk, ASK);
+		desk_expect(desk, "set format table; remember site replace=on");
+		expect_alike(desk, "recall site", ASK, wanted);
+		expect_alike(desk, again, ASK, wanted);
+		free(again);
+		free(load);
+		free(wanted);
+	}
+}
+
+/* The sheet of the first day, of which the store knows more; and what is added
+ * on the next day goes on from there. */
+static void
+cuts_since_are_remembered(void **state)
+{
+	static const char CUT[] = "add data/cuts/tierp-may.csv";
+	static const char DRIFT[] = "set format json; drift; predict 71.5";
+	struct desk *desk = *state;
+	char *again = xasprintf("load data/sites/tierp.csv; recall pit");
+	char *then = xasprintf("recall early; %s", CUT);
+	desk_expect(desk, TIERP_CALIBRATED);
+	desk_expect(desk, "remember early");
+	desk_expect(desk, CUT);
+	char *wanted = said(desk, DRIFT);
+	assert_non_null(strstr(wanted, "2026-05-0"));
+	desk_expect(desk, "set format table; remember pit");
+	expect_alike(desk, "recall pit", DRIFT, wanted);
+	expect_alike(desk, again, DRIFT, wanted);
+	expect_alike(desk, then, DRIFT, wanted);
+	free(again);
+	free(then);
+	free(wanted);
+}
+
+/* As 'params use' has it of a site that is loaded beside it. */
+static void
+another_sheet_learns_from_the_runs(void **state)
+{
+	static const char FIGURES[] = "set format csv; figures 72";
+	struct desk *desk = *state;
+	desk_expect(desk, TIERP_CALIBRATED);
+	desk_expect(desk, "remember pit; load data/sites/kiruna.csv");
+	desk_expect(desk, "params use tierp");
+	char *wanted = said(desk, FIGURES);
+	assert_non_null(strstr(wanted, ",low"));
+	expect_alike(
+	    desk, "load data/sites/kiruna.csv; recall pit", FIGURES, wanted);
+	free(wanted);
+}
+
+/* A store may be anybody's. */
+static void
+runs_that_cannot_be_are_refused(void **state)
+{
+	struct desk *desk = *state;
+	struct store *store = desk->session->store;
+	size_t refused = 0, n = 200;
+	uint32_t x = 1;
+	desk_expect(desk, TIERP_CALIBRATED);
+	desk_expect(desk, "remember pit; reset");
+	struct stored_list list = own(desk);
+	char *good = xstrdup(list.item[0].basis);
+	for (size_t i = 0; i < n; i++) {
+		char *bad = list.item[0].basis;
+		strcpy(bad, good);
+		for (int k = 0; k < 3; k++) {
+			x = x * 1664525 + 1013904223;
+			size_t at = x % strlen(good);
+			bad[at] = "0-9.,=\\ne@"[(x >> 8) % 10];
+		}
+		assert_true(store_put(store, list.item, 1, true, &desk->error));
+		if (!desk_say(desk, "recall pit")) {
+			assert_int_equal(desk->error.kind, ERROR_DATA);
+			refused++;
+		} else if (i % 8 == 0) {
+			desk_say(desk, "set draw_seed 2; predict 72");
+		}
+		if (desk->session->n_entry > 0)
+			desk_expect(desk, "reset");
+	}
+	assert_true(refused > n / 4);
+	free(good);
+	stored_list_free(&list);
+}
+
 int
 main(void)
 {
+	chdir_to_source();
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test_setup_teardown(a_fit_is_remembered_with_its_origin,
 		open_with_site, desk_close),
@@ -147,6 +326,14 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		what_is_forgotten_can_be_brought_back, open_with_site,
 		desk_close),
+	    cmocka_unit_test_setup_teardown(what_was_remembered_answers_alike,
+		open_with_file, close_with_file),
+	    cmocka_unit_test_setup_teardown(
+		cuts_since_are_remembered, open_with_file, close_with_file),
+	    cmocka_unit_test_setup_teardown(another_sheet_learns_from_the_runs,
+		open_with_file, close_with_file),
+	    cmocka_unit_test_setup_teardown(runs_that_cannot_be_are_refused,
+		open_with_file, close_with_file),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -170,6 +170,28 @@ a_store_of_0_1_0_is_brought_up_to_date(void **state)
 	free(path);
 }
 
+/* One that was made at schema 3, before runs were kept. */
+static void
+a_store_without_runs_is_brought_up_to_date(void **state)
+{
+	struct shelf *shelf = *state;
+	char *path = xasprintf("%s/tests/golden/store-3.sql", getenv("srcdir"));
+	char *sql = contents(path);
+	meddle(shelf, sql);
+	put(shelf, full("new"));
+	struct stored_list all = list(shelf);
+	assert_int_equal(all.n, 3);
+	assert_string_equal(all.item[0].name, "hand");
+	assert_string_equal(all.item[2].name, "Tierp, May");
+	assert_string_equal(all.item[2].date, "2026-05-03");
+	assert_string_equal(all.item[2].basis, "");
+	assert_true(
+	    params_value(&all.item[2].params, "beta3") == -0.8797051575992627);
+	stored_list_free(&all);
+	free(sql);
+	free(path);
+}
+
 /* A step that fails leaves the file as it was. */
 static void
 a_failed_migration_changes_nothing(void **state)
@@ -199,7 +221,9 @@ a_newer_schema_is_refused(void **state)
 	meddle(shelf, "UPDATE about SET program = 'tipspeed 9.9.9';"
 		      "PRAGMA user_version = 99");
 	expect_refusal(shelf, ERROR_DATA, "tipspeed 9.9.9 (schema 99)");
-	meddle(shelf, "PRAGMA user_version = 3");
+	char *ours = xasprintf("PRAGMA user_version = %d", (int)STORE_SCHEMA);
+	meddle(shelf, ours);
+	free(ours);
 	expect_names(shelf, "a");
 }
 
@@ -404,6 +428,7 @@ main(void)
 	    cmocka_unit_test(memory_leaves_no_trace),
 	    cmocka_unit_test(the_default_place_is_made_for_this_user_alone),
 	    cmocka_unit_test(an_older_schema_is_brought_up_to_date),
+	    cmocka_unit_test(a_store_without_runs_is_brought_up_to_date),
 	    cmocka_unit_test(a_failed_migration_changes_nothing),
 	    cmocka_unit_test(a_store_of_0_1_0_is_brought_up_to_date),
 	    cmocka_unit_test(a_newer_schema_is_refused),

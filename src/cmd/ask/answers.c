@@ -399,8 +399,8 @@ answers_put_prediction(const struct session *s, struct fields *o,
 	fields_put(o, ".feed_mps %g", feed_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
 		fields_put(o, "verdict %s", light_verdict(s, entry, p));
-	if (entry->origin != NULL && entry->origin->stored)
-		fields_put(o, "recalled %s", entry->origin->whose);
+	if (origin_is_stored(entry->origin))
+		fields_put(o, "recalled %s", entry->origin->material);
 	origin_put(o, entry);
 }
 

@@ -147,17 +147,12 @@ take_history(struct entry *entry, const struct job *job)
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
 	    calibration_history(job->calibration, &n);
-	struct history *h = xcalloc(1, sizeof *h);
-	*h = (struct history){.holders = 1,
-	    .fit = entry->fit,
-	    .n = n,
-	    .generation = xcalloc(n + 1, size),
-	    .bounds = *calibration_bounds(job->calibration),
-	    .weight = calibration_weight(job->calibration),
-	    .site = entry->site,
-	    .train = xcalloc(entry->site->n_run, sizeof *h->train),
-	    .stop = job->options.stop};
-	memcpy(h->train, entry->train, entry->site->n_run * sizeof *h->train);
+	struct history *h =
+	    history_new(&entry->fit, calibration_bounds(job->calibration),
+		calibration_weight(job->calibration), entry->site, job->train);
+	h->n = n;
+	h->generation = xcalloc(n + 1, size);
+	h->stop = job->options.stop;
 	if (n > 0)
 		memcpy(h->generation, g, n * size);
 	history_drop(entry->history);

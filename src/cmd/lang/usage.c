@@ -44,6 +44,9 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"TIPSPEED_ISA",
 	"Best instruction set that calibrations may use, for tests: baseline, "
 	"avx2 or avx512. The results are the same."},
+    {"SOURCE_DATE_EPOCH",
+	"Seconds since 1970: the day to take for today, so that what is made "
+	"again is the same; default: the clock."},
     {"XDG_STATE_HOME", "Folder of tipspeed/history, the lines typed at the "
 		       "prompt; default .local/state in HOME."},
     {"XDG_CONFIG_HOME", "Folder of tipspeed/init.tip, the commands run before "

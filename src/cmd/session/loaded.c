@@ -54,6 +54,21 @@ entry_loaded(const struct entry *entry)
 	return entry->variant != NULL ? entry->variant->own : entry;
 }
 
+struct history *
+history_new(const struct fit *fit, const struct bounds *bounds, double weight,
+    const struct site *site, const bool *train)
+{
+	struct history *h = xcalloc(1, sizeof *h);
+	*h = (struct history){.holders = 1,
+	    .fit = *fit,
+	    .bounds = *bounds,
+	    .weight = weight,
+	    .site = site,
+	    .train = xcalloc(site->n_run, sizeof *h->train)};
+	memcpy(h->train, train, site->n_run * sizeof *train);
+	return h;
+}
+
 void
 history_drop(struct history *h)
 {
@@ -72,6 +87,8 @@ origin_new(char *words, const char *whose, const char *provenance)
 	*o = (struct origin){.holders = 1,
 	    .words = words,
 	    .whose = xstrdup(whose),
+	    .material = xstrdup(""),
+	    .date = xstrdup(""),
 	    .provenance = xstrdup(provenance)};
 	return o;
 }
@@ -136,12 +153,41 @@ origin_taken(const struct entry *from)
 	return o;
 }
 
+static void
+set_material(struct origin *o, const struct stored *m)
+{
+	free(o->material);
+	free(o->date);
+	o->material = xstrdup(m->name);
+	o->date = xstrdup(m->date);
+}
+
+struct origin *
+origin_remembered(const struct entry *entry, const struct stored *m)
+{
+	struct origin *o = origin_of_fit(entry);
+	free(o->words);
+	o->words =
+	    m->date[0] != '\0'
+		? xasprintf(tr("from what was remembered on %s as %s"), m->date,
+		      m->name)
+		: xasprintf(tr("from what was remembered as %s"), m->name);
+	set_material(o, m);
+	return o;
+}
+
+bool
+origin_is_stored(const struct origin *o)
+{
+	return o != NULL && o->material[0] != '\0';
+}
+
 struct origin *
 origin_stored(const struct stored *m)
 {
 	struct origin *o = origin_new(
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);
-	o->stored = true;
+	set_material(o, m);
 	o->digest = strtoull(m->site_digest, NULL, 16);
 	char *list = xstrdup(m->train_mps), *next = NULL;
 	for (char *word = strtok_r(list, ",", &next); word != NULL;
@@ -162,6 +208,8 @@ origin_drop(struct origin *o)
 		return;
 	free(o->words);
 	free(o->whose);
+	free(o->material);
+	free(o->date);
 	free(o->provenance);
 	free(o->speed);
 	history_drop(o->spread);
@@ -234,6 +282,8 @@ origin_details(const struct origin *o)
 		xlist(&text, "; ", tr("%s, not measured"), kind);
 	else
 		xlist(&text, "; ", "%s", kind);
+	if (o->date[0] != '\0')
+		xlist(&text, "; ", tr("remembered on %s"), o->date);
 	return text;
 }
 
@@ -249,22 +299,23 @@ char *
 origin_sentence(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
-	if (entry->has_fit || o == NULL)
+	if (o == NULL || (entry->has_fit && !origin_is_stored(o)))
 		return xstrdup("");
 	if (o->whose[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
 	bool own = !origin_is_other(entry);
 	char *details = origin_details(o);
 	char *sentence = xasprintf(
-	    own && o->stored
+	    own && origin_is_stored(o)
 		? tr("parameters from the store: %s (%s), calibrated on the "
 		     "same data as this site")
 	    : own ? tr("parameters from %s (%s), calibrated on the same data "
 		       "as this site")
-	    : o->stored ? tr("parameters from the store: %s (%s), not "
-			     "calibrated on this site")
-			: tr("parameters from %s (%s), not calibrated on this "
-			     "site"),
+	    : origin_is_stored(o)
+		? tr("parameters from the store: %s (%s), not "
+		     "calibrated on this site")
+		: tr("parameters from %s (%s), not calibrated on this "
+		     "site"),
 	    o->whose, details);
 	free(details);
 	return sentence;
@@ -274,7 +325,8 @@ void
 origin_note(struct answer *r, const struct entry *entry)
 {
 	char *sentence = origin_sentence(entry);
-	bool whose = entry->origin != NULL && entry->origin->whose[0] != '\0';
+	const struct origin *o = entry->origin;
+	bool whose = o != NULL && (o->whose[0] != '\0' || origin_is_stored(o));
 	if (sentence[0] != '\0' && whose)
 		answer_say(r,
 		    origin_is_other(entry) ? ANSWER_WARNING : ANSWER_REMARK,
@@ -297,7 +349,7 @@ origin_put(struct fields *o, const struct entry *entry)
 const char *
 origin_words(const struct entry *entry)
 {
-	if (entry->has_fit)
+	if (entry->has_fit && !origin_is_stored(entry->origin))
 		return tr("found by calibration");
 	if (!entry->has_params)
 		return tr("not known yet");

@@ -63,7 +63,8 @@ struct origin {
 	size_t holders;
 	char *words;      /* "found by calibration", "taken from bro" */
 	char *whose;      /* site or material they are of; "": this site */
-	bool stored;      /* it is a material of the store */
+	char *material;   /* of the store, which they were recalled from */
+	char *date;       /* and when that was remembered */
 	bool found;       /* by a calibration, not set by hand */
 	uint64_t digest;  /* of the numbers they were found on */
 	char *provenance; /* of these */
@@ -121,6 +122,12 @@ void entry_clear(struct entry *entry);
 /* The site as it is loaded, of one that is asked about otherwise. */
 const struct entry *entry_loaded(const struct entry *entry);
 
+/* Of a calibration that ended with the fit, on the runs marked in train
+ * [n_run], within the bounds; weight: see calibration_weight.  It has no
+ * generations and one holder.  Borrows the site. */
+struct history *history_new(const struct fit *fit, const struct bounds *bounds,
+    double weight, const struct site *site, const bool *train);
+
 /* Gives a share in it up; NULL is allowed. */
 void history_drop(struct history *history);
 
@@ -131,11 +138,17 @@ void history_redraw(struct history *history, double noise, unsigned seed);
 void history_forget(struct history *history, const struct site *site);
 
 /* Of the parameters that the entry's fit has just found; set by hand; those of
- * another entry, taken over; of a material.  The caller owns a share. */
+ * another entry, taken over; of a material; of the site's own fit that a
+ * material kept.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_by_hand(void);
 struct origin *origin_taken(const struct entry *from);
 struct origin *origin_stored(const struct stored *m);
+struct origin *origin_remembered(
+    const struct entry *entry, const struct stored *m);
+
+/* Whether they were recalled from the store. */
+bool origin_is_stored(const struct origin *origin);
 
 void origin_drop(struct origin *origin); /* NULL is allowed */
 bool origin_same(const struct origin *a, const struct origin *b);

@@ -85,8 +85,8 @@ new_key(struct session *s, const struct site *site)
 	return key;
 }
 
-static void
-own_site(struct session *s, struct site *site)
+void
+session_keep_site(struct session *s, struct site *site)
 {
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
@@ -127,7 +127,7 @@ insert(struct session *s, struct site *site, size_t place)
 	if (s->job.calibration != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
-	own_site(s, site);
+	session_keep_site(s, site);
 }
 
 /* The loaded site that was read from the same file, or n_entry: by its path, or
@@ -205,7 +205,7 @@ session_mend(struct session *s, size_t index, struct site *site)
 		entry->has_params = false;
 		entry->params = (struct params){.breakage = 0};
 	}
-	own_site(s, site);
+	session_keep_site(s, site);
 	return own;
 }
 
@@ -226,7 +226,7 @@ session_grow(struct session *s, struct site *site, const size_t *from)
 	free(entry->train);
 	entry->train = train;
 	entry->site = site;
-	own_site(s, site);
+	session_keep_site(s, site);
 }
 
 /* The slug of a name, with '-' for '_', as somebody may type it from memory. */

@@ -9,6 +9,9 @@
  * replaces a site that was read from the same file. */
 void session_add(struct session *s, struct site *site);
 
+/* Keeps a site to the session's end, which then owns it, without loading it. */
+void session_keep_site(struct session *s, struct site *site);
+
 /* Takes a site out of those loaded, and discards a calibration of it. */
 void session_drop(struct session *s, size_t index);
 

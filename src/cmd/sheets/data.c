@@ -41,10 +41,10 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
 		    speeds,
-		    entry->has_fit          ? tr("yes")
-		    : !entry->has_params    ? tr("no")
-		    : entry->origin->stored ? tr("from store")
-					    : origin_words(entry),
+		    entry->has_fit                    ? tr("yes")
+		    : !entry->has_params              ? tr("no")
+		    : origin_is_stored(entry->origin) ? tr("from store")
+						      : origin_words(entry),
 		    site_data_kind(entry->site->provenance));
 		free(speeds);
 	}

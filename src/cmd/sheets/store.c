@@ -11,6 +11,8 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/sheets/data.h"
+#include "cmd/sheets/load.h"
+#include "cmd/sheets/remembered.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/fit.h"
@@ -18,6 +20,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
 #include "config.h"
+#include "io/cells/datetime.h"
 #include "io/store/store_csv.h"
 #include "io/store/table3.h"
 #include "io/sitefile/units.h"
@@ -110,6 +113,7 @@ static void
 take_fit(struct stored *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
+	set(&m->basis, remembered_basis(entry));
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
@@ -176,7 +180,7 @@ check_remember(
 		    "%s has no parameters to remember yet\n"
 		    "run 'calibrate', or supply them with 'params set'",
 		    entry->site->name);
-	if (entry->origin->stored)
+	if (!entry->has_fit && origin_is_stored(entry->origin))
 		return error_set(error, ERROR_USAGE,
 		    "%s has the parameters of %s, which are already in the "
 		    "store\n"
@@ -231,7 +235,7 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 		return false;
 	struct stored m = material_of(s, entry);
 	set_copy(&m.name, name);
-	set_copy(&m.date, date->given ? date->text : "");
+	set(&m.date, date->given ? xstrdup(date->text) : moment_today());
 	if (note->given)
 		set_copy(&m.note, note->text);
 	stored_list_add(list, m);
@@ -271,12 +275,11 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* What there is to know before relying on what was recalled. */
+/* What there is to know before relying on parameters of another site. */
 static void
-note_recalled(
+note_parameters(
     struct session *s, const struct entry *entry, const struct stored *m)
 {
-	struct model_settings set_to = stored_settings(m);
 	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
 	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"), origin_of(m));
@@ -288,6 +291,30 @@ note_recalled(
 		: N_("  not calibrated on this site (%s)"),
 	    details);
 	free(details);
+}
+
+/* A site that is as it was when it was remembered. */
+static void
+note_remembered(struct session *s, const struct entry *entry)
+{
+	char *label = session_label(entry->site);
+	session_note(s,
+	    tr_n("%s: %zu run, %s", "%s: %zu runs, %s", entry->site->n_run),
+	    label, entry->site->n_run, origin_words(entry));
+	load_note_reading(s, entry->site);
+	free(label);
+}
+
+/* What was recalled, and what keeps it from being used as it was. */
+static void
+note_recalled(
+    struct session *s, const struct entry *entry, const struct stored *m)
+{
+	struct model_settings set_to = stored_settings(m);
+	if (entry->has_fit)
+		note_remembered(s, entry);
+	else
+		note_parameters(s, entry, m);
 	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
 		    "  they were calibrated with other settings: run set "
@@ -317,6 +344,23 @@ check_recalled(struct session *s, const struct args *args,
 	    wanted->text, m->name, found);
 }
 
+/* With the runs that it was found on, where the store has them: so that the
+ * site's answers are those of the day, or another's learn from them. */
+static bool
+take_recalled(struct session *s, const struct stored *m, size_t index,
+    struct error *error)
+{
+	enum remembered how = remembered_take(s, m, &index, error);
+	if (how == REMEMBERED_FAILED ||
+	    (how == REMEMBERED_NONE && !session_need_site(s, "recall", error)))
+		return false;
+	struct entry *entry = &s->entry[index];
+	if (how == REMEMBERED_NONE)
+		model_take_params(s, entry, &m->params, origin_stored(m));
+	note_recalled(s, entry, m);
+	return true;
+}
+
 bool
 cmd_recall(struct session *s, const struct args *args, struct error *error)
 {
@@ -327,12 +371,8 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	struct stored_list list = {0};
 	const struct stored *m;
 	bool ok = find_material(s->store, args->operand[0], &list, &m, error) &&
-		  check_recalled(s, args, m, error);
-	if (ok) {
-		struct entry *entry = &s->entry[index];
-		model_take_params(s, entry, &m->params, origin_stored(m));
-		note_recalled(s, entry, m);
-	}
+		  check_recalled(s, args, m, error) &&
+		  take_recalled(s, m, index, error);
 	stored_list_free(&list);
 	return ok;
 }
@@ -609,9 +649,12 @@ show_list(struct session *s, const struct args *args, struct error *error)
 	return false;
 }
 
+/* The runs are for recall, and not to be read. */
 static void
 add_field(void *data, const char *name, const char *text)
 {
+	if (strcmp(name, "basis") == 0)
+		text = text[0] != '\0' ? tr("kept, with its runs") : "";
 	answer_cells(data, "%s %s", name, text);
 }
 

@@ -20,7 +20,7 @@ static const struct command_option RECALL_OPTIONS[] = {
 
 static const struct command_option REMEMBER_OPTIONS[] = {
     {"date", VALUE_TEXT, "", 0, 0, NULL, "",
-	"date to store with it, such as 2026-11-21; not set from the clock"},
+	"date to store with it, such as 2026-11-21; default: today"},
     {"note", VALUE_TEXT, "", 0, 0, NULL, "", "text to store with it"},
     {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"replace a material of the same name"},
@@ -60,25 +60,30 @@ const struct command TABLE_STORE[] = {
 	.example = "materials rock=granite top=11.2\nmaterials table3/tierp",
 	.run = cmd_materials},
     {.name = "recall",
-	.brief = "use a material's parameters from the store",
+	.brief = "bring back a calibration from the store",
 	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 1, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.flags = COMMAND_CHANGES,
 	.option = RECALL_OPTIONS,
-	.text = "Gives the site in use, or SITE, the parameters of a material; "
-		"a name that is not one of yours is looked up in Table 3. "
-		"Results state that they come from the store and are not "
-		"calibrated on the site.",
+	.text = "Brings back what 'remember' stored. Without a site, or with "
+		"the sheet that it was calibrated on, answers, bands and light "
+		"are those of that day, and cuts that are added continue from "
+		"there. Another site, in use or SITE, gets the parameters, and "
+		"the runs that they were found on inform its answers, which "
+		"state that they are not calibrated on the site. A name that "
+		"is not one of yours is looked up in Table 3, which has "
+		"parameters only.",
 	.example = "load data/sites/borlange.csv\nrecall tierp\npredict 74",
 	.run = cmd_recall},
     {.name = "remember",
-	.brief = "store the site's parameters",
+	.brief = "store the site's calibration",
 	.operands = {"[NAME|all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
 	.option = REMEMBER_OPTIONS,
-	.text = "Stores the parameters found by a calibration or set by "
-		"'params set', with their origin: the site and the provenance "
-		"of its data, misfit, hold-out RMSE, seed and options. NAME is "
-		"by default the name of the site in 'sites'; all: every site "
+	.text = "Stores a calibration with all it rests on: the runs of the "
+		"site, those added since, the provenance of its data, misfit, "
+		"hold-out RMSE, seed and options; or parameters set by 'params "
+		"set'. 'recall' brings it back. NAME is by default the name of "
+		"the site in 'sites'; all: every site "
 		"that was calibrated, by that name. When the result is "
 		"printed, it is on the disk.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"

@@ -4,8 +4,10 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -267,4 +269,17 @@ moment_text(double seconds)
 	    xasprintf("%04d-%02d-%02d %s", year, month, days + 1, clock);
 	free(clock);
 	return text;
+}
+
+char *
+moment_today(void)
+{
+	uint64_t whole;
+	const char *epoch = getenv("SOURCE_DATE_EPOCH");
+	bool fixed = epoch != NULL && text_whole(epoch, &whole) &&
+		     whole < (uint64_t)DAY * 366 * 8000;
+	time_t now = fixed ? (time_t)whole : time(NULL);
+	const struct tm *tm = fixed ? gmtime(&now) : localtime(&now);
+	return xasprintf(
+	    "%04d-%02d-%02d", tm->tm_year + 1900, tm->tm_mon + 1, tm->tm_mday);
 }

@@ -33,4 +33,8 @@ double moment_seconds(const struct moment *m, enum moment_order order);
 char *moment_text(double seconds);
 char *moment_clock(double seconds);
 
+/* Today, "2026-05-03", here; or the day of SOURCE_DATE_EPOCH, where that is
+ * set, so that what is made again is the same.  The caller frees. */
+char *moment_today(void);
+
 #endif

@@ -3,6 +3,7 @@
 #include "io/cells/source.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/xalloc.h"
 #include "io/cells/textfile.h"
@@ -72,6 +73,14 @@ bool
 source_read(const char *path, struct error_list *errors, struct source *source)
 {
 	return read_rows(path, SITE, errors, source);
+}
+
+bool
+source_read_text(const char *path, const char *text, struct error_list *errors,
+    struct source *source)
+{
+	*source = (struct source){.note = xstrdup("")};
+	return read_text(path, text, strlen(text), SITE, errors, source);
 }
 
 bool

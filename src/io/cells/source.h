@@ -23,6 +23,10 @@ enum { SOURCE_MOST_CELLS = 2000 * 256 };
 bool source_read(
     const char *path, struct error_list *errors, struct source *source);
 
+/* The same of a text that is in memory; path: what faults call it. */
+bool source_read_text(const char *path, const char *text,
+    struct error_list *errors, struct source *source);
+
 /* The same of a plant's log, which has many more lines. */
 bool source_read_log(
     const char *path, struct error_list *errors, struct source *source);

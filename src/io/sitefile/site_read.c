@@ -610,8 +610,11 @@ read_file(struct reading *r, size_t file)
 {
 	const struct site_request *q = r->request;
 	struct source *source = &r->source[r->n_source++];
-	if (!source_read(q->path[file], r->errors, source) ||
-	    !is_measured(source))
+	bool read =
+	    q->text != NULL
+		? source_read_text(q->path[file], q->text, r->errors, source)
+		: source_read(q->path[file], r->errors, source);
+	if (!read || !is_measured(source))
 		return false;
 	size_t before = r->n_page;
 	char *names = xstrdup("");

@@ -11,12 +11,13 @@
  * them, NULL or 0 where nothing.  columns: "1=sieve mm, 3=feed retained_g", by
  * number from 1 (lines where sieves go across); those not named are left out.
  * range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts: samples
- * of product to be added to a site, which need no feed. */
+ * of product to be added to a site, which need no feed.  text: NULL, or what
+ * the one file would hold, which is then not read; path is its name. */
 struct site_request {
 	size_t n;
 	const char *const *path;
 	const double *speed;
-	const char *columns, *sheet, *range;
+	const char *columns, *sheet, *range, *text;
 	char decimal;
 	double rotor;
 	bool parts;

@@ -47,6 +47,7 @@ const struct field FIELDS[FIELD_COUNT] = {
     {"date", FIELD_TEXT, AT(date), false, NULL, 0, 0},
     {"note", FIELD_TEXT, AT(note), false, NULL, 0, 0},
     {"version", FIELD_TEXT, AT(version), false, NULL, 0, 0},
+    {"basis", FIELD_TEXT, AT(basis), false, NULL, 0, 0},
 };
 
 static char **

@@ -15,11 +15,11 @@
  * then NAN and a whole number -1.  provenance: that of the site's data, so that
  * made-up data never pass for measured ones.  origin: "fit", "hand" or, of
  * Table 3, "table3".  rmse_pct, holdout_pct: points at the training runs, and
- * the largest at the others. */
+ * the largest at the others.  basis: see basis.h. */
 struct stored {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
-	char *date, *note, *version;
+	char *date, *note, *version, *basis;
 	double top_size_mm, k, misfit, rmse_pct, holdout_pct;
 	struct params params;
 	int64_t seed, generations;
@@ -51,7 +51,7 @@ struct field {
 	double least, most;
 };
 
-enum { FIELD_COUNT = 24, FIELD_NAME = 0 };
+enum { FIELD_COUNT = 25, FIELD_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
 /* A material of which nothing is known yet. */

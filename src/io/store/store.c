@@ -48,7 +48,8 @@ const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "ALTER TABLE material DROP COLUMN beta4;"
     "ALTER TABLE material DROP COLUMN f_mat;"
     "ALTER TABLE material DROP COLUMN e0_min;"
-    "ALTER TABLE material DROP COLUMN alpha;"};
+    "ALTER TABLE material DROP COLUMN alpha;",
+    "ALTER TABLE material ADD COLUMN basis TEXT;"};
 
 /* exact(number): the shortest text that reads back the same, for the steps. */
 static void

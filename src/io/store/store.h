@@ -33,7 +33,7 @@ int64_t store_bytes(const struct store *store);
 
 /* The schema that files have once they were opened, and "tips" in ASCII: PRAGMA
  * application_id of a store. */
-enum { STORE_SCHEMA = 3, SCHEMA_APPLICATION = 0x74697073 };
+enum { STORE_SCHEMA = 4, SCHEMA_APPLICATION = 0x74697073 };
 
 /* What brings a file from schema i to i + 1, at index i. */
 extern const char *const SCHEMA_STEPS[STORE_SCHEMA];

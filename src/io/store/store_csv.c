@@ -106,13 +106,14 @@ store_csv_save(
 	return file_replace_by(path, FILE_SHARED, write_list, list, error);
 }
 
-/* Whether a file has to have the column: exports of old have no model, and each
- * model its own parameters. */
+/* Whether a file has to have the column: exports of old have no model and no
+ * basis, and each model its own parameters. */
 static bool
 is_asked(const struct column *c)
 {
 	if (c->field != NULL)
-		return c->field->kind != FIELD_MODEL;
+		return c->field->kind != FIELD_MODEL &&
+		       strcmp(c->field->name, "basis") != 0;
 	return breakage_parameter(BREAKAGES[0], c->param->name) <
 	       BREAKAGES[0]->n;
 }

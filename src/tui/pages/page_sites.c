@@ -130,11 +130,11 @@ static const char *
 origin_text(const struct session *s, const struct site_row *row)
 {
 	const struct entry *e = &s->entry[row->entry];
-	return row->verdict != NULL ? row->verdict
-	       : e->has_fit         ? tr("calibrating")
-	       : !e->has_params     ? tr("not calibrated")
-	       : e->origin->stored  ? tr("from the store")
-				    : origin_words(e);
+	return row->verdict != NULL          ? row->verdict
+	       : e->has_fit                  ? tr("calibrating")
+	       : !e->has_params              ? tr("not calibrated")
+	       : origin_is_stored(e->origin) ? tr("from the store")
+					     : origin_words(e);
 }
 
 /* Of several calibrations one after the other: of which this is one, and how

@@ -1,0 +1,320 @@
+/* The text is a line "name=number,number name=.. " for the fit, a line for each
+ * thing that the sheet was taken for, an empty line, and the sheets, with an
+ * empty line between them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/store/basis.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "core/search/misfit.h"
+#include "io/sitefile/site_read.h"
+#include "io/sitefile/site_write.h"
+
+enum kind { REAL, COUNT, FLAG };
+
+/* Numbers of a basis, n of a kind. */
+static const struct item {
+	const char *name;
+	enum kind kind;
+	size_t offset, n;
+} ITEMS[] = {{"rmse", REAL, offsetof(struct basis, fit.rmse), 1},
+    {"feed_misfit", REAL, offsetof(struct basis, fit.feed_misfit), 1},
+    {"passings", COUNT, offsetof(struct basis, fit.n_residual), 1},
+    {"cells", COUNT, offsetof(struct basis, fit.cells), 1},
+    {"searched", COUNT, offsetof(struct basis, fit.parameters), 1},
+    {"on_bound", FLAG, offsetof(struct basis, fit.on_bound), PARAMS_MOST},
+    {"flat", REAL, offsetof(struct basis, fit.flat.part), PARAMS_MOST},
+    {"reach", REAL, offsetof(struct basis, fit.flat.reach), 1},
+    {"converged", FLAG, offsetof(struct basis, fit.converged), 1},
+    {"plain", FLAG, offsetof(struct basis, fit.plain), 1},
+    {"lowest", REAL, offsetof(struct basis, fit.lowest), 1},
+    {"evaluations", COUNT, offsetof(struct basis, fit.evaluations), 1},
+    {"perturbations", COUNT, offsetof(struct basis, fit.perturbations), 1},
+    {"edits", COUNT, offsetof(struct basis, fit.edits), 1},
+    {"edited_at", COUNT, offsetof(struct basis, fit.edited_at), 1},
+    {"population", COUNT, offsetof(struct basis, fit.population), 1},
+    {"lower", REAL, offsetof(struct basis, bounds.lower), PARAMS_MOST},
+    {"upper", REAL, offsetof(struct basis, bounds.upper), PARAMS_MOST},
+    {"weight", REAL, offsetof(struct basis, weight), 1}};
+
+/* What a sheet was taken for, which its own words do not say. */
+static const struct taken {
+	const char *name;
+	size_t offset;
+} TAKEN[] = {{"read_as", offsetof(struct site, read_as)},
+    {"assumed", offsetof(struct site, assumed)},
+    {"remark", offsetof(struct site, remark)},
+    {"named", offsetof(struct site, named)}};
+
+static char **
+said_at(struct site *site, const struct taken *taken)
+{
+	return (char **)(void *)((char *)site + taken->offset);
+}
+
+static double
+number_at(const struct basis *b, const struct item *item, size_t i)
+{
+	const char *at = (const char *)b + item->offset;
+	return item->kind == REAL ? ((const double *)(const void *)at)[i]
+	       : item->kind == COUNT
+		   ? (double)((const size_t *)(const void *)at)[i]
+		   : ((const bool *)(const void *)at)[i];
+}
+
+static bool
+put_number(struct basis *b, const struct item *item, size_t i, double value)
+{
+	char *at = (char *)b + item->offset;
+	bool count = value >= 0 && value <= 1e15 && value == floor(value);
+	if (item->kind == REAL)
+		((double *)(void *)at)[i] = value;
+	else if (item->kind == COUNT && count)
+		((size_t *)(void *)at)[i] = (size_t)value;
+	else if (item->kind == FLAG && count && value <= 1)
+		((bool *)(void *)at)[i] = value > 0;
+	else
+		return false;
+	return true;
+}
+
+static void
+write_fit(const struct basis *b, FILE *out)
+{
+	char number[32];
+	for (size_t k = 0; k < ARRAY_LEN(ITEMS); k++) {
+		fprintf(out, "%s=", ITEMS[k].name);
+		for (size_t i = 0; i < ITEMS[k].n; i++)
+			fprintf(out, "%s%s", i > 0 ? "," : "",
+			    text_exact(number_at(b, &ITEMS[k], i), number));
+		fputc(' ', out);
+	}
+	fputs("train=", out);
+	for (size_t r = 0; r < b->then->n_run; r++)
+		fprintf(out, "%s%d", r > 0 ? "," : "", b->train[r]);
+	fputc('\n', out);
+}
+
+/* A store's text is one line: ends of lines become \n. */
+static char *
+in_a_line(const char *text)
+{
+	char *line = xcalloc(2 * strlen(text) + 1, 1), *to = line;
+	for (; *text != '\0'; text++) {
+		if (*text == '\n' || *text == '\\')
+			*to++ = '\\';
+		*to++ = *text == '\n' ? 'n' : *text;
+	}
+	return line;
+}
+
+static char *
+in_lines(const char *line)
+{
+	char *text = xstrdup(line), *to = text;
+	for (const char *p = line; *p != '\0'; p++) {
+		bool sign = *p == '\\' && p[1] != '\0';
+		p += sign;
+		*to++ = sign && *p == 'n' ? '\n' : *p;
+	}
+	*to = '\0';
+	return text;
+}
+
+char *
+basis_written(const struct basis *b)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
+	write_fit(b, out);
+	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
+		const char *said = *said_at(b->then, &TAKEN[k]);
+		if (said[0] != '\0')
+			fprintf(out, "%s=%s\n", TAKEN[k].name, said);
+	}
+	fputc('\n', out);
+	site_write(b->then, out);
+	if (b->now != NULL) {
+		fputc('\n', out);
+		site_write(b->now, out);
+	}
+	fclose(out);
+	char *line = in_a_line(text);
+	free(text);
+	return line;
+}
+
+/* Numbers of "name=1,2,3"; what a later version adds is passed over. */
+static bool
+take_numbers(struct basis *b, const char *name, char *list)
+{
+	size_t k = 0, i = 0;
+	while (k < ARRAY_LEN(ITEMS) && strcmp(ITEMS[k].name, name) != 0)
+		k++;
+	char *next = NULL, *word = strtok_r(list, ",", &next);
+	for (; k < ARRAY_LEN(ITEMS) && word != NULL; i++) {
+		double value;
+		if (i == ITEMS[k].n || !text_number(word, &value) ||
+		    !put_number(b, &ITEMS[k], i, value))
+			return false;
+		word = strtok_r(NULL, ",", &next);
+	}
+	return true;
+}
+
+/* *train out: what is after train=, within the line. */
+static bool
+read_fit(struct basis *b, char *line, const char **train)
+{
+	char *next = NULL;
+	for (char *word = strtok_r(line, " ", &next); word != NULL;
+	     word = strtok_r(NULL, " ", &next)) {
+		char *value = strchr(word, '=');
+		if (value == NULL)
+			return false;
+		*value++ = '\0';
+		if (strcmp(word, "train") == 0)
+			*train = value;
+		else if (!take_numbers(b, word, value))
+			return false;
+	}
+	return *train != NULL;
+}
+
+static struct site *
+read_sheet(const char *text)
+{
+	const char *path = "";
+	const struct site_request request = {
+	    .n = 1, .path = &path, .text = text};
+	struct error_list faults = {0};
+	struct site *site = site_read_as(&request, &faults, NULL);
+	return site;
+}
+
+/* Cuts the text off at the next empty line; what comes after it, or NULL. */
+static char *
+cut_off(char *text)
+{
+	char *end = strstr(text, "\n\n");
+	if (end == NULL)
+		return NULL;
+	end[1] = '\0';
+	return end + 2;
+}
+
+static void
+take_said(struct site *site, const char *lines)
+{
+	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
+		char **said = said_at(site, &TAKEN[k]);
+		char *begin = xasprintf("%s=", TAKEN[k].name);
+		for (const char *line = lines; *line != '\0';) {
+			size_t n = strcspn(line, "\n"), head = strlen(begin);
+			if (strncmp(line, begin, head) == 0) {
+				free(*said);
+				*said = xstrndup(line + head, n - head);
+			}
+			line += n + (line[n] == '\n');
+		}
+		free(begin);
+	}
+}
+
+/* The runs, "1,0,1". */
+static bool
+take_train(struct basis *b, const char *train)
+{
+	const struct site *site = b->then;
+	bool any = false;
+	b->train = xcalloc(site->n_run + 1, sizeof *b->train);
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (strlen(train) < 2 * (site->n_run - r) - 1)
+			return false;
+		b->train[r] = train[2 * r] == '1';
+		any = any || (b->train[r] && misfit_covered(&site->run[r]) > 0);
+	}
+	return any;
+}
+
+/* What the fields of a material have of its fit. */
+static void
+take_fields(struct basis *b, const struct stored *m)
+{
+	struct fit *fit = &b->fit;
+	fit->params = m->params;
+	fit->misfit = m->misfit;
+	fit->seed = (uint64_t)m->seed;
+	fit->generations = (size_t)m->generations;
+	fit->settings = stored_settings(m);
+	fit->settings.breakage = (unsigned)m->params.breakage;
+	fit->site_digest = b->then->digest;
+	fit->stop = CALIBRATE_TOLERANCE;
+	while (fit->stop < CALIBRATE_STOPPED &&
+	       strcmp(calibrate_state_name(fit->stop), m->stop) != 0)
+		fit->stop++;
+}
+
+/* Whether a calibration can have left it. */
+static bool
+holds(const struct basis *b)
+{
+	const struct breakage *of = breakage_of(&b->fit.params);
+	bool good = b->fit.misfit >= 0 && b->fit.rmse >= 0 && b->weight > 0;
+	for (size_t j = 0; good && j < of->n; j++)
+		good = b->bounds.lower[j] >= of->parameter[j].least &&
+		       b->bounds.upper[j] <= of->parameter[j].most &&
+		       b->bounds.lower[j] <= b->bounds.upper[j];
+	return good;
+}
+
+static bool
+read_text(struct basis *b, char *text)
+{
+	const char *train = NULL;
+	char *sheet = cut_off(text), *said = strchr(text, '\n');
+	char *later = sheet != NULL ? cut_off(sheet) : NULL;
+	if (sheet == NULL || said == NULL)
+		return false;
+	*said++ = '\0';
+	b->then = read_sheet(sheet);
+	b->now = later != NULL ? read_sheet(later) : NULL;
+	if (!read_fit(b, text, &train) || b->then == NULL ||
+	    (later != NULL && b->now == NULL) || !take_train(b, train))
+		return false;
+	take_said(b->then, said);
+	if (b->now != NULL)
+		take_said(b->now, said);
+	return true;
+}
+
+bool
+basis_read(const struct stored *m, struct basis *b, struct error *error)
+{
+	*b = (struct basis){.weight = 0};
+	if (m->basis[0] == '\0')
+		return false;
+	char *text = in_lines(m->basis);
+	bool good = read_text(b, text);
+	free(text);
+	if (good)
+		take_fields(b, m);
+	return (good && holds(b)) ||
+	       error_set(error, ERROR_DATA,
+		   "the runs remembered with '%s' cannot be read\n"
+		   "calibrate on its sheet and remember it again",
+		   m->name);
+}
+
+void
+basis_clear(struct basis *b)
+{
+	free(b->train);
+	site_free(b->then);
+	site_free(b->now);
+}
