@@ -12,6 +12,9 @@ export HOME XDG_STATE_HOME XDG_CONFIG_HOME TIPSPEED
 unset NO_COLOR TIPSPEED_COLOR TIPSPEED_PAGER PAGER INPUTRC
 mkdir -p "$dir/config/tipspeed"
 cp data/sites/bro.csv 'two words.csv'
+sed 's/66.19/39.19/' data/sites/tierp.csv >slips.csv
+printf '%s\n' 'site,Odd' 'provenance,made up' 'size_mm,feed,product@69,product@79' \
+	16,100,100,100 8,60,50.5,75 4,30,28,50 2,12,20,30 >faults.csv
 mkdir bin
 printf '#!/bin/sh\necho "MAN $*"\n' >bin/man
 chmod +x bin/man
@@ -35,6 +38,11 @@ else
 	n=1
 	echo 'ok 1 # SKIP no expect here'
 fi
+
+printf '\n\n' | "$TIPSPEED" data/sites/tierp.csv >out 2>log
+[ "$(wc -l <log)" -eq 1 ] && [ ! -s out ]
+result $? "a script is offered nothing"
+remark log
 
 echo 'nonsense' >"$dir/config/tipspeed/init.tip"
 echo seed | "$TIPSPEED" >out 2>log

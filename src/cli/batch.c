@@ -76,6 +76,52 @@ batch_line(struct session *s, const char *line, int number, struct pager *pager)
 	return driver_line(&d, line, "typed", number);
 }
 
+/* What a line says is kept, and shown only where it does not come to its end:
+ * before its error. */
+struct quiet {
+	FILE *to;
+	char *said;
+	size_t n;
+	bool shown;
+};
+
+static void
+show_said(struct quiet *q)
+{
+	fflush(q->to);
+	if (!q->shown)
+		fputs(q->said, stderr);
+	q->shown = true;
+}
+
+static void
+print_after_said(
+    void *of, const struct error *e, const char *line, const char *name)
+{
+	show_said(of);
+	print_error(NULL, e, line, name);
+}
+
+int
+batch_quiet(struct session *s, const char *line, int number)
+{
+	struct quiet q = {.shown = false};
+	struct driver d = plain_driver(s);
+	FILE *out = s->out, *notes = s->notes;
+	d.of = &q;
+	d.fail = print_after_said;
+	d.interrupted = NULL;
+	s->out = s->notes = q.to = text_memory(&q.said, &q.n);
+	int status = driver_line(&d, line, "typed", number);
+	s->out = out;
+	s->notes = notes;
+	if (status != 0)
+		show_said(&q);
+	fclose(q.to);
+	free(q.said);
+	return status;
+}
+
 static int
 run_scripts(struct session *s, size_t depth)
 {

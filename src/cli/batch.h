@@ -27,4 +27,7 @@ int batch_typed(struct session *s);
 int batch_line(
     struct session *s, const char *line, int number, struct pager *pager);
 
+/* The same, but what it says is shown only where it fails or is interrupted. */
+int batch_quiet(struct session *s, const char *line, int number);
+
 #endif

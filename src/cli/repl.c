@@ -18,6 +18,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/run/complete.h"
+#include "cmd/run/next.h"
 #include "cmd/session/script.h"
 #include "config.h"
 #include "io/fs/xdg.h"
@@ -31,11 +32,15 @@
 #include "cli/history_search.h"
 
 /* What readline calls has no argument to pass this by.  before: the lines of a
- * command that goes on, joined; given: bytes that no_key made up. */
+ * command that goes on, joined; given: bytes that no_key made up; offer: what
+ * Return alone does now; told: what was said of the next step last, and of
+ * which site. */
 static struct {
 	struct session *session;
 	char *before;
 	size_t given;
+	struct next offer, told;
+	const struct site *site;
 } at;
 
 /* How many bytes all candidates begin with. */
@@ -288,6 +293,68 @@ take_lines(struct session *s, char *typed, int *number)
 	}
 }
 
+/* Names the next step when it has become another; it is offered for the line
+ * that is typed next. */
+static void
+offer_next(const struct session *s)
+{
+	const struct site *site =
+	    s->n_entry > 0 ? s->entry[s->current].site : NULL;
+	struct next next = next_step(s);
+	at.offer = (struct next){0};
+	if (next.words == at.told.words && site == at.site)
+		return;
+	at.told = next;
+	at.site = site;
+	if (next.line != NULL)
+		session_note(s, N_("%s [Y/n, or a command]"), tr(next.words));
+	else if (next.words != NULL)
+		session_note(s, "%s", next.words);
+	at.offer = next;
+}
+
+/* The commands of what was offered one by one, each with what came of it. */
+static void
+take_offer(struct session *s, int *number)
+{
+	const char *line = at.offer.line;
+	if (!at.offer.brief) {
+		run_line(s, line, (*number)++);
+		return;
+	}
+	typed_add(line);
+	session_note(s, "  %s", line);
+	int status = 0;
+	while (status == 0 && *line != '\0' && !pump_ended()) {
+		size_t n = strcspn(line, ";");
+		char *command = xstrndup(line, n);
+		status = batch_quiet(s, command, *number);
+		free(command);
+		if (status == 0)
+			next_told(s);
+		line += n + strspn(line + n, "; ");
+	}
+	++*number;
+}
+
+/* Whether it answers what was offered, and not with a command. */
+static bool
+answers_offer(struct session *s, const char *typed, int *number)
+{
+	static const char YES[] = "y yes", NO[] = "n no";
+	size_t which;
+	char *word = xstrdup(typed);
+	const char *said = text_trim(word);
+	bool yes = said[0] == '\0' || text_choice(YES, said, &which);
+	bool no = text_choice(NO, said, &which);
+	free(word);
+	if (at.offer.line == NULL || at.before[0] != '\0' || !(yes || no))
+		return false;
+	if (yes)
+		take_offer(s, number);
+	return true;
+}
+
 /* --safe: no file of settings, and no function that reads one or the list of
  * users, by whatever key; nor, should readline get them, those of shells. */
 static void
@@ -385,16 +452,16 @@ repl_run(struct session *s)
 	set_up(s);
 	batch_attend(s);
 	s->hooks.question = question;
-	if (s->n_entry == 0)
-		session_note(s, "load your own sheet: load plant.xlsx; an "
-				"empty one to fill in: template > my.csv");
 	while (!s->quit && !pump_ended()) {
+		if (at.before[0] == '\0')
+			offer_next(s);
 		char *text = prompt(s);
 		char *typed = read_line(text);
 		free(text);
 		s->screen = terminal_screen();
 		if (typed != NULL) {
-			take_lines(s, typed, &number);
+			if (!answers_offer(s, typed, &number))
+				take_lines(s, typed, &number);
 			free(typed);
 		} else if (pump_signal() == 0) {
 			break;

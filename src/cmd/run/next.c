@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/run/next.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "core/search/misfit.h"
+
+/* Runs with a product to compare; *held_out: some are not trained on. */
+static size_t
+count_runs(const struct entry *entry, bool *held_out)
+{
+	size_t n = 0;
+	*held_out = false;
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		if (misfit_covered(&entry->site->run[r]) == 0)
+			continue;
+		n++;
+		*held_out = *held_out || !entry->train[r];
+	}
+	return n;
+}
+
+static bool
+has_said(const struct session *s, const char *command, const char *path)
+{
+	return !isnan(session_known(s, command, path));
+}
+
+static struct next
+step(const char *line, const char *words)
+{
+	return (struct next){.line = line, .words = words};
+}
+
+/* One of which next_told has what came of it. */
+static struct next
+brief(const char *line, const char *words)
+{
+	return (struct next){line, words, true};
+}
+
+static struct next
+before_fit(const struct session *s, const struct entry *entry)
+{
+	bool held_out;
+	size_t n = count_runs(entry, &held_out);
+	double checked = session_known(s, "check", "ok");
+	if (entry->has_params)
+		return step(NULL, NULL);
+	if (n == 0)
+		return step(
+		    "guess", N_("estimate its product from other quarries?"));
+	if (checked == 0)
+		return step(
+		    NULL, N_("next: correct the sheet and load it again, or "
+			     "'calibrate' with it as it is"));
+	if (checked > 0)
+		return held_out ? brief("calibrate; validate",
+				      N_("calibrate and validate now?"))
+				: brief("calibrate", N_("calibrate now?"));
+	return held_out
+		   ? brief("check; calibrate; validate",
+			 N_("check, calibrate and validate now?"))
+		   : brief("check; calibrate", N_("check and calibrate now?"));
+}
+
+static struct next
+after_fit(const struct session *s, const struct entry *entry)
+{
+	bool held_out;
+	count_runs(entry, &held_out);
+	if (held_out && !origin_is_stored(entry->origin) &&
+	    !has_said(s, "validate", "holdout.speed"))
+		return brief("validate", N_("validate at the speed held out?"));
+	if (session_known(s, "validate calibrate", "warnings") > 0)
+		return step(NULL,
+		    N_("next: 'check' and 'why' tell what speaks against it; "
+		       "'predict' answers nevertheless"));
+	if (s->linear || s->hooks.run_screen == NULL)
+		return step(NULL,
+		    N_("next: 'predict' at any speed; 'remember' keeps the "
+		       "calibration for another day"));
+	return step("tui",
+	    N_("open the full screen? 'predict' answers here, too; 'remember' "
+	       "keeps the calibration for another day"));
+}
+
+struct next
+next_step(const struct session *s)
+{
+	if (s->n_entry == 0)
+		return step(NULL,
+		    N_("load your own sheet: load plant.xlsx; an empty one to "
+		       "fill in: template > my.csv"));
+	/* Of several sites nobody knows which is meant. */
+	if (s->n_entry > 1 || session_busy(s))
+		return step(NULL, NULL);
+	if (s->job.paused)
+		return step(
+		    "continue", N_("continue the stopped calibration?"));
+	const struct entry *entry = &s->entry[s->current];
+	return entry->has_fit ? after_fit(s, entry) : before_fit(s, entry);
+}
+
+/* Where the runs held out are told of, which validate's table names. */
+static void
+tell_held_out(const struct session *s, const struct entry *entry)
+{
+	char *speeds = session_speeds(entry->site, ", ", entry->train, false);
+	session_note(s, "validated at %s m/s:", speeds);
+	free(speeds);
+}
+
+void
+next_told(const struct session *s)
+{
+	if (s->n_answer == 0)
+		return;
+	const struct answer *a = s->answer[s->n_answer - 1];
+	struct answer_view view = answer_view(a);
+	bool check = strcmp(answer_command(a), "check") == 0;
+	bool validate = strcmp(answer_command(a), "validate") == 0;
+	/* What was read is known from load, how far a run is from the fit stands
+	 * in calibrate's first sentence, and next_step says what comes next. */
+	size_t from = check || validate;
+	size_t to = view.n_sentence - !check;
+	if (validate)
+		tell_held_out(s, &s->entry[s->current]);
+	for (size_t i = from; i < to; i++)
+		session_note(s, "%s", view.sentence[i].text);
+	if (check && view.n_row > 0)
+		session_note(s,
+		    tr_n("  %zu remark: 'check' shows it",
+			"  %zu remarks: 'check' shows them", view.n_row),
+		    view.n_row);
+}
