@@ -33,14 +33,16 @@
 
 /* What readline calls has no argument to pass this by.  before: the lines of a
  * command that goes on, joined; given: bytes that no_key made up; offer: what
- * Return alone does now; told: what was said of the next step last, and of
- * which site. */
+ * Return alone does now; stage: of what was said of the next step last, for
+ * which site and fit. */
 static struct {
 	struct session *session;
 	char *before;
 	size_t given;
-	struct next offer, told;
+	struct next offer;
+	int stage;
 	const struct site *site;
+	const struct history *history;
 } at;
 
 /* How many bytes all candidates begin with. */
@@ -293,23 +295,27 @@ take_lines(struct session *s, char *typed, int *number)
 	}
 }
 
-/* Names the next step when it has become another; it is offered for the line
- * that is typed next. */
+/* Names the next step when it has become one further on; it is offered for the
+ * line that is typed next. */
 static void
 offer_next(const struct session *s)
 {
-	const struct site *site =
-	    s->n_entry > 0 ? s->entry[s->current].site : NULL;
+	const struct entry *entry =
+	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	const struct site *site = entry != NULL ? entry->site : NULL;
+	const struct history *history = entry != NULL ? entry->history : NULL;
 	struct next next = next_step(s);
-	at.offer = (struct next){0};
-	if (next.words == at.told.words && site == at.site)
+	bool same = site == at.site && history == at.history;
+	at.offer = (struct next){.line = NULL};
+	if (same && (int)next.stage <= at.stage)
 		return;
-	at.told = next;
+	at.stage = (int)next.stage;
 	at.site = site;
+	at.history = history;
 	if (next.line != NULL)
-		session_note(s, N_("%s [Y/n, or a command]"), tr(next.words));
+		session_note(s, "%s [Y/n, or a command]", tr(next.words));
 	else if (next.words != NULL)
-		session_note(s, "%s", next.words);
+		session_note(s, "%s", tr(next.words));
 	at.offer = next;
 }
 
@@ -377,6 +383,7 @@ set_up(struct session *s)
 {
 	at.session = s;
 	at.before = xstrdup("");
+	at.stage = -1;
 	rl_readline_name = "tipspeed";
 	rl_catch_signals = 0;
 	rl_catch_sigwinch = 0;

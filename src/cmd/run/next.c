@@ -23,25 +23,6 @@ count_runs(const struct entry *entry, bool *held_out)
 	return n;
 }
 
-static bool
-has_said(const struct session *s, const char *command, const char *path)
-{
-	return !isnan(session_known(s, command, path));
-}
-
-static struct next
-step(const char *line, const char *words)
-{
-	return (struct next){.line = line, .words = words};
-}
-
-/* One of which next_told has what came of it. */
-static struct next
-brief(const char *line, const char *words)
-{
-	return (struct next){line, words, true};
-}
-
 static struct next
 before_fit(const struct session *s, const struct entry *entry)
 {
@@ -49,22 +30,28 @@ before_fit(const struct session *s, const struct entry *entry)
 	size_t n = count_runs(entry, &held_out);
 	double checked = session_known(s, "check", "ok");
 	if (entry->has_params)
-		return step(NULL, NULL);
+		return (struct next){.stage = NEXT_ANSWER};
 	if (n == 0)
-		return step(
-		    "guess", N_("estimate its product from other quarries?"));
+		return (struct next){"guess",
+		    N_("estimate its product from other quarries?"), false,
+		    NEXT_CHECK};
 	if (checked == 0)
-		return step(
-		    NULL, N_("next: correct the sheet and load it again, or "
-			     "'calibrate' with it as it is"));
+		return (struct next){NULL,
+		    N_("next: correct the sheet and load it again, or "
+		       "'calibrate' with it as it is"),
+		    false, NEXT_CALIBRATE};
 	if (checked > 0)
-		return held_out ? brief("calibrate; validate",
-				      N_("calibrate and validate now?"))
-				: brief("calibrate", N_("calibrate now?"));
-	return held_out
-		   ? brief("check; calibrate; validate",
-			 N_("check, calibrate and validate now?"))
-		   : brief("check; calibrate", N_("check and calibrate now?"));
+		return held_out
+			   ? (struct next){"calibrate; validate",
+				 N_("calibrate and validate now?"), true,
+				 NEXT_CALIBRATE}
+			   : (struct next){"calibrate", N_("calibrate now?"),
+				 true, NEXT_CALIBRATE};
+	return held_out ? (struct next){"check; calibrate; validate",
+			      N_("check, calibrate and validate now?"), true,
+			      NEXT_CHECK}
+			: (struct next){"check; calibrate",
+			      N_("check and calibrate now?"), true, NEXT_CHECK};
 }
 
 static struct next
@@ -73,34 +60,40 @@ after_fit(const struct session *s, const struct entry *entry)
 	bool held_out;
 	count_runs(entry, &held_out);
 	if (held_out && !origin_is_stored(entry->origin) &&
-	    !has_said(s, "validate", "holdout.speed"))
-		return brief("validate", N_("validate at the speed held out?"));
+	    isnan(session_known(s, "validate", "holdout.speed")))
+		return (struct next){"validate",
+		    N_("validate at the speed held out?"), true, NEXT_VALIDATE};
 	if (session_known(s, "validate calibrate", "warnings") > 0)
-		return step(NULL,
+		return (struct next){NULL,
 		    N_("next: 'check' and 'why' tell what speaks against it; "
-		       "'predict' answers nevertheless"));
+		       "'predict' answers nevertheless"),
+		    false, NEXT_ANSWER};
 	if (s->linear || s->hooks.run_screen == NULL)
-		return step(NULL,
+		return (struct next){NULL,
 		    N_("next: 'predict' at any speed; 'remember' keeps the "
-		       "calibration for another day"));
-	return step("tui",
+		       "calibration for another day"),
+		    false, NEXT_ANSWER};
+	return (struct next){"tui",
 	    N_("open the full screen? 'predict' answers here, too; 'remember' "
-	       "keeps the calibration for another day"));
+	       "keeps the calibration for another day"),
+	    false, NEXT_ANSWER};
 }
 
 struct next
 next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
-		return step(NULL,
+		return (struct next){NULL,
 		    N_("load your own sheet: load plant.xlsx; an empty one to "
-		       "fill in: template > my.csv"));
+		       "fill in: template > my.csv"),
+		    false, NEXT_LOAD};
 	/* Of several sites nobody knows which is meant. */
 	if (s->n_entry > 1 || session_busy(s))
-		return step(NULL, NULL);
+		return (struct next){.stage = NEXT_LOAD};
 	if (s->job.paused)
-		return step(
-		    "continue", N_("continue the stopped calibration?"));
+		return (struct next){"continue",
+		    N_("continue the stopped calibration?"), false,
+		    NEXT_CALIBRATE};
 	const struct entry *entry = &s->entry[s->current];
 	return entry->has_fit ? after_fit(s, entry) : before_fit(s, entry);
 }
@@ -123,8 +116,9 @@ next_told(const struct session *s)
 	struct answer_view view = answer_view(a);
 	bool check = strcmp(answer_command(a), "check") == 0;
 	bool validate = strcmp(answer_command(a), "validate") == 0;
-	/* What was read is known from load, how far a run is from the fit stands
-	 * in calibrate's first sentence, and next_step says what comes next. */
+	/* What was read is known from load, how far a run is from the fit
+	 * stands in calibrate's first sentence, and next_step says what comes
+	 * next. */
 	size_t from = check || validate;
 	size_t to = view.n_sentence - !check;
 	if (validate)

@@ -7,10 +7,18 @@
 
 /* The one thing to do now, as a command line, NULL where there is no such one,
  * and a sentence for people: a question, or without a line what to type.
- * brief: of the line's commands next_told has what came of them. */
+ * brief: of the line's commands next_told has what came of them.  stage: the
+ * further on, the larger; of another fit it begins anew. */
 struct next {
 	const char *line, *words;
 	bool brief;
+	enum {
+		NEXT_LOAD,
+		NEXT_CHECK,
+		NEXT_CALIBRATE,
+		NEXT_VALIDATE,
+		NEXT_ANSWER
+	} stage;
 };
 
 /* words is NULL where there is nothing to say. */
