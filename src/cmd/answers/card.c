@@ -2,17 +2,22 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/condition.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
@@ -136,107 +141,341 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
 	return find_lines(all, slowest, error);
 }
 
-static void
-flow_columns(struct answer *r, const struct asked *all)
-{
-	for (size_t i = 0; i < all->n_line; i++) {
-		const struct plant_line *line = &all->line[i];
-		bool back = line->unit == NULL;
-		char *key =
-		    xasprintf("%s_%s", back ? "back_tph" : "tph", line->name);
-		char *head =
-		    xasprintf(back ? tr("%s back t/h") : "%s t/h", line->name);
-		answer_column(r, key, head);
-		free(head);
-		free(key);
-	}
-	if (all->flows)
-		answer_columns(r, "kwh_per_t: kWh/t");
-	if (all->flows && all->plan.priced)
-		answer_columns(r, "earnings: earned/h");
-}
+/* What one speed gives: the quantities and their band, as they are shown,
+ * tonnes of the plant's lines, NAN where it does not become steady. */
+struct card_row {
+	double speed, rpm, *value, low, high, *tph, kwh, earned, share;
+	bool holds;
+	enum light light;
+};
 
-/* A column for each, with its unit. */
 static void
-add_columns(struct answer *r, const struct asked *all, bool rpm)
+work_out_flow(const struct asked *all, struct card_row *row)
 {
-	answer_columns(r, "speed: m/s");
-	if (rpm)
-		answer_columns(r, "rpm: rpm");
-	for (size_t i = 0; i < all->n; i++) {
-		const struct quantity *q = &all->q[i];
-		char *words = quantities_words(q), *key = quantities_key(q);
-		char *head = xasprintf("%s%s", words, quantities_after(q));
-		answer_column(r, key, head);
-		free(head);
-		free(key);
-		free(words);
-	}
-	answer_columns(r, "p80_low_mm: P80 low, p80_high_mm: P80 high");
-	flow_columns(r, all);
-	if (all->list.n > 0)
-		answer_columns(r, "limits: limits, certain: certain");
-	answer_columns(r, "light: light");
-}
-
-/* Nothing stands where the plant does not become steady. */
-static void
-add_flow(struct answer *r, const struct asked *all, double v)
-{
-	struct outcome o = plant_at(&all->plant, v);
+	struct outcome o = plant_at(&all->plant, row->speed);
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
 		double tph = line->unit != NULL ? flow_into(&o.flow, line->unit)
 						: o.flow.tph[line->stream];
-		answer_cells(r, "%.1f", o.flow.open ? NAN : tph);
+		row->tph[i] = o.flow.open ? NAN : tph;
 	}
-	answer_cells(
-	    r, "%.2f", o.flow.open ? NAN : o.kw / all->plan.circuit->tph);
-	if (all->plan.priced)
-		answer_cells(r, "%.0f", o.flow.open ? NAN : o.money);
+	row->kwh = o.flow.open ? NAN : o.kw / all->plan.circuit->tph;
+	row->earned = o.flow.open ? NAN : o.money;
 	flow_free(&o.flow);
-}
-
-/* Whether the limits hold, else the one that is missed most. */
-static void
-add_limits(struct answer *r, struct asked *all, double v)
-{
-	forecast_at(all->wanted.forecast, v);
-	answer_cells(r, "%s",
-	    wanted_holds(&all->wanted, SIZE_MAX) ? tr("met") : tr("missed"));
-	double share = wanted_certainty(&all->wanted);
-	char *certain = isnan(share) ? xstrdup("-") : conditions_percent(share);
-	answer_text(r, "%s", certain);
-	free(certain);
 }
 
 /* Where the feed does not tell a size at this speed nothing stands. */
 static void
-add_row(struct answer *r, struct session *s, struct asked *all, double v,
-    struct trust *worst)
+work_out(struct session *s, struct asked *all, double speed,
+    struct card_row *row, struct trust *worst)
 {
 	enum { P80 = 2 };
 	const struct entry *entry = all->question->entry;
-	double rotor = entry->site->rotor;
-	forecast_at(all->forecast, v);
-	struct figure p80 = forecast_figure(all->forecast, P80);
-	struct trust light = light_at(s, entry, v, all->question->feed);
-	answer_cells(r, "%g", v);
-	if (rotor > 0)
-		answer_cells(r, "%.0f", units_rpm(v, rotor));
-	for (size_t i = 0; i < all->n; i++) {
-		double value = quantities_shown(
+	*row = (struct card_row){.speed = speed,
+	    .rpm = units_rpm(speed, entry->site->rotor),
+	    .value = xdoubles(all->n),
+	    .tph = xdoubles(all->n_line + 1),
+	    .share = NAN};
+	forecast_at(all->forecast, speed);
+	for (size_t i = 0; i < all->n; i++)
+		row->value[i] = quantities_shown(
 		    &all->q[i], forecast_figure(all->forecast, i).value);
-		bool one = quantities_decimals(&all->q[i]) == 1;
-		answer_cells(r, one ? "%.1f" : "%.2f", value);
-	}
-	answer_cells(r, "%.2f %.2f", 1000 * p80.low, 1000 * p80.high);
+	struct figure p80 = forecast_figure(all->forecast, P80);
+	row->low = 1000 * p80.low;
+	row->high = 1000 * p80.high;
 	if (all->flows)
-		add_flow(r, all, v);
-	if (all->list.n > 0)
-		add_limits(r, all, v);
-	answer_cells(r, "%s", tr(LIGHT_NAME[light.light]));
+		work_out_flow(all, row);
+	if (all->list.n > 0) {
+		forecast_at(all->wanted.forecast, speed);
+		row->holds = wanted_holds(&all->wanted, SIZE_MAX);
+		row->share = wanted_certainty(&all->wanted);
+	}
+	struct trust light = light_at(s, entry, speed, all->question->feed);
+	row->light = light.light;
 	light_worse(worst, light);
+}
+
+/* A column of the page: cells of numbers or of words, both [rows].  spare: the
+ * larger, the sooner it is left out where there is no room. */
+struct page_column {
+	char *head, **word;
+	double *number;
+	int decimals, spare, wide;
+};
+
+struct page {
+	size_t n, rows;
+	struct page_column *column;
+};
+
+enum { WORDS = -1 };
+enum { NEEDED, FIGURE, MEDIAN, RANGE, FINE };
+
+static struct page_column *
+page_column(struct page *page, char *head, int decimals, int spare)
+{
+	page->column =
+	    xrealloc(page->column, page->n + 1, sizeof *page->column);
+	struct page_column *c = &page->column[page->n++];
+	*c = (struct page_column){.head = head,
+	    .word = xcalloc(page->rows + 1, sizeof(*c->word)),
+	    .number = xdoubles(page->rows + 1),
+	    .decimals = decimals,
+	    .spare = spare,
+	    .wide = text_width(head)};
+	return c;
+}
+
+/* Takes the word, NULL of a number. */
+static void
+page_cell(struct page_column *c, size_t row, double number, char *word)
+{
+	c->number[row] = number;
+	c->word[row] =
+	    word != NULL ? word : xasprintf("%.*f", c->decimals, number);
+	int wide = text_width(c->word[row]);
+	c->wide = wide > c->wide ? wide : c->wide;
+}
+
+/* "<2 mm": as short as a page for a wall wants it.  What all figures are of is
+ * said below. */
+static char *
+page_head(const struct asked *all, const struct quantity *q)
+{
+	struct quantity own = *q;
+	const struct fraction *cut = &all->question->fraction;
+	if (cut->fine == own.fraction.fine &&
+	    cut->coarse == own.fraction.coarse)
+		own.fraction = (struct fraction){0};
+	if (q->kind == QUANTITY_PASSING && !fraction_screens(&own.fraction))
+		return xasprintf("<%g mm", units_mm(q->x));
+	char *words = quantities_words(&own);
+	if (q->kind == QUANTITY_SHARE)
+		xappend(&words, " %%");
+	return words;
+}
+
+static void
+page_flow(
+    struct page *page, const struct asked *all, const struct card_row *row)
+{
+	for (size_t i = 0; i < all->n_line; i++) {
+		const struct plant_line *line = &all->line[i];
+		struct page_column *c = page_column(page,
+		    xasprintf(
+			line->unit == NULL ? tr("%s back") : "%s", line->name),
+		    1, NEEDED);
+		for (size_t k = 0; k < page->rows; k++)
+			page_cell(c, k, row[k].tph[i], NULL);
+	}
+	struct page_column *kwh =
+	    page_column(page, xstrdup("kWh/t"), 2, FIGURE);
+	for (size_t k = 0; k < page->rows; k++)
+		page_cell(kwh, k, row[k].kwh, NULL);
+	if (!all->plan.priced)
+		return;
+	struct page_column *earned =
+	    page_column(page, xstrdup(tr("earned/h")), 0, NEEDED);
+	for (size_t k = 0; k < page->rows; k++)
+		page_cell(earned, k, row[k].earned, NULL);
+}
+
+/* level: of the band of P80, %. */
+static void
+page_sizes(struct page *page, const struct asked *all,
+    const struct card_row *row, double level)
+{
+	enum { P20, P50, P80, SIZES };
+	static const int SPARE[SIZES] = {
+	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
+	for (size_t i = 0; i < all->n; i++) {
+		const struct quantity *q = &all->q[i];
+		bool one = quantities_decimals(q) == 1;
+		struct page_column *c = page_column(page, page_head(all, q),
+		    one ? 1 : 2, i < SIZES ? SPARE[i] : FIGURE);
+		for (size_t k = 0; k < page->rows; k++)
+			page_cell(c, k, row[k].value[i], NULL);
+		if (i != P80 || isnan(row[0].low))
+			continue;
+		c = page_column(
+		    page, xasprintf(tr("%.0f %% range"), level), WORDS, RANGE);
+		for (size_t k = 0; k < page->rows; k++)
+			page_cell(c, k, NAN,
+			    xasprintf("%.2f..%.2f", row[k].low, row[k].high));
+	}
+}
+
+static struct page
+page_of(const struct asked *all, const struct card_row *row, size_t rows,
+    double level)
+{
+	struct page page = {.rows = rows};
+	struct page_column *c =
+	    page_column(&page, xstrdup("m/s"), NEEDED, NEEDED);
+	for (size_t k = 0; k < rows; k++)
+		page_cell(c, k, row[k].speed, xasprintf("%g", row[k].speed));
+	if (all->question->entry->site->rotor > 0) {
+		c = page_column(&page, xstrdup("rpm"), 0, NEEDED);
+		for (size_t k = 0; k < rows; k++)
+			page_cell(c, k, row[k].rpm, NULL);
+	}
+	page_sizes(&page, all, row, level);
+	if (all->flows)
+		page_flow(&page, all, row);
+	if (all->list.n > 0) {
+		c = page_column(
+		    &page, xstrdup(tr("limits met")), WORDS, NEEDED);
+		for (size_t k = 0; k < rows; k++)
+			page_cell(c, k, NAN,
+			    conditions_chance(row[k].share, row[k].holds));
+	}
+	c = page_column(&page, xstrdup(tr("light")), WORDS, NEEDED);
+	for (size_t k = 0; k < rows; k++)
+		page_cell(c, k, NAN, xstrdup(tr(LIGHT_NAME[row[k].light])));
+	return page;
+}
+
+static void
+page_drop(struct page *page, size_t at)
+{
+	struct page_column *c = &page->column[at];
+	for (size_t k = 0; k < page->rows; k++)
+		free(c->word[k]);
+	free(c->word);
+	free(c->number);
+	free(c->head);
+	memmove(c, c + 1, (--page->n - at) * sizeof *c);
+}
+
+/* Leaves out what can be spared until a row is one line of 80; what that was,
+ * or "", which the caller frees.  Where it is not enough the table is wider: it
+ * stays one. */
+static char *
+page_fit(struct page *page, struct answer *r)
+{
+	enum { ROOM = 79, GAP = 2 };
+	char *dropped = xstrdup("");
+	for (;;) {
+		int wide = 0;
+		size_t most = 0;
+		for (size_t i = 0; i < page->n; i++) {
+			wide += GAP + page->column[i].wide;
+			if (page->column[i].spare > page->column[most].spare)
+				most = i;
+		}
+		if (wide <= ROOM)
+			return dropped;
+		if (page->column[most].spare == NEEDED) {
+			answer_room(r, wide + 1);
+			return dropped;
+		}
+		xlist(&dropped, ", ", "%s", page->column[most].head);
+		page_drop(page, most);
+	}
+}
+
+static bool
+page_has(const struct page *page, int spare)
+{
+	for (size_t i = 0; i < page->n; i++)
+		if (page->column[i].spare == spare)
+			return true;
+	return false;
+}
+
+/* For people: a line a speed. */
+static void
+add_page(struct answer *r, struct page *page)
+{
+	for (size_t i = 0; i < page->n; i++)
+		answer_column(r, page->column[i].head, page->column[i].head);
+	for (size_t k = 0; k < page->rows; k++)
+		for (size_t i = 0; i < page->n; i++) {
+			struct page_column *c = &page->column[i];
+			if (c->decimals == WORDS)
+				answer_text(r, "%s", c->word[k]);
+			else
+				answer_cells(r,
+				    i == 0             ? "%g"
+				    : c->decimals == 0 ? "%.0f"
+				    : c->decimals == 1 ? "%.1f"
+						       : "%.2f",
+				    c->number[k]);
+		}
+}
+
+static void
+add_key(struct answer *r, const char *key)
+{
+	answer_column(r, key, key);
+}
+
+static void
+flow_keys(struct answer *r, const struct asked *all)
+{
+	for (size_t i = 0; i < all->n_line; i++) {
+		const struct plant_line *line = &all->line[i];
+		char *key = xasprintf("%s_%s",
+		    line->unit == NULL ? "back_tph" : "tph", line->name);
+		add_key(r, key);
+		free(key);
+	}
+	if (all->flows)
+		add_key(r, "kwh_per_t");
+	if (all->flows && all->plan.priced)
+		add_key(r, "earnings");
+}
+
+static void
+add_keys(struct answer *r, const struct asked *all, bool rpm)
+{
+	add_key(r, "speed");
+	if (rpm)
+		add_key(r, "rpm");
+	for (size_t i = 0; i < all->n; i++) {
+		char *key = quantities_key(&all->q[i]);
+		add_key(r, key);
+		free(key);
+	}
+	add_key(r, "p80_low_mm");
+	add_key(r, "p80_high_mm");
+	flow_keys(r, all);
+	if (all->list.n > 0) {
+		add_key(r, "limits");
+		add_key(r, "certain");
+	}
+	add_key(r, "light");
+}
+
+/* For programs, met is what is the more likely. */
+static void
+add_row(struct answer *r, const struct asked *all, const struct card_row *row,
+    bool rpm)
+{
+	answer_cells(r, "%g", row->speed);
+	if (rpm)
+		answer_cells(r, "%.0f", row->rpm);
+	for (size_t i = 0; i < all->n; i++)
+		answer_cells(r,
+		    quantities_decimals(&all->q[i]) == 1 ? "%.1f" : "%.2f",
+		    row->value[i]);
+	answer_cells(r, "%.2f %.2f", row->low, row->high);
+	for (size_t i = 0; i < all->n_line; i++)
+		answer_cells(r, "%.1f", row->tph[i]);
+	if (all->flows)
+		answer_cells(r, "%.2f", row->kwh);
+	if (all->flows && all->plan.priced)
+		answer_cells(r, "%.0f", row->earned);
+	if (all->list.n > 0) {
+		bool met = isnan(row->share) ? row->holds : row->share >= 0.5;
+		char *certain = isnan(row->share)
+				    ? xstrdup("-")
+				    : conditions_percent(row->share);
+		answer_cells(r, "%s", met ? tr("met") : tr("missed"));
+		answer_text(r, "%s", certain);
+		free(certain);
+	}
+	answer_cells(r, "%s", tr(LIGHT_NAME[row->light]));
 }
 
 static void
@@ -285,20 +524,88 @@ card_speeds(const struct args *args, const struct site *site, size_t *n)
 	return speed;
 }
 
+/* What the figures are, of which machine, found how, and who answers for
+ * them. */
+static void
+note_basis(struct answer *r, const struct session *s, const struct asked *all,
+    const char *dropped, bool range)
+{
+	const struct question *q = all->question;
+	const struct site *site = q->entry->site;
+	char *speeds = session_speeds(site, ", ", NULL, true);
+	char *feed = feed_words(site, q->feed);
+	answer_note(r, "P20, P50 and P80 in mm, what passes in %%%s",
+	    all->flows ? tr(", fractions in t/h") : "");
+	if (fraction_screens(&q->fraction)) {
+		char *cut = quantities_fraction_words(&q->fraction);
+		answer_note(r, "all of these of the fraction %s", cut);
+		free(cut);
+	}
+	if (dropped[0] != '\0')
+		answer_note(r, "left out for want of room: %s", dropped);
+	if (range)
+		answer_note(r,
+		    "%.0f %% range: the true P80 lies in it with %.0f %% "
+		    "probability",
+		    100 * settings_level(&s->set),
+		    100 * settings_level(&s->set));
+	if (site->machine[0] != '\0')
+		answer_note(r, "machine: %s", site->machine);
+	answer_note(r, "model: %s, %s; %s",
+	    breakage_of(&q->entry->params)->name, origin_words(q->entry),
+	    outlook_words(s, q->entry));
+	if (feed == NULL)
+		answer_note(r, "feed: %s",
+		    site->with[0] != '\0' ? site->with : tr("as sampled"));
+	answer_note(r,
+	    "green: measurements at %s m/s answer for it; amber: the model "
+	    "alone, or a doubt; red: do not rely on it",
+	    speeds);
+	free(speeds);
+	free(feed);
+}
+
+static void
+rows_free(struct card_row *row, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		free(row[i].value);
+		free(row[i].tph);
+	}
+	free(row);
+}
+
 static struct answer *
 card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 {
 	const struct entry *entry = all->question->entry;
+	bool rpm = entry->site->rotor > 0;
+	char *today = moment_today();
 	struct answer *r =
-	    answers_new(entry->site, "card", "what each tip speed gives");
+	    answers_new(entry->site, "card", "card of %s", today);
 	struct trust light = light_of(s, entry, NULL);
-	add_columns(r, all, entry->site->rotor > 0);
+	struct card_row *row = xcalloc(n, sizeof *row);
 	for (size_t i = 0; i < n; i++)
-		add_row(r, s, all, speed[i], &light);
+		work_out(s, all, speed[i], &row[i], &light);
+	struct page page = page_of(all, row, n, 100 * settings_level(&s->set));
+	char *dropped = page_fit(&page, r);
+	add_page(r, &page);
+	answer_for_programs(r);
+	add_keys(r, all, rpm);
+	for (size_t i = 0; i < n; i++)
+		add_row(r, all, &row[i], rpm);
+	fields_put(answer_fields(r), "date %s machine %s model %s", today,
+	    entry->site->machine, breakage_of(&entry->params)->name);
 	note_limits(r, all);
 	note_flow(r, all);
-	answers_show_basis(s, r, all->question, 0,
-	    forecast_draws(all->forecast, 0) != NULL, light);
+	note_basis(r, s, all, dropped, page_has(&page, RANGE));
+	answers_show_basis(s, r, all->question, 0, false, light);
+	while (page.n > 0)
+		page_drop(&page, page.n - 1);
+	free(page.column);
+	free(dropped);
+	free(today);
+	rows_free(row, n);
 	return r;
 }
 

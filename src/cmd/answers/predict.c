@@ -263,28 +263,38 @@ chance_words(double level)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
 }
 
-/* How sure, in one sentence about one number (D22). */
-static void
-note_sure(struct answer *r, const struct session *s, const struct question *q,
+char *
+predict_sure(const struct session *s, const struct question *q,
     const struct prediction *p)
 {
 	size_t i = answers_sieve(&p->product);
 	const struct quantity passing = {
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
-	if (fraction_screens(&p->fraction))
-		return;
+	if (p->low == NULL || fraction_screens(&p->fraction))
+		return NULL;
 	char *chance = chance_words(settings_level(&s->set));
 	struct forecast *f = forecast_open(s, q, &passing, 1);
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
-	answer_note(r,
-	    "at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
-	    "%.1f; a new belt cut between %.1f and %.1f",
+	char *words = xasprintf(
+	    tr("at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+	       "%.1f; a new belt cut between %.1f and %.1f"),
 	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
 	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
 	forecast_close(f);
 	free(chance);
+	return words;
+}
+
+static void
+note_sure(struct answer *r, const struct session *s, const struct question *q,
+    const struct prediction *p)
+{
+	char *words = predict_sure(s, q, p);
+	if (words != NULL)
+		answer_note(r, "%s", words);
+	free(words);
 }
 
 /* That what was measured stands beside the answer as it would be of its
@@ -319,8 +329,7 @@ explained(const struct session *s, const struct question *q,
 	    prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, params, p);
-	if (p->low != NULL)
-		note_sure(r, s, q, p);
+	note_sure(r, s, q, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {

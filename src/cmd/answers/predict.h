@@ -5,10 +5,17 @@
 
 #include "cmd/session/session.h"
 
+struct question;
+
 /* Predicts as the command `predict` that the line is, and says nothing: the
  * session keeps the answer, the journal the line, and the value is for whoever
  * shows it.  False where there is nothing to predict with. */
 bool predict_step(struct session *s, double speed, size_t feed_run,
     const char *line, struct prediction *p, struct error *error);
+
+/* How sure the answer is, in one sentence about one passing (D22); NULL of a
+ * screened fraction, and without draws.  The caller frees. */
+char *predict_sure(const struct session *s, const struct question *q,
+    const struct prediction *p);
 
 #endif

@@ -8,9 +8,11 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/answers/predict.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/fraction.h"
 #include "cmd/document/document.h"
 #include "cmd/session/journal.h"
@@ -20,6 +22,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 #include "config.h"
+#include "io/cells/datetime.h"
 
 /* What a section needs of the session; without parameters it is said to be
  * missing, what else is absent goes without saying. */
@@ -56,8 +59,10 @@ static const struct section {
 	enum need need;
 } SECTIONS[] = {
     {N_("Product at SPEED m/s"), "predict SPEEDASKEDCUT", NEED_PARAMS},
-    {NULL, "plot psd speed=SPEED band=onASKED", NEED_PARAMS},
-    {N_("How sure the answer is"), "why SPEEDASKED", NEED_PARAMS},
+    {N_("Card"), "cardCONDITIONSRATESPECASKEDCUT", NEED_PARAMS},
+    {N_("How sure the answer is"), "plot psd speed=SPEED band=onASKED",
+	NEED_PARAMS},
+    {NULL, "why SPEEDASKED", NEED_PARAMS},
     {NULL, "uncertainty speed=SPEEDASKED", NEED_FIT},
     {NULL, "advise speed=SPEEDASKED", NEED_FIT},
     {N_("Other speeds"), "sweepASKEDCUT", NEED_PARAMS},
@@ -65,7 +70,6 @@ static const struct section {
     {N_("Window"), "windowCONDITIONSSPECASKEDCUT", NEED_CONDITIONS},
     {N_("Grading envelope"), "specENVELOPE speed=SPEEDASKEDCUT", NEED_SPEC},
     {N_("Flow"), "flowRATE speed=SPEEDASKED", NEED_TPH},
-    {N_("Card"), "cardCONDITIONSRATESPECASKEDCUT", NEED_PARAMS},
     {N_("Validation"), "validate", NEED_PARAMS},
     {N_("Routine cuts"), "drift", NEED_CUTS},
     {NULL, "plot drift", NEED_CUTS},
@@ -246,20 +250,32 @@ put_conditions(struct session *s, const struct ask *ask)
 	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
 	double share = wanted_certainty(&ask->wanted);
 	char number[32], *list = conditions_list_words(&ask->list);
-	char *certain = conditions_percent(share);
-	char *words = xasprintf(
-	    isnan(share) ? (met ? tr("Conditions: %s: met at %s m/s")
-				: tr("Conditions: %s: missed at %s m/s"))
-	    : met        ? tr("Conditions: %s: met at %s m/s (%s certain)")
-		  : tr("Conditions: %s: missed at %s m/s (%s certain to be "
-		       "met)"),
-	    list, text_exact(ask->speed, number), certain);
+	char *chance = conditions_chance(share, met);
+	char *words = xasprintf(tr("Conditions: %s: at %s m/s %s"), list,
+	    text_exact(ask->speed, number), chance);
 	append_window(&words, ask);
-	document_say(
-	    s->document, met ? DOCUMENT_WORDS : DOCUMENT_WARNING, "%s.", words);
-	free(certain);
+	document_say(s->document,
+	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS
+						: DOCUMENT_WARNING,
+	    "%s.", words);
+	free(chance);
 	free(words);
 	free(list);
+}
+
+/* What is asked for first: the answer, and how sure it is. */
+static void
+put_answer(struct session *s, const struct ask *ask)
+{
+	const struct question *q = ask->q;
+	if (!is_met(s, ask, NEED_PARAMS))
+		return;
+	struct prediction p = forecast_whole(s, q->entry, ask->speed, q->feed);
+	char *sure = predict_sure(s, q, &p);
+	if (sure != NULL)
+		document_say(s->document, DOCUMENT_WORDS, "%s.", sure);
+	free(sure);
+	prediction_free(&p);
 }
 
 /* Instead of the light. */
@@ -310,17 +326,20 @@ compose(struct session *s, const struct ask *ask)
 {
 	const struct site *site = ask->q->entry->site;
 	char *label = session_label(site);
-	char *title = xasprintf(tr("Report: %s"), label);
+	char *today = moment_today();
+	char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_title(s->document, title);
-	put_data(s->document, site);
+	put_answer(s, ask);
 	put_conditions(s, ask);
 	if (is_met(s, ask, NEED_PARAMS))
 		put_light(s, ask);
 	else
 		put_missing(s, ask);
+	put_data(s->document, site);
 	put_sections(s, ask);
 	put_script(s, ask);
 	free(title);
+	free(today);
 	free(label);
 }
 

@@ -229,10 +229,12 @@ const struct command TABLE_ANSWERS[] = {
 	.option = CARD_OPTIONS,
 	.text =
 	    "One row a speed, in m/s and, where the site states the rotor's "
-	    "diameter, in rpm: P20, P50 and P80, figures of one's own choice, "
-	    "tonnes of fractions, the band of P80 and the light; with "
-	    "conditions, as window has them, or spec=, whether they hold, and "
-	    "how certain that is. "
+	    "diameter, in rpm: P20, P50 and P80, the band of P80, figures of "
+	    "one's own choice, tonnes of fractions and the light; with "
+	    "conditions, as window has them, or spec=, how certain it is that "
+	    "they are met. Below it: the date, the feed, the machine, the "
+	    "model, and who answers for what. What a row of 80 columns has no "
+	    "room for is left out, and named; csv and json have all of it. "
 	    "'card > card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card of=\"passing 2,fines\" tph=120 fractions=0/2,2/5,5/8",

@@ -602,3 +602,19 @@ conditions_percent(double share)
 	       : share < 0.01 ? xstrdup(tr("under 1 %"))
 			      : xasprintf("%.0f %%", 100 * share);
 }
+
+char *
+conditions_chance(double share, bool holds)
+{
+	if (isnan(share))
+		return xstrdup(holds ? tr("met") : tr("missed"));
+	const char *words = share >= 0.9   ? tr("met")
+			    : share >= 0.7 ? tr("likely met")
+			    : share > 0.3  ? tr("as likely as not")
+			    : share > 0.1  ? tr("likely missed")
+					   : tr("missed");
+	char *percent = conditions_percent(share);
+	char *chance = xasprintf("%s, %s", percent, words);
+	free(percent);
+	return chance;
+}

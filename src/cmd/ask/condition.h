@@ -95,4 +95,9 @@ void conditions_note_missed(struct answer *r, const struct wanted *wanted,
  * frees. */
 char *conditions_percent(double share);
 
+/* "over 99 %, met", "47 %, as likely as not": how certain it is that conditions
+ * are met, and what that makes of them; share NAN: met or missed, as the answer
+ * has it.  The caller frees. */
+char *conditions_chance(double share, bool holds);
+
 #endif

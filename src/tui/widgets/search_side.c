@@ -373,11 +373,13 @@ search_side_draw(struct tui *t)
 		draw_convergence(t, draw_parameters(t, &past, row));
 		return;
 	}
-	bool can =
-	    tui_entry(t) == NULL || site_products(tui_entry(t)->site) > 0;
+	const struct entry *entry = tui_entry(t);
+	bool can = entry == NULL || site_products(entry->site) > 0;
+	bool before = entry != NULL && entry->has_fit;
 	screen_text(side, 0, 0, 0, "%s",
-	    can ? tr("not calibrated yet: f starts")
-		: tr("no product: type :guess"));
+	    before ? tr("its search is not kept: f starts")
+	    : can  ? tr("not calibrated yet: f starts")
+		   : tr("no product: type :guess"));
 	screen_text(side, 1, 0, 0, "%s",
 	    can ? tr("+ and -: generations a second") : "");
 }
