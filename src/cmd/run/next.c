@@ -74,19 +74,34 @@ after_fit(const struct session *s, const struct entry *entry)
 		       "calibration for another day"),
 		    false, NEXT_ANSWER};
 	return (struct next){"tui",
-	    N_("open the full screen? 'predict' answers here, too; 'remember' "
-	       "keeps the calibration for another day"),
+	    origin_is_stored(entry->origin)
+		? N_("open the full screen? 'predict' answers here, too; "
+		     "'add' takes new cuts")
+		: N_("open the full screen? 'predict' answers here, too; "
+		     "'remember' keeps the calibration for another day"),
 	    false, NEXT_ANSWER};
+}
+
+static struct next
+before_load(const struct session *s)
+{
+	size_t own = 0;
+	bool remembered = store_count(s->store, &own, NULL) && own > 0;
+	return (struct next){NULL,
+	    remembered
+		? N_("load your own sheet: load plant.xlsx; or bring back a "
+		     "site that was remembered: 'materials origin=own' lists "
+		     "them, 'recall NAME' takes one")
+		: N_("load your own sheet: load plant.xlsx; an empty one to "
+		     "fill in: template > my.csv"),
+	    false, NEXT_LOAD};
 }
 
 struct next
 next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
-		return (struct next){NULL,
-		    N_("load your own sheet: load plant.xlsx; an empty one to "
-		       "fill in: template > my.csv"),
-		    false, NEXT_LOAD};
+		return before_load(s);
 	/* Of several sites nobody knows which is meant. */
 	if (s->n_entry > 1 || session_busy(s))
 		return (struct next){.stage = NEXT_LOAD};
