@@ -1,5 +1,5 @@
-/* The store as a session uses it: what fails costs nothing, and what is recalled
- * never passes for a fit.
+/* The store as a session uses it: what fails costs nothing, what is recalled for
+ * another site never passes for a fit, and a site itself is as it was.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
