@@ -176,8 +176,8 @@ chosen_isa(void)
 
 /* A FILE is a site file, or a script when its name ends in .tip.  Site files
  * that follow each other are loaded together: they may be one site's.  stays:
- * somebody sits at a prompt, where a sheet that is refused can be loaded anew as
- * its hint says. */
+ * somebody sits at a prompt, where a sheet that is refused can be loaded anew
+ * as its hint says. */
 static int
 open_files(struct session *s, char *const *path, size_t n, bool stays)
 {

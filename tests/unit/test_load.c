@@ -226,6 +226,38 @@ of_two_tables_one_is_asked_for(void **state)
 	assert_near(site_of(desk)->run[0].speed, 79, 1e-9);
 }
 
+/* Synthetic masses, of which 96.7 % pass the coarsest sieve. */
+static const char SHORT[] =
+    "size_mm,feed retained_g,product@69 retained_g,product@79 retained_g\n"
+    "16,31.2,5.1,2\n8,300.7,100.5,90\n4,200,250.3,240\n2,150.33,200,210\n"
+    "pan,263.9,280,290\n";
+
+static void
+a_coarser_sieve_is_assumed(void **state)
+{
+	struct desk *desk = *state;
+	static const char *const YES[] = {"", "y", "perhaps|Yes"};
+	for (size_t i = 0; i < ARRAY_LEN(YES); i++) {
+		assert_true(load_with(desk, SHORT, YES[i]));
+		assert_non_null(
+		    strstr(user.asked, "assume 100 % passes 22.4 mm [Y/n]"));
+		const struct psd *feed = &site_of(desk)->run[0].feed;
+		assert_near(feed->size[0], 22.4e-3, 1e-12);
+		assert_near(feed->passing[0], 1, 0);
+		assert_near(feed->size[1], 16e-3, 1e-12);
+		assert_near(site_assumed_top(site_of(desk)), 22.4, 0);
+	}
+	assert_non_null(strstr(user.asked, "got 'perhaps'"));
+	assert_true(load_with(desk, SHORT, "31.5"));
+	assert_near(site_assumed_top(site_of(desk)), 31.5, 0);
+	assert_false(load_with(desk, SHORT, "n"));
+	assert_non_null(strstr(desk->error.text, "got 96.7 % at 16 mm"));
+	assert_non_null(
+	    strstr(desk->error.hint, "load test-load.csv top=22.4"));
+	assert_false(desk_say(desk, "load test-load.csv top=16"));
+	assert_non_null(strstr(desk->error.hint, "top=22.4"));
+}
+
 static void
 scripts_are_not_asked(void **state)
 {
@@ -301,6 +333,7 @@ main(void)
 	    WITH_USER(who_gives_up_gets_the_command),
 	    WITH_USER(a_decimal_sign_is_asked),
 	    WITH_USER(of_two_tables_one_is_asked_for),
+	    WITH_USER(a_coarser_sieve_is_assumed),
 	    WITH_USER(scripts_are_not_asked),
 	    WITH_USER(answers_are_saved_with_the_session),
 	    cmocka_unit_test(rows_fit),

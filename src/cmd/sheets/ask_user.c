@@ -353,6 +353,24 @@ take_rotor(const char *said, struct inquired *into, char *wrong)
 	return good;
 }
 
+/* Y, which is what Enter stands for, is the size offered, and a number another
+ * one; n gives up: the sheet is refused. */
+static bool
+take_top(const char *settle, const char *said, struct inquired *into,
+    bool *given_up, char *wrong)
+{
+	size_t n = strlen(said);
+	bool yes = strncasecmp(said, "yes", n) == 0;
+	const char *number = yes ? strchr(settle, '=') + 1 : said;
+	*given_up = n > 0 && strncasecmp(said, "no", n) == 0;
+	bool good = text_number(number, &into->top) && into->top > 0;
+	if (!good)
+		snprintf(wrong, WRONG,
+		    tr("expected y, n or another size in mm, got '%.30s'"),
+		    said);
+	return good;
+}
+
 static bool
 take_decimal(const char *said, struct inquired *into, char *wrong)
 {
@@ -378,9 +396,11 @@ take_place(const char *settle, const char *said, struct inquired *into)
 }
 
 static bool
-take_option(
-    const char *settle, const char *said, struct inquired *into, char *wrong)
+take_option(const char *settle, const char *said, struct inquired *into,
+    bool *given_up, char *wrong)
 {
+	if (strncmp(settle, "top=", 4) == 0)
+		return take_top(settle, said, into, given_up, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
 		return take_rotor(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
@@ -398,9 +418,10 @@ ask_option(struct session *s, const struct site_ask *ask,
 	} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
 	    {"decimal=", N_("decimal sign, point or comma")},
 	    {"sheet=", N_("which sheet is to be read")},
-	    {"range=", N_("which cells are to be read")}};
+	    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
 	char wrong[WRONG] = "";
 	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	char *text = NULL;
 	struct inquiry q = {.about = about,
 	    .ask = ask,
 	    .text = ask->settle,
@@ -411,20 +432,26 @@ ask_option(struct session *s, const struct site_ask *ask,
 	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
 		if (strncmp(ask->settle, ASKS[i].option,
 			strlen(ASKS[i].option)) == 0) {
-			q.text = tr(ASKS[i].question);
-			q.offered = i < 2 ? "" : strchr(ask->settle, '=') + 1;
+			const char *value = strchr(ask->settle, '=') + 1;
+			bool top = ASKS[i].question == NULL;
+			text = top ? xasprintf(tr("assume 100 %% passes %s mm"),
+					 value)
+				   : xstrdup(tr(ASKS[i].question));
+			q.text = text;
+			q.offered = top ? "Y/n" : i < 2 ? "" : value;
 		}
 	bool good = false, given_up = false;
 	while (!good && !given_up) {
 		char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		wrong[0] = '\0';
-		good = !given_up &&
-		       take_option(ask->settle, text_trim(answer), said, wrong);
+		good = !given_up && take_option(ask->settle, text_trim(answer),
+					said, &given_up, wrong);
 		free(answer);
 		q.first = false;
 	}
 	free(about);
+	free(text);
 	return good;
 }
 

@@ -25,7 +25,7 @@ struct inquiry {
 struct inquired {
 	char *columns, *sheet, *range;
 	char decimal;
-	double rotor; /* m */
+	double rotor, top; /* m, mm */
 };
 
 /* Asks session->hooks.question until all that is open has an answer; false:

@@ -162,6 +162,8 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 		l->request.decimal = said.decimal;
 	if (said.rotor > 0)
 		l->request.rotor = said.rotor;
+	if (said.top > 0)
+		l->request.top = said.top;
 	return good;
 }
 
@@ -169,6 +171,7 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 static void
 write_journal(struct session *s, const struct load *l, const struct site *site)
 {
+	char number[32];
 	char *line =
 	    journal_load(site, l->request.n, l->request.path, l->request.speed);
 	if (l->columns != NULL)
@@ -182,6 +185,8 @@ write_journal(struct session *s, const struct load *l, const struct site *site)
 		    l->request.decimal == ',' ? "comma" : "point");
 	if (l->request.rotor > 0)
 		xappend(&line, " rotor_mm=%g", 1000 * l->request.rotor);
+	if (l->request.top > 0)
+		xappend(&line, " top=%s", text_exact(l->request.top, number));
 	journal_add(s, NULL, "%s", line);
 	free(line);
 }
@@ -195,7 +200,9 @@ read_site(struct session *s, struct load *l, struct error *error)
 		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
 		struct site *site = site_read_as(&l->request, &errors, &ask);
+		/* What is answered about a feed would not be saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
+			     !l->request.feed &&
 			     ask_somebody(s, l, &ask, &errors);
 		site_ask_clear(&ask);
 		if (site != NULL)
@@ -480,6 +487,7 @@ take_options(struct load *l, const struct args *args)
 		l->request.decimal = decimal->choice == 1 ? ',' : '.';
 	if (rotor->given)
 		l->request.rotor = rotor->number / 1000;
+	l->request.top = args_value(args, "top")->number;
 }
 
 /* What somebody answered, as an option of the line that is saved. */
@@ -509,6 +517,8 @@ save_answers(struct session *s, const struct args *args, const struct load *l,
 	if (q->rotor != rotor)
 		save_answer(
 		    s, args, "rotor_mm", text_exact(1000 * q->rotor, number));
+	if (q->top > 0)
+		save_answer(s, args, "top", text_exact(q->top, number));
 }
 
 struct site *
@@ -571,7 +581,7 @@ find_feed(const struct site *site, const char *word, double speed, size_t *run,
 struct site *
 load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 {
-	struct load l = {0};
+	struct load l = {.request.feed = true};
 	struct site *site = NULL;
 	bool good = load_init(&l, 1, &word, error);
 	double speed = good ? l.speed[0] : 0;

@@ -20,6 +20,9 @@ static const struct command_option SHOW_OPTIONS[] = {
 		"part of a sheet, as A3:F20; default: all"},                  \
 	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
 		"decimal sign of the numbers, where they do not tell"},       \
+	    {"top", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                  \
+		"size that all of the feed passes, where its coarsest sieve " \
+		"does not: an assumption, which every answer tells"},         \
 	{                                                                     \
 		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
 		    "diameter of the rotor, for speeds in rpm"                \

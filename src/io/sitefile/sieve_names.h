@@ -33,6 +33,10 @@ bool sieve_names_is_number(const char *text);
  * mm. */
 bool sieve_names_standard(double mm);
 
+/* The next coarser sieve of those that plants have, mm: of EN 933, or in inches
+ * and numbers of ASTM E11.  Above all of them, the next step of the series. */
+double sieve_names_coarser(double mm, bool astm);
+
 /* Of a name that no sieve has: "1/4 in (6.3 mm) and No. 3 1/2 (5.6 mm)", the
  * next coarser and the next finer one.  The caller frees. */
 char *sieve_names_nearest(const char *text);

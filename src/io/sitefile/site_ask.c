@@ -224,19 +224,42 @@ list_files(const struct site_request *q, const char *settle)
 		    q->decimal == ',' ? "comma" : "point");
 	if (q->rotor > 0)
 		xappend(&list, " rotor_mm=%g", 1000 * q->rotor);
+	if (q->top > 0)
+		xappend(&list, " top=%g", q->top);
 	return list;
+}
+
+/* The line that loads the files as `settle` says.  Where a question takes its
+ * feed from a sheet it has no such options: the sheet is written anew. */
+static char *
+settled_line(const struct site_request *q, const char *settle)
+{
+	char *files = list_files(q, settle);
+	char *line =
+	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
+	const char *slash = strrchr(q->path[0], '/');
+	const char *name = slash != NULL ? slash + 1 : q->path[0];
+	if (q->feed)
+		xappend(&line, "; write \"%.*s-read.csv\"",
+		    (int)strcspn(name, "."), name);
+	free(files);
+	return line;
+}
+
+static const char *
+for_feed(const struct site_request *q)
+{
+	return q->feed ? tr(", and write it anew for feed=") : "";
 }
 
 static bool
 refuse(const struct site_request *q, const struct table *t, struct cell where,
     struct site_ask *ask, struct error_list *errors, const char *what)
 {
-	char *files = list_files(q, ask->settle);
-	struct error *e = error_add(errors);
-	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
-	    "%s\nsay what it is: %s %s %s", what, q->parts ? "add" : "load",
-	    files, ask->settle);
-	free(files);
+	char *line = settled_line(q, ask->settle);
+	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
+	    where.column, "%s\nsay what it is%s: %s", what, for_feed(q), line);
+	free(line);
 	return true;
 }
 
@@ -386,4 +409,31 @@ open_ask(const struct open *open, const struct site_request *q,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
 	return ask_column(q, first, all->n == 1, ask, errors);
+}
+
+void
+open_top(
+    const struct column *c, const struct site_request *q, struct site_ask *ask)
+{
+	const struct table *t = c->table;
+	size_t at = c->below - 1;
+	const struct cell *name = &t->row[at].cell[0];
+	bool astm = t->unit.series == SIEVE_ASTM ||
+		    t->unit.series == SIEVE_INCH ||
+		    sieve_names_series(name->text) != SIEVE_NONE;
+	double coarser = sieve_names_coarser(t->mm[at], astm);
+	bool alone = t->sheet->errors->n == 0;
+	char p[32], *settle = xasprintf("top=%g", coarser);
+	char *line = settled_line(q, settle);
+	sheet_fault(t->sheet, t->row[at].cell[c->at],
+	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
+	    "%g mm\n"
+	    "add the coarser sieves; or assume that 100 %% passes %g mm%s: %s",
+	    site_column_pct(c, at, 100, p), t->mm[at], coarser, for_feed(q),
+	    line);
+	free(line);
+	if (alone)
+		ask->settle = settle;
+	else
+		free(settle);
 }

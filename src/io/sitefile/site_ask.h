@@ -43,4 +43,9 @@ bool open_ask(const struct open *open, const struct site_request *request,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask, struct error_list *errors);
 
+/* Asks what size all of a feed passes, of which a column tells no more than
+ * what its coarsest sieve passes: a fault, in *ask where it is the only one. */
+void open_top(const struct column *c, const struct site_request *request,
+    struct site_ask *ask);
+
 #endif

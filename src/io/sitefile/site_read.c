@@ -231,6 +231,54 @@ check_roles(struct reading *r)
 		    "add takes samples of product; load this file as a site");
 }
 
+/* The feed whose coarsest sieve is the coarsest of those that do not pass all;
+ * NULL: there is none. */
+static const struct column *
+below_all(const struct columns *all)
+{
+	const struct column *found = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->below > 0 &&
+		    (found == NULL || c->table->mm[c->below - 1] >
+					  found->table->mm[found->below - 1]))
+			found = c;
+	}
+	return found;
+}
+
+/* What is assumed of feeds whose coarsest sieve does not pass all: as was said
+ * or, where nothing was, asked. */
+static void
+settle_top(struct reading *r, struct site_ask *ask)
+{
+	const struct column *c = below_all(&r->all);
+	double top = site_column_round(r->request->top, 1e9);
+	char p[32], mm[32];
+	if (c == NULL)
+		return;
+	if (!(top > 0)) {
+		open_top(c, r->request, ask);
+		return;
+	}
+	const struct table *t = c->table;
+	size_t at = c->below - 1;
+	if (top <= t->mm[at]) {
+		sheet_fault(t->sheet, t->row[at].cell[0],
+		    "expected top= above the coarsest sieve, %g mm, got %g\n"
+		    "name the next size that all passes: top=%g",
+		    t->mm[at], top, sieve_names_coarser(t->mm[at], false));
+		return;
+	}
+	for (size_t i = 0; i < r->all.n; i++)
+		if (r->all.column[i].below > 0)
+			r->all.column[i].top = top;
+	xlist(&r->site->assumed, "; ",
+	    tr("100 %% passes %s mm, as %s %% passes %g mm"),
+	    text_exact(top, mm), site_column_pct(c, at, 100, p), t->mm[at]);
+	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
+}
+
 static void
 read_columns(struct reading *r)
 {
@@ -256,8 +304,12 @@ static struct psd
 make_psd(const struct column *c)
 {
 	const struct table *t = c->table;
-	struct psd psd = psd_new(site_column_count(c));
+	struct psd psd = psd_new(site_column_count(c) + (c->top > 0));
 	size_t n = 0;
+	if (c->top > 0) {
+		psd.size[n] = c->top / 1000;
+		psd.passing[n++] = 1;
+	}
 	for (size_t i = 0; i < t->n_row; i++) {
 		if (!(t->mm[i] > 0) || isnan(c->pct[i]))
 			continue;
@@ -565,9 +617,11 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	recognise_columns(t, &near, &r->all, r->site);
-	for (size_t i = first; (given > 0 || q->parts) && i < r->all.n; i++)
+	bool lone = q->feed && r->all.n == first + 1;
+	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
+	     i++)
 		if (r->all.column[i].role == NO_ROLE)
-			r->all.column[i].role = PRODUCT;
+			r->all.column[i].role = lone ? FEED : PRODUCT;
 	open_numbers(&r->open, t);
 }
 
@@ -744,8 +798,10 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		bool open = count_faults(&r) == 0 &&
 			    open_ask(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);
-		if (!open)
+		if (!open) {
 			read_columns(&r);
+			settle_top(&r, ask != NULL ? ask : &none);
+		}
 		if (ask != NULL) {
 			ask->no_feed = count_role(&r.all, FEED) == 0;
 			ask->no_product = count_role(&r.all, PRODUCT) == 0;

@@ -10,16 +10,18 @@
  * in each, m/s, where it was given (0: in the sheet); and what somebody says of
  * them, NULL or 0 where nothing.  columns: "1=sieve mm, 3=feed retained_g", by
  * number from 1 (lines where sieves go across); those not named are left out.
+ * top: mm, what all of a feed is assumed to pass whose coarsest sieve does not.
  * range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts: samples
- * of product to be added to a site, which need no feed. */
+ * of product to be added to a site, which need no feed; feed: the feed in it is
+ * wanted, which is what a lone sample without a role then is. */
 struct site_request {
 	size_t n;
 	const char *const *path;
 	const double *speed;
 	const char *columns, *sheet, *range;
 	char decimal;
-	double rotor;
-	bool parts;
+	double rotor, top;
+	bool parts, feed;
 };
 
 /* What could not be told: columns [n], with what each seems to be in the words
