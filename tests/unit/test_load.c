@@ -166,11 +166,14 @@ enter_accepts_what_is_offered(void **state)
 			    "882,100,100,100\n441,40,60,65\n210,20,35,40\n"
 			    "97,5,15,19\n";
 	assert_true(load_with(desk, sheet, "furlong|um"));
-	assert_non_null(strstr(user.asked, "[sieve mm]"));
+	assert_non_null(strstr(user.asked, "[sieve um]"));
 	assert_non_null(strstr(user.asked, "expected the unit of the sieves"));
 	assert_near(
 	    psd_passing(&site_of(desk)->run[0].product, 441e-6), 0.6, 1e-9);
 	assert_true(load_with(desk, sheet, ""));
+	assert_near(
+	    psd_passing(&site_of(desk)->run[0].product, 441e-6), 0.6, 1e-9);
+	assert_true(load_with(desk, sheet, "mm"));
 	assert_near(
 	    psd_passing(&site_of(desk)->run[0].product, 0.441), 0.6, 1e-9);
 }

@@ -214,14 +214,14 @@ sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
     char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
-			WORD_TYLER | WORD_BS | WORD_ASTM;
+			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
 	(void)c;
 	if ((means & unit) != 0)
 		return xasprintf(
 		    "%s%s", (means & WORD_SIZE) != 0 ? "" : tr("sieve "), said);
 	snprintf(wrong, WRONG,
-	    tr("expected the unit of the sieves (mm, um, in, tyler, bs, astm), "
-	       "got '%.30s'"),
+	    tr("expected the unit of the sieves (mm, um, in, phi, tyler, bs, "
+	       "astm), got '%.30s'"),
 	    said);
 	return NULL;
 }
@@ -285,7 +285,7 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	bool good;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
-	q->hint = is_sieve(c) ? tr("or: mm, um, in, tyler, bs, astm")
+	q->hint = is_sieve(c) ? tr("or: mm, um, in, phi, tyler, bs, astm")
 		  : speed     ? tr("or: 1350 rpm, feed; - leaves it out")
 			  : tr("or: feed, product@69, retained_g; - leaves it "
 			       "out");

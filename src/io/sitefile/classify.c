@@ -84,6 +84,7 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 		memcpy(said->number, more->number, sizeof said->number);
 	}
 	said->several = said->several || more->several;
+	said->range = said->range || more->range;
 }
 
 /* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
@@ -338,6 +339,8 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return kind != PASSING;
 	}
 	if ((means & WORD_SHARE) != 0) {
+		/* 1.002 is a fraction, and refused as one. */
+		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
 		return one || (kind == PASSING && near(s->first, 100, 0.6));
 	}
@@ -360,9 +363,11 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 }
 
 /* Whether a head in the form of tipspeed-site(5) defines the unit: product@69
- * is per cent passing, unless its numbers rise and fall.  Then *unit is it. */
+ * is per cent passing, unless its numbers rise and fall; or one given by hand,
+ * told, in words that leave nothing open.  Then *unit is it. */
 static bool
-is_defined(const struct column *c, const struct shape *s, size_t *unit)
+is_defined(
+    const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
 	const struct block *b = c->table->block;
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
@@ -375,9 +380,9 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
 	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
 	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
-	if (b->n_head != 1 ||
-	    strncmp(b->head[0].cell[0].text, "size_", 5) != 0 || b->across ||
-	    c->said.unknown > 0)
+	bool own = b->n_head == 1 && !b->across &&
+		   strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
+	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
 		if (DEFINED[i].words == words) {
@@ -394,10 +399,26 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 static bool
 has_classes(const struct table *t)
 {
-	for (size_t i = 0; i < t->n_row; i++)
+	/* 3/8 of an inch is none. */
+	bool named = t->unit.series != SIEVE_NONE;
+	for (size_t i = 0; i < t->n_row && !named; i++)
 		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
 			return true;
 	return false;
+}
+
+/* What was said to be per cent, and is no more than 1 where all passes. */
+static void
+refuse_small(struct column *c, const struct shape *s)
+{
+	const struct site_unit *unit = &SITE_UNITS[c->unit];
+	if (unit->scale != OF_100 || s->n < 3 || s->most > 1 ||
+	    !near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
+		return;
+	sheet_fault(c->table->sheet, c->head,
+	    "expected %s, got nothing above 1 in column %zu\n"
+	    "say fraction, retained_fraction or cum_retained_fraction of it",
+	    tr(unit->words), c->table->block->number[c->at]);
 }
 
 static void
@@ -413,8 +434,11 @@ find_unit(struct column *c, bool told)
 	if (c->role == SD || s.n == 0)
 		return;
 	bool classes = has_classes(c->table);
-	if (!classes && is_defined(c, &s, &c->unit))
+	if (!classes && is_defined(c, &s, told, &c->unit)) {
+		if (told)
+			refuse_small(c, &s);
 		return;
+	}
 	c->unit = 0;
 	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
 		sure = guess_kind(&s, total, &kind, &scale);
@@ -603,7 +627,7 @@ is_no_sample(const struct column *c, struct site *site)
 		leave_out(site, b->number[c->at], "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
-		   c->said.speed == 0) {
+		   c->said.speed == 0 && !c->said.range) {
 		leave_out(site, b->number[c->at], "%s: the sieves again", head);
 	} else {
 		return false;
@@ -867,7 +891,7 @@ guess_feed(struct columns *all, size_t feeds)
 	struct column *only = NULL;
 	size_t n = 0;
 	for (size_t i = 0; i < all->n; i++) {
-		if (all->column[i].role != NO_ROLE)
+		if (all->column[i].role != NO_ROLE || all->column[i].twin > 0)
 			continue;
 		only = &all->column[i];
 		n++;
@@ -904,9 +928,9 @@ recognise_settle(
 		c->open = true;
 	}
 	drop_means(all, site);
+	drop_twins(all, site);
 	guess_feed(all, feeds);
 	free_feed(all);
-	drop_twins(all, site);
 	if (!told)
 		ask_repeats(all);
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {

@@ -20,6 +20,7 @@ struct block {
 	size_t *number;
 	size_t n_text;
 	char **text;
+	bool unsure; /* no more than numbers in order tell it from others */
 };
 
 /* The tables of a sheet [n], in their order, and the rows that belong to none
@@ -34,11 +35,12 @@ struct layout {
 
 /* A part of a sheet: lines and columns from..to, each counted from 1; zeros are
  * all of it.  sieves [n_sieves]: the columns of sieves, or their lines, where
- * somebody says. */
+ * somebody says; phi: that they are in phi. */
 enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
 	int first_line, last_line, first_column, last_column;
 	size_t n_sieves, sieves[LAYOUT_SIEVES];
+	bool phi;
 };
 
 /* Keeps a text as long as the block; returns it. */

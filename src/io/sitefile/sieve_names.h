@@ -12,7 +12,8 @@ enum sieve_series {
 	SIEVE_INCH,
 	SIEVE_TYLER,
 	SIEVE_BS,
-	SIEVE_MESH
+	SIEVE_MESH,
+	SIEVE_PHI /* -log2 of mm, and no names */
 };
 
 /* The series that the name itself tells; SIEVE_NONE where it is no name. */

@@ -23,6 +23,8 @@ sieve_unit_of(uint64_t means)
 		unit = (struct sieve_unit){25.4, SIEVE_INCH};
 	else if ((means & WORD_M) != 0)
 		unit.mm = 1e3;
+	else if ((means & WORD_PHI) != 0)
+		unit.series = SIEVE_PHI;
 	else if ((means & WORD_TYLER) != 0)
 		unit.series = SIEVE_TYLER;
 	else if ((means & WORD_BS) != 0)
@@ -124,6 +126,13 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		return SIEVE_IS_NONE;
 	if (is_pan(cell.text))
 		return SIEVE_IS_PAN;
+	if (unit.series == SIEVE_PHI) {
+		if (!number_of(sheet, cell, &value) ||
+		    fabs(value) > SIEVE_MOST_PHI)
+			return SIEVE_IS_NONE;
+		*mm = round(exp2(-value) * 1e9) / 1e9;
+		return SIEVE_IS_SIZE;
+	}
 	double named = sieve_names_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;

@@ -67,8 +67,10 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 		uint64_t means = vocabulary_text(names->text[i], NULL);
 		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
-			add_sieves(range, names->number[i]);
+		if ((means & WORD_SIZE) == 0 || (means & other) != 0)
+			continue;
+		add_sieves(range, names->number[i]);
+		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
 	if (good && range->n_sieves == 0)
 		good = error_set(error, ERROR_USAGE,
@@ -313,22 +315,26 @@ ask_table(const struct site_request *q, struct table *const *table,
 /* The only number of a column that is more than 100, if the others can be
  * percentages; or NULL. */
 static const struct cell *
-above_100(const struct table *t, size_t at)
+above_100(const struct column *c)
 {
+	const struct table *t = c->table;
 	const struct cell *above = NULL;
 	size_t n = 0, n_above = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
 		double v;
-		const struct cell *cell = &t->row[r].cell[at];
+		const struct cell *cell = &t->row[r].cell[c->at];
 		if (!number_of(t->sheet, *cell, &v))
 			continue;
 		n++;
+		v /= 1 + 1e-9;
 		if (v < 0 || v > 100)
 			n_above++;
 		if (v > 100)
 			above = cell;
 	}
-	return n >= 4 && n_above == 1 ? above : NULL;
+	bool mass = SITE_UNITS[c->unit].scale == OF_MASS &&
+		    (c->said.means & WORD_GRAMS) != 0;
+	return n >= 4 && n_above == 1 && !mass ? above : NULL;
 }
 
 static bool
@@ -337,7 +343,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 {
 	char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
-	const struct cell *above = above_100(first->table, first->at);
+	const struct cell *above = above_100(first);
 	if (above != NULL) {
 		char *what = xasprintf(
 		    tr("expected at most 100 %% passing, got '%.*s': column "

@@ -192,7 +192,7 @@ in_range(struct column *c, struct cell cell, double v)
 		    "write it in percentage points of passing");
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most * (1 + 1e-9))
 		return true;
-	bool percent = SITE_UNITS[c->unit].scale == OF_1 && v > 1;
+	bool percent = SITE_UNITS[c->unit].scale == OF_1 && v > 1.05;
 	/* One percent in a column of fractions says it for all of them. */
 	if (percent && c->told_percent)
 		return false;
