@@ -282,7 +282,7 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 			       : xasprintf(tr("%s %zu '%s': what is it"), kind,
 				     c->number, c->head);
 	char *words = NULL;
-	bool good;
+	bool good, rest;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
 	q->hint = is_sieve(c) ? tr("or: mm, um, in, phi, tyler, bs, astm")
@@ -293,8 +293,9 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	do {
 		char *answer = s->hooks.question(s, q);
 		good = answer != NULL;
+		rest = good && strcmp(answer, ".") == 0;
 		if (good)
-			words = read_answer(c, answer, wrong);
+			words = read_answer(c, rest ? "-" : answer, wrong);
 		free(answer);
 		q->first = false;
 	} while (good && words == NULL && wrong[0] != '\0');
@@ -302,7 +303,7 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	if (!good)
 		return false;
 	free(c->guess);
-	c->guess = words != NULL ? words : xstrdup("-");
+	c->guess = words != NULL ? words : xstrdup(rest ? "." : "-");
 	c->open = false;
 	return true;
 }
@@ -323,12 +324,20 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
 	said->columns = xstrdup("");
+	if (ask->by_sample)
+		said->samples = xstrdup("");
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
 		if (c->open)
 			good = ask_column(s, &q, c);
-		if (good && strcmp(c->guess, "-") != 0)
+		if (good && strcmp(c->guess, ".") == 0)
+			break;
+		if (!good || strcmp(c->guess, "-") == 0)
+			continue;
+		if (ask->by_sample && i > 0)
+			xlist(&said->samples, ", ", "%s=%s", c->head, c->guess);
+		else
 			xlist(&said->columns, ", ", "%zu=%s", c->number,
 			    c->guess);
 	}

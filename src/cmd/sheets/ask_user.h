@@ -23,7 +23,7 @@ struct inquiry {
 /* What somebody said, as load's options have it: texts are the caller's, NULL
  * and zeros where nothing was asked. */
 struct inquired {
-	char *columns, *sheet, *range;
+	char *columns, *samples, *sheet, *range;
 	char decimal;
 	double rotor, top; /* m, mm */
 };

@@ -30,7 +30,7 @@ struct load {
 	struct site_request request;
 	char **path;
 	double *speed;
-	char *columns, *sheet, *range;
+	char *columns, *samples, *sheet, *range;
 	const char *digest;
 };
 
@@ -64,6 +64,7 @@ load_clear(struct load *l)
 	free(l->path);
 	free(l->speed);
 	free(l->columns);
+	free(l->samples);
 	free(l->sheet);
 	free(l->range);
 }
@@ -156,6 +157,7 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 		return false;
 	bool good = inquire(s, ask, &errors->item[0], &said);
 	take_text(&l->columns, &l->request.columns, said.columns);
+	take_text(&l->samples, &l->request.samples, said.samples);
 	take_text(&l->sheet, &l->request.sheet, said.sheet);
 	take_text(&l->range, &l->request.range, said.range);
 	if (said.decimal != '\0')
@@ -176,6 +178,8 @@ write_journal(struct session *s, const struct load *l, const struct site *site)
 	    journal_load(site, l->request.n, l->request.path, l->request.speed);
 	if (l->columns != NULL)
 		xappend(&line, " columns=\"%s\"", l->columns);
+	if (l->samples != NULL)
+		xappend(&line, " samples=\"%s\"", l->samples);
 	if (l->sheet != NULL)
 		xappend(&line, " sheet=\"%s\"", l->sheet);
 	if (l->range != NULL)
@@ -310,6 +314,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 		one.request.path = &l->request.path[i];
 		one.request.speed = &l->request.speed[i];
 		one.columns = l->columns != NULL ? xstrdup(l->columns) : NULL;
+		one.samples = l->samples != NULL ? xstrdup(l->samples) : NULL;
 		one.sheet = l->sheet != NULL ? xstrdup(l->sheet) : NULL;
 		one.range = l->range != NULL ? xstrdup(l->range) : NULL;
 		bool loaded = load_as_one(s, &one, &fault);
@@ -320,6 +325,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 			unread.fault[unread.n++] = fault;
 		}
 		free(one.columns);
+		free(one.samples);
 		free(one.sheet);
 		free(one.range);
 	}
@@ -481,6 +487,7 @@ take_options(struct load *l, const struct args *args)
 	const struct value *decimal = args_value(args, "decimal");
 	const struct value *rotor = args_value(args, "rotor_mm");
 	l->request.columns = l->columns = given_text(args, "columns");
+	l->request.samples = l->samples = given_text(args, "samples");
 	l->request.sheet = l->sheet = given_text(args, "sheet");
 	l->request.range = l->range = given_text(args, "range");
 	if (decimal->given)
@@ -509,6 +516,7 @@ save_answers(struct session *s, const struct args *args, const struct load *l,
 	const struct site_request *q = &l->request;
 	char number[32];
 	save_answer(s, args, "columns", l->columns);
+	save_answer(s, args, "samples", l->samples);
 	save_answer(s, args, "sheet", l->sheet);
 	save_answer(s, args, "range", l->range);
 	if (q->decimal != '\0')

@@ -15,6 +15,9 @@ static const struct command_option SHOW_OPTIONS[] = {
 	    "what the columns are, by number: \"1=sieve mm, 2=feed "          \
 	    "retained_g, 4=product@70\"; others are left out; numbers of "    \
 	    "lines where the sieves go across"},                              \
+	    {"samples", VALUE_TEXT, "", 0, 0, NULL, "",                       \
+		"what samples are, by name: \"S01=feed, S02=@70\"; others "   \
+		"are left out"},                                              \
 	    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"}, \
 	    {"range", VALUE_TEXT, "", 0, 0, NULL, "",                         \
 		"part of a sheet, as A3:F20; default: all"},                  \

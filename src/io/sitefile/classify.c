@@ -265,6 +265,10 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		       (near(end, 100, 10) || near(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
+	if (s->has_pan && s->pan > 0.015 * s->most) {
+		*kind = RETAINED; /* what passes ends at the pan */
+		return parts_scale(s, total, scale) && s->n > 2;
+	}
 	*kind = PASSING;
 	if (s->most > 100.5) {
 		*kind = RETAINED;
@@ -680,7 +684,8 @@ recognise_columns(struct table *t, const struct surroundings *near,
 			c.head = cell != NULL ? *cell : c.head;
 		}
 		c.said = read_heads(b, at);
-		if (is_no_sample(&c, site))
+		if (near->samples->n > 0 ? !samples_take(near->samples, &c)
+					 : is_no_sample(&c, site))
 			continue;
 		find_role(&c, near);
 		find_speed(&c, near);
@@ -722,15 +727,19 @@ rank(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
-/* Whether two columns are one sample in two quantities. */
+/* Whether two columns are one sample in two quantities, of which one at least
+ * is stated. */
 static bool
 is_same_sample(const struct column *a, const struct column *b)
 {
+	bool stated =
+	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
 	bool numbers =
 	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
 				(a->said.n_number == 0 ||
 				    a->said.number[0] == b->said.number[0]));
-	return a->table == b->table && a->role == b->role && a->role != SD &&
+	return (stated || a->role != NO_ROLE) && a->table == b->table &&
+	       a->role == b->role && a->role != SD &&
 	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
 	       numbers &&
 	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||

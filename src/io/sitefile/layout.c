@@ -570,6 +570,7 @@ find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 			continue;
 		find_end(g, &p);
 		p.head = r > 0 ? r - 1 : g->n_row;
+		p.score += (int)(p.last - p.first);
 		if (p.last >= p.first + 2)
 			place[n++] = p;
 		r = p.last > r ? p.last - 1 : r;
@@ -897,6 +898,7 @@ layout_block_clear(struct block *b)
 	for (size_t i = 0; i < b->n_text; i++)
 		free(b->text[i]);
 	free(b->text);
+	free(b->name);
 	free(b->number);
 }
 

@@ -11,7 +11,8 @@
  * right below.  number [n_col]: of the column in the sheet, from 1; across: of
  * the line.  titles: how many of the heads, from the top, are above the line
  * that heads the sieves.  spread: its heads hold for the empty cells at their
- * right, too.  text [n_text]: what heads of a long table were made of. */
+ * right, too.  text [n_text]: what heads of a long table were made of; name
+ * [n_col]: of such a one, what its samples are called, or NULL. */
 struct block {
 	struct sheet *sheet;
 	bool across, is_long;
@@ -19,7 +20,7 @@ struct block {
 	struct row *head, *row, *foot;
 	size_t *number;
 	size_t n_text;
-	char **text;
+	char **text, **name;
 	bool unsure; /* no more than numbers in order tell it from others */
 };
 

@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
@@ -67,8 +68,10 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 		uint64_t means = vocabulary_text(names->text[i], NULL);
 		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-		if ((means & WORD_SIZE) == 0 || (means & other) != 0)
+		if ((means & WORD_SIZE) == 0 || (means & other) != 0) {
+			names->others = true;
 			continue;
+		}
 		add_sieves(range, names->number[i]);
 		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
@@ -90,8 +93,9 @@ names_apply(const struct names *names, struct block *b)
 	for (size_t i = 0; i < names->n; i++)
 		if (names->number[i] == b->number[0])
 			sieve = vocabulary_text(names->text[i], NULL);
-	layout_name(
-	    b, names->number, (const char *const *)names->text, names->n);
+	if (names->others)
+		layout_name(b, names->number, (const char *const *)names->text,
+		    names->n);
 	return sieve;
 }
 
@@ -176,11 +180,78 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 		.open = open};
 }
 
+/* Whether samples are better told by their names: of a long table, whose columns
+ * have no numbers of their own, and of many. */
+static bool
+has_names(struct table *const *table, size_t n_table, const struct columns *all)
+{
+	enum { FEW = 6 };
+	const struct block *b = table[0]->block;
+	size_t unknown = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		unknown += c->twin == 0 && c->role != FEED && !(c->speed > 0);
+	}
+	if (n_table > 1 || (b->name == NULL && unknown <= FEW))
+		return false;
+	for (size_t i = 0; i < all->n; i++) {
+		char *label = samples_label(b, all->column[i].at);
+		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
+		free(label);
+		if (!good)
+			return false;
+	}
+	return true;
+}
+
+/* Everything as samples= would have it: two stand for all. */
+static void
+list_samples(struct site_ask *ask, const struct table *t,
+    const struct columns *all, bool sieves)
+{
+	const struct block *b = t->block;
+	struct cell head = site_sieve_head(t);
+	char *text = xstrdup("");
+	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	if (sieves)
+		xappend(
+		    &ask->settle, "columns=\"%zu=%s\" ", b->number[0], sieve);
+	add_question(ask, t, 0, &head, sieve, sieves);
+	bool feed = false;
+	for (size_t i = 0; i < all->n; i++)
+		feed = feed || all->column[i].role == FEED;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->twin > 0)
+			continue;
+		char *guess = recognise_words(c);
+		head.text = samples_label(b, c->at);
+		bool first = !feed && c->role == NO_ROLE;
+		feed = feed || first;
+		if (i < 2)
+			xlist(&text, ", ", "%s=%s%s", head.text,
+			    first ? "feed" : "",
+			    strchr(guess, first ? ' ' : '@') != NULL
+				? strchr(guess, first ? ' ' : '@')
+				: guess);
+		add_question(ask, t, c->at, &head, guess, c->open);
+		free(head.text);
+	}
+	xappend(&ask->settle, "samples=\"%s\"", text);
+	ask->by_sample = true;
+	free(text);
+}
+
 /* Everything as columns= would have it. */
 static void
 list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
     const struct columns *all, bool sieves)
 {
+	if (has_names(table, n_table, all)) {
+		ask->settle = xstrdup("");
+		list_samples(ask, table[0], all, sieves);
+		return;
+	}
 	char *text = xstrdup("");
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
@@ -217,6 +288,8 @@ list_files(const struct site_request *q, const char *settle)
 	}
 	if (q->columns != NULL && strncmp(settle, "columns", 7) != 0)
 		xappend(&list, " columns=\"%s\"", q->columns);
+	if (q->samples != NULL && strstr(settle, "samples=") == NULL)
+		xappend(&list, " samples=\"%s\"", q->samples);
 	if (q->sheet != NULL)
 		xappend(&list, " sheet=\"%s\"", q->sheet);
 	if (q->range != NULL)

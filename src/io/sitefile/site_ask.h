@@ -8,10 +8,12 @@
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_request.h"
 
-/* The columns that were named by hand [n]. */
+/* The columns that were named by hand [n].  others: columns of samples are
+ * some of them; where sieves alone are named, the samples keep their heads. */
 struct names {
 	size_t n, *number;
 	char **text;
+	bool others;
 };
 
 /* From "1=sieve um, 3=feed retained_g" (NULL: nothing is named); notes the

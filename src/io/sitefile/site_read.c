@@ -19,6 +19,7 @@
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_describe.h"
 #include "io/sitefile/site_heading.h"
+#include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/cells/source.h"
 #include "io/sitefile/lexicon.h"
@@ -38,6 +39,7 @@ struct reading {
 	struct error_list *errors;
 	struct site *site;
 	struct names names;
+	struct samples samples;
 	struct layout_range range;
 	size_t n_source, n_page, n_table;
 	struct source *source;
@@ -585,8 +587,9 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	enum sieve_certainty certainty;
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
-	struct surroundings near = {
-	    .rotor = r->site->rotor, .told = r->names.n > 0};
+	struct surroundings near = {.rotor = r->site->rotor,
+	    .told = r->names.others,
+	    .samples = &r->samples};
 	near.speed = told.mps;
 	if (near.speed == 0 && told.rpm > 0) {
 		near.speed = head_mps(told.rpm, SPEED_RPM, near.rotor);
@@ -600,7 +603,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	if (given > 0)
 		near.speed = given;
 	uint64_t sieve = names_apply(&r->names, b);
-	if (!layout_widen(b)) {
+	if (!layout_widen(b, sieve)) {
 		r->lost = true;
 		return;
 	}
@@ -632,6 +635,7 @@ read_request(struct reading *r)
 	const struct site_request *q = r->request;
 	struct error e;
 	if (names_read(&r->names, q->columns, &r->range, &e) &&
+	    samples_read(&r->samples, q->samples, &e) &&
 	    range_read(q->range, &r->range, &e))
 		return true;
 	*error_add(r->errors) = e;
@@ -768,6 +772,7 @@ reading_clear(struct reading *r)
 		source_free(&r->source[i]);
 	free(r->source);
 	names_clear(&r->names);
+	samples_clear(&r->samples);
 	site_free(r->site);
 }
 
@@ -794,7 +799,10 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		read_pages(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
-		recognise_settle(&r.all, r.site, r.names.n > 0, &r.open.rotor);
+		if (r.n_table > 0)
+			samples_check(&r.samples, r.table[0]);
+		recognise_settle(&r.all, r.site,
+		    r.names.others || r.samples.n > 0, &r.open.rotor);
 		bool open = count_faults(&r) == 0 &&
 			    open_ask(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);
