@@ -353,6 +353,27 @@ has_room(const struct longer *l)
 		   most, l->n_sample, values, b->sheet->path);
 }
 
+/* The heads of all samples, with their names. */
+static void
+head_samples(const struct longer *l, struct block *wide)
+{
+	const struct block *b = l->block;
+	size_t at = 1;
+	for (size_t s = 0; s < l->n_sample; s++) {
+		char *name = layout_keep(wide, sample_name(l, s));
+		for (size_t c = 1; c < b->n_col; c++) {
+			if (l->use[c] != VALUE)
+				continue;
+			struct cell head = b->row[l->lead[s]].cell[c];
+			head.kind = CELL_TEXT;
+			head.text = layout_keep(wide, sample_head(l, s, c));
+			wide->head[0].cell[at] = head;
+			wide->name[at] = name;
+			wide->number[at++] = b->number[c];
+		}
+	}
+}
+
 /* The wide table of a long one. */
 static void
 widen(struct longer *l)
@@ -378,21 +399,8 @@ widen(struct longer *l)
 	char *size = layout_head(b, 0);
 	wide.head[0].cell[0].text = layout_keep(&wide, size);
 	wide.number[0] = b->number[0];
-	size_t at = 1;
 	wide.name[0] = size;
-	for (size_t s = 0; s < l->n_sample; s++) {
-		char *name = layout_keep(&wide, sample_name(l, s));
-		for (size_t c = 1; c < b->n_col; c++) {
-			if (l->use[c] != VALUE)
-				continue;
-			wide.name[at] = name;
-			struct cell head = b->row[l->lead[s]].cell[c];
-			head.kind = CELL_TEXT;
-			head.text = layout_keep(&wide, sample_head(l, s, c));
-			wide.head[0].cell[at] = head;
-			wide.number[at++] = b->number[c];
-		}
-	}
+	head_samples(l, &wide);
 	for (size_t r = 0; r < b->n_row; r++) {
 		struct cell *to =
 		    &wide.row[l->size[r]].cell[1 + values * l->sample[r]];

@@ -180,8 +180,8 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 		.open = open};
 }
 
-/* Whether samples are better told by their names: of a long table, whose columns
- * have no numbers of their own, and of many. */
+/* Whether samples are better told by their names: of a long table, whose
+ * columns have no numbers of their own, and of many. */
 static bool
 has_names(struct table *const *table, size_t n_table, const struct columns *all)
 {

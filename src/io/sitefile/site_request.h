@@ -29,8 +29,8 @@ struct site_request {
  * of columns=, and all of it as that option.  settle: the option that settles
  * it ("columns=\"1=sieve mm, ..\"", "rotor_mm=DIAMETER"); NULL: nothing was
  * open.  across: the numbers are those of lines; by_sample: columns are told by
- * their heads, which are names of samples, as samples= has them.  no_feed, no_product: what the
- * files lack. */
+ * their heads, which are names of samples, as samples= has them.  no_feed,
+ * no_product: what the files lack. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {
