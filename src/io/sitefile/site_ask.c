@@ -354,6 +354,40 @@ second_feed(const struct columns *all)
 	return NULL;
 }
 
+/* "AB12" */
+static char *
+corner(size_t column, int line)
+{
+	char letters[8] = "", *first = letters + sizeof letters - 1;
+	for (size_t c = column; c > 0 && first > letters; c = (c - 1) / 26)
+		*--first = (char)('A' + (c - 1) % 26);
+	return xasprintf("%s%d", first, line);
+}
+
+/* Asks for the cells of a table, of which n_row rows are meant. */
+static bool
+ask_range(const struct site_request *q, const struct table *t, size_t n_row,
+    struct cell where, struct site_ask *ask, struct error_list *errors,
+    const char *what)
+{
+	const struct block *b = t->block;
+	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
+	size_t right = 0, left = b->number[0];
+	for (size_t r = 0; r < n_row; r++) {
+		top = t->row[r].line < top ? t->row[r].line : top;
+		bottom = t->row[r].line > bottom ? t->row[r].line : bottom;
+	}
+	for (size_t c = 0; c < b->n_col; c++) {
+		right = b->number[c] > right ? b->number[c] : right;
+		left = b->number[c] < left ? b->number[c] : left;
+	}
+	char *from = corner(left, top), *to = corner(right, bottom);
+	ask->settle = xasprintf("range=%s:%s", from, to);
+	free(from);
+	free(to);
+	return refuse(q, t, where, ask, errors, what);
+}
+
 static bool
 ask_table(const struct site_request *q, struct table *const *table,
     size_t n_table, const struct table *second, struct site_ask *ask,
@@ -368,20 +402,45 @@ ask_table(const struct site_request *q, struct table *const *table,
 		return refuse(q, second, second->row[0].cell[0], ask, errors,
 		    tr("expected one site, got sheets with a feed each"));
 	}
-	const struct block *b = first->block;
-	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
-	size_t right = 0, left = b->number[0];
-	for (size_t r = 0; r < b->n_row; r++)
-		bottom = b->row[r].line > bottom ? b->row[r].line : bottom;
-	for (size_t c = 0; c < b->n_col; c++) {
-		right = b->number[c] > right ? b->number[c] : right;
-		left = b->number[c] < left ? b->number[c] : left;
-	}
-	ask->settle = xasprintf("range=%c%d:%c%d", 'A' + (int)((left - 1) % 26),
-	    top, 'A' + (int)((right - 1) % 26), bottom);
-	return refuse(q, second, second->row[0].cell[0], ask, errors,
+	return ask_range(q, first, first->n_row, second->row[0].cell[0], ask,
+	    errors,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
+}
+
+static bool
+ask_twice(const struct open *open, const struct site_request *q,
+    struct site_ask *ask, struct error_list *errors)
+{
+	const struct table *t = open->twice;
+	struct cell again = t->row[open->again].cell[0];
+	char *what = xasprintf(tr("expected one table, got the sieves from %s "
+				  "on a second time"),
+	    again.text);
+	ask_range(q, t, open->end, again, ask, errors, what);
+	free(what);
+	return true;
+}
+
+/* Of tables below each other of which nothing tells feed from product, the one
+ * with most sieves, of which the others are perhaps extracts; NULL: there is
+ * one, or something tells. */
+static const struct table *
+largest(struct table *const *table, size_t n_table, const struct columns *all)
+{
+	const struct table *most = table[0];
+	bool below = false;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role != NO_ROLE)
+			return NULL;
+	for (size_t i = 1; i < n_table; i++) {
+		const struct table *before = table[i - 1];
+		below = below || (table[i]->sheet == before->sheet &&
+				     table[i]->block->row[0].line >
+					 before->block->row[0].line);
+		most = table[i]->n_row > most->n_row ? table[i] : most;
+	}
+	return below ? most : NULL;
 }
 
 /* What is the first column that is open, and how fast was it? */
@@ -457,6 +516,8 @@ open_ask(const struct open *open, const struct site_request *q,
 		if (table[i]->block == open->other)
 			second = table[i];
 	const struct column *first = NULL;
+	if (open->twice != NULL)
+		return ask_twice(open, q, ask, errors);
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
@@ -479,6 +540,12 @@ open_ask(const struct open *open, const struct site_request *q,
 	}
 	if (second != NULL)
 		return ask_table(q, table, n_table, second, ask, errors);
+	const struct table *most = largest(table, n_table, all);
+	if (most != NULL)
+		return ask_range(q, most, most->n_row, most->row[0].cell[0],
+		    ask, errors,
+		    tr("expected one table, got several: that with most sieves "
+		       "is proposed"));
 	if (first == NULL && !open->sieves)
 		return false;
 	list_columns(ask, table, n_table, all, open->sieves);

@@ -35,6 +35,8 @@ struct open {
 	bool rotor, sieves;
 	struct cell number;
 	const struct block *other; /* a table that may be another site's */
+	const struct table *twice; /* two tables in one, the second from row */
+	size_t end, again;         /* `again`, the first up to before `end` */
 };
 
 /* Notes numbers of the table whose sign is open. */

@@ -612,6 +612,15 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
+	size_t again, end = site_sieve_end(t, &again);
+	if (end < t->n_row && r->open.twice == NULL) {
+		r->open.twice = t;
+		r->open.end = end;
+		r->open.again = again;
+	}
+	r->lost = r->lost || end < t->n_row;
+	if (end < t->n_row)
+		return;
 	site_sieve_check(t);
 	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)

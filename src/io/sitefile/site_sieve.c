@@ -455,6 +455,40 @@ site_sieve_check(struct table *t)
 	check_order(t);
 }
 
+/* Whether row i has the size of one before it. */
+static bool
+is_again(const double *mm, size_t i)
+{
+	size_t k = 0;
+	while (k < i && mm[k] != mm[i])
+		k++;
+	return k < i;
+}
+
+size_t
+site_sieve_end(const struct table *t, size_t *again)
+{
+	enum { ENOUGH = 3 };
+	double *mm = xdoubles(t->n_row), least = INFINITY;
+	size_t words = t->n_row, in_a_row = 0;
+	*again = t->n_row;
+	for (size_t i = 0; i < t->n_row && in_a_row < ENOUGH; i++) {
+		bool size = sieve_size(t->sheet, t->row[i].cell[0], t->unit,
+				&mm[i]) != SIEVE_IS_NONE;
+		words = !size && words > i ? i : words;
+		mm[i] = size ? mm[i] : (double)NAN;
+		/* In order: none was there before. */
+		bool twice = mm[i] >= least && is_again(mm, i);
+		least = fmin(least, mm[i]);
+		in_a_row = twice ? in_a_row + 1 : 0;
+		*again = in_a_row == 1 ? i : *again;
+	}
+	free(mm);
+	if (in_a_row < ENOUGH)
+		return t->n_row;
+	return words < *again ? words : *again;
+}
+
 const char *
 site_sieve_unit(const struct table *t)
 {
