@@ -282,8 +282,9 @@ struct unread {
 	struct error *fault;
 };
 
-/* All of them, in order: the last as the error, of the kind of the first.
- * skip: none is an error. */
+/* All of them: the first that is not there, or else the first, as the error,
+ * which is told last: the others may lack no more than what it has.  skip: none
+ * is an error. */
 static bool
 tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)
@@ -291,12 +292,16 @@ tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
 	if (u->n == 0)
 		return true;
 	session_note(s, "%zu of %zu files are loaded, not these:", n - u->n, n);
-	for (size_t i = 0; i + !skip < u->n && s->notes != NULL; i++)
-		error_print(&u->fault[i], s->notes);
+	size_t last = 0;
+	while (last < u->n && u->fault[last].kind != ERROR_SYSTEM)
+		last++;
+	last = last < u->n ? last : 0;
+	for (size_t i = 0; i < u->n && s->notes != NULL; i++)
+		if (skip || i != last)
+			error_print(&u->fault[i], s->notes);
 	if (skip)
 		return true;
-	*error = u->fault[u->n - 1];
-	error->kind = u->fault[0].kind;
+	*error = u->fault[last];
 	return false;
 }
 

@@ -397,6 +397,17 @@ ask_table(const struct site_request *q, struct table *const *table,
 	for (size_t i = 0; i < n_table; i++)
 		if (table[i]->sheet != second->sheet)
 			first = table[i];
+	if (strcmp(first->sheet->path, second->sheet->path) != 0) {
+		char *files = xstrdup("");
+		for (size_t i = 0; i < q->n; i++)
+			xlist(&files, " ", "%s@SPEED", q->path[i]);
+		sheet_fault(second->sheet, second->row[0].cell[0],
+		    "expected one feed, got one in each of several files\n"
+		    "give each the tip speed of its samples: load %s",
+		    files);
+		free(files);
+		return true;
+	}
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
 		return refuse(q, second, second->row[0].cell[0], ask, errors,

@@ -737,6 +737,37 @@ read_pages(struct reading *r)
 }
 
 static size_t
+file_of(const struct reading *r, const struct column *c)
+{
+	size_t i = 0;
+	while (r->page[i].sheet != c->table->sheet)
+		i++;
+	return r->page[i].file;
+}
+
+/* Of files that each have a feed, a feed is that of the speed of its file. */
+static void
+own_feeds(struct reading *r)
+{
+	const double *speed = r->request->speed;
+	bool several = false, all = speed != NULL;
+	const struct column *first = NULL;
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		if (c->role != FEED || c->speed > 0)
+			continue;
+		first = first != NULL ? first : c;
+		several = several || file_of(r, c) != file_of(r, first);
+		all = all && speed[file_of(r, c)] > 0;
+	}
+	for (size_t i = 0; i < r->all.n && several && all; i++) {
+		struct column *c = &r->all.column[i];
+		if (c->role == FEED && !(c->speed > 0))
+			c->speed = speed[file_of(r, c)];
+	}
+}
+
+static size_t
 count_faults(const struct reading *r)
 {
 	return r->errors->n + r->errors->more;
@@ -808,6 +839,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		read_pages(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
+		own_feeds(&r);
 		if (r.n_table > 0)
 			samples_check(&r.samples, r.table[0]);
 		recognise_settle(&r.all, r.site,
