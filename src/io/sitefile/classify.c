@@ -752,7 +752,7 @@ mark_twin(struct column *c, const struct column *other)
 {
 	c->twin = other->table->block->number[other->at];
 	c->role = NO_ROLE;
-	c->open = false;
+	c->open = c->no_role = false;
 }
 
 /* The words of the heads of a column that nobody knows, and ranges such as 0/4:
@@ -905,8 +905,20 @@ guess_feed(struct columns *all, size_t feeds)
 		only = &all->column[i];
 		n++;
 	}
-	if (n == 1 && feeds == 0)
-		only->role = FEED;
+	if (n != 1 || feeds > 0)
+		return;
+	only->role = FEED;
+	/* Beside a file of products a file with one sample has the feed. */
+	size_t own = 0;
+	const struct sheet *sheet = only->table->sheet;
+	for (size_t i = 0; i < all->n; i++)
+		own +=
+		    all->column[i].twin == 0 &&
+		    strcmp(all->column[i].table->sheet->path, sheet->path) == 0;
+	if (own == 1 && all->n > 1) {
+		only->no_role = false;
+		assume(only, "as the feed");
+	}
 }
 
 void
@@ -934,7 +946,7 @@ recognise_settle(
 			drop(all, i--);
 			continue;
 		}
-		c->open = true;
+		c->no_role = true;
 	}
 	drop_means(all, site);
 	drop_twins(all, site);
@@ -946,7 +958,8 @@ recognise_settle(
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;
-		c->open = c->open || (c->role == PRODUCT && !(c->speed > 0)) ||
+		c->open = c->open || c->no_role ||
+			  (c->role == PRODUCT && !(c->speed > 0)) ||
 			  (c->role == SD && !(c->speed > 0));
 		c->nth = 0;
 		for (size_t k = 0; k < i; k++)

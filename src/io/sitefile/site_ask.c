@@ -480,6 +480,22 @@ above_100(const struct column *c)
 	return n >= 4 && n_above == 1 && !mass ? above : NULL;
 }
 
+/* Numbers of columns do not tell one file from another; @ does. */
+static void
+hint_speed(const struct site_request *q, const char *path, struct error *error)
+{
+	char *files = xstrdup("");
+	for (size_t i = 0; i < q->n; i++) {
+		xlist(&files, " ", "%s", q->path[i]);
+		if (q->speed != NULL && q->speed[i] > 0)
+			xappend(&files, "@%g", q->speed[i]);
+		else if (strcmp(q->path[i], path) == 0)
+			xappend(&files, "@SPEED");
+	}
+	error_hint(error, "say its speed: load %s", files);
+	free(files);
+}
+
 static bool
 ask_column(const struct site_request *q, const struct column *first, bool alone,
     struct site_ask *ask, struct error_list *errors)
@@ -507,6 +523,8 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 	    first->table->block->number[first->at], sheet_cut(first->head.text),
 	    first->head.text, values);
 	refuse(q, first->table, first->head, ask, errors, what);
+	if (q->n > 1 && speed && !q->parts)
+		hint_speed(q, first->table->sheet->path, &errors->item[0]);
 	if (q->parts && speed && q->n == 1 && alone)
 		error_hint(&errors->item[0],
 		    "say its speed: add %s@SPEED, or with a log its time: add "

@@ -580,6 +580,22 @@ context_of(const struct page *page, const struct block *b, const char *path,
 	return means;
 }
 
+/* Whether a table has its sieves twice, which is open then. */
+static bool
+is_twice(struct reading *r, const struct table *t)
+{
+	size_t again, end = site_sieve_end(t, &again);
+	if (end == t->n_row)
+		return false;
+	if (r->open.twice == NULL) {
+		r->open.twice = t;
+		r->open.end = end;
+		r->open.again = again;
+	}
+	r->lost = true;
+	return true;
+}
+
 static void
 read_block(struct reading *r, const struct page *page, struct block *b,
     struct heading_speed told)
@@ -612,14 +628,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
-	size_t again, end = site_sieve_end(t, &again);
-	if (end < t->n_row && r->open.twice == NULL) {
-		r->open.twice = t;
-		r->open.end = end;
-		r->open.again = again;
-	}
-	r->lost = r->lost || end < t->n_row;
-	if (end < t->n_row)
+	if (is_twice(r, t))
 		return;
 	site_sieve_check(t);
 	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;

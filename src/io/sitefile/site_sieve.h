@@ -25,7 +25,7 @@ struct cell site_sieve_head(const struct table *t);
 /* Tells sizes that are wrong, out of order or there twice. */
 void site_sieve_check(struct table *t);
 
-/* The rows of a table of which another one, with the same sieves, follows without
+/* The rows of a table which another one, with the same sieves, follows without
  * an empty line; n_row: none does.  again: the first row of that other one. */
 size_t site_sieve_end(const struct table *t, size_t *again);
 
