@@ -49,9 +49,10 @@ struct table {
  * percentage points; NAN where the cell is empty or at fault.  pan: what the
  * column has below the finest sieve, in its unit, or NAN.  faulty: a cell is at
  * fault, so that what is missing cannot be judged.  open: what it is was not to
- * be told; no_role: because it has no role; assumed: what was taken without being stated, in lines,
- * or NULL.  below: of a feed, 1 + the row of its coarsest sieve where that
- * passes less than all; top: the size, mm, that then is assumed to; else 0. */
+ * be told; no_role: because it has no role; assumed: what was taken without
+ * being stated, in lines, or NULL.  below: of a feed, 1 + the row of its
+ * coarsest sieve where that passes less than all; top: the size, mm, that then
+ * is assumed to; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;
