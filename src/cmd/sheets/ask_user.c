@@ -442,12 +442,19 @@ ask_option(struct session *s, const struct site_ask *ask,
 		if (strncmp(ask->settle, ASKS[i].option,
 			strlen(ASKS[i].option)) == 0) {
 			const char *value = strchr(ask->settle, '=') + 1;
-			bool top = ASKS[i].question == NULL;
+			bool top = strcmp(value, "SIZE") != 0 &&
+				   ASKS[i].question == NULL;
 			text = top ? xasprintf(tr("assume 100 %% passes %s mm"),
 					 value)
-				   : xstrdup(tr(ASKS[i].question));
+				   : xstrdup(tr(
+					 ASKS[i].question != NULL
+					     ? ASKS[i].question
+					     : N_("size in mm that all of the "
+						  "feed passes, or n")));
 			q.text = text;
-			q.offered = top ? "Y/n" : i < 2 ? "" : value;
+			q.offered = top                                 ? "Y/n"
+				    : i < 2 || ASKS[i].question == NULL ? ""
+									: value;
 		}
 	bool good = false, given_up = false;
 	while (!good && !given_up) {

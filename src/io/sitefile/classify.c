@@ -501,6 +501,18 @@ bare_speed(const struct head *said)
 	return found;
 }
 
+/* Whether a head is a number alone that is no tip speed: then those beside it,
+ * such as minutes, are none either. */
+static bool
+is_other_number(const struct block *b, size_t at)
+{
+	struct head said = read_heads(b, at);
+	uint64_t words = said.means & ~(uint64_t)WORD_FILLER;
+	return said.n_number == 1 && said.unknown == 0 && words == 0 &&
+	       said.unit == SPEED_NO_UNIT &&
+	       (said.number[0] < 20 || said.number[0] > 110);
+}
+
 static void
 find_speed(struct column *c, const struct surroundings *near)
 {
@@ -675,6 +687,8 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
 		note_speed(t, at, &around);
+	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
+		around.counted = around.counted || is_other_number(b, at);
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;
@@ -684,6 +698,8 @@ recognise_columns(struct table *t, const struct surroundings *near,
 			c.head = cell != NULL ? *cell : c.head;
 		}
 		c.said = read_heads(b, at);
+		if (around.counted && c.said.n_number == 1)
+			c.said.n_number = 0;
 		if (near->samples->n > 0 ? !samples_take(near->samples, &c)
 					 : is_no_sample(&c, site))
 			continue;
@@ -727,6 +743,31 @@ rank(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
+/* Whether the words that nobody knows, or that have digits, are the same in the
+ * heads of two columns: the name of one sample. */
+static bool
+is_called_alike(const struct column *a, const struct column *b)
+{
+	const struct column *both[] = {a, b};
+	char *name[] = {xstrdup(""), xstrdup("")};
+	for (size_t i = 0; i < 2; i++) {
+		char *head = layout_head(both[i]->table->block, both[i]->at);
+		char *rest = head;
+		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
+			size_t unknown, n = strlen(word);
+			vocabulary_text(word, &unknown);
+			if ((unknown > 0 && n > 1) ||
+			    strpbrk(word, "0123456789") != NULL)
+				xlist(&name[i], " ", "%s", word);
+		}
+		free(head);
+	}
+	bool same = text_same(name[0], name[1]);
+	free(name[0]);
+	free(name[1]);
+	return same;
+}
+
 /* Whether two columns are one sample in two quantities, of which one at least
  * is stated. */
 static bool
@@ -738,8 +779,9 @@ is_same_sample(const struct column *a, const struct column *b)
 	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
 				(a->said.n_number == 0 ||
 				    a->said.number[0] == b->said.number[0]));
-	return (stated || a->role != NO_ROLE) && a->table == b->table &&
-	       a->role == b->role && a->role != SD &&
+	if (a->role == NO_ROLE && (!stated || !is_called_alike(a, b)))
+		return false;
+	return a->table == b->table && a->role == b->role && a->role != SD &&
 	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
 	       numbers &&
 	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
@@ -909,13 +951,15 @@ guess_feed(struct columns *all, size_t feeds)
 		return;
 	only->role = FEED;
 	/* Beside a file of products a file with one sample has the feed. */
-	size_t own = 0;
-	const struct sheet *sheet = only->table->sheet;
-	for (size_t i = 0; i < all->n; i++)
-		own +=
-		    all->column[i].twin == 0 &&
-		    strcmp(all->column[i].table->sheet->path, sheet->path) == 0;
-	if (own == 1 && all->n > 1) {
+	size_t own = 0, others = 0;
+	const char *path = only->table->sheet->path;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool same = strcmp(c->table->sheet->path, path) == 0;
+		own += same && c->twin == 0;
+		others += !same;
+	}
+	if (own == 1 && others > 0) {
 		only->no_role = false;
 		assume(only, "as the feed");
 	}

@@ -14,11 +14,12 @@
  * the words around the table (title, name of the sheet or file) that tell feed
  * from product.  told: the heads were given by hand.
  * samples: what is said of them by name.
+ * counted: numbers alone in heads are no tip speeds.
  * strange: the title has words that may tell another machine or day. */
 struct surroundings {
 	double rotor, speed;
 	uint64_t context;
-	bool told, strange;
+	bool told, strange, counted;
 	struct samples *samples;
 };
 

@@ -159,6 +159,15 @@ number_at(const char **text, double *value)
 	return parts == 1 && text_number(copy, value);
 }
 
+/* Behind the unit of mass at text, or text where there is none. */
+static const char *
+grams_after(const char *text)
+{
+	size_t n = strspn(text, "k") + 1;
+	bool grams = n <= 2 && text[n - 1] == 'g' && !is_letter(text[n]);
+	return grams ? text + n : text;
+}
+
 /* Notes what a number says, with the unit after it, which *text moves over. */
 static void
 take_number(struct head *head, const char **text, double value, bool at)
@@ -168,8 +177,11 @@ take_number(struct head *head, const char **text, double value, bool at)
 	enum speed_unit unit = unit_at(p, &n);
 	if (unit == SPEED_NO_UNIT && at)
 		unit = SPEED_MPS;
-	if (unit == SPEED_NO_UNIT && other_unit_at(p))
+	if (unit == SPEED_NO_UNIT && other_unit_at(p)) {
+		/* "Soil A (100g)" tells how much it was, not in what. */
+		*text = grams_after(p);
 		return;
+	}
 	if (unit == SPEED_NO_UNIT) {
 		if (head->n_number < HEAD_NUMBERS)
 			head->number[head->n_number++] = value;

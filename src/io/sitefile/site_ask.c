@@ -204,6 +204,29 @@ has_names(struct table *const *table, size_t n_table, const struct columns *all)
 	return true;
 }
 
+static bool
+has_feed(const struct columns *all)
+{
+	size_t i = 0;
+	while (i < all->n && all->column[i].role != FEED)
+		i++;
+	return i < all->n;
+}
+
+/* What a column seems to be; the first without a role is the feed, where
+ * nothing else is: *feed, which is then found. */
+static char *
+guess_words(const struct column *c, bool *feed)
+{
+	char *words = recognise_words(c);
+	if (*feed || c->role != NO_ROLE)
+		return words;
+	*feed = true;
+	char *guess = xasprintf("feed%s", words + strcspn(words, " "));
+	free(words);
+	return guess;
+}
+
 /* Everything as samples= would have it: two stand for all. */
 static void
 list_samples(struct site_ask *ask, const struct table *t,
@@ -217,23 +240,18 @@ list_samples(struct site_ask *ask, const struct table *t,
 		xappend(
 		    &ask->settle, "columns=\"%zu=%s\" ", b->number[0], sieve);
 	add_question(ask, t, 0, &head, sieve, sieves);
-	bool feed = false;
-	for (size_t i = 0; i < all->n; i++)
-		feed = feed || all->column[i].role == FEED;
+	bool feed = has_feed(all);
+	size_t shown = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;
-		char *guess = recognise_words(c);
+		char *guess = guess_words(c, &feed);
 		head.text = samples_label(b, c->at);
-		bool first = !feed && c->role == NO_ROLE;
-		feed = feed || first;
-		if (i < 2)
-			xlist(&text, ", ", "%s=%s%s", head.text,
-			    first ? "feed" : "",
-			    strchr(guess, first ? ' ' : '@') != NULL
-				? strchr(guess, first ? ' ' : '@')
-				: guess);
+		const char *from = strchr(guess, '@');
+		if (shown++ < 2)
+			xlist(&text, ", ", "%s=%s", head.text,
+			    from != NULL ? from : guess);
 		add_question(ask, t, c->at, &head, guess, c->open);
 		free(head.text);
 	}
@@ -253,6 +271,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 		return;
 	}
 	char *text = xstrdup("");
+	bool feed = has_feed(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
 		const struct block *b = t->block;
@@ -265,7 +284,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)
 				continue;
-			char *guess = recognise_words(c);
+			char *guess = guess_words(c, &feed);
 			xlist(&text, ", ", "%zu=%s", b->number[c->at], guess);
 			add_question(ask, t, c->at, &c->head, guess, c->open);
 		}
@@ -598,14 +617,18 @@ open_top(
 		    sieve_names_series(name->text) != SIEVE_NONE;
 	double coarser = sieve_names_coarser(t->mm[at], astm);
 	bool alone = t->sheet->errors->n == 0;
-	char p[32], *settle = xasprintf("top=%g", coarser);
+	/* Of much that is coarser nobody knows how coarse. */
+	bool much = c->pct[at] < 90;
+	char p[32], mm[32];
+	char *settle =
+	    much ? xstrdup("top=SIZE") : xasprintf("top=%g", coarser);
+	snprintf(mm, sizeof mm, much ? "SIZE" : "%g", coarser);
 	char *line = settled_line(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%g mm\n"
-	    "add the coarser sieves; or assume that 100 %% passes %g mm%s: %s",
-	    site_column_pct(c, at, 100, p), t->mm[at], coarser, for_feed(q),
-	    line);
+	    "add the coarser sieves; or assume that 100 %% passes %s mm%s: %s",
+	    site_column_pct(c, at, 100, p), t->mm[at], mm, for_feed(q), line);
 	free(line);
 	if (alone)
 		ask->settle = settle;

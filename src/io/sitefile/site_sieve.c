@@ -507,7 +507,9 @@ site_sieve_numbers(struct sheet *sheet)
 		const struct comment *c = &sheet->comment[i];
 		char *first =
 		    text_unquoted(c->text, strcspn(c->text, separator));
-		bool cells = c->text[strcspn(c->text, separator)] != '\0';
+		bool cells = c->row.cell != NULL
+				 ? c->row.n > 1
+				 : c->text[strcspn(c->text, separator)] != '\0';
 		if (cells && sieve_names_is_number(first))
 			sheet_uncomment(sheet, i);
 		free(first);
