@@ -335,8 +335,7 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		if (!one || s->most <= 0)
 			return true;
 		*scale = OF_1;
-		assume(c, "fractions, as nothing is above 1");
-		return near(whole, 1, 1.05) && s->n > 2;
+		return false;
 	}
 	if ((means & WORD_GRAMS) != 0) {
 		*scale = OF_MASS;
@@ -779,13 +778,13 @@ is_same_sample(const struct column *a, const struct column *b)
 	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
 				(a->said.n_number == 0 ||
 				    a->said.number[0] == b->said.number[0]));
-	if (a->role == NO_ROLE && (!stated || !is_called_alike(a, b)))
-		return false;
-	return a->table == b->table && a->role == b->role && a->role != SD &&
-	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
-	       numbers &&
-	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
-		   SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
+	bool same = a->table == b->table && a->role == b->role &&
+		    a->role != SD && fabs(a->speed - b->speed) < 1e-3 &&
+		    a->rpm == b->rpm && numbers &&
+		    (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
+			SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
+	return same &&
+	       (a->role != NO_ROLE || (stated && is_called_alike(a, b)));
 }
 
 /* It is compared with the other one, and not used. */

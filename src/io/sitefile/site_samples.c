@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -73,7 +74,7 @@ tells_apart(const struct block *b, size_t r)
 		if (cell[c].text[0] == '\0')
 			return false;
 		for (size_t k = 1; k < c; k++)
-			if (text_same(cell[c].text, cell[k].text))
+			if (strcasecmp(cell[c].text, cell[k].text) == 0)
 				return false;
 	}
 	return true;
