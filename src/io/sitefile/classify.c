@@ -330,6 +330,9 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		       : s->has_pan      ? s->pan
 					 : s->last;
 	bool one = s->most <= 1 + 1e-9;
+	/* "g or %": the numbers tell. */
+	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
+		return kind == RETAINED && parts_scale(s, total, scale);
 	if ((means & WORD_PERCENT) != 0) {
 		*scale = OF_100;
 		if (!one || s->most <= 0)

@@ -437,6 +437,16 @@ find_headed(const struct grid *g, struct place *place)
 	return n;
 }
 
+/* Whether the cell above numbers says that they are a time, a remark, a speed. */
+static bool
+is_other_head(const struct grid *g, size_t r, size_t c)
+{
+	const uint64_t other = WORD_OTHER | WORD_SPEED;
+	uint64_t means =
+	    r > 0 ? vocabulary_text(cell_at(g, r - 1, c)->text, NULL) : 0;
+	return (means & other) != 0 && (means & WORD_SIZE) == 0;
+}
+
 static bool
 is_pan_row(const struct grid *g, size_t r, size_t c)
 {
@@ -473,6 +483,7 @@ find_bare(const struct grid *g, struct place *place)
 				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
 			if (n >= LEAST_WITHOUT_HEAD && ordered &&
+			    !is_other_head(g, p.first, c) &&
 			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
 				place[found++] = p;
 			r = p.last > r ? p.last - 1 : r;
@@ -541,7 +552,8 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 						  is_headed_alike(
 						      g, first, c, place[0].c));
 			if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
-			    (below && !phi) || !like || n == MOST_TABLES)
+			    is_other_head(g, first, c) || (below && !phi) ||
+			    !like || n == MOST_TABLES)
 				continue;
 			bool head = first > 0 && is_filled(g, first - 1, c) &&
 				    !is_sieve(g, first - 1, c);
@@ -662,6 +674,33 @@ list_columns(const struct grid *g, const struct place *p, size_t from,
 	return n;
 }
 
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
+static void
+fill_names(struct block *b)
+{
+	static const uint64_t ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < b->n_col; c++) {
+		char *head = layout_head(b, c);
+		uint64_t means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < b->n_row; i++) {
+			struct cell *own = &b->row[i].cell[0];
+			const struct cell *other = &b->row[i].cell[c];
+			if (number_absent(*own) &&
+			    sieve_size(b->sheet, *other, none, &mm) !=
+				SIEVE_IS_NONE)
+				*own = *other;
+		}
+	}
+}
+
 static void
 take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
     struct layout *layout)
@@ -694,6 +733,7 @@ take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
 	b.number = xcalloc(n, sizeof *b.number);
 	for (size_t i = 0; i < n; i++)
 		b.number[i] = g->col_number[col[i]];
+	fill_names(&b);
 	layout->block =
 	    xrealloc(layout->block, layout->n + 1, sizeof *layout->block);
 	layout->block[layout->n++] = b;
@@ -704,6 +744,25 @@ static bool
 overlap(const struct place *a, const struct place *b)
 {
 	return a->first < b->last && b->first < a->last;
+}
+
+/* Whether two columns of sieves are the lower and the upper ends of classes, of
+ * which each begins where another one ends: mass is retained on the lower. */
+static bool
+are_ends(const struct grid *g, const struct place *low, const struct place *up)
+{
+	double a, b, last = NAN;
+	size_t n = 0, joined = 0;
+	for (size_t r = low->first; r < low->last; r++) {
+		if (!number_of(g->sheet, *cell_at(g, r, low->c), &a) ||
+		    !number_of(g->sheet, *cell_at(g, r, up->c), &b) || a >= b)
+			return false;
+		double before = r > low->first ? last : (double)NAN;
+		joined += b == before;
+		number_of(g->sheet, *cell_at(g, r, low->c), &last);
+		n++;
+	}
+	return n > 2 && joined + 1 == n;
 }
 
 /* Of two heads above the same sieves the lower one, and of two columns of
@@ -722,9 +781,11 @@ drop_doubles(const struct grid *g, struct place *place, size_t n)
 			if (a->c == b->c)
 				drop = b->first - b->head < a->first - a->head;
 			else if (a->c + 1 == b->c || b->c + 1 == a->c)
-				drop = is_sieve_head(g, a->head, a->c) &&
-				       (b->score > a->score ||
-					   (b->score == a->score && k < i));
+				drop =
+				    is_sieve_head(g, a->head, a->c) &&
+				    !are_ends(g, a, b) &&
+				    (are_ends(g, b, a) || b->score > a->score ||
+					(b->score == a->score && k < i));
 		}
 		if (!drop)
 			place[kept++] = place[i];
@@ -872,8 +933,10 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	} else if (n == 0 && m == 0) {
 		n = find_ordered(&g, true, down);
 		m = find_ordered(&t, true, across);
-		n = n + m > 0 ? n : find_bare(&g, down);
-		m = n + m > 0 ? m : find_bare(&t, across);
+		if (n + m == 0) {
+			n = find_bare(&g, down);
+			m = find_bare(&t, across);
+		}
 		if (n + m == 0) {
 			n = find_ordered(&g, false, down);
 			m = find_ordered(&t, false, across);

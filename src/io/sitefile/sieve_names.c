@@ -209,7 +209,9 @@ sieve_names_mm(const char *text, enum sieve_series head)
 	case SIEVE_BS:
 		return find_mesh(BS, ARRAY_LEN(BS), value);
 	case SIEVE_INCH:
-		return bare ? find_inches(value) : find_astm(SIEVE_INCH, value);
+		return bare && isnan(find_astm(SIEVE_INCH, value))
+			   ? find_inches(value)
+			   : find_astm(SIEVE_INCH, value);
 	case SIEVE_ASTM:
 		return find_astm(SIEVE_ASTM, value);
 	default:

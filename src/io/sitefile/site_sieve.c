@@ -234,30 +234,6 @@ find_unit(struct table *t, uint64_t means)
 	return SIEVES_ASSUMED;
 }
 
-/* Where the sieves are there twice, as names and in mm, a row that has one of
- * them only. */
-static void
-fill_names(struct table *t)
-{
-	static const uint64_t ELSE =
-	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
-	struct sieve_unit none = {0, SIEVE_NONE};
-	double mm;
-	for (size_t c = 1; c < t->block->n_col; c++) {
-		char *head = layout_head(t->block, c);
-		uint64_t means = vocabulary_text(head, NULL);
-		free(head);
-		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
-		    (means & ELSE) != 0)
-			continue;
-		for (size_t i = 0; i < t->n_row; i++)
-			if (t->row[i].cell[0].text[0] == '\0' &&
-			    sieve_size(t->sheet, t->row[i].cell[c], none,
-				&mm) != SIEVE_IS_NONE)
-				t->row[i].cell[0] = t->row[i].cell[c];
-	}
-}
-
 /* Whether sizes rise, or fall, without exception; NAN are passed over. */
 static bool
 is_ordered(const double *v, size_t n)
@@ -385,7 +361,6 @@ site_sieve_table(
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
 	t.unit = sieve_unit_of(means);
 	free(head);
-	fill_names(&t);
 	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
 	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
 	if (split)
