@@ -679,6 +679,46 @@ note_speed(struct table *t, size_t at, struct surroundings *near)
 		near->speed = head_mps(v, c.said.unit, near->rotor);
 }
 
+/* The numbers of column `at` from their least to their most. */
+static void
+bounds_of(struct table *t, size_t at, double *least, double *most)
+{
+	struct column c = {.table = t, .at = at};
+	double *raw = xdoubles(t->n_row);
+	site_column_raw(&c, raw);
+	*least = INFINITY;
+	*most = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double v = isnan(raw[i]) ? -1 : raw[i];
+		*least = fmin(*least, v);
+		*most = fmax(*most, v);
+	}
+	free(raw);
+}
+
+/* Refuses the mass of empty sieves, the same throughout, beside that of full
+ * ones, of which nothing is said: what was retained is their difference. */
+static void
+refuse_tare(struct table *t)
+{
+	const struct block *b = t->block;
+	double tare = 0, least, most;
+	for (size_t at = 1; at < b->n_col; at++) {
+		struct head said = read_heads(b, at);
+		bool told = (said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
+		bounds_of(t, at, &least, &most);
+		if (!told && tare > 0 && least >= tare && most > tare)
+			sheet_fault(t->sheet, t->row[0].cell[at],
+			    "expected what the sieves retained, got nothing "
+			    "below the %g of column %zu: empty and full "
+			    "sieves?\n"
+			    "write their differences as a column: mass "
+			    "retained",
+			    tare, b->number[at - 1]);
+		tare = !told && least == most && least > 0 ? least : 0;
+	}
+}
+
 void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
@@ -689,6 +729,8 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
 		note_speed(t, at, &around);
+	if (!near->told)
+		refuse_tare(t);
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
 		around.counted = around.counted || is_other_number(b, at);
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++) {

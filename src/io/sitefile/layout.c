@@ -437,13 +437,16 @@ find_headed(const struct grid *g, struct place *place)
 	return n;
 }
 
-/* Whether the cell above numbers says that they are a time, a remark, a speed. */
+/* Whether the cell above numbers, or before those of a line, says that they are
+ * times, remarks or speeds. */
 static bool
 is_other_head(const struct grid *g, size_t r, size_t c)
 {
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
-	uint64_t means =
-	    r > 0 ? vocabulary_text(cell_at(g, r - 1, c)->text, NULL) : 0;
+	if (r == 0)
+		return false;
+	const struct cell *head = cell_at(g, g->across ? 0 : r - 1, c);
+	uint64_t means = vocabulary_text(head->text, NULL);
 	return (means & other) != 0 && (means & WORD_SIZE) == 0;
 }
 

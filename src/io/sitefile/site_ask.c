@@ -192,11 +192,14 @@ has_names(struct table *const *table, size_t n_table, const struct columns *all)
 		const struct column *c = &all->column[i];
 		unknown += c->twin == 0 && c->role != FEED && !(c->speed > 0);
 	}
-	if (n_table > 1 || (b->name == NULL && unknown <= FEW))
+	if (n_table > 1 || (b->name == NULL && unknown <= FEW) ||
+	    !samples_are_apart(b))
 		return false;
 	for (size_t i = 0; i < all->n; i++) {
 		char *label = samples_label(b, all->column[i].at);
-		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
+		bool good = label[0] != '\0' &&
+			    strpbrk(label, "\",=") == NULL &&
+			    samples_are_apart(b);
 		free(label);
 		if (!good)
 			return false;

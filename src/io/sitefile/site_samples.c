@@ -80,6 +80,15 @@ tells_apart(const struct block *b, size_t r)
 	return true;
 }
 
+bool
+samples_are_apart(const struct block *b)
+{
+	size_t r = 0;
+	while (r < b->n_head && b->name == NULL && !tells_apart(b, r))
+		r++;
+	return b->name != NULL || r < b->n_head;
+}
+
 char *
 samples_label(const struct block *b, size_t c)
 {

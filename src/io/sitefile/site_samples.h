@@ -25,6 +25,9 @@ void samples_clear(struct samples *samples);
  * that heads it.  The caller frees. */
 char *samples_label(const struct block *block, size_t c);
 
+/* Whether each sample of a block has a name of its own. */
+bool samples_are_apart(const struct block *block);
+
 /* Gives a column the role, speed and quantity that are said of its sample; what
  * its heads state remains, and a fault tells where the two differ.  False where
  * nothing is said of it. */
