@@ -197,9 +197,7 @@ has_names(struct table *const *table, size_t n_table, const struct columns *all)
 		return false;
 	for (size_t i = 0; i < all->n; i++) {
 		char *label = samples_label(b, all->column[i].at);
-		bool good = label[0] != '\0' &&
-			    strpbrk(label, "\",=") == NULL &&
-			    samples_are_apart(b);
+		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
 		free(label);
 		if (!good)
 			return false;
