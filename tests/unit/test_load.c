@@ -269,6 +269,30 @@ a_coarser_sieve_is_assumed(void **state)
 	assert_non_null(strstr(desk->error.hint, "top=22.4"));
 }
 
+/* Synthetic: a long table, whose samples have no columns. */
+static void
+samples_are_asked_by_name(void **state)
+{
+	struct desk *desk = *state;
+	static const char LONG[] =
+	    "Cut,Size mm,passing\nK-1,8,100\nK-1,4,50\nK-1,2,20\nK-1,1,8\n"
+	    "K-2,8,100\nK-2,4,65\nK-2,2,35\nK-2,1,15\nK-3,8,100\n"
+	    "K-3,4,70\nK-3,2,40\nK-3,1,19\nK-4,8,100\nK-4,4,71\nK-4,2,41\n"
+	    "K-4,1,20\n";
+	assert_true(load_with(desk, LONG, "feed|69|-|79"));
+	assert_non_null(strstr(user.asked, "'K-1'"));
+	assert_speeds(site_of(desk), 69, 79);
+	assert_near(psd_passing(&site_of(desk)->run[0].feed, 4e-3), 0.5, 1e-9);
+	assert_near(
+	    psd_passing(&site_of(desk)->run[1].product, 4e-3), 0.71, 1e-9);
+	/* A point leaves out what follows. */
+	assert_true(load_with(desk, LONG, "feed|69|79|."));
+	assert_near(
+	    psd_passing(&site_of(desk)->run[1].product, 4e-3), 0.7, 1e-9);
+	assert_true(load_with(desk, LONG, "|69|."));
+	assert_int_equal(site_of(desk)->n_run, 1);
+}
+
 static void
 scripts_are_not_asked(void **state)
 {
@@ -345,6 +369,7 @@ main(void)
 	    WITH_USER(a_decimal_sign_is_asked),
 	    WITH_USER(of_two_tables_one_is_asked_for),
 	    WITH_USER(a_coarser_sieve_is_assumed),
+	    WITH_USER(samples_are_asked_by_name),
 	    WITH_USER(scripts_are_not_asked),
 	    WITH_USER(answers_are_saved_with_the_session),
 	    cmocka_unit_test(rows_fit),
