@@ -776,6 +776,27 @@ own_feeds(struct reading *r)
 	}
 }
 
+/* Of a sheet whose feed is wanted, products whose speed is not told are no
+ * question; one alone, which is called product, may be meant for the feed. */
+static void
+want_feed(struct reading *r)
+{
+	struct columns *all = &r->all;
+	size_t feeds = count_role(all, FEED), n = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		bool open = c->role == PRODUCT && !(c->speed > 0);
+		if (open && feeds > 0) {
+			free(c->assumed);
+			continue;
+		}
+		if (open && all->n == 1)
+			c->role = NO_ROLE;
+		all->column[n++] = *c;
+	}
+	all->n = n;
+}
+
 static size_t
 count_faults(const struct reading *r)
 {
@@ -849,6 +870,8 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
 		own_feeds(&r);
+		if (request->feed)
+			want_feed(&r);
 		if (r.n_table > 0)
 			samples_check(&r.samples, r.table[0]);
 		recognise_settle(&r.all, r.site,
