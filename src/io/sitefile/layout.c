@@ -269,11 +269,20 @@ is_sieve_head(const struct grid *g, size_t r, size_t c)
 		   has_numbers_of_sieves(g, r, c));
 }
 
+/* Whether phi is said above numbers that can be it: the letter is that of a
+ * diameter, too. */
 static bool
 is_phi_head(const struct grid *g, size_t r, size_t c)
 {
-	return is_sieve_head(g, r, c) &&
-	       (g->nature[index_at(g, r, c)].bits & IS_PHI) != 0;
+	double v;
+	if (!is_sieve_head(g, r, c) ||
+	    (g->nature[index_at(g, r, c)].bits & IS_PHI) == 0)
+		return false;
+	for (r++; r < g->n_row && !g->gap[r]; r++)
+		if (number_of(g->sheet, *cell_at(g, r, c), &v) &&
+		    fabs(v) > SIEVE_MOST_PHI)
+			return false;
+	return true;
 }
 
 static enum sieve_kind

@@ -138,18 +138,18 @@ all_whole(const struct table *t)
 
 /* What the bare numbers of the sieves are like.  n: how many; n_part: of them
  * fractions, 3/8, as inches have; n_astm: that are numbers of sieves of ASTM
- * E11; n_below: below 0.  rises: from the first to the last, but for
- * fractions. */
+ * E11; n_below: below 0; n_beyond: beyond what phi can be.  rises: from the
+ * first to the last, but for fractions; even: by one step. */
 struct numbers {
-	size_t n, n_part, n_astm, n_below;
-	bool rises;
+	size_t n, n_part, n_astm, n_below, n_beyond;
+	bool rises, even;
 };
 
 static struct numbers
 numbers_of(const struct table *t)
 {
-	struct numbers all = {.rises = true};
-	double v, last = NAN;
+	struct numbers all = {.rises = true, .even = true};
+	double v, last = NAN, step = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
 		bool part = strchr(cell.text, '/') != NULL &&
@@ -163,6 +163,9 @@ numbers_of(const struct table *t)
 		all.n_astm +=
 		    v > 0 && sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
 		all.n_below += v < 0;
+		all.n_beyond += fabs(v) > SIEVE_MOST_PHI;
+		all.even = all.even && !(fabs(v - last - step) > 1e-9);
+		step = v - last;
 		all.rises = all.rises && !(v <= last);
 		last = v;
 	}
@@ -209,6 +212,11 @@ find_unit(struct table *t, uint64_t means)
 	bool said = (means & WORD_NUMBER) != 0;
 	if (all_named(t))
 		return SIEVES_SAID;
+	/* The letter is that of a diameter, too. */
+	if (t->unit.series == SIEVE_PHI && all.n_beyond == 0)
+		return all.n_below > 0 || all.even ? SIEVES_SAID : SIEVES_OPEN;
+	if (t->unit.series == SIEVE_PHI)
+		t->unit = (struct sieve_unit){0, SIEVE_NONE};
 	if (t->unit.series != SIEVE_NONE && t->unit.series != SIEVE_MESH)
 		return SIEVES_SAID;
 	if (t->unit.mm > 0 && most * t->unit.mm <= COARSEST_TOP &&
