@@ -262,7 +262,8 @@ files_and_folders(void **state)
 	expect(desk, "load \"b", 5, "\"bro.csv\" ");
 	expect(desk, "load sem", 5, "\"semi;colon\" ");
 	expect(desk, "load .", 5, ".hidden ");
-	expect(desk, "load s", 5, "\"semi;colon\" |samples=|sheet=|sheets/|skip=");
+	expect(
+	    desk, "load s", 5, "\"semi;colon\" |samples=|sheet=|sheets/|skip=");
 	expect(desk, "load sheets/", 5, "sheets/tierp.csv ");
 	expect(desk, "load two", 5, "\"two words/");
 	expect(desk, "load \"two words/", 5, "\"two words/a.csv\" ");

@@ -225,8 +225,8 @@ kind_words(const struct quantity *q)
 	case QUANTITY_PASSING:
 		return xasprintf(tr("passing %g mm"), units_mm(q->x));
 	case QUANTITY_SIZE:
-		return xasprintf("%c%g", q->letter != 0 ? q->letter : 'P',
-		    units_pct(q->x));
+		return xasprintf(
+		    "%c%g", q->letter != 0 ? q->letter : 'P', units_pct(q->x));
 	case QUANTITY_SHARE:
 		return quantities_fraction_words(&q->fraction);
 	case QUANTITY_MODULUS:
