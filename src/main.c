@@ -175,9 +175,11 @@ chosen_isa(void)
 }
 
 /* A FILE is a site file, or a script when its name ends in .tip.  Site files
- * that follow each other are loaded together: they may be one site's. */
+ * that follow each other are loaded together: they may be one site's.  stays:
+ * somebody sits at a prompt, where a sheet that is refused can be loaded anew
+ * as its hint says. */
 static int
-open_files(struct session *s, char *const *path, size_t n)
+open_files(struct session *s, char *const *path, size_t n, bool stays)
 {
 	for (size_t i = 0, k; i < n; i = k) {
 		int status = 0;
@@ -193,7 +195,7 @@ open_files(struct session *s, char *const *path, size_t n)
 				error_hint(&error,
 				    "put commands after -c: -c '%s'", path[i]);
 			error_print(&error, stderr);
-			status = (int)error.kind;
+			status = stays ? 0 : (int)error.kind;
 		}
 		if (status != 0 || s->quit)
 			return status;
@@ -225,10 +227,12 @@ run(struct session *s, const struct invocation *in, int argc, char **argv)
 	if (prompt)
 		repl_begin(s);
 	if (in->first_file < argc)
-		status = open_files(
-		    s, argv + in->first_file, (size_t)(argc - in->first_file));
+		status = open_files(s, argv + in->first_file,
+		    (size_t)(argc - in->first_file), prompt);
 	if (status != 0)
 		return status;
+	if (prompt)
+		pump_forget_interrupt(); /* of a question */
 	if (in->n_action > 0)
 		return run_actions(s, in);
 	if (prompt)

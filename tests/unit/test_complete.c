@@ -262,7 +262,8 @@ files_and_folders(void **state)
 	expect(desk, "load \"b", 5, "\"bro.csv\" ");
 	expect(desk, "load sem", 5, "\"semi;colon\" ");
 	expect(desk, "load .", 5, ".hidden ");
-	expect(desk, "load s", 5, "\"semi;colon\" |sheet=|sheets/|skip=");
+	expect(
+	    desk, "load s", 5, "\"semi;colon\" |samples=|sheet=|sheets/|skip=");
 	expect(desk, "load sheets/", 5, "sheets/tierp.csv ");
 	expect(desk, "load two", 5, "\"two words/");
 	expect(desk, "load \"two words/", 5, "\"two words/a.csv\" ");
@@ -307,7 +308,7 @@ shipped_sites(void **state)
 	touch("data/sites/notes.txt");
 	expect(desk, "load tie", 5, "tierp ");
 	expect(desk, "load Ti", 5, "tierp ");
-	expect(desk, "load sky s", 9, "sheet=|skip=|sky ");
+	expect(desk, "load sky s", 9, "samples=|sheet=|skip=|sky ");
 	expect(desk, "load no", 5, "");
 	expect(desk, "load dat", 5, "data/|dates=");
 	expect(desk, "add tie", 4, "");

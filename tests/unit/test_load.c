@@ -166,11 +166,14 @@ enter_accepts_what_is_offered(void **state)
 			    "882,100,100,100\n441,40,60,65\n210,20,35,40\n"
 			    "97,5,15,19\n";
 	assert_true(load_with(desk, sheet, "furlong|um"));
-	assert_non_null(strstr(user.asked, "[sieve mm]"));
+	assert_non_null(strstr(user.asked, "[sieve um]"));
 	assert_non_null(strstr(user.asked, "expected the unit of the sieves"));
 	assert_near(
 	    psd_passing(&site_of(desk)->run[0].product, 441e-6), 0.6, 1e-9);
 	assert_true(load_with(desk, sheet, ""));
+	assert_near(
+	    psd_passing(&site_of(desk)->run[0].product, 441e-6), 0.6, 1e-9);
+	assert_true(load_with(desk, sheet, "mm"));
 	assert_near(
 	    psd_passing(&site_of(desk)->run[0].product, 0.441), 0.6, 1e-9);
 }
@@ -224,6 +227,70 @@ of_two_tables_one_is_asked_for(void **state)
 	assert_near(site_of(desk)->run[0].speed, 69, 1e-9);
 	assert_true(load_with(desk, sheet, "A8:C11"));
 	assert_near(site_of(desk)->run[0].speed, 79, 1e-9);
+}
+
+/* Synthetic masses, of which 96.7 % pass the coarsest sieve. */
+static const char SHORT[] =
+    "size_mm,feed retained_g,product@69 retained_g,product@79 retained_g\n"
+    "16,31.2,5.1,2\n8,300.7,100.5,90\n4,200,250.3,240\n2,150.33,200,210\n"
+    "pan,263.9,280,290\n";
+
+static void
+a_coarser_sieve_is_assumed(void **state)
+{
+	struct desk *desk = *state;
+	static const char *const YES[] = {"", "y", "perhaps|Yes"};
+	for (size_t i = 0; i < ARRAY_LEN(YES); i++) {
+		assert_true(load_with(desk, SHORT, YES[i]));
+		assert_non_null(
+		    strstr(user.asked, "assume 100 % passes 22.4 mm [Y/n]"));
+		const struct psd *feed = &site_of(desk)->run[0].feed;
+		assert_near(feed->size[0], 22.4e-3, 1e-12);
+		assert_near(feed->passing[0], 1, 0);
+		assert_near(feed->size[1], 16e-3, 1e-12);
+		assert_near(site_assumed_top(site_of(desk)), 22.4, 0);
+	}
+	assert_non_null(strstr(user.asked, "got 'perhaps'"));
+	assert_true(load_with(desk, SHORT, "31.5"));
+	assert_near(site_assumed_top(site_of(desk)), 31.5, 0);
+	assert_false(load_with(desk, SHORT, "n"));
+	assert_non_null(strstr(desk->error.text, "got 96.7 % at 16 mm"));
+	assert_non_null(
+	    strstr(desk->error.hint, "load test-load.csv top=22.4"));
+	/* How coarse what most of it is nobody knows. */
+	static const char COARSE[] = "size_mm,feed,product@69\n16,60,80\n"
+				     "8,30,50\n4,12,25\n";
+	assert_true(load_with(desk, COARSE, "|31.5"));
+	assert_non_null(strstr(user.asked, "or n []"));
+	assert_non_null(strstr(user.asked, "got ''"));
+	assert_near(site_assumed_top(site_of(desk)), 31.5, 0);
+	assert_false(load_with(desk, SHORT, "n"));
+	assert_false(desk_say(desk, "load test-load.csv top=16"));
+	assert_non_null(strstr(desk->error.hint, "top=22.4"));
+}
+
+/* Synthetic: a long table, whose samples have no columns. */
+static void
+samples_are_asked_by_name(void **state)
+{
+	struct desk *desk = *state;
+	static const char LONG[] =
+	    "Cut,Size mm,passing\nK-1,8,100\nK-1,4,50\nK-1,2,20\nK-1,1,8\n"
+	    "K-2,8,100\nK-2,4,65\nK-2,2,35\nK-2,1,15\nK-3,8,100\n"
+	    "K-3,4,70\nK-3,2,40\nK-3,1,19\nK-4,8,100\nK-4,4,71\nK-4,2,41\n"
+	    "K-4,1,20\n";
+	assert_true(load_with(desk, LONG, "feed|69|-|79"));
+	assert_non_null(strstr(user.asked, "'K-1'"));
+	assert_speeds(site_of(desk), 69, 79);
+	assert_near(psd_passing(&site_of(desk)->run[0].feed, 4e-3), 0.5, 1e-9);
+	assert_near(
+	    psd_passing(&site_of(desk)->run[1].product, 4e-3), 0.71, 1e-9);
+	/* A point leaves out what follows. */
+	assert_true(load_with(desk, LONG, "feed|69|79|."));
+	assert_near(
+	    psd_passing(&site_of(desk)->run[1].product, 4e-3), 0.7, 1e-9);
+	assert_true(load_with(desk, LONG, "|69|."));
+	assert_int_equal(site_of(desk)->n_run, 1);
 }
 
 static void
@@ -301,6 +368,8 @@ main(void)
 	    WITH_USER(who_gives_up_gets_the_command),
 	    WITH_USER(a_decimal_sign_is_asked),
 	    WITH_USER(of_two_tables_one_is_asked_for),
+	    WITH_USER(a_coarser_sieve_is_assumed),
+	    WITH_USER(samples_are_asked_by_name),
 	    WITH_USER(scripts_are_not_asked),
 	    WITH_USER(answers_are_saved_with_the_session),
 	    cmocka_unit_test(rows_fit),

@@ -342,6 +342,18 @@ workbooks_are_sites(void **state)
 	assert_string_equal(site->path, BOOK);
 	assert_true(site->run[1].product.passing[1] == 0.8);
 	site_free(site);
+	/* Rows of sieves that are called by a number and # are no comments. */
+#define NAMED(line, name, v)                                                \
+	"<row r='" line "'>" SAY("A" line, name)                            \
+	    CELL("B" line, "><v>" v "</v>") CELL("C" line, "><v>" v "</v>") \
+		CELL("D" line, "><v>" v "</v>") "</row>"
+	put_parts(SHEET(HEADS THREE("4", "8", "100", "100") NAMED(
+	    "5", "#4", "9") NAMED("6", "# 8", "5") NAMED("7", "#16", "2")));
+	site = site_read(BOOK, &errors);
+	assert_non_null(site);
+	assert_int_equal(site->run[1].product.n, 4);
+	assert_true(site->run[1].product.size[3] == 1.18 / 1000);
+	site_free(site);
 	/* Faults are told where people of spreadsheets look. */
 	put_parts(SHEET(HEADS THREE("4", "8", "100", "100") "<row r='5'>" CELL(
 	    "A5", "><v>4</v>") SAY("B5", "x1")

@@ -9,7 +9,7 @@
 #include "cmd/lang/table.h"
 
 /* What is shown unless told otherwise, as far as the feed tells. */
-#define USUAL "D10,P20,D50,P80,D90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
+#define USUAL "P10,P20,P50,P80,P90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
 
 /* Those of the list that the feed tells of, in place; for a list that was asked
  * for false where it does not. */

@@ -157,8 +157,8 @@ check_goal(
 	else
 		return true;
 	return error_hint(error,
-	    "write: find p80=5, find \"passing 2 = 45\" \"passing 0.063 < "
-	    "6\" or find spec=NAME");
+	    "write 'find p80=5', 'find \"passing 2 = 45\" \"passing 0.063 < "
+	    "6\"' or 'find spec=NAME'");
 }
 
 static bool

@@ -311,6 +311,7 @@ answers_note_basis(const struct session *s, struct answer *r,
 	note_beyond(r, q->entry, speed, light);
 	origin_note(r, q->entry);
 	feed_note(r, q->entry->site, q->feed, whose);
+	feed_note_assumed(r, q->entry->site, whose);
 	note_variant(r, q->entry);
 	note_model(s, r, q->entry);
 }
@@ -342,6 +343,7 @@ answers_show_basis_of_fit(const struct session *s, struct answer *r,
 	if (band)
 		outlook_note(r, s, entry, false);
 	origin_note(r, entry);
+	feed_note_assumed(r, entry->site, NULL);
 	note_model(s, r, entry);
 	struct trust trust = light_of(s, entry, NULL);
 	enum light light = trust.light;

@@ -107,6 +107,9 @@ read_one(
 		return false;
 	b->feed = psd_copy(b->part[0].feed);
 	b->words = xasprintf(tr("feed %s"), feed_file(file));
+	double top = site_assumed_top(b->part[0].sheet);
+	if (top > 0)
+		xappend(&b->words, tr(", assumed to pass %g mm"), top);
 	b->of = xstrdup(b->part[0].sheet->provenance);
 	b->rock = xstrdup(b->part[0].sheet->rock);
 	return true;

@@ -72,6 +72,20 @@ feed_note(
 	free(words);
 }
 
+void
+feed_note_assumed(struct answer *r, const struct site *site, const char *whose)
+{
+	double top = site_assumed_top(site);
+	if (!(top > 0))
+		return;
+	answer_say(r, ANSWER_REMARK,
+	    "assumed%s%s: all of the feed passes %g mm, which its coarsest "
+	    "sieve does not show",
+	    whose != NULL ? tr(" of ") : "", whose != NULL ? whose : "", top);
+	if (whose == NULL)
+		fields_put(answer_fields(r), SITE_ASSUMED_TOP " %g", top);
+}
+
 const char *
 feed_file(const char *path)
 {

@@ -26,6 +26,11 @@ char *feed_words(const struct site *site, size_t run);
 void feed_note(
     struct answer *r, const struct site *site, size_t run, const char *whose);
 
+/* Says what size all of its feeds were assumed to pass, if any was, as
+ * feed_note; without whose its key is assumed_top_mm. */
+void feed_note_assumed(
+    struct answer *r, const struct site *site, const char *whose);
+
 /* A path without its folders, for titles; borrowed. */
 const char *feed_file(const char *path);
 

@@ -116,6 +116,7 @@ read_kind(const char *text, struct quantity *q, struct error *error)
 		   text_number(text + (text[0] != '\0'), &percent) &&
 		   percent > 0 && percent < 100) {
 		q->kind = QUANTITY_SIZE;
+		q->letter = strchr("Dd", text[0]) != NULL ? 'D' : 0;
 		q->x = percent / 100;
 	} else {
 		return expected(text, error);
@@ -224,7 +225,8 @@ kind_words(const struct quantity *q)
 	case QUANTITY_PASSING:
 		return xasprintf(tr("passing %g mm"), units_mm(q->x));
 	case QUANTITY_SIZE:
-		return xasprintf("P%g", units_pct(q->x));
+		return xasprintf(
+		    "%c%g", q->letter != 0 ? q->letter : 'P', units_pct(q->x));
 	case QUANTITY_SHARE:
 		return quantities_fraction_words(&q->fraction);
 	case QUANTITY_MODULUS:

@@ -318,7 +318,7 @@ cmd_drill(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "drill: expected new, or sample or answer with a speed "
 		    "from %d to %d m/s, got '%s%s%s'\n"
-		    "for instance: drill sample 69, drill answer 73.2",
+		    "for instance: drill sample 69; drill answer 73.2",
 		    DRILL_SLOWEST, DRILL_FASTEST, word,
 		    args->n_operand > 1 ? " " : "",
 		    args->n_operand > 1 ? args->operand[1] : "");

@@ -309,6 +309,10 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	const struct site *old = session_entry(s)->site;
 	size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
 	struct site *site = site_with_cuts(old, cuts, from);
+	char number[32];
+	if (site_assumed_top(cuts) > site_assumed_top(old))
+		site_add_note(&site->note, &site->n_note, SITE_ASSUMED_TOP,
+		    text_exact(site_assumed_top(cuts), number));
 	if (!is_expected(site, args_value(args, "digest"), s, error)) {
 		site_free(site);
 		free(from);

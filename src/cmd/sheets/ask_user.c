@@ -214,14 +214,14 @@ sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
     char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
-			WORD_TYLER | WORD_BS | WORD_ASTM;
+			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
 	(void)c;
 	if ((means & unit) != 0)
 		return xasprintf(
 		    "%s%s", (means & WORD_SIZE) != 0 ? "" : tr("sieve "), said);
 	snprintf(wrong, WRONG,
-	    tr("expected the unit of the sieves (mm, um, in, tyler, bs, astm), "
-	       "got '%.30s'"),
+	    tr("expected the unit of the sieves (mm, um, in, phi, tyler, bs, "
+	       "astm), got '%.30s'"),
 	    said);
 	return NULL;
 }
@@ -282,10 +282,10 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 			       : xasprintf(tr("%s %zu '%s': what is it"), kind,
 				     c->number, c->head);
 	char *words = NULL;
-	bool good;
+	bool good, rest;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
-	q->hint = is_sieve(c) ? tr("or: mm, um, in, tyler, bs, astm")
+	q->hint = is_sieve(c) ? tr("or: mm, um, in, phi, tyler, bs, astm")
 		  : speed     ? tr("or: 1350 rpm, feed; - leaves it out")
 			  : tr("or: feed, product@69, retained_g; - leaves it "
 			       "out");
@@ -293,8 +293,9 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	do {
 		char *answer = s->hooks.question(s, q);
 		good = answer != NULL;
+		rest = good && strcmp(answer, ".") == 0;
 		if (good)
-			words = read_answer(c, answer, wrong);
+			words = read_answer(c, rest ? "-" : answer, wrong);
 		free(answer);
 		q->first = false;
 	} while (good && words == NULL && wrong[0] != '\0');
@@ -302,7 +303,7 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	if (!good)
 		return false;
 	free(c->guess);
-	c->guess = words != NULL ? words : xstrdup("-");
+	c->guess = words != NULL ? words : xstrdup(rest ? "." : "-");
 	c->open = false;
 	return true;
 }
@@ -323,12 +324,20 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
 	said->columns = xstrdup("");
+	if (ask->by_sample)
+		said->samples = xstrdup("");
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
 		if (c->open)
 			good = ask_column(s, &q, c);
-		if (good && strcmp(c->guess, "-") != 0)
+		if (good && strcmp(c->guess, ".") == 0)
+			break;
+		if (!good || strcmp(c->guess, "-") == 0)
+			continue;
+		if (ask->by_sample && i > 0)
+			xlist(&said->samples, ", ", "%s=%s", c->head, c->guess);
+		else
 			xlist(&said->columns, ", ", "%zu=%s", c->number,
 			    c->guess);
 	}
@@ -350,6 +359,24 @@ take_rotor(const char *said, struct inquired *into, char *wrong)
 		snprintf(wrong, WRONG,
 		    tr("expected a diameter from %g to %g mm, got '%.30s'"),
 		    LEAST_ROTOR_MM, MOST_ROTOR_MM, said);
+	return good;
+}
+
+/* Y, which is what Enter stands for, is the size offered, and a number another
+ * one; n gives up: the sheet is refused. */
+static bool
+take_top(const char *settle, const char *said, struct inquired *into,
+    bool *given_up, char *wrong)
+{
+	size_t n = strlen(said);
+	bool yes = strncasecmp(said, "yes", n) == 0;
+	const char *number = yes ? strchr(settle, '=') + 1 : said;
+	*given_up = n > 0 && strncasecmp(said, "no", n) == 0;
+	bool good = text_number(number, &into->top) && into->top > 0;
+	if (!good)
+		snprintf(wrong, WRONG,
+		    tr("expected y, n or another size in mm, got '%.30s'"),
+		    said);
 	return good;
 }
 
@@ -378,9 +405,11 @@ take_place(const char *settle, const char *said, struct inquired *into)
 }
 
 static bool
-take_option(
-    const char *settle, const char *said, struct inquired *into, char *wrong)
+take_option(const char *settle, const char *said, struct inquired *into,
+    bool *given_up, char *wrong)
 {
+	if (strncmp(settle, "top=", 4) == 0)
+		return take_top(settle, said, into, given_up, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
 		return take_rotor(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
@@ -398,9 +427,10 @@ ask_option(struct session *s, const struct site_ask *ask,
 	} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
 	    {"decimal=", N_("decimal sign, point or comma")},
 	    {"sheet=", N_("which sheet is to be read")},
-	    {"range=", N_("which cells are to be read")}};
+	    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
 	char wrong[WRONG] = "";
 	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	char *text = NULL;
 	struct inquiry q = {.about = about,
 	    .ask = ask,
 	    .text = ask->settle,
@@ -411,20 +441,33 @@ ask_option(struct session *s, const struct site_ask *ask,
 	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
 		if (strncmp(ask->settle, ASKS[i].option,
 			strlen(ASKS[i].option)) == 0) {
-			q.text = tr(ASKS[i].question);
-			q.offered = i < 2 ? "" : strchr(ask->settle, '=') + 1;
+			const char *value = strchr(ask->settle, '=') + 1;
+			bool top = strcmp(value, "SIZE") != 0 &&
+				   ASKS[i].question == NULL;
+			text = top ? xasprintf(tr("assume 100 %% passes %s mm"),
+					 value)
+				   : xstrdup(tr(
+					 ASKS[i].question != NULL
+					     ? ASKS[i].question
+					     : N_("size in mm that all of the "
+						  "feed passes, or n")));
+			q.text = text;
+			q.offered = top                                 ? "Y/n"
+				    : i < 2 || ASKS[i].question == NULL ? ""
+									: value;
 		}
 	bool good = false, given_up = false;
 	while (!good && !given_up) {
 		char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		wrong[0] = '\0';
-		good = !given_up &&
-		       take_option(ask->settle, text_trim(answer), said, wrong);
+		good = !given_up && take_option(ask->settle, text_trim(answer),
+					said, &given_up, wrong);
 		free(answer);
 		q.first = false;
 	}
 	free(about);
+	free(text);
 	return good;
 }
 

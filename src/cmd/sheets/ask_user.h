@@ -23,9 +23,9 @@ struct inquiry {
 /* What somebody said, as load's options have it: texts are the caller's, NULL
  * and zeros where nothing was asked. */
 struct inquired {
-	char *columns, *sheet, *range;
+	char *columns, *samples, *sheet, *range;
 	char decimal;
-	double rotor; /* m */
+	double rotor, top; /* m, mm */
 };
 
 /* Asks session->hooks.question until all that is open has an answer; false:

@@ -428,6 +428,11 @@ check_site(
 		finding(r, entry, false, "site file",
 		    "provenance is not stated: add a line 'provenance,...' "
 		    "with the source of the data");
+	if (site_assumed_top(entry->site) > 0)
+		finding(r, entry, false, "feed",
+		    "all of it is assumed to pass %g mm: a coarser sieve would "
+		    "show it",
+		    site_assumed_top(entry->site));
 	return ok;
 }
 

@@ -30,7 +30,7 @@ struct load {
 	struct site_request request;
 	char **path;
 	double *speed;
-	char *columns, *sheet, *range;
+	char *columns, *samples, *sheet, *range;
 	const char *digest;
 };
 
@@ -64,6 +64,7 @@ load_clear(struct load *l)
 	free(l->path);
 	free(l->speed);
 	free(l->columns);
+	free(l->samples);
 	free(l->sheet);
 	free(l->range);
 }
@@ -156,12 +157,15 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 		return false;
 	bool good = inquire(s, ask, &errors->item[0], &said);
 	take_text(&l->columns, &l->request.columns, said.columns);
+	take_text(&l->samples, &l->request.samples, said.samples);
 	take_text(&l->sheet, &l->request.sheet, said.sheet);
 	take_text(&l->range, &l->request.range, said.range);
 	if (said.decimal != '\0')
 		l->request.decimal = said.decimal;
 	if (said.rotor > 0)
 		l->request.rotor = said.rotor;
+	if (said.top > 0)
+		l->request.top = said.top;
 	return good;
 }
 
@@ -169,10 +173,13 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 static void
 write_journal(struct session *s, const struct load *l, const struct site *site)
 {
+	char number[32];
 	char *line =
 	    journal_load(site, l->request.n, l->request.path, l->request.speed);
 	if (l->columns != NULL)
 		xappend(&line, " columns=\"%s\"", l->columns);
+	if (l->samples != NULL)
+		xappend(&line, " samples=\"%s\"", l->samples);
 	if (l->sheet != NULL)
 		xappend(&line, " sheet=\"%s\"", l->sheet);
 	if (l->range != NULL)
@@ -182,6 +189,8 @@ write_journal(struct session *s, const struct load *l, const struct site *site)
 		    l->request.decimal == ',' ? "comma" : "point");
 	if (l->request.rotor > 0)
 		xappend(&line, " rotor_mm=%g", 1000 * l->request.rotor);
+	if (l->request.top > 0)
+		xappend(&line, " top=%s", text_exact(l->request.top, number));
 	journal_add(s, NULL, "%s", line);
 	free(line);
 }
@@ -195,7 +204,9 @@ read_site(struct session *s, struct load *l, struct error *error)
 		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
 		struct site *site = site_read_as(&l->request, &errors, &ask);
+		/* What is answered about a feed would not be saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
+			     !l->request.feed &&
 			     ask_somebody(s, l, &ask, &errors);
 		site_ask_clear(&ask);
 		if (site != NULL)
@@ -271,8 +282,9 @@ struct unread {
 	struct error *fault;
 };
 
-/* All of them, in order: the last as the error, of the kind of the first.
- * skip: none is an error. */
+/* All of them: the first that is not there, or else the first, as the error,
+ * which is told last: the others may lack no more than what it has.  skip: none
+ * is an error. */
 static bool
 tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)
@@ -280,12 +292,16 @@ tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
 	if (u->n == 0)
 		return true;
 	session_note(s, "%zu of %zu files are loaded, not these:", n - u->n, n);
-	for (size_t i = 0; i + !skip < u->n && s->notes != NULL; i++)
-		error_print(&u->fault[i], s->notes);
+	size_t last = 0;
+	while (last < u->n && u->fault[last].kind != ERROR_SYSTEM)
+		last++;
+	last = last < u->n ? last : 0;
+	for (size_t i = 0; i < u->n && s->notes != NULL; i++)
+		if (skip || i != last)
+			error_print(&u->fault[i], s->notes);
 	if (skip)
 		return true;
-	*error = u->fault[u->n - 1];
-	error->kind = u->fault[0].kind;
+	*error = u->fault[last];
 	return false;
 }
 
@@ -303,6 +319,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 		one.request.path = &l->request.path[i];
 		one.request.speed = &l->request.speed[i];
 		one.columns = l->columns != NULL ? xstrdup(l->columns) : NULL;
+		one.samples = l->samples != NULL ? xstrdup(l->samples) : NULL;
 		one.sheet = l->sheet != NULL ? xstrdup(l->sheet) : NULL;
 		one.range = l->range != NULL ? xstrdup(l->range) : NULL;
 		bool loaded = load_as_one(s, &one, &fault);
@@ -313,6 +330,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 			unread.fault[unread.n++] = fault;
 		}
 		free(one.columns);
+		free(one.samples);
 		free(one.sheet);
 		free(one.range);
 	}
@@ -474,12 +492,14 @@ take_options(struct load *l, const struct args *args)
 	const struct value *decimal = args_value(args, "decimal");
 	const struct value *rotor = args_value(args, "rotor_mm");
 	l->request.columns = l->columns = given_text(args, "columns");
+	l->request.samples = l->samples = given_text(args, "samples");
 	l->request.sheet = l->sheet = given_text(args, "sheet");
 	l->request.range = l->range = given_text(args, "range");
 	if (decimal->given)
 		l->request.decimal = decimal->choice == 1 ? ',' : '.';
 	if (rotor->given)
 		l->request.rotor = rotor->number / 1000;
+	l->request.top = args_value(args, "top")->number;
 }
 
 /* What somebody answered, as an option of the line that is saved. */
@@ -501,6 +521,7 @@ save_answers(struct session *s, const struct args *args, const struct load *l,
 	const struct site_request *q = &l->request;
 	char number[32];
 	save_answer(s, args, "columns", l->columns);
+	save_answer(s, args, "samples", l->samples);
 	save_answer(s, args, "sheet", l->sheet);
 	save_answer(s, args, "range", l->range);
 	if (q->decimal != '\0')
@@ -509,6 +530,8 @@ save_answers(struct session *s, const struct args *args, const struct load *l,
 	if (q->rotor != rotor)
 		save_answer(
 		    s, args, "rotor_mm", text_exact(1000 * q->rotor, number));
+	if (q->top > 0)
+		save_answer(s, args, "top", text_exact(q->top, number));
 }
 
 struct site *
@@ -571,7 +594,7 @@ find_feed(const struct site *site, const char *word, double speed, size_t *run,
 struct site *
 load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 {
-	struct load l = {0};
+	struct load l = {.request.feed = true};
 	struct site *site = NULL;
 	bool good = load_init(&l, 1, &word, error);
 	double speed = good ? l.speed[0] : 0;

@@ -138,6 +138,9 @@ take_origin(struct stored *m, const struct entry *entry)
 	set(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
 	set_copy(&m->note, own ? "" : o->words);
+	if (own && site_assumed_top(entry->site) > 0)
+		set(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
+				  site_assumed_top(entry->site)));
 }
 
 static struct stored

@@ -15,11 +15,17 @@ static const struct command_option SHOW_OPTIONS[] = {
 	    "what the columns are, by number: \"1=sieve mm, 2=feed "          \
 	    "retained_g, 4=product@70\"; others are left out; numbers of "    \
 	    "lines where the sieves go across"},                              \
+	    {"samples", VALUE_TEXT, "", 0, 0, NULL, "",                       \
+		"what samples are, by name: \"S01=feed, S02=@70\"; others "   \
+		"are left out"},                                              \
 	    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"}, \
 	    {"range", VALUE_TEXT, "", 0, 0, NULL, "",                         \
 		"part of a sheet, as A3:F20; default: all"},                  \
 	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
 		"decimal sign of the numbers, where they do not tell"},       \
+	    {"top", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                  \
+		"size that all of the feed passes, where its coarsest sieve " \
+		"does not: an assumption, which every answer tells"},         \
 	{                                                                     \
 		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
 		    "diameter of the rotor, for speeds in rpm"                \

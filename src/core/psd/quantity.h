@@ -40,6 +40,7 @@ struct quantity {
 	size_t n_sieve;
 	const double *sieve; /* [n_sieve] m, coarsest first; not owned */
 	struct fraction fraction;
+	char letter; /* of QUANTITY_SIZE, as it was called: 'D'; 0: P */
 };
 
 /* Whether two are the same number of a product. */

@@ -39,6 +39,17 @@ site_add_note(
 	(*list)[(*n)++] = (struct site_note){xstrdup(key), xstrdup(value)};
 }
 
+double
+site_assumed_top(const struct site *site)
+{
+	double mm, most = 0;
+	for (size_t i = 0; i < site->n_note; i++)
+		if (strcmp(site->note[i].key, SITE_ASSUMED_TOP) == 0 &&
+		    text_number(site->note[i].value, &mm))
+			most = fmax(most, mm);
+	return most;
+}
+
 static void
 notes_free(struct site_note *list, size_t n)
 {

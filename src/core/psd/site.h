@@ -146,6 +146,13 @@ double site_middle(const struct site *site);
  * all other words "measured", says who wrote them. */
 const char *site_data_kind(const char *provenance);
 
+/* The key of the line of a sheet's heading that says what size, mm, all of the
+ * feed was assumed to pass, as its coarsest sieve did not show it. */
+#define SITE_ASSUMED_TOP "assumed_top_mm"
+
+/* That size, mm; 0: nothing was assumed. */
+double site_assumed_top(const struct site *site);
+
 /* Whether they were never measured at a plant, as they say themselves. */
 bool site_data_made_up(const char *provenance);
 

@@ -84,6 +84,7 @@ merge(struct head *said, const struct head *more, bool own, bool titles)
 		memcpy(said->number, more->number, sizeof said->number);
 	}
 	said->several = said->several || more->several;
+	said->range = said->range || more->range;
 }
 
 /* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
@@ -264,6 +265,10 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		       (near(end, 100, 10) || near(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
+	if (s->has_pan && s->pan > 0.015 * s->most) {
+		*kind = RETAINED; /* what passes ends at the pan */
+		return parts_scale(s, total, scale) && s->n > 2;
+	}
 	*kind = PASSING;
 	if (s->most > 100.5) {
 		*kind = RETAINED;
@@ -325,19 +330,23 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		       : s->has_pan      ? s->pan
 					 : s->last;
 	bool one = s->most <= 1 + 1e-9;
+	/* "g or %": the numbers tell. */
+	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
+		return kind == RETAINED && parts_scale(s, total, scale);
 	if ((means & WORD_PERCENT) != 0) {
 		*scale = OF_100;
 		if (!one || s->most <= 0)
 			return true;
 		*scale = OF_1;
-		assume(c, "fractions, as nothing is above 1");
-		return near(whole, 1, 1.05) && s->n > 2;
+		return false;
 	}
 	if ((means & WORD_GRAMS) != 0) {
 		*scale = OF_MASS;
 		return kind != PASSING;
 	}
 	if ((means & WORD_SHARE) != 0) {
+		/* 1.002 is a fraction, and refused as one. */
+		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
 		return one || (kind == PASSING && near(s->first, 100, 0.6));
 	}
@@ -360,9 +369,11 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 }
 
 /* Whether a head in the form of tipspeed-site(5) defines the unit: product@69
- * is per cent passing, unless its numbers rise and fall.  Then *unit is it. */
+ * is per cent passing, unless its numbers rise and fall; or one given by hand,
+ * told, in words that leave nothing open.  Then *unit is it. */
 static bool
-is_defined(const struct column *c, const struct shape *s, size_t *unit)
+is_defined(
+    const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
 	const struct block *b = c->table->block;
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
@@ -375,9 +386,9 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
 	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
 	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
-	if (b->n_head != 1 ||
-	    strncmp(b->head[0].cell[0].text, "size_", 5) != 0 || b->across ||
-	    c->said.unknown > 0)
+	bool own = b->n_head == 1 && !b->across &&
+		   strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
+	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
 		if (DEFINED[i].words == words) {
@@ -394,10 +405,26 @@ is_defined(const struct column *c, const struct shape *s, size_t *unit)
 static bool
 has_classes(const struct table *t)
 {
-	for (size_t i = 0; i < t->n_row; i++)
+	/* 3/8 of an inch is none. */
+	bool named = t->unit.series != SIEVE_NONE;
+	for (size_t i = 0; i < t->n_row && !named; i++)
 		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
 			return true;
 	return false;
+}
+
+/* What was said to be per cent, and is no more than 1 where all passes. */
+static void
+refuse_small(struct column *c, const struct shape *s)
+{
+	const struct site_unit *unit = &SITE_UNITS[c->unit];
+	if (unit->scale != OF_100 || s->n < 3 || s->most > 1 ||
+	    !near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
+		return;
+	sheet_fault(c->table->sheet, c->head,
+	    "expected %s, got nothing above 1 in column %zu\n"
+	    "say fraction, retained_fraction or cum_retained_fraction of it",
+	    tr(unit->words), c->table->block->number[c->at]);
 }
 
 static void
@@ -413,8 +440,11 @@ find_unit(struct column *c, bool told)
 	if (c->role == SD || s.n == 0)
 		return;
 	bool classes = has_classes(c->table);
-	if (!classes && is_defined(c, &s, &c->unit))
+	if (!classes && is_defined(c, &s, told, &c->unit)) {
+		if (told)
+			refuse_small(c, &s);
 		return;
+	}
 	c->unit = 0;
 	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
 		sure = guess_kind(&s, total, &kind, &scale);
@@ -471,6 +501,18 @@ bare_speed(const struct head *said)
 		found = v;
 	}
 	return found;
+}
+
+/* Whether a head is a number alone that is no tip speed: then those beside it,
+ * such as minutes, are none either. */
+static bool
+is_other_number(const struct block *b, size_t at)
+{
+	struct head said = read_heads(b, at);
+	uint64_t words = said.means & ~(uint64_t)WORD_FILLER;
+	return said.n_number == 1 && said.unknown == 0 && words == 0 &&
+	       said.unit == SPEED_NO_UNIT &&
+	       (said.number[0] < 20 || said.number[0] > 110);
 }
 
 static void
@@ -603,7 +645,7 @@ is_no_sample(const struct column *c, struct site *site)
 		leave_out(site, b->number[c->at], "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
-		   c->said.speed == 0) {
+		   c->said.speed == 0 && !c->said.range) {
 		leave_out(site, b->number[c->at], "%s: the sieves again", head);
 	} else {
 		return false;
@@ -637,6 +679,46 @@ note_speed(struct table *t, size_t at, struct surroundings *near)
 		near->speed = head_mps(v, c.said.unit, near->rotor);
 }
 
+/* The numbers of column `at` from their least to their most. */
+static void
+bounds_of(struct table *t, size_t at, double *least, double *most)
+{
+	struct column c = {.table = t, .at = at};
+	double *raw = xdoubles(t->n_row);
+	site_column_raw(&c, raw);
+	*least = INFINITY;
+	*most = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		double v = isnan(raw[i]) ? -1 : raw[i];
+		*least = fmin(*least, v);
+		*most = fmax(*most, v);
+	}
+	free(raw);
+}
+
+/* Refuses the mass of empty sieves, the same throughout, beside that of full
+ * ones, of which nothing is said: what was retained is their difference. */
+static void
+refuse_tare(struct table *t)
+{
+	const struct block *b = t->block;
+	double tare = 0, least, most;
+	for (size_t at = 1; at < b->n_col; at++) {
+		struct head said = read_heads(b, at);
+		bool told = (said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
+		bounds_of(t, at, &least, &most);
+		if (!told && tare > 0 && least >= tare && most > tare)
+			sheet_fault(t->sheet, t->row[0].cell[at],
+			    "expected what the sieves retained, got nothing "
+			    "below the %g of column %zu: empty and full "
+			    "sieves?\n"
+			    "write their differences as a column: mass "
+			    "retained",
+			    tare, b->number[at - 1]);
+		tare = !told && least == most && least > 0 ? least : 0;
+	}
+}
+
 void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
@@ -647,6 +729,10 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
 		note_speed(t, at, &around);
+	if (!near->told)
+		refuse_tare(t);
+	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
+		around.counted = around.counted || is_other_number(b, at);
 	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;
@@ -656,7 +742,10 @@ recognise_columns(struct table *t, const struct surroundings *near,
 			c.head = cell != NULL ? *cell : c.head;
 		}
 		c.said = read_heads(b, at);
-		if (is_no_sample(&c, site))
+		if (around.counted && c.said.n_number == 1)
+			c.said.n_number = 0;
+		if (near->samples->n > 0 ? !samples_take(near->samples, &c)
+					 : is_no_sample(&c, site))
 			continue;
 		find_role(&c, near);
 		find_speed(&c, near);
@@ -698,19 +787,49 @@ rank(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
-/* Whether two columns are one sample in two quantities. */
+/* Whether the words that nobody knows, or that have digits, are the same in the
+ * heads of two columns: the name of one sample. */
+static bool
+is_called_alike(const struct column *a, const struct column *b)
+{
+	const struct column *both[] = {a, b};
+	char *name[] = {xstrdup(""), xstrdup("")};
+	for (size_t i = 0; i < 2; i++) {
+		char *head = layout_head(both[i]->table->block, both[i]->at);
+		char *rest = head;
+		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
+			size_t unknown, n = strlen(word);
+			vocabulary_text(word, &unknown);
+			if ((unknown > 0 && n > 1) ||
+			    strpbrk(word, "0123456789") != NULL)
+				xlist(&name[i], " ", "%s", word);
+		}
+		free(head);
+	}
+	bool same = text_same(name[0], name[1]);
+	free(name[0]);
+	free(name[1]);
+	return same;
+}
+
+/* Whether two columns are one sample in two quantities, of which one at least
+ * is stated. */
 static bool
 is_same_sample(const struct column *a, const struct column *b)
 {
+	bool stated =
+	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
 	bool numbers =
 	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
 				(a->said.n_number == 0 ||
 				    a->said.number[0] == b->said.number[0]));
-	return a->table == b->table && a->role == b->role && a->role != SD &&
-	       fabs(a->speed - b->speed) < 1e-3 && a->rpm == b->rpm &&
-	       numbers &&
-	       (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
-		   SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
+	bool same = a->table == b->table && a->role == b->role &&
+		    a->role != SD && fabs(a->speed - b->speed) < 1e-3 &&
+		    a->rpm == b->rpm && numbers &&
+		    (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
+			SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
+	return same &&
+	       (a->role != NO_ROLE || (stated && is_called_alike(a, b)));
 }
 
 /* It is compared with the other one, and not used. */
@@ -719,7 +838,7 @@ mark_twin(struct column *c, const struct column *other)
 {
 	c->twin = other->table->block->number[other->at];
 	c->role = NO_ROLE;
-	c->open = false;
+	c->open = c->no_role = false;
 }
 
 /* The words of the heads of a column that nobody knows, and ranges such as 0/4:
@@ -867,13 +986,27 @@ guess_feed(struct columns *all, size_t feeds)
 	struct column *only = NULL;
 	size_t n = 0;
 	for (size_t i = 0; i < all->n; i++) {
-		if (all->column[i].role != NO_ROLE)
+		if (all->column[i].role != NO_ROLE || all->column[i].twin > 0)
 			continue;
 		only = &all->column[i];
 		n++;
 	}
-	if (n == 1 && feeds == 0)
-		only->role = FEED;
+	if (n != 1 || feeds > 0)
+		return;
+	only->role = FEED;
+	/* Beside a file of products a file with one sample has the feed. */
+	size_t own = 0, others = 0;
+	const char *path = only->table->sheet->path;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool same = strcmp(c->table->sheet->path, path) == 0;
+		own += same && c->twin == 0;
+		others += !same;
+	}
+	if (own == 1 && others > 0) {
+		only->no_role = false;
+		assume(only, "as the feed");
+	}
 }
 
 void
@@ -901,19 +1034,20 @@ recognise_settle(
 			drop(all, i--);
 			continue;
 		}
-		c->open = true;
+		c->no_role = true;
 	}
 	drop_means(all, site);
+	drop_twins(all, site);
 	guess_feed(all, feeds);
 	free_feed(all);
-	drop_twins(all, site);
 	if (!told)
 		ask_repeats(all);
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;
-		c->open = c->open || (c->role == PRODUCT && !(c->speed > 0)) ||
+		c->open = c->open || c->no_role ||
+			  (c->role == PRODUCT && !(c->speed > 0)) ||
 			  (c->role == SD && !(c->speed > 0));
 		c->nth = 0;
 		for (size_t k = 0; k < i; k++)

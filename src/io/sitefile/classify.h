@@ -7,16 +7,20 @@
 
 #include "core/psd/site.h"
 #include "io/sitefile/site_column.h"
+#include "io/sitefile/site_samples.h"
 
 /* What is known beside the table.  rotor: its diameter, m; 0: not known.
  * speed: m/s, of samples whose heads tell none; 0.  context: the meanings of
  * the words around the table (title, name of the sheet or file) that tell feed
  * from product.  told: the heads were given by hand.
+ * samples: what is said of them by name.
+ * counted: numbers alone in heads are no tip speeds.
  * strange: the title has words that may tell another machine or day. */
 struct surroundings {
 	double rotor, speed;
 	uint64_t context;
-	bool told, strange;
+	bool told, strange, counted;
+	struct samples *samples;
 };
 
 /* Adds the columns of a table that hold samples, with what can be told from

@@ -159,6 +159,15 @@ number_at(const char **text, double *value)
 	return parts == 1 && text_number(copy, value);
 }
 
+/* Behind the unit of mass at text, or text where there is none. */
+static const char *
+grams_after(const char *text)
+{
+	size_t n = strspn(text, "k") + 1;
+	bool grams = n <= 2 && text[n - 1] == 'g' && !is_letter(text[n]);
+	return grams ? text + n : text;
+}
+
 /* Notes what a number says, with the unit after it, which *text moves over. */
 static void
 take_number(struct head *head, const char **text, double value, bool at)
@@ -168,8 +177,11 @@ take_number(struct head *head, const char **text, double value, bool at)
 	enum speed_unit unit = unit_at(p, &n);
 	if (unit == SPEED_NO_UNIT && at)
 		unit = SPEED_MPS;
-	if (unit == SPEED_NO_UNIT && other_unit_at(p))
+	if (unit == SPEED_NO_UNIT && other_unit_at(p)) {
+		/* "Soil A (100g)" tells how much it was, not in what. */
+		*text = grams_after(p);
 		return;
+	}
 	if (unit == SPEED_NO_UNIT) {
 		if (head->n_number < HEAD_NUMBERS)
 			head->number[head->n_number++] = value;
@@ -294,6 +306,46 @@ read_number(struct head *head, const char *start, const char **text, bool at,
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
 
+/* The bytes of what is between the sizes of a range, "-" or "-d-"; 0: nothing
+ * that is. */
+static size_t
+range_at(const char *p)
+{
+	static const char *const BETWEEN[] = {
+	    "-d-", "/d/", "-", "/", " - ", "\xE2\x80\x93"};
+	for (size_t i = 0; i < ARRAY_LEN(BETWEEN); i++) {
+		size_t n = strlen(BETWEEN[i]);
+		if (strncmp(p, BETWEEN[i], n) == 0 &&
+		    isdigit((unsigned char)p[n]))
+			return n;
+	}
+	return 0;
+}
+
+/* Whether a text has two sizes, and no date, which has three numbers. */
+static bool
+has_range(const char *text)
+{
+	static const char NUMBER[] = "0123456789.,";
+	for (const char *p = text; *p != '\0'; p++) {
+		size_t n = strspn(p, NUMBER), between = range_at(p + n);
+		if (n == 0 || !isdigit((unsigned char)*p))
+			continue;
+		p += n;
+		if (between == 0) {
+			p--;
+			continue;
+		}
+		size_t second = strspn(p + between, NUMBER);
+		p += between + second;
+		bool date = second == 4 || n == 4;
+		if (!date && range_at(p) == 0)
+			return true;
+		p += strspn(p, "0123456789.,-/") - 1;
+	}
+	return false;
+}
+
 struct head
 head_read(const char *text)
 {
@@ -322,6 +374,7 @@ head_read(const char *text)
 			p++;
 		}
 	}
+	head.range = has_range(folded);
 	head.means = vocabulary_text(words, &head.unknown);
 	free(words);
 	free(folded);

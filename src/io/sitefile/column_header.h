@@ -20,14 +20,15 @@ enum speed_unit {
  * unit: of a speed, with or without a number.  speed: m/s, 0 where none is told
  * in a unit of speed; rpm: 0 likewise.  number: the first of n_number numbers
  * without any unit.  several: it tells two speeds.
- * spread: its speed stands in a cell at its left. */
+ * spread: its speed stands in a cell at its left.  range: it has a range of
+ * sizes, 0-4 mm or 53-D-63, which is the name of a sample. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
 	uint64_t means;
 	size_t unknown, n_number;
 	enum speed_unit unit;
 	double speed, rpm, number[HEAD_NUMBERS];
-	bool several, spread;
+	bool several, spread, range;
 };
 
 /* Reads one cell of a head. */

@@ -29,7 +29,9 @@ struct nature {
 		IS_HEAD = 2,
 		HAS_FOOT = 4,
 		IS_FOOT = 8,
-		HAS_KIND = 16
+		HAS_KIND = 16,
+		IS_PHI = 32,
+		IS_NUMBER = 64
 	} bits;
 	enum sieve_kind kind;
 	double mm;
@@ -40,7 +42,8 @@ struct nature {
  * after the one before, so that the grid turned over has the same.  row_number
  * [n_row]: in the sheet, or the column's where the grid is turned over.  gap
  * [n_row]: something empty is above it.  number [n_row * n_col], row by row:
- * the first column from there on that has a number, n_col: none has. */
+ * the first column from there on that has a number, n_col: none has.  phi
+ * [n_col]: the column has sizes in phi, of which 0 and less are some. */
 struct grid {
 	struct sheet *sheet;
 	bool across;
@@ -48,7 +51,7 @@ struct grid {
 	struct cell *at;
 	struct nature *nature;
 	size_t *row_number, *col_number;
-	bool *gap, *used;
+	bool *gap, *used, *phi;
 	unsigned *number;
 };
 
@@ -121,6 +124,7 @@ grid_new(struct sheet *sheet, struct layout_range range)
 	g.col_number = xcalloc(g.n_col + 1, sizeof *g.col_number);
 	g.gap = xcalloc(g.n_row + 1, sizeof *g.gap);
 	g.used = xcalloc(g.n_row * g.n_col + 1, sizeof *g.used);
+	g.phi = xcalloc(g.n_col + 1, sizeof *g.phi);
 	for (size_t c = 0; c < g.n_col; c++)
 		g.col_number[c] = c + 1;
 	for (size_t r = 0; r < g.n_row; r++) {
@@ -176,6 +180,7 @@ grid_turned(const struct grid *g)
 	    .col_number = g->row_number,
 	    .used = g->used};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
+	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
 	find_numbers(&t);
 	return t;
 }
@@ -184,6 +189,7 @@ static void
 grid_clear(struct grid *g)
 {
 	free(g->gap);
+	free(g->phi);
 	free(g->number);
 	if (g->across) /* the rest is the other's */
 		return;
@@ -194,10 +200,10 @@ grid_clear(struct grid *g)
 	free(g->used);
 }
 
-/* Whether a cell can head a column of sieves: a word for size or sieve, or a
- * unit of size alone, and no word for something else. */
-static bool
-can_head(const struct cell *cell)
+/* The words of a cell that can head a column of sieves: a word for size or
+ * sieve, or a unit of size alone, and no word for something else; or 0. */
+static uint64_t
+head_words(const struct cell *cell)
 {
 	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
 				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
@@ -208,26 +214,75 @@ can_head(const struct cell *cell)
 	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
 	    strpbrk(cell->text, "0123456789") != NULL || number_absent(*cell) ||
 	    text_same(cell->text, "top_size_mm"))
-		return false;
+		return 0;
 	uint64_t means = vocabulary_text(cell->text, &unknown);
-	uint64_t units = WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS;
+	uint64_t units =
+	    WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS | WORD_PHI;
 	/* A micrometre, too, in some languages: "My quarry" is a name. */
 	bool mine = unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
 	if ((means & ELSE) != 0 || mine)
-		return false;
-	return (means & WORD_SIZE) != 0 ||
-	       ((means & units) != 0 && unknown <= 1 &&
-		   (means & ~units & ~WORD_FILLER) == 0);
+		return 0;
+	/* "Lower phi" is a limit of a class, not of a specification. */
+	uint64_t more =
+	    WORD_FILLER | ((means & WORD_PHI) != 0 ? WORD_LIMIT : 0);
+	bool unit = (means & units) != 0 && unknown <= 1 &&
+		    (means & ~units & ~more) == 0;
+	bool number =
+	    (means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER && unknown == 0;
+	return (means & WORD_SIZE) != 0 || unit || number ? means : 0;
+}
+
+/* Numbers that sieves of ASTM E11 have, below a head that says no more than
+ * number: 4, 8, 16, but not 4, 5, 6, which counts something. */
+static bool
+has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
+{
+	size_t n = 0;
+	double v, last = NAN, step = 0;
+	for (r++; r < g->n_row && !g->gap[r]; r++) {
+		const struct cell *cell = cell_at(g, r, c);
+		if (!number_of(g->sheet, *cell, &v))
+			break;
+		if (isnan(sieve_names_mm(cell->text, SIEVE_ASTM)))
+			return false;
+		step = n > 0 ? fmax(step, fabs(v - last)) : 0;
+		last = v;
+		n++;
+	}
+	return n > 2 && step > 1;
 }
 
 static bool
 is_sieve_head(const struct grid *g, size_t r, size_t c)
 {
 	struct nature *nature = &g->nature[index_at(g, r, c)];
-	if ((nature->bits & HAS_HEAD) == 0)
+	if ((nature->bits & HAS_HEAD) == 0) {
+		uint64_t means = head_words(cell_at(g, r, c));
 		nature->bits |=
-		    HAS_HEAD | (can_head(cell_at(g, r, c)) ? IS_HEAD : 0);
-	return (nature->bits & IS_HEAD) != 0;
+		    HAS_HEAD | (means != 0 ? IS_HEAD : 0) |
+		    ((means & WORD_PHI) != 0 ? IS_PHI : 0) |
+		    ((means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER ? IS_NUMBER
+								     : 0);
+	}
+	return (nature->bits & IS_HEAD) != 0 &&
+	       ((nature->bits & IS_NUMBER) == 0 ||
+		   has_numbers_of_sieves(g, r, c));
+}
+
+/* Whether phi is said above numbers that can be it: the letter is that of a
+ * diameter, too. */
+static bool
+is_phi_head(const struct grid *g, size_t r, size_t c)
+{
+	double v;
+	if (!is_sieve_head(g, r, c) ||
+	    (g->nature[index_at(g, r, c)].bits & IS_PHI) == 0)
+		return false;
+	for (r++; r < g->n_row && !g->gap[r]; r++)
+		if (number_of(g->sheet, *cell_at(g, r, c), &v) &&
+		    fabs(v) > SIEVE_MOST_PHI)
+			return false;
+	return true;
 }
 
 static enum sieve_kind
@@ -236,6 +291,10 @@ kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 	struct sieve_unit none = {0, SIEVE_NONE}, length = {1, SIEVE_NONE};
 	struct nature *nature = &g->nature[index_at(g, r, c)];
 	const struct cell *cell = cell_at(g, r, c);
+	if (g->phi[c]) {
+		struct sieve_unit phi = {0, SIEVE_PHI};
+		return sieve_size(g->sheet, *cell, phi, mm);
+	}
 	if ((nature->bits & HAS_KIND) == 0) {
 		nature->bits |= HAS_KIND;
 		nature->kind = sieve_size(g->sheet, *cell, none, &nature->mm);
@@ -263,10 +322,11 @@ has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
 
 /* A table found: rows first to before last, its sieves in column c, headed in
  * row head (g->n_row: by nothing), its numbers before column end.  score:
- * openings that are those of real sieves. */
+ * openings that are those of real sieves.  unsure: as of a block. */
 struct place {
 	size_t c, head, first, last, end;
 	int score;
+	bool unsure;
 };
 
 /* A row that says in words what it has: a sum, a loss. */
@@ -371,7 +431,8 @@ find_headed(const struct grid *g, struct place *place)
 			if (!is_sieve_head(g, r, c))
 				continue;
 			struct place p = {
-			    c, r, r + 1, 0, next_head(g, r, c), 0};
+			    c, r, r + 1, 0, next_head(g, r, c), 0, false};
+			g->phi[c] = g->phi[c] || is_phi_head(g, r, c);
 			while (p.first < g->n_row && p.first < r + 4 &&
 			       !is_sieve(g, p.first, c) &&
 			       !is_sieve_head(g, p.first, c))
@@ -383,6 +444,19 @@ find_headed(const struct grid *g, struct place *place)
 				place[n++] = p;
 		}
 	return n;
+}
+
+/* Whether the cell above numbers, or before those of a line, says that they are
+ * times, remarks or speeds. */
+static bool
+is_other_head(const struct grid *g, size_t r, size_t c)
+{
+	const uint64_t other = WORD_OTHER | WORD_SPEED;
+	if (r == 0)
+		return false;
+	const struct cell *head = cell_at(g, g->across ? 0 : r - 1, c);
+	uint64_t means = vocabulary_text(head->text, NULL);
+	return (means & other) != 0 && (means & WORD_SIZE) == 0;
 }
 
 static bool
@@ -402,7 +476,8 @@ find_bare(const struct grid *g, struct place *place)
 	for (size_t c = 0; c < g->n_col; c++) {
 		for (size_t r = 0;
 		     r < g->n_row && !error_stopped(g->sheet->errors); r++) {
-			struct place p = {c, g->n_row, r, 0, g->n_col, 0};
+			struct place p = {
+			    c, g->n_row, r, 0, g->n_col, 0, false};
 			double mm, last = NAN;
 			size_t rises = 0, falls = 0, n = 0;
 			if (kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
@@ -420,6 +495,7 @@ find_bare(const struct grid *g, struct place *place)
 				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
 			if (n >= LEAST_WITHOUT_HEAD && ordered &&
+			    !is_other_head(g, p.first, c) &&
 			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
 				place[found++] = p;
 			r = p.last > r ? p.last - 1 : r;
@@ -428,6 +504,78 @@ find_bare(const struct grid *g, struct place *place)
 			return found;
 	}
 	return 0;
+}
+
+/* Numbers in order, from row r of column c down to before the row returned.
+ * sizes: each is above 0, they are spread over a factor of 4 or more, and are
+ * no count or time, which goes on by one step; or, phi: they are quarters of
+ * phi, some below 0. */
+static size_t
+ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
+{
+	double v, first = NAN, last = NAN, step = NAN, least = INFINITY,
+		  most = 0;
+	bool even = true, quarters = true;
+	for (; r < g->n_row && !g->gap[r]; r++) {
+		if (!number_of(g->sheet, *cell_at(g, r, c), &v) ||
+		    (!isnan(step) && (v - last) * step <= 0) || v == last ||
+		    !has_numbers(g, r, c, g->n_col))
+			break;
+		even = even && (isnan(step) ||
+				   fabs(v - last - step) < 1e-6 * fabs(step));
+		quarters = quarters && 4 * v == floor(4 * v) &&
+			   fabs(v) <= SIEVE_MOST_PHI;
+		step = v - last;
+		first = isnan(first) ? v : first;
+		last = v;
+		least = fmin(least, v);
+		most = fmax(most, v);
+	}
+	*phi = quarters && least < 0;
+	*sizes = *phi || (least > 0 && most >= 4 * least && !even);
+	return r;
+}
+
+/* Whether a column is headed as another one, in the row above its numbers. */
+static bool
+is_headed_alike(const struct grid *g, size_t r, size_t c, size_t other)
+{
+	return r > 0 && is_filled(g, r - 1, c) &&
+	       strcmp(cell_at(g, r - 1, c)->text,
+		   cell_at(g, r - 1, other)->text) == 0;
+}
+
+/* What no head and no sieve tells: the first column of numbers in order that
+ * has numbers beside it, and further ones with its head.  It may be something
+ * else.  below: of those only that have numbers below 0, so that the others,
+ * in phi, are not taken for sieves. */
+static size_t
+find_ordered(const struct grid *g, bool below, struct place *place)
+{
+	size_t n = 0;
+	for (size_t c = 0; c + 1 < g->n_col; c++)
+		for (size_t r = 0;
+		     r < g->n_row && !error_stopped(g->sheet->errors); r++) {
+			bool sizes, phi;
+			size_t first = r;
+			size_t end = ordered_end(g, r, c, &sizes, &phi);
+			r = end > r ? end - 1 : r;
+			bool like = n == 0 || (first == place[0].first &&
+						  is_headed_alike(
+						      g, first, c, place[0].c));
+			if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
+			    is_other_head(g, first, c) || (below && !phi) ||
+			    !like || n == MOST_TABLES)
+				continue;
+			bool head = first > 0 && is_filled(g, first - 1, c) &&
+				    !is_sieve(g, first - 1, c);
+			place[n++] =
+			    (struct place){c, head ? first - 1 : g->n_row,
+				first, end, g->n_col, (int)(end - first), true};
+			g->phi[c] = g->phi[c] || phi;
+			break;
+		}
+	return n;
 }
 
 /* The tables of a column that somebody says has sieves: from a first one that
@@ -440,12 +588,13 @@ find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 	     r < g->n_row && n < most && !error_stopped(g->sheet->errors);
 	     r++) {
 		double mm;
-		struct place p = {c, r, r, 0, g->n_col, 0};
+		struct place p = {c, r, r, 0, g->n_col, 0, false};
 		if (kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
 		    !has_numbers(g, r, c, g->n_col))
 			continue;
 		find_end(g, &p);
 		p.head = r > 0 ? r - 1 : g->n_row;
+		p.score += (int)(p.last - p.first);
 		if (p.last >= p.first + 2)
 			place[n++] = p;
 		r = p.last > r ? p.last - 1 : r;
@@ -459,9 +608,12 @@ find_told(
 {
 	size_t n = 0;
 	for (size_t i = 0; i < range->n_sieves; i++)
-		for (size_t c = 0; c < g->n_col; c++)
-			if (g->col_number[c] == range->sieves[i])
-				n += find_in(g, c, place + n, MOST_TABLES - n);
+		for (size_t c = 0; c < g->n_col; c++) {
+			if (g->col_number[c] != range->sieves[i])
+				continue;
+			g->phi[c] = g->phi[c] || range->phi;
+			n += find_in(g, c, place + n, MOST_TABLES - n);
+		}
 	return n;
 }
 
@@ -534,13 +686,43 @@ list_columns(const struct grid *g, const struct place *p, size_t from,
 	return n;
 }
 
+/* Where the sieves are there twice, as names and in mm, a row that has one of
+ * them only. */
+static void
+fill_names(struct block *b)
+{
+	static const uint64_t ELSE =
+	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
+	struct sieve_unit none = {0, SIEVE_NONE};
+	double mm;
+	for (size_t c = 1; c < b->n_col; c++) {
+		char *head = layout_head(b, c);
+		uint64_t means = vocabulary_text(head, NULL);
+		free(head);
+		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
+		    (means & ELSE) != 0)
+			continue;
+		for (size_t i = 0; i < b->n_row; i++) {
+			struct cell *own = &b->row[i].cell[0];
+			const struct cell *other = &b->row[i].cell[c];
+			if (number_absent(*own) &&
+			    sieve_size(b->sheet, *other, none, &mm) !=
+				SIEVE_IS_NONE)
+				*own = *other;
+		}
+	}
+}
+
 static void
 take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
     struct layout *layout)
 {
 	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
 	size_t n = list_columns(g, p, from, end, col);
-	struct block b = {.sheet = g->sheet, .across = g->across, .n_col = n};
+	struct block b = {.sheet = g->sheet,
+	    .across = g->across,
+	    .n_col = n,
+	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
 	       is_head_row(g, top - 1, p, end) &&
@@ -563,6 +745,7 @@ take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
 	b.number = xcalloc(n, sizeof *b.number);
 	for (size_t i = 0; i < n; i++)
 		b.number[i] = g->col_number[col[i]];
+	fill_names(&b);
 	layout->block =
 	    xrealloc(layout->block, layout->n + 1, sizeof *layout->block);
 	layout->block[layout->n++] = b;
@@ -573,6 +756,25 @@ static bool
 overlap(const struct place *a, const struct place *b)
 {
 	return a->first < b->last && b->first < a->last;
+}
+
+/* Whether two columns of sieves are the lower and the upper ends of classes, of
+ * which each begins where another one ends: mass is retained on the lower. */
+static bool
+are_ends(const struct grid *g, const struct place *low, const struct place *up)
+{
+	double a, b, last = NAN;
+	size_t n = 0, joined = 0;
+	for (size_t r = low->first; r < low->last; r++) {
+		if (!number_of(g->sheet, *cell_at(g, r, low->c), &a) ||
+		    !number_of(g->sheet, *cell_at(g, r, up->c), &b) || a >= b)
+			return false;
+		double before = r > low->first ? last : (double)NAN;
+		joined += b == before;
+		number_of(g->sheet, *cell_at(g, r, low->c), &last);
+		n++;
+	}
+	return n > 2 && joined + 1 == n;
 }
 
 /* Of two heads above the same sieves the lower one, and of two columns of
@@ -591,9 +793,11 @@ drop_doubles(const struct grid *g, struct place *place, size_t n)
 			if (a->c == b->c)
 				drop = b->first - b->head < a->first - a->head;
 			else if (a->c + 1 == b->c || b->c + 1 == a->c)
-				drop = is_sieve_head(g, a->head, a->c) &&
-				       (b->score > a->score ||
-					   (b->score == a->score && k < i));
+				drop =
+				    is_sieve_head(g, a->head, a->c) &&
+				    !are_ends(g, a, b) &&
+				    (are_ends(g, b, a) || b->score > a->score ||
+					(b->score == a->score && k < i));
 		}
 		if (!drop)
 			place[kept++] = place[i];
@@ -739,8 +943,16 @@ layout_new(struct sheet *sheet, struct layout_range range)
 		n = find_told(&g, &range, down);
 		m = find_told(&t, &range, across);
 	} else if (n == 0 && m == 0) {
-		n = find_bare(&g, down);
-		m = n > 0 ? 0 : find_bare(&t, across);
+		n = find_ordered(&g, true, down);
+		m = find_ordered(&t, true, across);
+		if (n + m == 0) {
+			n = find_bare(&g, down);
+			m = find_bare(&t, across);
+		}
+		if (n + m == 0) {
+			n = find_ordered(&g, false, down);
+			m = find_ordered(&t, false, across);
+		}
 	}
 	bool turned = total_score(across, m) > total_score(down, n);
 	layout->across = turned;
@@ -761,6 +973,7 @@ layout_block_clear(struct block *b)
 	for (size_t i = 0; i < b->n_text; i++)
 		free(b->text[i]);
 	free(b->text);
+	free(b->name);
 	free(b->number);
 }
 

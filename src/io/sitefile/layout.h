@@ -11,7 +11,8 @@
  * right below.  number [n_col]: of the column in the sheet, from 1; across: of
  * the line.  titles: how many of the heads, from the top, are above the line
  * that heads the sieves.  spread: its heads hold for the empty cells at their
- * right, too.  text [n_text]: what heads of a long table were made of. */
+ * right, too.  text [n_text]: what heads of a long table were made of; name
+ * [n_col]: of such a one, what its samples are called, or NULL. */
 struct block {
 	struct sheet *sheet;
 	bool across, is_long;
@@ -19,7 +20,8 @@ struct block {
 	struct row *head, *row, *foot;
 	size_t *number;
 	size_t n_text;
-	char **text;
+	char **text, **name;
+	bool unsure; /* no more than numbers in order tell it from others */
 };
 
 /* The tables of a sheet [n], in their order, and the rows that belong to none
@@ -34,11 +36,12 @@ struct layout {
 
 /* A part of a sheet: lines and columns from..to, each counted from 1; zeros are
  * all of it.  sieves [n_sieves]: the columns of sieves, or their lines, where
- * somebody says. */
+ * somebody says; phi: that they are in phi. */
 enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
 	int first_line, last_line, first_column, last_column;
 	size_t n_sieves, sieves[LAYOUT_SIEVES];
+	bool phi;
 };
 
 /* Keeps a text as long as the block; returns it. */

@@ -30,6 +30,7 @@ struct longer {
 	enum use *use;
 	struct head *head;
 	double *mm;
+	uint64_t told;
 	size_t *size, *first, n_size;
 	size_t *sample, *lead, n_sample;
 	uint64_t *mark;
@@ -103,7 +104,11 @@ static void
 list_sizes(struct longer *l)
 {
 	const struct block *b = l->block;
-	struct sieve_unit unit = sieve_unit_of(l->head[0].means);
+	struct sieve_unit unit =
+	    sieve_unit_of(l->told != 0 ? l->told : l->head[0].means);
+	/* Of which series they are shows later; here they only differ. */
+	if (unit.series == SIEVE_MESH)
+		unit = (struct sieve_unit){1, SIEVE_NONE};
 	struct ranked *ranked = xcalloc(b->n_row, sizeof *ranked);
 	size_t n = 0;
 	for (size_t r = 0; r < b->n_row; r++) {
@@ -302,6 +307,20 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	return text;
 }
 
+/* What a sample is called, by all that tells it from others. */
+static char *
+sample_name(const struct longer *l, size_t sample)
+{
+	char *text = xstrdup("");
+	for (size_t c = 1; c < l->block->n_col; c++) {
+		struct cell cell = l->block->row[l->lead[sample]].cell[c];
+		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
+		    !number_absent(cell))
+			xlist(&text, " ", "%s", cell.text);
+	}
+	return text;
+}
+
 /* An empty row of n cells at a place. */
 static struct row
 empty_row(size_t n, const struct row *from)
@@ -334,6 +353,27 @@ has_room(const struct longer *l)
 		   most, l->n_sample, values, b->sheet->path);
 }
 
+/* The heads of all samples, with their names. */
+static void
+head_samples(const struct longer *l, struct block *wide)
+{
+	const struct block *b = l->block;
+	size_t at = 1;
+	for (size_t s = 0; s < l->n_sample; s++) {
+		char *name = layout_keep(wide, sample_name(l, s));
+		for (size_t c = 1; c < b->n_col; c++) {
+			if (l->use[c] != VALUE)
+				continue;
+			struct cell head = b->row[l->lead[s]].cell[c];
+			head.kind = CELL_TEXT;
+			head.text = layout_keep(wide, sample_head(l, s, c));
+			wide->head[0].cell[at] = head;
+			wide->name[at] = name;
+			wide->number[at++] = b->number[c];
+		}
+	}
+}
+
 /* The wide table of a long one. */
 static void
 widen(struct longer *l)
@@ -350,6 +390,7 @@ widen(struct longer *l)
 	wide.head = xcalloc(1, sizeof *wide.head);
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
+	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
 	const struct row *above =
 	    b->n_head > 0 ? &b->head[b->n_head - 1] : &b->row[0];
 	wide.head[0] = empty_row(wide.n_col, above);
@@ -358,17 +399,8 @@ widen(struct longer *l)
 	char *size = layout_head(b, 0);
 	wide.head[0].cell[0].text = layout_keep(&wide, size);
 	wide.number[0] = b->number[0];
-	size_t at = 1;
-	for (size_t s = 0; s < l->n_sample; s++)
-		for (size_t c = 1; c < b->n_col; c++) {
-			if (l->use[c] != VALUE)
-				continue;
-			struct cell head = b->row[l->lead[s]].cell[c];
-			head.kind = CELL_TEXT;
-			head.text = layout_keep(&wide, sample_head(l, s, c));
-			wide.head[0].cell[at] = head;
-			wide.number[at++] = b->number[c];
-		}
+	wide.name[0] = size;
+	head_samples(l, &wide);
 	for (size_t r = 0; r < b->n_row; r++) {
 		struct cell *to =
 		    &wide.row[l->size[r]].cell[1 + values * l->sample[r]];
@@ -385,12 +417,31 @@ widen(struct longer *l)
 	layout_block_clear(&old);
 }
 
+/* Numbers of samples may stand below "ID" or a date, which no sample is told by
+ * else: the first such column that makes the table a long one does. */
+static bool
+is_long_by_other(struct longer *l)
+{
+	const struct block *b = l->block;
+	bool repeats = 2 * b->n_row >= 3 * l->n_size, found = false;
+	for (size_t c = 1; c < b->n_col && repeats && !found; c++) {
+		if (l->use[c] != UNUSED)
+			continue;
+		l->use[c] = is_numeric(b, c) ? COUNT : KEY;
+		l->n_sample = 0;
+		list_samples(l);
+		found = 2 * l->n_sample <= b->n_row && is_long(l);
+		l->use[c] = found ? l->use[c] : UNUSED;
+	}
+	return found;
+}
+
 bool
-layout_widen(struct block *block)
+layout_widen(struct block *block, uint64_t told)
 {
 	size_t n = block->n_row;
 	bool good = true;
-	struct longer l = {.block = block};
+	struct longer l = {.block = block, .told = told};
 	l.use = xcalloc(block->n_col, sizeof *l.use);
 	l.head = xcalloc(block->n_col, sizeof *l.head);
 	l.mm = xdoubles(n);
@@ -408,7 +459,7 @@ layout_widen(struct block *block)
 	}
 	list_sizes(&l);
 	list_samples(&l);
-	if (is_long(&l) && (good = has_room(&l))) {
+	if ((is_long(&l) || is_long_by_other(&l)) && (good = has_room(&l))) {
 		sort_samples(&l);
 		widen(&l);
 	}

@@ -4,12 +4,14 @@
 #define TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "io/sitefile/layout.h"
 
 /* Of a long table, which has a line for each sieve of each sample, makes one
  * with a column for each sample; leaves others as they are.  False, with a
- * fault, where there are too many samples. */
-bool layout_widen(struct block *block);
+ * fault, where there are too many samples.  told: the words of a head of sieves
+ * given by hand, or 0. */
+bool layout_widen(struct block *block, uint64_t told);
 
 #endif

@@ -67,7 +67,8 @@ static const struct {
 	"e maschenweite korngrosse "
 	"korngro\xC3\x9F"
 	"e lochweite nennweite tamis maille mailles ouverture "
-	"diametre tamiz tamices malla mallas abertura apertura criba tamano "
+	"diametre diametro tamiz tamices malla mallas abertura apertura criba "
+	"tamano "
 	"tamanho "
 	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
 	"silmakoko aukko aukkokoko dimension maskevidde kornstorrelse sikte d "
@@ -76,9 +77,10 @@ static const struct {
     {WORD_TYLER, "tyler"},
     {WORD_BS, "bs bss"},
     {WORD_ASTM, "astm us ussieve"},
+    {WORD_PHI, "phi \xCF\x86 \xCE\xA6 \xCF\x95"},
     {WORD_MM, "mm millimeter millimetre millimetres millimetro milimetro"},
     {WORD_UM, "um micron microns mikron micrometer micrometers micrometre "
-	      "micrometres mikrometer mikrometri my"},
+	      "micrometres mikrometer mikrometri micro micra micras my"},
     {WORD_M, "m meter metre"},
     {WORD_INCH, "in inch inches tum zoll pouce pouces pulgada pulgadas pulg "
 		"polegada polegadas tuuma tuumaa"},
@@ -110,13 +112,14 @@ static const struct {
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
-	"amostra ensaio nayte koe bandprov band no nr n num nummer number "
-	"repeat rep"},
+	"amostra ensaio nayte koe bandprov band repeat rep"},
+    {WORD_SAMPLE | WORD_NUMBER,
+	"no nr n num nummer number numero # n\xC2\xB0 n\xC2\xBA"},
     {WORD_PAN,
 	"pan bottom receiver rest botten trag bunn boden siebboden schale "
 	"auffangschale pfanne fond fondo fundo charola bandeja cazuela pohja "
 	"bund "
-	"receptor recipiente panela"},
+	"receptor receptaculo recipiente panela"},
     {WORD_TOTAL,
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
 	"soma totale yhteensa"},
@@ -271,7 +274,7 @@ vocabulary_text(const char *text, size_t *unknown)
 			p++;
 		if (p == word)
 			p++;
-		if (word[0] == '%' || p > word + 1 ||
+		if (word[0] == '%' || word[0] == '#' || p > word + 1 ||
 		    strchr(LETTERS, word[0]) != NULL) {
 			bool micro = p - word == 3 && word[2] == 'm' &&
 				     (memcmp(word, "\xC2\xB5", 2) == 0 ||

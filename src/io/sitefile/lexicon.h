@@ -40,6 +40,8 @@
 #define WORD_WEIGHED (UINT64_C(1) << 30) /* before sieving: M1 of EN 933-1 */
 #define WORD_MACHINE (UINT64_C(1) << 32)
 #define WORD_MEAN (UINT64_C(1) << 31) /* of several samples */
+#define WORD_PHI (UINT64_C(1) << 33)
+#define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
 
 /* The meanings of n bytes of text_fold's, one word; 0 where it is unknown. */
 uint64_t vocabulary_word(const char *word, size_t n);

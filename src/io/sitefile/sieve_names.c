@@ -209,7 +209,9 @@ sieve_names_mm(const char *text, enum sieve_series head)
 	case SIEVE_BS:
 		return find_mesh(BS, ARRAY_LEN(BS), value);
 	case SIEVE_INCH:
-		return bare ? find_inches(value) : find_astm(SIEVE_INCH, value);
+		return bare && isnan(find_astm(SIEVE_INCH, value))
+			   ? find_inches(value)
+			   : find_astm(SIEVE_INCH, value);
 	case SIEVE_ASTM:
 		return find_astm(SIEVE_ASTM, value);
 	default:
@@ -234,6 +236,20 @@ sieve_names_standard(double mm)
 		if (fabs(OTHERS[i] - mm) < 0.01 * mm)
 			return true;
 	return false;
+}
+
+double
+sieve_names_coarser(double mm, bool astm)
+{
+	static const double EN[] = {0.063, 0.125, 0.25, 0.5, 1, 2, 4, 5.6, 8,
+	    11.2, 16, 22.4, 31.5, 45, 63, 90, 125};
+	static const double E11[] = {0.075, 0.15, 0.3, 0.6, 1.18, 2.36, 4.75,
+	    9.5, 12.5, 19, 25, 37.5, 50, 75, 100};
+	const double *series = astm ? E11 : EN;
+	size_t n = astm ? ARRAY_LEN(E11) : ARRAY_LEN(EN), i = 0;
+	while (i < n && series[i] < 1.01 * mm)
+		i++;
+	return i < n ? series[i] : 10 * ceil(0.1 * sqrt(2) * mm);
 }
 
 char *

@@ -12,7 +12,8 @@ enum sieve_series {
 	SIEVE_INCH,
 	SIEVE_TYLER,
 	SIEVE_BS,
-	SIEVE_MESH
+	SIEVE_MESH,
+	SIEVE_PHI /* -log2 of mm, and no names */
 };
 
 /* The series that the name itself tells; SIEVE_NONE where it is no name. */
@@ -32,6 +33,10 @@ bool sieve_names_is_number(const char *text);
 /* Whether a size is that of a sieve of ISO 565, EN 933-2 or ASTM E11, to 1 %;
  * mm. */
 bool sieve_names_standard(double mm);
+
+/* The next coarser sieve of those that plants have, mm: of EN 933, or in inches
+ * and numbers of ASTM E11.  Above all of them, the next step of the series. */
+double sieve_names_coarser(double mm, bool astm);
 
 /* Of a name that no sieve has: "1/4 in (6.3 mm) and No. 3 1/2 (5.6 mm)", the
  * next coarser and the next finer one.  The caller frees. */

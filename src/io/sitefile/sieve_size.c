@@ -23,6 +23,8 @@ sieve_unit_of(uint64_t means)
 		unit = (struct sieve_unit){25.4, SIEVE_INCH};
 	else if ((means & WORD_M) != 0)
 		unit.mm = 1e3;
+	else if ((means & WORD_PHI) != 0)
+		unit.series = SIEVE_PHI;
 	else if ((means & WORD_TYLER) != 0)
 		unit.series = SIEVE_TYLER;
 	else if ((means & WORD_BS) != 0)
@@ -34,12 +36,19 @@ sieve_unit_of(uint64_t means)
 	return unit;
 }
 
+/* Sizes in phi go by quarters. */
+static const double LEAST_PHI = 0.25;
+
 /* What is left under the finest sieve, as labs of several languages call it:
  * pan, Botten, <0.063. */
 static bool
 is_pan(const char *text)
 {
 	size_t unknown;
+	double below;
+	/* -0.063 is below that sieve; what is coarser may be phi. */
+	if (text[0] == '-' && text_number(text + 1, &below))
+		return below > 0 && below < LEAST_PHI;
 	if (text[0] == '<') {
 		const char *rest = text + 1 + strspn(text + 1, " ");
 		return isdigit((unsigned char)rest[0]) ||
@@ -74,8 +83,8 @@ cut_unit(struct cell *cell, char copy[static 40])
 	return unit.mm;
 }
 
-/* The lower of the two sizes of a class, "11,2/16" or "11,2 - 16", or the one
- * of "> 22,4", as the cell's text. */
+/* The lower of the two sizes of a class, "11,2/16", "11,2 - 16" or "-16 +11.2",
+ * or the one of "> 22,4" or "+22.4", as the cell's text. */
 static bool
 cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
@@ -85,14 +94,16 @@ cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 	if (cell->kind != CELL_TEXT || n >= 40)
 		return false;
 	memcpy(copy, cell->text, n + 1);
-	char *first = copy + strspn(copy, "> ");
-	char *cut = strpbrk(first, "/-");
+	char sign = copy[0];
+	bool signs = sign == '+' || sign == '-';
+	char *first = copy + (signs ? 1 : strspn(copy, "> "));
+	char *cut = strpbrk(first, signs ? "+-" : "/-");
 	part.text = first;
-	if (cut == NULL && first > copy && copy[0] == '>') {
+	if (cut == NULL && first > copy && sign != '-') {
 		cell->text = first;
 		return number_of(sheet, part, &a);
 	}
-	if (cut == NULL || cut == first)
+	if (cut == NULL || cut == first || cut[0] == sign)
 		return false;
 	*cut = '\0';
 	part.text = text_trim(first);
@@ -124,6 +135,13 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		return SIEVE_IS_NONE;
 	if (is_pan(cell.text))
 		return SIEVE_IS_PAN;
+	if (unit.series == SIEVE_PHI) {
+		if (!number_of(sheet, cell, &value) ||
+		    fabs(value) > SIEVE_MOST_PHI)
+			return SIEVE_IS_NONE;
+		*mm = round(exp2(-value) * 1e9) / 1e9;
+		return SIEVE_IS_SIZE;
+	}
 	double named = sieve_names_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;

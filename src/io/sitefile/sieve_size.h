@@ -15,6 +15,9 @@ struct sieve_unit {
 	enum sieve_series series;
 };
 
+/* From 1 m to 1 um: what is beyond is no size in phi. */
+enum { SIEVE_MOST_PHI = 10 };
+
 enum sieve_kind { SIEVE_IS_NONE, SIEVE_IS_PAN, SIEVE_IS_SIZE };
 
 /* The unit that the words of a head tell, see vocabulary.h. */

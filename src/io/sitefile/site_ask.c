@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
@@ -67,8 +68,12 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 		uint64_t means = vocabulary_text(names->text[i], NULL);
 		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-		if ((means & WORD_SIZE) != 0 && (means & other) == 0)
-			add_sieves(range, names->number[i]);
+		if ((means & WORD_SIZE) == 0 || (means & other) != 0) {
+			names->others = true;
+			continue;
+		}
+		add_sieves(range, names->number[i]);
+		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
 	if (good && range->n_sieves == 0)
 		good = error_set(error, ERROR_USAGE,
@@ -88,8 +93,9 @@ names_apply(const struct names *names, struct block *b)
 	for (size_t i = 0; i < names->n; i++)
 		if (names->number[i] == b->number[0])
 			sieve = vocabulary_text(names->text[i], NULL);
-	layout_name(
-	    b, names->number, (const char *const *)names->text, names->n);
+	if (names->others)
+		layout_name(b, names->number, (const char *const *)names->text,
+		    names->n);
 	return sieve;
 }
 
@@ -174,12 +180,99 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 		.open = open};
 }
 
+/* Whether samples are better told by their names: of a long table, whose
+ * columns have no numbers of their own, and of many. */
+static bool
+has_names(struct table *const *table, size_t n_table, const struct columns *all)
+{
+	enum { FEW = 6 };
+	const struct block *b = table[0]->block;
+	size_t unknown = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		unknown += c->twin == 0 && c->role != FEED && !(c->speed > 0);
+	}
+	if (n_table > 1 || (b->name == NULL && unknown <= FEW) ||
+	    !samples_are_apart(b))
+		return false;
+	for (size_t i = 0; i < all->n; i++) {
+		char *label = samples_label(b, all->column[i].at);
+		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
+		free(label);
+		if (!good)
+			return false;
+	}
+	return true;
+}
+
+static bool
+has_feed(const struct columns *all)
+{
+	size_t i = 0;
+	while (i < all->n && all->column[i].role != FEED)
+		i++;
+	return i < all->n;
+}
+
+/* What a column seems to be; the first without a role is the feed, where
+ * nothing else is: *feed, which is then found. */
+static char *
+guess_words(const struct column *c, bool *feed)
+{
+	char *words = recognise_words(c);
+	if (*feed || c->role != NO_ROLE)
+		return words;
+	*feed = true;
+	char *guess = xasprintf("feed%s", words + strcspn(words, " "));
+	free(words);
+	return guess;
+}
+
+/* Everything as samples= would have it: two stand for all. */
+static void
+list_samples(struct site_ask *ask, const struct table *t,
+    const struct columns *all, bool sieves)
+{
+	const struct block *b = t->block;
+	struct cell head = site_sieve_head(t);
+	char *text = xstrdup("");
+	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	if (sieves)
+		xappend(
+		    &ask->settle, "columns=\"%zu=%s\" ", b->number[0], sieve);
+	add_question(ask, t, 0, &head, sieve, sieves);
+	bool feed = has_feed(all);
+	size_t shown = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->twin > 0)
+			continue;
+		char *guess = guess_words(c, &feed);
+		head.text = samples_label(b, c->at);
+		const char *from = strchr(guess, '@');
+		if (shown++ < 2)
+			xlist(&text, ", ", "%s=%s", head.text,
+			    from != NULL ? from : guess);
+		add_question(ask, t, c->at, &head, guess, c->open);
+		free(head.text);
+	}
+	xappend(&ask->settle, "samples=\"%s\"", text);
+	ask->by_sample = true;
+	free(text);
+}
+
 /* Everything as columns= would have it. */
 static void
 list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
     const struct columns *all, bool sieves)
 {
+	if (has_names(table, n_table, all)) {
+		ask->settle = xstrdup("");
+		list_samples(ask, table[0], all, sieves);
+		return;
+	}
 	char *text = xstrdup("");
+	bool feed = has_feed(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
 		const struct block *b = t->block;
@@ -192,7 +285,7 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)
 				continue;
-			char *guess = recognise_words(c);
+			char *guess = guess_words(c, &feed);
 			xlist(&text, ", ", "%zu=%s", b->number[c->at], guess);
 			add_question(ask, t, c->at, &c->head, guess, c->open);
 		}
@@ -215,6 +308,8 @@ list_files(const struct site_request *q, const char *settle)
 	}
 	if (q->columns != NULL && strncmp(settle, "columns", 7) != 0)
 		xappend(&list, " columns=\"%s\"", q->columns);
+	if (q->samples != NULL && strstr(settle, "samples=") == NULL)
+		xappend(&list, " samples=\"%s\"", q->samples);
 	if (q->sheet != NULL)
 		xappend(&list, " sheet=\"%s\"", q->sheet);
 	if (q->range != NULL)
@@ -224,19 +319,42 @@ list_files(const struct site_request *q, const char *settle)
 		    q->decimal == ',' ? "comma" : "point");
 	if (q->rotor > 0)
 		xappend(&list, " rotor_mm=%g", 1000 * q->rotor);
+	if (q->top > 0)
+		xappend(&list, " top=%g", q->top);
 	return list;
+}
+
+/* The line that loads the files as `settle` says.  Where a question takes its
+ * feed from a sheet it has no such options: the sheet is written anew. */
+static char *
+settled_line(const struct site_request *q, const char *settle)
+{
+	char *files = list_files(q, settle);
+	char *line =
+	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
+	const char *slash = strrchr(q->path[0], '/');
+	const char *name = slash != NULL ? slash + 1 : q->path[0];
+	if (q->feed)
+		xappend(&line, "; write \"%.*s-read.csv\"",
+		    (int)strcspn(name, "."), name);
+	free(files);
+	return line;
+}
+
+static const char *
+for_feed(const struct site_request *q)
+{
+	return q->feed ? tr(", and write it anew for feed=") : "";
 }
 
 static bool
 refuse(const struct site_request *q, const struct table *t, struct cell where,
     struct site_ask *ask, struct error_list *errors, const char *what)
 {
-	char *files = list_files(q, ask->settle);
-	struct error *e = error_add(errors);
-	error_at(e, ERROR_DATA, t->sheet->path, where.line, where.column,
-	    "%s\nsay what it is: %s %s %s", what, q->parts ? "add" : "load",
-	    files, ask->settle);
-	free(files);
+	char *line = settled_line(q, ask->settle);
+	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
+	    where.column, "%s\nsay what it is%s: %s", what, for_feed(q), line);
+	free(line);
 	return true;
 }
 
@@ -256,6 +374,40 @@ second_feed(const struct columns *all)
 	return NULL;
 }
 
+/* "AB12" */
+static char *
+corner(size_t column, int line)
+{
+	char letters[8] = "", *first = letters + sizeof letters - 1;
+	for (size_t c = column; c > 0 && first > letters; c = (c - 1) / 26)
+		*--first = (char)('A' + (c - 1) % 26);
+	return xasprintf("%s%d", first, line);
+}
+
+/* Asks for the cells of a table, of which n_row rows are meant. */
+static bool
+ask_range(const struct site_request *q, const struct table *t, size_t n_row,
+    struct cell where, struct site_ask *ask, struct error_list *errors,
+    const char *what)
+{
+	const struct block *b = t->block;
+	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
+	size_t right = 0, left = b->number[0];
+	for (size_t r = 0; r < n_row; r++) {
+		top = t->row[r].line < top ? t->row[r].line : top;
+		bottom = t->row[r].line > bottom ? t->row[r].line : bottom;
+	}
+	for (size_t c = 0; c < b->n_col; c++) {
+		right = b->number[c] > right ? b->number[c] : right;
+		left = b->number[c] < left ? b->number[c] : left;
+	}
+	char *from = corner(left, top), *to = corner(right, bottom);
+	ask->settle = xasprintf("range=%s:%s", from, to);
+	free(from);
+	free(to);
+	return refuse(q, t, where, ask, errors, what);
+}
+
 static bool
 ask_table(const struct site_request *q, struct table *const *table,
     size_t n_table, const struct table *second, struct site_ask *ask,
@@ -265,47 +417,103 @@ ask_table(const struct site_request *q, struct table *const *table,
 	for (size_t i = 0; i < n_table; i++)
 		if (table[i]->sheet != second->sheet)
 			first = table[i];
+	if (strcmp(first->sheet->path, second->sheet->path) != 0) {
+		char *files = xstrdup("");
+		for (size_t i = 0; i < q->n; i++)
+			xlist(&files, " ", "%s@SPEED", q->path[i]);
+		sheet_fault(second->sheet, second->row[0].cell[0],
+		    "expected one feed, got one in each of several files\n"
+		    "give each the tip speed of its samples: load %s",
+		    files);
+		free(files);
+		return true;
+	}
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
 		return refuse(q, second, second->row[0].cell[0], ask, errors,
 		    tr("expected one site, got sheets with a feed each"));
 	}
-	const struct block *b = first->block;
-	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
-	size_t right = 0, left = b->number[0];
-	for (size_t r = 0; r < b->n_row; r++)
-		bottom = b->row[r].line > bottom ? b->row[r].line : bottom;
-	for (size_t c = 0; c < b->n_col; c++) {
-		right = b->number[c] > right ? b->number[c] : right;
-		left = b->number[c] < left ? b->number[c] : left;
-	}
-	ask->settle = xasprintf("range=%c%d:%c%d", 'A' + (int)((left - 1) % 26),
-	    top, 'A' + (int)((right - 1) % 26), bottom);
-	return refuse(q, second, second->row[0].cell[0], ask, errors,
+	return ask_range(q, first, first->n_row, second->row[0].cell[0], ask,
+	    errors,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
+}
+
+static bool
+ask_twice(const struct open *open, const struct site_request *q,
+    struct site_ask *ask, struct error_list *errors)
+{
+	const struct table *t = open->twice;
+	struct cell again = t->row[open->again].cell[0];
+	char *what = xasprintf(tr("expected one table, got the sieves from %s "
+				  "on a second time"),
+	    again.text);
+	ask_range(q, t, open->end, again, ask, errors, what);
+	free(what);
+	return true;
+}
+
+/* Of tables below each other of which nothing tells feed from product, the one
+ * with most sieves, of which the others are perhaps extracts; NULL: there is
+ * one, or something tells. */
+static const struct table *
+largest(struct table *const *table, size_t n_table, const struct columns *all)
+{
+	const struct table *most = table[0];
+	bool below = false;
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role != NO_ROLE)
+			return NULL;
+	for (size_t i = 1; i < n_table; i++) {
+		const struct table *before = table[i - 1];
+		below = below || (table[i]->sheet == before->sheet &&
+				     table[i]->block->row[0].line >
+					 before->block->row[0].line);
+		most = table[i]->n_row > most->n_row ? table[i] : most;
+	}
+	return below ? most : NULL;
 }
 
 /* What is the first column that is open, and how fast was it? */
 /* The only number of a column that is more than 100, if the others can be
  * percentages; or NULL. */
 static const struct cell *
-above_100(const struct table *t, size_t at)
+above_100(const struct column *c)
 {
+	const struct table *t = c->table;
 	const struct cell *above = NULL;
 	size_t n = 0, n_above = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
 		double v;
-		const struct cell *cell = &t->row[r].cell[at];
+		const struct cell *cell = &t->row[r].cell[c->at];
 		if (!number_of(t->sheet, *cell, &v))
 			continue;
 		n++;
+		v /= 1 + 1e-9;
 		if (v < 0 || v > 100)
 			n_above++;
 		if (v > 100)
 			above = cell;
 	}
-	return n >= 4 && n_above == 1 ? above : NULL;
+	bool mass = SITE_UNITS[c->unit].scale == OF_MASS &&
+		    (c->said.means & WORD_GRAMS) != 0;
+	return n >= 4 && n_above == 1 && !mass ? above : NULL;
+}
+
+/* Numbers of columns do not tell one file from another; @ does. */
+static void
+hint_speed(const struct site_request *q, const char *path, struct error *error)
+{
+	char *files = xstrdup("");
+	for (size_t i = 0; i < q->n; i++) {
+		xlist(&files, " ", "%s", q->path[i]);
+		if (q->speed != NULL && q->speed[i] > 0)
+			xappend(&files, "@%g", q->speed[i]);
+		else if (strcmp(q->path[i], path) == 0)
+			xappend(&files, "@SPEED");
+	}
+	error_hint(error, "say its speed: load %s", files);
+	free(files);
 }
 
 static bool
@@ -314,7 +522,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 {
 	char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
-	const struct cell *above = above_100(first->table, first->at);
+	const struct cell *above = above_100(first);
 	if (above != NULL) {
 		char *what = xasprintf(
 		    tr("expected at most 100 %% passing, got '%.*s': column "
@@ -335,6 +543,8 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 	    first->table->block->number[first->at], sheet_cut(first->head.text),
 	    first->head.text, values);
 	refuse(q, first->table, first->head, ask, errors, what);
+	if (q->n > 1 && speed && !q->parts)
+		hint_speed(q, first->table->sheet->path, &errors->item[0]);
 	if (q->parts && speed && q->n == 1 && alone)
 		error_hint(&errors->item[0],
 		    "say its speed: add %s@SPEED, or with a log its time: add "
@@ -355,6 +565,8 @@ open_ask(const struct open *open, const struct site_request *q,
 		if (table[i]->block == open->other)
 			second = table[i];
 	const struct column *first = NULL;
+	if (open->twice != NULL)
+		return ask_twice(open, q, ask, errors);
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
@@ -377,6 +589,12 @@ open_ask(const struct open *open, const struct site_request *q,
 	}
 	if (second != NULL)
 		return ask_table(q, table, n_table, second, ask, errors);
+	const struct table *most = largest(table, n_table, all);
+	if (most != NULL)
+		return ask_range(q, most, most->n_row, most->row[0].cell[0],
+		    ask, errors,
+		    tr("expected one table, got several: that with most sieves "
+		       "is proposed"));
 	if (first == NULL && !open->sieves)
 		return false;
 	list_columns(ask, table, n_table, all, open->sieves);
@@ -386,4 +604,35 @@ open_ask(const struct open *open, const struct site_request *q,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
 	return ask_column(q, first, all->n == 1, ask, errors);
+}
+
+void
+open_top(
+    const struct column *c, const struct site_request *q, struct site_ask *ask)
+{
+	const struct table *t = c->table;
+	size_t at = c->below - 1;
+	const struct cell *name = &t->row[at].cell[0];
+	bool astm = t->unit.series == SIEVE_ASTM ||
+		    t->unit.series == SIEVE_INCH ||
+		    sieve_names_series(name->text) != SIEVE_NONE;
+	double coarser = sieve_names_coarser(t->mm[at], astm);
+	bool alone = t->sheet->errors->n == 0;
+	/* Of much that is coarser nobody knows how coarse. */
+	bool much = c->pct[at] < 90;
+	char p[32], mm[32];
+	char *settle =
+	    much ? xstrdup("top=SIZE") : xasprintf("top=%g", coarser);
+	snprintf(mm, sizeof mm, much ? "SIZE" : "%g", coarser);
+	char *line = settled_line(q, settle);
+	sheet_fault(t->sheet, t->row[at].cell[c->at],
+	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
+	    "%g mm\n"
+	    "add the coarser sieves; or assume that 100 %% passes %s mm%s: %s",
+	    site_column_pct(c, at, 100, p), t->mm[at], mm, for_feed(q), line);
+	free(line);
+	if (alone)
+		ask->settle = settle;
+	else
+		free(settle);
 }

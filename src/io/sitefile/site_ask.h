@@ -8,10 +8,12 @@
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_request.h"
 
-/* The columns that were named by hand [n]. */
+/* The columns that were named by hand [n].  others: columns of samples are
+ * some of them; where sieves alone are named, the samples keep their heads. */
 struct names {
 	size_t n, *number;
 	char **text;
+	bool others;
 };
 
 /* From "1=sieve um, 3=feed retained_g" (NULL: nothing is named); notes the
@@ -33,6 +35,8 @@ struct open {
 	bool rotor, sieves;
 	struct cell number;
 	const struct block *other; /* a table that may be another site's */
+	const struct table *twice; /* two tables in one, the second from row */
+	size_t end, again;         /* `again`, the first up to before `end` */
 };
 
 /* Notes numbers of the table whose sign is open. */
@@ -42,5 +46,10 @@ void open_numbers(struct open *open, const struct table *t);
 bool open_ask(const struct open *open, const struct site_request *request,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask, struct error_list *errors);
+
+/* Asks what size all of a feed passes, of which a column tells no more than
+ * what its coarsest sieve passes: a fault, in *ask where it is the only one. */
+void open_top(const struct column *c, const struct site_request *request,
+    struct site_ask *ask);
 
 #endif

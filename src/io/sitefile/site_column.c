@@ -97,6 +97,21 @@ site_column_count(const struct column *c)
 	return n;
 }
 
+const char *
+site_column_pct(
+    const struct column *c, size_t row, double other, char buf[static 32])
+{
+	double v = c->pct[row];
+	if (SITE_UNITS[c->unit].kind == PASSING)
+		return text_apart(v, other, buf);
+	for (int digits = 1; digits <= 9; digits++) {
+		snprintf(buf, 32, "%.*f", digits, v);
+		if (fabs(strtod(buf, NULL) - other) > 0 || v == other)
+			break;
+	}
+	return buf;
+}
+
 /* "product_fraction@69": the header of c with another unit. */
 static const char *
 other_head(const struct column *c, const char *suffix, char buf[static 64])
@@ -177,7 +192,7 @@ in_range(struct column *c, struct cell cell, double v)
 		    "write it in percentage points of passing");
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most * (1 + 1e-9))
 		return true;
-	bool percent = SITE_UNITS[c->unit].scale == OF_1 && v > 1;
+	bool percent = SITE_UNITS[c->unit].scale == OF_1 && v > 1.05;
 	/* One percent in a column of fractions says it for all of them. */
 	if (percent && c->told_percent)
 		return false;
@@ -469,8 +484,8 @@ check_rise(struct column *c)
 			    "sieve, more passing)\n"
 			    "check this row and that of %s mm: passing cannot "
 			    "rise on a finer sieve",
-			    text_apart(c->pct[last], c->pct[i], p),
-			    text_apart(c->pct[i], c->pct[last], q),
+			    site_column_pct(c, last, c->pct[i], p),
+			    site_column_pct(c, i, c->pct[last], q),
 			    text_apart(t->mm[i], t->mm[last], mm),
 			    text_apart(t->mm[last], t->mm[i], other));
 		last = i;
@@ -481,34 +496,11 @@ check_rise(struct column *c)
 static void
 check_coarsest(struct column *c)
 {
-	struct table *t = c->table;
-	static const double series[] = {63, 45, 31.5, 22.4, 16, 11.2, 8, 5.6, 4,
-	    2, 1, .5, .25, .125, .063}; /* EN 933, mm */
-	char p[32], mm[32], next[64];
-	size_t i = 0, s = ARRAY_LEN(series);
+	const struct table *t = c->table;
+	size_t i = 0;
 	while (i < t->n_row && (isnan(c->pct[i]) || !(t->mm[i] > 0)))
 		i++;
-	if (i == t->n_row || c->pct[i] >= 100)
-		return;
-	while (s > 0 && series[s - 1] <= t->mm[i])
-		s--;
-	const char *all = SITE_UNITS[c->unit].kind != PASSING ? "0"
-			  : SITE_UNITS[c->unit].scale == OF_1 ? "1"
-							      : "100";
-	text_apart(t->mm[i], 0, mm);
-	if (c->pct[i] < 95)
-		snprintf(
-		    next, sizeof next, tr("the coarser sieves, up to one"));
-	else if (s > 0)
-		snprintf(next, sizeof next, "%g mm", series[s - 1]);
-	else
-		snprintf(
-		    next, sizeof next, tr("a sieve coarser than %s mm"), mm);
-	sheet_fault(t->sheet, t->row[i].cell[c->at],
-	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
-	    "%s mm\n"
-	    "add %s with %s",
-	    text_apart(c->pct[i], 100, p), mm, next, all);
+	c->below = i < t->n_row && c->pct[i] < 100 ? i + 1 : 0;
 }
 
 void

@@ -49,8 +49,10 @@ struct table {
  * percentage points; NAN where the cell is empty or at fault.  pan: what the
  * column has below the finest sieve, in its unit, or NAN.  faulty: a cell is at
  * fault, so that what is missing cannot be judged.  open: what it is was not to
- * be told; assumed: what was taken without being stated, in lines,
- * or NULL. */
+ * be told; no_role: because it has no role; assumed: what was taken without
+ * being stated, in lines, or NULL.  below: of a feed, 1 + the row of its
+ * coarsest sieve where that passes less than all; top: the size, mm, that then
+ * is assumed to; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;
@@ -61,9 +63,10 @@ struct column {
 	double rpm;   /* where the speed follows from it */
 	size_t nth;   /* of its role and speed, from 0: repeats */
 	size_t twin;  /* number of the column with the same sample, or 0 */
-	double *pct;
+	double *pct, top;
+	size_t below;
 	double pan;
-	bool faulty, told_percent, open;
+	bool faulty, told_percent, open, no_role;
 	char *assumed;
 	struct head said; /* what heads it */
 };
@@ -93,6 +96,11 @@ size_t site_column_count(const struct column *c);
 /* The numbers of c by the rows of its table, NAN where there is none, as the
  * sheet has them. */
 void site_column_raw(const struct column *c, double *raw);
+
+/* The passing of a row, %, with the digits of the sheet; of what was weighed,
+ * with as many as tell it from another value. */
+const char *site_column_pct(
+    const struct column *c, size_t row, double other, char buf[static 32]);
 
 /* v in whole steps of 1 / per_unit, never -0. */
 double site_column_round(double v, double per_unit);

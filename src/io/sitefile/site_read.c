@@ -19,6 +19,7 @@
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_describe.h"
 #include "io/sitefile/site_heading.h"
+#include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/cells/source.h"
 #include "io/sitefile/lexicon.h"
@@ -38,6 +39,7 @@ struct reading {
 	struct error_list *errors;
 	struct site *site;
 	struct names names;
+	struct samples samples;
 	struct layout_range range;
 	size_t n_source, n_page, n_table;
 	struct source *source;
@@ -231,6 +233,54 @@ check_roles(struct reading *r)
 		    "add takes samples of product; load this file as a site");
 }
 
+/* The feed whose coarsest sieve is the coarsest of those that do not pass all;
+ * NULL: there is none. */
+static const struct column *
+below_all(const struct columns *all)
+{
+	const struct column *found = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->below > 0 &&
+		    (found == NULL || c->table->mm[c->below - 1] >
+					  found->table->mm[found->below - 1]))
+			found = c;
+	}
+	return found;
+}
+
+/* What is assumed of feeds whose coarsest sieve does not pass all: as was said
+ * or, where nothing was, asked. */
+static void
+settle_top(struct reading *r, struct site_ask *ask)
+{
+	const struct column *c = below_all(&r->all);
+	double top = site_column_round(r->request->top, 1e9);
+	char p[32], mm[32];
+	if (c == NULL)
+		return;
+	if (!(top > 0)) {
+		open_top(c, r->request, ask);
+		return;
+	}
+	const struct table *t = c->table;
+	size_t at = c->below - 1;
+	if (top <= t->mm[at]) {
+		sheet_fault(t->sheet, t->row[at].cell[0],
+		    "expected top= above the coarsest sieve, %g mm, got %g\n"
+		    "name the next size that all passes: top=%g",
+		    t->mm[at], top, sieve_names_coarser(t->mm[at], false));
+		return;
+	}
+	for (size_t i = 0; i < r->all.n; i++)
+		if (r->all.column[i].below > 0)
+			r->all.column[i].top = top;
+	xlist(&r->site->assumed, "; ",
+	    tr("100 %% passes %s mm, as %s %% passes %g mm"),
+	    text_exact(top, mm), site_column_pct(c, at, 100, p), t->mm[at]);
+	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
+}
+
 static void
 read_columns(struct reading *r)
 {
@@ -256,8 +306,12 @@ static struct psd
 make_psd(const struct column *c)
 {
 	const struct table *t = c->table;
-	struct psd psd = psd_new(site_column_count(c));
+	struct psd psd = psd_new(site_column_count(c) + (c->top > 0));
 	size_t n = 0;
+	if (c->top > 0) {
+		psd.size[n] = c->top / 1000;
+		psd.passing[n++] = 1;
+	}
 	for (size_t i = 0; i < t->n_row; i++) {
 		if (!(t->mm[i] > 0) || isnan(c->pct[i]))
 			continue;
@@ -526,6 +580,22 @@ context_of(const struct page *page, const struct block *b, const char *path,
 	return means;
 }
 
+/* Whether a table has its sieves twice, which is open then. */
+static bool
+is_twice(struct reading *r, const struct table *t)
+{
+	size_t again, end = site_sieve_end(t, &again);
+	if (end == t->n_row)
+		return false;
+	if (r->open.twice == NULL) {
+		r->open.twice = t;
+		r->open.end = end;
+		r->open.again = again;
+	}
+	r->lost = true;
+	return true;
+}
+
 static void
 read_block(struct reading *r, const struct page *page, struct block *b,
     struct heading_speed told)
@@ -533,8 +603,9 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	enum sieve_certainty certainty;
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
-	struct surroundings near = {
-	    .rotor = r->site->rotor, .told = r->names.n > 0};
+	struct surroundings near = {.rotor = r->site->rotor,
+	    .told = r->names.others,
+	    .samples = &r->samples};
 	near.speed = told.mps;
 	if (near.speed == 0 && told.rpm > 0) {
 		near.speed = head_mps(told.rpm, SPEED_RPM, near.rotor);
@@ -548,7 +619,7 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	if (given > 0)
 		near.speed = given;
 	uint64_t sieve = names_apply(&r->names, b);
-	if (!layout_widen(b)) {
+	if (!layout_widen(b, sieve)) {
 		r->lost = true;
 		return;
 	}
@@ -557,6 +628,8 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
+	if (is_twice(r, t))
+		return;
 	site_sieve_check(t);
 	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)
@@ -565,9 +638,11 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	recognise_columns(t, &near, &r->all, r->site);
-	for (size_t i = first; (given > 0 || q->parts) && i < r->all.n; i++)
+	bool lone = q->feed && r->all.n == first + 1;
+	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
+	     i++)
 		if (r->all.column[i].role == NO_ROLE)
-			r->all.column[i].role = PRODUCT;
+			r->all.column[i].role = lone ? FEED : PRODUCT;
 	open_numbers(&r->open, t);
 }
 
@@ -578,6 +653,7 @@ read_request(struct reading *r)
 	const struct site_request *q = r->request;
 	struct error e;
 	if (names_read(&r->names, q->columns, &r->range, &e) &&
+	    samples_read(&r->samples, q->samples, &e) &&
 	    range_read(q->range, &r->range, &e))
 		return true;
 	*error_add(r->errors) = e;
@@ -673,6 +749,58 @@ read_pages(struct reading *r)
 }
 
 static size_t
+file_of(const struct reading *r, const struct column *c)
+{
+	size_t i = 0;
+	while (r->page[i].sheet != c->table->sheet)
+		i++;
+	return r->page[i].file;
+}
+
+/* Of files that each have a feed, a feed is that of the speed of its file. */
+static void
+own_feeds(struct reading *r)
+{
+	const double *speed = r->request->speed;
+	bool several = false, all = speed != NULL;
+	const struct column *first = NULL;
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		if (c->role != FEED || c->speed > 0)
+			continue;
+		first = first != NULL ? first : c;
+		several = several || file_of(r, c) != file_of(r, first);
+		all = all && speed[file_of(r, c)] > 0;
+	}
+	for (size_t i = 0; i < r->all.n && several && all; i++) {
+		struct column *c = &r->all.column[i];
+		if (c->role == FEED && !(c->speed > 0))
+			c->speed = speed[file_of(r, c)];
+	}
+}
+
+/* Of a sheet whose feed is wanted, products whose speed is not told are no
+ * question; one alone, which is called product, may be meant for the feed. */
+static void
+want_feed(struct reading *r)
+{
+	struct columns *all = &r->all;
+	size_t feeds = count_role(all, FEED), n = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		bool open = c->role == PRODUCT && !(c->speed > 0);
+		if (open && feeds > 0) {
+			free(c->assumed);
+			continue;
+		}
+		if (open && all->n == 1)
+			c->role = NO_ROLE;
+		all->column[n++] = *c;
+	}
+	all->n = n;
+}
+
+static size_t
 count_faults(const struct reading *r)
 {
 	return r->errors->n + r->errors->more;
@@ -717,6 +845,7 @@ reading_clear(struct reading *r)
 		source_free(&r->source[i]);
 	free(r->source);
 	names_clear(&r->names);
+	samples_clear(&r->samples);
 	site_free(r->site);
 }
 
@@ -743,12 +872,20 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		read_pages(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
-		recognise_settle(&r.all, r.site, r.names.n > 0, &r.open.rotor);
+		own_feeds(&r);
+		if (request->feed)
+			want_feed(&r);
+		if (r.n_table > 0)
+			samples_check(&r.samples, r.table[0]);
+		recognise_settle(&r.all, r.site,
+		    r.names.others || r.samples.n > 0, &r.open.rotor);
 		bool open = count_faults(&r) == 0 &&
 			    open_ask(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);
-		if (!open)
+		if (!open) {
 			read_columns(&r);
+			settle_top(&r, ask != NULL ? ask : &none);
+		}
 		if (ask != NULL) {
 			ask->no_feed = count_role(&r.all, FEED) == 0;
 			ask->no_product = count_role(&r.all, PRODUCT) == 0;

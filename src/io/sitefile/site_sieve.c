@@ -136,55 +136,110 @@ all_whole(const struct table *t)
 	return true;
 }
 
-/* Takes mm or um for what has no unit, where the numbers leave no doubt. */
-static enum sieve_certainty
-find_unit(struct table *t)
+/* What the bare numbers of the sieves are like.  n: how many; n_part: of them
+ * fractions, 3/8, as inches have; n_astm: that are numbers of sieves of ASTM
+ * E11; n_below: below 0; n_beyond: beyond what phi can be.  rises: from the
+ * first to the last, but for fractions; even: by one step. */
+struct numbers {
+	size_t n, n_part, n_astm, n_below, n_beyond;
+	bool rises, even;
+};
+
+static struct numbers
+numbers_of(const struct table *t)
 {
+	struct numbers all = {.rises = true, .even = true};
+	double v, last = NAN, step = NAN;
+	for (size_t i = 0; i < t->n_row; i++) {
+		struct cell cell = t->row[i].cell[0];
+		bool part = strchr(cell.text, '/') != NULL &&
+			    isdigit((unsigned char)cell.text[0]) &&
+			    sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
+		bool number = number_of(t->sheet, cell, &v);
+		all.n += part || number;
+		all.n_part += part;
+		if (part || !number)
+			continue;
+		all.n_astm +=
+		    v > 0 && sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
+		all.n_below += v < 0;
+		all.n_beyond += fabs(v) > SIEVE_MOST_PHI;
+		all.even = all.even && !(fabs(v - last - step) > 1e-9);
+		step = v - last;
+		all.rises = all.rises && !(v <= last);
+		last = v;
+	}
+	return all;
+}
+
+/* Numbers of sieves: 4, 8, 16 .. 200, which rise while the sieves get finer.
+ * said: the head says number, which 16, 8, 4 could be, too, if not mm.  Without
+ * it, fractions of an inch above them show that they are no sizes. */
+static enum sieve_certainty
+find_numbers(struct table *t, const struct numbers *all, bool said)
+{
+	double most;
+	bool astm = all->n > 2 && all->n_part + all->n_astm == all->n;
+	if (!astm || (!said && (!all->rises || all->n < 4)))
+		return SIEVES_ASSUMED; /* they are something else */
+	t->unit = (struct sieve_unit){0, SIEVE_ASTM};
+	if (said && !all->rises && standard_share(t, 1, &most) >= 1)
+		return SIEVES_OPEN;
+	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
+}
+
+/* The likeliest unit of numbers that several could have. */
+static struct sieve_unit
+guess_unit(const struct table *t, const struct numbers *all)
+{
+	double most, share = standard_share(t, 1e-3, &most);
+	struct sieve_unit mm = {1, SIEVE_NONE}, um = {1e-3, SIEVE_NONE};
+	bool small = standard_share(t, 1, &most) < 0.8 && share >= 0.8;
+	if (all->n_below > 0)
+		return (struct sieve_unit){0, SIEVE_PHI};
+	return small || most > COARSE_TOP ? um : mm;
+}
+
+/* Takes mm or um for what has no unit, where the numbers leave no doubt; the
+ * only place where the unit of sieves is decided.  means: the words of the
+ * head. */
+static enum sieve_certainty
+find_unit(struct table *t, uint64_t means)
+{
+	struct numbers all = numbers_of(t);
 	double most, share = standard_share(t, 1, &most);
 	bool mesh = t->unit.series == SIEVE_MESH && all_whole(t);
+	bool said = (means & WORD_NUMBER) != 0;
 	if (all_named(t))
 		return SIEVES_SAID;
+	/* The letter is that of a diameter, too. */
+	if (t->unit.series == SIEVE_PHI && all.n_beyond == 0)
+		return all.n_below > 0 || all.even ? SIEVES_SAID : SIEVES_OPEN;
+	if (t->unit.series == SIEVE_PHI)
+		t->unit = (struct sieve_unit){0, SIEVE_NONE};
 	if (t->unit.series != SIEVE_NONE && t->unit.series != SIEVE_MESH)
 		return SIEVES_SAID;
-	if (t->unit.mm > 0)
-		return most * t->unit.mm > COARSEST_TOP ||
-			       most * t->unit.mm < 0.1
-			   ? SIEVES_OPEN
-			   : SIEVES_SAID;
+	if (t->unit.mm > 0 && most * t->unit.mm <= COARSEST_TOP &&
+	    most * t->unit.mm >= 0.1)
+		return SIEVES_SAID;
+	if (t->unit.mm > 0) {
+		t->unit = guess_unit(t, &all);
+		return SIEVES_OPEN;
+	}
 	if (mesh)
 		return SIEVES_SAID; /* and each row is told to lack a series */
 	t->unit = (struct sieve_unit){1, SIEVE_NONE};
+	enum sieve_certainty numbers = find_numbers(t, &all, said);
+	if (t->unit.series == SIEVE_ASTM)
+		return numbers == SIEVES_SAID && !said ? SIEVES_ASSUMED
+						       : numbers;
 	if (share >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
 		return SIEVES_ASSUMED;
+	t->unit = guess_unit(t, &all);
 	share = standard_share(t, 1e-3, &most);
 	if (share < 0.8 || most <= LEAST_TOP || most > COARSE_TOP)
 		return SIEVES_OPEN;
-	t->unit.mm = 1e-3;
 	return SIEVES_ASSUMED;
-}
-
-/* Where the sieves are there twice, as names and in mm, a row that has one of
- * them only. */
-static void
-fill_names(struct table *t)
-{
-	static const uint64_t ELSE =
-	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
-	struct sieve_unit none = {0, SIEVE_NONE};
-	double mm;
-	for (size_t c = 1; c < t->block->n_col; c++) {
-		char *head = layout_head(t->block, c);
-		uint64_t means = vocabulary_text(head, NULL);
-		free(head);
-		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
-		    (means & ELSE) != 0)
-			continue;
-		for (size_t i = 0; i < t->n_row; i++)
-			if (t->row[i].cell[0].text[0] == '\0' &&
-			    sieve_size(t->sheet, t->row[i].cell[c], none,
-				&mm) != SIEVE_IS_NONE)
-				t->row[i].cell[0] = t->row[i].cell[c];
-	}
 }
 
 /* Whether sizes rise, or fall, without exception; NAN are passed over. */
@@ -311,19 +366,25 @@ site_sieve_table(
 	struct head said = head_read(head);
 	bool speeds =
 	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
-	t.unit = sieve_unit_of(told != 0 ? told : speeds ? 0 : said.means);
+	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
+	t.unit = sieve_unit_of(means);
 	free(head);
-	fill_names(&t);
 	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
 	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
 	if (split)
 		t.unit.mm = 1;
-	*certainty = find_unit(&t);
+	struct sieve_unit stated = t.unit;
+	*certainty = find_unit(&t, means);
+	if (block->unsure && told == 0)
+		*certainty = SIEVES_OPEN;
 	if (split && *certainty == SIEVES_SAID)
 		*certainty = SIEVES_ASSUMED;
 	bool own = strncmp(site_sieve_head(&t).text, "size_", 5) == 0;
-	if ((told != 0 || own) && *certainty == SIEVES_OPEN && t.unit.mm > 0)
+	bool unit = stated.mm > 0 || stated.series != SIEVE_NONE;
+	if ((told != 0 || own) && *certainty == SIEVES_OPEN && unit) {
+		t.unit = stated;
 		*certainty = SIEVES_SAID;
+	}
 	t.finest_first = is_finest_first(&t);
 	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
 		struct row row = t.row[i];
@@ -377,11 +438,45 @@ site_sieve_check(struct table *t)
 	check_order(t);
 }
 
+/* Whether row i has the size of one before it. */
+static bool
+is_again(const double *mm, size_t i)
+{
+	size_t k = 0;
+	while (k < i && mm[k] != mm[i])
+		k++;
+	return k < i;
+}
+
+size_t
+site_sieve_end(const struct table *t, size_t *again)
+{
+	enum { ENOUGH = 3 };
+	double *mm = xdoubles(t->n_row), least = INFINITY;
+	size_t words = t->n_row, in_a_row = 0;
+	*again = t->n_row;
+	for (size_t i = 0; i < t->n_row && in_a_row < ENOUGH; i++) {
+		bool size = sieve_size(t->sheet, t->row[i].cell[0], t->unit,
+				&mm[i]) != SIEVE_IS_NONE;
+		words = !size && words > i ? i : words;
+		mm[i] = size ? mm[i] : (double)NAN;
+		/* In order: none was there before. */
+		bool twice = mm[i] >= least && is_again(mm, i);
+		least = fmin(least, mm[i]);
+		in_a_row = twice ? in_a_row + 1 : 0;
+		*again = in_a_row == 1 ? i : *again;
+	}
+	free(mm);
+	if (in_a_row < ENOUGH)
+		return t->n_row;
+	return words < *again ? words : *again;
+}
+
 const char *
 site_sieve_unit(const struct table *t)
 {
 	static const char *const SERIES[] = {"mm", "ASTM E11", "in",
-	    N_("Tyler mesh"), N_("BS mesh"), N_("mesh")};
+	    N_("Tyler mesh"), N_("BS mesh"), N_("mesh"), "phi"};
 	if (t->unit.series != SIEVE_NONE)
 		return SERIES[t->unit.series];
 	return t->unit.mm == 1e-3 ? "um" : t->unit.mm == 1e3 ? "m" : "mm";
@@ -395,7 +490,9 @@ site_sieve_numbers(struct sheet *sheet)
 		const struct comment *c = &sheet->comment[i];
 		char *first =
 		    text_unquoted(c->text, strcspn(c->text, separator));
-		bool cells = c->text[strcspn(c->text, separator)] != '\0';
+		bool cells = c->row.cell != NULL
+				 ? c->row.n > 1
+				 : c->text[strcspn(c->text, separator)] != '\0';
 		if (cells && sieve_names_is_number(first))
 			sheet_uncomment(sheet, i);
 		free(first);

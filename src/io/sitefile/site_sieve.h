@@ -25,6 +25,10 @@ struct cell site_sieve_head(const struct table *t);
 /* Tells sizes that are wrong, out of order or there twice. */
 void site_sieve_check(struct table *t);
 
+/* The rows of a table which another one, with the same sieves, follows without
+ * an empty line; n_row: none does.  again: the first row of that other one. */
+size_t site_sieve_end(const struct table *t, size_t *again);
+
 /* "mm", "um", "in", "Tyler mesh": of a table's sieves. */
 const char *site_sieve_unit(const struct table *t);
 

@@ -1,0 +1,195 @@
+/* Names of samples are those of their heads, or of the rows of a long table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_samples.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/sitefile/lexicon.h"
+
+static bool
+add_sample(struct samples *s, char *part, struct error *error)
+{
+	char *text = text_trim(part), *cut = strrchr(text, '=');
+	bool good = cut != NULL && cut > text && cut[1] != '\0';
+	if (!good)
+		return error_set(error, ERROR_USAGE,
+		    "expected NAME=WHAT in samples, got '%s'\n"
+		    "for instance: samples=\"A1=feed, A2=@70\"",
+		    text);
+	*cut = '\0';
+	s->name = xrealloc(s->name, s->n + 1, sizeof(*s->name));
+	s->text = xrealloc(s->text, s->n + 1, sizeof(*s->text));
+	s->found = xrealloc(s->found, s->n + 1, sizeof *s->found);
+	s->name[s->n] = xstrdup(text_trim(text));
+	s->text[s->n] = xstrdup(text_trim(cut + 1));
+	s->found[s->n++] = false;
+	return true;
+}
+
+bool
+samples_read(struct samples *s, const char *text, struct error *error)
+{
+	char *copy = xstrdup(text != NULL ? text : ""), *rest = copy;
+	bool good = true;
+	while (good && text != NULL && rest != NULL) {
+		char *part = rest;
+		rest = strchr(part, ',');
+		/* A comma within a speed: @63,6. */
+		while (rest != NULL && strchr(rest, '=') == NULL &&
+		       strchr(rest + 1, ',') != NULL)
+			rest = strchr(rest + 1, ',');
+		if (rest != NULL && strchr(rest, '=') == NULL)
+			rest = NULL;
+		if (rest != NULL)
+			*rest++ = '\0';
+		good = add_sample(s, part, error);
+	}
+	free(copy);
+	return good;
+}
+
+void
+samples_clear(struct samples *s)
+{
+	for (size_t i = 0; i < s->n; i++) {
+		free(s->name[i]);
+		free(s->text[i]);
+	}
+	free(s->name);
+	free(s->text);
+	free(s->found);
+}
+
+/* Whether the cells of a row of heads tell all columns apart. */
+static bool
+tells_apart(const struct block *b, size_t r)
+{
+	const struct cell *cell = b->head[r].cell;
+	for (size_t c = 1; c < b->n_col; c++) {
+		if (cell[c].text[0] == '\0')
+			return false;
+		for (size_t k = 1; k < c; k++)
+			if (strcasecmp(cell[c].text, cell[k].text) == 0)
+				return false;
+	}
+	return true;
+}
+
+bool
+samples_are_apart(const struct block *b)
+{
+	size_t r = 0;
+	while (r < b->n_head && b->name == NULL && !tells_apart(b, r))
+		r++;
+	return b->name != NULL || r < b->n_head;
+}
+
+char *
+samples_label(const struct block *b, size_t c)
+{
+	if (b->name != NULL)
+		return xstrdup(b->name[c]);
+	for (size_t r = 0; r < b->n_head; r++)
+		if (tells_apart(b, r))
+			return xstrdup(b->head[r].cell[c].text);
+	return layout_head(b, c);
+}
+
+/* Whether a name is that of a column: its label, or a cell that heads it. */
+static bool
+is_called(const struct block *b, size_t c, const char *label, const char *name)
+{
+	bool same = text_same(label, name);
+	for (size_t r = 0; r < b->n_head && !same && b->name == NULL; r++)
+		same = text_same(b->head[r].cell[c].text, name);
+	return same;
+}
+
+static void
+refuse(const struct column *c, const char *text)
+{
+	sheet_fault(c->table->sheet, c->head,
+	    "expected what this head states, got '%s' in samples=\n"
+	    "leave out what differs from it, or correct the sheet",
+	    text);
+}
+
+/* What both state has to be the same. */
+static void
+merge(struct column *c, const char *text, uint64_t group, uint64_t own)
+{
+	uint64_t stated = c->said.means & group;
+	if (stated != 0 && (own & group & ~stated) != 0)
+		refuse(c, text);
+	c->said.means |= own & group;
+}
+
+static void
+take(struct column *c, const char *text)
+{
+	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
+	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
+	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE};
+	struct head own = head_read(text), *said = &c->said;
+	bool speed = own.speed > 0 || own.rpm > 0;
+	if ((own.means & GROUPS[0]) == 0 && speed)
+		own.means |= WORD_PRODUCT;
+	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
+		merge(c, text, GROUPS[i], own.means);
+	if (own.speed > 0 && said->speed > 0 &&
+	    fabs(own.speed - said->speed) > 1e-3)
+		refuse(c, text);
+	if (speed) {
+		said->speed = own.speed;
+		said->rpm = own.rpm;
+		said->unit = own.unit;
+	}
+	/* The rest of its heads is its name. */
+	said->unknown = said->n_number = 0;
+	said->several = own.several;
+	said->means &= ~(uint64_t)(WORD_SAMPLE | WORD_NUMBER | WORD_OTHER);
+}
+
+bool
+samples_take(struct samples *s, struct column *c)
+{
+	const struct block *b = c->table->block;
+	char *label = samples_label(b, c->at);
+	size_t i = 0;
+	while (i < s->n && !is_called(b, c->at, label, s->name[i]))
+		i++;
+	free(label);
+	if (i == s->n)
+		return false;
+	s->found[i] = true;
+	take(c, s->text[i]);
+	return true;
+}
+
+void
+samples_check(const struct samples *s, const struct table *t)
+{
+	enum { SHOWN = 5 };
+	const struct block *b = t->block;
+	size_t i = 0;
+	while (i < s->n && s->found[i])
+		i++;
+	if (i == s->n)
+		return;
+	char *list = xstrdup("");
+	for (size_t c = 1; c < b->n_col && c <= SHOWN; c++) {
+		char *label = samples_label(b, c);
+		xlist(&list, ", ", "%s", label);
+		free(label);
+	}
+	sheet_fault(t->sheet, t->row[0].cell[0],
+	    "expected a sample called %s, got none\n"
+	    "its samples: %s%s",
+	    s->name[i], list, b->n_col > SHOWN + 1 ? ", .." : "");
+	free(list);
+}
