@@ -103,8 +103,12 @@ run() (
 PATH=$dir/bin:$PATH
 cases=$(cd "$srcdir/tests/cases" && pwd)
 tried=0
+# Each eighth case, all in the long tests.
+step=$((9 - $(often 1 8))) at=0
 : >"$dir/.seen"
 for expected in $(grep -l '^ *hint: ' "$cases"/*/expected); do
+	at=$((at + 1))
+	[ $((at % step)) -eq 0 ] || continue
 	c=$(dirname "$expected")
 	name=$(basename "$c")
 	rm -rf "$KEPT"/*
@@ -142,6 +146,6 @@ for expected in $(grep -l '^ *hint: ' "$cases"/*/expected); do
 	result $? "case $name: the hints work"
 	remark "$dir/log"
 done
-[ $tried -ge 100 ]
-result $? "there are a hundred hints that are commands"
+[ $tried -ge $((100 / step)) ]
+result $? "there are hints that are commands ($tried)"
 finish

@@ -69,11 +69,11 @@ shot() { mux capture-pane -t one -p >screen 2>&1; }
 # want PATTERN [NAME]: waits until the screen has it, ten seconds at most.
 want() {
 	tries=0
-	until shot; grep -q -e "$1" screen || [ $tries -ge 100 ]; do
-		sleep 0.1
+	until shot; grep -q -e "$1" screen || [ $tries -ge 300 ]; do
+		sleep 0.03
 		tries=$((tries + 1))
 	done
-	[ $tries -lt 100 ]
+	[ $tries -lt 300 ]
 	good=$?
 	[ -z "${2:-}" ] && [ $good -eq 0 ] && return
 	[ $good -eq 0 ] || remark screen
@@ -82,8 +82,8 @@ want() {
 # waits FILE: until it has something in it, five seconds at most.
 waits() {
 	tries=0
-	until [ -s "$1" ] || [ $tries -ge 50 ]; do
-		sleep 0.1
+	until [ -s "$1" ] || [ $tries -ge 150 ]; do
+		sleep 0.03
 		tries=$((tries + 1))
 	done
 }

@@ -13,33 +13,36 @@ cd "$dir" || exit 99
 HOME=$dir
 export HOME
 unset NO_COLOR TIPSPEED_COLOR
-# steps KEYS: how many bytes each step writes after these keys, to the file steps;
+# steps KEYS WAYS: how many bytes each step writes after these keys, to the file steps;
 # sets most, and ends: the most of the four at the ends of the measured speeds, where
 # the light and its words change with all else that says so (D21).
 steps()
 {
 	LC_ALL=C.UTF-8 timeout -k 2 100 expect "$script" "$TIPSPEED" \
-		data/sites/tierp.csv "$1" >steps
+		data/sites/tierp.csv "$1" "$2" >steps
 	at='(68.9|69.0|79.0|79.1)$'
 	most=$(grep -Ev " $at" steps | sort -n | tail -n 1)
 	ends=$(grep -E " $at" steps | sort -n | tail -n 1)
 }
-steps ''
+# There and back; with what can be laid over it one of these, both in the long tests.
+steps '' both
+long=$(often 0 1) up=both down=both each=400
+[ "$long" -eq 1 ] || up=up down=down each=200
 [ "$(wc -l <steps)" -eq 400 ]
 result $? "every step from 65 to 85 m/s and back writes something"
 [ "${most%% *}" -lt 900 ]
 result $? "a step writes less than 900 bytes (most, and at: $most)"
 [ "${ends%% *}" -lt 1000 ]
 result $? "one over an end of the measured speeds less than 1000 (most, and at: $ends)"
-steps "$(printf 'bt5.2\r')"
-[ "$(wc -l <steps)" -eq 400 ] && [ "${most%% *}" -lt 900 ]
+steps "$(printf 'bt5.2\r')" $up
+[ "$(wc -l <steps)" -eq $each ] && [ "${most%% *}" -lt 900 ]
 result $? "with a goal and the band less than 900 (most, and at: $most)"
 # Between 69.2 and 69.3 the strip of differences goes from 10 to 5 points, and all in it is
 # drawn anew.
-steps "$(printf 'bxt5.2\r:spec use "ASTM C33"\rc\t')"
+steps "$(printf 'bxt5.2\r:spec use "ASTM C33"\rc\t')" $down
 scaled=$(grep -E ' 69.[23]$' steps | sort -n | tail -n 1)
 most=$(grep -Ev ' 69.[23]$' steps | grep -Ev " $at" | sort -n | tail -n 1)
-[ "$(wc -l <steps)" -eq 400 ] && [ "${most%% *}" -lt 900 ]
+[ "$(wc -l <steps)" -eq $each ] && [ "${most%% *}" -lt 900 ]
 result $? "with envelope, pin and crosshair less than 900 (most, and at: $most)"
 [ "${scaled%% *}" -lt 1000 ]
 result $? "one that changes the scale of the strip less than 1000 (at: $scaled)"

@@ -386,7 +386,7 @@ misfit_of(const struct site *site, size_t m, uint64_t seed)
 	struct calibrate_options o = calibrate_options_default();
 	o.settings.breakage = (unsigned)m;
 	o.bounds = bounds_default(m);
-	o.population = 2000;
+	o.population = often(500, 2000);
 	o.seed = seed;
 	return fitted(site, &o).misfit;
 }

@@ -14,8 +14,8 @@
  * top: mm, what all of a feed is assumed to pass whose coarsest sieve does not.
  * range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts: samples
  * of product to be added to a site, which need no feed; feed: the feed in it is
- * wanted, which is what a lone sample without a role then is.  text: NULL, or what
- * the one file would hold, which is then not read; path is its name. */
+ * wanted, which is what a lone sample without a role then is.  text: NULL, or
+ * what the one file would hold, which is then not read; path is its name. */
 struct site_request {
 	size_t n;
 	const char *const *path;
