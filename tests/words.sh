@@ -28,12 +28,12 @@ section() {
 # block NAME: the lines set in by two blanks below a heading of the help.
 block() { awk -v n="$1" '$0 == n { h = 1; next } /^[^ ]|^$/ { h = 0 } h' help; }
 
-# Commands and their aliases.
+# Commands and their aliases, but for those of two words.
 sed -n 's/^  \([a-z, ]*[a-z]\)  .*/\1/p' commands | tr ',' ' ' >all
 {
 	section COMMANDS | sed -n 's/^\.It "\([a-z]*\).*/\1/p'
 	section COMMANDS | grep -A 1 '^Also called' |
-		sed -n 's/^\.Cm \([a-z]*\) .*/\1/p'
+		sed -n 's/^\.Cm \([a-z]*\) \.$/\1/p'
 } >in_manual
 same "commands: help and manual" all in_manual
 awk "/^\\t-c\\)/ { h = 1; next } h && /;;/ { exit }

@@ -67,11 +67,18 @@ stops(void)
 const struct command *
 control_command(const char *line)
 {
-	size_t at = strspn(line, " \t"), n = strcspn(line + at, " \t>|");
+	static const char ENDS[] = " \t>|";
 	if (strchr(line, ';') != NULL)
 		return NULL;
-	char *word = xstrndup(line + at, n);
-	const struct command *command = command_called(word, true);
+	line += strspn(line, " \t");
+	size_t n = strcspn(line, ENDS), gap = strspn(line + n, " \t");
+	char *word = xstrndup(line, n);
+	char *both = xasprintf("%s %.*s", word,
+	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
+	const struct command *command = command_find(both);
+	if (command == NULL)
+		command = command_called(word, true);
+	free(both);
 	free(word);
 	return command;
 }

@@ -78,10 +78,15 @@ every_command_is_offered_by_name_and_alias(void **state)
 		free(name);
 		if (c->alias == NULL)
 			continue;
-		char *alias = xasprintf("%s ", c->alias);
+		char *alias =
+		    xasprintf("%.*s ", (int)strcspn(c->alias, " "), c->alias);
 		assert_true(offers(desk, "", alias));
 		free(alias);
 	}
+	expect(desk, "sto", 0, "store ");
+	expect(desk, "store ", 6, "export |forget |import |list ");
+	expect(desk, "store li", 6, "list ");
+	expect(desk, "store list ori", 11, "origin=");
 	expect(desk, "predi", 0, "predict ");
 	expect(desk, "  predi", 2, "predict ");
 	expect(desk, "sites;predi", 6, "predict ");

@@ -47,6 +47,13 @@ command_group(const struct command *command)
 	return NULL;
 }
 
+const char *
+command_short_alias(const struct command *command)
+{
+	const char *alias = command->alias;
+	return alias != NULL && strchr(alias, ' ') == NULL ? alias : NULL;
+}
+
 const struct command *
 command_find(const char *name)
 {
@@ -104,7 +111,7 @@ command_nearest(const char *name)
 	static const char *const OTHERS[][2] = {{"close", "drop"},
 	    {"delete", "drop"}, {"goal", "set goal"}, {"open", "load"},
 	    {"remove", "drop"}, {"rm", "drop"}, {"run", "calibrate"},
-	    {"speed", "predict"}, {"unload", "drop"}};
+	    {"speed", "predict"}, {"store", "store list"}, {"unload", "drop"}};
 	const char *nearest = NULL;
 	size_t least = 3; /* more edits than this is another word */
 	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)

@@ -103,7 +103,8 @@ struct command_operands {
 	size_t least, most;
 };
 
-/* bare: option that a bare word stands for ("predict 74"), or NULL.
+/* alias: a second name, of one or two words ("store list"), or NULL.
+ * bare: option that a bare word stands for ("predict 74"), or NULL.
  * setting: options that may be written as two words ("set method classes").
  * text: sentences for help and manual.  example: lines of a script that runs in
  * a folder with the project's data/. */
@@ -134,6 +135,9 @@ const struct command *command_next(const struct command *after);
 
 /* The group it stands in: "answers". */
 const char *command_group(const struct command *command);
+
+/* The alias where it is one word, else NULL: lists have no room for two. */
+const char *command_short_alias(const struct command *command);
 
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);

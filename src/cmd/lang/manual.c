@@ -156,11 +156,13 @@ static void
 print_commands(FILE *out)
 {
 	fputs("	-c)\n		words='", out);
-	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		const char *alias = command_short_alias(c);
 		fprintf(out, "%s%s%s%s",
 		    c == command_next(NULL) ? "" : "\n			",
-		    c->name, c->alias != NULL ? " " : "",
-		    c->alias != NULL ? c->alias : "");
+		    c->name, alias != NULL ? " " : "",
+		    alias != NULL ? alias : "");
+	}
 	fputs("'\n		;;\n", out);
 }
 

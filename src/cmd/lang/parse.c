@@ -156,6 +156,21 @@ is_verbatim(const struct words *words, struct place place)
 	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
 }
 
+/* Makes one word of the two of a command's name: "store list". */
+static void
+join_name(struct words *words)
+{
+	char *name = xasprintf("%s %s", words->text[0], words->text[1]);
+	if (command_find(name) == NULL) {
+		free(name);
+		return;
+	}
+	free(words->text[0]);
+	free(words->text[1]);
+	words->text[0] = name;
+	words->n = 1;
+}
+
 static bool
 add_word(const char *line, size_t *at, struct place place, bool verbatim,
     struct words *words, struct error *error)
@@ -166,8 +181,11 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 		    column, "more than %d words", (int)OPERANDS);
 	size_t i = words->n++;
 	words->column[i] = column;
-	return take_word(line, at, verbatim, &words->text[i]) ||
-	       open_quote(place, column, error);
+	if (!take_word(line, at, verbatim, &words->text[i]))
+		return open_quote(place, column, error);
+	if (i == 1)
+		join_name(words);
+	return true;
 }
 
 bool

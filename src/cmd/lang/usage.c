@@ -88,8 +88,9 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
 void
 usage_brief(const struct command *c, FILE *out)
 {
-	char *name = c->alias != NULL ? xasprintf("%s, %s", c->name, c->alias)
-				      : xstrdup(c->name);
+	const char *alias = command_short_alias(c);
+	char *name = alias != NULL ? xasprintf("%s, %s", c->name, alias)
+				   : xstrdup(c->name);
 	fprintf(out, "  %-16s %s\n", name, tr(c->brief));
 	free(name);
 }

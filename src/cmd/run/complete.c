@@ -52,14 +52,38 @@ offer(struct work *w, const char *text, char append)
 		put(w, text, append);
 }
 
+/* The first word of a name, once where several have it. */
+static void
+offer_name(struct work *w, const char *name)
+{
+	char *word = xstrndup(name, strcspn(name, " "));
+	bool there = false;
+	for (size_t i = 0; i < w->result->n && !there; i++)
+		there = strcmp(w->result->candidate[i].text, word) == 0;
+	if (!there)
+		offer(w, word, ' ');
+	free(word);
+}
+
 static void
 offer_commands(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		offer(w, c->name, ' ');
+		offer_name(w, c->name);
 		if (c->alias != NULL)
-			offer(w, c->alias, ' ');
+			offer_name(w, c->alias);
 	}
+}
+
+/* The second words of names that begin with this one. */
+static void
+offer_second_words(struct work *w, const char *first)
+{
+	size_t n = strlen(first);
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+		if (c->alias != NULL && strncmp(c->alias, first, n) == 0 &&
+		    c->alias[n] == ' ')
+			offer(w, c->alias + n + 1, ' ');
 }
 
 static void
@@ -370,8 +394,10 @@ static void
 offer_behind(struct work *w, const struct words *words, const char *line)
 {
 	const struct command *command = command_called(words->text[0], true);
-	if (command == NULL)
+	if (command == NULL) {
+		offer_second_words(w, words->text[0]);
 		return;
+	}
 	struct used used = use_up(command, words);
 	bool named;
 	const struct command_option *o =

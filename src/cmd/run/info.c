@@ -68,9 +68,16 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 {
 	FILE *out = help_stream(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
-	const struct command *command =
-	    name != NULL ? command_find(name) : NULL;
 	bool example = args->n_operand == 2;
+	char *both =
+	    example ? xasprintf("%s %s", name, args->operand[1]) : NULL;
+	const struct command *command =
+	    both != NULL ? command_find(both) : NULL;
+	free(both);
+	if (command != NULL)
+		example = false;
+	else if (name != NULL)
+		command = command_find(name);
 	if (example && strcmp(args->operand[1], "example") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "help: expected 'example' after the command, got '%s'",
