@@ -48,6 +48,8 @@ await_return(void)
 	/* ^C has ended the shell command. */
 	pump_forget_interrupt();
 	pump_answer(NULL);
+	/* Whoever leaves the screen finds a line of their own. */
+	fputs("\n", stdout);
 }
 
 /* Whether the page Predict shows all that a line asks: the site's product at a
