@@ -52,6 +52,35 @@ text_number(const char *s, double *value)
 }
 
 bool
+text_is_decimal_comma(const char *s, const char *at)
+{
+	enum { THOUSANDS = 3 };
+	const char *from = at, *end = at + 1;
+	while (from > s && is_digit(from[-1]))
+		from--;
+	while (*at == ',' && is_digit(*end))
+		end++;
+	bool more = *end == ',' && is_digit(end[1]);
+	bool before = from - s > 1 && from[-1] == ',' && is_digit(from[-2]);
+	bool thousands = end - at - 1 == THOUSANDS && *from != '0';
+	return *at == ',' && from < at && end > at + 1 && !more && !before &&
+	       !thousands;
+}
+
+bool
+text_typed_number(const char *s, double *value)
+{
+	const char *comma = strchr(s, ',');
+	if (comma == NULL || !text_is_decimal_comma(s, comma))
+		return text_number(s, value);
+	char *copy = xstrdup(s);
+	copy[comma - s] = '.';
+	bool ok = text_number(copy, value);
+	free(copy);
+	return ok;
+}
+
+bool
 text_whole(const char *s, uint64_t *value)
 {
 	if (!is_digit(*s))

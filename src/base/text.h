@@ -12,6 +12,13 @@
  * the locale.  Spaces around it are allowed; hex, "inf" and "nan" are not. */
 bool text_number(const char *s, double *value);
 
+/* As people type it: also with a decimal comma, "11,2".  One before three
+ * digits may part thousands, "1,640", and is refused, but for "0,063". */
+bool text_typed_number(const char *s, double *value);
+
+/* Whether what is at a place of s can only be a decimal comma. */
+bool text_is_decimal_comma(const char *s, const char *at);
+
 /* Read all of s as a whole number from 0 to 2^64-1. */
 bool text_whole(const char *s, uint64_t *value);
 

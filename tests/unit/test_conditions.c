@@ -55,10 +55,8 @@ what_to_write_is_said(void **state)
 {
 	static const struct {
 		const char *text, *hint;
-	} CASES[] = {{"P80=6,5", "use a decimal point: 6.5"},
-	    {"passing 0,063 < 6", "use a decimal point: 0.063"},
-	    {"passing 2 = 40,5..42", "use a decimal point: 40.5"},
-	    {"0/2 >= 30, P80=6,5", "use a decimal point: 6.5"},
+	} CASES[] = {{"P80=6,500", "use a decimal point: 6.500"},
+	    {"0/2 >= 30, P80=6,500", "use a decimal point: 6.500"},
 	    {"p80 6.5", "write: p80 = 6.5"}, {"p80 6.5 mm", "write: p80 = 6.5"},
 	    {"passing 2 mm 38-42", "write: passing 2 mm = 38..42"},
 	    {"P50 of 0/4 2", "write: P50 of 0/4 = 2"}};
@@ -82,6 +80,13 @@ a_comma_between_conditions_is_no_decimal_one(void **state)
 	assert_true(conditions_read_list(
 	    "P80=6,0/2>=30,passing 2=40..50; cu<7", &WHOLE, &list, &error));
 	assert_int_equal(list.n, 4);
+	conditions_free(&list);
+	list = (struct condition_list){0};
+	assert_true(conditions_read_list(
+	    "P80=6,5,passing 0,063 = 40,5..42, cu<7", &WHOLE, &list, &error));
+	assert_int_equal(list.n, 3);
+	assert_float_equal(list.at[0].least, 6.5e-3, 1e-12);
+	assert_float_equal(list.at[1].least, 0.405, 1e-12);
 	conditions_free(&list);
 }
 

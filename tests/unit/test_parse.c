@@ -87,12 +87,11 @@ static const struct {
     {"seed 1 2", 8, "unexpected word '2'", "usage: seed"},
     {"set method", 5, "method: expected a value", ""},
     {"use", 1, "use: expected SITE", "usage: use SITE"},
-    {"predict speed=74,5", 9, "74,5", "use a decimal point"},
-    {"predict 74,5", 9, "expected a number", "use a decimal point: 74.5"},
-    {"predict 74,5m/s", 9, "expected a number", "use a decimal point: 74.5"},
+    {"predict speed=1,074", 9, "1,074", "use a decimal point"},
+    {"predict 7,450", 9, "expected a number", "use a decimal point: 7.450"},
+    {"predict 7,450m/s", 9, "expected a number", "use a decimal point: 7.450"},
     {"predict 74,5,6", 9, "expected a number", "use a decimal point: 11.2"},
-    {"predict 69 m/s", 12, "no space before the unit", "write 69m/s"},
-    {"sweep speeds=65..70 m/s", 21, "unit", "write 65..70m/s"},
+    {"predict 69 kg", 12, "unexpected word 'kg'", "usage"},
     {"sweep 55-75", 7, "got '55-75'", "write a range with two points: 55..75"},
     {"sweep 55-75m/s", 7, "got '55-75m/s'", "55..75"},
     {"sweep a-b", 7, "got 'a-b'", ""},
@@ -245,7 +244,8 @@ static const struct {
     {"sweep 65m/s,75m/s", 2, 65, 10}, {"sweep 65..66:0.1", 11, 65, 0.1},
     {"sweep speeds=65..85:0.1", 201, 65, 0.1}, {"sweep 65..69:3", 2, 65, 3},
     {"sweep 70..70", 1, 70, 0}, {"sweep \"65, 70, 75\"", 3, 65, 5},
-    {"sweep 65m/s..75m/s:5m/s", 3, 65, 5}, {"sweep", 0, 0, 0}};
+    {"sweep 65m/s..75m/s:5m/s", 3, 65, 5},
+    {"sweep speeds=65..70 m/s", 6, 65, 1}, {"sweep", 0, 0, 0}};
 
 static void
 lists_and_ranges_become_numbers(void **state)
@@ -274,7 +274,8 @@ values_are_read_as_typed(void **state)
 	(void)state;
 	static const char *const speeds[] = {"predict 74.5",
 	    "predict speed=74.5", "predict 74.5m/s", "predict \"74.5 m/s\"",
-	    "predict curve=off 74.5", "predict speed=7.45e1"};
+	    "predict curve=off 74.5", "predict speed=7.45e1", "predict 74,5",
+	    "predict speed=74,50 m/s", "predict 74,5m/s"};
 	for (size_t i = 0; i < ARRAY_LEN(speeds); i++) {
 		struct call *call = call_accept(speeds[i]);
 		assert_true(call_value(call, "speed")->given);

@@ -237,10 +237,16 @@ bool
 conditions_read(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
-	for (const char *at = text; *at != '\0'; at++)
-		if (is_decimal(text, at))
-			return no_comma(text, at, error);
 	char *with = with_sign(text);
+	for (char *at = with; *at != '\0'; at++) {
+		if (!is_decimal(with, at))
+			continue;
+		if (!text_is_decimal_comma(with, at)) {
+			free(with);
+			return no_comma(text, strchr(text, ','), error);
+		}
+		*at = '.';
+	}
 	bool ok = read_signed(with, fraction, c, error);
 	free(with);
 	return ok;

@@ -32,8 +32,8 @@ read_size(const char *text, double *m)
 	double mm;
 	if (text_ends(word, "mm"))
 		word[strlen(word) - 2] = '\0';
-	bool ok =
-	    text_number(word, &mm) && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
+	bool ok = text_typed_number(word, &mm) && mm >= SIZE_LEAST_MM &&
+		  mm <= SIZE_MOST_MM;
 	free(word);
 	if (ok)
 		*m = mm / 1000;

@@ -261,9 +261,10 @@ read_range(const char *word, double *lower, double *upper)
 	bool ok;
 	if (dots != NULL) {
 		*dots = '\0';
-		ok = text_number(text, lower) && text_number(dots + 2, upper);
+		ok = text_typed_number(text, lower) &&
+		     text_typed_number(dots + 2, upper);
 	} else {
-		ok = text_number(text, lower);
+		ok = text_typed_number(text, lower);
 		*upper = *lower;
 	}
 	free(text);

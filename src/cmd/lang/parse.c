@@ -171,6 +171,35 @@ join_name(struct words *words)
 	words->n = 1;
 }
 
+/* Puts a unit to the number before it, "72 m/s", and makes an option of the
+ * rotor's turns, "1640 rpm", where the command has it. */
+static void
+join_unit(const struct command *command, struct words *words)
+{
+	char **word = &words->text[words->n - 2];
+	const char *unit = word[1], *equals = strchr(*word, '=');
+	const char *number = equals != NULL ? equals + 1 : *word;
+	char *name = equals != NULL
+			 ? xstrndup(*word, (size_t)(equals - *word))
+			 : xstrdup(command->bare != NULL ? command->bare : "");
+	size_t i = command_option_index(command, name);
+	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
+			     : command->operands.most > 0 ? "m/s"
+							  : "";
+	bool turns = equals == NULL && strcmp(unit, "rpm") == 0 &&
+		     command_option_index(command, "rpm") < OPTIONS;
+	free(name);
+	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
+	    *number < '0' || *number > '9')
+		return;
+	char *joined =
+	    turns ? xasprintf("rpm=%s", *word) : xasprintf("%s%s", *word, unit);
+	free(word[0]);
+	free(word[1]);
+	word[0] = joined;
+	words->n--;
+}
+
 static bool
 add_word(const char *line, size_t *at, struct place place, bool verbatim,
     struct words *words, struct error *error)
@@ -185,6 +214,10 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 		return open_quote(place, column, error);
 	if (i == 1)
 		join_name(words);
+	const struct command *command =
+	    words->n > 2 ? command_called(words->text[0], place.prompt) : NULL;
+	if (command != NULL && !verbatim)
+		join_unit(command, words);
 	return true;
 }
 
@@ -242,7 +275,7 @@ value_number(const char *word, const char *unit, double *value)
 {
 	char *text = xstrdup(word);
 	cut_unit(text, unit);
-	bool ok = text_number(text, value);
+	bool ok = text_typed_number(text, value);
 	free(text);
 	return ok;
 }
@@ -306,7 +339,9 @@ static bool
 number(const struct command_option *option, const char *word, double *value,
     struct error *error)
 {
-	bool ok = value_number(word, option->unit, value);
+	/* In a list a comma stands between numbers. */
+	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
+	bool ok = !list && value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	bool comma = option->kind == VALUE_NUMBER && strchr(word, ',') != NULL;
@@ -584,25 +619,6 @@ take_fallbacks(struct args *args, struct error *error)
 	return ok;
 }
 
-/* True, with the error, for "69 m/s". */
-static bool
-is_lone_unit(const struct args *args, const char *word, struct error *error)
-{
-	const struct command_option *o;
-	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
-	     i++) {
-		if (!args->value[i].given || o->unit[0] == '\0' ||
-		    strcmp(o->unit, word) != 0)
-			continue;
-		error_set(error, ERROR_USAGE,
-		    "expected no space before the unit\n"
-		    "write %s%s",
-		    args->value[i].text, word);
-		return true;
-	}
-	return false;
-}
-
 /* True, with the error, for "p80" and for "P80=5.5", as tables head it. */
 static bool
 is_lone_option(
@@ -636,8 +652,6 @@ check_operands(const struct args *args, struct error *error)
 			       : NULL;
 	if (more == NULL && args->n_operand >= command->operands.least)
 		return true;
-	if (more != NULL && is_lone_unit(args, more, error))
-		return false;
 	if (more != NULL && is_lone_option(command, more, error))
 		return false;
 	char *usage = command_usage(command);

@@ -352,7 +352,7 @@ static bool
 take_rotor(const char *said, struct inquired *into, char *wrong)
 {
 	double mm;
-	bool good = text_number(said, &mm) && mm >= LEAST_ROTOR_MM &&
+	bool good = text_typed_number(said, &mm) && mm >= LEAST_ROTOR_MM &&
 		    mm <= MOST_ROTOR_MM;
 	into->rotor = good ? mm / 1000 : 0;
 	if (!good)
@@ -372,7 +372,7 @@ take_top(const char *settle, const char *said, struct inquired *into,
 	bool yes = strncasecmp(said, "yes", n) == 0;
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
 	*given_up = n > 0 && strncasecmp(said, "no", n) == 0;
-	bool good = text_number(number, &into->top) && into->top > 0;
+	bool good = text_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
 		snprintf(wrong, WRONG,
 		    tr("expected y, n or another size in mm, got '%.30s'"),
