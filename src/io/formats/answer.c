@@ -789,7 +789,7 @@ wrapped_from(const struct table *t, const struct form *f, struct block b)
 	size_t last = t->n_column - 1;
 	if (f->wraps)
 		return f->indent;
-	if (b.from == 0 || b.to <= last || f->number[last])
+	if (last == 0 || b.from == 0 || b.to <= last || f->number[last])
 		return 0;
 	int indent = 4 + f->width[0];
 	for (size_t c = b.from; c < last; c++)
