@@ -341,7 +341,8 @@ has_range(const char *text)
 		bool date = second == 4 || n == 4;
 		if (!date && range_at(p) == 0)
 			return true;
-		p += strspn(p, "0123456789.,-/") - 1;
+		p += strspn(p, "0123456789.,-/");
+		p--;
 	}
 	return false;
 }
