@@ -56,6 +56,7 @@ what_to_write_is_said(void **state)
 	static const struct {
 		const char *text, *hint;
 	} CASES[] = {{"P80=6,500", "use a decimal point: 6.500"},
+	    {"P80 = 5,2..1,640", "use a decimal point: 1.640"},
 	    {"0/2 >= 30, P80=6,500", "use a decimal point: 6.500"},
 	    {"p80 6.5", "write: p80 = 6.5"}, {"p80 6.5 mm", "write: p80 = 6.5"},
 	    {"passing 2 mm 38-42", "write: passing 2 mm = 38..42"},

@@ -310,8 +310,7 @@ page_of(const struct asked *all, const struct card_row *row, size_t rows,
     double level)
 {
 	struct page page = {.rows = rows};
-	struct page_column *c =
-	    page_column(&page, xstrdup("m/s"), NEEDED, NEEDED);
+	struct page_column *c = page_column(&page, xstrdup("m/s"), 0, NEEDED);
 	for (size_t k = 0; k < rows; k++)
 		page_cell(c, k, row[k].speed, xasprintf("%g", row[k].speed));
 	if (all->question->entry->site->rotor > 0) {

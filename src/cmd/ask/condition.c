@@ -238,16 +238,15 @@ conditions_read(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
 	char *with = with_sign(text);
-	for (char *at = with; *at != '\0'; at++) {
+	bool ok = true;
+	for (char *at = with; ok && *at != '\0'; at++) {
 		if (!is_decimal(with, at))
 			continue;
-		if (!text_is_decimal_comma(with, at)) {
-			free(with);
-			return no_comma(text, strchr(text, ','), error);
-		}
+		ok = text_is_decimal_comma(with, at) ||
+		     no_comma(with, at, error);
 		*at = '.';
 	}
-	bool ok = read_signed(with, fraction, c, error);
+	ok = ok && read_signed(with, fraction, c, error);
 	free(with);
 	return ok;
 }
