@@ -119,7 +119,7 @@ runs=0 signals=0 wrong=0 torn=0 spared=0
 
 # stride N: every how many of N faults of a kind and part there are to be.
 stride() {
-	most=$(often 6 "$1")
+	most=$(often 4 "$1")
 	echo $((($1 + most - 1) / most))
 }
 

@@ -5,7 +5,7 @@
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 cd "$dir" || exit 99
-run='calibrate population=400 generations=60000 tolerance=0 stall=0 polish=off'
+run='calibrate population=400 generations=60000 tolerance=0 stall=0 polish=off threads=1'
 for signal in INT TERM HUP; do
 	case $signal in
 	INT) want=130 ;;
@@ -60,8 +60,8 @@ awk 'BEGIN {
 }' >big.csv
 for seconds in 0.4 0.8 1.5 2.5; do
 	env --default-signal=INT "$TIPSPEED" --store=:memory: big.csv \
-		-c 'calibrate train=65,75,85 stall=0 tolerance=0 generations=20' \
-		-c 'predict 70' -c 'calibrate seed=2' >out 2>log &
+		-c 'calibrate train=65,75,85 stall=0 tolerance=0 generations=20 threads=1' \
+		-c 'predict 70' -c 'calibrate seed=2 threads=1' >out 2>log &
 	pid=$!
 	sleep $seconds
 	from=$(date +%s%N)

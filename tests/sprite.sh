@@ -35,7 +35,7 @@ convert() {
 	}' "$D/sprite-jrs-feed.csv" "$D/sprite-jrs-products.csv" |
 		sort -t, -k1,1gr | cut -d, -f2-
 }
-for screen in 12.7 19.05; do
+for screen in 12.7 $([ "$(often 0 1)" -eq 0 ] || echo 19.05); do
 	convert $screen >"$dir/sprite.csv"
 	"$TIPSPEED" "$dir/sprite.csv" -c 'set correction train' -c calibrate \
 		-c validate -c 'predict band=on' >"$dir/out" 2>"$dir/log"
