@@ -484,7 +484,7 @@ first_speed(const struct session *s)
 {
 	double speed = session_known(s, "predict find", "speed");
 	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	struct slider_range range = slider_range(e != NULL ? e->site : NULL);
+	struct slider_range range = tui_range_of(s, e);
 	if (slider_has(range, speed))
 		return slider_tenths(range, speed);
 	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;

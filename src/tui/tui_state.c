@@ -31,10 +31,17 @@ tui_why_none(const struct tui *t)
 }
 
 struct slider_range
+tui_range_of(const struct session *s, const struct entry *entry)
+{
+	double from, to;
+	settings_reach(&s->set, entry != NULL ? entry->site : NULL, &from, &to);
+	return slider_range(from, to);
+}
+
+struct slider_range
 tui_range(const struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
-	return slider_range(entry != NULL ? entry->site : NULL);
+	return tui_range_of(t->session, tui_entry(t));
 }
 
 size_t

@@ -297,6 +297,8 @@ const char *tui_why_none(const struct tui *t);
 
 /* The speeds of the slider at that site. */
 struct slider_range tui_range(const struct tui *t);
+struct slider_range tui_range_of(
+    const struct session *s, const struct entry *entry);
 
 /* The run of that site whose feed the slider predicts with, whatever its speed:
  * what changes while it moves is what the speed does.  It is the one that the

@@ -18,6 +18,14 @@ static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST};
 static const struct slider_mark MARKS[] = {
     {690, true}, {740, false}, {790, true}};
 
+static struct slider_range
+range_of(const struct site *site)
+{
+	double from, to;
+	site_reach(site, &from, &to);
+	return slider_range(from, to);
+}
+
 static void
 speeds_become_tenths_exactly(void **state)
 {
@@ -98,7 +106,7 @@ the_range_holds_the_runs_of_the_site(void **state)
 	(void)state;
 	struct run runs[] = {{.speed = 62.4}, {.speed = 88}};
 	struct site site = {.run = runs, .n_run = 2};
-	struct slider_range range = slider_range(&site);
+	struct slider_range range = range_of(&site);
 	assert_int_equal(range.least, 620);
 	assert_int_equal(range.most, 880);
 	assert_int_equal(slider_tenths(range, 62.4), 624);
@@ -110,10 +118,10 @@ the_range_holds_the_runs_of_the_site(void **state)
 	assert_string_equal(text, "|62.4----[74.0]-----------|");
 	runs[0].speed = 0; /* a feed for any speed */
 	runs[1].speed = 74;
-	range = slider_range(&site);
+	range = range_of(&site);
 	assert_int_equal(range.least, SLIDER_LEAST);
 	assert_int_equal(range.most, SLIDER_MOST);
-	range = slider_range(NULL);
+	range = range_of(NULL);
 	assert_int_equal(range.most, SLIDER_MOST);
 }
 
@@ -143,15 +151,15 @@ a_slow_machine_has_a_track_of_its_own(void **state)
 	(void)state;
 	struct run runs[] = {{.speed = 6.5}, {.speed = 8.2}, {.speed = 9.8}};
 	struct site site = {.run = runs, .n_run = 3};
-	struct slider_range range = slider_range(&site);
+	struct slider_range range = range_of(&site);
 	assert_int_equal(range.least, 40);
 	assert_int_equal(range.most, 120);
 	site.n_run = 1;
-	range = slider_range(&site);
+	range = range_of(&site);
 	assert_true(range.least >= 10 && range.least < 65);
 	assert_true(range.most > 65 && range.most <= 140);
 	runs[0].speed = 40; /* slow for such a crusher, but one */
-	range = slider_range(&site);
+	range = range_of(&site);
 	assert_int_equal(range.least, 400);
 	assert_int_equal(range.most, SLIDER_MOST);
 }

@@ -138,6 +138,8 @@ other_value(const struct command_option *o)
 		return xstrdup(strrchr(option_choices(o), ' ') + 1);
 	case VALUE_FILE:
 		return xstrdup("data/energy/vsi-79.csv");
+	case VALUE_NUMBERS:
+		return xasprintf("%g..%g", o->least, o->most);
 	case VALUE_TEXT:
 		return xstrdup(strcmp(o->name, "goal") == 0 ? "p80=5" : "p50");
 	default:

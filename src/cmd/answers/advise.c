@@ -64,10 +64,11 @@ add_candidate(const struct site *site, struct candidate *c, size_t n, double v)
 /* A repeat at each measured speed, the speed asked for and round ones; [*n],
  * which the caller frees. */
 static struct candidate *
-candidates(const struct site *site, double asked, size_t *n)
+candidates(
+    const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
-	double *round = answers_speeds(site, &more);
+	double *round = answers_speeds(s, site, &more);
 	struct candidate *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (misfit_covered(&site->run[r]) > 0)
@@ -192,7 +193,8 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;
-	struct candidate *c = candidates(entry->site, w->question->speed, &n);
+	struct candidate *c =
+	    candidates(s, entry->site, w->question->speed, &n);
 	weigh(s, w, answer, width, c, n);
 	struct answer *r = answers_new(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s", w->name,

@@ -511,11 +511,12 @@ note_limits(struct answer *r, const struct asked *all)
 
 /* 65 to 85 by 1 m/s, or the speeds given; the caller frees. */
 static double *
-card_speeds(const struct args *args, const struct site *site, size_t *n)
+card_speeds(const struct session *s, const struct args *args,
+    const struct site *site, size_t *n)
 {
 	const struct value *given = args_value(args, "speeds");
 	double from, to;
-	site_reach(site, &from, &to);
+	settings_reach(&s->set, site, &from, &to);
 	*n = given->n > 0 ? given->n : (size_t)floor(to - from) + 1;
 	double *speed = xdoubles(*n);
 	for (size_t i = 0; i < *n; i++)
@@ -614,7 +615,7 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
 {
 	struct asked all = {.question = q};
 	size_t n;
-	double *speed = card_speeds(args, q->entry->site, &n);
+	double *speed = card_speeds(s, args, q->entry->site, &n);
 	bool ok = read_asked(s, &all, args, speed[n - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;

@@ -258,9 +258,11 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	size_t at = s->current;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
-	if (!sites && (!value_number(word, "m/s", &v) || v < 1 || v > 200))
+	if (!sites &&
+	    (!value_number(word, "m/s", &v) || v < 1 || v > SITE_FASTEST))
 		return error_set(error, ERROR_USAGE,
-		    "compare: expected speeds from 1 to 200 m/s, got %s", word);
+		    "compare: expected speeds from 1 to %d m/s, got %s",
+		    SITE_FASTEST, word);
 	const struct question *like = i > 0 ? &side[-1].q : NULL;
 	if (!answers_known(s, &s->entry[at], error) ||
 	    !(like != NULL && like->named != NULL

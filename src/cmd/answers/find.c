@@ -616,7 +616,7 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct goal goal = {.kind = GOAL_VALUE, .question = q};
-	if (!conditions_speeds(args, q->entry->site, &goal.wanted.from,
+	if (!conditions_speeds(s, args, q->entry->site, &goal.wanted.from,
 		&goal.wanted.to, error))
 		return false;
 	return wishes_spec(s, args) ? answer_spec(s, args, &goal, error)

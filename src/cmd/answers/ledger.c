@@ -239,10 +239,10 @@ balance_answer(struct session *s, const struct args *args,
 		    "of the product is told\n"
 		    "leave out cut=, or one of the speeds");
 	if (!value_number(args->operand[0], "m/s", &v[1]) || v[1] < 1 ||
-	    v[1] > 200)
+	    v[1] > SITE_FASTEST)
 		return error_set(error, ERROR_USAGE,
-		    "why: expected speeds from 1 to 200 m/s, got %s",
-		    args->operand[0]);
+		    "why: expected speeds from 1 to %d m/s, got %s",
+		    SITE_FASTEST, args->operand[0]);
 	struct balance b = {.s = s,
 	    .q = q,
 	    .entry = entry,

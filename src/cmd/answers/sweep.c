@@ -128,7 +128,7 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	const struct value *speeds = args_value(args, "speeds");
 	size_t n = speeds->n;
-	double *usual = n == 0 ? answers_speeds(entry->site, &n) : NULL;
+	double *usual = n == 0 ? answers_speeds(s, entry->site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : speeds->list;
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false, ok = screened_tells(q, error);

@@ -4,13 +4,13 @@
 
 #define SPEED_OPTION                                                      \
 	{                                                                 \
-		"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",           \
+		"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",  \
 		    "rotor tip speed; default: a held-out speed, else 74" \
 	}
 
 #define LAST_SPEED_OPTION                                                    \
 	{                                                                    \
-		"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",              \
+		"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",     \
 		    "rotor tip speed; default: as last predicted, with its " \
 		    "feed"                                                   \
 	}
@@ -34,7 +34,7 @@ static const struct command_option BLEND_OPTIONS[] = {SPEED_OPTION,
 	"overwrite an existing sheet"},
     {.name = NULL}};
 static const struct command_option REPORT_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"rotor tip speed; default: the best one for the conditions, else a "
 	"held-out speed, else 74"},
     {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "",
@@ -44,7 +44,7 @@ static const struct command_option REPORT_OPTIONS[] = {
     TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
+    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",
 	"rotor tip speeds; default 65..85:5, extended or moved to cover the "
 	"runs"},
     TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
@@ -68,7 +68,7 @@ static const struct command_option SWEEP_OPTIONS[] = {
 	}
 
 static const struct command_option CARD_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",
+    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",
 	"rotor tip speeds; default 65..85 by 1, extended or moved to cover the "
 	"runs"},
     {"of", VALUE_TEXT, "", 0, 0, NULL, "passing 2,fines",
@@ -81,12 +81,12 @@ static const struct command_option CARD_OPTIONS[] = {
     TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
     TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
-    {"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",
+    {"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "",
 	"take the feed sampled at this speed, or the mean"},
     {.name = NULL}};
 
@@ -98,9 +98,9 @@ static const struct command_option FIND_OPTIONS[] = {
     {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size for that passing"},
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"slowest speed; default 65, or less to cover the runs"},
-    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
     TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
 
@@ -115,18 +115,18 @@ static const struct command_option FLOW_OPTIONS[] = {
     FLOW_PARTS, TABLE_SCREENS, TABLE_TURNS,
     {"best", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"find the speed that earns most"},
-    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"slowest speed of best=on; default 65, or less to cover the runs"},
-    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"fastest speed of best=on; default 85, or more to cover the runs"},
     TABLE_QUESTION, {.name = NULL}};
 
 static const struct command_option WINDOW_OPTIONS[] = {
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    {"from", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"slowest speed; default 65, or less to cover the runs"},
-    {"to", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
     TABLE_CUT, TABLE_QUESTION, {.name = NULL}};
 

@@ -234,7 +234,7 @@ take_words(const struct args *args, struct question *q, bool *draws,
 		const char *word = args->operand[i];
 		double v;
 		bool number = value_number(word, "m/s", &v) && v >= 1 &&
-			      v <= 200 && !given;
+			      v <= SITE_FASTEST && !given;
 		if (number)
 			q->speed = v;
 		else if (strcmp(word, "draws") == 0 && !*draws)

@@ -242,7 +242,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	struct asking a = {.q = q};
 	double from, to;
-	bool ok = conditions_speeds(args, entry->site, &from, &to, error) &&
+	bool ok = conditions_speeds(s, args, entry->site, &from, &to, error) &&
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		look(s, &a, from, to);

@@ -138,12 +138,12 @@ answers_sieve(const struct psd *product)
 }
 
 double *
-answers_speeds(const struct site *site, size_t *n)
+answers_speeds(const struct session *s, const struct site *site, size_t *n)
 {
 	enum { MOST = 7 };
 	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
 	double from, to, *speed = xdoubles(MOST);
-	site_reach(site, &from, &to);
+	settings_reach(&s->set, site, &from, &to);
 	size_t i = 0;
 	while (i + 1 < ARRAY_LEN(STEPS) && (to - from) / STEPS[i] >= MOST)
 		i++;

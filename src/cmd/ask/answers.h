@@ -46,7 +46,8 @@ double answers_finer(
 double answers_usual(const struct entry *entry);
 
 /* Round speeds over site_reach, seven at most.  The caller frees. */
-double *answers_speeds(const struct site *site, size_t *n);
+double *answers_speeds(
+    const struct session *s, const struct site *site, size_t *n);
 
 /* The sieve whose passing stands for a product where a sentence has one: that
  * of 2 mm, else the one that half passes most nearly. */

@@ -384,10 +384,10 @@ conditions_add_operands(const struct args *args,
 }
 
 bool
-conditions_speeds(const struct args *args, const struct site *site,
-    double *from, double *to, struct error *error)
+conditions_speeds(const struct session *s, const struct args *args,
+    const struct site *site, double *from, double *to, struct error *error)
 {
-	site_reach(site, from, to);
+	settings_reach(&s->set, site, from, to);
 	*from = args_number(args, "from", *from);
 	*to = args_number(args, "to", *to);
 	return *from < *to || error_set(error, ERROR_USAGE,

@@ -55,8 +55,8 @@ bool conditions_covered(const struct condition *condition,
     const struct psd *feed, struct error *error);
 
 /* The options from and to of a call, else site_reach. */
-bool conditions_speeds(const struct args *args, const struct site *site,
-    double *from, double *to, struct error *error);
+bool conditions_speeds(const struct session *s, const struct args *args,
+    const struct site *site, double *from, double *to, struct error *error);
 
 /* "passing 2 mm 40 to 50 %", "P80 at least 5 mm"; a limit of the list "passing
  * 2 mm at most 50 %"; all of it with commas between; the caller frees. */

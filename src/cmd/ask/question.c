@@ -167,11 +167,11 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 		    "the site file",
 		    name, site->name, name, w->rpm);
 	r->speed = head_mps(w->rpm, SPEED_RPM, diameter);
-	return (r->speed >= 1 && r->speed <= 200) ||
+	return (r->speed >= 1 && r->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
-		   "%s: expected a tip speed from 1 to 200 m/s, got %g (%g "
+		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
 		   "rpm with a rotor of %g mm)",
-		   name, r->speed, w->rpm, units_mm(diameter));
+		   name, SITE_FASTEST, r->speed, w->rpm, units_mm(diameter));
 }
 
 /* What the option feed names, or the setting does where it is not given; NULL

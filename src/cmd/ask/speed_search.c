@@ -48,7 +48,7 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 	    .at = at,
 	    .level = settings_level(&s->set),
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
-	site_reach(q->entry->site, &w.from, &w.to);
+	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
 	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))
 		w.measured[0] = w.measured[1] = site_middle(q->entry->site);
 	free(asked);

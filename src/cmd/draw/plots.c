@@ -589,7 +589,7 @@ sweep_chart(
 	}
 	size_t feed = feed_at(site, q->feed_speed);
 	add_curve(&c, site_feed(site, feed), xstrdup(tr("feed")), FEED);
-	double *usual = n == 0 ? answers_speeds(site, &n) : NULL;
+	double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
 		add_product(&c,

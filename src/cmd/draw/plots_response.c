@@ -397,7 +397,7 @@ plots_response(
 	if (!answers_known(s, entry, error))
 		return NULL;
 	d.feed = feed_at(entry->site, q->feed_speed);
-	site_reach(entry->site, &d.from, &d.to);
+	settings_reach(&s->set, entry->site, &d.from, &d.to);
 	if (read_drawn(s, q->of, q->limits, &d, error)) {
 		look(s, &d);
 		chart = make_charts(s, &d);

@@ -5,13 +5,13 @@
 #include "cmd/draw/plot_request.h"
 
 #define WHAT_OPTIONS                                                           \
-	{"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                       \
+	{"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",              \
 	    "rotor tip speed of psd and selection; default: the middle of "    \
 	    "the runs"},                                                       \
 	    TABLE_TURNS, TABLE_QUESTION, TABLE_CUT,                            \
-	    {"other", VALUE_NUMBER, "m/s", 1, 200, NULL, "",                   \
+	    {"other", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",          \
 		"another speed for comparison"},                               \
-	    {"other_feed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",              \
+	    {"other_feed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",     \
 		"psd: that one takes the feed sampled at this speed"},         \
 	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                       \
 		"psd: also show the product of this loaded site, or what is "  \
@@ -19,7 +19,7 @@
 	    {"site", VALUE_TEXT, "", 0, 0, "SITE", "",                         \
 		"this loaded site instead of the one in use; pinned: the "     \
 		"prediction that is, with its site"},                          \
-	    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "",                 \
+	    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",        \
 		"tip speeds of sweep; default 65..85:5, extended or moved to " \
 		"cover the runs; of runs: further ones, as 65,85"},            \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",                  \

@@ -26,7 +26,7 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
 	"finish with local refinement (polish) by bounded least squares"},
     {"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
 	"threads; default: the session's, one for each processor"},
-    {"train", VALUE_NUMBERS, "m/s", 1, 200, "all", "",
+    {"train", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, "all", "",
 	"training speeds, with all repeats, or all; default: the slowest and "
 	"the fastest"},
     {"weights", VALUE_CHOICE, "", 0, 0, "off sd", "off",

@@ -51,10 +51,14 @@ const struct setting SETTINGS[] = {
 	 "colours for any terminal, or of high contrast for a dark or a light "
 	 "one"},
 	AT(theme)},
-    {{"feed", VALUE_FEED, "m/s", 1, 200, NULL, "mean",
+    {{"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "mean",
 	 "feed of answers: mean, of those sampled; a speed, of that sample; or "
 	 "a sheet's or a blend, as feed= names it"},
 	AT(feed)},
+    {{"slider", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, "usual", "usual",
+	 "speeds that the slider, find, window, sweep and card cover: 20..120; "
+	 "usual: 65..85 and those of the runs"},
+	AT(slider)},
     {{"goal", VALUE_TEXT, "", 0, 0, NULL, "none",
 	 "what is wanted of the product: p80=5.4, \"passing 2 = 40..50\", an "
 	 "envelope"},

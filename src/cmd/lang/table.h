@@ -4,6 +4,7 @@
 #define TIPSPEED_CMD_LANG_TABLE_H
 
 #include "cmd/lang/command.h"
+#include "core/psd/site.h"
 
 command_run cmd_load, cmd_add, cmd_sites, cmd_use, cmd_drop, cmd_check,
     cmd_mend, cmd_show, cmd_synth, cmd_template, cmd_write;
@@ -24,7 +25,7 @@ command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
 /* An option of commands that predict, see question_read. */
 #define TABLE_FEED                                                        \
 	{                                                                 \
-		"feed", VALUE_FEED, "m/s", 1, 200, NULL, "",              \
+		"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "",     \
 		    "take the feed sampled at this speed, or that of a "  \
 		    "sheet, FILE or FILE@SPEED, or a blend such as "      \
 		    "a.csv*0.6+b.csv*0.4, or the mean of those sampled; " \

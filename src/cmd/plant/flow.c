@@ -489,7 +489,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 {
 	const struct entry *entry = p->plan->question->entry;
 	double reach[2];
-	site_reach(entry->site, &reach[0], &reach[1]);
+	settings_reach(&p->s->set, entry->site, &reach[0], &reach[1]);
 	reach[0] = args_number(args, "from", reach[0]);
 	reach[1] = args_number(args, "to", reach[1]);
 	if (!p->plan->priced)
@@ -543,7 +543,7 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 	if (ok && pictures_wanted(s) && s->document == NULL) {
 		double from, to;
 		ok = conditions_speeds(
-			 args, q->entry->site, &from, &to, error) &&
+			 s, args, q->entry->site, &from, &to, error) &&
 		     pictures_draw(s, flow_chart(&p, from, to), error);
 	}
 	plant_free(&p);

@@ -380,7 +380,7 @@ read_reading(struct flow_plan *plan, const char *part, struct error *error)
 		at = colon != NULL ? colon + 1 : NULL;
 	}
 	free(copy);
-	if (!ok || value[0] > 200)
+	if (!ok || value[0] > SITE_FASTEST)
 		return error_set(error, ERROR_USAGE,
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",

@@ -25,6 +25,12 @@ settings_put(
 		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
 		return;
 	}
+	if (row->option.kind == VALUE_NUMBERS) {
+		const double end[] = {value->n > 0 ? value->list[0] : 0,
+		    value->n > 0 ? value->list[value->n - 1] : 0};
+		memcpy(place, end, sizeof end);
+		return;
+	}
 	unsigned whole =
 	    (unsigned)(row->option.kind == VALUE_CHOICE ? value->choice
 							: value->whole);
@@ -39,8 +45,13 @@ settings_text(const struct setting *row, const struct choices *set)
 {
 	const char *place = (const char *)set + row->offset;
 	const char *word = option_choices(&row->option);
-	double number;
+	double number, end[2];
 	unsigned whole;
+	if (row->option.kind == VALUE_NUMBERS) {
+		memcpy(end, place, sizeof end);
+		return end[1] > 0 ? xasprintf("%.15g..%.15g", end[0], end[1])
+				  : xstrdup(word);
+	}
 	if (row->option.kind == VALUE_FILE)
 		return xstrdup(set->energy != NULL ? set->energy : "off");
 	if (row->option.kind == VALUE_TEXT || row->option.kind == VALUE_FEED)
@@ -87,6 +98,17 @@ double
 settings_level(const struct choices *set)
 {
 	return set->level == 0 ? 0.8 : 0.9;
+}
+
+void
+settings_reach(const struct choices *set, const struct site *site, double *from,
+    double *to)
+{
+	site_reach(site, from, to);
+	if (set->slider[1] > 0) {
+		*from = set->slider[0];
+		*to = set->slider[1];
+	}
 }
 
 bool

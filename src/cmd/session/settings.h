@@ -6,6 +6,7 @@
 
 #include "cmd/lang/command.h"
 #include "core/answer/predict.h"
+#include "core/psd/site.h"
 #include "io/formats/answer.h"
 
 /* Which runs inform an answer beside the parameters (D13): every measured one,
@@ -40,6 +41,8 @@ struct choices {
 	/* What is wanted of the product, see goals.h; and the quantity that the
 	 * full screen has above its track.  "": none. */
 	char goal[SETTINGS_TEXT], quantity[SETTINGS_TEXT];
+	/* m/s, the ends of what is looked at; 0: as site_reach has it. */
+	double slider[2];
 	char
 	    feed[SETTINGS_TEXT]; /* of answers, as of feed=: "mean" or others */
 	unsigned page;           /* of the full screen that is open */
@@ -54,6 +57,11 @@ bool settings_same(const struct choices *a, const struct choices *b);
 
 /* The probability of bands, 0..1. */
 double settings_level(const struct choices *set);
+
+/* The speeds, m/s, that are looked at unless told otherwise: as set, else those
+ * of site_reach.  site: or NULL. */
+void settings_reach(const struct choices *set, const struct site *site,
+    double *from, double *to);
 
 /* Keeps a value that `set` was given. */
 void settings_put(

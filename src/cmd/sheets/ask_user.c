@@ -18,7 +18,6 @@ enum { WRONG = 160 };
 
 /* Rotors of such crushers are 0.4 to 1.5 m wide. */
 static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
-static const double MOST_SPEED = 200; /* m/s */
 
 enum { CELLS = 4 };
 
@@ -158,11 +157,11 @@ with_speed(const struct site_ask_column *c, const struct head *head,
 	double v = head->speed > 0 ? head->speed
 		   : rpm           ? head->rpm
 				   : head->number[0];
-	if (!rpm && !(v >= 1 && v <= MOST_SPEED)) {
+	if (!rpm && !(v >= 1 && v <= SITE_FASTEST)) {
 		snprintf(wrong, WRONG,
-		    tr("expected a tip speed from 1 to %g m/s, got %g; of rpm "
+		    tr("expected a tip speed from 1 to %d m/s, got %g; of rpm "
 		       "write: %g rpm"),
-		    MOST_SPEED, v, v);
+		    SITE_FASTEST, v, v);
 		return NULL;
 	}
 	char number[32];

@@ -48,7 +48,7 @@ split_speed(const char *word, char **path, double *speed, struct error *error)
 	char **copy = path;
 	(*copy)[at - word] = '\0';
 	*speed = head.speed;
-	if (head.speed > 0 && head.speed <= 200 && !head.several)
+	if (head.speed > 0 && head.speed <= SITE_FASTEST && !head.several)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected a tip speed in m/s after @, got '%s'\n"

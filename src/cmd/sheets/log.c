@@ -279,7 +279,7 @@ log_at(struct session *s, double time, double within, double rotor,
 	if (w.n == 0)
 		return nothing_at(log, time, within, error);
 	double v = speed_of(log, &w, rotor);
-	if (!(v >= 1 && v <= 200)) {
+	if (!(v >= 1 && v <= SITE_FASTEST)) {
 		char *at = moment_text(time);
 		error_set(error, ERROR_USAGE,
 		    "expected a running rotor at %s, got %s %.4g\n"

@@ -159,9 +159,10 @@ show_settings(struct session *s)
 	return session_answer(s, r);
 }
 
-/* Texts that cannot be read are refused; a feed may not tell of them yet. */
+/* Texts that cannot be read and speeds that are no range are refused; a feed
+ * may not tell of them yet. */
 static bool
-check_text(struct session *s, const struct setting *row,
+check_value(struct session *s, const struct setting *row,
     const struct value *value, struct error *error)
 {
 	static const struct partition SHARP = {0, 1};
@@ -171,6 +172,12 @@ check_text(struct session *s, const struct setting *row,
 	bool text = row->option.kind == VALUE_TEXT ||
 		    (row->option.kind == VALUE_FEED &&
 			value_is_file(&row->option, value));
+	if (row->option.kind == VALUE_NUMBERS && value->n > 0 &&
+	    value->list[0] >= value->list[value->n - 1])
+		return error_set(error, ERROR_USAGE,
+		    "%s: expected two speeds, the slower one first, got '%s'\n"
+		    "for instance: set %s 20..120",
+		    row->option.name, value->text, row->option.name);
 	if (!text || strcmp(value->text, SETTINGS_NONE) == 0)
 		return true;
 	if (strlen(value->text) >= SETTINGS_TEXT)
@@ -198,7 +205,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		if (SETTINGS[i].option.kind == VALUE_FILE &&
 		    !energies_set(s, args->value[i].text, error))
 			return false;
-		if (!check_text(s, &SETTINGS[i], &args->value[i], error))
+		if (!check_value(s, &SETTINGS[i], &args->value[i], error))
 			return false;
 		settings_put(&SETTINGS[i], &args->value[i], &s->set);
 		any = true;

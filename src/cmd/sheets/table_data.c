@@ -3,7 +3,7 @@
 #include "cmd/lang/table.h"
 
 static const struct command_option SHOW_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"speed of the selection function; default: a held-out speed, else 74"},
     {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
 	"search: every N-th generation; default: as many as fit a screen"},
@@ -76,12 +76,12 @@ static const struct command_option SYNTH_OPTIONS[] = {
 	"standard deviation in points at 50 % passing"},
     {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "1",
 	"seed of the noise"},
-    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,74,79",
+    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "69,74,79",
 	"tip speeds, slow to fast"},
     {.name = NULL}};
 
 static const struct command_option TEMPLATE_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, 200, NULL, "69,79",
+    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "69,79",
 	"tip speeds of the products, a column each"},
     {"unit", VALUE_CHOICE, "", 0, 0, "passing_pct retained_g", "passing_pct",
 	"what the numbers will be"},
@@ -97,7 +97,7 @@ static const struct command_option WRITE_OPTIONS[] = {
 static const struct command_option ENERGY_OPTIONS[] = {
     {"cut", VALUE_NUMBER, "J/kg", 0, 1e6, NULL, "",
 	"impacts below it do not count; default: as loaded, else 10"},
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"load: tip speed of the simulation; else: scale the energies to it by "
 	"v^2"},
     {"columns", VALUE_TEXT, "", 0, 0, NULL, "",

@@ -41,7 +41,7 @@ static const struct command_option GUESS_OPTIONS[] = {
 	"rock type; default: that of the site file"},
     {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
 	"top size; default: that of the site file"},
-    {"speed", VALUE_NUMBER, "m/s", 1, 200, NULL, "",
+    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"rotor tip speed; default: a held-out speed, else 74"},
     {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "",
 	"number of nearest materials to estimate from; default: the number "

@@ -131,6 +131,10 @@ size_t site_run_nearest(const struct site *site, double speed);
 bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
+/* Tip speeds may be as fast as this, m/s: a rotor reaches half of it, single
+ * particles shot at a plate all. */
+enum { SITE_FASTEST = 400 };
+
 /* The speeds, m/s, that are looked at unless told otherwise: 65 to 85, which
  * are usual, and as many whole m/s more as the runs want.  Where all of these
  * are less than half or more than twice such speeds the machine is another, and

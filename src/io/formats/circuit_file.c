@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "core/psd/site.h"
 #include "io/cells/number.h"
 #include "io/cells/source.h"
 #include "io/sitefile/units.h"
@@ -129,8 +130,8 @@ static const struct key {
 } KEYS[] = {
     {"cascade", N_("a cascade from 0 to 90 %"), UNIT_CRUSHER, 0, 90, 100,
 	offsetof(struct unit, cascade)},
-    {"speed", N_("a tip speed from 1 to 200 m/s"), UNIT_CRUSHER, 1, 200, 1,
-	offsetof(struct unit, speed)},
+    {"speed", N_("a tip speed from 1 to 400 m/s"), UNIT_CRUSHER, 1,
+	SITE_FASTEST, 1, offsetof(struct unit, speed)},
     {"sharpness", N_("a sharpness from 0.1 to 100"), UNIT_SCREEN, 0.1, 100, 1,
 	offsetof(struct unit, partition.sharpness)},
     {"cut_size", N_("a cut size from 10 to 200 % of the opening"), UNIT_SCREEN,

@@ -14,9 +14,6 @@
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
 
-/* Above this a tip speed is a slip of the pen; m/s. */
-static const double FASTEST = 200;
-
 static const uint64_t ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
 static const uint64_t KIND_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS;
 static const uint64_t SCALE_WORDS =
@@ -535,7 +532,8 @@ find_speed(struct column *c, const struct surroundings *near)
 		c->speed = near->speed;
 	}
 	bool counted = said->rpm > 0 || said->unit == SPEED_FT_MIN;
-	if (c->speed > FASTEST || (counted && c->speed > 0 && c->speed < 20)) {
+	if (c->speed > SITE_FASTEST ||
+	    (counted && c->speed > 0 && c->speed < 20)) {
 		c->open = true;
 		c->speed = 0;
 	}

@@ -8,13 +8,10 @@
 
 #include "base/text.h"
 #include "core/model/breakage.h"
-#include "core/psd/site.h"
 
 struct slider_range
-slider_range(const struct site *site)
+slider_range(double from, double to)
 {
-	double from, to;
-	site_reach(site, &from, &to);
 	return (struct slider_range){10 * (int)from, 10 * (int)to};
 }
 

@@ -6,8 +6,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct site;
-
 struct slider_range {
 	int least, most; /* tenths */
 };
@@ -18,8 +16,8 @@ struct slider_mark {
 	bool trained;
 };
 
-/* The speeds of site_reach. */
-struct slider_range slider_range(const struct site *site);
+/* Whole speeds, m/s. */
+struct slider_range slider_range(double from, double to);
 
 /* The nearest value the slider can have. */
 int slider_clamp(struct slider_range range, int tenths);
