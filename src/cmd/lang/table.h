@@ -18,7 +18,7 @@ command_run cmd_plot, cmd_describe, cmd_screen;
 command_run cmd_materials, cmd_recall, cmd_remember, cmd_forget, cmd_export,
     cmd_import;
 command_run cmd_params, cmd_bounds, cmd_set, cmd_seed;
-command_run cmd_drill, cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
+command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset,
     cmd_source, cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos,
     cmd_man, cmd_version, cmd_tui, cmd_quit;
 

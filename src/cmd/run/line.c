@@ -56,9 +56,6 @@ session_free(struct session *s)
 	for (size_t i = 0; i < s->n_log; i++)
 		plant_log_free(s->logs[i]);
 	free(s->logs);
-	for (size_t i = 0; i < s->n_drill; i++)
-		free(s->drills[i]);
-	free(s->drills);
 	for (size_t i = 0; i < s->n_spec; i++)
 		spec_free(s->specs[i]);
 	free(s->specs);

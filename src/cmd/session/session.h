@@ -54,7 +54,6 @@ struct screen {
 
 struct files;
 struct plant_log;
-struct drill;
 struct spec;
 struct energies;
 struct pin;
@@ -92,9 +91,6 @@ struct session {
 	struct plant_log *log; /* in use, or NULL */
 	size_t n_log;
 	struct plant_log **logs;   /* every one there was */
-	const struct drill *drill; /* under way, or NULL */
-	size_t n_drill;
-	struct drill **drills;   /* every state there was of any */
 	const struct spec *spec; /* envelope chosen, or NULL */
 	size_t n_spec;
 	struct spec **specs; /* every one there was */

@@ -11,12 +11,6 @@ static const struct command_option TIMING_OPTIONS[] = {
     {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "show it or not"},
     {.name = NULL}};
 
-static const struct command_option DRILL_OPTIONS[] = {
-    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
-	"of new: the plant; default: any"},
-    {"level", VALUE_CHOICE, "", 0, 0, "easy hard", "easy", "of new"},
-    {.name = NULL}};
-
 static const struct command_option MAN_OPTIONS[] = {
     {"page", VALUE_CHOICE, "", 0, 0,
 	"tipspeed tutorial tui site spec model circuit", "tipspeed",
@@ -126,29 +120,6 @@ const struct command TABLE_SESSION[] = {
 		   "assert p50 = 2.86 within 0.05\nvalidate\n"
 		   "assert holdout < 1",
 	.run = cmd_assert},
-    {.name = "drill",
-	.brief = "train: find a hidden plant's speed",
-	.operands = {"[new | sample SPEED | answer SPEED]",
-	    {"new sample answer", "SPEED"}, 0, 2},
-	.flags = COMMAND_CHANGES,
-	.option = DRILL_OPTIONS,
-	.text =
-	    "A game: 'drill new' makes up a plant and says what product is "
-	    "wanted of it: at least so much below 2 mm, at most so much below "
-	    "0.5 mm. 'drill sample SPEED' buys a sample of its product with "
-	    "the error of sampling, as a run of the site drill, on which all "
-	    "commands work: calibrate, predict, find, why. There are 10 "
-	    "credits: a sample costs 2, another one at its speed 1. 'drill "
-	    "answer SPEED' ends it: the product that the plant truly makes at "
-	    "that speed, the speeds that meet the conditions, whether the "
-	    "uncertainty band held the truth, and a score: up to 80 for the "
-	    "speed and 20 for credits left. level=hard: larger sampling "
-	    "errors, a plant that does not quite follow the paper's model, and "
-	    "half the range of speeds. The same seed makes the same plant. "
-	    "'drill' alone shows where it stands.",
-	.example = "drill new seed=7\ndrill sample 66\ndrill sample 80\n"
-		   "calibrate\nfind passing=35 at=2\ndrill answer 75",
-	.run = cmd_drill},
     {.name = "help",
 	.brief = "list the commands or explain one",
 	.operands = {"[COMMAND|GROUP] [example]", {"COMMAND GROUP", "example"},

@@ -11,14 +11,13 @@
 
 enum { STEPS = 200 };
 
-/* Sites, logs, drills, envelopes and pins are borrowed: the session keeps every
+/* Sites, logs, envelopes and pins are borrowed: the session keeps every
  * one to its end. */
 struct snapshot {
 	struct mark mark;
 	size_t n_entry, current;
 	struct entry *entry;
 	struct plant_log *log;
-	const struct drill *drill;
 	const struct spec *spec;
 	const struct pin *pin;
 	const struct energies *energy;
@@ -43,7 +42,6 @@ snapshot_take(const struct session *s)
 	    .current = s->current,
 	    .entry = copy_entries(s->entry, s->n_entry),
 	    .log = s->log,
-	    .drill = s->drill,
 	    .spec = s->spec,
 	    .pin = s->pin,
 	    .energy = s->energy,
@@ -69,7 +67,6 @@ snapshot_put(struct session *s, const struct snapshot *snapshot)
 	s->n_entry = snapshot->n_entry;
 	s->current = snapshot->current;
 	s->log = snapshot->log;
-	s->drill = snapshot->drill;
 	s->spec = snapshot->spec;
 	s->pin = snapshot->pin;
 	s->energy = snapshot->energy;
@@ -104,7 +101,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 {
 	if (snapshot->n_entry != s->n_entry ||
 	    snapshot->current != s->current || snapshot->log != s->log ||
-	    snapshot->drill != s->drill || snapshot->spec != s->spec ||
+	    snapshot->spec != s->spec ||
 	    snapshot->pin != s->pin || snapshot->energy != s->energy ||
 	    !settings_same(&snapshot->set, &s->set))
 		return true;

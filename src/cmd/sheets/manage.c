@@ -45,7 +45,6 @@ forget_all(struct session *s, const struct choices *choices)
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->log = NULL;
-	s->drill = NULL;
 	s->spec = NULL;
 	s->pin = NULL;
 	s->energy = NULL;
