@@ -136,23 +136,4 @@ result $? "a table does not go into a picture's file"
 [ $? = 2 ] && grep -q 'cannot be appended' err.txt && grep -q kept kept.svg
 result $? "a picture is not added to another"
 
-# A recording: a typed line, a slider, some generations of a fit.
-for name in one two; do
-	"$TIPSPEED" data/sites/tierp.csv -c 'recall table3/tierp' \
-		-c "screen width=80 height=24 frames=300 keys=\"Left*3 : find Space \
-p80=5.2 Enter f ^L*4 s\" > $name.svg" >out.txt 2>err.txt || cat err.txt
-done
-good=0
-cmp one.svg two.svg || good=1
-if command -v xmllint >/dev/null; then
-	xmllint --noout one.svg || good=1
-fi
-result $good "a recording is the same bytes each time, and XML"
-[ "$(grep -c '^@keyframes' one.svg)" -gt 20 ] &&
-	grep -q 'prefers-reduced-motion:no-preference' one.svg &&
-	grep -q '<desc>.*reconstructed' one.svg && [ "$(wc -c <one.svg)" -lt 90000 ]
-result $? "it moves, unless motion is not wanted, says whose data, and is small"
-"$TIPSPEED" -c 'screen frames=300 > one.png' 2>err.txt
-[ $? = 2 ] && grep -q 'expected a file name ending in .svg' err.txt
-result $? "only .svg can be recorded"
 finish

@@ -174,12 +174,6 @@ screen_back(struct display *was)
 	return frame;
 }
 
-const struct canvas *
-screen_frame(void)
-{
-	return is.frame;
-}
-
 void
 screen_only_text(bool on)
 {

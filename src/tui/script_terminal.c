@@ -22,22 +22,10 @@ static char *keys_left;
 static char *letters; /* of one of them, typed into an answer */
 static bool asks;     /* a question stands on the picture */
 
-/* Where frames are recorded, or NULL, and how long each is shown. */
-static struct film *film;
-static unsigned frame_ms;
-
-static void
-draw(struct tui *t, unsigned ms)
-{
-	frame_draw(t);
-	if (film != NULL)
-		film_add(film, screen_frame(), ms);
-}
-
 /* What the loop does between two keys; the clock goes on by a second, so that
  * the same keys give the same picture on any machine. */
 static void
-press(struct tui *t, int code, bool special, unsigned ms)
+press(struct tui *t, int code, bool special)
 {
 	act_key(t, code, special);
 	t->clock++;
@@ -45,7 +33,7 @@ press(struct tui *t, int code, bool special, unsigned ms)
 	control_predict(t);
 	pages_update(t);
 	if (!asks)
-		draw(t, ms);
+		frame_draw(t);
 }
 
 /* The next of the keys answers; without one the picture is that of the
@@ -54,7 +42,7 @@ static bool
 answer(struct tui *t, int *code, bool *special)
 {
 	*special = false;
-	draw(t, frame_ms);
+	frame_draw(t);
 	if (letters == NULL || *letters == '\0')
 		letters =
 		    keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
@@ -114,7 +102,6 @@ count_keys(const char *word, long n, long *pressed, struct error *error)
 static bool
 press_word(struct tui *t, char *word, long *pressed, struct error *error)
 {
-	enum { LETTERS = 4 };
 	int code;
 	long n = is_typed(t, word) ? 1 : times(word);
 	if (strcmp(word, "^Z") == 0) {
@@ -127,7 +114,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 		return false;
 	if (key) {
 		for (; n > 0 && !t->leave && pump_signal() == 0; n--)
-			press(t, code, code > 255, frame_ms);
+			press(t, code, code > 255);
 		return true;
 	}
 	if (!is_typed(t, word)) {
@@ -138,7 +125,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 	}
 	const char *letter = word;
 	while (*letter != '\0')
-		press(t, (int)text_next(&letter), false, frame_ms / LETTERS);
+		press(t, (int)text_next(&letter), false);
 	return true;
 }
 
@@ -182,11 +169,6 @@ draw_open(struct screen_request *request, struct error *error)
 		return error_hint(
 		    error, "press the keys here, then type :screen");
 	}
-	if (request->film != NULL)
-		return error_set(error, ERROR_USAGE,
-		    "frames= is for use outside full-screen mode\n"
-		    "record with: tipspeed -c \"screen keys=.. frames=400 > "
-		    "demo.svg\"");
 	struct tui *t = control_beside();
 	if (request->page > 0)
 		pages_go(t, (enum page)(request->page - 1));
@@ -202,19 +184,16 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 	struct tui t;
 	control_begin(&t, s, &SHOT_WAYS);
 	control_predict(&t);
-	film = request->film;
-	frame_ms = request->frame_ms;
 	if (request->page > 0) {
 		frame_draw(&t);
-		press(&t, '0' + request->page, false, frame_ms);
+		press(&t, '0' + request->page, false);
 	} else {
 		pages_update(&t);
-		draw(&t, frame_ms);
+		frame_draw(&t);
 	}
 	bool ok = press_all(&t, request->keys, error);
 	if (ok && request->words && t.viewer.text == NULL)
 		request->picture = picture_of(&t);
-	film = NULL;
 	/* Before the session has its streams again: what a search that ends
 	 * here says is not for the picture. */
 	watch_keep(&t);

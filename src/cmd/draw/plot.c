@@ -307,23 +307,6 @@ pictures_draw(struct session *s, struct chart *chart, struct error *error)
 	return ok;
 }
 
-/* Only a browser plays, and only SVG; an open screen has nobody's keys. */
-static bool
-can_record(const struct session *s, const struct args *args, bool picture,
-    struct error *error)
-{
-	enum picture_form form;
-	if (!args_value(args, "frames")->given)
-		return true;
-	if (!picture || !picture_form_of(s->file, &form) || form != PICTURE_SVG)
-		return error_set(error, ERROR_USAGE,
-		    "expected a file name ending in .svg with frames=, got %s\n"
-		    "for instance: screen keys=\"Right*9\" frames=400 > "
-		    "demo.svg",
-		    s->file != NULL ? s->file : tr("none"));
-	return true;
-}
-
 static struct screen_request
 screen_request(const struct session *s, const struct args *args, bool picture)
 {
@@ -367,10 +350,9 @@ screen_answer(const struct canvas *canvas)
 	return r;
 }
 
-/* film: of frames, or NULL. */
 static bool
 write_screen(struct session *s, const struct canvas *canvas, int colours,
-    const struct film *film, struct error *error)
+    struct error *error)
 {
 	enum picture_form form;
 	const struct entry *entry =
@@ -388,11 +370,10 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
 		    : tr("A text screen of %d columns and %d rows.%s"),
 	    canvas->columns, canvas->rows, from);
-	bool ok = film != NULL ? film_write(film, colours, title, about, s->out)
-			       : picture_form_of(s->file, &form) &&
-				     picture_cells(canvas, colours, form, title,
-					 about, s->out);
-	ok = ok || cannot_draw(s, error);
+	bool ok = (picture_form_of(s->file, &form) &&
+		      picture_cells(
+			  canvas, colours, form, title, about, s->out)) ||
+		  cannot_draw(s, error);
 	free(about);
 	free(from);
 	free(title);
@@ -449,22 +430,14 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	if (s->hooks.draw_screen == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "full-screen mode is not available here");
-	if (!can_record(s, args, picture, error))
-		return false;
-	struct film film = {0};
-	const struct value *frames = args_value(args, "frames");
 	struct screen_request r = screen_request(s, args, picture);
-	r.film = frames->given ? &film : NULL;
-	r.frame_ms = frames->given ? (unsigned)frames->number : 0;
 	r.words = s->linear && !picture && s->set.format == ANSWER_TABLE;
 	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);
-	if (canvas == NULL) {
-		film_free(&film);
+	if (canvas == NULL)
 		return false;
-	}
 	bool ok = true;
 	if (picture)
-		ok = write_screen(s, canvas, r.colours, r.film, error);
+		ok = write_screen(s, canvas, r.colours, error);
 	else if (r.words)
 		ok = say_screen(s, canvas, r.picture, error);
 	else if (s->set.format == ANSWER_TABLE)
@@ -473,7 +446,6 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 		session_answer(s, screen_answer(canvas));
 	canvas_free(canvas);
 	free(r.picture);
-	film_free(&film);
 	return ok;
 }
 

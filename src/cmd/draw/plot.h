@@ -8,15 +8,13 @@
 #include "cmd/lang/command.h"
 #include "cmd/draw/plots.h"
 #include "cmd/session/session.h"
-#include "plot/film.h"
 
 /* A picture of the full screen.  columns, rows: 0: as the one that is open,
  * else 100 x 30.  page: from 1; 0: the one shown.  keys: names of keys, pressed
  * before; "": none.  charset and colours (0, 8, 16 or 256) are those of the
- * open one unless they are `asked`.  film: a frame for each key goes there, of
- * frame_ms, or NULL.  words: for who hears it: plots and lines are left out,
- * and `picture` is what describe calls the plot of the page, which the caller
- * frees, or NULL. */
+ * open one unless they are `asked`.  words: for who hears it: plots and lines
+ * are left out, and `picture` is what describe calls the plot of the page, which
+ * the caller frees, or NULL. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;
@@ -24,8 +22,6 @@ struct screen_request {
 	const char *keys;
 	bool words;
 	char *picture;
-	struct film *film;
-	unsigned frame_ms;
 };
 
 /* Whether the results go into a file whose name asks for a picture, and the

@@ -65,8 +65,6 @@ static const struct command_option SCREEN_OPTIONS[] = {
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
 	"keys to press first, named as in tipspeed-tui(1); Right*5: five "
 	"times; 9999 in all"},
-    {"frames", VALUE_NUMBER, "ms", 20, 10000, NULL, "",
-	"record: a frame a key, each shown for so long"},
     {.name = NULL}};
 
 static const struct command_option DESCRIBE_OPTIONS[] = {
@@ -140,10 +138,7 @@ const struct command TABLE_PICTURES[] = {
 	    "file, and in .txt, it is text. keys= presses keys first, "
 	    "separated by spaces: keys=\"Left Left c\"; a word that is not the "
 	    "name of a key is typed if a line or a speed is being edited. Each "
-	    "key lets a calibration run for one generation. frames= records "
-	    "what the keys do: the .svg then plays, and shows the last frame "
-	    "to who prefers reduced motion. A letter that is typed takes a "
-	    "quarter of the time; ^L waits for a frame. With --linear: "
+	    "key lets a calibration run for one generation. With --linear: "
 	    "says the text of the screen row by row, then describes its plot.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
