@@ -9,7 +9,7 @@ bash=$PWD/completions/tipspeed
 srcdir=$(cd "$srcdir" && pwd)
 cd "$dir" || exit 99
 "$TIPSPEED" --help >help
-"$TIPSPEED" -c help >commands
+"$TIPSPEED" -c 'help all' >commands
 
 # same NAME A B: the two files hold the same words, in any order.
 same() {

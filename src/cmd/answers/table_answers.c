@@ -140,15 +140,6 @@ static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
     TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
 
-static const struct command_option VALIDATE_OPTIONS[] = {
-    {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
-	"each: hold out each speed in turn and calibrate on the others"},
-    {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"also compare sieve by sieve"},
-    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
-	"I/N: with all, every N-th site, as of 'calibrate all'"},
-    {.name = NULL}};
-
 static const struct command_option DRIFT_OPTIONS[] = {
     {"k", VALUE_NUMBER, "sd", 0, 5, NULL, "0.5",
 	"allowance of the CUSUM: half of the shift to be found soonest"},
@@ -169,8 +160,8 @@ static const struct command_option ADVISE_OPTIONS[] = {
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.brief = "the product at a tip speed",
-	.flags =
-	    COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS | COMMAND_BESIDE,
+	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
+		 COMMAND_BESIDE | COMMAND_DAILY,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.text =
@@ -290,7 +281,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "find",
 	.brief = "find the speed that gives a wanted product",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DAILY,
 	.option = FIND_OPTIONS,
 	.text =
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
@@ -321,7 +312,8 @@ const struct command TABLE_ANSWERS[] = {
 	.answer = cmd_find},
     {.name = "flow",
 	.brief = "tonnes of each fraction, what goes back, power, earnings",
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS,
+	.flags =
+	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS | COMMAND_DAILY,
 	.bare = "tph",
 	.option = FLOW_OPTIONS,
 	.text =
@@ -434,29 +426,6 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
 		   "advise passing 2 speed=85",
 	.answer = cmd_advise},
-    {.name = "validate",
-	.brief = "compare predictions with the held-out runs",
-	.operands = {"[all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE,
-	.option = VALIDATE_OPTIONS,
-	.text =
-	    "Shows the root mean square error (RMSE), P20, P50 and P80 at each "
-	    "held-out run, measured and predicted by the model and by three "
-	    "that need no model: the training products interpolated in speed "
-	    "squared (outside the training speeds, on the line through the two "
-	    "nearest), the product at the nearest training speed, and the feed "
-	    "unchanged. Reports who predicts best. holdout=each calibrates "
-	    "without each speed in turn, as 'calibrate' alone would, and "
-	    "predicts it; the fit in use stays. 'validate all' sums up the "
-	    "relative errors of P20, P50 and P80 over all calibrated sites: "
-	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7). The "
-	    "sites share the threads; after 'set correction off' the corrected "
-	    "answer is not drawn, which takes most of the time. One that "
-	    "cannot be compared is told at the end, and the answer is of the "
-	    "others.",
-	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
-		   "validate sieves=on\nvalidate holdout=each",
-	.run = cmd_validate},
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
@@ -530,7 +499,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "report",
 	.brief = "write all about the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
 	.option = REPORT_OPTIONS,
 	.text =
 	    "Wants > FILE.html, for a browser, or > FILE.pdf, for paper (A4). "

@@ -56,12 +56,21 @@ static const struct command_option COLLECT_OPTIONS[] = {
 static const struct command_option CONTINUE_OPTIONS[] = {
     PAUSE_OPTION, {.name = NULL}};
 
+static const struct command_option VALIDATE_OPTIONS[] = {
+    {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
+	"each: hold out each speed in turn and calibrate on the others"},
+    {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"also compare sieve by sieve"},
+    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
+	"I/N: with all, every N-th site, as of 'calibrate all'"},
+    {.name = NULL}};
+
 const struct command TABLE_FIT[] = {
     {.name = "calibrate",
 	.alias = "fit",
 	.brief = "find the parameters that fit the training runs",
 	.operands = {"[all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_DAILY,
 	.option = CALIBRATE_OPTIONS,
 	.text = "A genetic algorithm searches within the bounds; then bounded "
 		"least squares refines the best candidates (polish). The "
@@ -77,6 +86,29 @@ const struct command TABLE_FIT[] = {
 		"'why' of a site draws its ranges too.",
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
+    {.name = "validate",
+	.brief = "compare predictions with the held-out runs",
+	.operands = {"[all]", {"all"}, 0, 1},
+	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
+	.option = VALIDATE_OPTIONS,
+	.text =
+	    "Shows the root mean square error (RMSE), P20, P50 and P80 at each "
+	    "held-out run, measured and predicted by the model and by three "
+	    "that need no model: the training products interpolated in speed "
+	    "squared (outside the training speeds, on the line through the two "
+	    "nearest), the product at the nearest training speed, and the feed "
+	    "unchanged. Reports who predicts best. holdout=each calibrates "
+	    "without each speed in turn, as 'calibrate' alone would, and "
+	    "predicts it; the fit in use stays. 'validate all' sums up the "
+	    "relative errors of P20, P50 and P80 over all calibrated sites: "
+	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7). The "
+	    "sites share the threads; after 'set correction off' the corrected "
+	    "answer is not drawn, which takes most of the time. One that "
+	    "cannot be compared is told at the end, and the answer is of the "
+	    "others.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
+		   "validate sieves=on\nvalidate holdout=each",
+	.run = cmd_validate},
     {.name = "collect",
 	.brief = "join the parts of 'calibrate all' or 'validate all'",
 	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},

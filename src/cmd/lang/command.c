@@ -17,7 +17,7 @@
 static const struct {
 	const char *name;
 	const struct command *command;
-} GROUPS[] = {{N_("data"), TABLE_DATA}, {N_("fit"), TABLE_FIT},
+} GROUPS[] = {{N_("data"), TABLE_DATA}, {N_("calibration"), TABLE_FIT},
     {N_("answers"), TABLE_ANSWERS}, {N_("pictures"), TABLE_PICTURES},
     {N_("store"), TABLE_STORE}, {N_("model"), TABLE_MODEL},
     {N_("session"), TABLE_SESSION}};

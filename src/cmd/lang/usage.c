@@ -103,7 +103,7 @@ usage_list(const char *group, FILE *out)
 		const char *its = command_group(c);
 		if (group != NULL && strcmp(group, its) != 0)
 			continue;
-		/* The name can be typed: help fit. */
+		/* The name can be typed: help store. */
 		if (strcmp(last, its) != 0)
 			fprintf(out,
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",

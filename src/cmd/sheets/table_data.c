@@ -117,7 +117,8 @@ const struct command TABLE_DATA[] = {
     {.name = "load",
 	.brief = "read the sieve sheets of a site",
 	.operands = {"FILE|FOLDER|NAME...", {"FILE SHIPPED"}, 1, OPERANDS - 1},
-	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.flags =
+	    COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED | COMMAND_DAILY,
 	.option = LOAD_OPTIONS,
 	.text =
 	    "Reads workbooks (Excel, LibreOffice) and CSV in any of the forms "
@@ -190,7 +191,7 @@ const struct command TABLE_DATA[] = {
     {.name = "check",
 	.brief = "look for faults in site files",
 	.operands = {"[SITE|all]", {"SITE all"}, 0, 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
 	.text =
 	    "Checks the site in use, another one, or all. Reports how many "
 	    "sieves and columns were read and what was left out; products "
