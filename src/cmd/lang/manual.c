@@ -64,18 +64,42 @@ print_quoted(const char *text, FILE *out)
 }
 
 static void
+print_option(const struct command_option *o, FILE *out)
+{
+	char *words = command_option_words(o);
+	fprintf(out, ".It Cm %s\n", o->name);
+	print_text(words, out);
+	free(words);
+}
+
+static void
 print_options(const struct command *c, FILE *out)
 {
-	const struct command_option *o = command_option_at(c, 0);
+	const struct command_option *o = command_own_option(c, 0);
+	char *shared = command_shared(c);
+	if (shared[0] != '\0') {
+		char *line = xasprintf("Also takes %s (see above).", shared);
+		print_text(line, out);
+		free(line);
+	}
+	free(shared);
 	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
-	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
-		fprintf(out, ".It Cm %s\n", o->name);
-		char *words = command_option_words(o);
-		print_text(words, out);
-		free(words);
-	}
+	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++)
+		print_option(o, out);
+	fputs(".El\n", out);
+}
+
+static void
+print_shared(FILE *out)
+{
+	const struct command_option *o;
+	fputs(".Ss Options of many commands\n"
+	      ".Bl -tag -width 12n -compact\n",
+	    out);
+	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
+		print_option(o, out);
 	fputs(".El\n", out);
 }
 
@@ -83,6 +107,7 @@ void
 manual_commands(FILE *out)
 {
 	const char *group = "";
+	print_shared(out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		const char *its = command_group(c);
 		if (strcmp(group, its) != 0) {
@@ -101,6 +126,7 @@ manual_commands(FILE *out)
 			fprintf(out, "Also called\n.Cm %s .\n", c->alias);
 		print_brief(c, out);
 		print_text(c->text, out);
+		print_text(c->more != NULL ? c->more : "", out);
 		print_options(c, out);
 		fputs(".Bd -literal -offset indent\n", out);
 		usage_example(c, "tipspeed> ", out);

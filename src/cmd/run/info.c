@@ -37,7 +37,8 @@ print_start(FILE *out)
 	fprintf(out, tr("\ngroups: %s\n"), groups);
 	free(groups);
 	fputs(tr("help all lists all commands, help GROUP those of a group, "
-		 "help COMMAND explains\none, apropos WORD searches.\n"
+		 "help COMMAND explains\none, help options what many take; "
+		 "apropos WORD searches.\n"
 		 "undo undoes the last change, quit exits; man tutorial is for "
 		 "the first hour.\n"),
 	    out);
@@ -103,6 +104,8 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		print_start(out);
 	else if (strcmp(name, "all") == 0 && !example)
 		usage_list(NULL, out);
+	else if (strcmp(name, "options") == 0 && !example)
+		usage_shared(out);
 	else if (is_group(name) && !example)
 		usage_list(name, out);
 	else
@@ -126,6 +129,7 @@ tells_of(const struct command *c, const char *folded)
 	bool found =
 	    holds(c->name, folded) || holds(c->brief, folded) ||
 	    holds(c->text, folded) ||
+	    (c->more != NULL && holds(c->more, folded)) ||
 	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
 	    (c->alias != NULL && holds(c->alias, folded));
 	const struct command_option *o;
