@@ -103,18 +103,50 @@ print_shared(FILE *out)
 	fputs(".El\n", out);
 }
 
+static void
+print_heading(const char *group, FILE *out)
+{
+	fprintf(out, "%c%s\n", toupper((unsigned char)group[0]), group + 1);
+}
+
+/* The groups, each with its commands. */
+static void
+print_contents(FILE *out)
+{
+	const char *group = "";
+	char *names = xstrdup("");
+	fputs(".Bl -tag -width calibration -compact\n", out);
+	for (const struct command *c = command_next(NULL); c != NULL;) {
+		if (strcmp(group, command_group(c)) != 0) {
+			group = command_group(c);
+			fputs(".It Sx ", out);
+			print_heading(group, out);
+		}
+		xlist(&names, ", ", "%s", c->name);
+		c = command_next(c);
+		if (c != NULL && strcmp(group, command_group(c)) == 0)
+			continue;
+		print_text(names, out);
+		names[0] = '\0';
+	}
+	fputs(".El\n", out);
+	free(names);
+}
+
 void
 manual_commands(FILE *out)
 {
 	const char *group = "";
+	print_contents(out);
 	print_shared(out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		const char *its = command_group(c);
 		if (strcmp(group, its) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);
-			fprintf(out, ".Ss %c%s\n.Bl -tag -width Ds\n",
-			    toupper((unsigned char)its[0]), its + 1);
+			fputs(".Ss ", out);
+			print_heading(its, out);
+			fputs(".Bl -tag -width Ds\n", out);
 		}
 		group = its;
 		char *usage = command_usage(c);
