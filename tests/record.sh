@@ -71,7 +71,7 @@ result $? "nothing is recorded over a record"
 # All commands but those that have nothing to answer here.
 sed 's/#.*//' "$tests"/records/*.tip | tr -s ' ;' '\n\n' | sort -u >"$dir/words"
 missing=
-for c in $("$TIPSPEED" -c help | awk '/^  [a-z]/ { sub(",", "", $1); print $1 }'); do
+for c in $("$TIPSPEED" -c 'help all' | awk '/^  [a-z]/ { sub(",", "", $1); print $1 }'); do
 	grep -qx "$c" "$dir/words" || missing="$missing $c"
 done
 result ${#missing} "every command is recorded:$missing"

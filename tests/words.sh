@@ -9,7 +9,7 @@ bash=$PWD/completions/tipspeed
 srcdir=$(cd "$srcdir" && pwd)
 cd "$dir" || exit 99
 "$TIPSPEED" --help >help
-"$TIPSPEED" -c help >commands
+"$TIPSPEED" -c 'help all' >commands
 
 # same NAME A B: the two files hold the same words, in any order.
 same() {
@@ -49,10 +49,38 @@ tr -s ' \n' '\n\n' <all | while read -r name; do
 	full=$(sed -n '1s/ .*//p' one)
 	awk -v c="$full" '/^options$/ { h = 1; next } /^$/ { h = 0 }
 		h && /^  [a-z]/ { print c "." $1 }' one
-done | sort -u >all_options
+	tr '\n' ' ' <one | sed -n 's/.*  also takes \(.*\):  *help options.*/\1/p' |
+		tr -d ',' | tr -s ' ' '\n' | sed "s/^/shared $full./"
+	echo
+done | grep . | sort -u >both_options
 section COMMANDS | awk '/^\.It "/ { c = $2; gsub(/"/, "", c) }
-	/^\.It Cm / { print c "." $3 }' >in_manual
+	/^\.It Cm / { print (c == "" ? "" : c ".") $3 }
+	/^Also takes / { h = 1; $1 = $2 = "" }
+	h { last = /\)\.$/; gsub(/,|\(see|above\)\./, " ")
+		for (i = 1; i <= NF; i++) print "shared " c "." $i; h = !last }' \
+	>both_in_manual
+grep -v '^shared' both_options >all_options
+grep '^[a-z]*\.' both_in_manual >in_manual
 same "options of commands: help and manual" all_options in_manual
+sed -n 's/^shared //p' both_options >all
+sed -n 's/^shared //p' both_in_manual >in_manual
+same "shared options of commands: help and manual" all in_manual
+"$TIPSPEED" -c 'help options' | sed -n 's/^  \([a-z][a-z_]*\) .*/\1/p' >all
+grep -v '[ .]' both_in_manual >in_manual
+same "shared options: help and manual" all in_manual
+[ "$(sort -u all)" = "$(sed -n 's/^shared [a-z]*\.//p' both_options | sort -u)" ]
+result $? "shared options: each is told, and told of a command"
+
+# Nobody reads on where it has scrolled away.
+longest() { wc -l | awk -v n="$1" '$1 == 0 || $1 > n { exit 1 }'; }
+"$TIPSPEED" -c help | longest 24
+result $? "help fits a screen of 24 lines"
+long=
+for name in options $(sed -n 's/^  \([a-z]*\)[, ] .*/\1/p' commands); do
+	"$TIPSPEED" -c "help $name" >one
+	awk 'length > 105 { exit 1 }' one && longest 40 <one || long="$long $name"
+done
+result ${#long} "help of each command within 40 lines:$long"
 section COMMANDS | awk '/^\.It "/' | tr -d '"' >usages
 awk '{ c = $2; for (i = 3; i <= NF; i++) if ($i ~ /^\[[a-z0-9_]+=/) {
 	sub(/^\[/, "", $i); sub(/=.*/, "", $i); print c "." $i } }' usages >in_usage
@@ -114,7 +142,7 @@ same "variables: --help and manual" all in_manual
 same "variables: --help and source" all in_source
 
 # Pages.
-"$TIPSPEED" -c 'help man' | sed -n 's/.*\[page=\(.*\)\]/\1/p' |
+section COMMANDS | sed -n 's/^\.It "man .*\[page=\(.*\)\]"/\1/p' |
 	tr '|' '\n' >all
 for f in "$page" "$srcdir"/man/*.[0-9] "$srcdir"/man/*-*.in; do
 	basename "$f" | sed 's/\..*//; s/^tipspeed-//'

@@ -205,7 +205,7 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 		if (i == 0 || two)
 			answers_note_basis(s, r, &q, 0, whose, &light);
 		else if (feeds)
-			feed_note(r, q.entry->site, q.feed, whose);
+			feed_note(r, q.entry->site, q.feed, whose, 0);
 	}
 	light_show(r, light);
 }

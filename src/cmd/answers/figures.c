@@ -61,9 +61,10 @@ put_figure(
 	free(key);
 }
 
+/* model: with the model alone, for programs; people have not the room. */
 static void
-figure_row(struct answer *r, struct fields *list, struct forecast *all,
-    size_t i, const struct quantity *q)
+figure_row(struct answer *r, struct forecast *all, size_t i,
+    const struct quantity *q, bool model)
 {
 	struct figure f = forecast_figure(all, i);
 	bool whole = quantities_decimals(q) == 1;
@@ -72,12 +73,27 @@ figure_row(struct answer *r, struct fields *list, struct forecast *all,
 	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, f.value));
 	answer_text(r, "%s", quantities_unit(q));
 	if (forecast_draws(all, i) != NULL)
-		answer_cells(r, whole ? "%.1f %.1f %.1f" : "%.2f %.2f %.2f",
-		    quantities_shown(q, f.low), quantities_shown(q, f.high),
-		    quantities_shown(q, forecast_model(all, i)));
-	put_figure(list, q, &f);
+		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
+		    quantities_shown(q, f.low), quantities_shown(q, f.high));
+	if (forecast_draws(all, i) != NULL && model)
+		answer_cells(
+		    r, "%g", quantities_shown(q, forecast_model(all, i)));
 	free(words);
 	free(key);
+}
+
+static void
+figure_rows(struct answer *r, struct forecast *all, const struct quantity *q,
+    size_t n, bool model)
+{
+	bool band = n > 0 && forecast_draws(all, 0) != NULL;
+	answer_columns(r, "quantity: figure, value, unit");
+	if (band)
+		answer_columns(r, "low, high");
+	if (band && model)
+		answer_column(r, "model", "model");
+	for (size_t i = 0; i < n; i++)
+		figure_row(r, all, i, &q[i], model);
 }
 
 bool
@@ -95,14 +111,16 @@ cmd_figures(struct session *s, const struct args *args,
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	struct answer *r = answers_new(
 	    entry->site, "figures", "figures of the product at %g m/s", v);
-	answer_columns(r, "quantity: figure, value, unit");
-	if (band)
-		answer_columns(r, "low, high, model: model alone");
+	figure_rows(r, all, q, n, false);
+	answer_for_programs(r);
+	figure_rows(r, all, q, n, true);
 	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
 	    answers_extrapolates(entry, v));
 	struct fields *list = fields_list(answer_fields(r), "figures");
-	for (size_t i = 0; i < n; i++)
-		figure_row(r, list, all, i, &q[i]);
+	for (size_t i = 0; i < n; i++) {
+		struct figure f = forecast_figure(all, i);
+		put_figure(list, &q[i], &f);
+	}
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	free(q);

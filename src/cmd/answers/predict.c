@@ -215,6 +215,9 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	free(band);
 	free(more);
 	free(fraction);
+	/* One who hears a table wants a sieve's numbers in a line. */
+	if (!s->linear)
+		answer_across(r);
 	add_rows(r, s, entry, params, p, between, NULL, detail);
 	answer_for_programs(r);
 	add_rows(r, s, entry, params, p, between, model, true);
@@ -297,23 +300,19 @@ note_sure(struct answer *r, const struct session *s, const struct question *q,
 	free(words);
 }
 
-/* That what was measured stands beside the answer as it would be of its
- * feed. */
-static void
-note_moved(struct answer *r, const struct session *s, const struct entry *entry,
-    const struct params *params, const struct prediction *p, bool between)
+/* The largest move of what was measured and stands beside the answer, passing
+ * 0..1; 0 where it is not worth a word. */
+static double
+largest_move(const struct session *s, const struct question *q,
+    const struct prediction *p, bool between)
 {
-	const struct site *site = entry->site;
+	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
-			most = fmax(
-			    most, moved_by(s, entry, params, k, p->feed_run));
-	if (most > MOVED_TOLD)
-		answer_note(r,
-		    "measured products moved to this feed, by up to %.1f "
-		    "points",
-		    100 * most);
+			most = fmax(most,
+			    moved_by(s, q->entry, q->params, k, p->feed_run));
+	return most > MOVED_TOLD ? most : 0;
 }
 
 /* The answer with what is to be said of it; wanted: with the interpolated
@@ -354,9 +353,10 @@ explained(const struct session *s, const struct question *q,
 			: N_("no interpolation: %g m/s is not between measured "
 			     "runs"),
 		    p->speed);
-	note_moved(r, s, entry, params, p, between != NULL);
 	note_only_check(r, s, entry);
-	answers_show_basis_at(s, r, q, p->speed,
+	struct question at = *q;
+	at.moved = largest_move(s, q, p, between != NULL);
+	answers_show_basis_at(s, r, &at, p->speed,
 	    p->low != NULL && (detail || is_unusual(s, entry)));
 	free(between);
 	return r;

@@ -249,7 +249,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (isfinite(p.break_size) && p.break_size > 0)
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
-	feed_note(r, entry->site, SITE_MEAN_FEED, NULL);
+	feed_note(r, entry->site, SITE_MEAN_FEED, NULL, 0);
 	free(S);
 	prediction_free(&p);
 	return session_answer(s, r);

@@ -16,7 +16,6 @@
 	}
 
 static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
-    TABLE_TURNS, TABLE_QUESTION,
     {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"draw feed, measured and predicted as text"},
     {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
@@ -25,7 +24,7 @@ static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
 	"show the uncertainty band of a calibrated product"},
     {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"on: show the model alone, specific energy and break size too"},
-    TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option BLEND_OPTIONS[] = {SPEED_OPTION,
     {"out", VALUE_FILE, "", 0, 0, NULL, "",
@@ -41,13 +40,13 @@ static const struct command_option REPORT_OPTIONS[] = {
 	"new feed, for a section with its flow"},
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option SWEEP_OPTIONS[] = {
     {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",
 	"rotor tip speeds; default 65..85:5, extended or moved to cover the "
 	"runs"},
-    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 /* A crusher with its screens, of flow and card, see flow_plan_read. */
 #define FLOW_PARTS                                                          \
@@ -78,12 +77,12 @@ static const struct command_option CARD_OPTIONS[] = {
     FLOW_PARTS,
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
 	"grading envelope: a name of 'spec list', or a file"},
-    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
-    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
     {"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "",
@@ -102,24 +101,23 @@ static const struct command_option FIND_OPTIONS[] = {
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
-    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option FIGURES_OPTIONS[] = {SPEED_OPTION,
-    TABLE_TURNS,
     {"of", VALUE_TEXT, "", 0, 0, NULL, "",
 	"figures, with commas between: P80, passing 2, fm EN, 0/4, P50 of 0/4"},
-    TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option FLOW_OPTIONS[] = {
     {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "", "new feed"}, SPEED_OPTION,
-    FLOW_PARTS, TABLE_SCREENS, TABLE_TURNS,
+    FLOW_PARTS,
     {"best", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"find the speed that earns most"},
     {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"slowest speed of best=on; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"fastest speed of best=on; default 85, or more to cover the runs"},
-    TABLE_QUESTION, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option WINDOW_OPTIONS[] = {
     {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
@@ -128,25 +126,15 @@ static const struct command_option WINDOW_OPTIONS[] = {
 	"slowest speed; default 65, or less to cover the runs"},
     {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"fastest speed; default 85, or more to cover the runs"},
-    TABLE_CUT, TABLE_QUESTION, {.name = NULL}};
+    {.name = NULL}};
 
 static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
-    TABLE_TURNS,
     {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
 	"probability of the bands; 'set level' sets it too"},
     {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
 	"known standard deviation of a single passing around 50 %; 0: as the "
 	"data show it"},
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
-    TABLE_QUESTION, TABLE_SIEVES, TABLE_CUT, {.name = NULL}};
-
-static const struct command_option VALIDATE_OPTIONS[] = {
-    {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
-	"each: hold out each speed in turn and calibrate on the others"},
-    {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"also compare sieve by sieve"},
-    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
-	"I/N: with all, every N-th site, as of 'calibrate all'"},
     {.name = NULL}};
 
 static const struct command_option DRIFT_OPTIONS[] = {
@@ -156,23 +144,21 @@ static const struct command_option DRIFT_OPTIONS[] = {
 	"limit of the CUSUM: higher signals later and less often by chance"},
     {.name = NULL}};
 
-static const struct command_option SPEC_OPTIONS[] = {
-    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
-
-/* Of why. */
-static const struct command_option AT_SPEED_OPTIONS[] = {
-    LAST_SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
-
-static const struct command_option ADVISE_OPTIONS[] = {
-    SPEED_OPTION, TABLE_TURNS, TABLE_QUESTION, TABLE_CUT, {.name = NULL}};
+/* Of spec and advise; of why. */
+static const struct command_option SPEED_OPTIONS[] = {
+    SPEED_OPTION, {.name = NULL}};
+static const struct command_option LAST_SPEED_OPTIONS[] = {
+    LAST_SPEED_OPTION, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.brief = "the product at a tip speed",
-	.flags =
-	    COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS | COMMAND_BESIDE,
+	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
+		 COMMAND_BESIDE | COMMAND_DAILY,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
+	    SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "Needs parameters: run calibrate or params set first. Outside the "
 	    "training speeds the result is marked as extrapolated. "
@@ -215,6 +201,8 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speeds",
 	.option = SWEEP_OPTIONS,
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "Up to seven speeds are shown side by side, sieve by sieve; "
 	    "more are listed one per row. Without speeds= it covers 65 to 85 "
@@ -227,6 +215,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.option = CARD_OPTIONS,
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "One row a speed, in m/s and, where the site states the rotor's "
 	    "diameter, in rpm: P20, P50 and P80, the band of P80, figures of "
@@ -245,6 +234,8 @@ const struct command TABLE_ANSWERS[] = {
 	    {"SPEED SITE pinned"}, 2, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_DRAWS,
 	.option = COMPARE_OPTIONS,
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "Compares the predicted products of the site in use at two speeds, "
 	    "with the same feed, or of two loaded sites at one speed, each "
@@ -274,6 +265,8 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speed",
 	.option = FIGURES_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "Single numbers of the product at a speed, with their bands: P and "
 	    "a number, or D and a number, the size that so much passes; "
@@ -290,27 +283,27 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "find",
 	.brief = "find the speed that gives a wanted product",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DAILY,
 	.option = FIND_OPTIONS,
-	.text =
-	    "The inverse of predict: finds the tip speed for a P20, P50 or "
-	    "P80, for a passing at a size, or the speeds at which the product "
-	    "meets a grading envelope; see spec and tipspeed-spec(5). "
-	    "Conditions are those of window: the one with = and a single "
-	    "number is what the speed is for, \"max passing 2\" or \"min "
-	    "P80\" asks for the speed that gives most or least of a "
-	    "quantity; others are checked there, or hold it back. A limit "
-	    "that binds is kept with a certainty of about a half only, so the "
-	    "best with 80 % certainty (set level) is said too. The first "
-	    "range of a speed is that of the true product, the second that in "
-	    "which a belt cut may show the value. Of "
-	    "several speeds that give the value the one inside the training "
-	    "speeds, or nearest to them, is taken, first of those that meet "
-	    "the other conditions, and the rest are named. If "
-	    "there is none, the products at both ends are shown, or the "
-	    "nearest speed and what fails. Without from= and to= it "
-	    "searches the speeds of sweep, all with one feed: the mean of "
-	    "those sampled, unless feed= is given.",
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
+	.text = "The inverse of predict: finds the tip speed for a P20, P50 or "
+		"P80, for a passing at a size, or the speeds at which the "
+		"product meets a grading envelope; see spec and "
+		"tipspeed-spec(5). Conditions are those of window: the one "
+		"with = and a single number is what the speed is for, \"max "
+		"passing 2\" or \"min P80\" asks for the speed that gives most "
+		"or least of a quantity; others are checked there, or hold it "
+		"back. The first range of a speed is that of the true product, "
+		"the second that in which a belt cut may show the value.",
+	.more = "A limit that binds is kept with a certainty of about a half "
+		"only, so the best with 80 % certainty (set level) is said "
+		"too. Of several speeds that give the value the one inside the "
+		"training speeds, or nearest to them, is taken, first of those "
+		"that meet the other conditions, and the rest are named. If "
+		"there is none, the products at both ends are shown, or the "
+		"nearest speed and what fails. Without from= and to= it "
+		"searches the speeds of sweep, all with one feed: the mean of "
+		"those sampled, unless feed= is given.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "find p80=5\nfind passing=40 at=2\n"
@@ -321,21 +314,24 @@ const struct command TABLE_ANSWERS[] = {
 	.answer = cmd_find},
     {.name = "flow",
 	.brief = "tonnes of each fraction, what goes back, power, earnings",
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS,
+	.flags =
+	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS | COMMAND_DAILY,
 	.bare = "tph",
 	.option = FLOW_OPTIONS,
-	.text =
-	    "Tonnes an hour of each fraction that screens make of the product "
-	    "of a new feed, in steady state; what is coarser or finer than "
-	    "all, or between, is listed too. Fractions of recycle= go back to "
-	    "the crusher: their tonnes are the circulating load, and beside it "
-	    "is what the balance of feed and products is out by. Power is an "
-	    "engineering estimate, idle + c v2 Q, fitted to readings of the "
-	    "motor. With prices, best=on finds the speed that earns most and "
-	    "what it gains over speed=. circuit= takes screens, splits and "
-	    "stockpiles from a file, see tipspeed-circuit(5), which also says "
-	    "what is left out. > FILE.svg, .png or .pdf draws the tonnes of "
-	    "the products against the speed, from=..to=.",
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
+	.text = "Tonnes an hour of each fraction that screens make of the "
+		"product of a new feed, in steady state. Fractions of recycle= "
+		"go back to the crusher: their tonnes are the circulating "
+		"load. Power is an engineering estimate, idle + c v2 Q, fitted "
+		"to readings of the motor. With prices, best=on finds the "
+		"speed that earns most and what it gains over speed=. circuit= "
+		"takes screens, splits and stockpiles from a file, see "
+		"tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the "
+		"tonnes of the products against the speed, from=..to=.",
+	.more = "What is coarser or finer than all fractions, or between them, "
+		"is listed too, and beside the circulating load what the "
+		"balance of feed and products is out by. tipspeed-circuit(5) "
+		"also says what is left out.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "flow tph=120 recycle=8/11.2\n"
 		   "flow tph=120 recycle=8/11.2 power=69:157:118,79:197:121 "
@@ -348,6 +344,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.option = WINDOW_OPTIONS,
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "A condition is a quantity of figures and a limit, in quotes: "
 	    "\"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > 5\", "
@@ -377,7 +374,9 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[use NAME|list [NAME|limits]|off|NAME|FILE]",
 	    {"use list off SPEC FILE", "SPEC FILE", ""}, 0, 12},
 	.flags = COMMAND_CHANGES | COMMAND_SPEC,
-	.option = SPEC_OPTIONS,
+	.option = SPEED_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "'spec use NAME' chooses an envelope for the session: spec and "
 	    "find then compare with it, and plots of size distributions draw "
@@ -405,6 +404,8 @@ const struct command TABLE_ANSWERS[] = {
 	.flags =
 	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CHANGES | COMMAND_LOOKS,
 	.option = UNCERTAINTY_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
+	    SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "Shows half the width of the uncertainty band at a speed, sieve by "
 	    "sieve: of the model alone, which is what its parameters leave "
@@ -424,7 +425,9 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "which sample next narrows a band most",
 	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
-	.option = ADVISE_OPTIONS,
+	.option = SPEED_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text = "The quantity is p20, p50, p80 (the default), or passing and a "
 		"size in mm, at a speed. For a repeat at each measured speed "
 		"and a sample at each round one, it shows how wide the "
@@ -434,29 +437,6 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
 		   "advise passing 2 speed=85",
 	.answer = cmd_advise},
-    {.name = "validate",
-	.brief = "compare predictions with the held-out runs",
-	.operands = {"[all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE,
-	.option = VALIDATE_OPTIONS,
-	.text =
-	    "Shows the root mean square error (RMSE), P20, P50 and P80 at each "
-	    "held-out run, measured and predicted by the model and by three "
-	    "that need no model: the training products interpolated in speed "
-	    "squared (outside the training speeds, on the line through the two "
-	    "nearest), the product at the nearest training speed, and the feed "
-	    "unchanged. Reports who predicts best. holdout=each calibrates "
-	    "without each speed in turn, as 'calibrate' alone would, and "
-	    "predicts it; the fit in use stays. 'validate all' sums up the "
-	    "relative errors of P20, P50 and P80 over all calibrated sites: "
-	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7). The "
-	    "sites share the threads; after 'set correction off' the corrected "
-	    "answer is not drawn, which takes most of the time. One that "
-	    "cannot be compared is told at the end, and the answer is of the "
-	    "others.",
-	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
-		   "validate sieves=on\nvalidate holdout=each",
-	.run = cmd_validate},
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
@@ -492,7 +472,9 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[SPEED]", {"SPEED"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speed",
-	.option = AT_SPEED_OPTIONS,
+	.option = LAST_SPEED_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "Explains the site in use at a speed in sentences: what breaks, "
 	    "how much of the feed that is, how far the speed is from the "
@@ -530,8 +512,10 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "report",
 	.brief = "write all about the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
 	.option = REPORT_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "Wants > FILE.html, for a browser, or > FILE.pdf, for paper (A4). "
 	    "The file holds what other commands answer: the light with its "

@@ -319,7 +319,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_light(&a);
 	say_fit(&a);
 	say_data(&a);
-	feed_note(a.answer, entry->site, run, NULL);
+	feed_note(a.answer, entry->site, run, NULL, 0);
 	prediction_free(&a.p);
 	return session_answer(s, a.answer);
 }

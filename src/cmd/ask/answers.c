@@ -310,7 +310,7 @@ answers_note_basis(const struct session *s, struct answer *r,
 {
 	note_beyond(r, q->entry, speed, light);
 	origin_note(r, q->entry);
-	feed_note(r, q->entry->site, q->feed, whose);
+	feed_note(r, q->entry->site, q->feed, whose, q->moved);
 	feed_note_assumed(r, q->entry->site, whose);
 	note_variant(r, q->entry);
 	note_model(s, r, q->entry);

@@ -13,7 +13,8 @@
  * question stays where it was made.  feed: for site_feed.  speed: m/s;
  * speed_given: by the call.  fraction: zeros of the whole product.
  * params: what forms the product, NULL: the entry's; with others it is the
- * model alone. */
+ * model alone.  moved: how far measured products beside the answer are moved to
+ * its feed, 0..1, see cmd/ask/moved.h; 0: not worth a word. */
 struct question {
 	const struct entry *entry;
 	const struct params *params;
@@ -21,6 +22,7 @@ struct question {
 	double speed;
 	bool speed_given;
 	struct fraction fraction;
+	double moved;
 	struct entry own;
 	struct variant variant;
 	struct named *named; /* what the call named */

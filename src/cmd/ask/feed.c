@@ -59,16 +59,22 @@ feed_words(const struct site *site, size_t run)
 }
 
 void
-feed_note(
-    struct answer *r, const struct site *site, size_t run, const char *whose)
+feed_note(struct answer *r, const struct site *site, size_t run,
+    const char *whose, double moved)
 {
 	char *words = feed_words(site, run);
 	if (words != NULL && whose != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed of %s: %s", whose, words);
+	} else if (words != NULL && moved > 0) {
+		answer_say(r, ANSWER_REMARK,
+		    "feed: %s; measured products moved to it, by up to %.1f "
+		    "points",
+		    words, 100 * moved);
 	} else if (words != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed: %s", words);
-		fields_put(answer_fields(r), "feed %s", words);
 	}
+	if (words != NULL && whose == NULL)
+		fields_put(answer_fields(r), "feed %s", words);
 	free(words);
 }
 

@@ -22,9 +22,10 @@ double feed_speed(const struct site *site, size_t run);
 char *feed_words(const struct site *site, size_t run);
 
 /* Says it below an answer, "feed: " and those words, which are its key feed; of
- * one of two products (whose) "feed of tierp: ". */
-void feed_note(
-    struct answer *r, const struct site *site, size_t run, const char *whose);
+ * one of two products (whose) "feed of tierp: "; and where moved > 0 by how
+ * much, see struct question. */
+void feed_note(struct answer *r, const struct site *site, size_t run,
+    const char *whose, double moved);
 
 /* Says what size all of its feeds were assumed to pass, if any was, as
  * feed_note; without whose its key is assumed_top_mm. */

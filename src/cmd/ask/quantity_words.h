@@ -54,7 +54,7 @@ const char *quantities_unit(const struct quantity *q);
 double quantities_shown(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);
 
-/* The options of TABLE_CUT of a call: the fraction, or the whole product.
+/* The options of SHARED_CUT of a call: the fraction, or the whole product.
  * alone: screens may be described without one. */
 bool quantities_option(const struct args *args, struct fraction *fraction,
     bool alone, struct error *error);

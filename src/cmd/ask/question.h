@@ -19,7 +19,7 @@ struct scenario {
 	const double *sieve;
 };
 
-/* Reads the options of TABLE_QUESTION and its parts that the command has, of
+/* Reads the options of SHARED_... (table_shared.c) that the command has, of
  * the site in use or of a loaded one.  It is the only place that chooses a feed
  * or a machine.  question_free, also where it is false. */
 bool question_read(struct session *s, const struct args *args,

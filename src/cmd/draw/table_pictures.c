@@ -4,51 +4,43 @@
 
 #include "cmd/draw/plot_request.h"
 
-#define WHAT_OPTIONS                                                           \
-	{"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",              \
-	    "rotor tip speed of psd and selection; default: the middle of "    \
-	    "the runs"},                                                       \
-	    TABLE_TURNS, TABLE_QUESTION, TABLE_CUT,                            \
-	    {"other", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",          \
-		"another speed for comparison"},                               \
-	    {"other_feed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",     \
-		"psd: that one takes the feed sampled at this speed"},         \
-	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                       \
-		"psd: also show the product of this loaded site, or what is "  \
-		"pinned: pinned"},                                             \
-	    {"site", VALUE_TEXT, "", 0, 0, "SITE", "",                         \
-		"this loaded site instead of the one in use; pinned: the "     \
-		"prediction that is, with its site"},                          \
-	    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",        \
-		"tip speeds of sweep; default 65..85:5, extended or moved to " \
-		"cover the runs; of runs: further ones, as 65,85"},            \
-	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",                  \
-		"psd: shade the 80 % uncertainty band"},                       \
-	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                             \
-		"response: quantities, with commas between: passing 2, P50, "  \
-		"0/4; default: those of limits=, else passings"},              \
-	    {"limits", VALUE_TEXT, "", 0, 0, NULL, "",                         \
-		"response: conditions, with commas between: passing 2 = "      \
-		"40..50, passing 0.063 < 6"},                                  \
-	    {"generation", VALUE_WHOLE, "", 0, 1000000, NULL, "0",             \
-		"search, convergence, spread, psd: as of this generation of "  \
-		"the search; 0: its end"},                                     \
-	    {"param", VALUE_TEXT, "", 0, 0, "PARAMETER", "",                   \
-		"profile: the parameter; default e0_min"},                     \
-	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                    \
-		"psd: draw a line at this size and show the passings there"},  \
-	{                                                                      \
-		"level", VALUE_NUMBER, "%", 0, 100, NULL, "50",                \
-		    "psd with at=: also show sizes at this % passing"          \
+#define WHAT_OPTIONS                                                       \
+	{"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",          \
+	    "tip speed; default: the middle of the runs"},                 \
+	    {"other", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",      \
+		"another speed for comparison"},                           \
+	    {"other_feed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "", \
+		"psd: the feed of other= is that of this speed"},          \
+	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                   \
+		"psd: with the product of this site, or pinned"},          \
+	    {"site", VALUE_TEXT, "", 0, 0, "SITE", "",                     \
+		"a loaded site, or pinned, instead of the one in use"},    \
+	    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",    \
+		"sweep: default 65..85:5; runs: further ones"},            \
+	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",              \
+		"psd: shade the 80 % uncertainty band"},                   \
+	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                         \
+		"response: quantities, as passing 2,P50,0/4"},             \
+	    {"limits", VALUE_TEXT, "", 0, 0, NULL, "",                     \
+		"response: conditions, as passing 2 = 40..50"},            \
+	    {"generation", VALUE_WHOLE, "", 0, 1000000, NULL, "0",         \
+		"generation of the search; 0: its end"},                   \
+	    {"param", VALUE_TEXT, "", 0, 0, "PARAMETER", "",               \
+		"profile: the parameter; default e0_min"},                 \
+	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                \
+		"psd: line at this size, its passings"},                   \
+	{                                                                  \
+		"level", VALUE_NUMBER, "%", 0, 100, NULL, "50",            \
+		    "psd with at=: sizes at this passing"                  \
 	}
 
 static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
     {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
-	"default: that of the screen, at most 100; 78 without a terminal"},
+	"default: that of the screen, at most 100"},
     {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
 	"default: that of the screen, at most 24"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
-	"characters that lines are drawn with"},
+	"drawn with"},
     {.name = NULL}};
 
 static const struct command_option SCREEN_OPTIONS[] = {
@@ -59,7 +51,7 @@ static const struct command_option SCREEN_OPTIONS[] = {
     {"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "",
 	"the page to show; default: the open page, else predict"},
     {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
-	"characters that lines are drawn with"},
+	"drawn with"},
     {"colours", VALUE_CHOICE, "", 0, 0, "auto 256 16 8 0", "auto",
 	"number of colours; auto: those of the terminal, 256 in an image"},
     {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
@@ -76,37 +68,39 @@ const struct command TABLE_PICTURES[] = {
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
 	.option = PLOT_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
-	    "psd: feed, measured and predicted products; runs: the product of "
-	    "every run, measured (solid, with marks) and predicted by the "
-	    "model alone from the run's own feed (dashed), with speeds= also "
-	    "at speeds that were not measured; parity: P20, P50 and "
-	    "P80 predicted against measured, at the held-out speeds of all "
-	    "loaded sites; search: how far the candidates of a generation lie "
-	    "from each passing that is fitted, as a bar from the 10th to the "
-	    "90th percentile, the best as a mark, and the sampling noise; "
-	    "convergence: best and median candidate of the search, in points "
-	    "RMS; spread: the candidates within the bounds of each parameter; "
-	    "residuals: predicted minus measured, sieve by sieve; selection: "
-	    "the selection function, how much of each size breaks (Eq 3); "
-	    "appearance: the appearance function, the sizes it breaks into (Eq "
-	    "1); map: the materials of the store by rock type, and the loaded "
-	    "sites; sweep: products "
-	    "at several speeds; response: quantities of the product against "
-	    "the tip speed, with what was measured, the training speeds and, "
-	    "with limits=, where they are met; profile: what the data say of "
-	    "one parameter, "
-	    "by the misfit with the others refitted and by the draws; "
-	    "correlation: of the draws of all parameters; drift: routine cuts "
-	    "on control charts, as drift follows them; energy: the collision "
-	    "energies loaded. psd, sweep and response are of a screened "
-	    "fraction with cut=. Marks and dashes "
-	    "distinguish the lines, with "
-	    "and without colour. charset=auto draws with braille dots on a "
-	    "UTF-8 terminal, otherwise with ASCII characters. After >, a file "
-	    "whose name ends in .svg, .png or .pdf becomes a publication "
-	    "figure with the same ticks and lines; .csv and .json get the "
+	    "psd: feed, measured and predicted products; runs: every run, "
+	    "measured and by the model alone (dashed); parity: P20, P50, P80 "
+	    "predicted against measured; search: candidates of the last "
+	    "search; convergence: the best and the median of them; spread: "
+	    "where they lie; residuals: predicted minus measured; "
+	    "selection: what breaks (Eq 3); appearance: into what (Eq 1); map: "
+	    "materials of the store, and the loaded sites; sweep: products at "
+	    "several speeds; response: quantities against the tip speed; "
+	    "profile: what the data say of a parameter; correlation: of all; "
+	    "drift: control charts; energy: collision energies. > FILE.svg, "
+	    ".png or .pdf draws a publication figure; .csv and .json get the "
 	    "numbers, .txt the text.",
+	.more =
+	    "runs predicts each from its own feed, with speeds= also at speeds "
+	    "that were not measured; parity has the held-out speeds of all "
+	    "loaded sites. search shows how far the candidates of a generation "
+	    "lie from each passing that is fitted, as a bar from the 10th to "
+	    "the 90th percentile, the best as a mark, and the sampling noise; "
+	    "convergence the best and the median candidate, in points RMS; "
+	    "spread the candidates within the bounds of each parameter. "
+	    "selection is how much of each size breaks, appearance the sizes "
+	    "it breaks into. map is by rock type. response has what was "
+	    "measured, the training speeds and, with limits=, where these are "
+	    "met. profile shows one parameter by the misfit with the others "
+	    "refitted and by the draws, correlation the draws of all. drift is "
+	    "as drift follows them. psd, sweep and response are of a screened "
+	    "fraction with cut=. Marks and dashes distinguish the lines, with "
+	    "and without colour. charset=auto draws with braille dots on a "
+	    "UTF-8 terminal, otherwise with ASCII characters. A figure has the "
+	    "same ticks and lines.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "plot psd speed=74 at=2",
@@ -116,6 +110,8 @@ const struct command TABLE_PICTURES[] = {
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_BESIDE,
 	.option = DESCRIBE_OPTIONS,
+	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	    SHARED_SCREENS},
 	.text =
 	    "Describes what plot would draw, for users of screen readers: the "
 	    "axes, where each curve begins and ends and its P20, P50 and P80, "

@@ -239,10 +239,9 @@ note_run(struct answer *r, const struct compared *item, double level)
 	char *run =
 	    xasprintf("%g m/s%s", v->speed, item->site->run[v->run].repeat);
 	answer_note(r,
-	    "at %s: RMSE %.2f points over %zu sieves, misfit %.4g; largest "
-	    "error %+.2f points at %g mm (predicted - measured)",
-	    run, 100 * v->rmse[VALIDATE_MODEL], v->n_sieve, v->misfit,
-	    100 * v->worst_difference, units_mm(v->worst_sieve));
+	    "at %s: largest error %+.2f points at %g mm (predicted - "
+	    "measured)",
+	    run, 100 * v->worst_difference, units_mm(v->worst_sieve));
 	note_winner(r, v, run);
 	if (item->has_band)
 		answer_note(r,

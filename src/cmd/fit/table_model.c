@@ -6,65 +6,58 @@
 #define AT(member) .offset = offsetof(struct choices, member)
 
 const struct setting SETTINGS[] = {
-    {{"model", VALUE_CHOICE, "", 0, 0, NULL, "grunditz",
-	 "breakage model of calibrations and of params set"},
+    {{"model", VALUE_CHOICE, "", 0, 0, NULL, "grunditz", "breakage model"},
 	AT(model.breakage)},
     {{"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "continuous",
-	 "how products are computed"},
+	 "how to compute"},
 	AT(model.method)},
     {{"appearance", VALUE_CHOICE, "", 0, 0, "ratio progeny_mm parent_mm",
-	 "ratio", "the size variable of the appearance function (Eq 1)"},
+	 "ratio", "sizes of Eq 1"},
 	AT(model.appearance)},
     {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
 	AT(model.k)},
     {{"energy", VALUE_FILE, "", 0, 0, NULL, "off",
-	 "collision energies in Eq 3 in place of one impact at v^2/2"},
+	 "collision energies in place of one impact"},
 	AT(energy)},
     {{"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
-	 "runs that correct the model in answers: every measured one, the "
-	 "training runs, or none"},
+	 "runs that correct the model"},
 	AT(correction)},
     {{"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
-	 "uncertainty bands hold the truth with this probability"},
+	 "probability of the bands"},
 	AT(level)},
     {{"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
-	 "known standard deviation of a single passing around 50 %; 0: as the "
-	 "data show it"},
+	 "known standard deviation of a passing near 50 %; 0: as the data show "
+	 "it"},
 	AT(noise)},
     {{"draw_seed", VALUE_WHOLE, "", 0, 999999, NULL, "1",
-	 "seed of the draws that answers and bands are made of; with another "
-	 "they change by what chance leaves in them"},
+	 "seed of the draws of bands"},
 	AT(draw_seed)},
     {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
-	 "threads of a calibration; default: one for each processor"},
+	 "threads; default: one for each processor"},
 	AT(threads)},
     {{"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "table",
 	 "output format"},
 	AT(format)},
     {{"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "comma",
-	 "semicolon: decimal commas, for spreadsheets in Swedish or German"},
+	 "semicolon: decimal commas"},
 	AT(semicolon)},
     {{"pager", VALUE_CHOICE, "", 0, 0, "on off", "on",
-	 "at the prompt, show results taller than the screen in the pager"},
+	 "show long results in the pager"},
 	AT(unpaged)},
     {{"theme", VALUE_CHOICE, "", 0, 0, "normal dark light", "normal",
-	 "colours for any terminal, or of high contrast for a dark or a light "
-	 "one"},
+	 "dark, light: of high contrast"},
 	AT(theme)},
     {{"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "mean",
-	 "feed of answers: mean, of those sampled; a speed, of that sample; or "
-	 "a sheet's or a blend, as feed= names it"},
+	 "feed of answers: mean, or as feed= names it"},
 	AT(feed)},
     {{"slider", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, "usual", "usual",
-	 "speeds that the slider, find, window, sweep and card cover: 20..120; "
-	 "usual: 65..85 and those of the runs"},
+	 "speeds that slider, find, window, sweep and card cover"},
 	AT(slider)},
     {{"goal", VALUE_TEXT, "", 0, 0, NULL, "none",
-	 "what is wanted of the product: p80=5.4, \"passing 2 = 40..50\", an "
-	 "envelope"},
+	 "what is wanted: p80=5.4, \"passing 2 = 40..50\", an envelope"},
 	AT(goal)},
     {{"quantity", VALUE_TEXT, "", 0, 0, NULL, "p80",
-	 "what full-screen mode shows above the track of the speed"},
+	 "what full-screen mode shows above its track"},
 	AT(quantity), .looks = true},
     {{"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "predict",
 	 "page that full-screen mode opens on"},
@@ -106,14 +99,16 @@ const struct command TABLE_MODEL[] = {
 	.brief = "show or change settings",
 	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
 	.setting = SETTINGS,
-	.text =
-	    "Write 'set method classes' or 'set method=classes'. The method "
-	    "classes follows the paper exactly; continuous, the default, is "
-	    "its limit for fine size classes and does not depend on the choice "
-	    "of sieves. The model is used for later calibrations ('show "
-	    "models' lists the models); the search bounds become those of the "
-	    "model, and existing parameters of a site keep their model. "
-	    "Appearance functions other than ratio work only with classes.",
+	.text = "Write 'set method classes' or 'set method=classes'. The "
+		"method classes follows the paper exactly; continuous, the "
+		"default, is its limit for fine size classes. The model is "
+		"used for later calibrations; 'show models' lists the models.",
+	.more =
+	    "continuous does not depend on the choice of sieves. With another "
+	    "model the search bounds become those of it, and existing "
+	    "parameters of a site keep their model. Appearance functions other "
+	    "than ratio work only with classes. Another draw_seed changes "
+	    "answers and bands by what chance leaves in them.",
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",

@@ -17,7 +17,7 @@
 static const struct {
 	const char *name;
 	const struct command *command;
-} GROUPS[] = {{N_("data"), TABLE_DATA}, {N_("fit"), TABLE_FIT},
+} GROUPS[] = {{N_("data"), TABLE_DATA}, {N_("calibration"), TABLE_FIT},
     {N_("answers"), TABLE_ANSWERS}, {N_("pictures"), TABLE_PICTURES},
     {N_("store"), TABLE_STORE}, {N_("model"), TABLE_MODEL},
     {N_("session"), TABLE_SESSION}};
@@ -168,7 +168,7 @@ parameters(size_t i)
 }
 
 const struct command_option *
-command_option_at(const struct command *command, size_t i)
+command_own_option(const struct command *command, size_t i)
 {
 	const struct command_option *o =
 	    command->flags & COMMAND_PARAMS ? parameters(i)
@@ -176,6 +176,47 @@ command_option_at(const struct command *command, size_t i)
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;
+}
+
+/* Option i of lists that end with NULL. */
+static const struct command_option *
+option_of(const struct command_option *const *list, size_t i)
+{
+	for (; *list != NULL; list++)
+		for (const struct command_option *o = *list; o->name != NULL;
+		     o++)
+			if (i-- == 0)
+				return o;
+	return NULL;
+}
+
+const struct command_option *
+command_option_at(const struct command *command, size_t i)
+{
+	size_t own = 0;
+	while (own <= i && command_own_option(command, own) != NULL)
+		own++;
+	return own > i ? command_own_option(command, i)
+		       : option_of(command->shared, i - own);
+}
+
+const struct command_option *
+command_shared_option(size_t i)
+{
+	static const struct command_option *const ALL[] = {SHARED_TURNS,
+	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
+	    SHARED_SCREENS, NULL};
+	return option_of(ALL, i);
+}
+
+char *
+command_shared(const struct command *command)
+{
+	char *list = xstrdup("");
+	const struct command_option *o;
+	for (size_t i = 0; (o = option_of(command->shared, i)) != NULL; i++)
+		xlist(&list, ", ", "%s", o->name);
+	return list;
 }
 
 size_t
@@ -218,7 +259,7 @@ command_usage(const struct command *command)
 	if (command->operands.usage != NULL)
 		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o;
-	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
+	for (size_t i = 0; (o = command_own_option(command, i)) != NULL; i++) {
 		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
 			if (*p == ' ')
@@ -288,7 +329,7 @@ command_option_words(const struct command_option *o)
 	return words;
 }
 
-/* A number cannot be 0, see TABLE_FEED. */
+/* A number cannot be 0, see SHARED_FEED. */
 bool
 value_is_file(const struct command_option *option, const struct value *value)
 {

@@ -58,7 +58,7 @@ struct value {
 	double *list;
 };
 
-enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5 };
+enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
 /* A parsed call.  value[i] belongs to the command's option i; an option with a
  * fallback that was not given has the fallback's value and given = false. */
@@ -90,7 +90,8 @@ enum command_flag {
 	COMMAND_PARAMS = 256,  /* its options are the models' parameters */
 	COMMAND_SPEC = 512,    /* operands are as VALUE_SPEC */
 	COMMAND_BESIDE = 1024, /* on the screen a search goes on beside it */
-	COMMAND_KNOWN = 2048   /* its answer needs the site's parameters */
+	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
+	COMMAND_DAILY = 4096   /* of a day's work: help alone shows it */
 };
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at
@@ -106,7 +107,8 @@ struct command_operands {
 /* alias: a second name, of one or two words ("store list"), or NULL.
  * bare: option that a bare word stands for ("predict 74"), or NULL.
  * setting: options that may be written as two words ("set method classes").
- * text: sentences for help and manual.  example: lines of a script that runs in
+ * text: sentences for help and manual.  more: further ones for the manual, or
+ * NULL.  example: lines of a script that runs in
  * a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
@@ -116,7 +118,9 @@ struct command {
 	/* One of the two or none; ends with a name of NULL. */
 	const struct command_option *option;
 	const struct setting *setting;
-	const char *text, *example;
+	/* Those it takes as others do, of SHARED_...; NULL after the last. */
+	const struct command_option *shared[SHARES + 1];
+	const char *text, *more, *example;
 	/* One of the two. */
 	command_run *run;
 	command_answer *answer;
@@ -125,6 +129,11 @@ struct command {
 /* The table's parts, a file for each group; each ends with a name of NULL. */
 extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
     TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
+
+/* Options that several commands take and that are told once; each ends with a
+ * name of NULL. */
+extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
+    SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
 /* What `set` sets; ends with a name of NULL. */
 extern const struct setting SETTINGS[];
@@ -152,14 +161,24 @@ char *command_candidates(const char *name);
 /* The name nearest to a mistyped one, or NULL when none is near. */
 const char *command_nearest(const char *name);
 
-/* Option i of those it has, counted from 0; NULL for the first beyond. */
+/* Option i of those it has, counted from 0, its own and then the shared ones;
+ * NULL for the first beyond.  The same of its own alone, and of all that are
+ * shared. */
 const struct command_option *command_option_at(
     const struct command *command, size_t i);
+const struct command_option *command_own_option(
+    const struct command *command, size_t i);
+const struct command_option *command_shared_option(size_t i);
+
+/* "feed, cascade": those it shares with others, "" where there are none.  The
+ * caller frees. */
+char *command_shared(const struct command *command);
 
 /* Index of an option, or OPTIONS if the command has none of that name. */
 size_t command_option_index(const struct command *command, const char *name);
 
-/* "predict [speed=V]": the call as shown in help.  The caller frees. */
+/* "predict [speed=V]": the call as shown in help, with its own options.  The
+ * caller frees. */
 char *command_usage(const struct command *command);
 
 /* "brief (limits), default D": an option in words.  The caller frees. */

@@ -64,32 +64,89 @@ print_quoted(const char *text, FILE *out)
 }
 
 static void
+print_option(const struct command_option *o, FILE *out)
+{
+	char *words = command_option_words(o);
+	fprintf(out, ".It Cm %s\n", o->name);
+	print_text(words, out);
+	free(words);
+}
+
+static void
 print_options(const struct command *c, FILE *out)
 {
-	const struct command_option *o = command_option_at(c, 0);
+	const struct command_option *o = command_own_option(c, 0);
+	char *shared = command_shared(c);
+	if (shared[0] != '\0') {
+		char *line = xasprintf("Also takes %s (see above).", shared);
+		print_text(line, out);
+		free(line);
+	}
+	free(shared);
 	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
-	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
-		fprintf(out, ".It Cm %s\n", o->name);
-		char *words = command_option_words(o);
-		print_text(words, out);
-		free(words);
+	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++)
+		print_option(o, out);
+	fputs(".El\n", out);
+}
+
+static void
+print_shared(FILE *out)
+{
+	const struct command_option *o;
+	fputs(".Ss Options of many commands\n"
+	      ".Bl -tag -width 12n -compact\n",
+	    out);
+	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
+		print_option(o, out);
+	fputs(".El\n", out);
+}
+
+static void
+print_heading(const char *group, FILE *out)
+{
+	fprintf(out, "%c%s\n", toupper((unsigned char)group[0]), group + 1);
+}
+
+/* The groups, each with its commands. */
+static void
+print_contents(FILE *out)
+{
+	const char *group = "";
+	char *names = xstrdup("");
+	fputs(".Bl -tag -width calibration -compact\n", out);
+	for (const struct command *c = command_next(NULL); c != NULL;) {
+		if (strcmp(group, command_group(c)) != 0) {
+			group = command_group(c);
+			fputs(".It Sx ", out);
+			print_heading(group, out);
+		}
+		xlist(&names, ", ", "%s", c->name);
+		c = command_next(c);
+		if (c != NULL && strcmp(group, command_group(c)) == 0)
+			continue;
+		print_text(names, out);
+		names[0] = '\0';
 	}
 	fputs(".El\n", out);
+	free(names);
 }
 
 void
 manual_commands(FILE *out)
 {
 	const char *group = "";
+	print_contents(out);
+	print_shared(out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		const char *its = command_group(c);
 		if (strcmp(group, its) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);
-			fprintf(out, ".Ss %c%s\n.Bl -tag -width Ds\n",
-			    toupper((unsigned char)its[0]), its + 1);
+			fputs(".Ss ", out);
+			print_heading(its, out);
+			fputs(".Bl -tag -width Ds\n", out);
 		}
 		group = its;
 		char *usage = command_usage(c);
@@ -101,6 +158,7 @@ manual_commands(FILE *out)
 			fprintf(out, "Also called\n.Cm %s .\n", c->alias);
 		print_brief(c, out);
 		print_text(c->text, out);
+		print_text(c->more != NULL ? c->more : "", out);
 		print_options(c, out);
 		fputs(".Bd -literal -offset indent\n", out);
 		usage_example(c, "tipspeed> ", out);

@@ -103,7 +103,7 @@ usage_list(const char *group, FILE *out)
 		const char *its = command_group(c);
 		if (group != NULL && strcmp(group, its) != 0)
 			continue;
-		/* The name can be typed: help fit. */
+		/* The name can be typed: help store. */
 		if (strcmp(last, its) != 0)
 			fprintf(out,
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
@@ -119,10 +119,15 @@ usage_list(const char *group, FILE *out)
 static void
 print_command_option(const struct command_option *o, FILE *out)
 {
-	char *text = command_option_words(o);
-	fprintf(out, "  %s\n", o->name);
-	text_wrap(text, 6, 78, out);
-	free(text);
+	enum { MARGIN = 15 };
+	char *words = command_option_words(o), *lines = NULL;
+	size_t n = 0;
+	FILE *memory = text_memory(&lines, &n);
+	text_wrap(words, MARGIN, 78, memory);
+	fclose(memory);
+	fprintf(out, "  %-*s%s", MARGIN - 2, o->name, lines + MARGIN);
+	free(lines);
+	free(words);
 }
 
 void
@@ -135,19 +140,48 @@ usage_example(const struct command *c, const char *margin, FILE *out)
 	free(copy);
 }
 
+/* Those that are told once, by name. */
+static void
+print_shared(const struct command *c, FILE *out)
+{
+	char *names = command_shared(c);
+	char *line = xasprintf(tr("also takes %s: help options"), names);
+	if (names[0] != '\0')
+		text_wrap(line, 2, 78, out);
+	free(line);
+	free(names);
+}
+
+void
+usage_shared(FILE *out)
+{
+	const struct command_option *o;
+	fputs(tr("Options of many commands; help COMMAND names those it "
+		 "takes.\n\n"),
+	    out);
+	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
+		print_command_option(o, out);
+}
+
 void
 usage_command(const struct command *c, FILE *out)
 {
-	char *usage = command_usage(c);
+	const char *operands = c->operands.usage;
+	const struct command_option *o = command_option_at(c, 0);
 	fprintf(out, "%s - %s\n\n", c->name, tr(c->brief));
+	char *usage =
+	    xasprintf("%s %s %s", c->name, operands != NULL ? operands : "",
+		o != NULL ? tr("[OPTION=VALUE...]") : "");
 	text_hang(usage, 2, 6, 78, out);
 	free(usage);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), c->alias);
+	print_shared(c, out);
 	fputc('\n', out);
 	text_wrap(tr(c->text), 2, 78, out);
-	const struct command_option *o;
-	for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
+	if (c->more != NULL)
+		fputs(tr("  tipspeed(1) says more of it.\n"), out);
+	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++) {
 		if (i == 0)
 			fputs(tr("\noptions\n"), out);
 		print_command_option(o, out);

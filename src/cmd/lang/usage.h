@@ -40,6 +40,9 @@ extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[];
 /* The list of commands by group; of one group, or of all for NULL. */
 void usage_list(const char *group, FILE *out);
 
+/* The options that are told once for many commands. */
+void usage_shared(FILE *out);
+
 /* A command in one line; all that the table says of it; the lines of its
  * example, each after the margin. */
 void usage_brief(const struct command *command, FILE *out);

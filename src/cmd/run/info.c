@@ -23,11 +23,25 @@ print_start(FILE *out)
 {
 	fputs(tr("In the order of work, for the site file quarry.csv:\n"
 		 "  load quarry.csv    check    calibrate    validate    "
-		 "predict 74\n"
+		 "predict 74\n\n"),
+	    out);
+	const char *last = "";
+	char *groups = xstrdup("");
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		if (c->flags & COMMAND_DAILY)
+			usage_brief(c, out);
+		if (strcmp(command_group(c), last) != 0)
+			xlist(&groups, ", ", "%s", command_group(c));
+		last = command_group(c);
+	}
+	fprintf(out, tr("\ngroups: %s\n"), groups);
+	free(groups);
+	fputs(tr("help all lists all commands, help GROUP those of a group, "
+		 "help COMMAND explains\none, help options what many take; "
+		 "apropos WORD searches.\n"
 		 "undo undoes the last change, quit exits; man tutorial is for "
 		 "the first hour.\n"),
 	    out);
-	fputs("\n", out);
 }
 
 /* Help is words for people: among JSON or CSV it goes beside the results. */
@@ -86,11 +100,15 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		usage_example(command, "", out);
 	else if (command != NULL)
 		usage_command(command, out);
-	else if (name == NULL || (is_group(name) && !example)) {
-		if (name == NULL)
-			print_start(out);
+	else if (name == NULL)
+		print_start(out);
+	else if (strcmp(name, "all") == 0 && !example)
+		usage_list(NULL, out);
+	else if (strcmp(name, "options") == 0 && !example)
+		usage_shared(out);
+	else if (is_group(name) && !example)
 		usage_list(name, out);
-	} else
+	else
 		return unknown(name, error);
 	return true;
 }
@@ -111,6 +129,7 @@ tells_of(const struct command *c, const char *folded)
 	bool found =
 	    holds(c->name, folded) || holds(c->brief, folded) ||
 	    holds(c->text, folded) ||
+	    (c->more != NULL && holds(c->more, folded)) ||
 	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
 	    (c->alias != NULL && holds(c->alias, folded));
 	const struct command_option *o;

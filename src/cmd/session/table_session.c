@@ -37,7 +37,7 @@ const struct command TABLE_SESSION[] = {
     {.name = "save",
 	.brief = "save the session as a script",
 	.operands = {"FILE.tip", {"FILE"}, 1, 1},
-	.flags = COMMAND_FILES | COMMAND_UNSAVED,
+	.flags = COMMAND_FILES | COMMAND_UNSAVED | COMMAND_DAILY,
 	.option = SAVE_OPTIONS,
 	.text =
 	    "Writes the commands that produced the session and its results, "
@@ -122,12 +122,14 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_assert},
     {.name = "help",
 	.brief = "list the commands or explain one",
-	.operands = {"[COMMAND|GROUP] [example]", {"COMMAND GROUP", "example"},
-	    0, 2},
+	.operands = {"[COMMAND|GROUP|all|options] [example]",
+	    {"COMMAND GROUP all options", "example"}, 0, 2},
 	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
-	.text = "With the name of a command, explains it; with the name of a "
-		"group, lists its commands. 'help COMMAND example' prints an "
-		"example that can be run as printed.",
+	.text = "Alone, shows the commands of a day's work; with the name of a "
+		"command, explains it; with the name of a group, or all, lists "
+		"its commands; with options, explains those that many "
+		"commands take. 'help COMMAND example' prints an example that "
+		"can be run as printed.",
 	.example = "help predict",
 	.run = cmd_help},
     {.name = "apropos",

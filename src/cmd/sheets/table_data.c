@@ -13,8 +13,7 @@ static const struct command_option SHOW_OPTIONS[] = {
 #define SHEET_OPTIONS                                                         \
 	{"columns", VALUE_TEXT, "", 0, 0, NULL, "",                           \
 	    "what the columns are, by number: \"1=sieve mm, 2=feed "          \
-	    "retained_g, 4=product@70\"; others are left out; numbers of "    \
-	    "lines where the sieves go across"},                              \
+	    "retained_g, 4=product@70\"; others are left out"},               \
 	    {"samples", VALUE_TEXT, "", 0, 0, NULL, "",                       \
 		"what samples are, by name: \"S01=feed, S02=@70\"; others "   \
 		"are left out"},                                              \
@@ -24,8 +23,7 @@ static const struct command_option SHOW_OPTIONS[] = {
 	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
 		"decimal sign of the numbers, where they do not tell"},       \
 	    {"top", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                  \
-		"size that all of the feed passes, where its coarsest sieve " \
-		"does not: an assumption, which every answer tells"},         \
+		"size that all of the feed passes, an assumption"},           \
 	{                                                                     \
 		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
 		    "diameter of the rotor, for speeds in rpm"                \
@@ -33,8 +31,7 @@ static const struct command_option SHOW_OPTIONS[] = {
 
 static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
     {"as", VALUE_CHOICE, "", 0, 0, "site log", "site",
-	"log: the plant's log of rpm, kW and t/h over time, for 'add "
-	"FILE@TIME'; its columns= are named time, rpm, m/s, kW, t/h"},
+	"log: the plant's log of rpm, kW and t/h, for 'add FILE@TIME'"},
     {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
 	"order in dates of a log such as 5/3/2026, where they do not tell"},
     {"skip", VALUE_CHOICE, "", 0, 0, "off on", "off",
@@ -117,27 +114,30 @@ const struct command TABLE_DATA[] = {
     {.name = "load",
 	.brief = "read the sieve sheets of a site",
 	.operands = {"FILE|FOLDER|NAME...", {"FILE SHIPPED"}, 1, OPERANDS - 1},
-	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
+	.flags =
+	    COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED | COMMAND_DAILY,
 	.option = LOAD_OPTIONS,
 	.text =
 	    "Reads workbooks (Excel, LibreOffice) and CSV in any of the forms "
 	    "of tipspeed-site(5), and makes the last site the one in use. Says "
-	    "what it took each column for, and how sure that is; what a sheet "
-	    "leaves open is asked, and in a script is an error whose hint is "
-	    "the command that settles it. Files are one site where a tip "
-	    "speed follows a name, or none has both feed and product: load "
-	    "feed.csv cut1.csv@70 cut2.csv@75. A folder stands for the sheets "
-	    "in it; results of tipspeed's own are not read as sheets. NAME is "
-	    "a site that comes with the program, where no file has that name: "
-	    "load tierp. A sheet "
-	    "with faults is refused, each fault with its place; "
-	    "the sites already loaded stay, and of several files the others "
-	    "are loaded: those with faults are told at the end, where a script "
-	    "then stops unless skip=on. A site that is loaded again replaces "
-	    "the earlier one. Quote a name with spaces. With as=log the files "
-	    "are a plant's log for 'add': rows "
-	    "with date and time, and columns whose heads tell rpm or m/s, kW "
-	    "and t/h.",
+	    "what it took each column for; what a sheet leaves open is asked, "
+	    "and in a script is an error whose hint is the command that "
+	    "settles it. Files are one site where a tip speed follows a name, "
+	    "or none has both feed and product: load feed.csv cut1.csv@70 "
+	    "cut2.csv@75. A folder stands for the sheets in it; NAME is a site "
+	    "that comes with the program: load tierp. A sheet with faults is "
+	    "refused, each fault with its place; a site that is loaded again "
+	    "replaces the earlier one. Quote a name with spaces.",
+	.more = "It says how sure it is of each column. Where the sieves go "
+		"across, columns= has numbers of lines. Results of tipspeed's "
+		"own are not read as sheets, and a file goes before a site of "
+		"the program's that has its name. The sites already loaded "
+		"stay where a sheet is refused, and of several files the "
+		"others are loaded: those with faults are told at the end, "
+		"where a script then stops unless skip=on. With as=log the "
+		"files are a plant's log for 'add': rows with date and time, "
+		"and columns whose heads tell rpm or m/s, kW and t/h; its "
+		"columns= are named time, rpm, m/s, kW, t/h.",
 	.example = "load data/sites/tierp.csv\n"
 		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
 		   "3=product@69\"\nshow",
@@ -190,7 +190,7 @@ const struct command TABLE_DATA[] = {
     {.name = "check",
 	.brief = "look for faults in site files",
 	.operands = {"[SITE|all]", {"SITE all"}, 0, 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
 	.text =
 	    "Checks the site in use, another one, or all. Reports how many "
 	    "sieves and columns were read and what was left out; products "
@@ -224,8 +224,9 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_mend},
     {.name = "show",
 	.brief = "show a site and its model",
-	.operands = {"[site|feed|product|params|fit|bounds|model|models|"
-		     "selection|appearance|equations|claims|search|store|log]",
+	.operands = {"[site | feed | product | params | fit | bounds | model | "
+		     "models | selection | appearance | equations | claims | "
+		     "search | store | log]",
 	    {"site feed product params fit bounds model models selection "
 	     "appearance equations claims search store log"},
 	    0, 1},

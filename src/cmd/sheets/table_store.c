@@ -46,7 +46,7 @@ static const struct command_option GUESS_OPTIONS[] = {
     {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "",
 	"number of nearest materials to estimate from; default: the number "
 	"that errs least when one site is left out"},
-    TABLE_FEED, {.name = NULL}};
+    {.name = NULL}};
 
 const struct command TABLE_STORE[] = {
     {.name = "materials",
@@ -132,6 +132,7 @@ const struct command TABLE_STORE[] = {
 	.flags = COMMAND_AT_SITE,
 	.bare = "speed",
 	.option = GUESS_OPTIONS,
+	.shared = {SHARED_FEED},
 	.text =
 	    "The estimate is the median of the products with each material; "
 	    "low and high are an 80 % band. All materials count, unless "

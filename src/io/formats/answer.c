@@ -47,6 +47,7 @@ struct answer {
 	char *command, *title, *site, *provenance, *missing;
 	bool names_sites; /* in its own fields */
 	int room;         /* columns for a table */
+	bool across;      /* a table with more rows than columns is turned */
 	struct table table[2], *filled;
 	struct fields fields;
 	size_t n_sentence;
@@ -68,6 +69,12 @@ void
 answer_room(struct answer *answer, int columns)
 {
 	answer->room = columns - 1;
+}
+
+void
+answer_across(struct answer *answer)
+{
+	answer->across = true;
 }
 
 static void
@@ -683,10 +690,11 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 
 /* How a table is set, found once for all rows: width and number [n_column].
  * wraps: the last column holds sentences, wrapped from indent on.  room: of the
- * screen, in columns. */
+ * screen, in columns.  gap: blanks between two columns.  even: the blocks of a
+ * table that is too wide are alike. */
 struct form {
-	int *width, indent, room;
-	bool *number, wraps;
+	int *width, indent, room, gap;
+	bool *number, wraps, even;
 };
 
 /* A column of numbers is set flush right. */
@@ -725,7 +733,7 @@ static struct form
 form_of(const struct table *t, int room)
 {
 	enum { LEAST = 24 };
-	struct form f = {.indent = 2, .room = room};
+	struct form f = {.indent = 2, .room = room, .gap = 2};
 	f.width = xcalloc(t->n_column + 1, sizeof *f.width);
 	f.number = xcalloc(t->n_column + 1, sizeof *f.number);
 	for (size_t c = 0; c < t->n_column; c++) {
@@ -770,15 +778,19 @@ struct block {
 static struct block
 block_from(const struct table *t, const struct form *f, size_t from)
 {
-	int width = 4 + f->width[0];
+	int width = 2 + f->gap + f->width[0];
 	struct block b = {from, t->n_column};
 	if (f->wraps)
 		return b;
 	for (b.to = from; b.to < t->n_column; b.to++) {
-		width += f->width[b.to] + 2;
-		if (b.to > from && width > f->room + 2)
+		width += f->width[b.to] + f->gap;
+		if (b.to > from && width > f->room + f->gap)
 			break;
 	}
+	size_t n = b.to - from, all = t->n_column - from;
+	size_t blocks = (all + n - 1) / n;
+	if (f->even)
+		b.to = from + (all + blocks - 1) / blocks;
 	return b;
 }
 
@@ -824,7 +836,8 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	char *line = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&line, &n);
-	print_row(t, f, row - 1, row == 0, block, "  ", memory);
+	print_row(
+	    t, f, row - 1, row == 0, block, f->gap == 1 ? " " : "  ", memory);
 	fclose(memory);
 	while (n > 0 && line[n - 1] == ' ')
 		n--;
@@ -875,6 +888,7 @@ put_in(char *(*way)(const char *), const struct answer *a)
 				   from->cell[i].number, from->cell[i].decimals,
 				   way(from->cell[i].text), NULL});
 	copy->room = a->room;
+	copy->across = a->across;
 	put_sentences(way, a, true, copy);
 	put_sentences(way, a, false, copy);
 	return copy;
@@ -886,18 +900,46 @@ answer_shown(const struct answer *a)
 	return put_in(text_shown, a);
 }
 
+/* Makes the first column the heads, and the heads the first column. */
+static void
+turn(struct answer *a)
+{
+	struct table from = a->table[0];
+	a->table[0] = (struct table){0};
+	size_t rows = rows_of(&from);
+	answer_column(a, from.key[0], from.head[0]);
+	for (size_t row = 0; row < rows; row++)
+		answer_column(
+		    a, from.key[0], from.cell[row * from.n_column].text);
+	for (size_t c = 1; c < from.n_column; c++) {
+		add_text(a, xstrdup(from.head[c]));
+		for (size_t row = 0; row < rows; row++) {
+			struct answer_cell cell =
+			    from.cell[row * from.n_column + c];
+			cell.text = xstrdup(cell.text);
+			add_cell(a, cell);
+		}
+	}
+	free_table(&from);
+}
+
 static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	struct answer *a = answer_shown(answer);
 	const struct table *t = &a->table[0];
+	bool turned = a->across && rows_of(t) > t->n_column;
+	if (turned)
+		turn(a);
 	if (a->title != NULL)
 		fprintf(out, "%s\n", a->title);
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = rows_of(t), from = 1;
 	struct form f = form_of(t, a->room);
+	f.even = turned;
+	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
 		struct block block = block_from(t, &f, from);
 		for (size_t row = 0; row <= rows; row++)

@@ -62,6 +62,10 @@ void answer_column(struct answer *answer, const char *key, const char *head);
 /* A table for people may be so many columns wide; else it is 80. */
 void answer_room(struct answer *answer, int columns);
 
+/* People see the table on its side where that is shorter: its first column as
+ * the heads, a row for each of the others. */
+void answer_across(struct answer *answer);
+
 /* The columns and cells that follow are another table, which csv and json have
  * instead of the one before. */
 void answer_for_programs(struct answer *answer);
