@@ -40,16 +40,16 @@ assume(struct column *c, const char *format, ...)
 /* The head of column c in row r: its own cell, or the one that spreads from its
  * left, as merged cells do (own: false). */
 static const struct cell *
-head_cell(const struct block *b, size_t r, size_t c, bool *own)
+head_cell(const struct table *t, size_t r, size_t c, bool *own)
 {
-	const struct row *row = &b->head[r];
+	const struct row *row = &t->head[r];
 	*own = row->cell[c].text[0] != '\0';
 	size_t k = c;
 	while (k > 0 && row->cell[k].text[0] == '\0')
 		k--;
 	if (*own)
 		return &row->cell[c];
-	return k > 0 && b->n_head > 1 ? &row->cell[k] : NULL;
+	return k > 0 && t->n_head > 1 ? &row->cell[k] : NULL;
 }
 
 /* Fills in what `said` lacks from a cell above. */
@@ -130,19 +130,19 @@ apply_label(const struct cell *label, struct head *head)
 
 /* Everything that the heads of a column say. */
 static struct head
-read_heads(const struct block *b, size_t c)
+read_heads(const struct table *t, size_t c)
 {
 	struct head said = {0};
-	for (size_t r = b->n_head; r-- > 0;) {
+	for (size_t r = t->n_head; r-- > 0;) {
 		bool own;
-		const struct cell *cell = head_cell(b, r, c, &own);
+		const struct cell *cell = head_cell(t, r, c, &own);
 		if (cell == NULL || cell->kind == CELL_DATE)
 			continue;
 		struct head one = head_read(cell->text);
-		bool anchor = r == b->titles;
-		if (!anchor && b->head[r].cell[0].text[0] != '\0')
-			apply_label(&b->head[r].cell[0], &one);
-		merge(&said, &one, own, r < b->titles);
+		bool anchor = r == t->titles;
+		if (!anchor && t->head[r].cell[0].text[0] != '\0')
+			apply_label(&t->head[r].cell[0], &one);
+		merge(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
 	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
@@ -207,12 +207,12 @@ near(double value, double whole, double percent)
 static double
 stated_total(const struct column *c)
 {
-	const struct block *b = c->table->block;
+	const struct table *t = c->table;
 	double v;
-	for (size_t i = 0; i < b->n_foot; i++) {
-		uint64_t means = vocabulary_text(b->foot[i].cell[0].text, NULL);
+	for (size_t i = 0; i < t->n_foot; i++) {
+		uint64_t means = vocabulary_text(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
-		    number_of(c->table->sheet, b->foot[i].cell[c->at], &v))
+		    number_of(t->sheet, t->foot[i].cell[c->at], &v))
 			return v;
 	}
 	return NAN;
@@ -375,7 +375,6 @@ static bool
 is_defined(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
-	const struct block *b = c->table->block;
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
 	static const struct {
 		uint64_t words;
@@ -386,8 +385,8 @@ is_defined(
 	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
 	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
 	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
-	bool own = b->n_head == 1 && !b->across &&
-		   strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
+	bool own = c->table->n_head == 1 && !c->table->across &&
+		   strncmp(c->table->head[0].cell[0].text, "size_", 5) == 0;
 	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
@@ -424,7 +423,7 @@ refuse_small(struct column *c, const struct shape *s)
 	sheet_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\n"
 	    "say fraction, retained_fraction or cum_retained_fraction of it",
-	    tr(unit->words), c->table->block->number[c->at]);
+	    tr(unit->words), c->table->number[c->at]);
 }
 
 static void
@@ -506,9 +505,9 @@ bare_speed(const struct head *said)
 /* Whether a head is a number alone that is no tip speed: then those beside it,
  * such as minutes, are none either. */
 static bool
-is_other_number(const struct block *b, size_t at)
+is_other_number(const struct table *t, size_t at)
 {
-	struct head said = read_heads(b, at);
+	struct head said = read_heads(t, at);
 	uint64_t words = said.means & ~(uint64_t)WORD_FILLER;
 	return said.n_number == 1 && said.unknown == 0 && words == 0 &&
 	       said.unit == SPEED_NO_UNIT &&
@@ -624,29 +623,29 @@ is_count(const struct column *c)
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
-	const struct block *b = c->table->block;
+	const struct table *t = c->table;
 	size_t filled, numbers;
 	bool words = has_words(c, &filled, &numbers);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	if (is_count(c)) {
-		leave_out(site, b->number[c->at],
+		leave_out(site, t->number[c->at],
 		    "row numbers, or the same "
 		    "number in each row");
 	} else if (filled == 0) {
-		leave_out(site, b->number[c->at], "it is empty");
+		leave_out(site, t->number[c->at], "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(site, b->number[c->at], "%s: it has words", head);
+		leave_out(site, t->number[c->at], "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
-		leave_out(site, b->number[c->at],
+		leave_out(site, t->number[c->at],
 		    "%s: a limit, or calculated, or rejected", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
-		leave_out(site, b->number[c->at], "%s: no sample", head);
+		leave_out(site, t->number[c->at], "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
 		   c->said.speed == 0 && !c->said.range) {
-		leave_out(site, b->number[c->at], "%s: the sieves again", head);
+		leave_out(site, t->number[c->at], "%s: the sieves again", head);
 	} else {
 		return false;
 	}
@@ -657,8 +656,7 @@ is_no_sample(const struct column *c, struct site *site)
 static void
 note_speed(struct table *t, size_t at, struct surroundings *near)
 {
-	struct column c = {
-	    .table = t, .at = at, .said = read_heads(t->block, at)};
+	struct column c = {.table = t, .at = at, .said = read_heads(t, at)};
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
 					WORD_PRODUCT;
@@ -701,10 +699,9 @@ bounds_of(struct table *t, size_t at, double *least, double *most)
 static void
 refuse_tare(struct table *t)
 {
-	const struct block *b = t->block;
 	double tare = 0, least, most;
-	for (size_t at = 1; at < b->n_col; at++) {
-		struct head said = read_heads(b, at);
+	for (size_t at = 1; at < t->n_col; at++) {
+		struct head said = read_heads(t, at);
 		bool told = (said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
 		bounds_of(t, at, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
@@ -714,7 +711,7 @@ refuse_tare(struct table *t)
 			    "sieves?\n"
 			    "write their differences as a column: mass "
 			    "retained",
-			    tare, b->number[at - 1]);
+			    tare, t->number[at - 1]);
 		tare = !told && least == most && least > 0 ? least : 0;
 	}
 }
@@ -723,25 +720,24 @@ void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
-	const struct block *b = t->block;
 	struct surroundings around = *near;
 	near = &around;
 	struct error_list *errors = t->sheet->errors;
-	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
+	for (size_t at = 1; at < t->n_col && !error_stopped(errors); at++)
 		note_speed(t, at, &around);
 	if (!near->told)
 		refuse_tare(t);
-	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
-		around.counted = around.counted || is_other_number(b, at);
-	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++) {
+	for (size_t at = 1; at < t->n_col && !error_stopped(errors); at++)
+		around.counted = around.counted || is_other_number(t, at);
+	for (size_t at = 1; at < t->n_col && !error_stopped(errors); at++) {
 		struct column c = {.table = t, .at = at, .pan = NAN};
 		bool own = false;
 		c.head = t->row[0].cell[at];
-		for (size_t r = b->n_head; r-- > 0 && !own;) {
-			const struct cell *cell = head_cell(b, r, at, &own);
+		for (size_t r = t->n_head; r-- > 0 && !own;) {
+			const struct cell *cell = head_cell(t, r, at, &own);
 			c.head = cell != NULL ? *cell : c.head;
 		}
-		c.said = read_heads(b, at);
+		c.said = read_heads(t, at);
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
 		if (near->samples->n > 0 ? !samples_take(near->samples, &c)
@@ -750,7 +746,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 		find_role(&c, near);
 		find_speed(&c, near);
 		/* Below a speed an empty cell may be the same, or forgotten. */
-		if (b->across && c.said.spread && c.role == PRODUCT)
+		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
 		find_unit(&c, near->told);
 		all->column =
@@ -795,7 +791,7 @@ is_called_alike(const struct column *a, const struct column *b)
 	const struct column *both[] = {a, b};
 	char *name[] = {xstrdup(""), xstrdup("")};
 	for (size_t i = 0; i < 2; i++) {
-		char *head = layout_head(both[i]->table->block, both[i]->at);
+		char *head = layout_head(both[i]->table, both[i]->at);
 		char *rest = head;
 		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
 			size_t unknown, n = strlen(word);
@@ -836,7 +832,7 @@ is_same_sample(const struct column *a, const struct column *b)
 static void
 mark_twin(struct column *c, const struct column *other)
 {
-	c->twin = other->table->block->number[other->at];
+	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
 	c->open = c->no_role = false;
 }
@@ -847,7 +843,7 @@ mark_twin(struct column *c, const struct column *other)
 static char *
 own_words(const struct column *c)
 {
-	char *head = layout_head(c->table->block, c->at), *words = xstrdup("");
+	char *head = layout_head(c->table, c->at), *words = xstrdup("");
 	char *folded = text_fold(head);
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
@@ -927,7 +923,7 @@ drop_means(struct columns *all, struct site *site)
 		if (!mean || (others < 2 && c->speed > 0) ||
 		    (others == 0 && all->n < 3))
 			continue;
-		leave_out(site, c->table->block->number[c->at],
+		leave_out(site, c->table->number[c->at],
 		    "%s: the mean of samples that are read", c->head.text);
 		drop(all, i--);
 	}
@@ -944,9 +940,9 @@ drop_twins(struct columns *all, struct site *site)
 			    !is_same_sample(a, b) || rank(a) < rank(b) ||
 			    (rank(a) == rank(b) && i < k))
 				continue;
-			leave_out(site, a->table->block->number[a->at],
+			leave_out(site, a->table->number[a->at],
 			    "%s: the sample of column %zu again, as %s",
-			    a->head.text, b->table->block->number[b->at],
+			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
 			mark_twin(&all->column[i], b);
 			break;
@@ -1029,7 +1025,7 @@ recognise_settle(
 		    c->said.unknown > 0 && !is_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
-			leave_out(site, c->table->block->number[c->at],
+			leave_out(site, c->table->number[c->at],
 			    "%s: neither feed nor product", c->head.text);
 			drop(all, i--);
 			continue;

@@ -289,11 +289,10 @@ struct foot {
 static struct foot
 read_foot(const struct column *c, double sum)
 {
-	const struct block *block = c->table->block;
 	struct foot foot = {.total = NAN, .washed = 0, .where = c->head};
 	double before = NAN, after = NAN;
-	for (size_t i = 0; i < block->n_foot; i++) {
-		const struct row *row = &block->foot[i];
+	for (size_t i = 0; i < c->table->n_foot; i++) {
+		const struct row *row = &c->table->foot[i];
 		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
 		double v = foot_value(c, row);
 		bool washing = (means & WORD_WASHED) != 0;

@@ -219,11 +219,11 @@ site_heading(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed)
 {
 	int seen[N_KEY] = {0};
-	int first = layout->n > 0 ? layout->block[0].row[0].line : 0;
+	int first = layout->n > 0 ? layout->table[0].row[0].line : 0;
 	for (size_t i = 0; i < layout->n; i++)
-		for (size_t r = 0; r < layout->block[i].n_row; r++)
-			for (size_t c = 0; c < layout->block[i].n_col; c++) {
-				int line = layout->block[i].row[r].cell[c].line;
+		for (size_t r = 0; r < layout->table[i].n_row; r++)
+			for (size_t c = 0; c < layout->table[i].n_col; c++) {
+				int line = layout->table[i].row[r].cell[c].line;
 				first = line < first ? line : first;
 			}
 	for (size_t i = 0; i < layout->n_heading; i++)
