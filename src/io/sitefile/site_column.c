@@ -235,9 +235,9 @@ read_cells(struct column *c)
 		bool trace = is_trace(t->sheet, cell);
 		if (number_absent(cell) || (trace && !retained))
 			continue;
-		bool good = trace || number_read(t->sheet,
-					 without_unit(cell, of_mass(c), copy),
-					 tr("a number"), &v);
+		struct cell bare = without_unit(cell, of_mass(c), copy);
+		bool good = trace || number_of(t->sheet, bare, &v) ||
+			    number_read(t->sheet, cell, tr("a number"), &v);
 		if (good && t->mm[i] <= 0)
 			good = read_pan(c, cell, v);
 		else if (good && (good = in_range(c, cell, v)))
