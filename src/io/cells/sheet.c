@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/sheet.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,8 +101,11 @@ sheet_cell(const struct row *row, size_t i)
 	if (i < row->n_all)
 		return row->cell[i];
 	static char nothing[1] = "";
-	return (struct cell){
-	    .text = nothing, .line = row->line, .column = row->end};
+	return (struct cell){.text = nothing,
+	    .line = row->line,
+	    .column = row->end,
+	    .value = VALUE_ABSENT,
+	    .number = NAN};
 }
 
 /* A place in a line of text; column counts characters. */

@@ -174,26 +174,24 @@ shape_of(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
-	double *raw = xdoubles(t->n_row);
-	site_column_raw(c, raw);
 	for (size_t i = 0; i < t->n_row; i++) {
-		if (isnan(raw[i]))
+		double v = site_column_raw(c, i);
+		if (isnan(v))
 			continue;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
 			s.has_pan = true;
-			s.pan = raw[i];
-			s.sum += raw[i];
+			s.pan = v;
+			s.sum += v;
 			continue;
 		}
-		s.rises += raw[i] > s.last;
-		s.falls += raw[i] < s.last;
-		s.first = s.n == 0 ? raw[i] : s.first;
-		s.last = raw[i];
-		s.most = fmax(s.most, raw[i]);
-		s.sum += raw[i];
+		s.rises += v > s.last;
+		s.falls += v < s.last;
+		s.first = s.n == 0 ? v : s.first;
+		s.last = v;
+		s.most = fmax(s.most, v);
+		s.sum += v;
 		s.n++;
 	}
-	free(raw);
 	return s;
 }
 
@@ -212,7 +210,7 @@ stated_total(const struct column *c)
 	for (size_t i = 0; i < t->n_foot; i++) {
 		uint64_t means = vocabulary_text(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
-		    number_of(t->sheet, t->foot[i].cell[c->at], &v))
+		    number_of(t->foot[i].cell[c->at], &v))
 			return v;
 	}
 	return NAN;
@@ -505,13 +503,12 @@ bare_speed(const struct head *said)
 /* Whether a head is a number alone that is no tip speed: then those beside it,
  * such as minutes, are none either. */
 static bool
-is_other_number(const struct table *t, size_t at)
+is_other_number(const struct head *said)
 {
-	struct head said = read_heads(t, at);
-	uint64_t words = said.means & ~(uint64_t)WORD_FILLER;
-	return said.n_number == 1 && said.unknown == 0 && words == 0 &&
-	       said.unit == SPEED_NO_UNIT &&
-	       (said.number[0] < 20 || said.number[0] > 110);
+	uint64_t words = said->means & ~(uint64_t)WORD_FILLER;
+	return said->n_number == 1 && said->unknown == 0 && words == 0 &&
+	       said->unit == SPEED_NO_UNIT &&
+	       (said->number[0] < 20 || said->number[0] > 110);
 }
 
 static void
@@ -583,16 +580,12 @@ leave_out(struct site *site, size_t number, const char *format, ...)
 static bool
 has_words(const struct column *c, size_t *filled, size_t *numbers)
 {
-	double *raw = xdoubles(c->table->n_row);
 	*filled = *numbers = 0;
-	site_column_raw(c, raw);
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		if (!number_absent(c->table->row[i].cell[c->at]))
-			*filled += 1;
-		if (!isnan(raw[i]))
-			*numbers += 1;
+		struct cell cell = c->table->row[i].cell[c->at];
+		*filled += cell.value != VALUE_ABSENT;
+		*numbers += isnan(cell.number) ? 0 : 1;
 	}
-	free(raw);
 	return *filled > 0 && *numbers * 2 < *filled;
 }
 
@@ -601,17 +594,17 @@ static bool
 is_count(const struct column *c)
 {
 	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
-	double *raw = xdoubles(n), last = NAN;
-	site_column_raw(c, raw);
-	for (size_t i = 0; i < n; last = raw[i++]) {
-		pairs += !isnan(raw[i]) && !isnan(last);
-		steps += fabs(raw[i] - last) == 1;
-		same += raw[i] == last;
+	double first = site_column_raw(c, 0), last = NAN;
+	for (size_t i = 0; i < n; i++) {
+		double v = site_column_raw(c, i);
+		pairs += !isnan(v) && !isnan(last);
+		steps += fabs(v - last) == 1;
+		same += v == last;
+		last = v;
 	}
-	bool whole = n > 0 && raw[0] == floor(raw[0]);
-	bool small = fabs(raw[0] - 1) < 2 || fabs(last - 1) < 2;
-	bool limit = same == pairs && (raw[0] == 100 || raw[0] == 0);
-	free(raw);
+	bool whole = first == floor(first);
+	bool small = fabs(first - 1) < 2 || fabs(last - 1) < 2;
+	bool limit = same == pairs && (first == 100 || first == 0);
 	bool speed = same == pairs && c->said.speed == 0 &&
 		     c->said.unit != SPEED_NO_UNIT;
 	return pairs > 2 && (whole || speed) && !limit &&
@@ -654,66 +647,77 @@ is_no_sample(const struct column *c, struct site *site)
 
 /* A column that has one speed for all rows: of a long table with one sample. */
 static void
-note_speed(struct table *t, size_t at, struct surroundings *near)
+note_speed(const struct column *c, struct surroundings *near)
 {
-	struct column c = {.table = t, .at = at, .said = read_heads(t, at)};
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
 					WORD_PRODUCT;
 	bool about =
-	    (c.said.means & WORD_SPEED) != 0 || c.said.unit != SPEED_NO_UNIT;
-	if (!about || c.said.speed > 0 || c.said.rpm > 0 ||
-	    (c.said.means & COUNTED) != 0)
+	    (c->said.means & WORD_SPEED) != 0 || c->said.unit != SPEED_NO_UNIT;
+	if (!about || c->said.speed > 0 || c->said.rpm > 0 ||
+	    (c->said.means & COUNTED) != 0)
 		return;
-	double *raw = xdoubles(t->n_row), v = NAN;
+	double v = NAN;
 	bool same = true;
-	site_column_raw(&c, raw);
-	for (size_t i = 0; i < t->n_row; i++) {
-		v = isnan(v) ? raw[i] : v;
-		same = same && !(raw[i] < v) && !(raw[i] > v);
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		double raw = site_column_raw(c, i);
+		v = isnan(v) ? raw : v;
+		same = same && !(raw < v) && !(raw > v);
 	}
-	free(raw);
 	if (same && v > 0)
-		near->speed = head_mps(v, c.said.unit, near->rotor);
+		near->speed = head_mps(v, c->said.unit, near->rotor);
 }
 
-/* The numbers of column `at` from their least to their most. */
+/* The numbers of a column from their least to their most; the least is -1 where
+ * one is missing. */
 static void
-bounds_of(struct table *t, size_t at, double *least, double *most)
+bounds_of(const struct column *c, double *least, double *most)
 {
-	struct column c = {.table = t, .at = at};
-	double *raw = xdoubles(t->n_row);
-	site_column_raw(&c, raw);
 	*least = INFINITY;
 	*most = 0;
-	for (size_t i = 0; i < t->n_row; i++) {
-		double v = isnan(raw[i]) ? -1 : raw[i];
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		double raw = site_column_raw(c, i), v = isnan(raw) ? -1 : raw;
 		*least = fmin(*least, v);
 		*most = fmax(*most, v);
 	}
-	free(raw);
 }
 
 /* Refuses the mass of empty sieves, the same throughout, beside that of full
  * ones, of which nothing is said: what was retained is their difference. */
 static void
-refuse_tare(struct table *t)
+refuse_tare(const struct column *column, size_t n)
 {
 	double tare = 0, least, most;
-	for (size_t at = 1; at < t->n_col; at++) {
-		struct head said = read_heads(t, at);
-		bool told = (said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		bounds_of(t, at, &least, &most);
+	for (size_t i = 0; i < n; i++) {
+		const struct column *c = &column[i];
+		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
+		bounds_of(c, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
-			sheet_fault(t->sheet, t->row[0].cell[at],
+			sheet_fault(c->table->sheet,
+			    c->table->row[0].cell[c->at],
 			    "expected what the sieves retained, got nothing "
 			    "below the %g of column %zu: empty and full "
 			    "sieves?\n"
 			    "write their differences as a column: mass "
 			    "retained",
-			    tare, t->number[at - 1]);
+			    tare, c->table->number[c->at - 1]);
 		tare = !told && least == most && least > 0 ? least : 0;
 	}
+}
+
+/* A column of the table as its heads have it. */
+static struct column
+headed(struct table *t, size_t at)
+{
+	struct column c = {.table = t, .at = at, .pan = NAN};
+	bool own = false;
+	c.head = t->row[0].cell[at];
+	for (size_t r = t->n_head; r-- > 0 && !own;) {
+		const struct cell *cell = head_cell(t, r, at, &own);
+		c.head = cell != NULL ? *cell : c.head;
+	}
+	c.said = read_heads(t, at);
+	return c;
 }
 
 void
@@ -721,38 +725,35 @@ recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
 	struct surroundings around = *near;
-	near = &around;
 	struct error_list *errors = t->sheet->errors;
-	for (size_t at = 1; at < t->n_col && !error_stopped(errors); at++)
-		note_speed(t, at, &around);
-	if (!near->told)
-		refuse_tare(t);
-	for (size_t at = 1; at < t->n_col && !error_stopped(errors); at++)
-		around.counted = around.counted || is_other_number(t, at);
-	for (size_t at = 1; at < t->n_col && !error_stopped(errors); at++) {
-		struct column c = {.table = t, .at = at, .pan = NAN};
-		bool own = false;
-		c.head = t->row[0].cell[at];
-		for (size_t r = t->n_head; r-- > 0 && !own;) {
-			const struct cell *cell = head_cell(t, r, at, &own);
-			c.head = cell != NULL ? *cell : c.head;
-		}
-		c.said = read_heads(t, at);
+	struct column *column = xcalloc(t->n_col, sizeof *column);
+	size_t n = 0;
+	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
+		column[n] = headed(t, n + 1);
+		note_speed(&column[n], &around);
+		around.counted =
+		    around.counted || is_other_number(&column[n].said);
+	}
+	if (!around.told)
+		refuse_tare(column, n);
+	all->column =
+	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
+	for (size_t i = 0; i < n && !error_stopped(errors); i++) {
+		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
-		if (near->samples->n > 0 ? !samples_take(near->samples, &c)
-					 : is_no_sample(&c, site))
+		if (around.samples->n > 0 ? !samples_take(around.samples, &c)
+					  : is_no_sample(&c, site))
 			continue;
-		find_role(&c, near);
-		find_speed(&c, near);
+		find_role(&c, &around);
+		find_speed(&c, &around);
 		/* Below a speed an empty cell may be the same, or forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		find_unit(&c, near->told);
-		all->column =
-		    xrealloc(all->column, all->n + 1, sizeof *all->column);
+		find_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
+	free(column);
 }
 
 /* Nobody waits for the columns any more. */

@@ -103,7 +103,7 @@ find_numbers(struct grid *g)
 	     r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
-			if (number_of(g->sheet, *cell_at(g, r, c), &v))
+			if (number_of(*cell_at(g, r, c), &v))
 				next = (unsigned)c;
 			g->number[r * g->n_col + c] = next;
 		}
@@ -155,8 +155,7 @@ shift_head(struct grid *g)
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
 		if (!is_filled(g, r, wide - 1) ||
-		    !number_of(g->sheet, *cell_at(g, r, 0), &v) ||
-		    v != (double)r)
+		    !number_of(*cell_at(g, r, 0), &v) || v != (double)r)
 			return;
 	struct cell none = *cell_at(g, 0, wide - 1);
 	for (size_t c = wide - 1; c > 0; c--)
@@ -212,8 +211,8 @@ head_words(const struct cell *cell)
 	size_t unknown;
 	/* "n.d." is no diameter. */
 	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
-	    strpbrk(cell->text, "0123456789") != NULL || number_absent(*cell) ||
-	    text_same(cell->text, "top_size_mm"))
+	    strpbrk(cell->text, "0123456789") != NULL ||
+	    cell->value == VALUE_ABSENT || text_same(cell->text, "top_size_mm"))
 		return 0;
 	uint64_t means = vocabulary_text(cell->text, &unknown);
 	uint64_t units =
@@ -241,7 +240,7 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 	double v, last = NAN, step = 0;
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		const struct cell *cell = cell_at(g, r, c);
-		if (!number_of(g->sheet, *cell, &v))
+		if (!number_of(*cell, &v))
 			break;
 		if (isnan(sieve_names_mm(cell->text, SIEVE_ASTM)))
 			return false;
@@ -279,7 +278,7 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 	    (g->nature[index_at(g, r, c)].bits & IS_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
-		if (number_of(g->sheet, *cell_at(g, r, c), &v) &&
+		if (number_of(*cell_at(g, r, c), &v) &&
 		    fabs(v) > SIEVE_MOST_PHI)
 			return false;
 	return true;
@@ -517,7 +516,7 @@ ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 		  most = 0;
 	bool even = true, quarters = true;
 	for (; r < g->n_row && !g->gap[r]; r++) {
-		if (!number_of(g->sheet, *cell_at(g, r, c), &v) ||
+		if (!number_of(*cell_at(g, r, c), &v) ||
 		    (!isnan(step) && (v - last) * step <= 0) || v == last ||
 		    !has_numbers(g, r, c, g->n_col))
 			break;
@@ -705,7 +704,7 @@ fill_names(struct table *t)
 		for (size_t i = 0; i < t->n_row; i++) {
 			struct cell *own = &t->row[i].cell[0];
 			const struct cell *other = &t->row[i].cell[c];
-			if (number_absent(*own) &&
+			if (own->value == VALUE_ABSENT &&
 			    sieve_size(t->sheet, *other, none, &mm) !=
 				SIEVE_IS_NONE)
 				*own = *other;
@@ -766,12 +765,12 @@ are_ends(const struct grid *g, const struct place *low, const struct place *up)
 	double a, b, last = NAN;
 	size_t n = 0, joined = 0;
 	for (size_t r = low->first; r < low->last; r++) {
-		if (!number_of(g->sheet, *cell_at(g, r, low->c), &a) ||
-		    !number_of(g->sheet, *cell_at(g, r, up->c), &b) || a >= b)
+		if (!number_of(*cell_at(g, r, low->c), &a) ||
+		    !number_of(*cell_at(g, r, up->c), &b) || a >= b)
 			return false;
 		double before = r > low->first ? last : (double)NAN;
 		joined += b == before;
-		number_of(g->sheet, *cell_at(g, r, low->c), &last);
+		number_of(*cell_at(g, r, low->c), &last);
 		n++;
 	}
 	return n > 2 && joined + 1 == n;
@@ -890,9 +889,8 @@ layout_name(struct table *t, const size_t *number, const char *const *text,
 		struct cell cell = t->n_head > 0
 				       ? t->head[t->n_head - 1].cell[c]
 				       : t->row[0].cell[c];
-		cell.kind = CELL_TEXT;
-		cell.text = layout_keep(t, xstrdup(i < n_text ? text[i] : ""));
-		head.cell[n] = cell;
+		char *said = layout_keep(t, xstrdup(i < n_text ? text[i] : ""));
+		head.cell[n] = number_cell(t->sheet, cell, said);
 		t->number[n] = t->number[c];
 		for (size_t r = 0; r < t->n_row; r++)
 			t->row[r].cell[n] = t->row[r].cell[c];

@@ -39,21 +39,12 @@ struct longer {
 static bool
 is_numeric(const struct table *t, size_t c)
 {
-	double v;
 	size_t numbers = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
 		struct cell cell = t->row[r].cell[c];
-		if (number_absent(cell))
+		if (cell.value == VALUE_ABSENT)
 			continue;
-		size_t n = strlen(cell.text);
-		char last = n > 0 ? cell.text[n - 1] : '\0';
-		char copy[40];
-		if (n < sizeof copy && (last == '%' || last == 'g')) {
-			memcpy(copy, cell.text, n - 1);
-			copy[n - 1] = '\0';
-			cell.text = text_trim(copy);
-		}
-		if (!number_of(t->sheet, cell, &v))
+		if (isnan(cell.number))
 			return false;
 		numbers++;
 	}
@@ -202,9 +193,8 @@ sample_numbers(const struct longer *l, size_t *n)
 			struct cell cell = t->row[l->lead[s]].cell[c];
 			if (l->use[c] != COUNT)
 				continue;
-			if (!number_of(t->sheet, cell, to))
-				*to = NAN;
-			to++;
+			*to++ = cell.value == VALUE_NUMBER ? cell.number
+							   : (double)NAN;
 		}
 	return number;
 }
@@ -285,9 +275,9 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	for (size_t c = 1; c < t->n_col; c++) {
 		struct cell cell = t->row[l->lead[sample]].cell[c];
 		double v;
-		if (l->use[c] != KEY || number_absent(cell))
+		if (l->use[c] != KEY || cell.value == VALUE_ABSENT)
 			continue;
-		bool number = number_of(t->sheet, cell, &v);
+		bool number = number_of(cell, &v);
 		enum speed_unit unit = l->head[c].unit;
 		if (unit == SPEED_NO_UNIT && (l->head[c].means & WORD_RPM) != 0)
 			unit = SPEED_RPM;
@@ -314,7 +304,7 @@ sample_name(const struct longer *l, size_t sample)
 	for (size_t c = 1; c < l->table->n_col; c++) {
 		struct cell cell = l->table->row[l->lead[sample]].cell[c];
 		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
-		    !number_absent(cell))
+		    cell.value != VALUE_ABSENT)
 			xlist(&text, " ", "%s", cell.text);
 	}
 	return text;
@@ -364,9 +354,9 @@ head_samples(const struct longer *l, struct table *wide)
 			if (l->use[c] != VALUE)
 				continue;
 			struct cell head = t->row[l->lead[s]].cell[c];
-			head.kind = CELL_TEXT;
-			head.text = layout_keep(wide, sample_head(l, s, c));
-			wide->head[0].cell[at] = head;
+			char *text = layout_keep(wide, sample_head(l, s, c));
+			wide->head[0].cell[at] =
+			    number_cell(t->sheet, head, text);
 			wide->name[at] = name;
 			wide->number[at++] = t->number[c];
 		}

@@ -63,7 +63,7 @@ is_pan(const char *text)
 
 /* "63 um" as 63, and mm in its unit; 0 where no unit of size follows. */
 static double
-cut_unit(struct cell *cell, char copy[static 40])
+cut_unit(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
 	size_t n = strlen(cell->text), unknown;
 	if (cell->kind != CELL_TEXT || n == 0 || n >= 40)
@@ -79,7 +79,7 @@ cut_unit(struct cell *cell, char copy[static 40])
 		return 0;
 	memcpy(copy, cell->text, at);
 	copy[at] = '\0';
-	cell->text = copy;
+	*cell = number_cell(sheet, *cell, copy);
 	return unit.mm;
 }
 
@@ -88,9 +88,7 @@ cut_unit(struct cell *cell, char copy[static 40])
 static bool
 cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
-	double a, b;
 	size_t n = strlen(cell->text);
-	struct cell part = *cell;
 	if (cell->kind != CELL_TEXT || n >= 40)
 		return false;
 	memcpy(copy, cell->text, n + 1);
@@ -98,22 +96,19 @@ cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 	bool signs = sign == '+' || sign == '-';
 	char *first = copy + (signs ? 1 : strspn(copy, "> "));
 	char *cut = strpbrk(first, signs ? "+-" : "/-");
-	part.text = first;
 	if (cut == NULL && first > copy && sign != '-') {
-		cell->text = first;
-		return number_of(sheet, part, &a);
+		*cell = number_cell(sheet, *cell, first);
+		return cell->value == VALUE_NUMBER;
 	}
 	if (cut == NULL || cut == first || cut[0] == sign)
 		return false;
 	*cut = '\0';
-	part.text = text_trim(first);
-	if (!number_of(sheet, part, &a))
+	struct cell a = number_cell(sheet, *cell, text_trim(first)),
+		    b = number_cell(sheet, *cell, text_trim(cut + 1));
+	if (a.value != VALUE_NUMBER || b.value != VALUE_NUMBER ||
+	    a.number == b.number)
 		return false;
-	char *lower = part.text;
-	part.text = text_trim(cut + 1);
-	if (!number_of(sheet, part, &b) || a == b)
-		return false;
-	cell->text = a < b ? lower : part.text;
+	*cell = a.number < b.number ? a : b;
 	return true;
 }
 
@@ -136,13 +131,15 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	if (is_pan(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
-		if (!number_of(sheet, cell, &value) ||
-		    fabs(value) > SIEVE_MOST_PHI)
+		if (!number_of(cell, &value) || fabs(value) > SIEVE_MOST_PHI)
 			return SIEVE_IS_NONE;
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
 	}
-	double named = sieve_names_mm(cell.text, unit.series);
+	/* A number alone is a name only where the head says so. */
+	bool bare = cell.kind == CELL_TEXT && cell.value == VALUE_NUMBER &&
+		    unit.series == SIEVE_NONE;
+	double named = bare ? 0 : sieve_names_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;
 		return SIEVE_IS_SIZE;
@@ -150,8 +147,8 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	char bounds[40];
 	if (unit.mm > 0 && unit.series == SIEVE_NONE)
 		cut_class(sheet, &cell, bounds);
-	double own = cut_unit(&cell, copy);
-	if (!number_of(sheet, cell, &value) || value < 0)
+	double own = cut_unit(sheet, &cell, copy);
+	if (!number_of(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;

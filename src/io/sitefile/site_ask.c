@@ -483,7 +483,7 @@ above_100(const struct column *c)
 	for (size_t r = 0; r < t->n_row; r++) {
 		double v;
 		const struct cell *cell = &t->row[r].cell[c->at];
-		if (!number_of(t->sheet, *cell, &v))
+		if (!number_of(*cell, &v))
 			continue;
 		n++;
 		v /= 1 + 1e-9;

@@ -79,9 +79,8 @@ struct column *site_column_find(
 /* Number of sieves with a value. */
 size_t site_column_count(const struct column *c);
 
-/* The numbers of c by the rows of its table, NAN where there is none, as the
- * sheet has them. */
-void site_column_raw(const struct column *c, double *raw);
+/* The number that the sheet has in a row, NAN where there is none. */
+double site_column_raw(const struct column *c, size_t row);
 
 /* The passing of a row, %, with the digits of the sheet; of what was weighed,
  * with as many as tell it from another value. */

@@ -44,11 +44,10 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	while (n > 0 && cell.text[n - 1] == ' ')
 		n--;
 	if (cell.kind == CELL_NUMBER || n == 0 || n >= sizeof copy)
-		return number_of(sheet, cell, value);
+		return number_of(cell, value);
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
-	cell.text = copy;
-	return number_of(sheet, cell, value);
+	return number_of(number_cell(sheet, cell, copy), value);
 }
 
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
@@ -199,7 +198,7 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 		bool taken = n > 1 && (take_rotor(site, sheet, key, value) ||
 					  take_speed(sheet, key, value, speed));
 		double number;
-		if (n > 2 && number_of(sheet, third, &number))
+		if (n > 2 && number_of(third, &number))
 			leave_out_line(site, &key);
 		else if (!(taken && site->rotor > 0 &&
 			     strcmp(key.text, "rotor_mm") == 0))

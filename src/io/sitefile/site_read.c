@@ -67,7 +67,7 @@ tell_no_table(struct sheet *sheet)
 	     i-- > 0 && !error_stopped(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
-		if (number_of(sheet, cell, &v) ||
+		if (number_of(cell, &v) ||
 		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
@@ -517,7 +517,7 @@ tell_names(struct reading *r)
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
-			bool bare = number_of(t->sheet, t->row[i].cell[0], &v);
+			bool bare = number_of(t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
 			    (sieve_names_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
@@ -700,10 +700,8 @@ read_file(struct reading *r, size_t file)
 		xlist(&names, ", ", "%s", sheet->name);
 		if (q->sheet != NULL && !text_same(sheet->name, q->sheet))
 			continue;
-		if (q->decimal != '\0') {
-			sheet->decimal = q->decimal;
-			sheet->open.text = NULL;
-		}
+		if (q->decimal != '\0')
+			number_decimal(sheet, q->decimal);
 		site_sieve_numbers(sheet);
 		struct layout *layout = layout_new(sheet, r->range);
 		r->page = xrealloc(r->page, r->n_page + 1, sizeof *r->page);

@@ -119,7 +119,7 @@ all_named(const struct table *t)
 		struct sieve_unit none = {0, SIEVE_NONE};
 		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
 			continue;
-		if (number_of(t->sheet, cell, &v))
+		if (number_of(cell, &v))
 			return false;
 		n++;
 	}
@@ -131,7 +131,7 @@ all_whole(const struct table *t)
 {
 	double v;
 	for (size_t i = 0; i < t->n_row; i++)
-		if (number_of(t->sheet, t->row[i].cell[0], &v) && v != floor(v))
+		if (number_of(t->row[i].cell[0], &v) && v != floor(v))
 			return false;
 	return true;
 }
@@ -155,7 +155,7 @@ numbers_of(const struct table *t)
 		bool part = strchr(cell.text, '/') != NULL &&
 			    isdigit((unsigned char)cell.text[0]) &&
 			    sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
-		bool number = number_of(t->sheet, cell, &v);
+		bool number = number_of(cell, &v);
 		all.n += part || number;
 		all.n_part += part;
 		if (part || !number)
@@ -268,8 +268,7 @@ split_micro(struct table *t)
 	size_t n = t->n_row, from = 0, to = 0;
 	double *v = xdoubles(n), number;
 	for (size_t i = 0; i < n; i++)
-		v[i] = number_of(t->sheet, t->row[i].cell[0], &number) &&
-			       number > 0
+		v[i] = number_of(t->row[i].cell[0], &number) && number > 0
 			   ? number
 			   : NAN;
 	bool split = false;
@@ -288,8 +287,8 @@ split_micro(struct table *t)
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))
 			continue;
-		cell->kind = CELL_TEXT;
-		cell->text = layout_keep(t, xasprintf("%s um", cell->text));
+		*cell = number_cell(t->sheet, *cell,
+		    layout_keep(t, xasprintf("%s um", cell->text)));
 	}
 	free(v);
 	return split;
@@ -478,6 +477,7 @@ void
 site_sieve_numbers(struct sheet *sheet)
 {
 	const char separator[] = {sheet->separator, '\0'};
+	size_t rows = sheet->n_row;
 	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
 		const struct comment *c = &sheet->comment[i];
 		char *first =
@@ -489,4 +489,6 @@ site_sieve_numbers(struct sheet *sheet)
 			sheet_uncomment(sheet, i);
 		free(first);
 	}
+	if (sheet->n_row > rows)
+		number_find(sheet);
 }
