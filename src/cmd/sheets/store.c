@@ -188,7 +188,7 @@ check_remember(
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
 		    entry->site->name, entry->origin->whose);
-	if (date->given && !stored_is_date(date->text))
+	if (date->given && !moment_is_day(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", date->text);
 	return !note->given || stored_is_line(note->text) ||

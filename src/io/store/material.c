@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/cells/datetime.h"
 #include "io/cells/number.h"
 #include "io/cells/textfile.h"
 #include "io/sitefile/units.h"
@@ -389,7 +390,7 @@ stored_fits(const struct stored *m, const struct field *f)
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
 	return stored_is_line(text) &&
-	       (strcmp(f->name, "date") != 0 || stored_is_date(text));
+	       (strcmp(f->name, "date") != 0 || moment_is_day(text));
 }
 
 bool
@@ -425,23 +426,6 @@ stored_is_line(const char *text)
 	while (*p != '\0' && !iscntrl((unsigned char)*p))
 		p++;
 	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
-}
-
-bool
-stored_is_date(const char *text)
-{
-	static const int DAYS[] = {
-	    31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-	if (strlen(text) != 10)
-		return false;
-	for (size_t i = 0; i < 10; i++)
-		if (i == 4 || i == 7 ? text[i] != '-'
-				     : !isdigit((unsigned char)text[i]))
-			return false;
-	int year = atoi(text), month = atoi(text + 5), day = atoi(text + 8);
-	bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-	return month >= 1 && month <= 12 && day >= 1 &&
-	       day <= DAYS[month - 1] + (leap && month == 2);
 }
 
 static void

@@ -112,9 +112,6 @@ bool stored_check_name(const char *name, struct error *error);
 bool stored_is_table3(const struct stored *m);
 bool stored_is_table3_name(const char *name);
 
-/* A date that is one, YYYY-MM-DD. */
-bool stored_is_date(const char *text);
-
 /* One line of UTF-8, without control characters. */
 bool stored_is_line(const char *text);
 
