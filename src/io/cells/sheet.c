@@ -583,18 +583,12 @@ sheet_free(struct sheet *sheet)
 }
 
 void
-sheet_write_cell(const char *text, FILE *out)
+sheet_write_cell(const char *text, char separator, FILE *out)
 {
-	bool quote = strpbrk(text, ",\"") != NULL;
-	if (quote)
-		fputc('"', out);
-	if (text_is_formula(text))
-		fputc('\'', out);
-	for (; *text != '\0'; text++) {
-		if (*text == '"')
-			fputc('"', out);
-		fputc(*text == '\n' || *text == '\r' ? ' ' : *text, out);
-	}
-	if (quote)
-		fputc('"', out);
+	const char marks[] = {separator, '"', '\n', '\r', '\0'};
+	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
+	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
+	for (; *text != '\0'; text++)
+		fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
+	fputs(quote, out);
 }

@@ -128,8 +128,8 @@ int sheet_cut(const char *text);
 bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
 
-/* A cell for a sheet with commas: quotes where the reader needs them, and no
- * line end, which would break the row. */
-void sheet_write_cell(const char *text, FILE *out);
+/* A cell as the reader takes it: in quotes where it has to be, and not as a
+ * formula. */
+void sheet_write_cell(const char *text, char separator, FILE *out);
 
 #endif
