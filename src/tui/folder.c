@@ -19,7 +19,7 @@
 #include "io/fs/shipped.h"
 #include "io/sitefile/site_read.h"
 #include "io/cells/textfile.h"
-#include "io/store/table3.h"
+#include "io/store/material.h"
 #include "io/sitefile/units.h"
 
 /* A longer list is no help, and a folder of a million files takes long. */
@@ -182,9 +182,10 @@ folder_only(struct folder *folder, enum folder_kind kind)
 static void
 add_made(struct folder *folder)
 {
-	struct materials *m = materials_table3();
-	for (size_t i = 0; i < m->n; i++) {
-		const struct material *row = &m->row[i];
+	struct stored_list paper = {0};
+	stored_table3(&paper);
+	for (size_t i = 0; i < paper.n; i++) {
+		const struct stored *row = &paper.item[i];
 		char *slug = text_slug(row->site);
 		char *name = xasprintf("%s.csv", slug);
 		bool again = false;
@@ -201,7 +202,7 @@ add_made(struct folder *folder)
 		free(name);
 		free(slug);
 	}
-	materials_free(m);
+	stored_list_free(&paper);
 	free(folder->path);
 	folder->path = xstrdup(tr("from Table 3"));
 	folder->why = NULL;

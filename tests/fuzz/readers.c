@@ -23,7 +23,6 @@
 #include "io/sitefile/site_write.h"
 #include "io/formats/spec.h"
 #include "io/store/store_csv.h"
-#include "io/store/table3.h"
 
 /* Steps of calibrations that a script is given. */
 enum { STEPS = 10 };
@@ -151,9 +150,10 @@ static bool
 read_table3(const char *path)
 {
 	struct error_list errors = {0};
-	struct materials *m = materials_read(path, &errors);
-	materials_free(m);
-	return m != NULL;
+	struct stored_list list = {0};
+	bool ok = stored_read_printed(path, &list, &errors);
+	stored_list_free(&list);
+	return ok;
 }
 
 static bool

@@ -1,6 +1,6 @@
 /* Sieves with names, and what of a sheet was not read.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/sitefile/sieve_names.h"
+#include "io/sitefile/sieve_size.h"
 
 #include <math.h>
 

@@ -155,11 +155,11 @@ numbers_are_what_their_formats_show(void **state)
 	assert_true(source_read(BOOK, &errors, &source));
 	double v = 0;
 	struct sheet *sheet = source.sheet[0];
-	assert_true(number_of(sheet, sheet->row[0].cell[0], &v));
+	assert_true(number_of(sheet->row[0].cell[0], &v));
 	assert_true(v == 97.5);
-	assert_true(number_of(sheet, sheet->row[0].cell[4], &v));
+	assert_true(number_of(sheet->row[0].cell[4], &v));
 	assert_true(v == 69);
-	assert_false(number_of(sheet, sheet->row[0].cell[2], &v));
+	assert_false(number_of(sheet->row[0].cell[2], &v));
 	source_free(&source);
 }
 

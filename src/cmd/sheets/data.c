@@ -17,7 +17,7 @@
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"
 #include "io/sitefile/site_write.h"
-#include "io/store/table3.h"
+#include "io/store/material.h"
 #include "io/sitefile/units.h"
 
 bool
@@ -71,7 +71,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 
 /* Fills in the names and says what the site is: nothing that was measured. */
 static void
-describe_synth(struct site *site, const struct material *m,
+describe_synth(struct site *site, const struct stored *m,
     const struct synth *synth, const char *source)
 {
 	free(site->name);
@@ -86,18 +86,19 @@ describe_synth(struct site *site, const struct material *m,
 	    "%g, default beta; %s; feed 100 %% at twice the top size, 90 %% "
 	    "at it, below 90 (d/D)^n, n=%g%s; noise sd %g points at 50 %% "
 	    "passing; seed %llu; middle speed assumed",
-	    source, m->f_mat, m->e0_min, m->alpha, m->feed_source, synth->n,
-	    m->individual_feeds ? " varied by 5 % from feed to feed" : "",
+	    source, m->params.f_mat, m->params.e0_min, m->params.alpha,
+	    m->feed_source, synth->n,
+	    synth->individual_feeds ? " varied by 5 % from feed to feed" : "",
 	    100 * synth->noise, (unsigned long long)synth->seed);
 }
 
 static struct site *
-synth_row(const struct material *m, const struct args *args)
+synth_row(const struct stored *m, const struct args *args)
 {
 	const struct value *speeds = args_value(args, "speeds");
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
-	    .params = materials_params(m),
-	    .individual_feeds = m->individual_feeds,
+	    .params = m->params,
+	    .individual_feeds = strncmp(m->feed_source, "Default", 7) != 0,
 	    .n = args_value(args, "n")->number,
 	    .noise = args_value(args, "noise")->number / 100,
 	    .seed = args_value(args, "seed")->whole,
@@ -126,19 +127,23 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	bool built_in = strcmp(args->operand[0], "table3") == 0;
 	if (!built_in)
 		files_reads(s, args->operand[0]);
-	struct materials *m = built_in
-				  ? materials_table3()
-				  : materials_read(args->operand[0], &errors);
-	if (m == NULL)
-		return session_tell_faults(s, args->operand[0], &errors, error);
+	struct stored_list rows = {0};
+	bool read = true;
+	if (built_in)
+		stored_table3(&rows);
+	else
+		read = stored_read_printed(args->operand[0], &rows, &errors);
 	size_t made = 0;
-	for (size_t i = 0; i < m->n; i++) {
-		if (wanted->given && !text_same(wanted->text, m->row[i].site))
+	for (size_t i = 0; i < rows.n && read; i++) {
+		const struct stored *row = &rows.item[i];
+		if (wanted->given && !text_same(wanted->text, row->site))
 			continue;
-		session_add(s, synth_row(&m->row[i], args));
+		session_add(s, synth_row(row, args));
 		made++;
 	}
-	materials_free(m);
+	stored_list_free(&rows);
+	if (!read)
+		return session_tell_faults(s, args->operand[0], &errors, error);
 	if (made == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s has no site '%s'\n"

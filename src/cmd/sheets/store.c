@@ -22,7 +22,6 @@
 #include "config.h"
 #include "io/cells/datetime.h"
 #include "io/store/store_csv.h"
-#include "io/store/table3.h"
 #include "io/sitefile/units.h"
 
 /* "fit", "set by hand" or "Table 3". */
@@ -189,7 +188,7 @@ check_remember(
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
 		    entry->site->name, entry->origin->whose);
-	if (date->given && !stored_is_date(date->text))
+	if (date->given && !moment_is_day(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", date->text);
 	return !note->given || stored_is_line(note->text) ||
@@ -582,10 +581,11 @@ list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 
 /* A row of the paper as it is printed: its spelling and what the feeds were. */
 static void
-add_printed(struct answer *r, const struct material *m, const char *name)
+add_printed(struct answer *r, const struct stored *m)
 {
-	answer_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", name, m->site, m->rock,
-	    m->top_size_mm, m->f_mat, m->e0_min, m->alpha, m->feed_source);
+	answer_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", m->name, m->site,
+	    m->rock, m->top_size_mm, m->params.f_mat, m->params.e0_min,
+	    m->params.alpha, m->feed_source);
 }
 
 /* Table 3 alone, in one table where the screen or a file has room for it.
@@ -595,7 +595,6 @@ table3_answer(const struct session *s, const struct args *args,
     const struct stored_list *paper, size_t *n)
 {
 	enum { WIDE = 100 };
-	struct materials *rows = materials_table3();
 	struct answer *r = answer_new("materials");
 	*n = 0;
 	if (s->screen.columns == 0 || s->screen.columns >= WIDE)
@@ -604,7 +603,7 @@ table3_answer(const struct session *s, const struct args *args,
 			  "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
 		if (is_wanted(&paper->item[i], args)) {
-			add_printed(r, &rows->row[i], paper->item[i].name);
+			add_printed(r, &paper->item[i]);
 			++*n;
 		}
 	answer_for_programs(r);
@@ -613,10 +612,9 @@ table3_answer(const struct session *s, const struct args *args,
 	for (size_t i = 0; i < paper->n; i++)
 		if (is_wanted(&paper->item[i], args)) {
 			add_row(r, &paper->item[i]);
-			answer_cells(r, "%s %s", rows->row[i].site,
-			    rows->row[i].feed_source);
+			answer_cells(r, "%s %s", paper->item[i].site,
+			    paper->item[i].feed_source);
 		}
-	materials_free(rows);
 	return r;
 }
 

@@ -1,14 +1,16 @@
-/* Format codes of workbooks, and their calendar.
+/* Format codes of workbooks, and the days that they count.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/cell_format.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/xalloc.h"
+#include "io/cells/datetime.h"
 
 /* What a code says on its way. */
 struct said {
@@ -135,23 +137,6 @@ shown_builtin(unsigned id)
 	return shown;
 }
 
-/* The day so many days after 1970-01-01.  Source: H. Hinnant,
- * chrono-Compatible Low-Level Date Algorithms, civil_from_days. */
-static void
-put_day(long days, char text[static 16])
-{
-	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
-	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
-	long doy = doe - (365 * yoe + yoe / 4 - yoe / 100);
-	long mp = (5 * doy + 2) / 153;
-	long d = doy - (153 * mp + 2) / 5 + 1;
-	long m = mp < 10 ? mp + 3 : mp - 9;
-	long y = yoe + era * 400 + (m <= 2);
-	/* The remainders tell compilers that it fits. */
-	snprintf(text, 16, "%04d-%02d-%02d", (int)(y % 10000), (int)(m % 100),
-	    (int)(d % 100));
-}
-
 bool
 shown_date(
     double serial, bool from_1904, enum shown_kind kind, char text[static 32])
@@ -163,19 +148,20 @@ shown_date(
 	long day = (long)floor(seconds / DAY);
 	long s = (long)(seconds - (double)day * DAY);
 	long hours = s / 3600 + (kind == SHOWN_SPAN ? 24 * day : 0);
-	char date[16] = "", time[16] = "", second[8] = "";
+	char *date = NULL, time[16] = "", second[8] = "";
 	/* Before 1900-03-01 the calendar of 1900 is a day behind: it has a
 	 * leap day that never was. */
 	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
 	if (kind == SHOWN_DATE || (kind == SHOWN_TIME && day > 0))
-		put_day(day + epoch, date);
+		date = moment_day(day + epoch);
 	if (s % 60 != 0)
 		snprintf(second, sizeof second, ":%02d", (int)(s % 60));
-	if (date[0] == '\0' || s != 0)
+	if (date == NULL || s != 0)
 		snprintf(time, sizeof time, "%02d:%02d", (int)hours,
 		    (int)(s / 60 % 60));
-	snprintf(text, 32, "%s%s%s%s", date,
-	    date[0] != '\0' && time[0] != '\0' ? "T" : "", time,
+	snprintf(text, 32, "%s%s%s%s", date != NULL ? date : "",
+	    date != NULL && time[0] != '\0' ? "T" : "", time,
 	    time[0] != '\0' ? second : "");
+	free(date);
 	return true;
 }

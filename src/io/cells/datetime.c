@@ -256,17 +256,45 @@ moment_clock(double seconds)
 	return xasprintf("%02d:%02d", of_day / 3600, of_day / 60 % 60);
 }
 
+bool
+moment_is_day(const char *text)
+{
+	size_t n[3];
+	const char *p = text;
+	int year = digits(&p, 4, &n[0]);
+	if (*p++ != '-')
+		return false;
+	int month = digits(&p, 2, &n[1]);
+	if (*p++ != '-')
+		return false;
+	int day = digits(&p, 2, &n[2]);
+	return *p == '\0' && n[0] == 4 && n[1] == 2 && n[2] == 2 && year >= 0 &&
+	       month >= 1 && month <= 12 && day >= 1 &&
+	       day <= days_in(year, month);
+}
+
+/* Source: H. Hinnant, chrono-Compatible Low-Level Date Algorithms,
+ * civil_from_days. */
+char *
+moment_day(long days)
+{
+	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
+	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
+	long doy = doe - (365 * yoe + yoe / 4 - yoe / 100);
+	long mp = (5 * doy + 2) / 153;
+	long d = doy - (153 * mp + 2) / 5 + 1;
+	long m = mp < 10 ? mp + 3 : mp - 9;
+	long y = yoe + era * 400 + (m <= 2);
+	return xasprintf("%04ld-%02ld-%02ld", y, m, d);
+}
+
 char *
 moment_text(double seconds)
 {
-	int days = (int)floor(seconds / DAY), year = 1970, month = 1;
-	while (days >= 337 + days_in(year, 2))
-		days -= 337 + days_in(year++, 2);
-	while (days >= days_in(year, month))
-		days -= days_in(year, month++);
+	char *day = moment_day((long)floor(seconds / DAY));
 	char *clock = moment_clock(seconds);
-	char *text =
-	    xasprintf("%04d-%02d-%02d %s", year, month, days + 1, clock);
+	char *text = xasprintf("%s %s", day, clock);
+	free(day);
 	free(clock);
 	return text;
 }

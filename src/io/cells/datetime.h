@@ -33,6 +33,12 @@ double moment_seconds(const struct moment *m, enum moment_order order);
 char *moment_text(double seconds);
 char *moment_clock(double seconds);
 
+/* Whether a text is a day in this one form, "2026-05-03", of any year. */
+bool moment_is_day(const char *text);
+
+/* The day so many days after 1970-01-01, "2026-05-03", to the year 9999. */
+char *moment_day(long days);
+
 /* Today, "2026-05-03", here; or the day of SOURCE_DATE_EPOCH, where that is
  * set, so that what is made again is the same.  The caller frees. */
 char *moment_today(void);

@@ -1,8 +1,10 @@
-/* Decimal signs, thousands, and cells without a number.
+/* What cells are as numbers: decimal signs, thousands, units, and signs that
+ * there is none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/number.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
@@ -76,34 +78,6 @@ decimal_of(const char *s)
 	return groups ? '?' : p[last];
 }
 
-void
-number_decide(struct sheet *sheet)
-{
-	size_t points = 0, commas = 0;
-	char first = '\0';
-	sheet->open = (struct cell){0};
-	for (size_t r = 0; r < sheet->n_row && !error_stopped(sheet->errors);
-	     r++)
-		for (size_t i = 0; i < sheet->row[r].n; i++) {
-			struct cell cell = sheet->row[r].cell[i];
-			char sign = cell.kind == CELL_TEXT
-					? decimal_of(cell.text)
-					: '\0';
-			points += sign == '.';
-			commas += sign == ',';
-			if (first == '\0' && (sign == '.' || sign == ','))
-				first = sign;
-			if (sign == '?' && sheet->open.text == NULL)
-				sheet->open = cell;
-		}
-	sheet->decimal = points > commas ? '.' : points < commas ? ',' : first;
-	/* Who separates cells by commas has decimal points. */
-	if (sheet->decimal == '\0' && sheet->separator == ',')
-		sheet->decimal = '.';
-	if (sheet->decimal != '\0')
-		sheet->open.text = NULL;
-}
-
 bool
 number_is_open(const struct sheet *sheet, struct cell cell)
 {
@@ -130,15 +104,12 @@ drop_groups(char *s, char sign)
 	return true;
 }
 
-bool
-number_of(const struct sheet *sheet, struct cell cell, double *value)
+/* A text as a number; false where it is none. */
+static bool
+read_text(const struct sheet *sheet, const char *text, double *value)
 {
 	char copy[LONGEST];
-	if (cell.kind == CELL_NUMBER)
-		*value = cell.number;
-	if (cell.kind != CELL_TEXT)
-		return cell.kind == CELL_NUMBER;
-	if (!join_thousands(cell.text, copy))
+	if (!join_thousands(text, copy))
 		return false;
 	char decimal = sheet->decimal;
 	if (decimal == '\0')
@@ -151,17 +122,127 @@ number_of(const struct sheet *sheet, struct cell cell, double *value)
 	return text_number(copy, value);
 }
 
-bool
-number_absent(struct cell cell)
+/* "97,5 %" of a share, "42 g" of a mass; VALUE_NONE where it is neither. */
+static enum cell_value
+read_unit(const struct sheet *sheet, const char *text, double *value)
+{
+	static const struct {
+		const char *unit;
+		enum cell_value value;
+	} UNITS[] = {{"%", VALUE_PERCENT}, {"g", VALUE_GRAMS},
+	    {"gr", VALUE_GRAMS}, {"gram", VALUE_GRAMS}};
+	enum { MOST = 40 };
+	char copy[MOST];
+	size_t n = strlen(text);
+	for (size_t i = 0; n < MOST && i < ARRAY_LEN(UNITS); i++) {
+		size_t k = strlen(UNITS[i].unit);
+		if (n <= k || strcmp(text + n - k, UNITS[i].unit) != 0)
+			continue;
+		memcpy(copy, text, n - k);
+		copy[n - k] = '\0';
+		if (text_ends(copy, "\xC2\xA0"))
+			copy[n - k - 2] = '\0';
+		return read_text(sheet, text_trim(copy), value) ? UNITS[i].value
+								: VALUE_NONE;
+	}
+	return VALUE_NONE;
+}
+
+static bool
+is_absent(const char *text)
 {
 	static const char *const ABSENT[] = {"", "-", "--", "---",
 	    "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "n/a", "na", "n.a.",
 	    "nan", "#n/a", "none", "null", "nd", "n.d.", "ej", "k.a.", "?",
 	    "not used", "saknas"};
 	for (size_t i = 0; i < ARRAY_LEN(ABSENT); i++)
-		if (strcasecmp(cell.text, ABSENT[i]) == 0)
+		if (strcasecmp(text, ABSENT[i]) == 0)
 			return true;
 	return false;
+}
+
+static void
+find_value(const struct sheet *sheet, struct cell *cell)
+{
+	double number = NAN;
+	cell->value = VALUE_NONE;
+	if (cell->kind == CELL_NUMBER) {
+		cell->value = VALUE_NUMBER;
+		number = cell->number;
+	} else if (cell->kind == CELL_TEXT && is_absent(cell->text)) {
+		cell->value = VALUE_ABSENT;
+	} else if (cell->kind == CELL_TEXT) {
+		bool less = cell->text[0] == '<';
+		if (read_text(sheet, cell->text + less, &number))
+			cell->value = less ? VALUE_TRACE : VALUE_NUMBER;
+		else
+			cell->value = read_unit(sheet, cell->text, &number);
+	}
+	bool has = cell->value >= VALUE_NUMBER && cell->value != VALUE_TRACE;
+	cell->number = has ? number : (double)NAN;
+}
+
+void
+number_find(struct sheet *sheet)
+{
+	for (size_t r = 0; r < sheet->n_row && !error_stopped(sheet->errors);
+	     r++)
+		for (size_t i = 0; i < sheet->row[r].n_all; i++)
+			find_value(sheet, &sheet->row[r].cell[i]);
+}
+
+void
+number_decide(struct sheet *sheet)
+{
+	size_t points = 0, commas = 0;
+	char first = '\0';
+	sheet->open = (struct cell){0};
+	for (size_t r = 0; r < sheet->n_row && !error_stopped(sheet->errors);
+	     r++)
+		for (size_t i = 0; i < sheet->row[r].n; i++) {
+			struct cell cell = sheet->row[r].cell[i];
+			char sign = cell.kind == CELL_TEXT
+					? decimal_of(cell.text)
+					: '\0';
+			points += sign == '.';
+			commas += sign == ',';
+			if (first == '\0' && (sign == '.' || sign == ','))
+				first = sign;
+			if (sign == '?' && sheet->open.text == NULL)
+				sheet->open = cell;
+		}
+	sheet->decimal = points > commas ? '.' : points < commas ? ',' : first;
+	/* Who separates cells by commas has decimal points. */
+	if (sheet->decimal == '\0' && sheet->separator == ',')
+		sheet->decimal = '.';
+	if (sheet->decimal != '\0')
+		sheet->open.text = NULL;
+	number_find(sheet);
+}
+
+void
+number_decimal(struct sheet *sheet, char sign)
+{
+	sheet->decimal = sign;
+	sheet->open.text = NULL;
+	number_find(sheet);
+}
+
+struct cell
+number_cell(const struct sheet *sheet, struct cell cell, char *text)
+{
+	cell.kind = CELL_TEXT;
+	cell.text = text;
+	find_value(sheet, &cell);
+	return cell;
+}
+
+bool
+number_of(struct cell cell, double *value)
+{
+	if (cell.value == VALUE_NUMBER)
+		*value = cell.number;
+	return cell.value == VALUE_NUMBER;
 }
 
 /* What to do about a cell that is no number. */
@@ -194,7 +275,7 @@ bool
 number_read(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value)
 {
-	if (number_of(sheet, cell, value))
+	if (number_of(cell, value))
 		return true;
 	char sign = decimal_of(cell.text);
 	if (sheet->decimal == '\0' || (sign != '.' && sign != ',') ||

@@ -19,8 +19,7 @@ enum { MOST_REPEATS = 5000, MOST_TABLES = 1000 };
 /* value: as its type tells, else NULL.  said: what people see. */
 struct content {
 	char *type, *value, *formula;
-	char *said;
-	size_t n, room;
+	struct xml_text said;
 	bool failed, paragraphs;
 };
 
@@ -46,24 +45,12 @@ struct reading {
 };
 
 static void
-say(struct content *c, const char *text, size_t n)
-{
-	if (c->n + n + 1 > c->room) {
-		c->room = 2 * (c->n + n) + 64;
-		c->said = xrealloc(c->said, c->room, 1);
-	}
-	memcpy(c->said + c->n, text, n);
-	c->n += n;
-	c->said[c->n] = '\0';
-}
-
-static void
 clear(struct content *c)
 {
 	free(c->type);
 	free(c->value);
 	free(c->formula);
-	free(c->said);
+	free(c->said.text);
 	*c = (struct content){0};
 }
 
@@ -168,13 +155,13 @@ begin_in_cell(struct reading *r, const char *name, const char *const *attribute)
 		return;
 	}
 	if (r->paragraph++ == 0 && r->content.paragraphs)
-		say(&r->content, " ", 1);
+		xml_text_add(&r->content.said, " ", 1);
 	r->content.paragraphs = true;
 	size_t n =
 	    strcmp(name, "s") == 0 ? xml_whole(attribute, "text:1.0 c", 1) : 0;
 	n += strcmp(name, "tab") == 0 || strcmp(name, "line-break") == 0;
 	for (size_t i = 0; i < n && i < MOST_SPACES; i++)
-		say(&r->content, " ", 1);
+		xml_text_add(&r->content.said, " ", 1);
 }
 
 static void
@@ -213,7 +200,7 @@ on_text(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->cell > 0 && r->paragraph > 0 && r->skip == 0)
-		say(&r->content, text, n);
+		xml_text_add(&r->content.said, text, n);
 }
 
 /* "PT10H15M00S" as 10:15. */
@@ -265,7 +252,7 @@ put_content(struct grid *grid, struct cell at, const struct content *c)
 	double number;
 	char unit[16];
 	const char *type = c->type != NULL ? c->type : "";
-	const char *said = c->said != NULL ? c->said : "";
+	const char *said = c->said.text != NULL ? c->said.text : "";
 	bool numeric = strcmp(type, "float") == 0 ||
 		       strcmp(type, "currency") == 0 ||
 		       strcmp(type, "percentage") == 0;
@@ -298,7 +285,7 @@ static void
 end_cell(struct reading *r)
 {
 	struct content *c = &r->content;
-	if (c->type != NULL || c->formula != NULL || c->n > 0) {
+	if (c->type != NULL || c->formula != NULL || c->said.n > 0) {
 		r->kept = xrealloc(r->kept, r->n_kept + 1, sizeof *r->kept);
 		r->kept[r->n_kept++] =
 		    (struct kept){r->at.column, r->cells, *c};

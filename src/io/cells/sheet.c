@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/sheet.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,8 +101,11 @@ sheet_cell(const struct row *row, size_t i)
 	if (i < row->n_all)
 		return row->cell[i];
 	static char nothing[1] = "";
-	return (struct cell){
-	    .text = nothing, .line = row->line, .column = row->end};
+	return (struct cell){.text = nothing,
+	    .line = row->line,
+	    .column = row->end,
+	    .value = VALUE_ABSENT,
+	    .number = NAN};
 }
 
 /* A place in a line of text; column counts characters. */
@@ -579,18 +583,12 @@ sheet_free(struct sheet *sheet)
 }
 
 void
-sheet_write_cell(const char *text, FILE *out)
+sheet_write_cell(const char *text, char separator, FILE *out)
 {
-	bool quote = strpbrk(text, ",\"") != NULL;
-	if (quote)
-		fputc('"', out);
-	if (text_is_formula(text))
-		fputc('\'', out);
-	for (; *text != '\0'; text++) {
-		if (*text == '"')
-			fputc('"', out);
-		fputc(*text == '\n' || *text == '\r' ? ' ' : *text, out);
-	}
-	if (quote)
-		fputc('"', out);
+	const char marks[] = {separator, '"', '\n', '\r', '\0'};
+	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
+	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
+	for (; *text != '\0'; text++)
+		fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
+	fputs(quote, out);
 }

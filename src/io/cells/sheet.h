@@ -13,15 +13,29 @@
 /* What a cell of a workbook holds; all cells of a text are CELL_TEXT. */
 enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
 
+/* What number.c takes a cell for: words or a date; a sign that there is no
+ * number, such as "-"; a number, alone or before a unit, "97,5 %", "42 g"; too
+ * little to tell, "<0.1". */
+enum cell_value {
+	VALUE_NONE,
+	VALUE_ABSENT,
+	VALUE_NUMBER,
+	VALUE_PERCENT,
+	VALUE_GRAMS,
+	VALUE_TRACE
+};
+
 /* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact
  * writes it, then a unit that the cell is shown with: "97.5 %", "69 m/s"; of
  * CELL_DATE "2026-05-03T10:15", "2026-05-03" or "10:15".  column: of its first
- * character, counted from 1 in characters, not bytes; in a workbook 1 is A. */
+ * character, counted from 1 in characters, not bytes; in a workbook 1 is A.
+ * number: 97.5 of one shown as 97.5 %; NAN where the value has none. */
 struct cell {
 	char *text;
 	int line, column;
 	enum cell_kind kind;
-	double number; /* of CELL_NUMBER; 97.5 of one shown as 97.5 % */
+	enum cell_value value;
+	double number;
 };
 
 /* n: cells up to the last that is not empty, 1 or more.  n_all: with the empty
@@ -114,8 +128,8 @@ int sheet_cut(const char *text);
 bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
 
-/* A cell for a sheet with commas: quotes where the reader needs them, and no
- * line end, which would break the row. */
-void sheet_write_cell(const char *text, FILE *out);
+/* A cell as the reader takes it: in quotes where it has to be, and not as a
+ * formula. */
+void sheet_write_cell(const char *text, char separator, FILE *out);
 
 #endif

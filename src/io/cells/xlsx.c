@@ -17,12 +17,6 @@
 /* Of these a file of 50 MB could hold millions. */
 enum { MOST_FORMATS = 100000, MOST_TABS = 1000 };
 
-/* Text put together piece by piece. */
-struct pieces {
-	char *text;
-	size_t n, room;
-};
-
 /* Of the workbook: a sheet, a format by its number, a relation. */
 struct tab {
 	char *name, *id, *part;
@@ -40,7 +34,7 @@ struct book {
 	size_t n_tab, more; /* more: those left out */
 	struct tab *tab;
 	/* All shared strings, each with a NUL; where they begin. */
-	struct pieces string;
+	struct xml_text string;
 	size_t n_start, *start;
 	size_t n_code, n_style;
 	struct code *code;
@@ -48,18 +42,6 @@ struct book {
 	bool in_styles, in_text;
 	int phonetic;
 };
-
-static void
-add_piece(struct pieces *p, const char *text, size_t n)
-{
-	if (p->n + n + 1 > p->room) {
-		p->room = 2 * (p->n + n) + 64;
-		p->text = xrealloc(p->text, p->room, 1);
-	}
-	memcpy(p->text + p->n, text, n);
-	p->n += n;
-	p->text[p->n] = '\0';
-}
 
 /* Goes through a part of the archive. */
 static char *
@@ -150,7 +132,7 @@ begin_string(void *data, const char *name, const char *const *attribute)
 			b->start = xrealloc(
 			    b->start, 2 * b->n_start + 1, sizeof *b->start);
 		b->start[b->n_start++] = b->string.n;
-		add_piece(&b->string, "", 0);
+		xml_text_add(&b->string, "", 0);
 	}
 	b->phonetic += strcmp(name, "rPh") == 0;
 	b->in_text = strcmp(name, "t") == 0 && b->n_start > 0;
@@ -163,7 +145,7 @@ end_string(void *data, const char *name)
 	b->in_text = false;
 	b->phonetic -= strcmp(name, "rPh") == 0;
 	if (strcmp(name, "si") == 0)
-		add_piece(&b->string, "", 1);
+		xml_text_add(&b->string, "", 1);
 }
 
 static void
@@ -171,7 +153,7 @@ text_string(void *data, const char *text, size_t n)
 {
 	struct book *b = data;
 	if (b->in_text && b->phonetic == 0)
-		add_piece(&b->string, text, n);
+		xml_text_add(&b->string, text, n);
 }
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
@@ -221,7 +203,7 @@ struct reading {
 	bool in_cell, has_value, has_formula;
 	int phonetic;
 	enum { IN_NOTHING, IN_VALUE, IN_FORMULA, IN_TEXT } in;
-	struct pieces value, formula;
+	struct xml_text value, formula;
 	char *wrong;
 };
 
@@ -254,8 +236,8 @@ begin_cell(struct reading *r, const char *const *attribute)
 	r->in_cell = true;
 	r->has_value = r->has_formula = false;
 	r->value.n = r->formula.n = 0;
-	add_piece(&r->value, "", 0);
-	add_piece(&r->formula, "", 0);
+	xml_text_add(&r->value, "", 0);
+	xml_text_add(&r->formula, "", 0);
 }
 
 static void
@@ -299,9 +281,9 @@ text_in_sheet(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->in == IN_VALUE || r->in == IN_TEXT)
-		add_piece(&r->value, text, n);
+		xml_text_add(&r->value, text, n);
 	else if (r->in == IN_FORMULA)
-		add_piece(&r->formula, text, n);
+		xml_text_add(&r->formula, text, n);
 }
 
 /* Excel writes a carriage return as _x000D_, and _ before an x as _x005F_. */

@@ -175,3 +175,15 @@ xml_whole(const char *const *attribute, const char *name, size_t other)
 		return other;
 	return whole < MOST ? (size_t)whole : MOST;
 }
+
+void
+xml_text_add(struct xml_text *p, const char *text, size_t n)
+{
+	if (p->n + n + 1 > p->room) {
+		p->room = 2 * (p->n + n) + 64;
+		p->text = xrealloc(p->text, p->room, 1);
+	}
+	memcpy(p->text + p->n, text, n);
+	p->n += n;
+	p->text[p->n] = '\0';
+}

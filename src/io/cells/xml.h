@@ -33,4 +33,11 @@ const char *xml_attribute(const char *const *attribute, const char *name);
  * any program; or `other` where it is absent or none. */
 size_t xml_whole(const char *const *attribute, const char *name, size_t other);
 
+/* Text put together piece by piece; NULL before the first. */
+struct xml_text {
+	char *text;
+	size_t n, room;
+};
+void xml_text_add(struct xml_text *to, const char *text, size_t n);
+
 #endif

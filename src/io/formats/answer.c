@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/cells/sheet.h"
 
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
@@ -544,17 +545,6 @@ print_csv_number(double value, char separator, FILE *out)
 	fputs(text, out);
 }
 
-static void
-print_csv_text(const char *text, char separator, FILE *out)
-{
-	char marks[] = {separator, '"', '\n', '\0'};
-	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
-	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
-	for (const char *s = text; *s != '\0'; s++)
-		fprintf(out, *s == '"' ? "\"\"" : "%c", *s);
-	fputs(quote, out);
-}
-
 /* The columns that stand before those of the answer. */
 static void
 print_csv_origin(const struct answer *a, char separator, FILE *out)
@@ -563,10 +553,10 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 	if (a->site == NULL)
 		return;
 	fputc(separator, out);
-	print_csv_text(a->site, separator, out);
+	sheet_write_cell(a->site, separator, out);
 	fputc(separator, out);
 	char *kind = xstrndup(a->provenance, first_clause(a->provenance));
-	print_csv_text(kind, separator, out);
+	sheet_write_cell(kind, separator, out);
 	free(kind);
 }
 
@@ -574,7 +564,7 @@ static void
 print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 {
 	if (cell->is_text)
-		print_csv_text(
+		sheet_write_cell(
 		    cell->key != NULL ? cell->key : cell->text, separator, out);
 	else if (isfinite(cell->number))
 		print_csv_number(cell->number, separator, out);
@@ -606,7 +596,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		}
 		if (told) {
 			fputc(separator, out);
-			print_csv_text(a->sentence[row].text, separator, out);
+			sheet_write_cell(a->sentence[row].text, separator, out);
 		}
 		fputc('\n', out);
 	}

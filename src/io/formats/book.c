@@ -373,15 +373,14 @@ book_add(struct book *b, const struct answer *answer)
 /* A row of a text; heads of columns, which are more than a key and a value, are
  * bold. */
 static void
-put_row(struct book *b, struct page *p, const struct sheet *sheet,
-    const struct row *row)
+put_row(struct book *b, struct page *p, const struct row *row)
 {
 	double value;
-	bool head = row->n > 2 && !number_of(sheet, row->cell[0], &value);
+	bool head = row->n > 2 && !number_of(row->cell[0], &value);
 	p->row = (lxw_row_t)row->line - 1;
 	for (size_t c = 0; c < row->n; c++) {
 		lxw_col_t column = (lxw_col_t)c;
-		if (!head && number_of(sheet, row->cell[c], &value))
+		if (!head && number_of(row->cell[c], &value))
 			worksheet_write_number(
 			    p->sheet, p->row, column, value, NULL);
 		else
@@ -401,9 +400,10 @@ book_add_text(struct book *b, const char *name, const char *text)
 	char *copy = xstrdup(text);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new("", copy, most, &errors);
+	number_find(sheet);
 	struct page p = add_page(b, name);
 	for (size_t i = 0; i < sheet->n_row; i++)
-		put_row(b, &p, sheet, &sheet->row[i]);
+		put_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
 		const char *said = sheet->comment[i].text;
 		char *plain = text_unquoted(said, strlen(said));

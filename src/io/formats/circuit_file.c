@@ -30,14 +30,12 @@ struct reading_circuit {
 
 /* A part of a cell; text is of the cell's, which it may shorten. */
 static struct cell
-part_of(struct cell cell, char *from)
+part_of(const struct reading_circuit *r, struct cell cell, char *from)
 {
 	while (*from == ' ' || *from == '\t')
 		from++;
 	cell.column += (int)(from - cell.text);
-	cell.text = text_trim(from);
-	cell.kind = CELL_TEXT;
-	return cell;
+	return number_cell(r->sheet, cell, text_trim(from));
 }
 
 static bool
@@ -103,7 +101,7 @@ add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_in(r, unit, part_of(cell, at));
+		add_in(r, unit, part_of(r, cell, at));
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
@@ -164,7 +162,7 @@ read_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		    strncmp(cell.text, key->word, n) != 0 ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
-		struct cell number = part_of(cell, sign + 1);
+		struct cell number = part_of(r, cell, sign + 1);
 		if (read_number(r, number, key->wanted, key->least, key->most,
 			&value)) {
 			void *to = (char *)unit + key->offset;
@@ -228,14 +226,14 @@ read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 	double share = NAN;
 	if (sign != NULL) {
 		*sign = '\0';
-		struct cell number = part_of(cell, sign + 1);
+		struct cell number = part_of(r, cell, sign + 1);
 		if (read_number(r, number, tr("a share from 0 to 100 %"), 0,
 			100, &share))
 			share /= 100;
 		else
 			share = 0;
 	}
-	add_out(r, unit, part_of(cell, cell.text));
+	add_out(r, unit, part_of(r, cell, cell.text));
 	return share;
 }
 

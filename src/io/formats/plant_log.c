@@ -243,8 +243,7 @@ settle_unit(struct reading *r, size_t c)
 	if (r->kind[c] != LOG_SPEED || r->head[c].unit != SPEED_NO_UNIT)
 		return true;
 	for (size_t i = r->first; i < r->sheet->n_row; i++)
-		if (number_of(r->sheet, sheet_cell(&r->sheet->row[i], c), &v) &&
-		    v > 0) {
+		if (number_of(sheet_cell(&r->sheet->row[i], c), &v) && v > 0) {
 			sum += v;
 			n++;
 		}
@@ -351,8 +350,8 @@ read_numbers(struct reading *r, const struct row *row)
 	for (size_t c = 0; c < r->n_column; c++) {
 		unsigned k = r->kind[c];
 		double v;
-		if (k >= LOG_COLUMNS ||
-		    !number_of(r->sheet, sheet_cell(row, c), &v) || v < 0)
+		if (k >= LOG_COLUMNS || !number_of(sheet_cell(row, c), &v) ||
+		    v < 0)
 			continue;
 		if (k == LOG_SPEED)
 			v = head_mps(v, r->head[c].unit, 0);
@@ -432,10 +431,8 @@ read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 	r->sheet = sheet;
 	r->n_column = r->first = r->date = r->clock = 0;
 	r->told = false;
-	if (r->request->decimal != '\0') {
-		sheet->decimal = r->request->decimal;
-		sheet->open.text = NULL;
-	}
+	if (r->request->decimal != '\0')
+		number_decimal(sheet, r->request->decimal);
 	if (!find_times(r))
 		return false;
 	if (!find_columns(r) || !find_order(r, open) || !check_numbers(r))

@@ -76,15 +76,14 @@ read_heading(
 /* Lines right above the table, which a value with numbers, "cut,0/4", makes
  * look like heads of it.  False with a fault at one that is none of ours. */
 static bool
-read_titles(struct spec *spec, struct sheet *sheet, const struct block *block)
+read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
 {
-	for (size_t i = 0; i < block->titles; i++) {
-		const struct row *row = &block->head[i];
+	for (size_t i = 0; i < t->titles; i++) {
+		const struct row *row = &t->head[i];
 		if (row->n == 2 &&
 		    read_key(spec, sheet, row->cell[0], sheet_cell(row, 1)))
 			continue;
-		return sheet_wanted(sheet,
-		    block->head[0].cell[block->n_col - 1],
+		return sheet_wanted(sheet, t->head[0].cell[t->n_col - 1],
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator");
 	}
@@ -95,10 +94,9 @@ read_titles(struct spec *spec, struct sheet *sheet, const struct block *block)
 static void
 read_heads(const struct table *t, size_t at[static 2])
 {
-	const struct block *b = t->block;
 	at[0] = at[1] = 0;
-	for (size_t i = 1; i < b->n_col; i++) {
-		struct cell head = b->head[b->n_head - 1].cell[i];
+	for (size_t i = 1; i < t->n_col; i++) {
+		struct cell head = t->head[t->n_head - 1].cell[i];
 		bool is_max = text_same(head.text, HEADS[1]);
 		if ((is_max || text_same(head.text, HEADS[0])) &&
 		    at[is_max] == 0)
@@ -109,7 +107,7 @@ read_heads(const struct table *t, size_t at[static 2])
 			    "use size_mm,min_pct,max_pct; see "
 			    "tipspeed-spec(5)");
 	}
-	if (at[0] == 0 && at[1] == 0 && b->n_col < 2)
+	if (at[0] == 0 && at[1] == 0 && t->n_col < 2)
 		sheet_fault(t->sheet, site_sieve_head(t),
 		    "expected a column min_pct or max_pct, got none\n"
 		    "write this line as size_mm,min_pct,max_pct");
@@ -179,18 +177,16 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 }
 
 static void
-read_table(struct spec *spec, struct block *block)
+read_table(struct spec *spec, struct table *t)
 {
-	enum sieve_certainty certainty;
-	struct table t = site_sieve_table(block, 0, &certainty);
+	enum sieve_certainty certainty = site_sieve_find(t, 0);
 	size_t at[2];
-	read_heads(&t, at);
-	site_sieve_check(&t);
+	read_heads(t, at);
+	site_sieve_check(t);
 	if (certainty == SIEVES_OPEN)
-		sheet_wanted(t.sheet, site_sieve_head(&t),
+		sheet_wanted(t->sheet, site_sieve_head(t),
 		    "the unit of the sieves", "write size_mm");
-	read_rows(spec, &t, at);
-	free(t.mm);
+	read_rows(spec, t, at);
 }
 
 static void
@@ -200,10 +196,9 @@ read_sheet(struct spec *spec, struct sheet *sheet)
 	site_sieve_numbers(sheet);
 	struct layout *layout = layout_new(sheet, all);
 	read_heading(spec, sheet, layout);
-	if (layout->n > 0 && layout->block[0].n_head > 0) {
-		const struct block *block = &layout->block[0];
-		read_titles(spec, sheet, block);
-		read_table(spec, &layout->block[0]);
+	if (layout->n > 0 && layout->table[0].n_head > 0) {
+		read_titles(spec, sheet, &layout->table[0]);
+		read_table(spec, &layout->table[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
 		sheet_wanted(sheet, sheet_cell(&none, 0),

@@ -37,16 +37,16 @@ assume(struct column *c, const char *format, ...)
 /* The head of column c in row r: its own cell, or the one that spreads from its
  * left, as merged cells do (own: false). */
 static const struct cell *
-head_cell(const struct block *b, size_t r, size_t c, bool *own)
+head_cell(const struct table *t, size_t r, size_t c, bool *own)
 {
-	const struct row *row = &b->head[r];
+	const struct row *row = &t->head[r];
 	*own = row->cell[c].text[0] != '\0';
 	size_t k = c;
 	while (k > 0 && row->cell[k].text[0] == '\0')
 		k--;
 	if (*own)
 		return &row->cell[c];
-	return k > 0 && b->n_head > 1 ? &row->cell[k] : NULL;
+	return k > 0 && t->n_head > 1 ? &row->cell[k] : NULL;
 }
 
 /* Fills in what `said` lacks from a cell above. */
@@ -127,19 +127,19 @@ apply_label(const struct cell *label, struct head *head)
 
 /* Everything that the heads of a column say. */
 static struct head
-read_heads(const struct block *b, size_t c)
+read_heads(const struct table *t, size_t c)
 {
 	struct head said = {0};
-	for (size_t r = b->n_head; r-- > 0;) {
+	for (size_t r = t->n_head; r-- > 0;) {
 		bool own;
-		const struct cell *cell = head_cell(b, r, c, &own);
+		const struct cell *cell = head_cell(t, r, c, &own);
 		if (cell == NULL || cell->kind == CELL_DATE)
 			continue;
 		struct head one = head_read(cell->text);
-		bool anchor = r == b->titles;
-		if (!anchor && b->head[r].cell[0].text[0] != '\0')
-			apply_label(&b->head[r].cell[0], &one);
-		merge(&said, &one, own, r < b->titles);
+		bool anchor = r == t->titles;
+		if (!anchor && t->head[r].cell[0].text[0] != '\0')
+			apply_label(&t->head[r].cell[0], &one);
+		merge(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
 	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
@@ -171,26 +171,24 @@ shape_of(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
-	double *raw = xdoubles(t->n_row);
-	site_column_raw(c, raw);
 	for (size_t i = 0; i < t->n_row; i++) {
-		if (isnan(raw[i]))
+		double v = site_column_raw(c, i);
+		if (isnan(v))
 			continue;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
 			s.has_pan = true;
-			s.pan = raw[i];
-			s.sum += raw[i];
+			s.pan = v;
+			s.sum += v;
 			continue;
 		}
-		s.rises += raw[i] > s.last;
-		s.falls += raw[i] < s.last;
-		s.first = s.n == 0 ? raw[i] : s.first;
-		s.last = raw[i];
-		s.most = fmax(s.most, raw[i]);
-		s.sum += raw[i];
+		s.rises += v > s.last;
+		s.falls += v < s.last;
+		s.first = s.n == 0 ? v : s.first;
+		s.last = v;
+		s.most = fmax(s.most, v);
+		s.sum += v;
 		s.n++;
 	}
-	free(raw);
 	return s;
 }
 
@@ -204,12 +202,12 @@ near(double value, double whole, double percent)
 static double
 stated_total(const struct column *c)
 {
-	const struct block *b = c->table->block;
+	const struct table *t = c->table;
 	double v;
-	for (size_t i = 0; i < b->n_foot; i++) {
-		uint64_t means = vocabulary_text(b->foot[i].cell[0].text, NULL);
+	for (size_t i = 0; i < t->n_foot; i++) {
+		uint64_t means = vocabulary_text(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
-		    number_of(c->table->sheet, b->foot[i].cell[c->at], &v))
+		    number_of(t->foot[i].cell[c->at], &v))
 			return v;
 	}
 	return NAN;
@@ -372,7 +370,6 @@ static bool
 is_defined(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
-	const struct block *b = c->table->block;
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
 	static const struct {
 		uint64_t words;
@@ -383,8 +380,8 @@ is_defined(
 	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
 	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
 	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
-	bool own = b->n_head == 1 && !b->across &&
-		   strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
+	bool own = c->table->n_head == 1 && !c->table->across &&
+		   strncmp(c->table->head[0].cell[0].text, "size_", 5) == 0;
 	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
@@ -421,7 +418,7 @@ refuse_small(struct column *c, const struct shape *s)
 	sheet_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\n"
 	    "say fraction, retained_fraction or cum_retained_fraction of it",
-	    tr(unit->words), c->table->block->number[c->at]);
+	    tr(unit->words), c->table->number[c->at]);
 }
 
 static void
@@ -503,13 +500,12 @@ bare_speed(const struct head *said)
 /* Whether a head is a number alone that is no tip speed: then those beside it,
  * such as minutes, are none either. */
 static bool
-is_other_number(const struct block *b, size_t at)
+is_other_number(const struct head *said)
 {
-	struct head said = read_heads(b, at);
-	uint64_t words = said.means & ~(uint64_t)WORD_FILLER;
-	return said.n_number == 1 && said.unknown == 0 && words == 0 &&
-	       said.unit == SPEED_NO_UNIT &&
-	       (said.number[0] < 20 || said.number[0] > 110);
+	uint64_t words = said->means & ~(uint64_t)WORD_FILLER;
+	return said->n_number == 1 && said->unknown == 0 && words == 0 &&
+	       said->unit == SPEED_NO_UNIT &&
+	       (said->number[0] < 20 || said->number[0] > 110);
 }
 
 static void
@@ -582,16 +578,12 @@ leave_out(struct site *site, size_t number, const char *format, ...)
 static bool
 has_words(const struct column *c, size_t *filled, size_t *numbers)
 {
-	double *raw = xdoubles(c->table->n_row);
 	*filled = *numbers = 0;
-	site_column_raw(c, raw);
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		if (!number_absent(c->table->row[i].cell[c->at]))
-			*filled += 1;
-		if (!isnan(raw[i]))
-			*numbers += 1;
+		struct cell cell = c->table->row[i].cell[c->at];
+		*filled += cell.value != VALUE_ABSENT;
+		*numbers += isnan(cell.number) ? 0 : 1;
 	}
-	free(raw);
 	return *filled > 0 && *numbers * 2 < *filled;
 }
 
@@ -600,17 +592,17 @@ static bool
 is_count(const struct column *c)
 {
 	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
-	double *raw = xdoubles(n), last = NAN;
-	site_column_raw(c, raw);
-	for (size_t i = 0; i < n; last = raw[i++]) {
-		pairs += !isnan(raw[i]) && !isnan(last);
-		steps += fabs(raw[i] - last) == 1;
-		same += raw[i] == last;
+	double first = site_column_raw(c, 0), last = NAN;
+	for (size_t i = 0; i < n; i++) {
+		double v = site_column_raw(c, i);
+		pairs += !isnan(v) && !isnan(last);
+		steps += fabs(v - last) == 1;
+		same += v == last;
+		last = v;
 	}
-	bool whole = n > 0 && raw[0] == floor(raw[0]);
-	bool small = fabs(raw[0] - 1) < 2 || fabs(last - 1) < 2;
-	bool limit = same == pairs && (raw[0] == 100 || raw[0] == 0);
-	free(raw);
+	bool whole = first == floor(first);
+	bool small = fabs(first - 1) < 2 || fabs(last - 1) < 2;
+	bool limit = same == pairs && (first == 100 || first == 0);
 	bool speed = same == pairs && c->said.speed == 0 &&
 		     c->said.unit != SPEED_NO_UNIT;
 	return pairs > 2 && (whole || speed) && !limit &&
@@ -622,29 +614,29 @@ is_count(const struct column *c)
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
-	const struct block *b = c->table->block;
+	const struct table *t = c->table;
 	size_t filled, numbers;
 	bool words = has_words(c, &filled, &numbers);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	if (is_count(c)) {
-		leave_out(site, b->number[c->at],
+		leave_out(site, t->number[c->at],
 		    "row numbers, or the same "
 		    "number in each row");
 	} else if (filled == 0) {
-		leave_out(site, b->number[c->at], "it is empty");
+		leave_out(site, t->number[c->at], "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(site, b->number[c->at], "%s: it has words", head);
+		leave_out(site, t->number[c->at], "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
-		leave_out(site, b->number[c->at],
+		leave_out(site, t->number[c->at],
 		    "%s: a limit, or calculated, or rejected", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
-		leave_out(site, b->number[c->at], "%s: no sample", head);
+		leave_out(site, t->number[c->at], "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
 		   c->said.speed == 0 && !c->said.range) {
-		leave_out(site, b->number[c->at], "%s: the sieves again", head);
+		leave_out(site, t->number[c->at], "%s: the sieves again", head);
 	} else {
 		return false;
 	}
@@ -653,108 +645,113 @@ is_no_sample(const struct column *c, struct site *site)
 
 /* A column that has one speed for all rows: of a long table with one sample. */
 static void
-note_speed(struct table *t, size_t at, struct surroundings *near)
+note_speed(const struct column *c, struct surroundings *near)
 {
-	struct column c = {
-	    .table = t, .at = at, .said = read_heads(t->block, at)};
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
 					WORD_PRODUCT;
 	bool about =
-	    (c.said.means & WORD_SPEED) != 0 || c.said.unit != SPEED_NO_UNIT;
-	if (!about || c.said.speed > 0 || c.said.rpm > 0 ||
-	    (c.said.means & COUNTED) != 0)
+	    (c->said.means & WORD_SPEED) != 0 || c->said.unit != SPEED_NO_UNIT;
+	if (!about || c->said.speed > 0 || c->said.rpm > 0 ||
+	    (c->said.means & COUNTED) != 0)
 		return;
-	double *raw = xdoubles(t->n_row), v = NAN;
+	double v = NAN;
 	bool same = true;
-	site_column_raw(&c, raw);
-	for (size_t i = 0; i < t->n_row; i++) {
-		v = isnan(v) ? raw[i] : v;
-		same = same && !(raw[i] < v) && !(raw[i] > v);
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		double raw = site_column_raw(c, i);
+		v = isnan(v) ? raw : v;
+		same = same && !(raw < v) && !(raw > v);
 	}
-	free(raw);
 	if (same && v > 0)
-		near->speed = head_mps(v, c.said.unit, near->rotor);
+		near->speed = head_mps(v, c->said.unit, near->rotor);
 }
 
-/* The numbers of column `at` from their least to their most. */
+/* The numbers of a column from their least to their most; the least is -1 where
+ * one is missing. */
 static void
-bounds_of(struct table *t, size_t at, double *least, double *most)
+bounds_of(const struct column *c, double *least, double *most)
 {
-	struct column c = {.table = t, .at = at};
-	double *raw = xdoubles(t->n_row);
-	site_column_raw(&c, raw);
 	*least = INFINITY;
 	*most = 0;
-	for (size_t i = 0; i < t->n_row; i++) {
-		double v = isnan(raw[i]) ? -1 : raw[i];
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		double raw = site_column_raw(c, i), v = isnan(raw) ? -1 : raw;
 		*least = fmin(*least, v);
 		*most = fmax(*most, v);
 	}
-	free(raw);
 }
 
 /* Refuses the mass of empty sieves, the same throughout, beside that of full
  * ones, of which nothing is said: what was retained is their difference. */
 static void
-refuse_tare(struct table *t)
+refuse_tare(const struct column *column, size_t n)
 {
-	const struct block *b = t->block;
 	double tare = 0, least, most;
-	for (size_t at = 1; at < b->n_col; at++) {
-		struct head said = read_heads(b, at);
-		bool told = (said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		bounds_of(t, at, &least, &most);
+	for (size_t i = 0; i < n; i++) {
+		const struct column *c = &column[i];
+		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
+		bounds_of(c, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
-			sheet_fault(t->sheet, t->row[0].cell[at],
+			sheet_fault(c->table->sheet,
+			    c->table->row[0].cell[c->at],
 			    "expected what the sieves retained, got nothing "
 			    "below the %g of column %zu: empty and full "
 			    "sieves?\n"
 			    "write their differences as a column: mass "
 			    "retained",
-			    tare, b->number[at - 1]);
+			    tare, c->table->number[c->at - 1]);
 		tare = !told && least == most && least > 0 ? least : 0;
 	}
+}
+
+/* A column of the table as its heads have it. */
+static struct column
+headed(struct table *t, size_t at)
+{
+	struct column c = {.table = t, .at = at, .pan = NAN};
+	bool own = false;
+	c.head = t->row[0].cell[at];
+	for (size_t r = t->n_head; r-- > 0 && !own;) {
+		const struct cell *cell = head_cell(t, r, at, &own);
+		c.head = cell != NULL ? *cell : c.head;
+	}
+	c.said = read_heads(t, at);
+	return c;
 }
 
 void
 recognise_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
-	const struct block *b = t->block;
 	struct surroundings around = *near;
-	near = &around;
 	struct error_list *errors = t->sheet->errors;
-	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
-		note_speed(t, at, &around);
-	if (!near->told)
-		refuse_tare(t);
-	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++)
-		around.counted = around.counted || is_other_number(b, at);
-	for (size_t at = 1; at < b->n_col && !error_stopped(errors); at++) {
-		struct column c = {.table = t, .at = at, .pan = NAN};
-		bool own = false;
-		c.head = t->row[0].cell[at];
-		for (size_t r = b->n_head; r-- > 0 && !own;) {
-			const struct cell *cell = head_cell(b, r, at, &own);
-			c.head = cell != NULL ? *cell : c.head;
-		}
-		c.said = read_heads(b, at);
+	struct column *column = xcalloc(t->n_col, sizeof *column);
+	size_t n = 0;
+	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
+		column[n] = headed(t, n + 1);
+		note_speed(&column[n], &around);
+		around.counted =
+		    around.counted || is_other_number(&column[n].said);
+	}
+	if (!around.told)
+		refuse_tare(column, n);
+	all->column =
+	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
+	for (size_t i = 0; i < n && !error_stopped(errors); i++) {
+		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
-		if (near->samples->n > 0 ? !samples_take(near->samples, &c)
-					 : is_no_sample(&c, site))
+		if (around.samples->n > 0 ? !samples_take(around.samples, &c)
+					  : is_no_sample(&c, site))
 			continue;
-		find_role(&c, near);
-		find_speed(&c, near);
+		find_role(&c, &around);
+		find_speed(&c, &around);
 		/* Below a speed an empty cell may be the same, or forgotten. */
-		if (b->across && c.said.spread && c.role == PRODUCT)
+		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		find_unit(&c, near->told);
-		all->column =
-		    xrealloc(all->column, all->n + 1, sizeof *all->column);
+		find_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
+	free(column);
 }
 
 /* Nobody waits for the columns any more. */
@@ -793,7 +790,7 @@ is_called_alike(const struct column *a, const struct column *b)
 	const struct column *both[] = {a, b};
 	char *name[] = {xstrdup(""), xstrdup("")};
 	for (size_t i = 0; i < 2; i++) {
-		char *head = layout_head(both[i]->table->block, both[i]->at);
+		char *head = layout_head(both[i]->table, both[i]->at);
 		char *rest = head;
 		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
 			size_t unknown, n = strlen(word);
@@ -834,7 +831,7 @@ is_same_sample(const struct column *a, const struct column *b)
 static void
 mark_twin(struct column *c, const struct column *other)
 {
-	c->twin = other->table->block->number[other->at];
+	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
 	c->open = c->no_role = false;
 }
@@ -845,7 +842,7 @@ mark_twin(struct column *c, const struct column *other)
 static char *
 own_words(const struct column *c)
 {
-	char *head = layout_head(c->table->block, c->at), *words = xstrdup("");
+	char *head = layout_head(c->table, c->at), *words = xstrdup("");
 	char *folded = text_fold(head);
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
@@ -925,7 +922,7 @@ drop_means(struct columns *all, struct site *site)
 		if (!mean || (others < 2 && c->speed > 0) ||
 		    (others == 0 && all->n < 3))
 			continue;
-		leave_out(site, c->table->block->number[c->at],
+		leave_out(site, c->table->number[c->at],
 		    "%s: the mean of samples that are read", c->head.text);
 		drop(all, i--);
 	}
@@ -942,9 +939,9 @@ drop_twins(struct columns *all, struct site *site)
 			    !is_same_sample(a, b) || rank(a) < rank(b) ||
 			    (rank(a) == rank(b) && i < k))
 				continue;
-			leave_out(site, a->table->block->number[a->at],
+			leave_out(site, a->table->number[a->at],
 			    "%s: the sample of column %zu again, as %s",
-			    a->head.text, b->table->block->number[b->at],
+			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
 			mark_twin(&all->column[i], b);
 			break;
@@ -1027,7 +1024,7 @@ recognise_settle(
 		    c->said.unknown > 0 && !is_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
-			leave_out(site, c->table->block->number[c->at],
+			leave_out(site, c->table->number[c->at],
 			    "%s: neither feed nor product", c->head.text);
 			drop(all, i--);
 			continue;

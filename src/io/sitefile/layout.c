@@ -103,7 +103,7 @@ find_numbers(struct grid *g)
 	     r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
-			if (number_of(g->sheet, *cell_at(g, r, c), &v))
+			if (number_of(*cell_at(g, r, c), &v))
 				next = (unsigned)c;
 			g->number[r * g->n_col + c] = next;
 		}
@@ -155,8 +155,7 @@ shift_head(struct grid *g)
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
 		if (!is_filled(g, r, wide - 1) ||
-		    !number_of(g->sheet, *cell_at(g, r, 0), &v) ||
-		    v != (double)r)
+		    !number_of(*cell_at(g, r, 0), &v) || v != (double)r)
 			return;
 	struct cell none = *cell_at(g, 0, wide - 1);
 	for (size_t c = wide - 1; c > 0; c--)
@@ -212,8 +211,8 @@ head_words(const struct cell *cell)
 	size_t unknown;
 	/* "n.d." is no diameter. */
 	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
-	    strpbrk(cell->text, "0123456789") != NULL || number_absent(*cell) ||
-	    text_same(cell->text, "top_size_mm"))
+	    strpbrk(cell->text, "0123456789") != NULL ||
+	    cell->value == VALUE_ABSENT || text_same(cell->text, "top_size_mm"))
 		return 0;
 	uint64_t means = vocabulary_text(cell->text, &unknown);
 	uint64_t units =
@@ -241,7 +240,7 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 	double v, last = NAN, step = 0;
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		const struct cell *cell = cell_at(g, r, c);
-		if (!number_of(g->sheet, *cell, &v))
+		if (!number_of(*cell, &v))
 			break;
 		if (isnan(sieve_names_mm(cell->text, SIEVE_ASTM)))
 			return false;
@@ -279,7 +278,7 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 	    (g->nature[index_at(g, r, c)].bits & IS_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
-		if (number_of(g->sheet, *cell_at(g, r, c), &v) &&
+		if (number_of(*cell_at(g, r, c), &v) &&
 		    fabs(v) > SIEVE_MOST_PHI)
 			return false;
 	return true;
@@ -322,7 +321,7 @@ has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
 
 /* A table found: rows first to before last, its sieves in column c, headed in
  * row head (g->n_row: by nothing), its numbers before column end.  score:
- * openings that are those of real sieves.  unsure: as of a block. */
+ * openings that are those of real sieves.  unsure: as of a table. */
 struct place {
 	size_t c, head, first, last, end;
 	int score;
@@ -517,7 +516,7 @@ ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 		  most = 0;
 	bool even = true, quarters = true;
 	for (; r < g->n_row && !g->gap[r]; r++) {
-		if (!number_of(g->sheet, *cell_at(g, r, c), &v) ||
+		if (!number_of(*cell_at(g, r, c), &v) ||
 		    (!isnan(step) && (v - last) * step <= 0) || v == last ||
 		    !has_numbers(g, r, c, g->n_col))
 			break;
@@ -689,24 +688,24 @@ list_columns(const struct grid *g, const struct place *p, size_t from,
 /* Where the sieves are there twice, as names and in mm, a row that has one of
  * them only. */
 static void
-fill_names(struct block *b)
+fill_names(struct table *t)
 {
 	static const uint64_t ELSE =
 	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
-	for (size_t c = 1; c < b->n_col; c++) {
-		char *head = layout_head(b, c);
+	for (size_t c = 1; c < t->n_col; c++) {
+		char *head = layout_head(t, c);
 		uint64_t means = vocabulary_text(head, NULL);
 		free(head);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
 			continue;
-		for (size_t i = 0; i < b->n_row; i++) {
-			struct cell *own = &b->row[i].cell[0];
-			const struct cell *other = &b->row[i].cell[c];
-			if (number_absent(*own) &&
-			    sieve_size(b->sheet, *other, none, &mm) !=
+		for (size_t i = 0; i < t->n_row; i++) {
+			struct cell *own = &t->row[i].cell[0];
+			const struct cell *other = &t->row[i].cell[c];
+			if (own->value == VALUE_ABSENT &&
+			    sieve_size(t->sheet, *other, none, &mm) !=
 				SIEVE_IS_NONE)
 				*own = *other;
 		}
@@ -714,12 +713,12 @@ fill_names(struct block *b)
 }
 
 static void
-take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
+take_table(const struct grid *g, const struct place *p, size_t from, size_t end,
     struct layout *layout)
 {
 	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
 	size_t n = list_columns(g, p, from, end, col);
-	struct block b = {.sheet = g->sheet,
+	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
 	    .n_col = n,
 	    .unsure = p->unsure};
@@ -732,23 +731,23 @@ take_block(const struct grid *g, const struct place *p, size_t from, size_t end,
 		bool mass =
 		    is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end);
 		if (!mass)
-			add_row(g, r, col, n, &b.head, &b.n_head);
-		b.titles += !mass && r < own;
+			add_row(g, r, col, n, &t.head, &t.n_head);
+		t.titles += !mass && r < own;
 	}
 	for (size_t r = top; r < p->first; r++)
 		if (is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end))
-			add_row(g, r, col, n, &b.foot, &b.n_foot);
+			add_row(g, r, col, n, &t.foot, &t.n_foot);
 	for (size_t r = p->first; r < p->last; r++)
-		add_row(g, r, col, n, &b.row, &b.n_row);
+		add_row(g, r, col, n, &t.row, &t.n_row);
 	for (size_t r = p->last; r < g->n_row && is_foot(g, r, p->c); r++)
-		add_row(g, r, col, n, &b.foot, &b.n_foot);
-	b.number = xcalloc(n, sizeof *b.number);
+		add_row(g, r, col, n, &t.foot, &t.n_foot);
+	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
-		b.number[i] = g->col_number[col[i]];
-	fill_names(&b);
-	layout->block =
-	    xrealloc(layout->block, layout->n + 1, sizeof *layout->block);
-	layout->block[layout->n++] = b;
+		t.number[i] = g->col_number[col[i]];
+	fill_names(&t);
+	layout->table =
+	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
+	layout->table[layout->n++] = t;
 	free(col);
 }
 
@@ -766,12 +765,12 @@ are_ends(const struct grid *g, const struct place *low, const struct place *up)
 	double a, b, last = NAN;
 	size_t n = 0, joined = 0;
 	for (size_t r = low->first; r < low->last; r++) {
-		if (!number_of(g->sheet, *cell_at(g, r, low->c), &a) ||
-		    !number_of(g->sheet, *cell_at(g, r, up->c), &b) || a >= b)
+		if (!number_of(*cell_at(g, r, low->c), &a) ||
+		    !number_of(*cell_at(g, r, up->c), &b) || a >= b)
 			return false;
 		double before = r > low->first ? last : (double)NAN;
 		joined += b == before;
-		number_of(g->sheet, *cell_at(g, r, low->c), &last);
+		number_of(*cell_at(g, r, low->c), &last);
 		n++;
 	}
 	return n > 2 && joined + 1 == n;
@@ -806,7 +805,7 @@ drop_doubles(const struct grid *g, struct place *place, size_t n)
 }
 
 static void
-take_blocks(const struct grid *g, const struct place *place, size_t n,
+take_tables(const struct grid *g, const struct place *place, size_t n,
     struct layout *layout)
 {
 	for (size_t i = 0; i < n; i++) {
@@ -821,7 +820,7 @@ take_blocks(const struct grid *g, const struct place *place, size_t n,
 			if (other->c < p->c)
 				from = p->c;
 		}
-		take_block(g, p, from, end, layout);
+		take_table(g, p, from, end, layout);
 	}
 }
 
@@ -867,62 +866,58 @@ rows_free(struct row *row, size_t n)
 	free(row);
 }
 
+char *
+layout_keep(struct table *t, char *text)
+{
+	t->text = xrealloc(t->text, t->n_text + 1, sizeof *t->text);
+	return t->text[t->n_text++] = text;
+}
+
 void
-layout_name(struct block *block, const size_t *number, const char *const *text,
+layout_name(struct table *t, const size_t *number, const char *const *text,
     size_t n_text)
 {
 	size_t n = 0;
-	struct row head = {.line = block->row[0].line};
-	head.cell = xcalloc(block->n_col, sizeof *head.cell);
-	for (size_t c = 0; c < block->n_col; c++) {
+	struct row head = {.line = t->row[0].line};
+	head.cell = xcalloc(t->n_col, sizeof *head.cell);
+	for (size_t c = 0; c < t->n_col; c++) {
 		size_t i = 0;
-		while (i < n_text && number[i] != block->number[c])
+		while (i < n_text && number[i] != t->number[c])
 			i++;
 		if (i == n_text && c > 0)
 			continue;
-		struct cell cell = block->n_head > 0
-				       ? block->head[block->n_head - 1].cell[c]
-				       : block->row[0].cell[c];
-		block->text = xrealloc(
-		    block->text, block->n_text + 1, sizeof *block->text);
-		cell.kind = CELL_TEXT;
-		cell.text = block->text[block->n_text++] =
-		    xstrdup(i < n_text ? text[i] : "");
-		head.cell[n] = cell;
-		block->number[n] = block->number[c];
-		for (size_t r = 0; r < block->n_row; r++)
-			block->row[r].cell[n] = block->row[r].cell[c];
-		for (size_t r = 0; r < block->n_foot; r++)
-			block->foot[r].cell[n] = block->foot[r].cell[c];
+		struct cell cell = t->n_head > 0
+				       ? t->head[t->n_head - 1].cell[c]
+				       : t->row[0].cell[c];
+		char *said = layout_keep(t, xstrdup(i < n_text ? text[i] : ""));
+		head.cell[n] = number_cell(t->sheet, cell, said);
+		t->number[n] = t->number[c];
+		for (size_t r = 0; r < t->n_row; r++)
+			t->row[r].cell[n] = t->row[r].cell[c];
+		for (size_t r = 0; r < t->n_foot; r++)
+			t->foot[r].cell[n] = t->foot[r].cell[c];
 		n++;
 	}
-	rows_free(block->head, block->n_head);
-	block->head = xcalloc(1, sizeof *block->head);
+	rows_free(t->head, t->n_head);
+	t->head = xcalloc(1, sizeof *t->head);
 	head.n = head.n_all = n;
-	block->head[0] = head;
-	block->n_head = 1;
-	block->titles = 0;
-	block->n_col = n;
-	for (size_t r = 0; r < block->n_row; r++)
-		block->row[r].n = block->row[r].n_all = n;
-	for (size_t r = 0; r < block->n_foot; r++)
-		block->foot[r].n = block->foot[r].n_all = n;
+	t->head[0] = head;
+	t->n_head = 1;
+	t->titles = 0;
+	t->n_col = n;
+	for (size_t r = 0; r < t->n_row; r++)
+		t->row[r].n = t->row[r].n_all = n;
+	for (size_t r = 0; r < t->n_foot; r++)
+		t->foot[r].n = t->foot[r].n_all = n;
 }
 
 char *
-layout_keep(struct block *b, char *text)
-{
-	b->text = xrealloc(b->text, b->n_text + 1, sizeof *b->text);
-	return b->text[b->n_text++] = text;
-}
-
-char *
-layout_head(const struct block *block, size_t c)
+layout_head(const struct table *t, size_t c)
 {
 	char *text = xstrdup("");
-	for (size_t r = 0; r < block->n_head; r++)
-		if (block->head[r].cell[c].text[0] != '\0')
-			xlist(&text, " ", "%s", block->head[r].cell[c].text);
+	for (size_t r = 0; r < t->n_head; r++)
+		if (t->head[r].cell[c].text[0] != '\0')
+			xlist(&text, " ", "%s", t->head[r].cell[c].text);
 	return text;
 }
 
@@ -956,7 +951,7 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	}
 	bool turned = total_score(across, m) > total_score(down, n);
 	layout->across = turned;
-	take_blocks(
+	take_tables(
 	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
 	list_heading(turned ? &t : &g, layout);
 	grid_clear(&t);
@@ -965,24 +960,25 @@ layout_new(struct sheet *sheet, struct layout_range range)
 }
 
 void
-layout_block_clear(struct block *b)
+layout_table_clear(struct table *t)
 {
-	rows_free(b->head, b->n_head);
-	rows_free(b->row, b->n_row);
-	rows_free(b->foot, b->n_foot);
-	for (size_t i = 0; i < b->n_text; i++)
-		free(b->text[i]);
-	free(b->text);
-	free(b->name);
-	free(b->number);
+	rows_free(t->head, t->n_head);
+	rows_free(t->row, t->n_row);
+	rows_free(t->foot, t->n_foot);
+	for (size_t i = 0; i < t->n_text; i++)
+		free(t->text[i]);
+	free(t->text);
+	free(t->name);
+	free(t->number);
+	free(t->mm);
 }
 
 void
 layout_free(struct layout *layout)
 {
 	for (size_t i = 0; i < layout->n; i++)
-		layout_block_clear(&layout->block[i]);
-	free(layout->block);
+		layout_table_clear(&layout->table[i]);
+	free(layout->table);
 	free(layout->heading);
 	free(layout);
 }

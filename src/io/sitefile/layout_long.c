@@ -26,7 +26,7 @@ enum { MOST_COLUMNS = 4000 };
  * first rows are first [n_size].  sample [n_row]: likewise of its sample, whose
  * cells have the digest mark [n_row]. */
 struct longer {
-	struct block *block;
+	struct table *table;
 	enum use *use;
 	struct head *head;
 	double *mm;
@@ -37,23 +37,14 @@ struct longer {
 };
 
 static bool
-is_numeric(const struct block *b, size_t c)
+is_numeric(const struct table *t, size_t c)
 {
-	double v;
 	size_t numbers = 0;
-	for (size_t r = 0; r < b->n_row; r++) {
-		struct cell cell = b->row[r].cell[c];
-		if (number_absent(cell))
+	for (size_t r = 0; r < t->n_row; r++) {
+		struct cell cell = t->row[r].cell[c];
+		if (cell.value == VALUE_ABSENT)
 			continue;
-		size_t n = strlen(cell.text);
-		char last = n > 0 ? cell.text[n - 1] : '\0';
-		char copy[40];
-		if (n < sizeof copy && (last == '%' || last == 'g')) {
-			memcpy(copy, cell.text, n - 1);
-			copy[n - 1] = '\0';
-			cell.text = text_trim(copy);
-		}
-		if (!number_of(b->sheet, cell, &v))
+		if (isnan(cell.number))
 			return false;
 		numbers++;
 	}
@@ -61,12 +52,12 @@ is_numeric(const struct block *b, size_t c)
 }
 
 static enum use
-use_of(const struct block *b, size_t c, const struct head *head)
+use_of(const struct table *t, size_t c, const struct head *head)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
 					WORD_SHARE;
-	bool numeric = is_numeric(b, c);
+	bool numeric = is_numeric(t, c);
 	if ((head->means & (WORD_OTHER | WORD_LIMIT)) != 0)
 		return UNUSED;
 	if (!numeric)
@@ -103,17 +94,17 @@ compare_ranked(const void *a, const void *b)
 static void
 list_sizes(struct longer *l)
 {
-	const struct block *b = l->block;
+	const struct table *t = l->table;
 	struct sieve_unit unit =
 	    sieve_unit_of(l->told != 0 ? l->told : l->head[0].means);
 	/* Of which series they are shows later; here they only differ. */
 	if (unit.series == SIEVE_MESH)
 		unit = (struct sieve_unit){1, SIEVE_NONE};
-	struct ranked *ranked = xcalloc(b->n_row, sizeof *ranked);
+	struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
 	size_t n = 0;
-	for (size_t r = 0; r < b->n_row; r++) {
+	for (size_t r = 0; r < t->n_row; r++) {
 		enum sieve_kind kind =
-		    sieve_size(b->sheet, b->row[r].cell[0], unit, &l->mm[r]);
+		    sieve_size(t->sheet, t->row[r].cell[0], unit, &l->mm[r]);
 		if (kind == SIEVE_IS_PAN)
 			l->mm[r] = 0;
 		if (!isnan(l->mm[r]))
@@ -131,11 +122,10 @@ list_sizes(struct longer *l)
 static bool
 is_same_sample(const struct longer *l, size_t a, size_t b)
 {
-	const struct block *block = l->block;
-	for (size_t c = 1; c < block->n_col; c++)
+	const struct table *t = l->table;
+	for (size_t c = 1; c < t->n_col; c++)
 		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
-		    strcmp(block->row[a].cell[c].text,
-			block->row[b].cell[c].text) != 0)
+		    strcmp(t->row[a].cell[c].text, t->row[b].cell[c].text) != 0)
 			return false;
 	return true;
 }
@@ -145,8 +135,8 @@ static uint64_t
 mark_of(const struct longer *l, size_t r)
 {
 	uint64_t mark = TEXT_DIGEST_START;
-	for (size_t c = 1; c < l->block->n_col; c++) {
-		const char *text = l->block->row[r].cell[c].text;
+	for (size_t c = 1; c < l->table->n_col; c++) {
+		const char *text = l->table->row[r].cell[c].text;
 		if (l->use[c] == KEY || l->use[c] == COUNT)
 			mark = text_digest(mark, text, strlen(text) + 1);
 	}
@@ -157,7 +147,7 @@ mark_of(const struct longer *l, size_t r)
 static void
 list_samples(struct longer *l)
 {
-	size_t n = l->block->n_row, room = 2 * n + 1;
+	size_t n = l->table->n_row, room = 2 * n + 1;
 	size_t *known =
 	    xcalloc(room, sizeof *known); /* samples from 1; 0: no */
 	for (size_t r = 0; r < n; r++) {
@@ -193,19 +183,18 @@ is_later(const double *a, const double *b, size_t n)
 static double *
 sample_numbers(const struct longer *l, size_t *n)
 {
-	const struct block *b = l->block;
+	const struct table *t = l->table;
 	*n = 0;
-	for (size_t c = 1; c < b->n_col; c++)
+	for (size_t c = 1; c < t->n_col; c++)
 		*n += l->use[c] == COUNT;
 	double *number = xdoubles(l->n_sample * *n), *to = number;
 	for (size_t s = 0; s < l->n_sample; s++)
-		for (size_t c = 1; c < b->n_col; c++) {
-			struct cell cell = b->row[l->lead[s]].cell[c];
+		for (size_t c = 1; c < t->n_col; c++) {
+			struct cell cell = t->row[l->lead[s]].cell[c];
 			if (l->use[c] != COUNT)
 				continue;
-			if (!number_of(b->sheet, cell, to))
-				*to = NAN;
-			to++;
+			*to++ = cell.value == VALUE_NUMBER ? cell.number
+							   : (double)NAN;
 		}
 	return number;
 }
@@ -231,7 +220,7 @@ sort_samples(struct longer *l)
 		place[order[i]] = i;
 		lead[i] = l->lead[order[i]];
 	}
-	for (size_t r = 0; r < l->block->n_row; r++)
+	for (size_t r = 0; r < l->table->n_row; r++)
 		l->sample[r] = place[l->sample[r]];
 	free(l->lead);
 	l->lead = lead;
@@ -245,9 +234,9 @@ sort_samples(struct longer *l)
 static bool
 is_long(const struct longer *l)
 {
-	size_t n = l->block->n_row;
+	size_t n = l->table->n_row;
 	bool good = true, values = false;
-	for (size_t c = 1; c < l->block->n_col; c++)
+	for (size_t c = 1; c < l->table->n_col; c++)
 		values = values || l->use[c] == VALUE;
 	if (!values || l->n_sample < 2 || 2 * n < 3 * l->n_size)
 		return false;
@@ -281,14 +270,14 @@ unit_text(enum speed_unit unit)
 static char *
 sample_head(const struct longer *l, size_t sample, size_t value)
 {
-	const struct block *b = l->block;
+	const struct table *t = l->table;
 	char *text = xstrdup("");
-	for (size_t c = 1; c < b->n_col; c++) {
-		struct cell cell = b->row[l->lead[sample]].cell[c];
+	for (size_t c = 1; c < t->n_col; c++) {
+		struct cell cell = t->row[l->lead[sample]].cell[c];
 		double v;
-		if (l->use[c] != KEY || number_absent(cell))
+		if (l->use[c] != KEY || cell.value == VALUE_ABSENT)
 			continue;
-		bool number = number_of(b->sheet, cell, &v);
+		bool number = number_of(cell, &v);
 		enum speed_unit unit = l->head[c].unit;
 		if (unit == SPEED_NO_UNIT && (l->head[c].means & WORD_RPM) != 0)
 			unit = SPEED_RPM;
@@ -301,7 +290,7 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 			xlist(&text, " ", "%s %s", cell.text,
 			    number ? unit_text(unit) : "");
 	}
-	char *own = layout_head(b, value);
+	char *own = layout_head(t, value);
 	xlist(&text, " ", "%s", own);
 	free(own);
 	return text;
@@ -312,10 +301,10 @@ static char *
 sample_name(const struct longer *l, size_t sample)
 {
 	char *text = xstrdup("");
-	for (size_t c = 1; c < l->block->n_col; c++) {
-		struct cell cell = l->block->row[l->lead[sample]].cell[c];
+	for (size_t c = 1; c < l->table->n_col; c++) {
+		struct cell cell = l->table->row[l->lead[sample]].cell[c];
 		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
-		    !number_absent(cell))
+		    cell.value != VALUE_ABSENT)
 			xlist(&text, " ", "%s", cell.text);
 	}
 	return text;
@@ -340,36 +329,36 @@ empty_row(size_t n, const struct row *from)
 static bool
 has_room(const struct longer *l)
 {
-	const struct block *b = l->block;
+	const struct table *t = l->table;
 	size_t values = 0, most = SOURCE_MOST_CELLS / l->n_size;
-	for (size_t c = 1; c < b->n_col; c++)
+	for (size_t c = 1; c < t->n_col; c++)
 		values += l->use[c] == VALUE;
 	most = (most < MOST_COLUMNS ? most : MOST_COLUMNS) / values;
 	return l->n_sample <= most ||
-	       sheet_fault(b->sheet, b->row[0].cell[0],
+	       sheet_fault(t->sheet, t->row[0].cell[0],
 		   "expected a long table of at most %zu samples, got %zu with "
 		   "%zu columns of numbers each\n"
 		   "divide it, or read a part of it: load %s range=A1:F500",
-		   most, l->n_sample, values, b->sheet->path);
+		   most, l->n_sample, values, t->sheet->path);
 }
 
 /* The heads of all samples, with their names. */
 static void
-head_samples(const struct longer *l, struct block *wide)
+head_samples(const struct longer *l, struct table *wide)
 {
-	const struct block *b = l->block;
+	const struct table *t = l->table;
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++) {
 		char *name = layout_keep(wide, sample_name(l, s));
-		for (size_t c = 1; c < b->n_col; c++) {
+		for (size_t c = 1; c < t->n_col; c++) {
 			if (l->use[c] != VALUE)
 				continue;
-			struct cell head = b->row[l->lead[s]].cell[c];
-			head.kind = CELL_TEXT;
-			head.text = layout_keep(wide, sample_head(l, s, c));
-			wide->head[0].cell[at] = head;
+			struct cell head = t->row[l->lead[s]].cell[c];
+			char *text = layout_keep(wide, sample_head(l, s, c));
+			wide->head[0].cell[at] =
+			    number_cell(t->sheet, head, text);
 			wide->name[at] = name;
-			wide->number[at++] = b->number[c];
+			wide->number[at++] = t->number[c];
 		}
 	}
 }
@@ -378,9 +367,9 @@ head_samples(const struct longer *l, struct block *wide)
 static void
 widen(struct longer *l)
 {
-	struct block *b = l->block, wide = *b;
+	struct table *t = l->table, wide = *t;
 	size_t values = 0;
-	for (size_t c = 1; c < b->n_col; c++)
+	for (size_t c = 1; c < t->n_col; c++)
 		values += l->use[c] == VALUE;
 	wide.is_long = true;
 	wide.n_col = 1 + values * l->n_sample;
@@ -392,29 +381,29 @@ widen(struct longer *l)
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
 	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
 	const struct row *above =
-	    b->n_head > 0 ? &b->head[b->n_head - 1] : &b->row[0];
+	    t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0];
 	wide.head[0] = empty_row(wide.n_col, above);
 	for (size_t i = 0; i < wide.n_row; i++)
-		wide.row[i] = empty_row(wide.n_col, &b->row[l->first[i]]);
-	char *size = layout_head(b, 0);
+		wide.row[i] = empty_row(wide.n_col, &t->row[l->first[i]]);
+	char *size = layout_head(t, 0);
 	wide.head[0].cell[0].text = layout_keep(&wide, size);
-	wide.number[0] = b->number[0];
+	wide.number[0] = t->number[0];
 	wide.name[0] = size;
 	head_samples(l, &wide);
-	for (size_t r = 0; r < b->n_row; r++) {
+	for (size_t r = 0; r < t->n_row; r++) {
 		struct cell *to =
 		    &wide.row[l->size[r]].cell[1 + values * l->sample[r]];
-		for (size_t c = 1; c < b->n_col; c++)
+		for (size_t c = 1; c < t->n_col; c++)
 			if (l->use[c] == VALUE)
-				*to++ = b->row[r].cell[c];
+				*to++ = t->row[r].cell[c];
 	}
-	struct block old = *b;
+	struct table old = *t;
 	wide.foot = NULL; /* sums of all samples together say nothing */
 	wide.n_foot = 0;
-	*b = wide;
+	*t = wide;
 	old.text = NULL;
 	old.n_text = 0;
-	layout_block_clear(&old);
+	layout_table_clear(&old);
 }
 
 /* Numbers of samples may stand below "ID" or a date, which no sample is told by
@@ -422,39 +411,39 @@ widen(struct longer *l)
 static bool
 is_long_by_other(struct longer *l)
 {
-	const struct block *b = l->block;
-	bool repeats = 2 * b->n_row >= 3 * l->n_size, found = false;
-	for (size_t c = 1; c < b->n_col && repeats && !found; c++) {
+	const struct table *t = l->table;
+	bool repeats = 2 * t->n_row >= 3 * l->n_size, found = false;
+	for (size_t c = 1; c < t->n_col && repeats && !found; c++) {
 		if (l->use[c] != UNUSED)
 			continue;
-		l->use[c] = is_numeric(b, c) ? COUNT : KEY;
+		l->use[c] = is_numeric(t, c) ? COUNT : KEY;
 		l->n_sample = 0;
 		list_samples(l);
-		found = 2 * l->n_sample <= b->n_row && is_long(l);
+		found = 2 * l->n_sample <= t->n_row && is_long(l);
 		l->use[c] = found ? l->use[c] : UNUSED;
 	}
 	return found;
 }
 
 bool
-layout_widen(struct block *block, uint64_t told)
+layout_widen(struct table *t, uint64_t told)
 {
-	size_t n = block->n_row;
+	size_t n = t->n_row;
 	bool good = true;
-	struct longer l = {.block = block, .told = told};
-	l.use = xcalloc(block->n_col, sizeof *l.use);
-	l.head = xcalloc(block->n_col, sizeof *l.head);
+	struct longer l = {.table = t, .told = told};
+	l.use = xcalloc(t->n_col, sizeof *l.use);
+	l.head = xcalloc(t->n_col, sizeof *l.head);
 	l.mm = xdoubles(n);
 	l.size = xcalloc(n, sizeof *l.size);
 	l.first = xcalloc(n, sizeof *l.first);
 	l.sample = xcalloc(n, sizeof *l.sample);
 	l.lead = xcalloc(n, sizeof *l.lead);
 	l.mark = xcalloc(n, sizeof *l.mark);
-	for (size_t c = 0;
-	     c < block->n_col && !error_stopped(block->sheet->errors); c++) {
-		char *text = layout_head(block, c);
+	for (size_t c = 0; c < t->n_col && !error_stopped(t->sheet->errors);
+	     c++) {
+		char *text = layout_head(t, c);
 		l.head[c] = head_read(text);
-		l.use[c] = c > 0 ? use_of(block, c, &l.head[c]) : UNUSED;
+		l.use[c] = c > 0 ? use_of(t, c, &l.head[c]) : UNUSED;
 		free(text);
 	}
 	list_sizes(&l);

@@ -12,6 +12,6 @@
  * with a column for each sample; leaves others as they are.  False, with a
  * fault, where there are too many samples.  told: the words of a head of sieves
  * given by hand, or 0. */
-bool layout_widen(struct block *block, uint64_t told);
+bool layout_widen(struct table *t, uint64_t told);
 
 #endif

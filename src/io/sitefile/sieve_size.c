@@ -1,4 +1,5 @@
-/* Sizes, names and pans told apart.
+/* Finds the opening of a sieve from the words of a cell: named ones in one table
+ * of their standards, others by number and unit; tells pans from them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/sieve_size.h"
 
@@ -8,8 +9,272 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
+
+/* ASTM E11-20, Table 1, alternative and standard designation; coarsest first.
+ * Openings are the standard's own, which are not the inches times 25.4. */
+static const struct {
+	const char *name;
+	double mm;
+} SIEVES[] = {{"5 in", 125}, {"4.24 in", 106}, {"4 in", 100}, {"3 1/2 in", 90},
+    {"3 in", 75}, {"2 1/2 in", 63}, {"2.12 in", 53}, {"2 in", 50},
+    {"1 3/4 in", 45}, {"1 1/2 in", 37.5}, {"1 1/4 in", 31.5}, {"1.06 in", 26.5},
+    {"1 in", 25}, {"7/8 in", 22.4}, {"3/4 in", 19}, {"5/8 in", 16},
+    {"0.530 in", 13.2}, {"1/2 in", 12.5}, {"7/16 in", 11.2}, {"3/8 in", 9.5},
+    {"5/16 in", 8}, {"0.265 in", 6.7}, {"1/4 in", 6.3}, {"No. 3 1/2", 5.6},
+    {"No. 4", 4.75}, {"No. 5", 4}, {"No. 6", 3.35}, {"No. 7", 2.8},
+    {"No. 8", 2.36}, {"No. 10", 2}, {"No. 12", 1.7}, {"No. 14", 1.4},
+    {"No. 16", 1.18}, {"No. 18", 1}, {"No. 20", 0.85}, {"No. 25", 0.71},
+    {"No. 30", 0.6}, {"No. 35", 0.5}, {"No. 40", 0.425}, {"No. 45", 0.355},
+    {"No. 50", 0.3}, {"No. 60", 0.25}, {"No. 70", 0.212}, {"No. 80", 0.18},
+    {"No. 100", 0.15}, {"No. 120", 0.125}, {"No. 140", 0.106},
+    {"No. 170", 0.09}, {"No. 200", 0.075}, {"No. 230", 0.063},
+    {"No. 270", 0.053}, {"No. 325", 0.045}, {"No. 400", 0.038},
+    {"No. 450", 0.032}, {"No. 500", 0.025}, {"No. 635", 0.02}};
+
+/* The mesh numbers of the Tyler standard screen scale, and of BS 410 up to its
+ * edition of 1976, by the opening of ISO 565 nearest to theirs, as the
+ * comparison tables of both (and of ASTM E11) have them. */
+struct mesh {
+	double number, mm;
+};
+static const struct mesh TYLER[] = {{2.5, 8}, {3, 6.7}, {3.5, 5.6}, {4, 4.75},
+    {5, 4}, {6, 3.35}, {7, 2.8}, {8, 2.36}, {9, 2}, {10, 1.7}, {12, 1.4},
+    {14, 1.18}, {16, 1}, {20, 0.85}, {24, 0.71}, {28, 0.6}, {32, 0.5},
+    {35, 0.425}, {42, 0.355}, {48, 0.3}, {60, 0.25}, {65, 0.212}, {80, 0.18},
+    {100, 0.15}, {115, 0.125}, {150, 0.106}, {170, 0.09}, {200, 0.075},
+    {250, 0.063}, {270, 0.053}, {325, 0.045}, {400, 0.038}};
+static const struct mesh BS[] = {{3, 5.6}, {3.5, 4.75}, {4, 4}, {5, 3.35},
+    {6, 2.8}, {7, 2.36}, {8, 2}, {10, 1.7}, {12, 1.4}, {14, 1.18}, {16, 1},
+    {18, 0.85}, {22, 0.71}, {25, 0.6}, {30, 0.5}, {36, 0.425}, {44, 0.355},
+    {52, 0.3}, {60, 0.25}, {72, 0.212}, {85, 0.18}, {100, 0.15}, {120, 0.125},
+    {150, 0.106}, {170, 0.09}, {200, 0.075}, {240, 0.063}, {300, 0.053},
+    {350, 0.045}, {400, 0.038}};
+
+/* Openings of ISO 3310-1 and EN 933-2 that ASTM E11 does not have, mm. */
+static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
+    7.1, 6, 5, 4.5, 3.55, 3.15, 3, 2.5, 2.24, 1.8, 1.6, 1.25, 1.12, 0.9, 0.8,
+    0.63, 0.56, 0.45, 0.4, 0.315, 0.28, 0.224, 0.2, 0.16, 0.14, 0.112, 0.1,
+    0.08, 0.071, 0.056, 0.05, 0.04, 0.036};
+
+/* "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a digit
+ * or a point and moves after it. */
+static double
+read_mixed(const char **text)
+{
+	double whole = 0, part = 0, of = 1;
+	int n = 0;
+	if (sscanf(*text, "%lf %lf / %lf%n", &whole, &part, &of, &n) == 3 ||
+	    sscanf(*text, "%lf-%lf / %lf%n", &whole, &part, &of, &n) == 3) {
+		*text += n;
+		return whole + part / of;
+	}
+	if (sscanf(*text, "%lf / %lf%n", &part, &of, &n) == 2) {
+		*text += n;
+		return part / of;
+	}
+	sscanf(*text, "%lf%n", &whole, &n);
+	*text += n;
+	return whole;
+}
+
+/* The word at *text, which moves after it, as a series; SIEVE_NONE where it is
+ * no word of a sieve's name. */
+static enum sieve_series
+read_word(const char **text)
+{
+	static const struct {
+		const char *word;
+		enum sieve_series series;
+	} NAMES[] = {{"#", SIEVE_ASTM}, {"n\xC2\xBA", SIEVE_ASTM},
+	    {"n\xC2\xB0", SIEVE_ASTM}, {"number", SIEVE_ASTM},
+	    {"no.", SIEVE_ASTM}, {"no", SIEVE_ASTM}, {"nr.", SIEVE_ASTM},
+	    {"nr", SIEVE_ASTM}, {"astm", SIEVE_ASTM}, {"u.s.", SIEVE_ASTM},
+	    {"us", SIEVE_ASTM}, {"tyler", SIEVE_TYLER}, {"bss", SIEVE_BS},
+	    {"bs", SIEVE_BS}, {"b.s.", SIEVE_BS}, {"meshes", SIEVE_MESH},
+	    {"mesh", SIEVE_MESH}, {"inches", SIEVE_INCH}, {"inch", SIEVE_INCH},
+	    {"in.", SIEVE_INCH}, {"in", SIEVE_INCH}, {"pulgadas", SIEVE_INCH},
+	    {"pulgada", SIEVE_INCH}, {"pulg.", SIEVE_INCH},
+	    {"pulg", SIEVE_INCH}, {"polegadas", SIEVE_INCH},
+	    {"polegada", SIEVE_INCH}, {"pol.", SIEVE_INCH}, {"pol", SIEVE_INCH},
+	    {"tum", SIEVE_INCH}, {"zoll", SIEVE_INCH}, {"\"", SIEVE_INCH},
+	    {"''", SIEVE_INCH}, {"\xE2\x80\xB3", SIEVE_INCH},
+	    {"\xE2\x80\x9D", SIEVE_INCH}};
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
+		size_t n = strlen(NAMES[i].word);
+		if (strncmp(*text, NAMES[i].word, n) == 0) {
+			*text += n;
+			return NAMES[i].series;
+		}
+	}
+	return SIEVE_NONE;
+}
+
+/* The series that a name's own words say ("BS 7 mesh"), and its number. */
+static enum sieve_series
+read_name(const char *text, double *value)
+{
+	char *folded = text_fold(text);
+	enum sieve_series series = SIEVE_NONE;
+	bool good = true;
+	*value = NAN;
+	for (const char *p = folded; good && *p != '\0';) {
+		if (*p == ' ' || (*p == '-' && p > folded)) {
+			p++;
+			continue;
+		}
+		if (isdigit((unsigned char)*p) || *p == '.') {
+			good = isnan(*value) &&
+			       isdigit((unsigned char)p[*p == '.']);
+			*value = good ? read_mixed(&p) : NAN;
+			continue;
+		}
+		enum sieve_series word = read_word(&p);
+		good = word != SIEVE_NONE;
+		if (series == SIEVE_NONE || series == SIEVE_MESH)
+			series = word;
+		else if (word != SIEVE_MESH && word != series &&
+			 word != SIEVE_ASTM)
+			good = false;
+	}
+	free(folded);
+	return good && *value > 0 && isfinite(*value) ? series : SIEVE_NONE;
+}
+
+static double
+find_mesh(const struct mesh *mesh, size_t n, double number)
+{
+	for (size_t i = 0; i < n; i++)
+		if (fabs(mesh[i].number - number) < 1e-9)
+			return mesh[i].mm;
+	return NAN;
+}
+
+/* Decimal inches are the metric opening rounded: 0.0469 is 1.18 mm. */
+static double
+find_inches(double inches)
+{
+	double mm = 25.4 * inches, nearest = mm, off = 0.015 * mm;
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES) + ARRAY_LEN(OTHERS); i++) {
+		double other = i < ARRAY_LEN(SIEVES)
+				   ? SIEVES[i].mm
+				   : OTHERS[i - ARRAY_LEN(SIEVES)];
+		if (fabs(other - mm) < off) {
+			off = fabs(other - mm);
+			nearest = other;
+		}
+	}
+	return nearest;
+}
+
+static double
+find_astm(enum sieve_series wanted, double number)
+{
+	double value;
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
+		if (read_name(SIEVES[i].name, &value) == wanted &&
+		    fabs(value - number) < 1e-9)
+			return SIEVES[i].mm;
+	return NAN;
+}
+
+enum sieve_series
+sieve_names_series(const char *text)
+{
+	double value;
+	return read_name(text, &value);
+}
+
+double
+sieve_names_mm(const char *text, enum sieve_series head)
+{
+	double value;
+	enum sieve_series series = read_name(text, &value);
+	bool bare = series == SIEVE_NONE;
+	if (bare || (series == SIEVE_MESH && head != SIEVE_NONE)) {
+		const char *p = text + strspn(text, " ");
+		if (bare && head != SIEVE_NONE &&
+		    isdigit((unsigned char)p[*p == '.']))
+			value = read_mixed(&p);
+		if (bare && (head == SIEVE_NONE || p[strspn(p, " ")] != '\0' ||
+				isnan(value)))
+			return 0;
+		series = bare && head == SIEVE_ASTM && strchr(text, '/') != NULL
+			     ? SIEVE_INCH
+			     : head;
+	}
+	switch (series) {
+	case SIEVE_TYLER:
+		return find_mesh(TYLER, ARRAY_LEN(TYLER), value);
+	case SIEVE_BS:
+		return find_mesh(BS, ARRAY_LEN(BS), value);
+	case SIEVE_INCH:
+		return bare && isnan(find_astm(SIEVE_INCH, value))
+			   ? find_inches(value)
+			   : find_astm(SIEVE_INCH, value);
+	case SIEVE_ASTM:
+		return find_astm(SIEVE_ASTM, value);
+	default:
+		return NAN;
+	}
+}
+
+bool
+sieve_names_is_number(const char *text)
+{
+	double value;
+	return read_name(text, &value) == SIEVE_ASTM;
+}
+
+bool
+sieve_names_standard(double mm)
+{
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
+		if (fabs(SIEVES[i].mm - mm) < 0.01 * mm)
+			return true;
+	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
+		if (fabs(OTHERS[i] - mm) < 0.01 * mm)
+			return true;
+	return false;
+}
+
+double
+sieve_names_coarser(double mm, bool astm)
+{
+	static const double EN[] = {0.063, 0.125, 0.25, 0.5, 1, 2, 4, 5.6, 8,
+	    11.2, 16, 22.4, 31.5, 45, 63, 90, 125};
+	static const double E11[] = {0.075, 0.15, 0.3, 0.6, 1.18, 2.36, 4.75,
+	    9.5, 12.5, 19, 25, 37.5, 50, 75, 100};
+	const double *series = astm ? E11 : EN;
+	size_t n = astm ? ARRAY_LEN(E11) : ARRAY_LEN(EN), i = 0;
+	while (i < n && series[i] < 1.01 * mm)
+		i++;
+	return i < n ? series[i] : 10 * ceil(0.1 * sqrt(2) * mm);
+}
+
+char *
+sieve_names_nearest(const char *text)
+{
+	double wanted, value;
+	enum sieve_series kind = read_name(text, &wanted);
+	size_t n = ARRAY_LEN(SIEVES), finer = 0;
+	for (; finer < n; finer++) {
+		enum sieve_series other = read_name(SIEVES[finer].name, &value);
+		if (other == SIEVE_ASTM &&
+		    (kind == SIEVE_INCH || value > wanted))
+			break;
+		if (other == SIEVE_INCH && kind == SIEVE_INCH && value < wanted)
+			break;
+	}
+	char *list = xstrdup("");
+	for (size_t i = finer > 0 ? finer - 1 : 0; i < n && i <= finer; i++)
+		xlist(&list, " and ", tr("%s (%g mm)"), SIEVES[i].name,
+		    SIEVES[i].mm);
+	return list;
+}
 
 struct sieve_unit
 sieve_unit_of(uint64_t means)
@@ -63,7 +328,7 @@ is_pan(const char *text)
 
 /* "63 um" as 63, and mm in its unit; 0 where no unit of size follows. */
 static double
-cut_unit(struct cell *cell, char copy[static 40])
+cut_unit(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
 	size_t n = strlen(cell->text), unknown;
 	if (cell->kind != CELL_TEXT || n == 0 || n >= 40)
@@ -79,7 +344,7 @@ cut_unit(struct cell *cell, char copy[static 40])
 		return 0;
 	memcpy(copy, cell->text, at);
 	copy[at] = '\0';
-	cell->text = copy;
+	*cell = number_cell(sheet, *cell, copy);
 	return unit.mm;
 }
 
@@ -88,9 +353,7 @@ cut_unit(struct cell *cell, char copy[static 40])
 static bool
 cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
-	double a, b;
 	size_t n = strlen(cell->text);
-	struct cell part = *cell;
 	if (cell->kind != CELL_TEXT || n >= 40)
 		return false;
 	memcpy(copy, cell->text, n + 1);
@@ -98,22 +361,19 @@ cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 	bool signs = sign == '+' || sign == '-';
 	char *first = copy + (signs ? 1 : strspn(copy, "> "));
 	char *cut = strpbrk(first, signs ? "+-" : "/-");
-	part.text = first;
 	if (cut == NULL && first > copy && sign != '-') {
-		cell->text = first;
-		return number_of(sheet, part, &a);
+		*cell = number_cell(sheet, *cell, first);
+		return cell->value == VALUE_NUMBER;
 	}
 	if (cut == NULL || cut == first || cut[0] == sign)
 		return false;
 	*cut = '\0';
-	part.text = text_trim(first);
-	if (!number_of(sheet, part, &a))
+	struct cell a = number_cell(sheet, *cell, text_trim(first)),
+		    b = number_cell(sheet, *cell, text_trim(cut + 1));
+	if (a.value != VALUE_NUMBER || b.value != VALUE_NUMBER ||
+	    a.number == b.number)
 		return false;
-	char *lower = part.text;
-	part.text = text_trim(cut + 1);
-	if (!number_of(sheet, part, &b) || a == b)
-		return false;
-	cell->text = a < b ? lower : part.text;
+	*cell = a.number < b.number ? a : b;
 	return true;
 }
 
@@ -136,13 +396,15 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	if (is_pan(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
-		if (!number_of(sheet, cell, &value) ||
-		    fabs(value) > SIEVE_MOST_PHI)
+		if (!number_of(cell, &value) || fabs(value) > SIEVE_MOST_PHI)
 			return SIEVE_IS_NONE;
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
 	}
-	double named = sieve_names_mm(cell.text, unit.series);
+	/* A number alone is a name only where the head says so. */
+	bool bare = cell.kind == CELL_TEXT && cell.value == VALUE_NUMBER &&
+		    unit.series == SIEVE_NONE;
+	double named = bare ? 0 : sieve_names_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;
 		return SIEVE_IS_SIZE;
@@ -150,8 +412,8 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	char bounds[40];
 	if (unit.mm > 0 && unit.series == SIEVE_NONE)
 		cut_class(sheet, &cell, bounds);
-	double own = cut_unit(&cell, copy);
-	if (!number_of(sheet, cell, &value) || value < 0)
+	double own = cut_unit(sheet, &cell, copy);
+	if (!number_of(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;

@@ -85,16 +85,16 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 }
 
 uint64_t
-names_apply(const struct names *names, struct block *b)
+names_apply(const struct names *names, struct table *t)
 {
 	if (names->n == 0)
 		return 0;
 	uint64_t sieve = 0;
 	for (size_t i = 0; i < names->n; i++)
-		if (names->number[i] == b->number[0])
+		if (names->number[i] == t->number[0])
 			sieve = vocabulary_text(names->text[i], NULL);
 	if (names->others)
-		layout_name(b, names->number, (const char *const *)names->text,
+		layout_name(t, names->number, (const char *const *)names->text,
 		    names->n);
 	return sieve;
 }
@@ -145,7 +145,7 @@ open_numbers(struct open *open, const struct table *t)
 	if (t->sheet->open.text == NULL || open->number.text != NULL)
 		return;
 	for (size_t r = 0; r < t->n_row; r++)
-		for (size_t c = 0; c < t->block->n_col; c++)
+		for (size_t c = 0; c < t->n_col; c++)
 			if (number_is_open(t->sheet, t->row[r].cell[c])) {
 				open->number = t->row[r].cell[c];
 				return;
@@ -173,7 +173,7 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 {
 	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
 	ask->column[ask->n++] =
-	    (struct site_ask_column){.number = t->block->number[at],
+	    (struct site_ask_column){.number = t->number[at],
 		.head = xstrndup(head->text, (size_t)sheet_cut(head->text)),
 		.values = first_values(t, at),
 		.guess = guess,
@@ -186,17 +186,17 @@ static bool
 has_names(struct table *const *table, size_t n_table, const struct columns *all)
 {
 	enum { FEW = 6 };
-	const struct block *b = table[0]->block;
+	const struct table *t = table[0];
 	size_t unknown = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		unknown += c->twin == 0 && c->role != FEED && !(c->speed > 0);
 	}
-	if (n_table > 1 || (b->name == NULL && unknown <= FEW) ||
-	    !samples_are_apart(b))
+	if (n_table > 1 || (t->name == NULL && unknown <= FEW) ||
+	    !samples_are_apart(t))
 		return false;
 	for (size_t i = 0; i < all->n; i++) {
-		char *label = samples_label(b, all->column[i].at);
+		char *label = samples_label(t, all->column[i].at);
 		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
 		free(label);
 		if (!good)
@@ -233,13 +233,12 @@ static void
 list_samples(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
 {
-	const struct block *b = t->block;
 	struct cell head = site_sieve_head(t);
 	char *text = xstrdup("");
 	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
 	if (sieves)
 		xappend(
-		    &ask->settle, "columns=\"%zu=%s\" ", b->number[0], sieve);
+		    &ask->settle, "columns=\"%zu=%s\" ", t->number[0], sieve);
 	add_question(ask, t, 0, &head, sieve, sieves);
 	bool feed = has_feed(all);
 	size_t shown = 0;
@@ -248,7 +247,7 @@ list_samples(struct site_ask *ask, const struct table *t,
 		if (c->twin > 0)
 			continue;
 		char *guess = guess_words(c, &feed);
-		head.text = samples_label(b, c->at);
+		head.text = samples_label(t, c->at);
 		const char *from = strchr(guess, '@');
 		if (shown++ < 2)
 			xlist(&text, ", ", "%s=%s", head.text,
@@ -275,18 +274,17 @@ list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
 	bool feed = has_feed(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
-		const struct block *b = t->block;
 		struct cell head = site_sieve_head(t);
 		char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
-		ask->across = b->across;
-		xlist(&text, ", ", "%zu=%s", b->number[0], sieve);
+		ask->across = t->across;
+		xlist(&text, ", ", "%zu=%s", t->number[0], sieve);
 		add_question(ask, t, 0, &head, sieve, sieves);
 		for (size_t i = 0; i < all->n; i++) {
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)
 				continue;
 			char *guess = guess_words(c, &feed);
-			xlist(&text, ", ", "%zu=%s", b->number[c->at], guess);
+			xlist(&text, ", ", "%zu=%s", t->number[c->at], guess);
 			add_question(ask, t, c->at, &c->head, guess, c->open);
 		}
 	}
@@ -390,16 +388,15 @@ ask_range(const struct site_request *q, const struct table *t, size_t n_row,
     struct cell where, struct site_ask *ask, struct error_list *errors,
     const char *what)
 {
-	const struct block *b = t->block;
-	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line, bottom = 0;
-	size_t right = 0, left = b->number[0];
+	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line, bottom = 0;
+	size_t right = 0, left = t->number[0];
 	for (size_t r = 0; r < n_row; r++) {
 		top = t->row[r].line < top ? t->row[r].line : top;
 		bottom = t->row[r].line > bottom ? t->row[r].line : bottom;
 	}
-	for (size_t c = 0; c < b->n_col; c++) {
-		right = b->number[c] > right ? b->number[c] : right;
-		left = b->number[c] < left ? b->number[c] : left;
+	for (size_t c = 0; c < t->n_col; c++) {
+		right = t->number[c] > right ? t->number[c] : right;
+		left = t->number[c] < left ? t->number[c] : left;
 	}
 	char *from = corner(left, top), *to = corner(right, bottom);
 	ask->settle = xasprintf("range=%s:%s", from, to);
@@ -466,9 +463,9 @@ largest(struct table *const *table, size_t n_table, const struct columns *all)
 			return NULL;
 	for (size_t i = 1; i < n_table; i++) {
 		const struct table *before = table[i - 1];
-		below = below || (table[i]->sheet == before->sheet &&
-				     table[i]->block->row[0].line >
-					 before->block->row[0].line);
+		below =
+		    below || (table[i]->sheet == before->sheet &&
+				 table[i]->row[0].line > before->row[0].line);
 		most = table[i]->n_row > most->n_row ? table[i] : most;
 	}
 	return below ? most : NULL;
@@ -486,7 +483,7 @@ above_100(const struct column *c)
 	for (size_t r = 0; r < t->n_row; r++) {
 		double v;
 		const struct cell *cell = &t->row[r].cell[c->at];
-		if (!number_of(t->sheet, *cell, &v))
+		if (!number_of(*cell, &v))
 			continue;
 		n++;
 		v /= 1 + 1e-9;
@@ -529,7 +526,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 		       "%zu has no other number above 100; correct it if it "
 		       "is a slip"),
 		    sheet_cut(above->text), above->text,
-		    first->table->block->number[first->at]);
+		    first->table->number[first->at]);
 		refuse(q, first->table, *above, ask, errors, what);
 		free(what);
 		free(values);
@@ -540,7 +537,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 		       "is and its tip speed, got '%.*s' above %s")
 		  : tr("expected heads and numbers that tell what column %zu "
 		       "is, got '%.*s' above %s"),
-	    first->table->block->number[first->at], sheet_cut(first->head.text),
+	    first->table->number[first->at], sheet_cut(first->head.text),
 	    first->head.text, values);
 	refuse(q, first->table, first->head, ask, errors, what);
 	if (q->n > 1 && speed && !q->parts)
@@ -562,7 +559,7 @@ open_ask(const struct open *open, const struct site_request *q,
 {
 	const struct table *second = second_feed(all);
 	for (size_t i = 0; i < n_table && second == NULL; i++)
-		if (table[i]->block == open->other)
+		if (table[i] == open->other)
 			second = table[i];
 	const struct column *first = NULL;
 	if (open->twice != NULL)

@@ -22,7 +22,7 @@ bool names_read(struct names *names, const char *columns,
     struct layout_range *range, struct error *error);
 
 /* Heads a table by them; the meanings of what heads its sieves, 0: none. */
-uint64_t names_apply(const struct names *names, struct block *b);
+uint64_t names_apply(const struct names *names, struct table *t);
 void names_clear(struct names *names);
 
 /* From "A3:F20"; NULL is everything. */
@@ -34,7 +34,7 @@ bool range_read(
 struct open {
 	bool rotor, sieves;
 	struct cell number;
-	const struct block *other; /* a table that may be another site's */
+	const struct table *other; /* a table that may be another site's */
 	const struct table *twice; /* two tables in one, the second from row */
 	size_t end, again;         /* `again`, the first up to before `end` */
 };

@@ -124,61 +124,16 @@ other_head(const struct column *c, const char *suffix, char buf[static 64])
 	return buf;
 }
 
-/* A cell without the unit that may follow its number: "97,5 %" of a share,
- * "42 g" of a mass. */
-static struct cell
-without_unit(struct cell cell, bool mass, char copy[static 40])
-{
-	const char *UNITS[] = {
-	    mass ? "g" : "%", mass ? "gr" : "%", mass ? "gram" : "%"};
-	size_t n = strlen(cell.text);
-	if (cell.kind != CELL_TEXT || n == 0 || n >= 40)
-		return cell;
-	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
-		size_t k = strlen(UNITS[i]);
-		if (n <= k || strcmp(cell.text + n - k, UNITS[i]) != 0)
-			continue;
-		n -= k;
-		if (n > 2 && memcmp(cell.text + n - 2, "\xC2\xA0", 2) == 0)
-			n -= 2;
-		memcpy(copy, cell.text, n);
-		copy[n] = '\0';
-		cell.text = text_trim(copy);
-		break;
-	}
-	return cell;
-}
-
 static bool
 of_mass(const struct column *c)
 {
 	return SITE_UNITS[c->unit].scale == OF_MASS;
 }
 
-/* "<0.1" of what was too little to tell. */
-static bool
-is_trace(const struct sheet *sheet, struct cell cell)
+double
+site_column_raw(const struct column *c, size_t row)
 {
-	double v;
-	bool less = cell.kind == CELL_TEXT && cell.text[0] == '<';
-	cell.text += less;
-	return less && number_of(sheet, cell, &v);
-}
-
-void
-site_column_raw(const struct column *c, double *raw)
-{
-	const struct sheet *sheet = c->table->sheet;
-	char copy[40];
-	for (size_t i = 0; i < c->table->n_row; i++) {
-		struct cell cell = c->table->row[i].cell[c->at];
-		bool none = number_absent(cell) || is_trace(sheet, cell);
-		if (none || (!number_of(sheet, without_unit(cell, true, copy),
-				 &raw[i]) &&
-				!number_of(sheet,
-				    without_unit(cell, false, copy), &raw[i])))
-			raw[i] = NAN;
-	}
+	return c->table->row[row].cell[c->at].number;
 }
 
 static bool
@@ -226,37 +181,27 @@ static void
 read_cells(struct column *c)
 {
 	struct table *t = c->table;
-	char copy[40];
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
+	enum cell_value own = of_mass(c) ? VALUE_GRAMS : VALUE_PERCENT;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[c->at];
 		double v = 0;
 		c->pct[i] = NAN;
-		bool trace = is_trace(t->sheet, cell);
-		if (number_absent(cell) || (trace && !retained))
+		bool trace = cell.value == VALUE_TRACE;
+		if (cell.value == VALUE_ABSENT || (trace && !retained))
 			continue;
-		bool good = trace || number_read(t->sheet,
-					 without_unit(cell, of_mass(c), copy),
-					 tr("a number"), &v);
+		bool good = true;
+		if (cell.value == own)
+			v = cell.number;
+		else
+			good = trace ||
+			       number_read(t->sheet, cell, tr("a number"), &v);
 		if (good && t->mm[i] <= 0)
 			good = read_pan(c, cell, v);
 		else if (good && (good = in_range(c, cell, v)))
 			c->pct[i] = v;
 		c->faulty = c->faulty || !good;
 	}
-}
-
-/* The number that a line below the table has for a column; NAN: none. */
-static double
-foot_value(const struct column *c, const struct row *row)
-{
-	double v;
-	char copy[40];
-	struct cell cell = row->cell[c->at];
-	if (number_absent(cell) ||
-	    !number_of(c->table->sheet, without_unit(cell, true, copy), &v))
-		return NAN;
-	return v;
 }
 
 /* Sieves above the first number of what is retained held nothing: a dash there,
@@ -289,13 +234,14 @@ struct foot {
 static struct foot
 read_foot(const struct column *c, double sum)
 {
-	const struct block *block = c->table->block;
 	struct foot foot = {.total = NAN, .washed = 0, .where = c->head};
 	double before = NAN, after = NAN;
-	for (size_t i = 0; i < block->n_foot; i++) {
-		const struct row *row = &block->foot[i];
+	for (size_t i = 0; i < c->table->n_foot; i++) {
+		const struct row *row = &c->table->foot[i];
 		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
-		double v = foot_value(c, row);
+		const struct cell *cell = &row->cell[c->at];
+		bool percent = cell->value == VALUE_PERCENT;
+		double v = percent ? (double)NAN : cell->number;
 		bool washing = (means & WORD_WASHED) != 0;
 		if (isnan(v)) {
 			continue;

@@ -8,7 +8,6 @@
 
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/layout.h"
-#include "io/sitefile/sieve_size.h"
 
 enum role { FEED, PRODUCT, SD, NO_ROLE };
 
@@ -31,19 +30,6 @@ extern const char *const SITE_ROLES[4];
 
 /* The index of one in SITE_UNITS. */
 size_t site_unit_find(enum unit_kind kind, enum unit_scale scale);
-
-/* A table of the sheet, coarsest sieve first.  mm [n_row]: sieve sizes, 0 for
- * the pan, NAN where at fault.  lost: a row or a head is at fault, so that what
- * is missing cannot be judged.  finest_first: as it was on the sheet. */
-struct table {
-	struct sheet *sheet;
-	struct block *block;
-	size_t n_row;
-	struct row *row;
-	double *mm;
-	struct sieve_unit unit;
-	bool lost, finest_first;
-};
 
 /* pct [n_row of the table]: passing in %, or standard deviation of passing in
  * percentage points; NAN where the cell is empty or at fault.  pan: what the
@@ -93,9 +79,8 @@ struct column *site_column_find(
 /* Number of sieves with a value. */
 size_t site_column_count(const struct column *c);
 
-/* The numbers of c by the rows of its table, NAN where there is none, as the
- * sheet has them. */
-void site_column_raw(const struct column *c, double *raw);
+/* The number that the sheet has in a row, NAN where there is none. */
+double site_column_raw(const struct column *c, size_t row);
 
 /* The passing of a row, %, with the digits of the sheet; of what was weighed,
  * with as many as tell it from another value. */

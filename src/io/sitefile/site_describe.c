@@ -32,10 +32,9 @@ numbers_text(const size_t *number, size_t n)
 static bool
 is_own_form(const struct table *t)
 {
-	const struct block *b = t->block;
-	return b->n_head == 1 && !b->across && !b->is_long &&
+	return t->n_head == 1 && !t->across && !t->is_long &&
 	       !t->finest_first &&
-	       strncmp(b->head[0].cell[0].text, "size_", 5) == 0;
+	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 }
 
 /* "product@69", or what of it follows a product before: "@79". */
@@ -86,7 +85,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		if (c == NULL)
 			break;
 		add_role(&roles, c, before);
-		add_number(number, &n, t->block->number[c->at]);
+		add_number(number, &n, t->number[c->at]);
 		before = c;
 	}
 	free(roles);
@@ -97,8 +96,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 static bool
 is_like(const struct table *a, const struct table *b)
 {
-	return a->block->across == b->block->across &&
-	       a->block->number[0] == b->block->number[0] &&
+	return a->across == b->across && a->number[0] == b->number[0] &&
 	       a->finest_first == b->finest_first &&
 	       strcmp(site_sieve_unit(a), site_sieve_unit(b)) == 0;
 }
@@ -132,8 +130,8 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 			    t->finest_first
 				? tr("sieves in %s %zu (%s, finest first)")
 				: tr("sieves in %s %zu (%s)"),
-			    t->block->across ? tr("line") : tr("column"),
-			    t->block->number[0], site_sieve_unit(t));
+			    t->across ? tr("line") : tr("column"), t->number[0],
+			    site_sieve_unit(t));
 		describe_samples(t, all, &own);
 		if (own[0] != '\0')
 			xlist(&text, "; ", "%s%s%s", place,
@@ -182,10 +180,10 @@ add_note(const struct columns *all, size_t i, const char *note, size_t length,
 		if (k < i)
 			goto out;
 		has++;
-		add_number(number, &n, c->table->block->number[c->at]);
+		add_number(number, &n, c->table->number[c->at]);
 	}
 	char *list = numbers_text(number, n);
-	bool across = all->column[i].table->block->across;
+	bool across = all->column[i].table->across;
 	const char *colon = strncmp(note, "as ", 3) == 0 ? "" : ":";
 	if (has == samples && has > 1)
 		xlist(text, "; ", tr("all samples%s %.*s"), colon, (int)length,

@@ -44,11 +44,10 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	while (n > 0 && cell.text[n - 1] == ' ')
 		n--;
 	if (cell.kind == CELL_NUMBER || n == 0 || n >= sizeof copy)
-		return number_of(sheet, cell, value);
+		return number_of(cell, value);
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
-	cell.text = copy;
-	return number_of(sheet, cell, value);
+	return number_of(number_cell(sheet, cell, copy), value);
 }
 
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
@@ -199,7 +198,7 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 		bool taken = n > 1 && (take_rotor(site, sheet, key, value) ||
 					  take_speed(sheet, key, value, speed));
 		double number;
-		if (n > 2 && number_of(sheet, third, &number))
+		if (n > 2 && number_of(third, &number))
 			leave_out_line(site, &key);
 		else if (!(taken && site->rotor > 0 &&
 			     strcmp(key.text, "rotor_mm") == 0))
@@ -219,11 +218,11 @@ site_heading(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed)
 {
 	int seen[N_KEY] = {0};
-	int first = layout->n > 0 ? layout->block[0].row[0].line : 0;
+	int first = layout->n > 0 ? layout->table[0].row[0].line : 0;
 	for (size_t i = 0; i < layout->n; i++)
-		for (size_t r = 0; r < layout->block[i].n_row; r++)
-			for (size_t c = 0; c < layout->block[i].n_col; c++) {
-				int line = layout->block[i].row[r].cell[c].line;
+		for (size_t r = 0; r < layout->table[i].n_row; r++)
+			for (size_t c = 0; c < layout->table[i].n_col; c++) {
+				int line = layout->table[i].row[r].cell[c].line;
 				first = line < first ? line : first;
 			}
 	for (size_t i = 0; i < layout->n_heading; i++)

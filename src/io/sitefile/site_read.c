@@ -32,7 +32,7 @@ struct page {
 	struct layout *layout;
 };
 
-/* A site on its way.  table [n_table] and their columns in all; lost: something
+/* A site on its way.  table [n_table], of the layouts, and their columns in all; lost: something
  * is at fault, so that what is missing cannot be judged. */
 struct reading {
 	const struct site_request *request;
@@ -67,7 +67,7 @@ tell_no_table(struct sheet *sheet)
 	     i-- > 0 && !error_stopped(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
-		if (number_of(sheet, cell, &v) ||
+		if (number_of(cell, &v) ||
 		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
@@ -185,7 +185,7 @@ check_twin(const struct columns *all, const struct column *twin)
 	char one[32], other[32];
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
-		if (c->table != t || t->block->number[c->at] != twin->twin)
+		if (c->table != t || t->number[c->at] != twin->twin)
 			continue;
 		for (size_t i = 0; i < t->n_row; i++) {
 			if (!(fabs(c->pct[i] - twin->pct[i]) > far))
@@ -443,8 +443,8 @@ leave_out_sums(struct reading *r, const struct page *page)
 		grams =
 		    grams || SITE_UNITS[r->all.column[c].unit].scale == OF_MASS;
 	for (size_t b = 0; b < page->layout->n && !grams; b++)
-		for (size_t i = 0; i < page->layout->block[b].n_foot; i++) {
-			const struct row *row = &page->layout->block[b].foot[i];
+		for (size_t i = 0; i < page->layout->table[b].n_foot; i++) {
+			const struct row *row = &page->layout->table[b].foot[i];
 			const char *text = row->cell[0].text;
 			snprintf(where, sizeof where, tr("line %d"), row->line);
 			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
@@ -458,7 +458,7 @@ static void
 leave_out_foot(struct reading *r, const struct page *page)
 {
 	char where[32];
-	int first = page->layout->block[0].row[0].line;
+	int first = page->layout->table[0].row[0].line;
 	leave_out_sums(r, page);
 	for (size_t i = 0; i < page->layout->n_heading; i++) {
 		const struct row *row = page->layout->heading[i];
@@ -484,8 +484,9 @@ tell_left_out(struct reading *r)
 		const struct page *page = &r->page[p];
 		if (page->layout->n == 0)
 			continue;
-		const struct block *b = &page->layout->block[0];
-		int head = b->n_head > 0 ? b->head[b->n_head - 1].line : 0;
+		const struct table *first = &page->layout->table[0];
+		int head =
+		    first->n_head > 0 ? first->head[first->n_head - 1].line : 0;
 		for (size_t i = 0; i < page->sheet->n_comment; i++) {
 			const struct comment *c = &page->sheet->comment[i];
 			if (c->line <= head)
@@ -516,7 +517,7 @@ tell_names(struct reading *r)
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
-			bool bare = number_of(t->sheet, t->row[i].cell[0], &v);
+			bool bare = number_of(t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
 			    (sieve_names_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
@@ -539,14 +540,14 @@ is_alone(const struct row *row)
 /* Meanings of the words that stand next to a table and tell feed from product:
  * its title, the name of its sheet or file. */
 static uint64_t
-context_of(const struct page *page, const struct block *b, const char *path,
+context_of(const struct page *page, const struct table *t, const char *path,
     struct surroundings *near)
 {
 	uint64_t means = vocabulary_text(page->sheet->name, NULL);
 	struct head name = head_read(page->sheet->name);
 	near->speed = near->speed > 0 ? near->speed : name.speed;
-	int top = b->n_head > 0 ? b->head[0].line : b->row[0].line;
-	int left = b->row[0].cell[0].column;
+	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
+	int left = t->row[0].cell[0].column;
 	for (size_t i = 0; i < page->layout->n_heading; i++) {
 		const struct row *row = page->layout->heading[i];
 		if (row->line >= top || row->line < top - 3 ||
@@ -597,10 +598,9 @@ is_twice(struct reading *r, const struct table *t)
 }
 
 static void
-read_block(struct reading *r, const struct page *page, struct block *b,
+read_table(struct reading *r, const struct page *page, struct table *t,
     struct heading_speed told)
 {
-	enum sieve_certainty certainty;
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
 	struct surroundings near = {.rotor = r->site->rotor,
@@ -611,20 +611,19 @@ read_block(struct reading *r, const struct page *page, struct block *b,
 		near.speed = head_mps(told.rpm, SPEED_RPM, near.rotor);
 		r->open.rotor = r->open.rotor || near.rotor == 0;
 	}
-	near.context = context_of(page, b, q->path[page->file], &near);
+	near.context = context_of(page, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
-	if (near.strange && b != &page->layout->block[0] && !near.told &&
+	if (near.strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
-		r->open.other = b;
+		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
-	uint64_t sieve = names_apply(&r->names, b);
-	if (!layout_widen(b, sieve)) {
+	uint64_t sieve = names_apply(&r->names, t);
+	if (!layout_widen(t, sieve)) {
 		r->lost = true;
 		return;
 	}
-	struct table *t = xcalloc(1, sizeof *t);
-	*t = site_sieve_table(b, sieve, &certainty);
+	enum sieve_certainty certainty = site_sieve_find(t, sieve);
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
@@ -701,10 +700,8 @@ read_file(struct reading *r, size_t file)
 		xlist(&names, ", ", "%s", sheet->name);
 		if (q->sheet != NULL && !text_same(sheet->name, q->sheet))
 			continue;
-		if (q->decimal != '\0') {
-			sheet->decimal = q->decimal;
-			sheet->open.text = NULL;
-		}
+		if (q->decimal != '\0')
+			number_decimal(sheet, q->decimal);
 		site_sieve_numbers(sheet);
 		struct layout *layout = layout_new(sheet, r->range);
 		r->page = xrealloc(r->page, r->n_page + 1, sizeof *r->page);
@@ -744,7 +741,7 @@ read_pages(struct reading *r)
 		site_heading(page->layout, page->sheet, r->site, &told);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
-			read_block(r, page, &page->layout->block[b], told);
+			read_table(r, page, &page->layout->table[b], told);
 	}
 }
 
@@ -833,10 +830,6 @@ reading_clear(struct reading *r)
 		free(r->all.column[i].assumed);
 	}
 	free(r->all.column);
-	for (size_t i = 0; i < r->n_table; i++) {
-		free(r->table[i]->mm);
-		free(r->table[i]);
-	}
 	free(r->table);
 	for (size_t i = 0; i < r->n_page; i++)
 		layout_free(r->page[i].layout);

@@ -67,10 +67,10 @@ samples_clear(struct samples *s)
 
 /* Whether the cells of a row of heads tell all columns apart. */
 static bool
-tells_apart(const struct block *b, size_t r)
+tells_apart(const struct table *t, size_t r)
 {
-	const struct cell *cell = b->head[r].cell;
-	for (size_t c = 1; c < b->n_col; c++) {
+	const struct cell *cell = t->head[r].cell;
+	for (size_t c = 1; c < t->n_col; c++) {
 		if (cell[c].text[0] == '\0')
 			return false;
 		for (size_t k = 1; k < c; k++)
@@ -81,32 +81,32 @@ tells_apart(const struct block *b, size_t r)
 }
 
 bool
-samples_are_apart(const struct block *b)
+samples_are_apart(const struct table *t)
 {
 	size_t r = 0;
-	while (r < b->n_head && b->name == NULL && !tells_apart(b, r))
+	while (r < t->n_head && t->name == NULL && !tells_apart(t, r))
 		r++;
-	return b->name != NULL || r < b->n_head;
+	return t->name != NULL || r < t->n_head;
 }
 
 char *
-samples_label(const struct block *b, size_t c)
+samples_label(const struct table *t, size_t c)
 {
-	if (b->name != NULL)
-		return xstrdup(b->name[c]);
-	for (size_t r = 0; r < b->n_head; r++)
-		if (tells_apart(b, r))
-			return xstrdup(b->head[r].cell[c].text);
-	return layout_head(b, c);
+	if (t->name != NULL)
+		return xstrdup(t->name[c]);
+	for (size_t r = 0; r < t->n_head; r++)
+		if (tells_apart(t, r))
+			return xstrdup(t->head[r].cell[c].text);
+	return layout_head(t, c);
 }
 
 /* Whether a name is that of a column: its label, or a cell that heads it. */
 static bool
-is_called(const struct block *b, size_t c, const char *label, const char *name)
+is_called(const struct table *t, size_t c, const char *label, const char *name)
 {
 	bool same = text_same(label, name);
-	for (size_t r = 0; r < b->n_head && !same && b->name == NULL; r++)
-		same = text_same(b->head[r].cell[c].text, name);
+	for (size_t r = 0; r < t->n_head && !same && t->name == NULL; r++)
+		same = text_same(t->head[r].cell[c].text, name);
 	return same;
 }
 
@@ -158,10 +158,9 @@ take(struct column *c, const char *text)
 bool
 samples_take(struct samples *s, struct column *c)
 {
-	const struct block *b = c->table->block;
-	char *label = samples_label(b, c->at);
+	char *label = samples_label(c->table, c->at);
 	size_t i = 0;
-	while (i < s->n && !is_called(b, c->at, label, s->name[i]))
+	while (i < s->n && !is_called(c->table, c->at, label, s->name[i]))
 		i++;
 	free(label);
 	if (i == s->n)
@@ -175,21 +174,20 @@ void
 samples_check(const struct samples *s, const struct table *t)
 {
 	enum { SHOWN = 5 };
-	const struct block *b = t->block;
 	size_t i = 0;
 	while (i < s->n && s->found[i])
 		i++;
 	if (i == s->n)
 		return;
 	char *list = xstrdup("");
-	for (size_t c = 1; c < b->n_col && c <= SHOWN; c++) {
-		char *label = samples_label(b, c);
+	for (size_t c = 1; c < t->n_col && c <= SHOWN; c++) {
+		char *label = samples_label(t, c);
 		xlist(&list, ", ", "%s", label);
 		free(label);
 	}
 	sheet_fault(t->sheet, t->row[0].cell[0],
 	    "expected a sample called %s, got none\n"
 	    "its samples: %s%s",
-	    s->name[i], list, b->n_col > SHOWN + 1 ? ", .." : "");
+	    s->name[i], list, t->n_col > SHOWN + 1 ? ", .." : "");
 	free(list);
 }

@@ -20,13 +20,13 @@ bool samples_read(
     struct samples *samples, const char *text, struct error *error);
 void samples_clear(struct samples *samples);
 
-/* What tells the sample of column c from the others of its block: its name in a
+/* What tells the sample of column c from the others of its table: its name in a
  * long table, else its cell in the first row of heads where all differ, or all
  * that heads it.  The caller frees. */
-char *samples_label(const struct block *block, size_t c);
+char *samples_label(const struct table *t, size_t c);
 
-/* Whether each sample of a block has a name of its own. */
-bool samples_are_apart(const struct block *block);
+/* Whether each sample of a table has a name of its own. */
+bool samples_are_apart(const struct table *t);
 
 /* Gives a column the role, speed and quantity that are said of its sample; what
  * its heads state remains, and a fault tells where the two differ.  False where

@@ -52,7 +52,7 @@ tell_name(struct table *t, struct cell cell)
 		    "write Tyler, BS or No. (ASTM E11) before the numbers, or "
 		    "head the column with it; or load FILE columns=\"%zu=sieve "
 		    "tyler, ..\"",
-		    t->block->number[0]);
+		    t->number[0]);
 		return;
 	}
 	char *nearest = sieve_names_nearest(cell.text);
@@ -119,7 +119,7 @@ all_named(const struct table *t)
 		struct sieve_unit none = {0, SIEVE_NONE};
 		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
 			continue;
-		if (number_of(t->sheet, cell, &v))
+		if (number_of(cell, &v))
 			return false;
 		n++;
 	}
@@ -131,7 +131,7 @@ all_whole(const struct table *t)
 {
 	double v;
 	for (size_t i = 0; i < t->n_row; i++)
-		if (number_of(t->sheet, t->row[i].cell[0], &v) && v != floor(v))
+		if (number_of(t->row[i].cell[0], &v) && v != floor(v))
 			return false;
 	return true;
 }
@@ -155,7 +155,7 @@ numbers_of(const struct table *t)
 		bool part = strchr(cell.text, '/') != NULL &&
 			    isdigit((unsigned char)cell.text[0]) &&
 			    sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
-		bool number = number_of(t->sheet, cell, &v);
+		bool number = number_of(cell, &v);
 		all.n += part || number;
 		all.n_part += part;
 		if (part || !number)
@@ -268,8 +268,7 @@ split_micro(struct table *t)
 	size_t n = t->n_row, from = 0, to = 0;
 	double *v = xdoubles(n), number;
 	for (size_t i = 0; i < n; i++)
-		v[i] = number_of(t->sheet, t->row[i].cell[0], &number) &&
-			       number > 0
+		v[i] = number_of(t->row[i].cell[0], &number) && number > 0
 			   ? number
 			   : NAN;
 	bool split = false;
@@ -288,9 +287,8 @@ split_micro(struct table *t)
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))
 			continue;
-		cell->kind = CELL_TEXT;
-		cell->text =
-		    layout_keep(t->block, xasprintf("%s um", cell->text));
+		*cell = number_cell(t->sheet, *cell,
+		    layout_keep(t, xasprintf("%s um", cell->text)));
 	}
 	free(v);
 	return split;
@@ -319,8 +317,7 @@ is_finest_first(const struct table *t)
 struct cell
 site_sieve_head(const struct table *t)
 {
-	const struct block *b = t->block;
-	return b->n_head > b->titles ? b->head[b->titles].cell[0]
+	return t->n_head > t->titles ? t->head[t->titles].cell[0]
 				     : t->row[0].cell[0];
 }
 
@@ -353,45 +350,40 @@ check_order(struct table *t)
 	}
 }
 
-struct table
-site_sieve_table(
-    struct block *block, uint64_t told, enum sieve_certainty *certainty)
+enum sieve_certainty
+site_sieve_find(struct table *t, uint64_t told)
 {
-	struct table t = {.sheet = block->sheet,
-	    .block = block,
-	    .n_row = block->n_row,
-	    .row = block->row};
-	char *head = layout_head(block, 0);
+	char *head = layout_head(t, 0);
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
 	struct head said = head_read(head);
 	bool speeds =
 	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
-	t.unit = sieve_unit_of(means);
+	t->unit = sieve_unit_of(means);
 	free(head);
-	bool lengths = t.unit.mm == 1 || t.unit.mm == 0;
-	bool split = lengths && t.unit.series == SIEVE_NONE && split_micro(&t);
+	bool lengths = t->unit.mm == 1 || t->unit.mm == 0;
+	bool split = lengths && t->unit.series == SIEVE_NONE && split_micro(t);
 	if (split)
-		t.unit.mm = 1;
-	struct sieve_unit stated = t.unit;
-	*certainty = find_unit(&t, means);
-	if (block->unsure && told == 0)
-		*certainty = SIEVES_OPEN;
-	if (split && *certainty == SIEVES_SAID)
-		*certainty = SIEVES_ASSUMED;
-	bool own = strncmp(site_sieve_head(&t).text, "size_", 5) == 0;
+		t->unit.mm = 1;
+	struct sieve_unit stated = t->unit;
+	enum sieve_certainty certainty = find_unit(t, means);
+	if (t->unsure && told == 0)
+		certainty = SIEVES_OPEN;
+	if (split && certainty == SIEVES_SAID)
+		certainty = SIEVES_ASSUMED;
+	bool own = strncmp(site_sieve_head(t).text, "size_", 5) == 0;
 	bool unit = stated.mm > 0 || stated.series != SIEVE_NONE;
-	if ((told != 0 || own) && *certainty == SIEVES_OPEN && unit) {
-		t.unit = stated;
-		*certainty = SIEVES_SAID;
+	if ((told != 0 || own) && certainty == SIEVES_OPEN && unit) {
+		t->unit = stated;
+		certainty = SIEVES_SAID;
 	}
-	t.finest_first = is_finest_first(&t);
-	for (size_t i = 0; t.finest_first && i < t.n_row / 2; i++) {
-		struct row row = t.row[i];
-		t.row[i] = t.row[t.n_row - 1 - i];
-		t.row[t.n_row - 1 - i] = row;
+	t->finest_first = is_finest_first(t);
+	for (size_t i = 0; t->finest_first && i < t->n_row / 2; i++) {
+		struct row row = t->row[i];
+		t->row[i] = t->row[t->n_row - 1 - i];
+		t->row[t->n_row - 1 - i] = row;
 	}
-	return t;
+	return certainty;
 }
 
 /* A number in a column that nothing heads: a decimal comma may have cut one in
@@ -399,15 +391,14 @@ site_sieve_table(
 static void
 check_heads(struct table *t)
 {
-	const struct block *b = t->block;
 	size_t heads = 0;
-	for (size_t c = 0; c < b->n_col; c++) {
-		char *head = layout_head(b, c);
+	for (size_t c = 0; c < t->n_col; c++) {
+		char *head = layout_head(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
 		free(head);
 	}
 	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
-		size_t n = b->n_col;
+		size_t n = t->n_col;
 		while (n > heads && t->row[i].cell[n - 1].text[0] == '\0')
 			n--;
 		if (n == heads)
@@ -416,7 +407,7 @@ check_heads(struct table *t)
 		sheet_fault(t->sheet, t->row[i].cell[heads],
 		    "expected %zu cells as in line %d, got %zu\n"
 		    "%s",
-		    heads, b->head[b->n_head - 1].line, n,
+		    heads, t->head[t->n_head - 1].line, n,
 		    t->sheet->separator == ','
 			? "use ; between the cells if they have decimal "
 			  "commas; otherwise remove the last cells"
@@ -486,6 +477,7 @@ void
 site_sieve_numbers(struct sheet *sheet)
 {
 	const char separator[] = {sheet->separator, '\0'};
+	size_t rows = sheet->n_row;
 	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
 		const struct comment *c = &sheet->comment[i];
 		char *first =
@@ -497,4 +489,6 @@ site_sieve_numbers(struct sheet *sheet)
 			sheet_uncomment(sheet, i);
 		free(first);
 	}
+	if (sheet->n_row > rows)
+		number_find(sheet);
 }

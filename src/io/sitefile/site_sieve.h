@@ -14,10 +14,9 @@ enum sieve_certainty {
 	SIEVES_OPEN     /* it could be several */
 };
 
-/* The table of a block.  told: the unit in the words of a head given by hand,
- * see vocabulary.h, or 0. */
-struct table site_sieve_table(
-    struct block *block, uint64_t told, enum sieve_certainty *certainty);
+/* Finds the unit of a table's sieves and puts its rows coarsest first.  told:
+ * the unit in the words of a head given by hand, see lexicon.h, or 0. */
+enum sieve_certainty site_sieve_find(struct table *t, uint64_t told);
 
 /* The cell that heads the sieves, or the first of them. */
 struct cell site_sieve_head(const struct table *t);

@@ -52,9 +52,9 @@ as_written(const struct curve *c, double fraction)
 static void
 write_line(const char *key, const char *value, FILE *out)
 {
-	sheet_write_cell(key, out);
+	sheet_write_cell(key, ',', out);
 	fputc(',', out);
-	sheet_write_cell(value, out);
+	sheet_write_cell(value, ',', out);
 	fputc('\n', out);
 }
 

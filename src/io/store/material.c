@@ -13,8 +13,13 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/store/table3.h"
+#include "io/cells/datetime.h"
+#include "io/cells/number.h"
+#include "io/cells/textfile.h"
 #include "io/sitefile/units.h"
+
+/* Made from data/table3.csv at build time: its rows without the remarks. */
+extern const char *const TABLE3_TEXT[];
 
 #define AT(member) offsetof(struct stored, member)
 #define BEYOND 1e300
@@ -130,6 +135,7 @@ stored_free(struct stored *m)
 	for (size_t i = 0; i < FIELD_COUNT; i++)
 		if (FIELDS[i].kind == FIELD_TEXT)
 			free(*text_at(m, &FIELDS[i]));
+	free(m->feed_source);
 }
 
 void
@@ -182,7 +188,7 @@ params_written(const struct params *p)
 
 /* The number of "name=number" among others; NAN where there is none. */
 static double
-number_of(const char *text, const char *name)
+param_in(const char *text, const char *name)
 {
 	size_t n = strlen(name);
 	while (*text != '\0') {
@@ -211,7 +217,7 @@ stored_set_written(struct stored *m, const struct field *f, const char *text)
 	for (size_t j = 0; j < PARAMS_MOST; j++)
 		p->at[j] = 0;
 	for (size_t j = 0; j < count_of(p); j++)
-		p->at[j] = number_of(text, breakage_of(p)->parameter[j].name);
+		p->at[j] = param_in(text, breakage_of(p)->parameter[j].name);
 }
 
 char *
@@ -384,7 +390,7 @@ stored_fits(const struct stored *m, const struct field *f)
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
 	return stored_is_line(text) &&
-	       (strcmp(f->name, "date") != 0 || stored_is_date(text));
+	       (strcmp(f->name, "date") != 0 || moment_is_day(text));
 }
 
 bool
@@ -422,37 +428,95 @@ stored_is_line(const char *text)
 	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
 }
 
-bool
-stored_is_date(const char *text)
+static void
+set(char **text, char *value)
 {
-	static const int DAYS[] = {
-	    31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-	if (strlen(text) != 10)
+	free(*text);
+	*text = value;
+}
+
+/* A row of a table such as data/table3.csv; false where it shows that the file
+ * is of another kind. */
+static bool
+read_row(struct sheet *sheet, const struct row *row, struct stored_list *list)
+{
+	enum { ROCK, SITE, TOP, F_MAT, FEED_SOURCE, E0_MIN, ALPHA, CELLS };
+	if (row->n != CELLS)
+		return sheet_fault(sheet, row->cell[0],
+		    "expected %d cells, got %zu\n"
+		    "use the columns of data/table3.csv; read a site file with "
+		    "load",
+		    (int)CELLS, row->n);
+	struct stored m = stored_new();
+	m.params = params_start(0); /* beta is not printed */
+	const struct {
+		double *number, most;
+	} column[CELLS] = {[TOP] = {&m.top_size_mm, SIZE_MOST_MM},
+	    [F_MAT] = {&m.params.f_mat, F_MAT_MOST},
+	    [E0_MIN] = {&m.params.e0_min, E0_MIN_MOST},
+	    [ALPHA] = {&m.params.alpha, ALPHA_MOST}};
+	for (size_t i = 0; i < CELLS; i++) {
+		double *number = column[i].number;
+		if (number == NULL)
+			continue;
+		char *wanted = xasprintf(
+		    tr("a number above 0, up to %g,"), column[i].most);
+		if (number_read(sheet, row->cell[i], wanted, number) &&
+		    !(*number > 0 && *number <= column[i].most))
+			sheet_wanted(sheet, row->cell[i], wanted, NULL);
+		free(wanted);
+	}
+	set(&m.rock, xstrdup(row->cell[ROCK].text));
+	set(&m.site, xstrdup(row->cell[SITE].text));
+	m.feed_source = xstrdup(row->cell[FEED_SOURCE].text);
+	stored_list_add(list, m);
+	return true;
+}
+
+/* text is taken apart and freed; false after a fault, which is reported. */
+static bool
+read_printed(const char *path, char *text, struct stored_list *list,
+    struct error_list *errors)
+{
+	if (text == NULL)
 		return false;
-	for (size_t i = 0; i < 10; i++)
-		if (i == 4 || i == 7 ? text[i] != '-'
-				     : !isdigit((unsigned char)text[i]))
-			return false;
-	int year = atoi(text), month = atoi(text + 5), day = atoi(text + 8);
-	bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-	return month >= 1 && month <= 12 && day >= 1 &&
-	       day <= DAYS[month - 1] + (leap && month == 2);
+	const struct sheet_limits most = {.rows = 1000};
+	struct sheet *sheet = sheet_new(path, text, most, errors);
+	number_decide(sheet);
+	size_t i = 1; /* after the heading */
+	while (i < sheet->n_row && read_row(sheet, &sheet->row[i], list))
+		i++;
+	if (i == 1 && sheet->n_fault == 0)
+		sheet_fault(
+		    sheet, (struct cell){0}, "no rows of materials found");
+	bool good = sheet->n_fault == 0;
+	sheet_free(sheet);
+	free(text);
+	return good;
+}
+
+bool
+stored_read_printed(
+    const char *path, struct stored_list *list, struct error_list *errors)
+{
+	return read_printed(path, textfile_read(path, errors), list, errors);
 }
 
 /* As a session calls its sites: a later one of the same name has its size, and
  * of the same name and size a number. */
 static char *
 table3_name(
-    const struct materials *rows, const struct stored_list *list, size_t i)
+    const struct stored_list *rows, const struct stored_list *list, size_t i)
 {
-	char *slug = text_slug(rows->row[i].site);
+	const struct stored *row = &rows->item[i];
+	char *slug = text_slug(row->site);
 	bool shared = false;
 	for (size_t j = 0; j < rows->n; j++)
-		shared = shared || (j != i && text_same(rows->row[j].site,
-						  rows->row[i].site));
-	char *stem = shared ? xasprintf("%s%s/%g", TABLE3, slug,
-				  rows->row[i].top_size_mm)
-			    : xasprintf("%s%s", TABLE3, slug);
+		shared = shared ||
+			 (j != i && text_same(rows->item[j].site, row->site));
+	char *stem = shared
+			 ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
+			 : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
 	for (int n = 2; stored_find(list, name) != NULL; n++) {
 		free(name);
@@ -463,37 +527,31 @@ table3_name(
 	return name;
 }
 
-static void
-set(char **text, char *value)
-{
-	free(*text);
-	*text = value;
-}
-
 void
 stored_table3(struct stored_list *list)
 {
-	struct materials *rows = materials_table3();
-	for (size_t i = 0; i < rows->n; i++) {
-		const struct material *row = &rows->row[i];
-		struct stored m = stored_new();
-		set(&m.name, table3_name(rows, list, i));
-		set(&m.site, xstrdup(row->site));
-		set(&m.rock, xstrdup(row->rock));
+	struct stored_list rows = {0};
+	struct error_list none = {0};
+	bool good =
+	    read_printed("Table 3", textfile_lines(TABLE3_TEXT), &rows, &none);
+	/* It is part of the program: the tests read all of it. */
+	assert(good);
+	(void)good;
+	for (size_t i = 0; i < rows.n; i++) {
+		struct stored m = rows.item[i];
+		set(&m.name, table3_name(&rows, list, i));
 		set(&m.machine, xstrdup("Metso Barmac 5100 SE"));
 		set(&m.provenance,
 		    xasprintf("measured by the paper's authors and not public; "
 			      "Table 3 of Grunditz et al. (2021), %s; beta is "
 			      "not printed: default",
-			row->feed_source));
+			m.feed_source));
 		set(&m.origin, xstrdup("table3"));
 		set(&m.method, xstrdup("continuous"));
 		set(&m.appearance, xstrdup("ratio"));
 		set(&m.train_mps, xstrdup("69,79"));
-		m.top_size_mm = row->top_size_mm;
 		m.k = 1;
-		m.params = materials_params(row);
 		stored_list_add(list, m);
 	}
-	materials_free(rows);
+	free(rows.item);
 }

@@ -91,7 +91,7 @@ write_list(const void *data, FILE *out)
 			char *text = column_written(&column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
-			sheet_write_cell(text, out);
+			sheet_write_cell(text, ',', out);
 			free(text);
 		}
 		fputc('\n', out);
