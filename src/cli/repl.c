@@ -295,8 +295,9 @@ take_lines(struct session *s, char *typed, int *number)
 	}
 }
 
-/* Names the next step when it has become one further on; it is offered for the
- * line that is typed next. */
+/* Names the next step when it has become one further on, of another site anew, but
+ * of several not what all of them have come to; it is offered for the line that is
+ * typed next. */
 static void
 offer_next(const struct session *s)
 {
@@ -305,7 +306,8 @@ offer_next(const struct session *s)
 	const struct site *site = entry != NULL ? entry->site : NULL;
 	const struct history *history = entry != NULL ? entry->history : NULL;
 	struct next next = next_step(s);
-	bool same = site == at.site && history == at.history;
+	bool same = (site == at.site && history == at.history) ||
+		    (s->n_entry > 1 && next.stage == NEXT_ANSWER);
 	at.offer = (struct next){.line = NULL};
 	if (same && (int)next.stage <= at.stage)
 		return;

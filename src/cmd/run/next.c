@@ -60,7 +60,8 @@ after_fit(const struct session *s, const struct entry *entry)
 	bool held_out;
 	count_runs(entry, &held_out);
 	if (held_out && !origin_is_stored(entry->origin) &&
-	    isnan(session_known(s, "validate", "holdout.speed")))
+	    isnan(session_known(s, "validate", "holdout.speed")) &&
+	    isnan(session_known(s, "validate", "sites")))
 		return (struct next){"validate",
 		    N_("validate at the speed held out?"), true, NEXT_VALIDATE};
 	if (session_known(s, "validate calibrate", "warnings") > 0)
@@ -97,14 +98,27 @@ before_load(const struct session *s)
 	    false, NEXT_LOAD};
 }
 
+/* Several sites, of which none is calibrated yet: nobody knows which is meant. */
+static bool
+all_are_new(const struct session *s)
+{
+	bool known = false;
+	for (size_t i = 0; i < s->n_entry; i++)
+		known = known || s->entry[i].has_params;
+	return s->n_entry > 1 && !known;
+}
+
 struct next
 next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
 		return before_load(s);
-	/* Of several sites nobody knows which is meant. */
-	if (s->n_entry > 1 || session_busy(s))
+	if (session_busy(s))
 		return (struct next){.stage = NEXT_LOAD};
+	if (all_are_new(s))
+		return (struct next){"check all; calibrate all; validate all",
+		    N_("check, calibrate and validate all of them now?"), false,
+		    NEXT_CHECK};
 	if (s->job.paused)
 		return (struct next){"continue",
 		    N_("continue the stopped calibration?"), false,
