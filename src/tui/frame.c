@@ -94,22 +94,12 @@ touch_line(struct tui *t, const struct touched *touched)
 static int
 draw_command(struct tui *t, const struct area *area)
 {
-	const struct typing *y = &t->typing;
-	if (y->active) {
-		/* The line moves to the left where it is too long. */
-		char *head = xstrndup(y->text, y->at);
-		const char *prompt = t->goal_field ? "goal: " : ":";
-		int before = text_width(head);
-		int room = area->columns - (int)strlen(prompt) - 1;
-		free(head);
-		const char *shown = y->text;
-		char left[TEXT_SHOWN];
-		while (before > room && *shown != '\0')
-			before -= text_show(&shown, left);
-		screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
-		touch_add(
-		    &t->touches, *area, touch_line, (size_t)(shown - y->text));
-		return (int)strlen(prompt) + before;
+	if (t->typing.active) {
+		size_t from;
+		int at = pane_typed(
+		    area, t->goal_field ? "goal: " : ":", &t->typing, &from);
+		touch_add(&t->touches, *area, touch_line, from);
+		return at;
 	}
 	touch_add_key(&t->touches, *area, ':', false);
 	const char *tail =
@@ -136,8 +126,7 @@ draw_message(const struct tui *t, const struct area *row)
 		area.rows = places_message_rows(&t->places);
 	if (area.rows == 2 && !hints)
 		area.row--;
-	for (int r = 0; r < area.rows; r++)
-		screen_text(&area, r, 0, 0, "%*s", area.columns, "");
+	screen_clear(&area);
 	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
 	free(text);
 	return hints;
@@ -316,7 +305,7 @@ draw_note(struct tui *t, const struct area *note)
 	} else if (t->typing.active && t->typing.offers != NULL) {
 		draw_offers(t, note);
 	} else if (filters(t) && l->hints.rows == 0) {
-		screen_text(note, 0, 0, 0, "%*s", note->columns, "");
+		screen_clear(note);
 		draw_filter(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
 		return draw_message(t, note);
@@ -342,7 +331,7 @@ draw_lower(struct tui *t)
 		touch_clear(&t->touches);
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
-			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
+			screen_clear(line);
 		int at = draw_command(t, line);
 		if (typing)
 			t->cursor = (struct cursor){line->row, at};
@@ -361,12 +350,9 @@ draw_question(struct tui *t, int rows, int columns)
 {
 	char *asks = xasprintf("%s y/n", t->question),
 	     *text = text_wrapped(asks, columns);
-	int n = 0;
-	for (const char *p = text; *p != '\0'; p++)
-		n += *p == '\n';
+	int n = text_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
-	for (int r = 0; r < n; r++)
-		screen_text(&area, r, 0, 0, "%*s", columns, "");
+	screen_clear(&area);
 	screen_words(&area, 0, LOOK_BOLD, asks);
 	text[strlen(text) - 1] = '\0';
 	const char *last = strrchr(text, '\n');

@@ -229,12 +229,9 @@ line_of(const struct key *k)
 static bool
 has_word(const struct key *k, const char *word)
 {
-	char *line = line_of(k), *folded = text_fold(line);
-	char *wanted = text_fold(word);
-	bool has = strstr(folded, wanted) != NULL;
+	char *line = line_of(k);
+	bool has = text_has(line, word);
 	free(line);
-	free(folded);
-	free(wanted);
 	return has;
 }
 

@@ -269,6 +269,21 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 		pane_touch_hints(t, area->row, area->column, text);
 }
 
+int
+pane_typed(const struct area *area, const char *prompt,
+    const struct typing *typing, size_t *from)
+{
+	char *till = xstrndup(typing->text, typing->at), left[TEXT_SHOWN];
+	int before = text_width(till), width = text_width(prompt);
+	const char *shown = typing->text;
+	free(till);
+	while (before > area->columns - width - 1 && *shown != '\0')
+		before -= text_show(&shown, left);
+	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
+	*from = (size_t)(shown - typing->text);
+	return width + before;
+}
+
 char *
 pane_curves_words(const struct tui *t)
 {

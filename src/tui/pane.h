@@ -81,6 +81,12 @@ struct area pane_list_area(const struct tui *t);
 void pane_hints(struct tui *t, unsigned look, const char *hints);
 void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
 
+/* A line that is typed, after its prompt; one too long is moved to the left
+ * until the cursor is seen.  Returns the cursor's column; from: of its bytes
+ * the first that is shown. */
+int pane_typed(const struct area *area, const char *prompt,
+    const struct typing *typing, size_t *from);
+
 /* Leaves out words, two spaces between them, that there is no room for. */
 void pane_cut(char *words, int columns);
 

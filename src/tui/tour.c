@@ -110,11 +110,8 @@ tour_rows(const struct tui *t, int rows, int columns)
 	enum { MOST_SHARE = 3, LEAST = 9 };
 	if (t->tour == 0 || rows < LEAST)
 		return 0;
-	char *text = text_of(t), *lines = text_wrapped(text, columns);
-	int n = 1;
-	for (const char *c = lines; *c != '\0'; c++)
-		n += *c == '\n';
-	free(lines);
+	char *text = text_of(t);
+	int n = 1 + text_rows(text, columns);
 	free(text);
 	return n < rows / MOST_SHARE ? n : rows / MOST_SHARE;
 }

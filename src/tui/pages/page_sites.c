@@ -497,17 +497,6 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	free(label);
 }
 
-static int
-rows_of(const char *text, int columns)
-{
-	char *lines = text_wrapped(text, columns);
-	int n = 0;
-	for (const char *c = lines; *c != '\0'; c++)
-		n += *c == '\n';
-	free(lines);
-	return text[0] != '\0' ? n : 0;
-}
-
 /* In the rows at the foot of the page from `first` on. */
 static void
 draw_site(const struct tui *t, const struct area *area, int first)
@@ -518,7 +507,7 @@ draw_site(const struct tui *t, const struct area *area, int first)
 	int rows[ABOUT], left = area->rows - first;
 	tell_site(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
-		rows[i] = rows_of(text[i], area->columns);
+		rows[i] = text_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
 		left -= rows[i];
 	}

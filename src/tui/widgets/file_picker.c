@@ -348,8 +348,7 @@ draw_message(const struct tui *t)
 		area.row--;
 		area.rows++;
 	}
-	for (int row = 0; row < area.rows; row++)
-		screen_text(&area, row, 0, 0, "%*s", area.columns, "");
+	screen_clear(&area);
 	screen_words(&area, 0, LOOK_BOLD, text);
 	free(text);
 }

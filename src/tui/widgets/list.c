@@ -32,12 +32,9 @@ has_word(const struct tui *t, size_t i)
 {
 	if (t->filter.n == 0)
 		return true;
-	char *text = list_of(t)->text(t, i), *folded = text_fold(text);
-	char *wanted = text_fold(t->filter.text);
-	bool has = strstr(folded, wanted) != NULL;
+	char *text = list_of(t)->text(t, i);
+	bool has = text_has(text, t->filter.text);
 	free(text);
-	free(folded);
-	free(wanted);
 	return has;
 }
 

@@ -618,10 +618,7 @@ take_light(struct panel *p)
 		if (p->light.reason[i].cause == TRUST_BEYOND)
 			first = i;
 	p->reason = p->light.reason[first].text;
-	char *rows = text_wrapped(p->reason, t->places.side.columns);
-	for (const char *c = rows; *c != '\0'; c++)
-		p->reason_rows += *c == '\n';
-	free(rows);
+	p->reason_rows = text_rows(p->reason, t->places.side.columns);
 }
 
 /* Without a prediction there is what is pinned, and what to do. */

@@ -82,18 +82,14 @@ void
 view_message(struct tui *t)
 {
 	enum { MARGIN = 2, LEAST = 8 };
-	int rows, columns, lines = 0;
+	int rows, columns;
 	screen_size(&rows, &columns);
 	const struct places l =
 	    places_make(rows, columns, (struct places_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
-	char *text = text_wrapped(t->message, columns);
-	for (const char *c = text; *c != '\0'; c++)
-		lines += *c == '\n';
-	if (lines > places_message_rows(&l) && t->viewer.text == NULL)
-		view_text(t, text);
-	else
-		free(text);
+	if (text_rows(t->message, columns) > places_message_rows(&l) &&
+	    t->viewer.text == NULL)
+		view_text(t, text_wrapped(t->message, columns));
 }
 
 /* Whether a line of the text has the word. */
@@ -101,11 +97,8 @@ static bool
 has_word(const struct viewer *v, const char *line)
 {
 	char *text = xstrndup(line, strcspn(line, "\n"));
-	char *folded = text_fold(text), *wanted = text_fold(v->word.text);
-	bool has = strstr(folded, wanted) != NULL;
+	bool has = text_has(text, v->word.text);
 	free(text);
-	free(folded);
-	free(wanted);
 	return has;
 }
 
