@@ -425,9 +425,6 @@ control_beside(void)
 	    .pace = open->pace,
 	    .generation = open->generation,
 	    .param_at = open->param_at,
-	    .tour = open->tour,
-	    .tour_tenths = open->tour_tenths,
-	    .tour_found = open->tour_found,
 	    .job = open->job,
 	    .failed = open->failed,
 	    .bad = open->bad};

@@ -17,7 +17,6 @@
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "tui/tour.h"
 #include "tui/widgets/track.h"
 #include "tui/widgets/panel.h"
 #include "tui/widgets/view.h"
@@ -437,11 +436,10 @@ frame_draw(struct tui *t)
 	screen_theme(t->session->set.theme);
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
-	int tour = tour_rows(t, rows, columns), left = rows - tour;
 	bool viewing = t->viewer.text != NULL, list = t->chooser.on && !viewing;
 	t->places = viewing || list
-			? places_text(left, columns)
-			: places_make(left, columns,
+			? places_text(rows, columns)
+			: places_make(rows, columns,
 			      (struct places_ask){side_columns(page, columns),
 				  page->strip, page->above, page->second});
 	touch_clear(&t->touches);
@@ -458,8 +456,6 @@ frame_draw(struct tui *t)
 		chooser_draw(t);
 	else
 		draw_page(t);
-	if (tour > 0)
-		tour_draw(t, &(struct area){left, 0, tour, columns});
 	if (t->question != NULL && !viewing)
 		draw_question(t, rows, columns);
 	if (t->inquiry != NULL)

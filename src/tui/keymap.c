@@ -24,7 +24,6 @@
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "tui/tour.h"
 #include "tui/widgets/track.h"
 #include "tui/cmdline.h"
 #include "tui/widgets/view.h"
@@ -297,10 +296,6 @@ back(struct tui *t)
 {
 	bool predict = t->page == PAGE_PREDICT;
 	t->message[0] = '\0';
-	if (t->tour > 0) {
-		t->tour = 0;
-		return;
-	}
 	if (t->wish != NULL) {
 		t->wish = NULL;
 		return;
@@ -381,9 +376,6 @@ show_act(struct tui *t, const struct key *key)
 		break;
 	case ACT_FILES:
 		chooser_open(t, CHOOSER_FILES);
-		break;
-	case ACT_TOUR:
-		tour_begin(t);
 		break;
 	case ACT_AGAIN:
 		view_again(t);
@@ -567,12 +559,9 @@ static void
 page_key(struct tui *t, int code, bool special)
 {
 	const struct key *key = keys_find(code, t->page);
-	bool tours = t->tour > 0 && t->speed.n == 0 && code == ESCAPE;
 	if (t->chooser.on && chooser_key(t, code, special))
 		return;
-	if (tours)
-		t->tour = 0;
-	if (tours || rows_letter(t, code, special) ||
+	if (rows_letter(t, code, special) ||
 	    digit_key(t, code, special))
 		return;
 	act(t, key);

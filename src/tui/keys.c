@@ -114,7 +114,6 @@ const struct key KEYS[] = {
     {'V', "V", ON_ALL, ACT_AGAIN, 0, NULL,
 	"show the last text again: an answer, a report"},
     {KEY_F(1), "?, F1", ON_ALL, ACT_HELP, 0, NULL, "this list"},
-    {'T', "T", ON_ALL, ACT_TOUR, 0, NULL, "a tour in three steps; Esc ends it"},
     {'M', "M", ON_ALL, ACT_MOUSE, 0, NULL,
 	"mouse on or off; Shift and drag selects text"},
     {CONTROL('L'), "^L", ON_ALL, ACT_REDRAW, 0, NULL, "redraw"},

@@ -48,7 +48,6 @@ enum key_act {
 	ACT_FILTER,   /* a word that rows must have */
 	ACT_BACK,     /* one step back: of a filter, the crosshair, the page */
 	ACT_FILES,    /* a list of them, to open one */
-	ACT_TOUR,
 	ACT_AGAIN, /* the text that was closed last */
 	ACT_HELP,
 	ACT_MOUSE,

@@ -4,7 +4,6 @@
 
 #include "tui/widgets/response_strip.h"
 #include "tui/widgets/file_picker.h"
-#include "tui/tour.h"
 
 const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
     [PAGE_FIT] = &page_fit,
@@ -44,7 +43,6 @@ pages_go(struct tui *t, enum page page)
 void
 pages_update(struct tui *t)
 {
-	tour_update(t);
 	chooser_update(t);
 	above_update(t);
 	if (pages_open(t)->update != NULL)

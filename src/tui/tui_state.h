@@ -230,9 +230,6 @@ struct tui {
 	char *closed; /* the text that was closed last, or NULL */
 	struct chooser chooser;
 	int first_at;      /* of what can be done first */
-	size_t tour;       /* its step, 1..; 0: none is shown */
-	int tour_tenths;   /* of the slider when that began */
-	double tour_found; /* by `find`, m/s, likewise; or NAN */
 	char *command;     /* the last one, for show */
 	const char *job;   /* name of that which began the job, or NULL */
 	bool failed;       /* it did */

@@ -13,6 +13,6 @@ void first_draw(struct tui *t);
 bool first_key(struct tui *t, const struct key *key);
 
 #define FIRST_HINTS \
-	N_("Up/Down, Enter choose  ? keys  q quit  o open  T tour  : command")
+	N_("Up/Down, Enter choose  ? keys  q quit  o open  : command")
 
 #endif

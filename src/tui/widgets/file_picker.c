@@ -62,21 +62,20 @@ close_list(struct tui *t)
 	t->chooser = (struct chooser){0};
 }
 
-bool
+void
 chooser_open(struct tui *t, enum chooser_list what)
 {
 	if (t->session->safe) {
 		tui_say(t, true,
 		    "files are not opened with --safe: start the program "
 		    "without it");
-		return false;
+		return;
 	}
 	close_list(t);
 	t->message[0] = '\0';
 	t->chooser.on = true;
 	t->chooser.list = what;
 	list_all(&t->chooser, "");
-	return true;
 }
 
 /* The line for guess, to be completed with what the sheet does not say: the
@@ -150,26 +149,6 @@ go_up(struct tui *t)
 			enter(t);
 			return;
 		}
-}
-
-bool
-chooser_open_shipped(struct tui *t, const char *name)
-{
-	if (!chooser_open(t, CHOOSER_SHIPPED))
-		return false;
-	const struct folder *folder = &t->chooser.folder;
-	size_t i = 0;
-	while (i < folder->n && strcmp(folder->item[i].name, name) != 0)
-		i++;
-	char *line = i < folder->n ? folder_command(&folder->item[i], false)
-				   : xstrdup("");
-	if (i == folder->n)
-		tui_say(t, true, "%s%s is not there: reinstall tipspeed",
-		    folder->path, name);
-	close_list(t);
-	bool good = line[0] != '\0' && run(t, line, false);
-	free(line);
-	return good;
 }
 
 static void

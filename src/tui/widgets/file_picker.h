@@ -5,8 +5,8 @@
 
 #include "tui/tui_state.h"
 
-/* False with a message under --safe. */
-bool chooser_open(struct tui *t, enum chooser_list list);
+/* Only a message under --safe. */
+void chooser_open(struct tui *t, enum chooser_list list);
 
 /* Takes a key; false: the list is closed and the key is for what was below
  * it. */
@@ -17,9 +17,5 @@ void chooser_update(struct tui *t);
 
 /* Draws it with its hints. */
 void chooser_draw(struct tui *t);
-
-/* Opens a site that comes with the program, by the name of its file; false with
- * a message. */
-bool chooser_open_shipped(struct tui *t, const char *name);
 
 #endif
