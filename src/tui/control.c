@@ -29,7 +29,6 @@
 #include "cli/pump.h"
 #include "tui/captured.h"
 #include "tui/screen.h"
-#include "tui/widgets/second_plot.h"
 #include "tui/widgets/track.h"
 #include "tui/script_progress.h"
 #include "tui/widgets/view.h"
@@ -353,7 +352,6 @@ free_all(struct tui *t)
 	folder_free(&t->chooser.folder);
 	free(t->chooser.preview);
 	limits_free(t);
-	second_free(t);
 	touch_free(&t->touches);
 }
 
@@ -419,7 +417,6 @@ control_beside(void)
 	    .parity = {.at = open->parity.at, .top = open->parity.top},
 	    .sort = open->sort,
 	    .sort_down = open->sort_down,
-	    .second = open->second,
 	    .picture = open->picture,
 	    .held = open->held,
 	    .pace = open->pace,

@@ -441,7 +441,7 @@ frame_draw(struct tui *t)
 			? places_text(rows, columns)
 			: places_make(rows, columns,
 			      (struct places_ask){side_columns(page, columns),
-				  page->strip, page->above, page->second});
+				  page->strip, page->above});
 	touch_clear(&t->touches);
 	t->n_drawn = 0;
 	t->shows = page;

@@ -90,8 +90,6 @@ const struct key KEYS[] = {
 	"pin this prediction for comparison; again: unpin"},
     {'v', "v", ON_FIT, ACT_PICTURE, 1, NULL,
 	"the next plot: search, curves, convergence, spread"},
-    {'v', "v", ON_PREDICT, ACT_PICTURE, 1, NULL,
-	"another second plot, from 200 columns on"},
     {'r', "r", ON_PREDICT, ACT_PICTURE, 0, NULL,
 	"all runs, measured and predicted; again: back"},
     {'f', "f", ON_ALL, ACT_FIT, 0, "calibrate", "calibrate, or start again"},

@@ -31,9 +31,6 @@ struct numbers {
 	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* What the second plot is of; the other site is the one that is pinned. */
-enum second { SECOND_RESPONSE, SECOND_RESIDUALS, SECOND_OTHER, SECONDS };
-
 /* Text on the whole screen: lines from `top` on, of these what is right of the
  * column `left`.  text NULL: none.  keys: the list of keys, of those that have
  * the word; one of them, `at`, can be run.  Of other text `at` is the line with
@@ -137,7 +134,6 @@ struct chooser {
 
 struct inquiry;
 struct limits;
-struct second_plot;
 struct page_ops;
 struct tui;
 
@@ -206,8 +202,6 @@ struct tui {
 	size_t looked;         /* counts what may have changed the session */
 	struct limits *limits; /* see limits.h, owned, or NULL */
 	bool runs;             /* page Predict has plot runs for its curves */
-	enum second second;    /* right of the curves */
-	struct second_plot *second_plot; /* see second.h, likewise */
 	char *under_way;                 /* line that is run, or NULL */
 	bool of_script;                  /* it is one of a script */
 	bool stopping;                   /* a key stops it */

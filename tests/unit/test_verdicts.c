@@ -243,34 +243,6 @@ a_light_tells_its_first_reason(void **state)
 	expect(t, 24, 80, "parameters set");
 }
 
-/* Drawn once, not at every step. */
-static void
-a_wide_screen_has_a_second_plot(void **state)
-{
-	struct tui *t = &((struct stage *)*state)->t;
-	free(page(t, 50, 199));
-	assert_int_equal(t->places.second.rows, 0);
-	expect(t, 50, 200, "against  tip speed, m/s");
-	assert_true(t->places.second.columns >= 58);
-	const struct second_plot *first = t->second_plot;
-	press(t, "L");
-	free(page(t, 50, 200));
-	assert_ptr_equal(t->second_plot, first);
-	press(t, "v");
-	assert_int_equal(t->second, SECOND_RESIDUALS);
-	expect(t, 50, 200, "predicted minus measured");
-	press(t, "v");
-	assert_int_equal(t->second, SECOND_RESPONSE);
-	press(t, "x");
-	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
-	for (; session_busy(t->session); t->clock++)
-		watch_pump(t);
-	press(t, "1vv");
-	assert_int_equal(t->second, SECOND_OTHER);
-	expect(t, 50, 200, "Tierp, Granite, 11.2 mm: ");
-	assert_int_equal(t->session->current, 1);
-}
-
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -284,7 +256,6 @@ main(void)
 	    ON_STAGE(tonnes_are_those_of_the_feed_that_flow_was_told),
 	    ON_STAGE(rows_of_the_panel_can_be_touched),
 	    ON_STAGE(a_light_tells_its_first_reason),
-	    ON_STAGE(a_wide_screen_has_a_second_plot),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

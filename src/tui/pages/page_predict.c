@@ -13,7 +13,6 @@
 #include "tui/pages/start_page.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pages.h"
-#include "tui/widgets/second_plot.h"
 #include "tui/cmdline.h"
 #include "tui/widgets/panel.h"
 
@@ -22,7 +21,6 @@ draw_runs(struct tui *t)
 {
 	struct plot_request request = plots_request(PLOT_RUNS);
 	request.words = 0;
-	second_draw(t);
 	pane_curves(t, &request, t->places.side.rows == 0);
 }
 
@@ -53,7 +51,6 @@ draw(struct tui *t)
 	}
 	if (t->cross && t->cross_at < p->product.n)
 		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
-	second_draw(t);
 	pane_curves(t, &request, t->places.side.rows == 0);
 	verdicts_draw(t);
 }
@@ -93,9 +90,7 @@ act(struct tui *t, const struct key *key)
 	if (tui_entry(t) == NULL)
 		return first_key(t, key);
 	if (key->act == ACT_PICTURE) {
-		t->runs = key->amount == 0 ? !t->runs : t->runs;
-		if (key->amount > 0)
-			second_next(t);
+		t->runs = !t->runs;
 		return true;
 	}
 	if (key->act == ACT_CHOOSE) {
@@ -187,7 +182,6 @@ words(const struct tui *t)
 	if (t->cross && t->cross_at < p->product.n)
 		xappend(&words, " at=%g level=%d",
 		    units_mm(p->product.size[t->cross_at]), t->level);
-	second_words(t, &words);
 	return words;
 }
 
@@ -226,7 +220,6 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,
-    .second = true,
     .strip = true,
     .above = true,
     .update = limits_update,
