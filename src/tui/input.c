@@ -131,7 +131,6 @@ more_waits(void)
 bool
 input_key(struct tui *t, int *code, bool *special)
 {
-	enum { ESCAPE = 27 };
 	wint_t c = 0;
 	while (pump_signal() == 0) {
 		int got = next(&c);

@@ -46,8 +46,9 @@ struct page_ops {
 	/* Its list: Tab and what moves in it give it the focus. */
 	const struct page_list *list;
 
-	/* What a key does on this page only; false: what it does on all. */
-	bool (*key)(struct tui *t, const struct key *key);
+	/* What act_move, act_ends and act_list do to what it has; false: what
+	 * they do on all pages. */
+	bool (*move)(struct tui *t, const struct key *key);
 
 	/* A click on its plot, at values of the axes of that kind. */
 	void (*point)(struct tui *t, enum plot_kind kind, double x, double y);

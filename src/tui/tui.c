@@ -135,14 +135,13 @@ is_away(void)
 static bool
 answer(struct tui *t, int *code, bool *special)
 {
-	enum { STOP = 26 };
 	bool done = false;
 	while (!done && pump_signal() == 0) {
 		show(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
 			done = act_pointed(t, code, special);
-		} else if (done && !*special && *code == STOP) {
+		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
 			raise(SIGTSTP);
 		}
@@ -154,7 +153,6 @@ answer(struct tui *t, int *code, bool *special)
 static bool
 stopped(struct tui *t)
 {
-	enum { ESCAPE = 27, INTERRUPT = 3 };
 	int code;
 	bool special, stops = false;
 	pump_let_in();

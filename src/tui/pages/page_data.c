@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/sheets/mend.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/screen.h"
@@ -509,65 +510,68 @@ can_focus(const struct tui *t)
 	return entry != NULL && entry->site->n_run > 0;
 }
 
-/* Pages of rows, or so many columns. */
+/* A column, some of them, or a page of rows. */
 static void
-move_far(struct tui *t, int amount)
+move_sideways(struct tui *t, int amount)
 {
-	enum { PAGE = 50, COLUMNS = 5 };
+	enum { COLUMNS = 5 };
 	struct sheet *h = &t->sheet;
 	const struct area area = pane_list_area(t);
 	int rows = (int)room_for(t, &area).rows;
-	if (amount <= -PAGE || amount >= PAGE)
+	int columns = abs(amount) == STEP ? STEP : COLUMNS;
+	if (abs(amount) == FAR)
 		h->row = (size_t)pane_moved(
 		    (int)h->row, amount < 0 ? rows : -rows, h->n);
-	else if (amount != 0)
+	else
 		h->at = (size_t)pane_moved(
-		    (int)h->at, amount < 0 ? -COLUMNS : COLUMNS, h->n_column);
+		    (int)h->at, amount < 0 ? -columns : columns, h->n_column);
 }
 
-/* The arrows, where the page has the focus. */
+/* Whether the page has cells; then these are those of the sheet in use. */
+static bool
+takes_cells(struct tui *t)
+{
+	if (can_focus(t) && t->sheet.site != tui_entry(t)->site)
+		take_sheet(t, tui_entry(t)->site);
+	return can_focus(t);
+}
+
+/* What is seen to be chosen is mended. */
+void
+act_mend(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (!takes_cells(t))
+		return;
+	if (t->focus == &page_data)
+		mend(t);
+	t->focus = &page_data;
+}
+
+void
+act_doubt(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (!takes_cells(t))
+		return;
+	t->focus = &page_data;
+	next_doubt(t);
+}
+
 static bool
 move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->sheet;
-	if (key->act == ACT_MOVE)
-		h->at =
-		    (size_t)pane_moved((int)h->at, key->amount, h->n_column);
-	else if (key->act == ACT_FINE)
-		move_far(t, key->amount);
-	else if (key->act == ACT_TO && key->amount == TO_LEAST)
-		h->row = 0;
-	else if (key->act == ACT_TO && key->amount == TO_MOST)
-		h->row = h->n > 0 ? h->n - 1 : 0;
-	else
+	bool here = t->focus == &page_data;
+	if ((!here && key->act != act_list) || !takes_cells(t))
 		return false;
-	return true;
-}
-
-static bool
-act(struct tui *t, const struct key *key)
-{
-	struct sheet *h = &t->sheet;
-	bool own = key->act == ACT_LIST || key->act == ACT_MEND ||
-		   key->act == ACT_DOUBT;
-	if (!can_focus(t) || (!own && t->focus != &page_data))
-		return false;
-	if (h->site != tui_entry(t)->site)
-		take_sheet(t, tui_entry(t)->site);
-	if (own && t->focus != &page_data) {
-		t->focus = &page_data;
-		/* Enter mends what was seen to be chosen. */
-		if (key->act != ACT_DOUBT)
-			return true;
-	}
-	if (key->act == ACT_DOUBT)
-		next_doubt(t);
-	else if (key->act == ACT_MEND)
-		mend(t);
-	else if (key->act == ACT_LIST)
+	t->focus = &page_data;
+	if (key->act == act_ends)
+		h->row = key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
+	else if (key->act == act_list && here)
 		h->row = (size_t)pane_moved((int)h->row, key->amount, h->n);
-	else
-		return move(t, key);
+	else if (key->act == act_move)
+		move_sideways(t, key->amount);
 	return true;
 }
 
@@ -578,4 +582,4 @@ const struct page_ops page_data = {.name = N_("Data"),
     .update = update,
     .draw = draw,
     .can_focus = can_focus,
-    .key = act};
+    .move = move};

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/draw/plots_search.h"
 #include "core/search/misfit.h"
+#include "tui/acts.h"
 #include "tui/screen.h"
 #include "tui/widgets/search_side.h"
 #include "tui/watch.h"
@@ -146,18 +147,19 @@ can_focus(const struct tui *t)
 }
 
 static void
-move(struct tui *t, int by)
+go_on(struct tui *t, int by)
 {
 	int at = (int)tui_step(t) - 1;
 	tui_look_at(t, (size_t)pane_moved(at, by, tui_steps(t)) + 1);
 }
 
 /* Of a search that runs the next one is made, of one that is over shown. */
-static void
-one_generation(struct tui *t)
+void
+act_generation(struct tui *t, const struct key *key)
 {
+	(void)key;
 	if (!session_busy(t->session)) {
-		move(t, 1);
+		go_on(t, 1);
 		return;
 	}
 	watch_hold(t, true);
@@ -165,31 +167,30 @@ one_generation(struct tui *t)
 	watch_step(t);
 }
 
-/* Arrows to the sides go through the generations where these have the focus,
- * up and down through the parameters. */
-static bool
-act(struct tui *t, const struct key *key)
+void
+act_picture(struct tui *t, const struct key *key)
 {
 	static const enum plot_kind NEXT[] = {[PLOT_SEARCH] = PLOT_PSD,
 	    [PLOT_PSD] = PLOT_CONVERGENCE,
 	    [PLOT_CONVERGENCE] = PLOT_SPREAD,
 	    [PLOT_SPREAD] = PLOT_SEARCH};
-	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
-	bool focus = t->focus == &page_fit;
-	if (key->act == ACT_PICTURE)
-		t->picture = NEXT[t->picture];
-	else if (key->act == ACT_LIST)
+	(void)key;
+	t->picture = NEXT[t->picture];
+}
+
+/* Arrows to the sides go through the generations where these have the focus,
+ * up and down through the parameters. */
+static bool
+move(struct tui *t, const struct key *key)
+{
+	if (key->act == act_list)
 		search_side_choose(t, key->amount);
-	else if (key->act == ACT_CHOOSE)
-		search_side_bounds(t);
-	else if (key->act == ACT_STEP)
-		one_generation(t);
-	else if (focus && to_end)
-		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
-	else if (focus && (key->act == ACT_MOVE || key->act == ACT_FINE))
-		move(t, key->amount);
-	else
+	else if (t->focus != &page_fit)
 		return false;
+	else if (key->act == act_ends)
+		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
+	else
+		go_on(t, key->amount);
 	return true;
 }
 
@@ -213,5 +214,5 @@ const struct page_ops page_fit = {.name = N_("Fit"),
     .draw = draw,
     .caption = caption,
     .can_focus = can_focus,
-    .key = act,
+    .move = move,
     .words = words};

@@ -15,6 +15,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/fit/comparison.h"
 #include "core/search/misfit.h"
+#include "tui/acts.h"
 #include "tui/frame.h"
 #include "cli/pump.h"
 #include "tui/screen.h"
@@ -378,20 +379,19 @@ can_focus(const struct tui *t)
 }
 
 static bool
-act(struct tui *t, const struct key *key)
+move(struct tui *t, const struct key *key)
 {
 	struct parity *y = &t->parity;
-	bool here = t->focus == &page_parity;
-	int by = key->amount;
+	bool here = t->focus == &page_parity, ends = key->act == act_ends;
 	if (!can_focus(t) ||
-	    (key->act != ACT_LIST && !(here && key->act == ACT_MOVE) &&
-		!(here && key->act == ACT_TO && by <= TO_MOST)))
+	    (key->act != act_list &&
+		(!here || (!ends && abs(key->amount) != STEP))))
 		return false;
 	t->focus = &page_parity;
-	if (key->act == ACT_TO)
-		y->at = by == TO_MOST ? y->n - 1 : 0;
+	if (ends)
+		y->at = key->amount == TO_MOST ? y->n - 1 : 0;
 	else
-		y->at = (size_t)pane_moved((int)y->at, by, y->n);
+		y->at = (size_t)pane_moved((int)y->at, key->amount, y->n);
 	choose_points(y);
 	return true;
 }
@@ -409,5 +409,5 @@ const struct page_ops page_parity = {.name = N_("Parity"),
     .update = update,
     .draw = draw,
     .can_focus = can_focus,
-    .key = act,
+    .move = move,
     .words = words};

@@ -1,7 +1,8 @@
 /* The page Predict: the curves, and the numbers at the slider's speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tui/pages/page_predict.h"
+#include "tui/pane.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "cmd/ask/goals.h"
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/pages/start_page.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pages.h"
@@ -65,15 +67,20 @@ can_focus(const struct tui *t)
 static void
 move_level(struct tui *t, int by)
 {
-	enum { STEP = 5, LEAST = 5, MOST = 95 };
-	int to = t->level - by * STEP;
+	enum { POINTS = 5, LEAST = 5, MOST = 95 };
+	int to = t->level - by * POINTS;
 	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
 /* What the panel has no room for. */
-static void
-show_numbers(struct tui *t)
+void
+act_numbers(struct tui *t, const struct key *key)
 {
+	if (tui_entry(t) == NULL) {
+		first_open(t);
+		return;
+	}
+	(void)key;
 	char *line = tui_asks(t);
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
@@ -82,38 +89,39 @@ show_numbers(struct tui *t)
 	free(line);
 }
 
-static bool
-act(struct tui *t, const struct key *key)
+void
+act_runs(struct tui *t, const struct key *key)
 {
-	bool ends = key->act == ACT_TO && key->amount <= TO_MOST;
-	bool moves = ends || key->act == ACT_MOVE || key->act == ACT_LIST;
-	if (tui_entry(t) == NULL)
-		return first_key(t, key);
-	if (key->act == ACT_PICTURE) {
-		t->runs = !t->runs;
-		return true;
-	}
-	if (key->act == ACT_CHOOSE) {
-		show_numbers(t);
-		return true;
-	}
-	if (t->focus != &page_predict || !moves)
-		return false;
+	(void)key;
+	t->runs = tui_entry(t) != NULL && !t->runs;
+}
+
+static bool
+move(struct tui *t, const struct key *key)
+{
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->shown.product.n;
-	if (ends)
+	if (tui_entry(t) == NULL)
+		return first_move(t, key);
+	if (t->focus != &page_predict)
+		return false;
+	if (key->act == act_ends)
 		t->cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
-	else if (key->act == ACT_MOVE)
+	else if (key->act == act_list)
+		move_level(t, key->amount);
+	else if (abs(key->amount) == STEP)
 		t->cross_at =
 		    (size_t)pane_moved((int)t->cross_at, -key->amount, n);
 	else
-		move_level(t, key->amount);
+		return false;
 	return true;
 }
 
+/* Opens the page. */
 void
-page_predict_cross(struct tui *t)
+act_cross(struct tui *t, const struct key *key)
 {
+	(void)key;
 	t->cross = !t->cross && t->shown.product.n > 0;
 	t->runs = t->runs && !t->cross;
 	if (t->cross && t->cross_at == 0)
@@ -142,31 +150,19 @@ cross_at(struct tui *t, double size)
 	t->cross_at = best;
 }
 
-void
-page_predict_read(struct tui *t, double size)
-{
-	if (!t->cross)
-		page_predict_cross(t);
-	if (!t->cross)
-		return;
-	pages_go(t, PAGE_PREDICT);
-	t->focus = &page_predict;
-	cross_at(t, size);
-}
-
 static void
 point(struct tui *t, enum plot_kind kind, double x, double y)
 {
 	(void)y;
-	if (kind == PLOT_PSD)
-		page_predict_read(t, x / 1000);
-}
-
-void
-page_predict_beside(const struct tui *t, char **words)
-{
-	if (t->pin.site[0] != '\0')
-		xappend(words, " beside=pinned");
+	if (kind != PLOT_PSD)
+		return;
+	if (!t->cross)
+		act_cross(t, NULL);
+	if (!t->cross)
+		return;
+	pages_go(t, PAGE_PREDICT);
+	t->focus = &page_predict;
+	cross_at(t, x / 1000);
 }
 
 static char *
@@ -176,7 +172,8 @@ words(const struct tui *t)
 	if (t->runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
-	page_predict_beside(t, &words);
+	if (t->pin.site[0] != '\0')
+		xappend(&words, " beside=pinned");
 	if (t->band)
 		xappend(&words, " band=on");
 	if (t->cross && t->cross_at < p->product.n)
@@ -225,6 +222,6 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .update = limits_update,
     .draw = draw,
     .can_focus = can_focus,
-    .key = act,
+    .move = move,
     .point = point,
     .words = words};

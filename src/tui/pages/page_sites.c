@@ -17,6 +17,7 @@
 #include "cmd/ask/forecast.h"
 #include "io/sitefile/units.h"
 #include "tui/widgets/file_picker.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
@@ -613,18 +614,15 @@ sort_on(struct tui *t)
 	sort_rows(t);
 }
 
-static bool
-act(struct tui *t, const struct key *key)
+void
+act_sort(struct tui *t, const struct key *key)
 {
-	if (key->act != ACT_SORT)
-		return false;
 	if (t->session->n_entry == 0)
 		chooser_open(t, CHOOSER_FILES);
 	else if (key->amount > 0)
 		sort_on(t);
 	else
 		sort_by(t, t->sort);
-	return true;
 }
 
 static const struct page_list LIST = {count, place_of, to_place, text, choose};
@@ -643,5 +641,4 @@ const struct page_ops page_sites = {.name = N_("Sites"),
     .update = update,
     .draw = draw,
     .takes_focus = true,
-    .list = &LIST,
-    .key = act};
+    .list = &LIST};

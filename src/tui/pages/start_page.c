@@ -4,6 +4,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "tui/acts.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -44,16 +45,18 @@ touch_way_of(struct tui *t, const struct touched *touched)
 }
 
 bool
-first_key(struct tui *t, const struct key *key)
+first_move(struct tui *t, const struct key *key)
 {
-	if (key->act == ACT_LIST)
-		t->first_at =
-		    pane_moved(t->first_at, key->amount, ARRAY_LEN(WAYS));
-	else if (key->act == ACT_CHOOSE)
-		chooser_open(t, WAYS[t->first_at].list);
-	else
+	if (key->act != act_list)
 		return false;
+	t->first_at = pane_moved(t->first_at, key->amount, ARRAY_LEN(WAYS));
 	return true;
+}
+
+void
+first_open(struct tui *t)
+{
+	chooser_open(t, WAYS[t->first_at].list);
 }
 
 /* In the middle, with what the chosen one is for where there is room. */

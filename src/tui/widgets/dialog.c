@@ -17,7 +17,6 @@
 enum typing_result
 dialogue_key(struct tui *t, int code, bool special)
 {
-	enum { DELETE = 127 };
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
 	if (special && (code == KEY_UP || code == KEY_DOWN)) {

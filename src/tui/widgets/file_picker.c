@@ -12,12 +12,11 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/watch.h"
-
-enum { ESCAPE = 27, DELETE = 127 };
 
 static void
 forget_preview(struct chooser *c)
@@ -189,23 +188,23 @@ chooser_key(struct tui *t, int code, bool special)
 		return true;
 	const struct key *key = keys_find(code, t->page);
 	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
-	enum key_act act = key != NULL ? key->act : ACT_HELP;
+	key_way *act = key != NULL ? key->act : NULL;
 	bool end = code == KEY_END || code == KEY_HOME;
-	if (act == ACT_LIST)
+	bool aside = act == act_move && abs(key->amount) == STEP;
+	if (act == act_list)
 		move_by(t, key->amount);
 	else if (special && (code == KEY_NPAGE || code == KEY_PPAGE))
 		move_by(t, code == KEY_NPAGE ? page : -page);
 	else if (special && end)
 		move_by(t, code == KEY_END ? (int)t->chooser.folder.n
 					   : -t->chooser.at);
-	else if (code == '\n' || code == '\r' ||
-		 (act == ACT_MOVE && key->amount > 0))
+	else if (code == '\n' || code == '\r' || (aside && key->amount > 0))
 		enter(t);
-	else if (code == DELETE || code == '\b' || act == ACT_MOVE)
+	else if (code == DELETE || code == '\b' || aside)
 		go_up(t);
 	else {
 		close_list(t);
-		return code == ESCAPE || act == ACT_STOP;
+		return code == ESCAPE || code == INTERRUPT;
 	}
 	return true;
 }

@@ -17,6 +17,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 
 /* Screens separate sharply. */
 static const struct partition SHARP = {0, 1};
@@ -92,8 +93,9 @@ goal_holds(const struct tui *t, double from, double to, bool *certain)
 }
 
 void
-goal_open(struct tui *t)
+act_goal(struct tui *t, const struct key *key)
 {
+	(void)key;
 	const struct entry *entry = tui_entry(t);
 	/* What a search has found so far is shown, too. */
 	if (entry == NULL || (!entry->has_params && t->shown.product.n == 0)) {

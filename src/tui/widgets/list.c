@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "tui/acts.h"
 #include "tui/pages.h"
 
 static const struct page_list *
@@ -151,26 +152,17 @@ rows_wheel(struct tui *t, struct area area)
 	touch_add(&t->touches, area, touch_wheel, 0);
 }
 
-static void
-start_word(struct tui *t)
-{
-	t->focus = pages_open(t);
-	t->message[0] = '\0';
-	t->filter.active = true;
-}
-
 /* What is the list's while the arrows move in it only. */
 static bool
-focused_key(struct tui *t, const struct key *key)
+focused_move(struct tui *t, const struct key *key)
 {
-	enum { FAST = 50 };
 	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
-	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
-	if (to_end)
+	int steps = abs(key->amount);
+	if (key->act == act_ends)
 		move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
-	else if (key->act == ACT_FINE && abs(key->amount) == FAST)
+	else if (steps == FAR)
 		move(t, key->amount > 0 ? -page : page);
-	else if (key->act == ACT_MOVE && pages_open(t)->takes_focus)
+	else if (steps == STEP && pages_open(t)->takes_focus)
 		move(t, key->amount);
 	else
 		return false;
@@ -178,23 +170,44 @@ focused_key(struct tui *t, const struct key *key)
 }
 
 bool
-rows_key(struct tui *t, const struct key *key)
+rows_move(struct tui *t, const struct key *key)
 {
 	if (list_of(t) == NULL)
 		return false;
 	/* Several keys may come before the next frame. */
 	pages_update(t);
-	if (key->act == ACT_LIST) {
-		t->focus = pages_open(t);
-		move(t, key->amount);
-	} else if (key->act == ACT_CHOOSE && has_rows(t)) {
-		open_row(t);
-	} else if (key->act == ACT_FILTER) {
-		start_word(t);
-	} else {
-		return t->focus == pages_open(t) && focused_key(t, key);
-	}
+	if (key->act != act_list)
+		return t->focus == pages_open(t) && focused_move(t, key);
+	t->focus = pages_open(t);
+	move(t, key->amount);
 	return true;
+}
+
+void
+act_choose(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (list_of(t) != NULL)
+		pages_update(t);
+	if (has_rows(t))
+		open_row(t);
+	else
+		tui_say(t, false, "there is nothing to open on this page");
+}
+
+void
+act_filter(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (list_of(t) == NULL) {
+		tui_say(t, false,
+		    "this page has no list to look through: Sites, ? and texts "
+		    "have");
+		return;
+	}
+	t->focus = pages_open(t);
+	t->message[0] = '\0';
+	t->filter.active = true;
 }
 
 bool

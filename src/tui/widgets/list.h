@@ -19,8 +19,8 @@ size_t rows_next(const struct tui *t, size_t i);
 void rows_touch(struct tui *t, struct area area, size_t i);
 void rows_wheel(struct tui *t, struct area area);
 
-/* What a key does in the list; false: it is none of the list's. */
-bool rows_key(struct tui *t, const struct key *key);
+/* See move in page_ops. */
+bool rows_move(struct tui *t, const struct key *key);
 
 /* A key while the word is typed; false: it is none of the word's. */
 bool rows_letter(struct tui *t, int code, bool special);

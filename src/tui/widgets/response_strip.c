@@ -14,6 +14,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
+#include "tui/acts.h"
 #include "tui/widgets/goal.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
@@ -101,7 +102,7 @@ feed_of(const struct tui *t)
 }
 
 void
-above_next(struct tui *t, int by)
+act_quantity(struct tui *t, const struct key *key)
 {
 	const struct quantity all[] = {above_usual(),
 	    usual(QUANTITY_SIZE, 0.5, 0), usual(QUANTITY_SIZE, 0.2, 0),
@@ -110,7 +111,7 @@ above_next(struct tui *t, int by)
 	    usual(QUANTITY_SHARE, 0, 2e-3), usual(QUANTITY_SHARE, 0, 4e-3)};
 	const int n = ARRAY_LEN(all);
 	struct error error = {0};
-	int at = by > 0 ? n - 1 : 0;
+	int by = key->amount, at = by > 0 ? n - 1 : 0;
 	if (tui_entry(t) == NULL)
 		return;
 	for (int i = 0; i < n; i++)

@@ -10,6 +10,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots_search.h"
+#include "tui/acts.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 
@@ -45,8 +46,9 @@ search_side_choose(struct tui *t, int by)
 }
 
 void
-search_side_bounds(struct tui *t)
+act_bounds(struct tui *t, const struct key *key)
 {
+	(void)key;
 	struct plots_past past = tui_past(t);
 	if (past.n == 0)
 		return;
@@ -74,7 +76,7 @@ touch_parameter(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind == TOUCH_PRESS) {
 		t->param_at = touched->item;
-		search_side_bounds(t);
+		act_bounds(t, NULL);
 	}
 	return touched->kind == TOUCH_PRESS;
 }

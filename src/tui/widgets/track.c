@@ -12,6 +12,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "core/model/breakage.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/widgets/goal.h"
 #include "tui/screen.h"
 
@@ -378,8 +379,8 @@ is_pending(const struct tui *t)
 	return entry != NULL && entry->has_params && goal_pending(t);
 }
 
-void
-track_go(struct tui *t, const struct key *key)
+static void
+go(struct tui *t, const struct key *key)
 {
 	if (is_pending(t) && session_fitting(t->session) == tui_entry(t)) {
 		tui_say(t, false,
@@ -396,6 +397,18 @@ track_go(struct tui *t, const struct key *key)
 }
 
 void
+act_limit(struct tui *t, const struct key *key)
+{
+	go(t, key);
+}
+
+void
+act_best(struct tui *t, const struct key *key)
+{
+	go(t, key);
+}
+
+void
 track_wished(struct tui *t, bool now)
 {
 	const struct key *key = t->wish;
@@ -409,7 +422,7 @@ track_wished(struct tui *t, bool now)
 		return;
 	t->wish = NULL;
 	t->message[0] = '\0';
-	if (key->act == ACT_BEST)
+	if (key->act == act_best)
 		to_best(t);
 	else
 		to_limit(t, key->amount);

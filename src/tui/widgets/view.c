@@ -11,10 +11,9 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "tui/acts.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
-
-enum { ESCAPE = 27 };
 
 /* How many lines there are, and columns of the widest one. */
 static void
@@ -53,8 +52,9 @@ view_text(struct tui *t, char *text)
 }
 
 void
-view_again(struct tui *t)
+act_again(struct tui *t, const struct key *key)
 {
+	(void)key;
 	if (t->closed != NULL)
 		view_text(t, xstrdup(t->closed));
 	else
@@ -75,6 +75,13 @@ view_keys(struct tui *t)
 	t->viewer.word = word;
 	t->viewer.at = 0;
 	view_scroll(t, 1);
+}
+
+void
+act_help(struct tui *t, const struct key *key)
+{
+	(void)key;
+	view_keys(t);
 }
 
 /* The last frame may have been of other text there. */
@@ -254,19 +261,19 @@ forget_word(struct tui *t)
 static bool
 moves(struct tui *t, const struct key *key, int code)
 {
-	enum { FAST = 50 };
 	struct viewer *v = &t->viewer;
 	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
-	enum key_act act = key != NULL ? key->act : ACT_HELP;
-	if (act == ACT_LIST)
+	key_way *act = key != NULL ? key->act : NULL;
+	int steps = act == act_move ? abs(key->amount) : 0;
+	if (act == act_list)
 		view_scroll(t, key->amount);
-	else if (act == ACT_MOVE && !v->keys)
+	else if (steps == STEP && !v->keys)
 		v->left += key->amount * (t->places.body.columns + 1) / 2;
-	else if (act == ACT_FINE && abs(key->amount) == FAST)
+	else if (steps == FAR)
 		view_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
 		view_scroll(t, page);
-	else if (act == ACT_TO && key->amount <= TO_MOST)
+	else if (act == act_ends)
 		view_scroll(t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
 		find_next(t, code == 'N');
@@ -280,13 +287,12 @@ moves(struct tui *t, const struct key *key, int code)
  * pressed to be rid of a text.  A first calibration takes the place of nothing.
  */
 static bool
-changes(const struct tui *t, enum key_act act)
+changes(const struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_entry(t);
 	bool first =
 	    entry != NULL && !entry->has_params && !session_busy(t->session);
-	return (act == ACT_FIT && !first) || act == ACT_RUN ||
-	       act == ACT_CORRECT || act == ACT_KEEP || act == ACT_STOP;
+	return key->where & CHANGES && !(key->act == act_fit && first);
 }
 
 /* A key that is none of the text's has closed it: true where that is all that
@@ -298,11 +304,11 @@ only_closes(struct tui *t, const struct key *key, int code, bool keys)
 		return true;
 	if (key == NULL)
 		return false;
-	if (key->act == ACT_LEAVE || (keys && key->act == ACT_HELP))
+	if (key->act == act_leave || (keys && key->act == act_help))
 		return true;
-	if (changes(t, key->act) && key->act != ACT_STOP)
+	if (changes(t, key) && code != INTERRUPT)
 		tui_say(t, false, "%s again: %s", key->name, key->what);
-	return changes(t, key->act);
+	return changes(t, key);
 }
 
 bool
