@@ -26,7 +26,7 @@
 static const char *
 tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
-	bool here = p == t->page;
+	bool here = p == t->ui.page;
 	const char *name = columns >= 76 || (here && columns >= 34)
 			       ? tr(PAGE_OPS[p]->name)
 			       : "";
@@ -60,7 +60,7 @@ draw_header(struct tui *t)
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
 		column = screen_text(area, 0, column,
-		    p == t->page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
+		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
 		touch_add_key(&t->touches,
 		    (struct area){area->row, from, 1, column - from},
@@ -389,7 +389,7 @@ touch_wheel(struct tui *t, const struct touched *touched)
 	int by = touched->kind == TOUCH_UP ? 1 : -1;
 	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
 		return false;
-	t->tenths = slider_clamp(tui_range(t), t->tenths + by);
+	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + by);
 	return true;
 }
 

@@ -42,7 +42,7 @@ act_move(struct tui *t, const struct key *key)
 	if (page_moves(t, key))
 		return;
 	t->wish = NULL;
-	t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
+	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + key->amount);
 }
 
 void
@@ -52,7 +52,7 @@ act_ends(struct tui *t, const struct key *key)
 	if (page_moves(t, key))
 		return;
 	t->wish = NULL;
-	t->tenths = key->amount == TO_LEAST ? range.least : range.most;
+	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
 }
 
 void
@@ -72,7 +72,7 @@ act_run_speed(struct tui *t, const struct key *key)
 	double speed = key->amount < 0   ? site->run[0].speed
 		       : key->amount > 0 ? site->run[site->n_run - 1].speed
 					 : site_middle(site);
-	t->tenths = slider_tenths(tui_range(t), speed);
+	t->ui.tenths = slider_tenths(tui_range(t), speed);
 }
 
 void
@@ -86,8 +86,8 @@ void
 act_focus(struct tui *t, const struct key *key)
 {
 	(void)key;
-	bool can = pages_can_focus(t) && t->focus == NULL;
-	t->focus = can ? pages_open(t) : NULL;
+	bool can = pages_can_focus(t) && t->ui.focus == NULL;
+	t->ui.focus = can ? pages_open(t) : NULL;
 	/* What was said of the arrows holds no longer. */
 	tui_say(t, false, "%s", "");
 }
@@ -140,7 +140,7 @@ act_export(struct tui *t, const struct key *key)
 	}
 	char *line = tui_asks(t), *slug = slug_of(t);
 	xappend(&line, " > ");
-	propose(t, line, xasprintf("%s-%.1f.xlsx", slug, t->tenths / 10.0));
+	propose(t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
 	free(slug);
 	free(line);
 }
@@ -223,20 +223,20 @@ act_hold(struct tui *t, const struct key *key)
 void
 act_pace(struct tui *t, const struct key *key)
 {
-	int from = t->pace == PACE_AUTO ? PACE_USUAL : t->pace;
-	t->pace = pane_moved(from, key->amount, PACE_COUNT);
+	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
+	t->ui.pace = pane_moved(from, key->amount, PACE_COUNT);
 	t->due = t->clock;
-	if (t->pace == PACE_AUTO)
+	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,
 		    "generations a second: few while the best gains much");
-	else if (t->pace == PACE_FULL)
+	else if (t->ui.pace == PACE_FULL)
 		tui_say(t, false, "generations a second: as many as possible");
 	else
 		tui_say(t, false,
 		    tr_n("speed of display: %g generation a second",
 			"speed of display: %g generations a second",
-			PACES[t->pace] > 1 ? 2 : 1),
-		    PACES[t->pace]);
+			PACES[t->ui.pace] > 1 ? 2 : 1),
+		    PACES[t->ui.pace]);
 }
 
 void
@@ -272,9 +272,9 @@ act_band(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_entry(t);
-	t->band = !t->band;
+	t->ui.band = !t->ui.band;
 	t->message[0] = '\0';
-	if (!t->band || t->now.site[0] == '\0')
+	if (!t->ui.band || t->now.site[0] == '\0')
 		return;
 	bool known = t->shown.low != NULL;
 	tui_say(t, false,
@@ -319,7 +319,7 @@ void
 act_back(struct tui *t, const struct key *key)
 {
 	(void)key;
-	bool predict = t->page == PAGE_PREDICT;
+	bool predict = t->ui.page == PAGE_PREDICT;
 	t->message[0] = '\0';
 	if (t->wish != NULL) {
 		t->wish = NULL;
@@ -329,12 +329,12 @@ act_back(struct tui *t, const struct key *key)
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
 		watch_keep(t);
-	else if (predict && t->cross)
+	else if (predict && t->ui.cross)
 		act_cross(t, key);
-	else if (predict && t->runs)
-		t->runs = false;
-	else if (t->focus != NULL && !pages_open(t)->takes_focus)
-		t->focus = NULL;
+	else if (predict && t->ui.runs)
+		t->ui.runs = false;
+	else if (t->ui.focus != NULL && !pages_open(t)->takes_focus)
+		t->ui.focus = NULL;
 	else if (!predict)
 		pages_go(t, PAGE_PREDICT);
 	else
@@ -415,7 +415,7 @@ digit_key(struct tui *t, int code, bool special)
 		return typing_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
-		if (!slider_read(range, y->text, &t->tenths))
+		if (!slider_read(range, y->text, &t->ui.tenths))
 			tui_say(t, true,
 			    "expected a speed from %d to %d m/s, got %s",
 			    range.least / 10, range.most / 10, y->text);
@@ -483,7 +483,7 @@ act_pointed(struct tui *t, int *code, bool *special)
 static void
 page_key(struct tui *t, int code, bool special)
 {
-	const struct key *key = keys_find(code, t->page);
+	const struct key *key = keys_find(code, t->ui.page);
 	if (t->chooser.on && chooser_key(t, code, special))
 		return;
 	if (rows_letter(t, code, special) || digit_key(t, code, special))
@@ -503,7 +503,7 @@ act_key(struct tui *t, int code, bool special)
 	/* A character beyond ASCII is no key: its number may be one's. */
 	if (!special && code > DELETE && !t->typing.active)
 		return;
-	const struct key *key = keys_find(code, t->page), *run = NULL;
+	const struct key *key = keys_find(code, t->ui.page), *run = NULL;
 	if (special && code == KEY_MOUSE) {
 		take_mouse(t, touch);
 	} else if (key != NULL &&

@@ -14,7 +14,7 @@ const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
 const struct page_ops *
 pages_open(const struct tui *t)
 {
-	return PAGE_OPS[t->page];
+	return PAGE_OPS[t->ui.page];
 }
 
 bool
@@ -28,16 +28,16 @@ pages_can_focus(const struct tui *t)
 void
 pages_go(struct tui *t, enum page page)
 {
-	if (t->page != page) {
+	if (t->ui.page != page) {
 		t->filter = (struct typing){0};
 		tui_untouch(t);
 	}
-	t->page = page;
+	t->ui.page = page;
 	const struct page_ops *ops = pages_open(t);
 	if (ops->takes_focus)
-		t->focus = ops;
-	else if (t->focus != ops || !pages_can_focus(t))
-		t->focus = NULL;
+		t->ui.focus = ops;
+	else if (t->ui.focus != ops || !pages_can_focus(t))
+		t->ui.focus = NULL;
 }
 
 void

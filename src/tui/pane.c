@@ -107,7 +107,7 @@ draw_runs(const struct tui *t, int column, const struct entry *entry, bool may)
 		bool held_out = !entry->train[r];
 		if (site_run_repeats(site, r) ||
 		    !site_run_is_near(
-			site, r, t->tenths / 10.0, SITE_CHART_RUNS))
+			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look = site_chart_run(site, r, held_out);
 		char *sample = chart_sample(&look, screen_charset());
@@ -154,8 +154,8 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	column = draw_runs(t, column, entry, !runs);
-	if (site->individual_feeds && t->feed > 0 && !runs)
-		snprintf(sample, sizeof sample, " %g", t->feed);
+	if (site->individual_feeds && t->ui.feed > 0 && !runs)
+		snprintf(sample, sizeof sample, " %g", t->ui.feed);
 	snprintf(text, sizeof text, tr("%s feed%s"),
 	    ascii  ? "."
 	    : runs ? "\u2500"

@@ -39,7 +39,7 @@ patience(const struct tui *t)
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
 	bool asks = t->question != NULL || t->inquiry != NULL;
 	if (!asks && session_busy(t->session) && !t->held)
-		left = t->pace == PACE_FULL
+		left = t->ui.pace == PACE_FULL
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)

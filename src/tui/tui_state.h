@@ -62,8 +62,8 @@ struct site_row {
 };
 
 /* The sheet on the Data page: its sieves, m, its columns, a feed or a product
- * of a run each, and the digits that its cells want; the cell of the cursor and
- * the first one shown; what the doctor found, where it has looked. */
+ * of a run each, and the digits that its cells want; what the doctor found,
+ * where it has looked. */
 struct sheet_column {
 	bool feed;
 	size_t run;
@@ -74,21 +74,20 @@ struct sheet {
 	double *sieve;
 	struct sheet_column *column;
 	int digits, width;
-	size_t row, at, top, left;
 	bool looked, calibrated;
 	double misfit; /* of the calibration by which it looked */
 	struct doctor doctor;
 };
 
 /* All sites' held-out runs on the Parity page, compared site by site: `next`
- * is the one to compare, n_entry when all are; by how many the chosen one is
- * below the first, and the first one shown; the plot, or why there is none. */
+ * is the one to compare, n_entry when all are; the plot, or why there is
+ * none. */
 struct parity_point {
 	size_t entry;
 	struct validation v;
 };
 struct parity {
-	size_t next, n, at, top;
+	size_t next, n;
 	struct parity_point *point;
 	struct validate_score score[VALIDATE_NULL][PSD_SIZES];
 	struct chart *chart;
@@ -151,23 +150,48 @@ struct tui_ways {
 	bool (*stopped)(struct tui *t);
 };
 
+/* What the user has chosen, and nothing that follows from it, nor anything
+ * owned: a frame beside the open screen begins with a copy. */
+struct ui {
+	enum page page;
+	/* Of which page the arrows move what it has; NULL: the slider. */
+	const struct page_ops *focus;
+	int tenths;  /* of the slider */
+	double feed; /* m/s of the run whose feed is taken; 0: the mean */
+	struct quantity quantity; /* above the track */
+	bool cross, band, runs;   /* runs: page Predict has plot runs */
+	size_t cross_at;          /* a sieve of the prediction */
+	int level;    /* passing that the crosshair reads sizes at, % */
+	int first_at; /* of what can be done without a site */
+	enum plot_kind picture; /* of the page Fit */
+	int pace;               /* index of PACES */
+	size_t generation;      /* looked at, 1..; 0: the end so far */
+	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
+	/* The cell of the cursor on the page Data, and the first one shown; the
+	 * point on the page Parity, likewise. */
+	struct {
+		size_t row, at, top, left;
+	} cell;
+	struct {
+		size_t at, top;
+	} point;
+	size_t site_at; /* of the Sites page */
+	int sort;       /* it, by 1 + a column; 0: as they were loaded */
+	bool sort_down;
+};
+
 struct tui {
 	struct session *session;
 	const struct tui_ways *ways;
 	struct places places;
-	enum page page;
-	/* Of which page the arrows move what it has; NULL: the slider. */
-	const struct page_ops *focus;
+	struct ui ui;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
 	double clock;   /* s; a step with every key where it is drawn aside */
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
-	int tenths;     /* of the slider */
-	double feed;    /* m/s of the run whose feed is taken; 0: the mean */
-	struct quantity quantity; /* above the track */
-	struct above *above;      /* what is drawn there, see above.h */
-	struct goal goal;         /* the one that is set, see goals.h */
+	struct above *above; /* what is drawn there, see above.h */
+	struct goal goal;    /* the one that is set, see goals.h */
 	bool goal_field; /* the line typed is that; fresh: as it was offered */
 	bool goal_fresh;
 	const struct key *wish; /* of its speeds, pressed before they are */
@@ -180,7 +204,7 @@ struct tui {
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	struct numbers now, pause, pin; /* site "": none */
 	struct prediction kept;         /* whose numbers are in pin, borrowed */
-	bool cross, band, mouse;
+	bool mouse;
 	struct touches touches; /* of the frame shown */
 	struct {
 		struct plot_request request;
@@ -188,34 +212,24 @@ struct tui {
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
 	const struct page_ops *shows; /* whose these are */
-	size_t cross_at;              /* a sieve of the prediction */
-	int level;            /* passing that the crosshair reads sizes at, % */
-	size_t site_at;       /* of the Sites page */
-	struct sheet sheet;   /* of the Data page */
-	struct parity parity; /* of the Parity page */
+	struct sheet sheet;           /* of the Data page */
+	struct parity parity;         /* of the Parity page */
 	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
 	size_t n_row;
 	int site_width[SITE_COLUMNS]; /* what the texts of each want */
-	int sort; /* 1 + the column sorted by; 0: as they were loaded */
-	bool sort_down;
 	int rows_at;           /* tenths they are of; 0: of another session */
-	size_t looked;         /* counts what may have changed the session */
+	size_t revision;       /* counts what may have changed the session */
 	struct limits *limits; /* see limits.h, owned, or NULL */
-	bool runs;             /* page Predict has plot runs for its curves */
-	char *under_way;                 /* line that is run, or NULL */
-	bool of_script;                  /* it is one of a script */
-	bool stopping;                   /* a key stops it */
-	double ran_from;                 /* when it or its script began, s */
-	double drawn_at;                 /* when that was last drawn */
-	const char *begun; /* what takes a moment just now, or NULL */
-	enum plot_kind picture;
-	bool held;            /* the calibration waits */
-	int pace;             /* index of PACES */
-	double due;           /* when the next generation is */
-	size_t generation;    /* looked at, 1..; 0: the end so far */
-	size_t param_at;      /* chosen on the page Fit, 1..; 0: none */
-	double holdout;       /* RMSE of the site in use, points, or NAN */
-	struct typing typing; /* a command */
+	char *under_way;       /* line that is run, or NULL */
+	bool of_script;        /* it is one of a script */
+	bool stopping;         /* a key stops it */
+	double ran_from;       /* when it or its script began, s */
+	double drawn_at;       /* when that was last drawn */
+	const char *begun;     /* what takes a moment just now, or NULL */
+	bool held;             /* the calibration waits */
+	double due;            /* when the next generation is */
+	double holdout;        /* RMSE of the site in use, points, or NAN */
+	struct typing typing;  /* a command */
 	struct typing speed;
 	struct typing filter; /* a word that rows of a list must have */
 	struct paste paste;
@@ -223,10 +237,9 @@ struct tui {
 	struct viewer viewer;
 	char *closed; /* the text that was closed last, or NULL */
 	struct chooser chooser;
-	int first_at;      /* of what can be done first */
-	char *command;     /* the last one, for show */
-	const char *job;   /* name of that which began the job, or NULL */
-	bool failed;       /* it did */
+	char *command;   /* the last one, for show */
+	const char *job; /* name of that which began the job, or NULL */
+	bool failed;     /* it did */
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is of the command that moved the slider */

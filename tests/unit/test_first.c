@@ -174,7 +174,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 		press(t, ASKING[i]);
 		assert_string_equal(t->message, TUI_NO_SITE);
 		assert_false(t->typing.active);
-		assert_int_equal(t->page, PAGE_PREDICT);
+		assert_int_equal(t->ui.page, PAGE_PREDICT);
 	}
 	t->message[0] = '\0';
 	for (int page = PAGE_FIT; page <= PAGE_SITES; page++) {

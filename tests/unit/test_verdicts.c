@@ -132,8 +132,8 @@ a_verdict_is_that_of_the_envelope(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	size_t in_all = 0, all = 0;
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
-	t->tenths = tui_range(t).least;
-	for (; t->tenths <= tui_range(t).most; t->tenths++) {
+	t->ui.tenths = tui_range(t).least;
+	for (; t->ui.tenths <= tui_range(t).most; t->ui.tenths++) {
 		control_predict(t);
 		pages_update(t);
 		const struct grading *g = limits_now(t);
@@ -143,7 +143,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 		assert_true(grading_in_use(
 		    t->session, tui_entry(t), tui_feed(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
-		forecast_at(own.conditions.forecast, t->tenths / 10.0);
+		forecast_at(own.conditions.forecast, t->ui.tenths / 10.0);
 		for (size_t i = 0; i < g->limits.n; i++, all++) {
 			bool in = wanted_holds(&g->conditions, i);
 			assert_int_equal(in, wanted_holds(&own.conditions, i));
@@ -155,7 +155,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 		grading_close(&own);
 	}
 	assert_in_range(in_all, 1, all - 1);
-	t->tenths = 740;
+	t->ui.tenths = 740;
 	expect(t, 30, 100, "| 0/4.75 ASTM C33 fine aggregate");
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");
@@ -218,13 +218,13 @@ rows_of_the_panel_can_be_touched(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	touch(t, "|   5.6");
-	assert_true(t->cross && t->focus != NULL);
-	assert_float_equal(t->shown.product.size[t->cross_at], 5.6e-3, 1e-9);
+	assert_true(t->ui.cross && t->ui.focus != NULL);
+	assert_float_equal(t->shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
 	touch(t, "| P80");
-	assert_int_equal(t->level, 80);
-	assert_float_equal(t->shown.product.size[t->cross_at], 5.6e-3, 1e-9);
+	assert_int_equal(t->ui.level, 80);
+	assert_float_equal(t->shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
 	touch(t, "| 0/2");
-	assert_float_equal(t->shown.product.size[t->cross_at], 2e-3, 1e-9);
+	assert_float_equal(t->shown.product.size[t->ui.cross_at], 2e-3, 1e-9);
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
 	touch(t, "| 0/4.75 ASTM C33");
 	assert_non_null(strstr(t->viewer.text, "ASTM C33 fine aggregate"));

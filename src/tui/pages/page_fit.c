@@ -21,7 +21,7 @@ touch_scrubber(struct tui *t, const struct touched *touched)
 	size_t n = tui_steps(t);
 	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
 		return false;
-	t->focus = &page_fit;
+	t->ui.focus = &page_fit;
 	int last = touched->area.columns - 1, at = touched->column;
 	if (n == 0 || last < 1)
 		return true;
@@ -54,7 +54,7 @@ caption(struct tui *t, const struct area *area)
 	int length = (int)strlen(label);
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
-	bool focus = t->focus == &page_fit;
+	bool focus = t->ui.focus == &page_fit;
 	screen_text(
 	    area, 0, column, focus ? LOOK_REVERSE : LOOK_BOLD, "%s", label);
 	if (focus)
@@ -99,17 +99,17 @@ draw(struct tui *t)
 	struct places *l = &t->places;
 	/* What there are no rows for to draw is said. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
-	    t->picture == PLOT_SEARCH) {
+	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
 		search_side_draw(t);
 		return;
 	}
 	struct plot_request request =
-	    plots_request(any ? t->picture : PLOT_PSD);
+	    plots_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
-	request.speed = t->tenths / 10.0;
-	request.feed_speed = t->feed;
-	request.generation = t->generation;
+	request.speed = t->ui.tenths / 10.0;
+	request.feed_speed = t->ui.feed;
+	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->places.plot.rows < TALL;
 	if (own)
 		pane_plot(t, &request, &t->places.plot);
@@ -163,7 +163,7 @@ act_generation(struct tui *t, const struct key *key)
 		return;
 	}
 	watch_hold(t, true);
-	t->generation = 0;
+	t->ui.generation = 0;
 	watch_step(t);
 }
 
@@ -175,7 +175,7 @@ act_picture(struct tui *t, const struct key *key)
 	    [PLOT_CONVERGENCE] = PLOT_SPREAD,
 	    [PLOT_SPREAD] = PLOT_SEARCH};
 	(void)key;
-	t->picture = NEXT[t->picture];
+	t->ui.picture = NEXT[t->ui.picture];
 }
 
 /* Arrows to the sides go through the generations where these have the focus,
@@ -185,7 +185,7 @@ move(struct tui *t, const struct key *key)
 {
 	if (key->act == act_list)
 		search_side_choose(t, key->amount);
-	else if (t->focus != &page_fit)
+	else if (t->ui.focus != &page_fit)
 		return false;
 	else if (key->act == act_ends)
 		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
@@ -200,10 +200,11 @@ words(const struct tui *t)
 	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
 	    [PLOT_CONVERGENCE] = "convergence",
 	    [PLOT_SPREAD] = "spread"};
-	bool curves = t->picture == PLOT_PSD || tui_past(t).n == 0;
-	char *line = curves ? pane_curves_words(t) : xstrdup(NAMES[t->picture]);
-	if (t->generation > 0)
-		xappend(&line, " generation=%zu", t->generation);
+	bool curves = t->ui.picture == PLOT_PSD || tui_past(t).n == 0;
+	char *line =
+	    curves ? pane_curves_words(t) : xstrdup(NAMES[t->ui.picture]);
+	if (t->ui.generation > 0)
+		xappend(&line, " generation=%zu", t->ui.generation);
 	return line;
 }
 

@@ -49,9 +49,10 @@ compare(struct tui *t, const struct entry *entry)
 
 /* The sizes of the chosen run, over all others by the same marks. */
 static void
-choose_points(struct parity *y)
+choose_points(struct tui *t)
 {
-	const struct validation *v = &y->point[y->at].v;
+	struct parity *y = &t->parity;
+	const struct validation *v = &y->point[t->ui.point.at].v;
 	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
 	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
 		of[i]->x[0] = 1000 * v->measured[i];
@@ -85,13 +86,13 @@ finish(struct tui *t)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			y->score[way][i] = validate_score(v, y->n, way, i);
 	free(v);
-	y->at = y->at < y->n ? y->at : 0;
+	t->ui.point.at = t->ui.point.at < y->n ? t->ui.point.at : 0;
 	y->chart = plots_chart(t->session, &request, &y->error);
 	if (y->chart == NULL || y->n == 0)
 		return;
 	if (y->n > 1)
 		add_chosen(y->chart);
-	choose_points(y);
+	choose_points(t);
 }
 
 /* Site by site, as a first comparison draws what is known of each from its
@@ -198,12 +199,13 @@ touch_points(struct tui *t, const struct touched *touched)
 	struct parity *y = &t->parity;
 	if (touched->kind == TOUCH_DRAG)
 		return false;
-	t->focus = &page_parity;
+	t->ui.focus = &page_parity;
 	int by = touched->kind == TOUCH_UP ? -1 : 1;
-	y->at = (size_t)(touched->kind == TOUCH_PRESS
-			     ? pane_moved((int)y->top, touched->row, y->n)
-			     : pane_moved((int)y->at, by, y->n));
-	choose_points(y);
+	t->ui.point.at =
+	    (size_t)(touched->kind == TOUCH_PRESS
+			 ? pane_moved((int)t->ui.point.top, touched->row, y->n)
+			 : pane_moved((int)t->ui.point.at, by, y->n));
+	choose_points(t);
 	return true;
 }
 
@@ -234,7 +236,7 @@ draw_point(const struct tui *t, const struct area *area, int row, size_t k,
 	const struct parity_point *p = &t->parity.point[k];
 	const struct entry *e = &t->session->entry[p->entry];
 	const struct run *run = &e->site->run[p->v.run];
-	unsigned look = k == t->parity.at ? LOOK_REVERSE : LOOK_PLAIN;
+	unsigned look = k == t->ui.point.at ? LOOK_REVERSE : LOOK_PLAIN;
 	int from = area->columns - figures;
 	struct area name = *area;
 	name.columns = figures > 0 ? from - 1 : area->columns;
@@ -269,18 +271,22 @@ draw_points(struct tui *t, const struct area *area, int row)
 				   : tr("  P50 mm   model  off by"),
 		    figures == ALL ? "     P20     P80" : "");
 	row++;
-	if (y->top + room <= y->at)
-		y->top = y->at + 1 - room;
-	y->top = y->top > y->at ? y->at : y->top;
-	for (size_t k = y->top; k < y->n && k < y->top + room; k++)
-		draw_point(t, area, row + (int)(k - y->top), k, figures);
+	if (t->ui.point.top + room <= t->ui.point.at)
+		t->ui.point.top = t->ui.point.at + 1 - room;
+	t->ui.point.top =
+	    t->ui.point.top > t->ui.point.at ? t->ui.point.at : t->ui.point.top;
+	for (size_t k = t->ui.point.top; k < y->n && k < t->ui.point.top + room;
+	     k++)
+		draw_point(
+		    t, area, row + (int)(k - t->ui.point.top), k, figures);
 	touch_add(&t->touches,
 	    (struct area){area->row + row, area->column,
 		(int)(room < y->n ? room : y->n), area->columns},
 	    touch_points, 0);
-	if (t->focus == &page_parity)
+	if (t->ui.focus == &page_parity)
 		t->cursor = (struct cursor){
-		    area->row + row + (int)(y->at - y->top), area->column};
+		    area->row + row + (int)(t->ui.point.at - t->ui.point.top),
+		    area->column};
 }
 
 /* Statistics and points beside the plot. */
@@ -382,17 +388,18 @@ static bool
 move(struct tui *t, const struct key *key)
 {
 	struct parity *y = &t->parity;
-	bool here = t->focus == &page_parity, ends = key->act == act_ends;
+	bool here = t->ui.focus == &page_parity, ends = key->act == act_ends;
 	if (!can_focus(t) ||
 	    (key->act != act_list &&
 		(!here || (!ends && abs(key->amount) != STEP))))
 		return false;
-	t->focus = &page_parity;
+	t->ui.focus = &page_parity;
 	if (ends)
-		y->at = key->amount == TO_MOST ? y->n - 1 : 0;
+		t->ui.point.at = key->amount == TO_MOST ? y->n - 1 : 0;
 	else
-		y->at = (size_t)pane_moved((int)y->at, key->amount, y->n);
-	choose_points(y);
+		t->ui.point.at =
+		    (size_t)pane_moved((int)t->ui.point.at, key->amount, y->n);
+	choose_points(t);
 	return true;
 }
 

@@ -35,24 +35,25 @@ draw(struct tui *t)
 		first_draw(t);
 		return;
 	}
-	if (t->runs) {
+	if (t->ui.runs) {
 		draw_runs(t);
 		verdicts_draw(t);
 		return;
 	}
 	request.words = 0;
-	request.speed = t->tenths / 10.0;
-	request.feed_speed = t->feed;
-	request.band = t->band;
-	if (p->product.n > 0 && t->asked.tenths == t->tenths)
+	request.speed = t->ui.tenths / 10.0;
+	request.feed_speed = t->ui.feed;
+	request.band = t->ui.band;
+	if (p->product.n > 0 && t->asked.tenths == t->ui.tenths)
 		request.made = p;
-	request.level = t->level;
+	request.level = t->ui.level;
 	if (t->pin.site[0] != '\0') {
 		request.beside = t->pin.site;
 		request.kept = &t->session->pin->p;
 	}
-	if (t->cross && t->cross_at < p->product.n)
-		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
+	if (t->ui.cross && t->ui.cross_at < p->product.n)
+		request.crosshair_mm =
+		    units_mm(p->product.size[t->ui.cross_at]);
 	pane_curves(t, &request, t->places.side.rows == 0);
 	verdicts_draw(t);
 }
@@ -60,7 +61,7 @@ draw(struct tui *t)
 static bool
 can_focus(const struct tui *t)
 {
-	return t->cross;
+	return t->ui.cross;
 }
 
 /* Up is a higher passing. */
@@ -68,8 +69,8 @@ static void
 move_level(struct tui *t, int by)
 {
 	enum { POINTS = 5, LEAST = 5, MOST = 95 };
-	int to = t->level - by * POINTS;
-	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
+	int to = t->ui.level - by * POINTS;
+	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
 /* What the panel has no room for. */
@@ -93,7 +94,7 @@ void
 act_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->runs = tui_entry(t) != NULL && !t->runs;
+	t->ui.runs = tui_entry(t) != NULL && !t->ui.runs;
 }
 
 static bool
@@ -103,15 +104,15 @@ move(struct tui *t, const struct key *key)
 	size_t n = t->shown.product.n;
 	if (tui_entry(t) == NULL)
 		return first_move(t, key);
-	if (t->focus != &page_predict)
+	if (t->ui.focus != &page_predict)
 		return false;
 	if (key->act == act_ends)
-		t->cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
+		t->ui.cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
 	else if (key->act == act_list)
 		move_level(t, key->amount);
 	else if (abs(key->amount) == STEP)
-		t->cross_at =
-		    (size_t)pane_moved((int)t->cross_at, -key->amount, n);
+		t->ui.cross_at =
+		    (size_t)pane_moved((int)t->ui.cross_at, -key->amount, n);
 	else
 		return false;
 	return true;
@@ -122,16 +123,16 @@ void
 act_cross(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->cross = !t->cross && t->shown.product.n > 0;
-	t->runs = t->runs && !t->cross;
-	if (t->cross && t->cross_at == 0)
-		t->cross_at = t->shown.product.n / 3;
-	if (t->cross)
+	t->ui.cross = !t->ui.cross && t->shown.product.n > 0;
+	t->ui.runs = t->ui.runs && !t->ui.cross;
+	if (t->ui.cross && t->ui.cross_at == 0)
+		t->ui.cross_at = t->shown.product.n / 3;
+	if (t->ui.cross)
 		pages_go(t, PAGE_PREDICT);
-	t->focus = t->cross ? &page_predict : NULL;
+	t->ui.focus = t->ui.cross ? &page_predict : NULL;
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
-	else if (t->cross)
+	else if (t->ui.cross)
 		tui_say(t, false,
 		    "left and right: the sieve; up and down: the passing; Tab: "
 		    "the speed again");
@@ -147,7 +148,7 @@ cross_at(struct tui *t, double size)
 		if (fabs(log(psd->size[i] / size)) <
 		    fabs(log(psd->size[best] / size)))
 			best = i;
-	t->cross_at = best;
+	t->ui.cross_at = best;
 }
 
 static void
@@ -156,12 +157,12 @@ point(struct tui *t, enum plot_kind kind, double x, double y)
 	(void)y;
 	if (kind != PLOT_PSD)
 		return;
-	if (!t->cross)
+	if (!t->ui.cross)
 		act_cross(t, NULL);
-	if (!t->cross)
+	if (!t->ui.cross)
 		return;
 	pages_go(t, PAGE_PREDICT);
-	t->focus = &page_predict;
+	t->ui.focus = &page_predict;
 	cross_at(t, x / 1000);
 }
 
@@ -169,16 +170,16 @@ static char *
 words(const struct tui *t)
 {
 	const struct prediction *p = &t->shown;
-	if (t->runs)
+	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
 	if (t->pin.site[0] != '\0')
 		xappend(&words, " beside=pinned");
-	if (t->band)
+	if (t->ui.band)
 		xappend(&words, " band=on");
-	if (t->cross && t->cross_at < p->product.n)
+	if (t->ui.cross && t->ui.cross_at < p->product.n)
 		xappend(&words, " at=%g level=%d",
-		    units_mm(p->product.size[t->cross_at]), t->level);
+		    units_mm(p->product.size[t->ui.cross_at]), t->ui.level);
 	return words;
 }
 
@@ -189,10 +190,10 @@ hints(const struct tui *t)
 	bool goal = goals_set(t->session);
 	if (tui_entry(t) == NULL)
 		return tr(FIRST_HINTS);
-	if (t->runs)
+	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "
 			  "quit  : command  d describe");
-	if (t->focus == &page_predict)
+	if (t->ui.focus == &page_predict)
 		return tr("<-/-> sieve  Up/Down passing  Tab speed  c no "
 			  "crosshair  ? keys  q quit  : command");
 	if (undone)

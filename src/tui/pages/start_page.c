@@ -39,7 +39,7 @@ touch_way_of(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != TOUCH_PRESS)
 		return false;
-	t->first_at = (int)touched->item;
+	t->ui.first_at = (int)touched->item;
 	chooser_open(t, WAYS[touched->item].list);
 	return true;
 }
@@ -49,14 +49,15 @@ first_move(struct tui *t, const struct key *key)
 {
 	if (key->act != act_list)
 		return false;
-	t->first_at = pane_moved(t->first_at, key->amount, ARRAY_LEN(WAYS));
+	t->ui.first_at =
+	    pane_moved(t->ui.first_at, key->amount, ARRAY_LEN(WAYS));
 	return true;
 }
 
 void
 first_open(struct tui *t)
 {
-	chooser_open(t, WAYS[t->first_at].list);
+	chooser_open(t, WAYS[t->ui.first_at].list);
 }
 
 /* In the middle, with what the chosen one is for where there is room. */
@@ -76,18 +77,19 @@ first_draw(struct tui *t)
 	if (title)
 		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
 	row += title ? 2 : 0;
-	int top = t->first_at >= area.rows ? t->first_at - area.rows + 1 : 0;
+	int top =
+	    t->ui.first_at >= area.rows ? t->ui.first_at - area.rows + 1 : 0;
 	for (int i = top; i < n; i++, row++) {
-		unsigned look = i == t->first_at ? LOOK_REVERSE : LOOK_PLAIN;
+		unsigned look = i == t->ui.first_at ? LOOK_REVERSE : LOOK_PLAIN;
 		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
 		    area.columns, "");
 		touch_add(&t->touches,
 		    (struct area){area.row + row, area.column, 1, area.columns},
 		    touch_way_of, (size_t)i);
-		if (i == t->first_at)
+		if (i == t->ui.first_at)
 			t->cursor =
 			    (struct cursor){area.row + row, area.column};
 	}
 	if (what)
-		screen_words(&area, row + 1, 0, tr(WAYS[t->first_at].what));
+		screen_words(&area, row + 1, 0, tr(WAYS[t->ui.first_at].what));
 }

@@ -186,7 +186,7 @@ chooser_key(struct tui *t, int code, bool special)
 {
 	if (narrow(t, code, special))
 		return true;
-	const struct key *key = keys_find(code, t->page);
+	const struct key *key = keys_find(code, t->ui.page);
 	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
 	key_way *act = key != NULL ? key->act : NULL;
 	bool end = code == KEY_END || code == KEY_HOME;

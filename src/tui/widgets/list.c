@@ -122,8 +122,8 @@ touch_row(struct tui *t, const struct touched *touched)
 	if (touched->kind != TOUCH_PRESS || list_of(t) == NULL)
 		return false;
 	size_t at = list_of(t)->at(t);
-	bool again = t->focus == pages_open(t) && at == touched->item;
-	t->focus = pages_open(t);
+	bool again = t->ui.focus == pages_open(t) && at == touched->item;
+	t->ui.focus = pages_open(t);
 	list_of(t)->go(t, touched->item);
 	if (again)
 		open_row(t);
@@ -177,8 +177,8 @@ rows_move(struct tui *t, const struct key *key)
 	/* Several keys may come before the next frame. */
 	pages_update(t);
 	if (key->act != act_list)
-		return t->focus == pages_open(t) && focused_move(t, key);
-	t->focus = pages_open(t);
+		return t->ui.focus == pages_open(t) && focused_move(t, key);
+	t->ui.focus = pages_open(t);
 	move(t, key->amount);
 	return true;
 }
@@ -205,7 +205,7 @@ act_filter(struct tui *t, const struct key *key)
 		    "have");
 		return;
 	}
-	t->focus = pages_open(t);
+	t->ui.focus = pages_open(t);
 	t->message[0] = '\0';
 	t->filter.active = true;
 }

@@ -68,7 +68,7 @@ view_keys(struct tui *t)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
-	keys_list(t->page, word.text, out);
+	keys_list(t->ui.page, word.text, out);
 	fclose(out);
 	view_text(t, text);
 	t->viewer.keys = true;
@@ -237,7 +237,7 @@ view_scroll(struct tui *t, int by)
 	v->at += by;
 	fit(t);
 	bool last = v->at + step < 0 || v->at + step >= v->lines;
-	if (keys_nth(t->page, v->word.text, (size_t)v->at) == NULL)
+	if (keys_nth(t->ui.page, v->word.text, (size_t)v->at) == NULL)
 		v->at += last ? -step : step;
 	fit(t);
 }
@@ -315,14 +315,14 @@ bool
 view_key(struct tui *t, int code, bool special, const struct key **run)
 {
 	struct viewer *v = &t->viewer;
-	const struct key *key = keys_find(code, t->page);
+	const struct key *key = keys_find(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
 	if (find(t, code, special) || moves(t, key, code) ||
 	    (code == ESCAPE && forget_word(t)))
 		return true;
 	bool keys = v->keys;
 	if (keys && code == '\n') {
-		*run = keys_nth(t->page, v->word.text, (size_t)v->at);
+		*run = keys_nth(t->ui.page, v->word.text, (size_t)v->at);
 		if (*run != NULL)
 			view_close(t);
 		return true;
@@ -399,10 +399,10 @@ draw_word(struct tui *t)
 	int at = screen_text(hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
 	if (v->word.n == 0)
 		return at;
-	char *words =
-	    v->keys
-		? xasprintf(tr("%zu keys"), keys_count(t->page, v->word.text))
-		: xasprintf(tr("%d lines"), count_found(v, 0, &number, &next));
+	char *words = v->keys ? xasprintf(tr("%zu keys"),
+				    keys_count(t->ui.page, v->word.text))
+			      : xasprintf(tr("%d lines"),
+				    count_found(v, 0, &number, &next));
 	int column = number > 0 ? screen_text(hints, 0, at + 2, 0,
 				      N_("line %d of %s"), number, words)
 				: screen_text(hints, 0, at + 2, 0, "%s", words);
@@ -448,7 +448,7 @@ view_draw(struct tui *t)
 		char *cut = draw_line(t, line, p, n);
 		rest = cut != NULL ? cut : rest;
 		if (v->keys && line >= 0 && line < body->rows &&
-		    keys_nth(t->page, v->word.text, (size_t)(line + v->top)))
+		    keys_nth(t->ui.page, v->word.text, (size_t)(line + v->top)))
 			touch_add_both(&t->touches,
 			    (struct area){body->row + line, body->column, 1,
 				body->columns},
