@@ -17,6 +17,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
 #include "tui/acts.h"
+#include "tui/widgets/dialog.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/control.h"
 #include "tui/widgets/goal.h"
@@ -381,23 +382,38 @@ act(struct tui *t, const struct key *key)
 	key->act(t, key);
 }
 
-static void
-type_key(struct tui *t, int code, bool special)
+static bool
+goal_line_key(struct tui *t, int code, bool special)
+{
+	char *line = goal_key(t, code, special);
+	if (line != NULL)
+		control_run(t, line);
+	free(line);
+	return true;
+}
+
+static bool
+line_key(struct tui *t, int code, bool special)
 {
 	struct typing *y = &t->typing;
-	if (t->goal_field) {
-		char *line = goal_key(t, code, special);
-		if (line != NULL)
-			control_run(t, line);
-		free(line);
-		return;
-	}
 	enum typing_result result = typing_key(y, t->session, code, special);
 	if (result == TYPING_ON)
-		return;
+		return true;
 	typing_end(y);
 	if (result == TYPING_DONE)
 		typed_line_run(t, y->text);
+	return true;
+}
+
+/* Of the list of keys the chosen one is run. */
+static bool
+text_key(struct tui *t, int code, bool special)
+{
+	const struct key *run = NULL;
+	bool took = view_key(t, code, special, &run);
+	if (took)
+		act(t, run);
+	return took;
 }
 
 /* Digits of a speed; the first are pages, but after a 0. */
@@ -479,18 +495,73 @@ act_pointed(struct tui *t, int *code, bool *special)
 	return t->pointed.is;
 }
 
-/* A key of the page, also after it has closed a text. */
-static void
+static bool
 page_key(struct tui *t, int code, bool special)
 {
 	const struct key *key = keys_find(code, t->ui.page);
-	if (t->chooser.on && chooser_key(t, code, special))
-		return;
-	if (rows_letter(t, code, special) || digit_key(t, code, special))
-		return;
+	(void)special;
 	act(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
 		tui_say(t, false, "this key has no function: ? lists the keys");
+	return true;
+}
+
+static bool
+answer_key(struct tui *t, int code, bool special)
+{
+	dialogue_key(t, code, special);
+	return true;
+}
+
+/* Who takes the keys, the topmost first; one that leaves a key returns false.
+ * A question of yes or no is asked elsewhere. */
+enum mode { ANSWER, QUESTION, GOAL, LINE, TEXT, FILES, FILTER, SPEED, PAGE };
+static bool (*const MODES[])(struct tui *t, int code, bool special) = {
+    [ANSWER] = answer_key,
+    [QUESTION] = NULL,
+    [GOAL] = goal_line_key,
+    [LINE] = line_key,
+    [TEXT] = text_key,
+    [FILES] = chooser_key,
+    [FILTER] = rows_letter,
+    [SPEED] = digit_key,
+    [PAGE] = page_key};
+
+static enum mode
+next_mode(const struct tui *t, enum mode from)
+{
+	const bool open[] = {[ANSWER] = t->inquiry != NULL,
+	    [QUESTION] = t->question != NULL,
+	    [GOAL] = t->typing.active && t->goal_field,
+	    [LINE] = t->typing.active,
+	    [TEXT] = t->viewer.text != NULL,
+	    [FILES] = t->chooser.on,
+	    [FILTER] = t->filter.active,
+	    [SPEED] = true,
+	    [PAGE] = true};
+	while (!open[from])
+		from++;
+	return from;
+}
+
+bool
+act_types(const struct tui *t, int code)
+{
+	switch (next_mode(t, ANSWER)) {
+	case ANSWER:
+	case GOAL:
+	case LINE:
+	case FILTER:
+		return true;
+	case TEXT:
+		return t->viewer.word.active;
+	case SPEED:
+		return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
+		       (code == '.' || code == ',' ||
+			   (code >= '0' && code <= '9'));
+	default:
+		return false;
+	}
 }
 
 void
@@ -501,20 +572,20 @@ act_key(struct tui *t, int code, bool special)
 		special = false;
 	}
 	/* A character beyond ASCII is no key: its number may be one's. */
-	if (!special && code > DELETE && !t->typing.active)
+	enum mode mode = next_mode(t, ANSWER);
+	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
+	    mode != LINE)
 		return;
-	const struct key *key = keys_find(code, t->ui.page), *run = NULL;
+	const struct key *key = keys_find(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {
 		take_mouse(t, touch);
-	} else if (key != NULL &&
-		   (key->act == act_suspend || key->act == act_redraw)) {
-		act(t, key);
-	} else if (t->typing.active) {
-		type_key(t, code, special);
-	} else if (t->viewer.text == NULL ||
-		   !view_key(t, code, special, &run)) {
-		page_key(t, code, special);
-	} else {
-		act(t, run);
+		return;
 	}
+	if (key != NULL &&
+	    (key->act == act_suspend || key->act == act_redraw)) {
+		act(t, key);
+		return;
+	}
+	while (MODES[mode] != NULL && !MODES[mode](t, code, special))
+		mode = next_mode(t, mode + 1);
 }
