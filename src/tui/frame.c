@@ -425,7 +425,7 @@ add_wheel(struct tui *t, bool viewing)
 		touch_add(touches, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
 		touch_add(touches, over[i], touch_wheel, 0);
-	if (!viewing && pages_open(t)->list != NULL)
+	if (!viewing && rows_here(t))
 		rows_wheel(t, l->body);
 }
 

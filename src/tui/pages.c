@@ -3,7 +3,6 @@
 #include "tui/pages.h"
 
 #include "tui/widgets/response_strip.h"
-#include "tui/widgets/file_picker.h"
 
 const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
     [PAGE_FIT] = &page_fit,
@@ -43,7 +42,8 @@ pages_go(struct tui *t, enum page page)
 void
 pages_update(struct tui *t)
 {
-	chooser_update(t);
+	if (t->chooser.on)
+		t->chooser.rows->update(t);
 	above_update(t);
 	if (pages_open(t)->update != NULL)
 		pages_open(t)->update(t);

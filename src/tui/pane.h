@@ -6,16 +6,17 @@
 
 #include "tui/tui_state.h"
 
-/* The rows of a page that a cursor goes through, see rows.h.  at: the one under
- * it; go: puts the cursor onto one; text: all that a row says, for a word to be
- * looked for in, which the caller frees; open: what Enter does there, or
- * NULL. */
+/* Rows that a cursor goes through, see list.h.  at: the one under it; go: puts
+ * it onto another one; text: all that a row says, for a word to be looked for
+ * in, which the caller frees, or NULL; open: what Enter does there, or NULL;
+ * update: works out what is shown of it, or NULL. */
 struct page_list {
 	size_t (*n)(const struct tui *t);
 	size_t (*at)(const struct tui *t);
 	void (*go)(struct tui *t, size_t i);
 	char *(*text)(const struct tui *t, size_t i);
 	void (*open)(struct tui *t);
+	void (*update)(struct tui *t);
 };
 
 /* All that there is of a page is in its own file; pages.c lists them.  What a

@@ -110,6 +110,8 @@ struct cursor {
 };
 
 struct above;
+struct page_list;
+struct page_ops;
 /* What is listed: the folder that the program runs in, of that sheets with a
  * feed that a product is estimated of, or saved sessions; or the sites that
  * come with the program. */
@@ -120,20 +122,20 @@ enum chooser_list {
 	CHOOSER_SHIPPED
 };
 
-/* Files to open one of, over the page.  word: that they have; preview: of the
- * item `previewed`, -1: of none. */
+/* Files to open one of, over the page.  rows: the list of them; word: that they
+ * have; preview: of the item `previewed`, SIZE_MAX: of none. */
 struct chooser {
 	bool on;
 	enum chooser_list list;
+	const struct page_list *rows;
 	struct folder folder;
 	struct typing word;
-	int at, top, previewed;
+	size_t at, top, previewed;
 	char *preview;
 };
 
 struct inquiry;
 struct limits;
-struct page_ops;
 struct tui;
 
 /* How a full screen is shown. */
@@ -167,16 +169,14 @@ struct ui {
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
 	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
-	/* The cell of the cursor on the page Data, and the first one shown; the
-	 * point on the page Parity, likewise. */
+	/* The cell of the cursor on the page Data, and the first one shown. */
 	struct {
 		size_t row, at, top, left;
 	} cell;
-	struct {
-		size_t at, top;
-	} point;
-	size_t site_at; /* of the Sites page */
-	int sort;       /* it, by 1 + a column; 0: as they were loaded */
+	size_t top[PAGES]; /* the first row shown of a page's list */
+	size_t point_at;   /* of the Parity page */
+	size_t site_at;    /* of the Sites page */
+	int sort;          /* it, by 1 + a column; 0: as they were loaded */
 	bool sort_down;
 };
 

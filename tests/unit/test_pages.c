@@ -282,7 +282,7 @@ parity_has_the_statistics_of_validate(void **state)
 	press(t, "Down Down");
 	const struct chart *chart = t->parity.chart;
 	struct chart_series **own = &chart->series[chart->n - 3];
-	assert_int_equal(t->ui.point.at, 2);
+	assert_int_equal(t->ui.point_at, 2);
 	for (size_t i = 0; i < 3; i++) {
 		const struct chart_series *of = chart->series[1 + i];
 		assert_true(own[i]->y[0] == of->y[2] && own[i]->lifted);

@@ -15,10 +15,10 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/fit/comparison.h"
 #include "core/search/misfit.h"
-#include "tui/acts.h"
 #include "tui/frame.h"
 #include "cli/pump.h"
 #include "tui/screen.h"
+#include "tui/widgets/list.h"
 
 /* ---- What is compared ---- */
 
@@ -52,7 +52,7 @@ static void
 choose_points(struct tui *t)
 {
 	struct parity *y = &t->parity;
-	const struct validation *v = &y->point[t->ui.point.at].v;
+	const struct validation *v = &y->point[t->ui.point_at].v;
 	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
 	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
 		of[i]->x[0] = 1000 * v->measured[i];
@@ -86,7 +86,7 @@ finish(struct tui *t)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			y->score[way][i] = validate_score(v, y->n, way, i);
 	free(v);
-	t->ui.point.at = t->ui.point.at < y->n ? t->ui.point.at : 0;
+	t->ui.point_at = t->ui.point_at < y->n ? t->ui.point_at : 0;
 	y->chart = plots_chart(t->session, &request, &y->error);
 	if (y->chart == NULL || y->n == 0)
 		return;
@@ -192,23 +192,6 @@ off_by(const struct validation *v, size_t i)
 	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
 }
 
-/* A click chooses a point; the wheel goes through them. */
-static bool
-touch_points(struct tui *t, const struct touched *touched)
-{
-	struct parity *y = &t->parity;
-	if (touched->kind == TOUCH_DRAG)
-		return false;
-	t->ui.focus = &page_parity;
-	int by = touched->kind == TOUCH_UP ? -1 : 1;
-	t->ui.point.at =
-	    (size_t)(touched->kind == TOUCH_PRESS
-			 ? pane_moved((int)t->ui.point.top, touched->row, y->n)
-			 : pane_moved((int)t->ui.point.at, by, y->n));
-	choose_points(t);
-	return true;
-}
-
 /* What there is room for beside the longest name: columns of the figures. */
 enum { FEW = 16, FIGURES = 32, ALL = 48 };
 
@@ -236,7 +219,7 @@ draw_point(const struct tui *t, const struct area *area, int row, size_t k,
 	const struct parity_point *p = &t->parity.point[k];
 	const struct entry *e = &t->session->entry[p->entry];
 	const struct run *run = &e->site->run[p->v.run];
-	unsigned look = k == t->ui.point.at ? LOOK_REVERSE : LOOK_PLAIN;
+	unsigned look = k == t->ui.point_at ? LOOK_REVERSE : LOOK_PLAIN;
 	int from = area->columns - figures;
 	struct area name = *area;
 	name.columns = figures > 0 ? from - 1 : area->columns;
@@ -270,23 +253,15 @@ draw_points(struct tui *t, const struct area *area, int row)
 		    figures == FEW ? tr(" P50 off")
 				   : tr("  P50 mm   model  off by"),
 		    figures == ALL ? "     P20     P80" : "");
-	row++;
-	if (t->ui.point.top + room <= t->ui.point.at)
-		t->ui.point.top = t->ui.point.at + 1 - room;
-	t->ui.point.top =
-	    t->ui.point.top > t->ui.point.at ? t->ui.point.at : t->ui.point.top;
-	for (size_t k = t->ui.point.top; k < y->n && k < t->ui.point.top + room;
-	     k++)
-		draw_point(
-		    t, area, row + (int)(k - t->ui.point.top), k, figures);
-	touch_add(&t->touches,
-	    (struct area){area->row + row, area->column,
-		(int)(room < y->n ? room : y->n), area->columns},
-	    touch_points, 0);
-	if (t->ui.focus == &page_parity)
-		t->cursor = (struct cursor){
-		    area->row + row + (int)(t->ui.point.at - t->ui.point.top),
-		    area->column};
+	size_t k = rows_first(t, room);
+	for (row++; k < y->n && row < area->rows; k = rows_next(t, k), row++) {
+		struct area line = {
+		    area->row + row, area->column, 1, area->columns};
+		draw_point(t, area, row, k, figures);
+		rows_touch(t, line, k);
+		if (t->ui.focus == &page_parity && k == t->ui.point_at)
+			t->cursor = (struct cursor){line.row, line.column};
+	}
 }
 
 /* Statistics and points beside the plot. */
@@ -376,32 +351,28 @@ draw(struct tui *t)
 	draw_chart(t, &plot);
 }
 
-/* ---- Keys ---- */
+/* ---- The list of points ---- */
 
-static bool
-can_focus(const struct tui *t)
+static size_t
+count(const struct tui *t)
 {
-	return t->parity.chart != NULL && t->parity.n > 0;
+	return t->parity.chart != NULL ? t->parity.n : 0;
 }
 
-static bool
-move(struct tui *t, const struct key *key)
+static size_t
+chosen(const struct tui *t)
 {
-	struct parity *y = &t->parity;
-	bool here = t->ui.focus == &page_parity, ends = key->act == act_ends;
-	if (!can_focus(t) ||
-	    (key->act != act_list &&
-		(!here || (!ends && abs(key->amount) != STEP))))
-		return false;
-	t->ui.focus = &page_parity;
-	if (ends)
-		t->ui.point.at = key->amount == TO_MOST ? y->n - 1 : 0;
-	else
-		t->ui.point.at =
-		    (size_t)pane_moved((int)t->ui.point.at, key->amount, y->n);
+	return t->ui.point_at;
+}
+
+static void
+choose(struct tui *t, size_t i)
+{
+	t->ui.point_at = i;
 	choose_points(t);
-	return true;
 }
+
+static const struct page_list POINTS = {.n = count, .at = chosen, .go = choose};
 
 static char *
 words(const struct tui *t)
@@ -415,6 +386,5 @@ const struct page_ops page_parity = {.name = N_("Parity"),
 		": command"),
     .update = update,
     .draw = draw,
-    .can_focus = can_focus,
-    .move = move,
+    .list = &POINTS,
     .words = words};

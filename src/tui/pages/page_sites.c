@@ -627,7 +627,8 @@ act_sort(struct tui *t, const struct key *key)
 		sort_by(t, t->ui.sort);
 }
 
-static const struct page_list LIST = {count, place_of, to_place, text, choose};
+static const struct page_list LIST = {
+    .n = count, .at = place_of, .go = to_place, .text = text, .open = choose};
 
 static const char *
 hints(const struct tui *t)

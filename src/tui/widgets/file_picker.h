@@ -12,9 +12,6 @@ void chooser_open(struct tui *t, enum chooser_list list);
  * it. */
 bool chooser_key(struct tui *t, int code, bool special);
 
-/* Reads the file that is chosen, where it was not. */
-void chooser_update(struct tui *t);
-
 /* Draws it with its hints. */
 void chooser_draw(struct tui *t);
 
