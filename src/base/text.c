@@ -258,6 +258,16 @@ text_same(const char *a, const char *b)
 }
 
 bool
+text_has(const char *text, const char *word)
+{
+	char *folded = text_fold(text), *wanted = text_fold(word);
+	bool has = strstr(folded, wanted) != NULL;
+	free(folded);
+	free(wanted);
+	return has;
+}
+
+bool
 text_choice(const char *list, const char *word, size_t *index)
 {
 	size_t n = strlen(word);
@@ -522,4 +532,15 @@ text_wrapped(const char *text, int width)
 	text_wrap(text, 0, width, out);
 	fclose(out);
 	return lines;
+}
+
+int
+text_rows(const char *text, int width)
+{
+	char *lines = text_wrapped(text, width);
+	int n = 0;
+	for (const char *p = lines; *p != '\0'; p++)
+		n += *p == '\n';
+	free(lines);
+	return text[0] != '\0' ? n : 0;
 }

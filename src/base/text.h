@@ -58,6 +58,9 @@ bool text_ends(const char *s, const char *end);
 /* Same word but for case and accents. */
 bool text_same(const char *a, const char *b);
 
+/* Whether it has the word somewhere, but for case and accents. */
+bool text_has(const char *text, const char *word);
+
 /* Index of a word in a list with spaces between; false if it has none such. */
 bool text_choice(const char *list, const char *word, size_t *index);
 
@@ -105,8 +108,10 @@ void text_wrap(const char *text, int margin, int width, FILE *out);
 /* The same with the first line after first spaces. */
 void text_hang(const char *text, int first, int margin, int width, FILE *out);
 
-/* The lines of text_wrap as one string, which the caller frees. */
+/* The lines of text_wrap as one string, which the caller frees; and how many
+ * they are, 0 of an empty text. */
 char *text_wrapped(const char *text, int width);
+int text_rows(const char *text, int width);
 
 /* Adds the next line of `in`, its end included, to *text, which has *n bytes
  * and room for *room, and a NUL after it.  A line has no end where the file

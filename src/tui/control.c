@@ -29,7 +29,6 @@
 #include "cli/pump.h"
 #include "tui/captured.h"
 #include "tui/screen.h"
-#include "tui/widgets/second_plot.h"
 #include "tui/widgets/track.h"
 #include "tui/script_progress.h"
 #include "tui/widgets/view.h"
@@ -136,20 +135,20 @@ control_look(struct tui *t)
 	t->rows_at = 0;
 	t->n_row = 0;
 	tui_forget_parity(&t->parity);
-	t->looked++;
+	t->revision++;
 	above_look(t);
 	look_at_pin(t);
 	tui_untouch(t);
 	if (isnan(session_known(s, "predict", "speed")))
 		forget(t);
-	if (t->site_at >= s->n_entry)
-		t->site_at = s->current;
-	if (t->cross_at >= t->shown.product.n)
-		t->cross_at = 0;
+	if (t->ui.site_at >= s->n_entry)
+		t->ui.site_at = s->current;
+	if (t->ui.cross_at >= t->shown.product.n)
+		t->ui.cross_at = 0;
 	t->holdout = entry != NULL && entry->has_fit
 			 ? 100 * fit_holdout_rmse(entry)
 			 : NAN;
-	tui_look_at(t, t->generation);
+	tui_look_at(t, t->ui.generation);
 }
 
 /* The page and the quantity that are set. */
@@ -159,9 +158,9 @@ take_looks(struct tui *t)
 	static const struct partition SHARP = {0, 1};
 	const struct choices *set = &t->session->set;
 	struct error error = {0};
-	if (!quantities_read(set->quantity, &SHARP, &t->quantity, &error))
-		t->quantity = above_usual();
-	t->page = (enum page)set->page;
+	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
+		t->ui.quantity = above_usual();
+	t->ui.page = (enum page)set->page;
 	tui_untouch(t);
 }
 
@@ -182,11 +181,11 @@ control_set_looks(struct tui *t)
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
-	char *page = page_text(t->page);
-	char *quantity = quantities_typed(&t->quantity);
+	char *page = page_text(t->ui.page);
+	char *quantity = quantities_typed(&t->ui.quantity);
 	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
 	said_forget(t);
-	if (s->set.page != t->page || strcmp(s->set.quantity, quantity) != 0)
+	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, "typed", 0, &next, &error);
 	free(page);
 	free(quantity);
@@ -209,14 +208,14 @@ begin_job(struct tui *t, const char *line)
 	const struct job *job = &t->session->job;
 	t->job = command != NULL ? command->name : NULL;
 	t->held = false;
-	t->generation = 0;
+	t->ui.generation = 0;
 	t->due = t->started = t->clock;
 	if (calibration_status(job->calibration).generation == 0)
 		t->ran = 0;
 	if (job->fits && !job->rounds->alone) {
-		t->page = PAGE_SITES;
+		t->ui.page = PAGE_SITES;
 		tui_untouch(t);
-		t->focus = &page_sites;
+		t->ui.focus = &page_sites;
 	}
 }
 
@@ -243,14 +242,15 @@ run(struct tui *t, const char *line)
 	struct slider_range range = tui_range(t);
 	double said = session_known(s, "predict find", "speed");
 	if (slider_has(range, said))
-		t->tenths = slider_tenths(range, said);
-	if (tui_entry(t) != NULL && !slider_has(range, t->tenths / 10.0))
-		t->tenths = slider_tenths(range, answers_usual(tui_entry(t)));
+		t->ui.tenths = slider_tenths(range, said);
+	if (tui_entry(t) != NULL && !slider_has(range, t->ui.tenths / 10.0))
+		t->ui.tenths =
+		    slider_tenths(range, answers_usual(tui_entry(t)));
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
 		t->asked.tenths = 0;
-		t->site_at = s->current;
-		t->feed = 0;
+		t->ui.site_at = s->current;
+		t->ui.feed = 0;
 	}
 	/* Another answer is shown where other runs correct the model. */
 	if (s->set.correction != was.correction)
@@ -294,7 +294,7 @@ control_predict(struct tui *t)
 	if (entry == NULL || (!entry->has_params && !forming))
 		return;
 	bool first = t->asked.tenths == 0;
-	if (t->asked.tenths == t->tenths && t->asked.feed_run == tui_feed(t))
+	if (t->asked.tenths == t->ui.tenths && t->asked.feed_run == tui_feed(t))
 		return;
 	/* What a search had on its way is nothing to count from. */
 	if (!t->formed &&
@@ -310,7 +310,7 @@ control_predict(struct tui *t)
 	prediction_free(&t->shown);
 	t->shown = (struct prediction){0};
 	if (!predict_step(
-		s, t->tenths / 10.0, tui_feed(t), line, &t->shown, &error))
+		s, t->ui.tenths / 10.0, tui_feed(t), line, &t->shown, &error))
 		said_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
@@ -320,7 +320,7 @@ control_predict(struct tui *t)
 	if (!first && !told)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
-	t->asked.tenths = t->tenths;
+	t->asked.tenths = t->ui.tenths;
 	t->asked.feed_run = tui_feed(t);
 	t->now = numbers_of(s, entry->key, &t->shown);
 	free(where);
@@ -353,7 +353,6 @@ free_all(struct tui *t)
 	folder_free(&t->chooser.folder);
 	free(t->chooser.preview);
 	limits_free(t);
-	second_free(t);
 	touch_free(&t->touches);
 }
 
@@ -371,7 +370,7 @@ form(struct tui *t)
 	prediction_free(&t->shown);
 	const struct question q = {
 	    .entry = entry, .feed = tui_feed(t), .params = &params};
-	t->shown = forecast_product(s, &q, t->tenths / 10.0);
+	t->shown = forecast_product(s, &q, t->ui.tenths / 10.0);
 	t->now = numbers_of(s, entry->key, &t->shown);
 }
 
@@ -387,47 +386,23 @@ copy_words(struct tui *t)
 	t->filter.active = open->filter.active;
 }
 
-/* A new state begins with what is chosen, as plain values; what follows from
- * these is worked out for it, so that the two own nothing together. */
+/* What follows from what is chosen is worked out for the new state, so that the
+ * two own nothing together. */
 struct tui *
 control_beside(void)
 {
 	struct tui *t = xcalloc(1, sizeof *t);
 	*t = (struct tui){.session = open->session,
 	    .ways = open->ways,
-	    .page = open->page,
-	    .focus = open->focus,
+	    .ui = open->ui,
 	    .aside = true,
 	    .clock = open->clock,
 	    .started = open->started,
 	    .ran = open->ran,
-	    .tenths = open->tenths,
-	    .feed = open->feed,
-	    .quantity = open->quantity,
 	    .above = above_new(),
 	    .pause = open->pause,
-	    .cross = open->cross,
-	    .band = open->band,
 	    .mouse = open->mouse,
-	    .cross_at = open->cross_at,
-	    .level = open->level,
-	    .site_at = open->site_at,
-	    .sheet = {.row = open->sheet.row,
-		.at = open->sheet.at,
-		.top = open->sheet.top,
-		.left = open->sheet.left},
-	    .parity = {.at = open->parity.at, .top = open->parity.top},
-	    .sort = open->sort,
-	    .sort_down = open->sort_down,
-	    .second = open->second,
-	    .picture = open->picture,
 	    .held = open->held,
-	    .pace = open->pace,
-	    .generation = open->generation,
-	    .param_at = open->param_at,
-	    .tour = open->tour,
-	    .tour_tenths = open->tour_tenths,
-	    .tour_found = open->tour_found,
 	    .job = open->job,
 	    .failed = open->failed,
 	    .bad = open->bad};
@@ -435,7 +410,8 @@ control_beside(void)
 	control_look(t);
 	form(t);
 	/* The crosshair's sieve is one of that prediction. */
-	t->cross_at = open->cross_at < t->shown.product.n ? open->cross_at : 0;
+	t->ui.cross_at =
+	    open->ui.cross_at < t->shown.product.n ? open->ui.cross_at : 0;
 	return t;
 }
 
@@ -470,7 +446,7 @@ question(struct session *s, const struct inquiry *q)
 static void
 begins(const char *what)
 {
-	if (open->ways->show == NULL || open->page != PAGE_FIT ||
+	if (open->ways->show == NULL || open->ui.page != PAGE_FIT ||
 	    !session_busy(open->session) || open->begun != NULL)
 		return;
 	open->begun = what;
@@ -496,12 +472,12 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	*t = (struct tui){.session = s,
 	    .ways = ways,
 	    .aside = ways->leave == NULL,
-	    .tenths = first_speed(s),
-	    .site_at = s->current,
+	    .ui = {.tenths = first_speed(s),
+		.site_at = s->current,
+		.pace = PACE_AUTO,
+		.picture = PLOT_SEARCH,
+		.level = 50},
 	    .mouse = screen_mouse(true),
-	    .pace = PACE_AUTO,
-	    .picture = PLOT_SEARCH,
-	    .level = 50,
 	    .above = above_new(),
 	    .holdout = NAN,
 	    .before = {

@@ -137,24 +137,14 @@ item_clear(struct folder_item *item)
 	free(item->made);
 }
 
-static bool
-has_word(const char *text, const char *word)
-{
-	char *folded = text_fold(text != NULL ? text : ""),
-	     *wanted = text_fold(word);
-	bool has = strstr(folded, wanted) != NULL;
-	free(folded);
-	free(wanted);
-	return has;
-}
-
 void
 folder_narrow(struct folder *folder, const char *word)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
-		if (has_word(item->name, word) || has_word(item->about, word))
+		if (text_has(item->name, word) ||
+		    (item->about != NULL && text_has(item->about, word)))
 			folder->item[n++] = *item;
 		else
 			item_clear(item);

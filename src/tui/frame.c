@@ -17,7 +17,6 @@
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "tui/tour.h"
 #include "tui/widgets/track.h"
 #include "tui/widgets/panel.h"
 #include "tui/widgets/view.h"
@@ -27,7 +26,7 @@
 static const char *
 tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
-	bool here = p == t->page;
+	bool here = p == t->ui.page;
 	const char *name = columns >= 76 || (here && columns >= 34)
 			       ? tr(PAGE_OPS[p]->name)
 			       : "";
@@ -61,7 +60,7 @@ draw_header(struct tui *t)
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
 		column = screen_text(area, 0, column,
-		    p == t->page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
+		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
 		touch_add_key(&t->touches,
 		    (struct area){area->row, from, 1, column - from},
@@ -94,22 +93,12 @@ touch_line(struct tui *t, const struct touched *touched)
 static int
 draw_command(struct tui *t, const struct area *area)
 {
-	const struct typing *y = &t->typing;
-	if (y->active) {
-		/* The line moves to the left where it is too long. */
-		char *head = xstrndup(y->text, y->at);
-		const char *prompt = t->goal_field ? "goal: " : ":";
-		int before = text_width(head);
-		int room = area->columns - (int)strlen(prompt) - 1;
-		free(head);
-		const char *shown = y->text;
-		char left[TEXT_SHOWN];
-		while (before > room && *shown != '\0')
-			before -= text_show(&shown, left);
-		screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
-		touch_add(
-		    &t->touches, *area, touch_line, (size_t)(shown - y->text));
-		return (int)strlen(prompt) + before;
+	if (t->typing.active) {
+		size_t from;
+		int at = pane_typed(
+		    area, t->goal_field ? "goal: " : ":", &t->typing, &from);
+		touch_add(&t->touches, *area, touch_line, from);
+		return at;
 	}
 	touch_add_key(&t->touches, *area, ':', false);
 	const char *tail =
@@ -136,8 +125,7 @@ draw_message(const struct tui *t, const struct area *row)
 		area.rows = places_message_rows(&t->places);
 	if (area.rows == 2 && !hints)
 		area.row--;
-	for (int r = 0; r < area.rows; r++)
-		screen_text(&area, r, 0, 0, "%*s", area.columns, "");
+	screen_clear(&area);
 	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
 	free(text);
 	return hints;
@@ -316,7 +304,7 @@ draw_note(struct tui *t, const struct area *note)
 	} else if (t->typing.active && t->typing.offers != NULL) {
 		draw_offers(t, note);
 	} else if (filters(t) && l->hints.rows == 0) {
-		screen_text(note, 0, 0, 0, "%*s", note->columns, "");
+		screen_clear(note);
 		draw_filter(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
 		return draw_message(t, note);
@@ -342,7 +330,7 @@ draw_lower(struct tui *t)
 		touch_clear(&t->touches);
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
-			screen_text(line, 0, 0, 0, "%*s", line->columns, "");
+			screen_clear(line);
 		int at = draw_command(t, line);
 		if (typing)
 			t->cursor = (struct cursor){line->row, at};
@@ -361,12 +349,9 @@ draw_question(struct tui *t, int rows, int columns)
 {
 	char *asks = xasprintf("%s y/n", t->question),
 	     *text = text_wrapped(asks, columns);
-	int n = 0;
-	for (const char *p = text; *p != '\0'; p++)
-		n += *p == '\n';
+	int n = text_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
-	for (int r = 0; r < n; r++)
-		screen_text(&area, r, 0, 0, "%*s", columns, "");
+	screen_clear(&area);
 	screen_words(&area, 0, LOOK_BOLD, asks);
 	text[strlen(text) - 1] = '\0';
 	const char *last = strrchr(text, '\n');
@@ -404,7 +389,7 @@ touch_wheel(struct tui *t, const struct touched *touched)
 	int by = touched->kind == TOUCH_UP ? 1 : -1;
 	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
 		return false;
-	t->tenths = slider_clamp(tui_range(t), t->tenths + by);
+	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + by);
 	return true;
 }
 
@@ -440,7 +425,7 @@ add_wheel(struct tui *t, bool viewing)
 		touch_add(touches, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
 		touch_add(touches, over[i], touch_wheel, 0);
-	if (!viewing && pages_open(t)->list != NULL)
+	if (!viewing && rows_here(t))
 		rows_wheel(t, l->body);
 }
 
@@ -451,13 +436,12 @@ frame_draw(struct tui *t)
 	screen_theme(t->session->set.theme);
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
-	int tour = tour_rows(t, rows, columns), left = rows - tour;
 	bool viewing = t->viewer.text != NULL, list = t->chooser.on && !viewing;
 	t->places = viewing || list
-			? places_text(left, columns)
-			: places_make(left, columns,
+			? places_text(rows, columns)
+			: places_make(rows, columns,
 			      (struct places_ask){side_columns(page, columns),
-				  page->strip, page->above, page->second});
+				  page->strip, page->above});
 	touch_clear(&t->touches);
 	t->n_drawn = 0;
 	t->shows = page;
@@ -472,8 +456,6 @@ frame_draw(struct tui *t)
 		chooser_draw(t);
 	else
 		draw_page(t);
-	if (tour > 0)
-		tour_draw(t, &(struct area){left, 0, tour, columns});
 	if (t->question != NULL && !viewing)
 		draw_question(t, rows, columns);
 	if (t->inquiry != NULL)

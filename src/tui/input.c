@@ -11,28 +11,11 @@
 #include <curses.h>
 
 #include "tui/keymap.h"
-#include "tui/widgets/dialog.h"
 #include "cli/pump.h"
 #include "tui/screen.h"
 
 /* Longer than any line may be. */
 enum { MOST = 2000 };
-
-/* Whether a line takes the character; a speed has but few. */
-static bool
-is_taken(const struct tui *t, int code)
-{
-	if (t->inquiry != NULL)
-		return true;
-	if (t->question != NULL || t->typing.active)
-		return t->question == NULL;
-	if (t->viewer.text != NULL)
-		return t->viewer.word.active;
-	if (t->filter.active)
-		return true;
-	return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
-	       (code == '.' || code == ',' || (code >= '0' && code <= '9'));
-}
 
 static void
 take(struct tui *t, int code)
@@ -45,15 +28,12 @@ take(struct tui *t, int code)
 	/* Controls, those beyond ASCII too. */
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
-	if (p->ended || p->taken >= MOST || !is_taken(t, code)) {
+	if (p->ended || p->taken >= MOST || !act_types(t, code)) {
 		p->left = p->left || code != ' ';
 		return;
 	}
 	p->taken++;
-	if (t->inquiry != NULL)
-		dialogue_key(t, code, false);
-	else
-		act_key(t, code, false);
+	act_key(t, code, false);
 }
 
 void
@@ -131,7 +111,6 @@ more_waits(void)
 bool
 input_key(struct tui *t, int *code, bool *special)
 {
-	enum { ESCAPE = 27 };
 	wint_t c = 0;
 	while (pump_signal() == 0) {
 		int got = next(&c);

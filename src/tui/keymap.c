@@ -16,125 +16,166 @@
 #include "cmd/session/files.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
-#include "tui/widgets/response_strip.h"
+#include "tui/acts.h"
+#include "tui/widgets/dialog.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/control.h"
 #include "tui/widgets/goal.h"
-#include "tui/pages/page_predict.h"
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "tui/tour.h"
 #include "tui/widgets/track.h"
 #include "tui/cmdline.h"
 #include "tui/widgets/view.h"
 #include "tui/watch.h"
 
-enum { ESCAPE = 27, DELETE = 127 };
-
-static void
-to_run(struct tui *t, struct slider_range range, const struct site *site,
-    int where)
+/* Whether what the page has takes a key that moves. */
+static bool
+page_moves(struct tui *t, const struct key *key)
 {
-	double speed = where == TO_SLOWEST   ? site->run[0].speed
-		       : where == TO_FASTEST ? site->run[site->n_run - 1].speed
-					     : site_middle(site);
-	t->tenths = slider_tenths(range, speed);
+	bool (*moves)(struct tui *, const struct key *) = pages_open(t)->move;
+	return (moves != NULL && moves(t, key)) || rows_move(t, key);
 }
 
-static void
-move_to(struct tui *t, int where)
+void
+act_move(struct tui *t, const struct key *key)
+{
+	if (page_moves(t, key))
+		return;
+	t->wish = NULL;
+	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + key->amount);
+}
+
+void
+act_ends(struct tui *t, const struct key *key)
 {
 	const struct slider_range range = tui_range(t);
+	if (page_moves(t, key))
+		return;
+	t->wish = NULL;
+	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
+}
+
+void
+act_list(struct tui *t, const struct key *key)
+{
+	page_moves(t, key);
+}
+
+void
+act_run_speed(struct tui *t, const struct key *key)
+{
 	const struct entry *entry = tui_entry(t);
-	if (where == TO_LEAST)
-		t->tenths = range.least;
-	else if (where == TO_MOST)
-		t->tenths = range.most;
-	else if (entry != NULL)
-		to_run(t, range, entry->site, where);
+	t->wish = NULL;
+	if (entry == NULL)
+		return;
+	const struct site *site = entry->site;
+	double speed = key->amount < 0   ? site->run[0].speed
+		       : key->amount > 0 ? site->run[site->n_run - 1].speed
+					 : site_middle(site);
+	t->ui.tenths = slider_tenths(tui_range(t), speed);
+}
+
+void
+act_page(struct tui *t, const struct key *key)
+{
+	pages_go(t, (enum page)key->amount);
 }
 
 /* Between the slider and what the page has. */
-static void
-next_focus(struct tui *t)
+void
+act_focus(struct tui *t, const struct key *key)
 {
-	bool can = pages_can_focus(t) && t->focus == NULL;
-	t->focus = can ? pages_open(t) : NULL;
+	(void)key;
+	bool can = pages_can_focus(t) && t->ui.focus == NULL;
+	t->ui.focus = can ? pages_open(t) : NULL;
 	/* What was said of the arrows holds no longer. */
 	tui_say(t, false, "%s", "");
 }
 
-/* A name for the file: "tierp-74.0.xlsx", which a spreadsheet opens whatever
- * its decimal sign; for a session the script that holds it, or the first name
- * that is free.  The caller frees. */
-static char *
-propose_file(const struct tui *t, const struct key *key)
+/* Shows the field of a command with a name for a file proposed behind it. */
+static void
+propose(struct tui *t, const char *line, char *name)
 {
+	t->message[0] = '\0';
+	typing_propose(&t->typing, line, name);
+	free(name);
+}
+
+static char *
+slug_of(const struct tui *t)
+{
+	return text_slug(tui_entry(t) != NULL ? tui_entry(t)->key : "session");
+}
+
+/* The script that holds the session, or the first name that is free. */
+void
+act_save(struct tui *t, const struct key *key)
+{
+	(void)key;
 	bool saved;
 	const char *holder = files_holder(t->session, &saved);
-	if (key->act == ACT_SAVE && holder != NULL)
-		return xasprintf(
-		    "\"%s\"%s", holder, saved ? "" : " replace=on");
-	char *slug =
-	    text_slug(tui_entry(t) != NULL ? tui_entry(t)->key : "session");
-	char *name = key->act == ACT_SAVE
-			 ? xasprintf("%s.tip", slug)
-			 : xasprintf("%s-%.1f.xlsx", slug, t->tenths / 10.0);
-	for (int i = 2; key->act == ACT_SAVE && access(name, F_OK) == 0; i++) {
+	if (holder != NULL) {
+		propose(t, "save ",
+		    xasprintf("\"%s\"%s", holder, saved ? "" : " replace=on"));
+		return;
+	}
+	char *slug = slug_of(t), *name = xasprintf("%s.tip", slug);
+	for (int i = 2; access(name, F_OK) == 0; i++) {
 		free(name);
 		name = xasprintf("%s-%d.tip", slug, i);
 	}
 	free(slug);
-	return name;
+	propose(t, "save ", name);
 }
 
-/* The command of a key that has one, with the speed or the picture in it.  The
- * caller frees. */
-static char *
-compose(const struct tui *t, const struct key *key)
+/* "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal sign. */
+void
+act_export(struct tui *t, const struct key *key)
 {
-	const char *hole = strstr(key->command, "%s");
-	if (hole == NULL)
-		return xstrdup(key->command);
-	char *(*words)(const struct tui *) = pages_open(t)->words;
-	words = words != NULL ? words : pane_curves_words;
-	char *where = key->act == ACT_TELL ? words(t) : tui_where(t);
-	char *line = key->act == ACT_EXPORT
-			 ? tui_asks(t)
-			 : xasprintf("%.*s%s%s", (int)(hole - key->command),
-			       key->command, where, hole + 2);
-	free(where);
-	if (key->act == ACT_EXPORT)
-		xappend(&line, " > ");
-	return line;
-}
-
-static void
-run_key(struct tui *t, const struct key *key)
-{
-	char *line = compose(t, key);
-	if (key->act == ACT_TYPE) {
-		t->message[0] = '\0';
-		typing_begin(&t->typing, line);
-	} else if (key->act == ACT_EXPORT || key->act == ACT_SAVE) {
-		char *name = propose_file(t, key);
-		t->message[0] = '\0';
-		typing_propose(&t->typing, line, name);
-		free(name);
-	} else if (key->act == ACT_RUN || key->act == ACT_TELL) {
-		typed_line_run(t, line);
-	} else {
-		watch_keep(t);
-		control_run(t, line);
+	(void)key;
+	const struct entry *entry = tui_entry(t);
+	if (entry == NULL || !entry->has_params) {
+		tui_say(t, true, "%s", tui_why_none(t));
+		return;
 	}
+	char *line = tui_asks(t), *slug = slug_of(t);
+	xappend(&line, " > ");
+	propose(t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
+	free(slug);
+	free(line);
+}
+
+void
+act_type(struct tui *t, const struct key *key)
+{
+	(void)key;
+	t->message[0] = '\0';
+	typing_begin(&t->typing, "");
+}
+
+void
+act_command(struct tui *t, const struct key *key)
+{
+	typed_line_run(t, key->command);
+}
+
+void
+act_describe(struct tui *t, const struct key *key)
+{
+	char *(*words)(const struct tui *) = pages_open(t)->words;
+	char *of = words != NULL ? words(t) : pane_curves_words(t);
+	char *line = xasprintf("%s %s", key->command, of);
+	typed_line_run(t, line);
+	free(of);
 	free(line);
 }
 
 /* Goes on to the next choice. */
-static void
-correct(struct tui *t)
+void
+act_correct(struct tui *t, const struct key *key)
 {
+	(void)key;
 	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
 	    [CORRECTION_TRAIN] = "off",
 	    [CORRECTION_OFF] = "all"};
@@ -145,64 +186,64 @@ correct(struct tui *t)
 }
 
 static void
-fit(struct tui *t, const struct key *key)
+calibrate(struct tui *t, const char *line)
 {
+	watch_keep(t);
+	control_run(t, line);
+}
+
+void
+act_fit(struct tui *t, const struct key *key)
+{
+	(void)key;
 	if (tui_entry(t) == NULL) {
 		tui_say(t, true, TUI_NO_SITE);
 		return;
 	}
 	pages_go(t, PAGE_FIT);
-	run_key(t, key);
-}
-
-static void
-export_shown(struct tui *t, const struct key *key)
-{
-	const struct entry *entry = tui_entry(t);
-	if (entry == NULL || !entry->has_params)
-		tui_say(t, true, "%s", tui_why_none(t));
-	else
-		run_key(t, key);
+	calibrate(t, "calibrate");
 }
 
 /* Pauses, goes on, or takes a stopped one up again. */
-static void
-hold(struct tui *t, const struct key *key)
+void
+act_hold(struct tui *t, const struct key *key)
 {
+	(void)key;
 	const struct session *s = t->session;
 	if (session_busy(s)) {
 		watch_hold(t, !t->held);
 		tui_say(t, false,
 		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
-		run_key(t, key);
+		calibrate(t, "continue");
 	} else {
 		tui_say(t, false, "no calibration is running: f starts one");
 	}
 }
 
-static void
-set_pace(struct tui *t, int by)
+void
+act_pace(struct tui *t, const struct key *key)
 {
-	int from = t->pace == PACE_AUTO ? PACE_USUAL : t->pace;
-	t->pace = pane_moved(from, by, PACE_COUNT);
+	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
+	t->ui.pace = pane_moved(from, key->amount, PACE_COUNT);
 	t->due = t->clock;
-	if (t->pace == PACE_AUTO)
+	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,
 		    "generations a second: few while the best gains much");
-	else if (t->pace == PACE_FULL)
+	else if (t->ui.pace == PACE_FULL)
 		tui_say(t, false, "generations a second: as many as possible");
 	else
 		tui_say(t, false,
 		    tr_n("speed of display: %g generation a second",
 			"speed of display: %g generations a second",
-			PACES[t->pace] > 1 ? 2 : 1),
-		    PACES[t->pace]);
+			PACES[t->ui.pace] > 1 ? 2 : 1),
+		    PACES[t->ui.pace]);
 }
 
-static void
-pin(struct tui *t)
+void
+act_pin(struct tui *t, const struct key *key)
 {
+	(void)key;
 	const struct numbers was = t->pin;
 	char *where = tui_where(t), *line = xasprintf("pin %s", where);
 	if (was.site[0] == '\0' && t->now.site[0] == '\0')
@@ -227,13 +268,14 @@ pin(struct tui *t)
 	free(line);
 }
 
-static void
-band(struct tui *t)
+void
+act_band(struct tui *t, const struct key *key)
 {
+	(void)key;
 	const struct entry *entry = tui_entry(t);
-	t->band = !t->band;
+	t->ui.band = !t->ui.band;
 	t->message[0] = '\0';
-	if (!t->band || t->now.site[0] == '\0')
+	if (!t->ui.band || t->now.site[0] == '\0')
 		return;
 	bool known = t->shown.low != NULL;
 	tui_say(t, false,
@@ -249,18 +291,20 @@ band(struct tui *t)
 		     "a row"));
 }
 
-static void
-stop(struct tui *t)
+void
+act_stop(struct tui *t, const struct key *key)
 {
+	(void)key;
 	if (session_busy(t->session))
 		watch_keep(t);
 	else
 		tui_say(t, false, "no calibration to stop: q quits");
 }
 
-static void
-toggle_mouse(struct tui *t)
+void
+act_mouse(struct tui *t, const struct key *key)
 {
+	(void)key;
 	bool on = !t->mouse && screen_mouse(true);
 	if (t->mouse)
 		screen_mouse(false);
@@ -271,36 +315,13 @@ toggle_mouse(struct tui *t)
 	t->mouse = screen_mouse_on();
 }
 
-/* What is wanted, and to where it is so. */
-static void
-aim(struct tui *t, const struct key *key)
-{
-	switch (key->act) {
-	case ACT_QUANTITY:
-		above_next(t, key->amount);
-		break;
-	case ACT_GOAL:
-		goal_open(t);
-		break;
-	case ACT_LIMIT:
-	case ACT_BEST:
-		track_go(t, key);
-		break;
-	default: /* none on this page */
-		break;
-	}
-}
-
 /* Where Esc leads. */
-static void
-back(struct tui *t)
+void
+act_back(struct tui *t, const struct key *key)
 {
-	bool predict = t->page == PAGE_PREDICT;
+	(void)key;
+	bool predict = t->ui.page == PAGE_PREDICT;
 	t->message[0] = '\0';
-	if (t->tour > 0) {
-		t->tour = 0;
-		return;
-	}
 	if (t->wish != NULL) {
 		t->wish = NULL;
 		return;
@@ -309,108 +330,45 @@ back(struct tui *t)
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
 		watch_keep(t);
-	else if (predict && t->cross)
-		page_predict_cross(t);
-	else if (predict && t->runs)
-		t->runs = false;
-	else if (t->focus != NULL && !pages_open(t)->takes_focus)
-		t->focus = NULL;
+	else if (predict && t->ui.cross)
+		act_cross(t, key);
+	else if (predict && t->ui.runs)
+		t->ui.runs = false;
+	else if (t->ui.focus != NULL && !pages_open(t)->takes_focus)
+		t->ui.focus = NULL;
 	else if (!predict)
 		pages_go(t, PAGE_PREDICT);
 	else
 		tui_say(t, false, "nothing is left to go back from: q quits");
 }
 
-/* Keys of lists, on a page without one. */
-static void
-nothing_here(struct tui *t, const struct key *key)
+void
+act_files(struct tui *t, const struct key *key)
 {
-	tui_say(t, false,
-	    key->act == ACT_CHOOSE ? N_("there is nothing to open on this page")
-				   : N_("this page has no list to look "
-					"through: Sites, ? and texts "
-					"have"));
+	(void)key;
+	chooser_open(t, CHOOSER_FILES);
 }
 
-static void
-leave_act(struct tui *t, const struct key *key)
+void
+act_redraw(struct tui *t, const struct key *key)
 {
-	switch (key->act) {
-	case ACT_KEEP:
-	case ACT_STOP:
-		stop(t);
-		break;
-	case ACT_SUSPEND:
-		raise(SIGTSTP); /* the loop answers it */
-		break;
-	case ACT_LEAVE:
-		t->leave = true;
-		break;
-	default:
-		aim(t, key);
-		break;
-	}
+	(void)t, (void)key;
+	screen_resize();
 }
 
-/* What changes how the screen looks and no more. */
-static void
-show_act(struct tui *t, const struct key *key)
+/* The loop answers it. */
+void
+act_suspend(struct tui *t, const struct key *key)
 {
-	switch (key->act) {
-	case ACT_PAGE:
-		pages_go(t, (enum page)key->amount);
-		break;
-	case ACT_BACK:
-		back(t);
-		break;
-	case ACT_CHOOSE:
-	case ACT_FILTER:
-		nothing_here(t, key);
-		break;
-	case ACT_FOCUS:
-		next_focus(t);
-		break;
-	case ACT_CROSS:
-		page_predict_cross(t);
-		break;
-	case ACT_BAND:
-		band(t);
-		break;
-	case ACT_PIN:
-		pin(t);
-		break;
-	case ACT_FILES:
-		chooser_open(t, CHOOSER_FILES);
-		break;
-	case ACT_TOUR:
-		tour_begin(t);
-		break;
-	case ACT_AGAIN:
-		view_again(t);
-		break;
-	case ACT_HELP:
-		view_keys(t);
-		break;
-	case ACT_MOUSE:
-		toggle_mouse(t);
-		break;
-	case ACT_REDRAW:
-		screen_resize();
-		break;
-	default:
-		leave_act(t, key);
-		break;
-	}
+	(void)t, (void)key;
+	raise(SIGTSTP);
 }
 
-/* Whether a key is about the speed of the slider: first that is to be the one
- * which was asked for. */
-static bool
-is_about_speed(enum key_act act)
+void
+act_leave(struct tui *t, const struct key *key)
 {
-	return act == ACT_PIN || act == ACT_EXPORT || act == ACT_TELL ||
-	       act == ACT_TYPE || act == ACT_SAVE || act == ACT_LIMIT ||
-	       act == ACT_BEST;
+	(void)key;
+	t->leave = true;
 }
 
 /* Does what a key is for; nothing for NULL. */
@@ -419,68 +377,43 @@ act(struct tui *t, const struct key *key)
 {
 	if (key == NULL)
 		return;
-	/* From the list of keys one of another page may be chosen. */
-	enum page page = t->page;
-	if (is_about_speed(key->act))
+	if (key->where & AT_SPEED)
 		track_wished(t, true);
-	while (!(key->pages & (1U << page)))
-		page = (page + 1) % PAGES;
-	bool (*own)(struct tui *, const struct key *) = PAGE_OPS[page]->key;
-	if ((own != NULL && own(t, key)) || rows_key(t, key))
-		return;
-	switch (key->act) {
-	case ACT_MOVE:
-	case ACT_FINE:
-		t->wish = NULL;
-		t->tenths = slider_clamp(tui_range(t), t->tenths + key->amount);
-		break;
-	case ACT_TO:
-		t->wish = NULL;
-		move_to(t, key->amount);
-		break;
-	case ACT_RUN:
-	case ACT_TELL:
-	case ACT_TYPE:
-	case ACT_SAVE:
-		run_key(t, key);
-		break;
-	case ACT_EXPORT:
-		export_shown(t, key);
-		break;
-	case ACT_CORRECT:
-		correct(t);
-		break;
-	case ACT_FIT:
-		fit(t, key);
-		break;
-	case ACT_HOLD:
-		hold(t, key);
-		break;
-	case ACT_PACE:
-		set_pace(t, key->amount);
-		break;
-	default:
-		show_act(t, key);
-	}
+	key->act(t, key);
 }
 
-static void
-type_key(struct tui *t, int code, bool special)
+static bool
+goal_line_key(struct tui *t, int code, bool special)
+{
+	char *line = goal_key(t, code, special);
+	if (line != NULL)
+		control_run(t, line);
+	free(line);
+	return true;
+}
+
+static bool
+line_key(struct tui *t, int code, bool special)
 {
 	struct typing *y = &t->typing;
-	if (t->goal_field) {
-		char *line = goal_key(t, code, special);
-		if (line != NULL)
-			control_run(t, line);
-		free(line);
-		return;
-	}
 	enum typing_result result = typing_key(y, t->session, code, special);
 	if (result == TYPING_ON)
-		return;
+		return true;
 	typing_end(y);
 	if (result == TYPING_DONE)
 		typed_line_run(t, y->text);
+	return true;
+}
+
+/* Of the list of keys the chosen one is run. */
+static bool
+text_key(struct tui *t, int code, bool special)
+{
+	const struct key *run = NULL;
+	bool took = view_key(t, code, special, &run);
+	if (took)
+		act(t, run);
+	return took;
 }
 
 /* Digits of a speed; the first are pages, but after a 0. */
@@ -498,7 +431,7 @@ digit_key(struct tui *t, int code, bool special)
 		return typing_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
-		if (!slider_read(range, y->text, &t->tenths))
+		if (!slider_read(range, y->text, &t->ui.tenths))
 			tui_say(t, true,
 			    "expected a speed from %d to %d m/s, got %s",
 			    range.least / 10, range.most / 10, y->text);
@@ -521,7 +454,7 @@ touch(struct tui *t, enum touch_kind kind, int row, int column)
 
 /* What an event of ncurses means. */
 static void
-act_mouse(struct tui *t,
+take_mouse(struct tui *t,
     void (*touched)(struct tui *t, enum touch_kind kind, int row, int column))
 {
 	MEVENT e;
@@ -556,28 +489,79 @@ bool
 act_pointed(struct tui *t, int *code, bool *special)
 {
 	t->pointed.is = false;
-	act_mouse(t, touch_answer);
+	take_mouse(t, touch_answer);
 	*code = t->pointed.code;
 	*special = t->pointed.special;
 	return t->pointed.is;
 }
 
-/* A key of the page, also after it has closed a text. */
-static void
+static bool
 page_key(struct tui *t, int code, bool special)
 {
-	const struct key *key = keys_find(code, t->page);
-	bool tours = t->tour > 0 && t->speed.n == 0 && code == ESCAPE;
-	if (t->chooser.on && chooser_key(t, code, special))
-		return;
-	if (tours)
-		t->tour = 0;
-	if (tours || rows_letter(t, code, special) ||
-	    digit_key(t, code, special))
-		return;
+	const struct key *key = keys_find(code, t->ui.page);
+	(void)special;
 	act(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
 		tui_say(t, false, "this key has no function: ? lists the keys");
+	return true;
+}
+
+static bool
+answer_key(struct tui *t, int code, bool special)
+{
+	dialogue_key(t, code, special);
+	return true;
+}
+
+/* Who takes the keys, the topmost first; one that leaves a key returns false.
+ * A question of yes or no is asked elsewhere. */
+enum mode { ANSWER, QUESTION, GOAL, LINE, TEXT, FILES, FILTER, SPEED, PAGE };
+static bool (*const MODES[])(struct tui *t, int code, bool special) = {
+    [ANSWER] = answer_key,
+    [QUESTION] = NULL,
+    [GOAL] = goal_line_key,
+    [LINE] = line_key,
+    [TEXT] = text_key,
+    [FILES] = chooser_key,
+    [FILTER] = rows_letter,
+    [SPEED] = digit_key,
+    [PAGE] = page_key};
+
+static enum mode
+next_mode(const struct tui *t, enum mode from)
+{
+	const bool open[] = {[ANSWER] = t->inquiry != NULL,
+	    [QUESTION] = t->question != NULL,
+	    [GOAL] = t->typing.active && t->goal_field,
+	    [LINE] = t->typing.active,
+	    [TEXT] = t->viewer.text != NULL,
+	    [FILES] = t->chooser.on,
+	    [FILTER] = t->filter.active,
+	    [SPEED] = true,
+	    [PAGE] = true};
+	while (!open[from])
+		from++;
+	return from;
+}
+
+bool
+act_types(const struct tui *t, int code)
+{
+	switch (next_mode(t, ANSWER)) {
+	case ANSWER:
+	case GOAL:
+	case LINE:
+	case FILTER:
+		return true;
+	case TEXT:
+		return t->viewer.word.active;
+	case SPEED:
+		return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
+		       (code == '.' || code == ',' ||
+			   (code >= '0' && code <= '9'));
+	default:
+		return false;
+	}
 }
 
 void
@@ -588,20 +572,20 @@ act_key(struct tui *t, int code, bool special)
 		special = false;
 	}
 	/* A character beyond ASCII is no key: its number may be one's. */
-	if (!special && code > DELETE && !t->typing.active)
+	enum mode mode = next_mode(t, ANSWER);
+	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
+	    mode != LINE)
 		return;
-	const struct key *key = keys_find(code, t->page), *run = NULL;
+	const struct key *key = keys_find(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {
-		act_mouse(t, touch);
-	} else if (key != NULL &&
-		   (key->act == ACT_SUSPEND || key->act == ACT_REDRAW)) {
-		act(t, key);
-	} else if (t->typing.active) {
-		type_key(t, code, special);
-	} else if (t->viewer.text == NULL ||
-		   !view_key(t, code, special, &run)) {
-		page_key(t, code, special);
-	} else {
-		act(t, run);
+		take_mouse(t, touch);
+		return;
 	}
+	if (key != NULL &&
+	    (key->act == act_suspend || key->act == act_redraw)) {
+		act(t, key);
+		return;
+	}
+	while (MODES[mode] != NULL && !MODES[mode](t, code, special))
+		mode = next_mode(t, mode + 1);
 }

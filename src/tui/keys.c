@@ -1,5 +1,5 @@
 /* The table of keys.  Only the names of keys are taken from curses here: who
- * prints the manual does not link it.
+ * prints the manual does not link it, nor what keys do.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/keys.h"
 
@@ -15,114 +15,117 @@
 
 #define CONTROL(letter) ((letter)&0x1F)
 
-#define PREDICT "predict %s"
-
 const struct key KEYS[] = {
-    {KEY_LEFT, "Left, h", ON_ALL, ACT_MOVE, -1, PREDICT,
+    {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP, NULL,
 	"speed down by 0.1 m/s; or move what Tab chose to the left"},
-    {KEY_RIGHT, "Right, l", ON_ALL, ACT_MOVE, 1, PREDICT,
+    {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move, STEP, NULL,
 	"speed up by 0.1 m/s; or move what Tab chose to the right"},
-    {KEY_SLEFT, "Shift-Left, H", ON_ALL, ACT_FINE, -10, PREDICT,
-	"speed down by 1 m/s; or ten generations"},
-    {KEY_SRIGHT, "Shift-Right, L", ON_ALL, ACT_FINE, 10, PREDICT,
-	"speed up by 1 m/s; or ten generations"},
-    {KEY_NPAGE, "PgDn", ON_ALL, ACT_FINE, -50, PREDICT,
+    {KEY_SLEFT, "Shift-Left, H", ON_ALL | FIRST_ON_PREDICT, act_move, -FAST,
+	NULL, "speed down by 1 m/s; or ten generations"},
+    {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT, act_move, FAST,
+	NULL, "speed up by 1 m/s; or ten generations"},
+    {KEY_NPAGE, "PgDn", ON_ALL | FIRST_ON_PREDICT, act_move, -FAR, NULL,
 	"speed down by 5 m/s; or fifty generations"},
-    {KEY_PPAGE, "PgUp", ON_ALL, ACT_FINE, 50, PREDICT,
+    {KEY_PPAGE, "PgUp", ON_ALL | FIRST_ON_PREDICT, act_move, FAR, NULL,
 	"speed up by 5 m/s; or fifty generations"},
-    {KEY_HOME, "Home, g", ON_ALL, ACT_TO, TO_LEAST, PREDICT,
+    {KEY_HOME, "Home, g", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_LEAST, NULL,
 	"to the slow end of the track; to the first of a list"},
-    {KEY_END, "End, G", ON_ALL, ACT_TO, TO_MOST, PREDICT,
+    {KEY_END, "End, G", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_MOST, NULL,
 	"to the fast end of the track; to the last of a list"},
-    {'[', "[", ON_ALL, ACT_TO, TO_SLOWEST, PREDICT, "to the slowest run"},
-    {']', "]", ON_ALL, ACT_TO, TO_FASTEST, PREDICT, "to the fastest run"},
-    {'m', "m", ON_ALL, ACT_TO, TO_MIDDLE, PREDICT, "to the middle of the runs"},
-    {'t', "t", ON_ALL, ACT_GOAL, 0, NULL,
+    {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_run_speed, -1, NULL,
+	"to the slowest run"},
+    {']', "]", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 1, NULL,
+	"to the fastest run"},
+    {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 0, NULL,
+	"to the middle of the runs"},
+    {'t', "t", ON_ALL, act_goal, 0, NULL,
 	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none"},
-    {'n', "n", ON_ALL, ACT_LIMIT, 1, NULL,
+    {'n', "n", ON_ALL | AT_SPEED, act_limit, 1, NULL,
 	"to the next speed where the goal begins or ends, or run"},
-    {'p', "p", ON_ALL, ACT_LIMIT, -1, NULL, "to the one before"},
-    {'N', "N", ON_ALL, ACT_BEST, 0, NULL, "to the best speed of the goal"},
-    {'y', "y", ON_PREDICT, ACT_QUANTITY, 1, NULL,
+    {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, NULL, "to the one before"},
+    {'N', "N", ON_ALL | AT_SPEED, act_best, 0, NULL,
+	"to the best speed of the goal"},
+    {'y', "y", ON_PREDICT, act_quantity, 1, NULL,
 	"next quantity above the track: P80, P50 .."},
-    {'Y', "Y", ON_PREDICT, ACT_QUANTITY, -1, NULL, "the one before"},
-    {'\t', "Tab", ON_ALL, ACT_FOCUS, 1, NULL,
+    {'Y', "Y", ON_PREDICT, act_quantity, -1, NULL, "the one before"},
+    {'\t', "Tab", ON_ALL, act_focus, 1, NULL,
 	"choose what arrows move: speed, crosshair, generation, list"},
-    {KEY_BTAB, "Shift-Tab", ON_ALL, ACT_FOCUS, -1, NULL,
+    {KEY_BTAB, "Shift-Tab", ON_ALL, act_focus, -1, NULL,
 	"choose the previous one"},
-    {'1', "1", ON_ALL, ACT_PAGE, PAGE_PREDICT, NULL, "page Predict"},
-    {'2', "2", ON_ALL, ACT_PAGE, PAGE_FIT, NULL, "page Fit"},
-    {'3', "3", ON_ALL, ACT_PAGE, PAGE_DATA, NULL, "page Data"},
-    {'4', "4", ON_ALL, ACT_PAGE, PAGE_PARITY, NULL, "page Parity"},
-    {'5', "5", ON_ALL, ACT_PAGE, PAGE_SITES, NULL, "page Sites"},
-    {KEY_UP, "Up, k", ON_ALL, ACT_LIST, -1, NULL,
+    {'1', "1", ON_ALL, act_page, PAGE_PREDICT, NULL, "page Predict"},
+    {'2', "2", ON_ALL, act_page, PAGE_FIT, NULL, "page Fit"},
+    {'3', "3", ON_ALL, act_page, PAGE_DATA, NULL, "page Data"},
+    {'4', "4", ON_ALL, act_page, PAGE_PARITY, NULL, "page Parity"},
+    {'5', "5", ON_ALL, act_page, PAGE_SITES, NULL, "page Sites"},
+    {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_list, -1, NULL,
 	"up in a list; to a higher passing for the crosshair's sizes"},
-    {KEY_DOWN, "Down, j", ON_ALL, ACT_LIST, 1, NULL,
+    {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_list, 1, NULL,
 	"down in a list; to a lower passing"},
-    {'\n', "Enter", ON_FIT, ACT_CHOOSE, 0, NULL,
+    {'\n', "Enter", ON_FIT, act_bounds, 0, NULL,
 	"type bounds of the parameter Up and Down choose"},
-    {'.', ".", ON_FIT, ACT_STEP, 0, NULL,
+    {'.', ".", ON_FIT, act_generation, 0, NULL,
 	"one step of the search, then wait; or the next one"},
-    {'\n', "Enter", ON_PREDICT, ACT_CHOOSE, 0, NULL,
+    {'\n', "Enter", ON_PREDICT, act_numbers, 0, NULL,
 	"all numbers, also those of what is pinned"},
-    {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), ACT_CHOOSE, 0,
-	NULL, "open the chosen row: use a site"},
-    {'\n', "Enter", ON_DATA, ACT_MEND, 0, NULL,
+    {'\n', "Enter", ON_PARITY | ON_SITES, act_choose, 0, NULL,
+	"open the chosen row: use a site"},
+    {'\n', "Enter", ON_DATA, act_mend, 0, NULL,
 	"mend the doubtful cell; u takes it back"},
-    {'!', "!", ON_DATA, ACT_DOUBT, 0, NULL,
+    {'!', "!", ON_DATA, act_doubt, 0, NULL,
 	"to the next doubtful cell of the sheet"},
-    {'o', "o", ON_SITES, ACT_SORT, 1, NULL,
+    {'o', "o", ON_SITES, act_sort, 1, NULL,
 	"sort by the next column, or click a heading"},
-    {'O', "O", ON_SITES, ACT_SORT, -1, NULL, "sort the other way round"},
-    {'/', "/", ON_ALL, ACT_FILTER, 0, NULL,
+    {'O', "O", ON_SITES, act_sort, -1, NULL, "sort the other way round"},
+    {'/', "/", ON_ALL | FIRST_ON_LISTS, act_filter, 0, NULL,
 	"show the rows of a list that have a word; search a text"},
-    {27, "Esc", ON_ALL, ACT_BACK, 0, NULL,
+    {ESCAPE, "Esc", ON_ALL, act_back, 0, NULL,
 	"one step back: from a word, the crosshair, a page; never quits"},
-    {'o', "o", ON_ALL & ~ON_SITES, ACT_FILES, 0, NULL,
+    {'o', "o", ON_ALL & ~ON_SITES, act_files, 0, NULL,
 	"open a sheet: a list of files, with a preview of each"},
-    {'c', "c", ON_ALL, ACT_CROSS, 0, NULL,
+    {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_cross, 0, NULL,
 	"crosshair on or off: reads the curves at a sieve"},
-    {'b', "b", ON_ALL, ACT_BAND, 0, NULL,
+    {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0, NULL,
 	"uncertainty band on or off, if known"},
-    {'a', "a", ON_ALL, ACT_CORRECT, 0, "set correction",
+    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0, NULL,
 	"runs that correct the answer: all, the training runs, none"},
-    {'x', "x", ON_ALL, ACT_PIN, 0, NULL,
+    {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_pin, 0, NULL,
 	"pin this prediction for comparison; again: unpin"},
-    {'v', "v", ON_FIT, ACT_PICTURE, 1, NULL,
+    {'v', "v", ON_FIT, act_picture, 0, NULL,
 	"the next plot: search, curves, convergence, spread"},
-    {'v', "v", ON_PREDICT, ACT_PICTURE, 1, NULL,
-	"another second plot, from 200 columns on"},
-    {'r', "r", ON_PREDICT, ACT_PICTURE, 0, NULL,
+    {'r', "r", ON_PREDICT, act_runs, 0, NULL,
 	"all runs, measured and predicted; again: back"},
-    {'f', "f", ON_ALL, ACT_FIT, 0, "calibrate", "calibrate, or start again"},
-    {' ', "Space", ON_ALL, ACT_HOLD, 0, "continue",
+    {'f', "f", ON_ALL | FIRST_ON_FIT | CHANGES, act_fit, 0, NULL,
+	"calibrate, or start again"},
+    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_hold, 0, NULL,
 	"pause or resume the calibration; once stopped: continue"},
-    {'s', "s", ON_ALL, ACT_KEEP, 0, NULL,
+    {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0, NULL,
 	"stop the calibration and keep the best"},
-    {'+', "+, =", ON_ALL, ACT_PACE, 1, NULL, "more generations a second"},
-    {'-', "-", ON_ALL, ACT_PACE, -1, NULL, "fewer generations a second"},
-    {'d', "d", ON_ALL, ACT_TELL, 0, "describe %s",
+    {'+', "+, =", ON_ALL | FIRST_ON_FIT, act_pace, 1, NULL,
+	"more generations a second"},
+    {'-', "-", ON_ALL | FIRST_ON_FIT, act_pace, -1, NULL,
+	"fewer generations a second"},
+    {'d', "d", ON_ALL | AT_SPEED, act_describe, 0, "describe",
 	"describe the plot of the page in words"},
-    {'e', "e", ON_ALL, ACT_EXPORT, 0, "predict %s > ",
+    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0, NULL,
 	"export the prediction, a pinned one too: .xlsx, .csv, .svg"},
-    {':', ":", ON_ALL, ACT_TYPE, 0, "",
+    {':', ":", ON_ALL | AT_SPEED, act_type, 0, NULL,
 	"a command: find, spec, bounds ..; Tab completes, Up repeats"},
-    {'u', "u", ON_ALL, ACT_RUN, 0, "undo", "undo the last change"},
-    {'U', "U", ON_ALL, ACT_RUN, 0, "redo", "redo it"},
-    {'w', "w", ON_ALL, ACT_SAVE, 0, "save ",
+    {'u', "u", ON_ALL | CHANGES, act_command, 0, "undo",
+	"undo the last change"},
+    {'U', "U", ON_ALL | CHANGES, act_command, 0, "redo", "redo it"},
+    {'w', "w", ON_ALL | AT_SPEED, act_save, 0, NULL,
 	"save the session as a script, under the name that is proposed"},
-    {'V', "V", ON_ALL, ACT_AGAIN, 0, NULL,
+    {'V', "V", ON_ALL, act_again, 0, NULL,
 	"show the last text again: an answer, a report"},
-    {KEY_F(1), "?, F1", ON_ALL, ACT_HELP, 0, NULL, "this list"},
-    {'T', "T", ON_ALL, ACT_TOUR, 0, NULL, "a tour in three steps; Esc ends it"},
-    {'M', "M", ON_ALL, ACT_MOUSE, 0, NULL,
+    {KEY_F(1), "?, F1", ON_ALL, act_help, 0, NULL, "this list"},
+    {'M', "M", ON_ALL, act_mouse, 0, NULL,
 	"mouse on or off; Shift and drag selects text"},
-    {CONTROL('L'), "^L", ON_ALL, ACT_REDRAW, 0, NULL, "redraw"},
-    {CONTROL('C'), "^C", ON_ALL, ACT_STOP, 0, NULL,
+    {CONTROL('L'), "^L", ON_ALL, act_redraw, 0, NULL, "redraw"},
+    {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop, 0, NULL,
 	"stop the calibration and keep the best"},
-    {CONTROL('Z'), "^Z", ON_ALL, ACT_SUSPEND, 0, NULL,
+    {SUSPEND, "^Z", ON_ALL, act_suspend, 0, NULL,
 	"to the shell; fg comes back"},
-    {'q', "q", ON_ALL, ACT_LEAVE, 0, NULL, "quit full-screen mode"},
+    {'q', "q", ON_ALL, act_leave, 0, NULL, "quit full-screen mode"},
     {.code = 0}};
 
 /* Whether one of the names of a row, "Left, h", is this. */
@@ -147,7 +150,7 @@ keys_find(int code, enum page page)
 		code = '\n';
 	const char letter[2] = {code < 127 ? (char)code : '\0'};
 	for (const struct key *k = KEYS; k->code != 0; k++)
-		if ((k->pages & (1U << page)) &&
+		if ((k->where & (1U << page)) &&
 		    (k->code == code ||
 			(letter[0] > ' ' && has_name(k->name, letter))))
 			return k;
@@ -182,40 +185,22 @@ keys_code(const char *name, int *code)
 static const char *
 only_on(const struct key *k)
 {
-	return k->pages == ON_FIT       ? N_(" (page Fit)")
-	       : k->pages == ON_PREDICT ? N_(" (page Predict)")
-	       : k->pages == ON_SITES   ? N_(" (page Sites)")
-	       : k->pages == ON_DATA    ? N_(" (page Data)")
-					: "";
+	unsigned pages = k->where & ON_ALL;
+	return pages == ON_FIT       ? N_(" (page Fit)")
+	       : pages == ON_PREDICT ? N_(" (page Predict)")
+	       : pages == ON_SITES   ? N_(" (page Sites)")
+	       : pages == ON_DATA    ? N_(" (page Data)")
+				     : "";
 }
 
 /* Of the keys that are there on all pages those that do most on some. */
 static bool
 is_own(const struct key *k, enum page page)
 {
-	enum {
-		PREDICT_S = 1 << PAGE_PREDICT,
-		LISTS = 1 << PAGE_DATA | ON_SITES
-	};
-	static const unsigned OWN[] = {[ACT_MOVE] = PREDICT_S,
-	    [ACT_FINE] = PREDICT_S,
-	    [ACT_TO] = PREDICT_S,
-	    [ACT_CROSS] = PREDICT_S,
-	    [ACT_BAND] = PREDICT_S,
-	    [ACT_CORRECT] = PREDICT_S,
-	    [ACT_PIN] = PREDICT_S,
-	    [ACT_EXPORT] = PREDICT_S,
-	    [ACT_FIT] = ON_FIT,
-	    [ACT_HOLD] = ON_FIT,
-	    [ACT_KEEP] = ON_FIT,
-	    [ACT_PACE] = ON_FIT,
-	    [ACT_LIST] = LISTS,
-	    [ACT_CHOOSE] = LISTS,
-	    [ACT_FILTER] = LISTS};
-	unsigned own = k->pages;
-	if (own == ON_ALL)
-		own = k->act < ARRAY_LEN(OWN) ? OWN[k->act] : 0;
-	return own & (1U << page);
+	unsigned pages = k->where & ON_ALL;
+	if (pages == ON_ALL)
+		pages = k->where >> PAGES;
+	return pages & (1U << page);
 }
 
 static char *
@@ -229,12 +214,9 @@ line_of(const struct key *k)
 static bool
 has_word(const struct key *k, const char *word)
 {
-	char *line = line_of(k), *folded = text_fold(line);
-	char *wanted = text_fold(word);
-	bool has = strstr(folded, wanted) != NULL;
+	char *line = line_of(k);
+	bool has = text_has(line, word);
 	free(line);
-	free(folded);
-	free(wanted);
 	return has;
 }
 
@@ -318,10 +300,8 @@ keys_manual(FILE *out)
 		fprintf(out, ".It %s%s\n%s%s.\n",
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
 		    only_on(k));
-		if (k->command != NULL && k->command[0] != '\0' &&
-		    (k->act == ACT_RUN || k->act == ACT_TELL))
-			fprintf(out, "Runs\n.Ic %.*s .\n",
-			    (int)strcspn(k->command, " "), k->command);
+		if (k->command != NULL)
+			fprintf(out, "Runs\n.Ic %s .\n", k->command);
 	}
 	fprintf(out,
 	    ".It digits, Enter\nType a speed; 1 to %d are pages, so that one "

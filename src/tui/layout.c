@@ -37,9 +37,9 @@ enum {
 };
 /* Narrower, a plot, a legend or a panel says nothing. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
-/* From so many columns on there is room for a second plot; for a blank column
- * between a wall and its text. */
-enum { FOR_SECOND = 200, FOR_GAP = 100 };
+/* From so many columns on there is room for a blank column between a wall and
+ * its text. */
+enum { FOR_GAP = 100 };
 
 /* So many rows at the bottom of what is left: with the rows of the screen they
  * become more. */
@@ -74,17 +74,6 @@ split_body(struct places *l, int rows, int side_columns)
 	l->side.columns = side_columns;
 }
 
-/* Two of five columns: the curves stay the larger one. */
-static void
-split_plot(struct places *l)
-{
-	l->second = l->plot;
-	l->second.columns = l->plot.columns * 2 / 5;
-	l->plot.columns -= l->second.columns + 1;
-	l->second.column = l->plot.column + l->plot.columns + 2;
-	l->second.columns--;
-}
-
 struct places
 places_make(int rows, int columns, struct places_ask ask)
 {
@@ -115,8 +104,6 @@ places_make(int rows, int columns, struct places_ask ask)
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
 		l.legend = take_bottom(left);
 	split_body(&l, rows, ask.side_columns);
-	if (ask.second && columns >= FOR_SECOND && l.plot.rows > 0)
-		split_plot(&l);
 	if (ask.strip && rows >= FOR_STRIP) {
 		l.strip = take_rows(&l.plot, rows + EVERY, FOR_STRIP, EVERY);
 		l.strip.row = l.plot.row + l.plot.rows;

@@ -7,10 +7,10 @@
 
 /* What a page wants beside its body: columns of a side panel, or 0; a strip
  * for differences below the plot; what is asked at all speeds, above the
- * track; a second plot where there are columns for it. */
+ * track. */
 struct places_ask {
 	int side_columns;
-	bool strip, above, second;
+	bool strip, above;
 };
 
 /* From the top left of the screen; of no rows: left out. */
@@ -18,12 +18,12 @@ struct area {
 	int row, column, rows, columns;
 };
 
-/* body: all between header and caption, a rule with words; plot, second and
- * side are its parts.  wall: the column of the line before side, -1: none. */
+/* body: all between header and caption, a rule with words; plot and side are
+ * its parts.  wall: the column of the line before side, -1: none. */
 struct places {
 	int wall;
 	struct area header, body, plot, side, legend, strip, numbers, caption,
-	    second, above, track, command, status, hints;
+	    above, track, command, status, hints;
 };
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:

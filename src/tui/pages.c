@@ -3,8 +3,6 @@
 #include "tui/pages.h"
 
 #include "tui/widgets/response_strip.h"
-#include "tui/widgets/file_picker.h"
-#include "tui/tour.h"
 
 const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
     [PAGE_FIT] = &page_fit,
@@ -15,7 +13,7 @@ const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
 const struct page_ops *
 pages_open(const struct tui *t)
 {
-	return PAGE_OPS[t->page];
+	return PAGE_OPS[t->ui.page];
 }
 
 bool
@@ -29,23 +27,23 @@ pages_can_focus(const struct tui *t)
 void
 pages_go(struct tui *t, enum page page)
 {
-	if (t->page != page) {
+	if (t->ui.page != page) {
 		t->filter = (struct typing){0};
 		tui_untouch(t);
 	}
-	t->page = page;
+	t->ui.page = page;
 	const struct page_ops *ops = pages_open(t);
 	if (ops->takes_focus)
-		t->focus = ops;
-	else if (t->focus != ops || !pages_can_focus(t))
-		t->focus = NULL;
+		t->ui.focus = ops;
+	else if (t->ui.focus != ops || !pages_can_focus(t))
+		t->ui.focus = NULL;
 }
 
 void
 pages_update(struct tui *t)
 {
-	tour_update(t);
-	chooser_update(t);
+	if (t->chooser.on)
+		t->chooser.rows->update(t);
 	above_update(t);
 	if (pages_open(t)->update != NULL)
 		pages_open(t)->update(t);

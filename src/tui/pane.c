@@ -107,7 +107,7 @@ draw_runs(const struct tui *t, int column, const struct entry *entry, bool may)
 		bool held_out = !entry->train[r];
 		if (site_run_repeats(site, r) ||
 		    !site_run_is_near(
-			site, r, t->tenths / 10.0, SITE_CHART_RUNS))
+			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look = site_chart_run(site, r, held_out);
 		char *sample = chart_sample(&look, screen_charset());
@@ -154,8 +154,8 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 		column = draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	column = draw_runs(t, column, entry, !runs);
-	if (site->individual_feeds && t->feed > 0 && !runs)
-		snprintf(sample, sizeof sample, " %g", t->feed);
+	if (site->individual_feeds && t->ui.feed > 0 && !runs)
+		snprintf(sample, sizeof sample, " %g", t->ui.feed);
 	snprintf(text, sizeof text, tr("%s feed%s"),
 	    ascii  ? "."
 	    : runs ? "\u2500"
@@ -267,6 +267,21 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 	draw_hints(area, look, text);
 	if (area->rows > 0)
 		pane_touch_hints(t, area->row, area->column, text);
+}
+
+int
+pane_typed(const struct area *area, const char *prompt,
+    const struct typing *typing, size_t *from)
+{
+	char *till = xstrndup(typing->text, typing->at), left[TEXT_SHOWN];
+	int before = text_width(till), width = text_width(prompt);
+	const char *shown = typing->text;
+	free(till);
+	while (before > area->columns - width - 1 && *shown != '\0')
+		before -= text_show(&shown, left);
+	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
+	*from = (size_t)(shown - typing->text);
+	return width + before;
 }
 
 char *

@@ -6,16 +6,17 @@
 
 #include "tui/tui_state.h"
 
-/* The rows of a page that a cursor goes through, see rows.h.  at: the one under
- * it; go: puts the cursor onto one; text: all that a row says, for a word to be
- * looked for in, which the caller frees; open: what Enter does there, or
- * NULL. */
+/* Rows that a cursor goes through, see list.h.  at: the one under it; go: puts
+ * it onto another one; text: all that a row says, for a word to be looked for
+ * in, which the caller frees, or NULL; open: what Enter does there, or NULL;
+ * update: works out what is shown of it, or NULL. */
 struct page_list {
 	size_t (*n)(const struct tui *t);
 	size_t (*at)(const struct tui *t);
 	void (*go)(struct tui *t, size_t i);
 	char *(*text)(const struct tui *t, size_t i);
 	void (*open)(struct tui *t);
+	void (*update)(struct tui *t);
 };
 
 /* All that there is of a page is in its own file; pages.c lists them.  What a
@@ -27,7 +28,7 @@ struct page_ops {
 	/* Columns of its panel; on screens of 100 or more, or 0: no other; of
 	 * 120 or more. */
 	int side, middle_side, wide_side;
-	bool strip, above, second; /* see struct places_ask */
+	bool strip, above; /* see struct places_ask */
 
 	/* Works out what is drawn and does not come with the prediction. */
 	void (*update)(struct tui *t);
@@ -46,8 +47,9 @@ struct page_ops {
 	/* Its list: Tab and what moves in it give it the focus. */
 	const struct page_list *list;
 
-	/* What a key does on this page only; false: what it does on all. */
-	bool (*key)(struct tui *t, const struct key *key);
+	/* What act_move, act_ends and act_list do to what it has; false: what
+	 * they do on all pages. */
+	bool (*move)(struct tui *t, const struct key *key);
 
 	/* A click on its plot, at values of the axes of that kind. */
 	void (*point)(struct tui *t, enum plot_kind kind, double x, double y);
@@ -80,6 +82,12 @@ struct area pane_list_area(const struct tui *t);
  * site" with those of two, and a click there presses it. */
 void pane_hints(struct tui *t, unsigned look, const char *hints);
 void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
+
+/* A line that is typed, after its prompt; one too long is moved to the left
+ * until the cursor is seen.  Returns the cursor's column; from: of its bytes
+ * the first that is shown. */
+int pane_typed(const struct area *area, const char *prompt,
+    const struct typing *typing, size_t *from);
 
 /* Leaves out words, two spaces between them, that there is no room for. */
 void pane_cut(char *words, int columns);

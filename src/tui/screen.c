@@ -346,6 +346,13 @@ screen_words(const struct area *area, int row, unsigned look, const char *text)
 }
 
 void
+screen_clear(const struct area *area)
+{
+	for (int row = 0; row < area->rows; row++)
+		screen_text(area, row, 0, 0, "%*s", area->columns, "");
+}
+
+void
 screen_rule(const struct area *area)
 {
 	bool lines = is.charset != CHARSET_ASCII;

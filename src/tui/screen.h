@@ -81,6 +81,9 @@ int screen_words(
 int screen_words_within(const struct area *area, int row, int rows,
     unsigned look, const char *text, const char *more);
 
+/* Blanks all over the area. */
+void screen_clear(const struct area *area);
+
 /* A line along the row, or along the column, of the area. */
 void screen_rule(const struct area *area);
 void screen_wall(int row, int column, int rows);

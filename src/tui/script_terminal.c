@@ -66,7 +66,7 @@ const struct tui_ways SHOT_WAYS = {.answer = answer};
 static bool
 is_typed(const struct tui *t, const char *word)
 {
-	return t->typing.active || t->viewer.word.active || t->filter.active ||
+	return act_types(t, (unsigned char)word[0]) ||
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 

@@ -39,7 +39,7 @@ patience(const struct tui *t)
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
 	bool asks = t->question != NULL || t->inquiry != NULL;
 	if (!asks && session_busy(t->session) && !t->held)
-		left = t->pace == PACE_FULL
+		left = t->ui.pace == PACE_FULL
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
@@ -135,14 +135,13 @@ is_away(void)
 static bool
 answer(struct tui *t, int *code, bool *special)
 {
-	enum { STOP = 26 };
 	bool done = false;
 	while (!done && pump_signal() == 0) {
 		show(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
 			done = act_pointed(t, code, special);
-		} else if (done && !*special && *code == STOP) {
+		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
 			raise(SIGTSTP);
 		}
@@ -154,7 +153,6 @@ answer(struct tui *t, int *code, bool *special)
 static bool
 stopped(struct tui *t)
 {
-	enum { ESCAPE = 27, INTERRUPT = 3 };
 	int code;
 	bool special, stops = false;
 	pump_let_in();

@@ -47,7 +47,7 @@ tui_range(const struct tui *t)
 size_t
 tui_feed(const struct tui *t)
 {
-	return feed_at(tui_entry(t)->site, t->feed);
+	return feed_at(tui_entry(t)->site, t->ui.feed);
 }
 
 /* What measured products are moved by: the parameters of the prediction beside
@@ -83,7 +83,7 @@ tui_keep_feed(struct tui *t)
 {
 	double feed = session_known(t->session, "predict", "feed_mps");
 	if (isfinite(feed))
-		t->feed = feed;
+		t->ui.feed = feed;
 	else
 		tui_take_feed(t);
 }
@@ -92,22 +92,22 @@ void
 tui_take_feed(struct tui *t)
 {
 	double set;
-	t->feed = text_number(t->session->set.feed, &set) ? set : 0;
+	t->ui.feed = text_number(t->session->set.feed, &set) ? set : 0;
 }
 
 char *
 tui_where(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
-	double speed = t->tenths / 10.0;
+	double speed = t->ui.tenths / 10.0;
 	/* A sheet that is set is of commands: the slider has the mean. */
-	bool mean = !(t->feed > 0) && t->session->set.feed[0] != '\0' &&
+	bool mean = !(t->ui.feed > 0) && t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||
-	    !(t->feed > 0))
+	    !(t->ui.feed > 0))
 		return xasprintf(
 		    mean ? "speed=%.1f feed=mean" : "speed=%.1f", speed);
-	return xasprintf("speed=%.1f feed=%g", speed, t->feed);
+	return xasprintf("speed=%.1f feed=%g", speed, t->ui.feed);
 }
 
 char *
@@ -139,13 +139,14 @@ size_t
 tui_step(const struct tui *t)
 {
 	size_t n = tui_steps(t);
-	return t->generation > 0 && t->generation < n ? t->generation : n;
+	return t->ui.generation > 0 && t->ui.generation < n ? t->ui.generation
+							    : n;
 }
 
 void
 tui_look_at(struct tui *t, size_t step)
 {
-	t->generation = step < tui_steps(t) ? step : 0;
+	t->ui.generation = step < tui_steps(t) ? step : 0;
 }
 
 size_t
@@ -175,10 +176,7 @@ tui_forget_sheet(struct sheet *sheet)
 	free(sheet->sieve);
 	free(sheet->column);
 	doctor_free(&sheet->doctor);
-	*sheet = (struct sheet){.row = sheet->row,
-	    .at = sheet->at,
-	    .top = sheet->top,
-	    .left = sheet->left};
+	*sheet = (struct sheet){.site = NULL};
 }
 
 void
@@ -186,7 +184,7 @@ tui_forget_parity(struct parity *parity)
 {
 	free(parity->point);
 	chart_free(parity->chart);
-	*parity = (struct parity){.at = parity->at, .top = parity->top};
+	*parity = (struct parity){.n = 0};
 }
 
 void

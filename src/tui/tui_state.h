@@ -31,15 +31,12 @@ struct numbers {
 	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* What the second plot is of; the other site is the one that is pinned. */
-enum second { SECOND_RESPONSE, SECOND_RESIDUALS, SECOND_OTHER, SECONDS };
-
 /* Text on the whole screen: lines from `top` on, of these what is right of the
- * column `left`.  text NULL: none.  keys: the list of keys, of those that have
+ * column `left`.  text NULL: none; line [lines]: its lines, owned.  keys: the list of keys, of those that have
  * the word; one of them, `at`, can be run.  Of other text `at` is the line with
  * the word that was found. */
 struct viewer {
-	char *text;
+	char *text, **line;
 	int top, lines, left, columns;
 	bool keys, report; /* what a long job has ended with */
 	int at;
@@ -65,8 +62,8 @@ struct site_row {
 };
 
 /* The sheet on the Data page: its sieves, m, its columns, a feed or a product
- * of a run each, and the digits that its cells want; the cell of the cursor and
- * the first one shown; what the doctor found, where it has looked. */
+ * of a run each, and the digits that its cells want; what the doctor found,
+ * where it has looked. */
 struct sheet_column {
 	bool feed;
 	size_t run;
@@ -77,21 +74,20 @@ struct sheet {
 	double *sieve;
 	struct sheet_column *column;
 	int digits, width;
-	size_t row, at, top, left;
 	bool looked, calibrated;
 	double misfit; /* of the calibration by which it looked */
 	struct doctor doctor;
 };
 
 /* All sites' held-out runs on the Parity page, compared site by site: `next`
- * is the one to compare, n_entry when all are; by how many the chosen one is
- * below the first, and the first one shown; the plot, or why there is none. */
+ * is the one to compare, n_entry when all are; the plot, or why there is
+ * none. */
 struct parity_point {
 	size_t entry;
 	struct validation v;
 };
 struct parity {
-	size_t next, n, at, top;
+	size_t next, n;
 	struct parity_point *point;
 	struct validate_score score[VALIDATE_NULL][PSD_SIZES];
 	struct chart *chart;
@@ -114,6 +110,8 @@ struct cursor {
 };
 
 struct above;
+struct page_list;
+struct page_ops;
 /* What is listed: the folder that the program runs in, of that sheets with a
  * feed that a product is estimated of, or saved sessions; or the sites that
  * come with the program. */
@@ -124,21 +122,20 @@ enum chooser_list {
 	CHOOSER_SHIPPED
 };
 
-/* Files to open one of, over the page.  word: that they have; preview: of the
- * item `previewed`, -1: of none. */
+/* Files to open one of, over the page.  rows: the list of them; word: that they
+ * have; preview: of the item `previewed`, SIZE_MAX: of none. */
 struct chooser {
 	bool on;
 	enum chooser_list list;
+	const struct page_list *rows;
 	struct folder folder;
 	struct typing word;
-	int at, top, previewed;
+	size_t at, top, previewed;
 	char *preview;
 };
 
 struct inquiry;
 struct limits;
-struct second_plot;
-struct page_ops;
 struct tui;
 
 /* How a full screen is shown. */
@@ -155,23 +152,46 @@ struct tui_ways {
 	bool (*stopped)(struct tui *t);
 };
 
+/* What the user has chosen, and nothing that follows from it, nor anything
+ * owned: a frame beside the open screen begins with a copy. */
+struct ui {
+	enum page page;
+	/* Of which page the arrows move what it has; NULL: the slider. */
+	const struct page_ops *focus;
+	int tenths;  /* of the slider */
+	double feed; /* m/s of the run whose feed is taken; 0: the mean */
+	struct quantity quantity; /* above the track */
+	bool cross, band, runs;   /* runs: page Predict has plot runs */
+	size_t cross_at;          /* a sieve of the prediction */
+	int level;    /* passing that the crosshair reads sizes at, % */
+	int first_at; /* of what can be done without a site */
+	enum plot_kind picture; /* of the page Fit */
+	int pace;               /* index of PACES */
+	size_t generation;      /* looked at, 1..; 0: the end so far */
+	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
+	/* The cell of the cursor on the page Data, and the first one shown. */
+	struct {
+		size_t row, at, top, left;
+	} cell;
+	size_t top[PAGES]; /* the first row shown of a page's list */
+	size_t point_at;   /* of the Parity page */
+	size_t site_at;    /* of the Sites page */
+	int sort;          /* it, by 1 + a column; 0: as they were loaded */
+	bool sort_down;
+};
+
 struct tui {
 	struct session *session;
 	const struct tui_ways *ways;
 	struct places places;
-	enum page page;
-	/* Of which page the arrows move what it has; NULL: the slider. */
-	const struct page_ops *focus;
+	struct ui ui;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
 	double clock;   /* s; a step with every key where it is drawn aside */
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
-	int tenths;     /* of the slider */
-	double feed;    /* m/s of the run whose feed is taken; 0: the mean */
-	struct quantity quantity; /* above the track */
-	struct above *above;      /* what is drawn there, see above.h */
-	struct goal goal;         /* the one that is set, see goals.h */
+	struct above *above; /* what is drawn there, see above.h */
+	struct goal goal;    /* the one that is set, see goals.h */
 	bool goal_field; /* the line typed is that; fresh: as it was offered */
 	bool goal_fresh;
 	const struct key *wish; /* of its speeds, pressed before they are */
@@ -184,7 +204,7 @@ struct tui {
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	struct numbers now, pause, pin; /* site "": none */
 	struct prediction kept;         /* whose numbers are in pin, borrowed */
-	bool cross, band, mouse;
+	bool mouse;
 	struct touches touches; /* of the frame shown */
 	struct {
 		struct plot_request request;
@@ -192,36 +212,24 @@ struct tui {
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
 	const struct page_ops *shows; /* whose these are */
-	size_t cross_at;              /* a sieve of the prediction */
-	int level;            /* passing that the crosshair reads sizes at, % */
-	size_t site_at;       /* of the Sites page */
-	struct sheet sheet;   /* of the Data page */
-	struct parity parity; /* of the Parity page */
+	struct sheet sheet;           /* of the Data page */
+	struct parity parity;         /* of the Parity page */
 	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
 	size_t n_row;
 	int site_width[SITE_COLUMNS]; /* what the texts of each want */
-	int sort; /* 1 + the column sorted by; 0: as they were loaded */
-	bool sort_down;
 	int rows_at;           /* tenths they are of; 0: of another session */
-	size_t looked;         /* counts what may have changed the session */
+	size_t revision;       /* counts what may have changed the session */
 	struct limits *limits; /* see limits.h, owned, or NULL */
-	bool runs;             /* page Predict has plot runs for its curves */
-	enum second second;    /* right of the curves */
-	struct second_plot *second_plot; /* see second.h, likewise */
-	char *under_way;                 /* line that is run, or NULL */
-	bool of_script;                  /* it is one of a script */
-	bool stopping;                   /* a key stops it */
-	double ran_from;                 /* when it or its script began, s */
-	double drawn_at;                 /* when that was last drawn */
-	const char *begun; /* what takes a moment just now, or NULL */
-	enum plot_kind picture;
-	bool held;            /* the calibration waits */
-	int pace;             /* index of PACES */
-	double due;           /* when the next generation is */
-	size_t generation;    /* looked at, 1..; 0: the end so far */
-	size_t param_at;      /* chosen on the page Fit, 1..; 0: none */
-	double holdout;       /* RMSE of the site in use, points, or NAN */
-	struct typing typing; /* a command */
+	char *under_way;       /* line that is run, or NULL */
+	bool of_script;        /* it is one of a script */
+	bool stopping;         /* a key stops it */
+	double ran_from;       /* when it or its script began, s */
+	double drawn_at;       /* when that was last drawn */
+	const char *begun;     /* what takes a moment just now, or NULL */
+	bool held;             /* the calibration waits */
+	double due;            /* when the next generation is */
+	double holdout;        /* RMSE of the site in use, points, or NAN */
+	struct typing typing;  /* a command */
 	struct typing speed;
 	struct typing filter; /* a word that rows of a list must have */
 	struct paste paste;
@@ -229,13 +237,9 @@ struct tui {
 	struct viewer viewer;
 	char *closed; /* the text that was closed last, or NULL */
 	struct chooser chooser;
-	int first_at;      /* of what can be done first */
-	size_t tour;       /* its step, 1..; 0: none is shown */
-	int tour_tenths;   /* of the slider when that began */
-	double tour_found; /* by `find`, m/s, likewise; or NAN */
-	char *command;     /* the last one, for show */
-	const char *job;   /* name of that which began the job, or NULL */
-	bool failed;       /* it did */
+	char *command;   /* the last one, for show */
+	const char *job; /* name of that which began the job, or NULL */
+	bool failed;     /* it did */
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is of the command that moved the slider */

@@ -81,7 +81,7 @@ finish(struct tui *t)
 	const struct entry *entry = tui_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
-		    t->page == PAGE_FIT
+		    t->ui.page == PAGE_FIT
 			? N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations; Tab, arrows: show them")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
@@ -152,8 +152,8 @@ pace_now(const struct tui *t)
 	const double much = 0.2, little = 0.02;
 	struct plots_past past = tui_past(t);
 	const struct calibrate_generation *g = past.generation;
-	if (t->pace != PACE_AUTO)
-		return PACES[t->pace];
+	if (t->ui.pace != PACE_AUTO)
+		return PACES[t->ui.pace];
 	if (past.n < 2 || past.polished)
 		return USUAL;
 	double gain = 1 - g[past.n - 1].best / g[past.n - 2].best;
@@ -170,7 +170,7 @@ watch_pump(struct tui *t)
 	double began = session_clock();
 	/* Of several nobody watches the generations. */
 	const struct rounds *rounds = s->job.rounds;
-	int pace = rounds->alone && !is_drawing(s) ? t->pace : PACE_FULL;
+	int pace = rounds->alone && !is_drawing(s) ? t->ui.pace : PACE_FULL;
 	size_t entry = s->job.entry;
 	if (pace < PACE_FULL && t->clock < t->due)
 		return;

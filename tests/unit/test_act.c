@@ -79,10 +79,10 @@ the_keypad_has_an_enter(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
 	act_key(t, KEY_ENTER, true);
-	assert_int_equal(t->tenths, 723);
+	assert_int_equal(t->ui.tenths, 723);
 	type(t, "?/up by 5");
 	act_key(t, KEY_ENTER, true);
-	assert_int_equal(t->tenths, 773);
+	assert_int_equal(t->ui.tenths, 773);
 	type(t, ":set k 1");
 	act_key(t, KEY_ENTER, true);
 	assert_false(t->typing.active);
@@ -191,8 +191,8 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
 	type(t, "2\t");
 	size_t n = tui_past(t).n;
-	int tenths = t->tenths;
-	assert_true(t->focus == &page_fit);
+	int tenths = t->ui.tenths;
+	assert_true(t->ui.focus == &page_fit);
 	press(t, "Home");
 	assert_int_equal(tui_generation(t), 1);
 	press(t, "L");
@@ -205,11 +205,11 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	/* The polish is a step of its own behind the last. */
 	assert_int_equal(tui_steps(t), n + 1);
 	assert_int_equal(tui_generation(t), n - 9);
-	assert_int_equal(t->tenths, tenths);
+	assert_int_equal(t->ui.tenths, tenths);
 	type(t, "\t");
 	press(t, "Home");
 	assert_int_equal(tui_generation(t), n - 9);
-	assert_int_equal(t->tenths, tui_range(t).least);
+	assert_int_equal(t->ui.tenths, tui_range(t).least);
 }
 
 static bool
@@ -289,7 +289,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	assert_true(goal_known(t));
 	double best = goal_best(t);
 	type(t, "N");
-	assert_int_equal(t->tenths, slider_tenths(tui_range(t), best));
+	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), best));
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
 	    session_known(t->session, "find", "speed"), best, 1e-6);
@@ -316,27 +316,27 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(AWAY); i++) {
 		type(t, "074.3\nN");
 		assert_non_null(strstr(t->message, "being worked out"));
-		assert_int_equal(t->tenths, 743);
+		assert_int_equal(t->ui.tenths, 743);
 		type(t, AWAY[i]);
-		int there = t->tenths;
+		int there = t->ui.tenths;
 		track_wished(t, true);
-		assert_int_equal(t->tenths, there);
+		assert_int_equal(t->ui.tenths, there);
 	}
-	t->tenths = 743;
+	t->ui.tenths = 743;
 	type(t, "N");
 	control_predict(t);
-	assert_int_equal(t->tenths, 743);
+	assert_int_equal(t->ui.tenths, 743);
 	t->aside = true;
 	pages_update(t);
 	assert_true(above_wait(t) <= 0);
 	control_predict(t);
 	int best = slider_tenths(tui_range(t), goal_best(t));
 	assert_int_not_equal(best, 743);
-	assert_int_equal(t->tenths, best);
+	assert_int_equal(t->ui.tenths, best);
 	/* Before that it is worked out for who will not wait. */
 	type(t, ":set level 90\n");
 	assert_false(goal_known(t));
-	t->tenths = 743;
+	t->ui.tenths = 743;
 	t->aside = false;
 	type(t, "Nx");
 	t->aside = true;
@@ -426,12 +426,12 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	control_look(t);
 	draw_all(t);
 	type(t, "c");
-	int tenths = t->tenths;
+	int tenths = t->ui.tenths;
 	press(t, "Home");
-	assert_int_equal(t->cross_at, t->shown.product.n - 1);
+	assert_int_equal(t->ui.cross_at, t->shown.product.n - 1);
 	press(t, "End");
-	assert_int_equal(t->cross_at, 0);
-	assert_int_equal(t->tenths, tenths);
+	assert_int_equal(t->ui.cross_at, 0);
+	assert_int_equal(t->ui.tenths, tenths);
 }
 
 /* What is near a bound of a wide range is not at it. */
@@ -448,7 +448,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	type(t, "2");
 	press(t, "Down");
 	type(t, "\n\033");
-	assert_int_equal(t->param_at, 1);
+	assert_int_equal(t->ui.param_at, 1);
 	draw_all(t);
 	char *text = NULL;
 	size_t n = 0;
@@ -466,7 +466,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	assert_null(memchr(alpha, '!', strcspn(alpha, "\n")));
 	free(text);
 	type(t, ":bounds alpha 0..2\n");
-	t->param_at = ALPHA;
+	t->ui.param_at = ALPHA;
 	type(t, "\n");
 	assert_non_null(strstr(t->message, "alpha: 0..2 now"));
 }
@@ -487,24 +487,24 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	const struct session *s = t->session;
 	assert_float_equal(session_known(s, "window", "best"), goal_best(t), 0);
 	assert_int_equal(t->goal.found->n_inside, 1);
-	t->tenths = 650;
+	t->ui.tenths = 650;
 	type(t, "n");
-	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[0]));
+	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[0]));
 	type(t, "n");
-	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[1]));
+	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[1]));
 	type(t, "n");
-	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[1]));
+	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[1]));
 	type(t, "p");
-	assert_int_equal(t->tenths, slider_tenths(tui_range(t), limit[0]));
+	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[0]));
 	bool certain;
 	assert_true(goal_holds(t, limit[0], limit[1], &certain));
 	assert_false(goal_holds(t, 80, 85, &certain));
 	/* Nothing is wanted any more: runs are where they go. */
 	type(t, "t\025\n");
 	assert_string_equal(t->session->set.goal, "");
-	t->tenths = 650;
+	t->ui.tenths = 650;
 	type(t, "nn");
-	assert_int_equal(t->tenths, 740);
+	assert_int_equal(t->ui.tenths, 740);
 }
 
 static void
@@ -536,7 +536,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	    {"t<6\n", "p80<6"}, {"t,fines<9\n", "p80<6,fines<9"},
 	    {"tnone\n", ""}, {"tp80=5\n", "p80=5"}, {"t\025\n", ""}};
 	for (size_t i = 0; i < ARRAY_LEN(ANEW); i++) {
-		t->quantity =
+		t->ui.quantity =
 		    (struct quantity){.kind = QUANTITY_SIZE, .x = 0.8};
 		type(t, ANEW[i].typed);
 		assert_string_equal(t->session->set.goal, ANEW[i].goal);
@@ -546,7 +546,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_string_equal(t->session->set.goal, "p80<6");
 	type(t, "tpassing 4\n");
 	assert_string_equal(t->session->set.goal, "p80<6");
-	assert_int_equal(t->quantity.kind, QUANTITY_PASSING);
+	assert_int_equal(t->ui.quantity.kind, QUANTITY_PASSING);
 	type(t, "tfin\t");
 	assert_string_equal(t->typing.text, "fines<");
 	type(t, "6\n");
@@ -572,7 +572,7 @@ an_envelope_shows_what_binds(void **state)
 	const struct goal *g = &t->goal;
 	assert_true(g->n_value == 0 && g->found->n_inside == 1);
 	assert_true(
-	    quantity_same(&t->quantity, &g->list.at[g->binds].quantity));
+	    quantity_same(&t->ui.quantity, &g->list.at[g->binds].quantity));
 }
 
 static void
@@ -583,21 +583,22 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
 	for (int i = 0; i < 8; i++) {
-		assert_true((t->quantity.kind == QUANTITY_SIZE &&
-				t->quantity.x == 0.8) == (i == 0));
+		assert_true((t->ui.quantity.kind == QUANTITY_SIZE &&
+				t->ui.quantity.x == 0.8) == (i == 0));
 		draw_all(t);
 		type(t, "y");
 	}
-	assert_true(t->quantity.kind == QUANTITY_SIZE && t->quantity.x == 0.8);
+	assert_true(
+	    t->ui.quantity.kind == QUANTITY_SIZE && t->ui.quantity.x == 0.8);
 	type(t, "Y");
-	assert_int_equal(t->quantity.kind, QUANTITY_SHARE);
+	assert_int_equal(t->ui.quantity.kind, QUANTITY_SHARE);
 	type(t, "y");
 	/* A press there is one on the track. */
 	draw_all(t);
 	struct area above = t->places.above;
 	assert_true(
 	    mouse(t, TOUCH_PRESS, above.row, places_track(&t->places).column));
-	assert_int_equal(t->tenths, tui_range(t).least);
+	assert_int_equal(t->ui.tenths, tui_range(t).least);
 	touch_release(&t->touches);
 }
 
@@ -693,10 +694,10 @@ bounds_are_typed_on_their_strip(void **state)
 	assert_string_equal(t->command, "bounds beta1 0..5");
 	assert_true(s->set.bounds.lower[0] == 0 && s->set.bounds.upper[0] == 5);
 	press(t, "Up");
-	assert_int_equal(t->param_at, 1);
+	assert_int_equal(t->ui.param_at, 1);
 	for (int i = 0; i < 20; i++)
 		press(t, "Down");
-	assert_int_equal(t->param_at, 7);
+	assert_int_equal(t->ui.param_at, 7);
 	frame_draw(t);
 	int row = t->places.side.row;
 	while (!t->typing.active && row < 24)
@@ -711,7 +712,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
 	control_look(t);
-	assert_int_equal(t->pace, PACE_AUTO);
+	assert_int_equal(t->ui.pace, PACE_AUTO);
 	type(t, "f");
 	bool slow = false, quick = false;
 	for (double clock = 0; tui_past(t).n < 40; clock += 0.001) {
@@ -724,9 +725,9 @@ generations_are_slow_while_the_best_gains(void **state)
 	}
 	assert_true(slow && quick);
 	type(t, "+");
-	assert_true(PACES[t->pace] == 50);
+	assert_true(PACES[t->ui.pace] == 50);
 	type(t, "------");
-	assert_int_equal(t->pace, PACE_AUTO);
+	assert_int_equal(t->ui.pace, PACE_AUTO);
 }
 
 static void
@@ -742,9 +743,9 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	int column = 30;
 	assert_true(n > 1 && s.rows == 1);
 	assert_false(mouse(t, TOUCH_DRAG, s.row, column));
-	assert_null(t->focus);
+	assert_null(t->ui.focus);
 	assert_true(mouse(t, TOUCH_PRESS, s.row, column));
-	assert_true(t->focus == &page_fit);
+	assert_true(t->ui.focus == &page_fit);
 	assert_in_range(tui_generation(t), 2, n - 1);
 	assert_true(mouse(t, TOUCH_DRAG, 0, 0));
 	assert_int_equal(tui_generation(t), 1);
@@ -765,14 +766,14 @@ the_list_has_the_keys_of_other_pages(void **state)
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
 	control_look(t);
 	type(t, "5");
-	t->site_at = 0;
+	t->ui.site_at = 0;
 	type(t, "?/use a site\n");
 	assert_int_equal(stage->desk->session->current, 0);
 	assert_string_equal(t->command, "use tierp");
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "?/next plot\n");
-	assert_int_equal(t->picture, PLOT_PSD);
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.picture, PLOT_PSD);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "?/down in a list\n");
 	assert_false(t->leave);
 }
@@ -906,7 +907,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	}
 	/* Nothing that was drawn beside it has moved it. */
 	type(t, "1:screen page=5\n\033");
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 }
 
 /* The frame as it is drawn once the loop has gone round, but for the rows of
@@ -939,7 +940,7 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	desk_open(&desk);
 	struct session *other = ((struct desk *)desk)->session;
 	const struct numbers pin = t->pin;
-	enum page page = t->page;
+	enum page page = t->ui.page;
 	control_end(t);
 	control_begin(t, other, &SHOT_WAYS);
 	char *line = xasprintf(":source %s\n", file);
@@ -948,8 +949,8 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	control_end(t);
 	control_begin(t, other, &SHOT_WAYS);
 	char *is = shown(t);
-	assert_int_equal(t->page, page);
-	assert_float_equal(t->quantity.x, 0.2, 1e-12);
+	assert_int_equal(t->ui.page, page);
+	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
 	assert_true(t->pin.feed == 69 && t->pin.speed == 74);
 	assert_memory_equal(t->pin.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
@@ -972,7 +973,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 	type(t, ":predict 74 feed=69\n");
 	control_predict(t);
 	type(t, "xt5.2\n");
-	t->tenths = 712;
+	t->ui.tenths = 712;
 	control_predict(t);
 	type(t, "yya");
 	for (size_t i = 0; i < ARRAY_LEN(PAGES_OF); i++) {
@@ -989,7 +990,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		shows_in_another(t, file, was);
 		control_begin(t, stage->desk->session, &SHOT_WAYS);
 		type(t, ":reset\n");
-		assert_int_equal(t->page, PAGE_PREDICT);
+		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
 		assert_int_equal(t->pin.site[0], '\0');
 		line = xasprintf(":restore %s\n", file);
@@ -1022,12 +1023,12 @@ what_is_left_is_found_again(void **state)
 	control_end(t);
 	assert_string_equal(s->set.goal, "p80<5.2");
 	control_begin(t, s, &SHOT_WAYS);
-	assert_int_equal(t->page, PAGE_PARITY);
-	assert_float_equal(t->quantity.x, 0.5, 1e-12);
+	assert_int_equal(t->ui.page, PAGE_PARITY);
+	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
 	assert_true(t->pin.speed == 74);
 	type(t, "1u");
 	assert_string_equal(s->set.goal, "");
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "u");
 	assert_int_equal(t->pin.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
@@ -1136,7 +1137,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
 	control_look(t);
 	t->aside = false; /* as where somebody looks */
-	t->pace = PACE_FULL;
+	t->ui.pace = PACE_FULL;
 	type(t, "f");
 	size_t drawing = 0;
 	while (session_busy(s)) {
@@ -1270,15 +1271,15 @@ a_step_predicts_once_and_says_nothing(void **state)
 	FILE *said = s->out,
 	     *heard = s->out = s->notes = text_memory(&text, &n);
 	for (int i = 0; i < 30; i++) {
-		int before = t->tenths;
+		int before = t->ui.tenths;
 		press(t, i < 20 ? "L" : "H");
 		predictions = 0;
 		control_predict(t);
 		frame_draw(t);
-		assert_int_equal(predictions, t->tenths != before);
-		assert_true(t->shown.speed == t->tenths / 10.0);
-		assert_true(
-		    session_known(s, "predict", "speed") == t->tenths / 10.0);
+		assert_int_equal(predictions, t->ui.tenths != before);
+		assert_true(t->shown.speed == t->ui.tenths / 10.0);
+		assert_true(session_known(s, "predict", "speed") ==
+			    t->ui.tenths / 10.0);
 	}
 	fflush(heard);
 	assert_int_equal(n, 0);
@@ -1337,7 +1338,7 @@ a_size_is_one_number_everywhere(void **state)
 	draw_all(t);
 	type(t, "cb");
 	for (int v = 70; v <= 84; v += 2) {
-		t->tenths = 10 * v;
+		t->ui.tenths = 10 * v;
 		draw_all(t);
 		double p50 = t->now.size[1];
 		apart = fmax(
@@ -1466,10 +1467,10 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	const double best = tui_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
 	 * use is only looked at. */
-	t->site_at = s->current;
+	t->ui.site_at = s->current;
 	type(t, "f..55\n");
-	assert_true(session_busy(s) && t->page == PAGE_PREDICT);
-	t->site_at = 0;
+	assert_true(session_busy(s) && t->ui.page == PAGE_PREDICT);
+	t->ui.site_at = 0;
 	static const char *const WAYS[] = {"s", "\003", "55\n", "5\n", "f\003",
 	    ":use bro\n", ":find p80=5\n\033", ":sweep\n\033",
 	    ":load data/sites/ossjo.csv\n", ":set k 2\nu", ":hlep; use bro\n",
@@ -1560,7 +1561,7 @@ what_is_pasted_is_no_keys(void **state)
 	input_paste(t, SCREEN_PASTE, true);
 	assert_true(input_paste(t, KEY_PPAGE, true));
 	input_end_paste(t);
-	assert_int_equal(t->tenths, 740);
+	assert_int_equal(t->ui.tenths, 740);
 }
 
 static void

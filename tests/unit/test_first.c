@@ -1,4 +1,4 @@
-/* The first minute on the full screen: ways to a site, files, the tour.
+/* The first minute on the full screen: ways to a site, files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 #include <sys/stat.h>
@@ -82,7 +82,6 @@ without_a_site_it_shows_what_can_be_done(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	assert_true(shows("Open a sheet"));
-	assert_true(shows("Take a tour"));
 	press(t, "Down");
 	press(t, "Down");
 	assert_true(shows("Quarries of the paper"));
@@ -175,7 +174,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 		press(t, ASKING[i]);
 		assert_string_equal(t->message, TUI_NO_SITE);
 		assert_false(t->typing.active);
-		assert_int_equal(t->page, PAGE_PREDICT);
+		assert_int_equal(t->ui.page, PAGE_PREDICT);
 	}
 	t->message[0] = '\0';
 	for (int page = PAGE_FIT; page <= PAGE_SITES; page++) {
@@ -190,7 +189,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 
 /* Only the program, in a folder. */
 static void
-the_tour_needs_no_installation(void **state)
+made_sites_need_no_installation(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	char folder[] = "/tmp/tipspeed-first-XXXXXX", was[4096];
@@ -204,13 +203,8 @@ the_tour_needs_no_installation(void **state)
 	type(t, "forsby");
 	press(t, "Enter");
 	assert_string_equal(tui_entry(t)->site->name, "Forsby");
-	press(t, "u");
-	press(t, "T");
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
-	assert_int_equal(t->tour, 1);
-	assert_string_equal(tui_entry(t)->site->name, "Tierp");
-	assert_true(t->now.site[0] != '\0');
 }
 
 /* Not keys of the page behind it. */
@@ -341,69 +335,12 @@ safe_lists_no_files(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	stage->desk->session->safe = true;
-	static const char *const KEYS_THERE[] = {"o", "Enter", "T"};
+	static const char *const KEYS_THERE[] = {"o", "Enter"};
 	for (size_t i = 0; i < ARRAY_LEN(KEYS_THERE); i++) {
 		t->message[0] = '\0';
 		press(t, KEYS_THERE[i]);
 		assert_false(t->chooser.on);
-		assert_int_equal(t->tour, 0);
 		assert_non_null(strstr(t->message, "--safe"));
-	}
-}
-
-/* The plot stands above it, and so does the track. */
-static void
-the_tour_waits_for_what_it_asks_for(void **state)
-{
-	struct tui *t = &((struct stage *)*state)->t;
-	int track = t->places.track.row;
-	press(t, "T");
-	assert_int_equal(t->tour, 1);
-	assert_true(shows("1 of 3"));
-	assert_true(t->now.site[0] != '\0');
-	assert_in_range(t->places.track.row, 1, track - 1);
-	press(t, "Right");
-	assert_int_equal(t->tour, 1);
-	press(t, "c");
-	assert_true(shows("2 of 3"));
-	press(t, "Tab");
-	assert_int_equal(t->tour, 2);
-	press(t, "Right");
-	assert_true(shows("3 of 3"));
-	type(t, ":find p80=nothing");
-	press(t, "Enter");
-	assert_int_equal(t->tour, 3);
-	type(t, ":find p80=5.2");
-	press(t, "Enter");
-	assert_int_equal(t->tour, 0);
-	press(t, "Esc");
-	assert_int_equal(t->places.track.row, track);
-	/* Again, though it was found before: now by a fit, to its end. */
-	press(t, "T");
-	press(t, "c");
-	press(t, "Tab");
-	press(t, "Left");
-	assert_int_equal(t->tour, 3);
-	press(t, "f");
-	for (int i = 0; i < 900 && session_busy(t->session); i++) {
-		assert_int_equal(t->tour, 3);
-		press(t, "b");
-	}
-	assert_int_equal(t->tour, 0);
-}
-
-static void
-esc_leaves_the_tour_at_any_step(void **state)
-{
-	struct tui *t = &((struct stage *)*state)->t;
-	for (size_t step = 1; step <= 2; step++) {
-		press(t, "T");
-		if (step == 2)
-			press(t, "c");
-		assert_int_equal(t->tour, step);
-		press(t, "Esc");
-		assert_int_equal(t->tour, 0);
-		assert_false(shows("tour:"));
 	}
 }
 
@@ -465,15 +402,13 @@ main(void)
 	    ON_STAGE(a_sheet_is_opened_by_a_command_that_can_be_undone),
 	    ON_STAGE(left_goes_to_the_folder_above),
 	    ON_STAGE(without_a_site_all_keys_lead_to_a_sheet),
-	    ON_STAGE(the_tour_needs_no_installation),
+	    ON_STAGE(made_sites_need_no_installation),
 	    ON_STAGE(letters_narrow_the_list),
 	    ON_STAGE(a_site_of_the_program_is_tried),
 	    ON_STAGE(a_feed_fills_the_guess),
 	    ON_STAGE(what_cannot_be_loaded_leaves_the_list_open),
 	    ON_STAGE(the_mouse_chooses_and_opens),
 	    ON_STAGE(safe_lists_no_files),
-	    ON_STAGE(the_tour_waits_for_what_it_asks_for),
-	    ON_STAGE(esc_leaves_the_tour_at_any_step),
 	    cmocka_unit_test(strange_files_are_looked_at_without_being_read),
 	};
 	chdir_to_source();

@@ -17,8 +17,8 @@ no_key_means_two_things(void **state)
 	(void)state;
 	for (const struct key *a = KEYS; a->code != 0; a++)
 		for (const struct key *b = KEYS; b != a; b++)
-			assert_false(
-			    a->code == b->code && (a->pages & b->pages));
+			assert_false(a->code == b->code &&
+				     (a->where & b->where & ON_ALL));
 }
 
 static void
@@ -27,11 +27,11 @@ every_key_is_found_on_its_pages_only(void **state)
 	(void)state;
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		for (int page = 0; page < PAGES; page++)
-			if (k->pages & (1U << page))
+			if (k->where & (1U << page))
 				assert_ptr_equal(
 				    keys_find(k->code, (enum page)page), k);
 	assert_null(keys_find('v', PAGE_DATA));
-	assert_non_null(keys_find('v', PAGE_PREDICT));
+	assert_null(keys_find('v', PAGE_PREDICT));
 	assert_non_null(keys_find('v', PAGE_FIT));
 	assert_ptr_equal(
 	    keys_find('\r', PAGE_SITES), keys_find('\n', PAGE_SITES));
@@ -45,7 +45,7 @@ second_ways_do_the_same(void **state)
 	(void)state;
 	for (const struct key *k = KEYS + 1; k->code != 0; k++)
 		if (k->name == NULL) {
-			assert_int_equal(k->act, k[-1].act);
+			assert_true(k->act == k[-1].act);
 			assert_int_equal(k->amount, k[-1].amount);
 		} else {
 			assert_non_null(k->what);
@@ -123,13 +123,12 @@ keys_are_called_by_every_name(void **state)
 		     name = strtok_r(NULL, ",", &save)) {
 			name += name[0] == ' ';
 			assert_true(keys_code(name, &code));
-			const struct key *found = keys_find(
-			    code, k->pages == ON_FIT     ? PAGE_FIT
-				  : k->pages == ON_SITES ? PAGE_SITES
-				  : k->pages == ON_DATA  ? PAGE_DATA
-							 : PAGE_PREDICT);
+			enum page page = PAGE_PREDICT;
+			while (!(k->where & (1U << page)))
+				page++;
+			const struct key *found = keys_find(code, page);
 			assert_non_null(found);
-			assert_int_equal(found->act, k->act);
+			assert_true(found->act == k->act);
 			assert_int_equal(found->amount, k->amount);
 		}
 		free(names);

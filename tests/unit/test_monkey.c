@@ -245,10 +245,10 @@ walk(uint64_t seed)
 	for (int i = 0; i < 12; i++)
 		act_key(&t, 27, false);
 	go_on(&t);
-	assert_false(t.typing.active || t.filter.active || t.cross);
+	assert_false(t.typing.active || t.filter.active || t.ui.cross);
 	assert_null(t.viewer.text);
-	assert_int_equal(t.page, PAGE_PREDICT);
-	assert_null(t.focus);
+	assert_int_equal(t.ui.page, PAGE_PREDICT);
+	assert_null(t.ui.focus);
 	act_key(&t, 'q', false);
 	assert_true(t.leave);
 	control_end(&t);

@@ -99,7 +99,7 @@ every_page_is_opened_and_saved(void **state)
 		assert_int_equal(at, page);
 		act_key(t, '1' + (int)page, false);
 		turn(t);
-		assert_int_equal(t->page, page);
+		assert_int_equal(t->ui.page, page);
 		control_set_looks(t);
 		assert_int_equal(t->session->set.page, page);
 		assert_false(t->bad);
@@ -117,7 +117,7 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	typed_line_run(t, "calibrate all");
 	assert_true(session_busy(s));
 	turn(t);
-	assert_int_equal(t->page, PAGE_SITES);
+	assert_int_equal(t->ui.page, PAGE_SITES);
 	assert_true(s->entry[0].has_fit);
 	assert_true(session_busy(s));
 	assert_int_equal(s->job.entry, 1);
@@ -180,9 +180,9 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 	assert_non_null(strstr(row_of(stage, 1), "rock^"));
 	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
 	/* Down goes down on the screen. */
-	t->site_at = t->row[0].entry;
+	t->ui.site_at = t->row[0].entry;
 	press(t, "Down Down");
-	assert_int_equal(t->site_at, t->row[2].entry);
+	assert_int_equal(t->ui.site_at, t->row[2].entry);
 }
 
 static void
@@ -219,9 +219,9 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	assert_non_null(strstr(row, "15.82!"));
 	assert_int_equal(t->sheet.doctor.n, 1);
 	press(t, "!");
-	assert_ptr_equal(t->focus, &page_data);
-	assert_int_equal(t->sheet.row, 7);
-	assert_int_equal(t->sheet.at, 3);
+	assert_ptr_equal(t->ui.focus, &page_data);
+	assert_int_equal(t->ui.cell.row, 7);
+	assert_int_equal(t->ui.cell.at, 3);
 	bool said = false;
 	for (int i = 12; i < 20; i++)
 		said = said || strstr(row_of(stage, i), "product@74") != NULL;
@@ -243,16 +243,16 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 	press(t, "3");
 	assert_non_null(strstr(row_of(stage, 1), "feed@69"));
 	press(t, "Down End Right Right Right Right Right Right");
-	assert_int_equal(t->sheet.at, 5);
+	assert_int_equal(t->ui.cell.at, 5);
 	assert_non_null(strstr(row_of(stage, 1), "79*"));
 	assert_null(strstr(row_of(stage, 1), "feed@69"));
 	const char *row = row_of(stage, t->cursor.row);
 	assert_non_null(strstr(row, "0.063"));
 	/* The slider again. */
-	int tenths = t->tenths;
+	int tenths = t->ui.tenths;
 	press(t, "Tab Left");
-	assert_int_equal(t->sheet.at, 5);
-	assert_int_equal(t->tenths, tenths - 1);
+	assert_int_equal(t->ui.cell.at, 5);
+	assert_int_equal(t->ui.tenths, tenths - 1);
 }
 
 /* ---- Parity ---- */
@@ -282,7 +282,7 @@ parity_has_the_statistics_of_validate(void **state)
 	press(t, "Down Down");
 	const struct chart *chart = t->parity.chart;
 	struct chart_series **own = &chart->series[chart->n - 3];
-	assert_int_equal(t->parity.at, 2);
+	assert_int_equal(t->ui.point_at, 2);
 	for (size_t i = 0; i < 3; i++) {
 		const struct chart_series *of = chart->series[1 + i];
 		assert_true(own[i]->y[0] == of->y[2] && own[i]->lifted);
@@ -367,10 +367,10 @@ an_extrapolated_size_says_so(void **state)
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	control_look(t);
-	t->tenths = 840;
+	t->ui.tenths = 840;
 	press(t, "5 g");
 	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
-	t->tenths = 740;
+	t->ui.tenths = 740;
 	control_look(t);
 	press(t, "5");
 	assert_false(frame_has(stage, 24, "? extrapolated:"));
@@ -392,7 +392,7 @@ the_sieve_asked_about_has_a_row(void **state)
 		static const double MM[] = {0, 2, 1, 0.5};
 		static const char *const ROW[] = {
 		    "", "    2  15.4", "    1   7.6", "  0.5   3.7"};
-		t->quantity = (struct quantity){
+		t->ui.quantity = (struct quantity){
 		    .kind = QUANTITY_PASSING, .x = MM[i] / 1000};
 		frame_draw(t);
 		assert_true(frame_has(stage, 30, ROW[i]));

@@ -126,7 +126,7 @@ hints_are_their_keys(void **state)
 			if (at->area.row != t->places.hints.row ||
 			    at->way != NULL)
 				continue;
-			assert_non_null(keys_find(at->code, t->page));
+			assert_non_null(keys_find(at->code, t->ui.page));
 			keys++;
 		}
 		assert_in_range(keys, 3, 20);
@@ -142,7 +142,7 @@ hints_are_their_keys(void **state)
 	click(stage, "Esc give up");
 	assert_false(t->typing.active);
 	click(stage, " 5 Sites");
-	assert_int_equal(t->page, PAGE_SITES);
+	assert_int_equal(t->ui.page, PAGE_SITES);
 	click(stage, "q quit");
 	assert_true(t->leave);
 }
@@ -154,19 +154,19 @@ a_row_is_chosen_and_opened(void **state)
 	struct tui *t = &stage->t;
 	press(stage, "5");
 	click(stage, "ossjo");
-	assert_int_equal(t->site_at, 2);
-	assert_int_equal(t->page, PAGE_SITES);
+	assert_int_equal(t->ui.site_at, 2);
+	assert_int_equal(t->ui.page, PAGE_SITES);
 	click(stage, "ossjo");
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	assert_string_equal(t->command, "use ossjo");
 	press(stage, "5 g");
-	assert_int_equal(t->site_at, 0);
+	assert_int_equal(t->ui.site_at, 0);
 	press(stage, "End");
-	assert_int_equal(t->site_at, 2);
+	assert_int_equal(t->ui.site_at, 2);
 	press(stage, "Home Down Enter");
 	assert_string_equal(t->command, "use bro");
-	assert_int_equal(t->page, PAGE_PREDICT);
-	assert_null(t->focus);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
+	assert_null(t->ui.focus);
 }
 
 static void
@@ -175,21 +175,21 @@ the_wheel_moves_what_is_under_it(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct places *l = &t->places;
-	int tenths = t->tenths;
+	int tenths = t->ui.tenths;
 	assert_true(mouse(stage, TOUCH_UP, l->plot.row + 2, 20));
-	assert_int_equal(t->tenths, tenths + 1);
+	assert_int_equal(t->ui.tenths, tenths + 1);
 	assert_true(mouse(stage, TOUCH_DOWN, l->track.row, 20));
-	assert_int_equal(t->tenths, tenths);
+	assert_int_equal(t->ui.tenths, tenths);
 	assert_false(mouse(stage, TOUCH_UP, l->header.row, 1));
 	assert_false(mouse(stage, TOUCH_UP, l->hints.row, 1));
 	press(stage, "5");
 	assert_true(mouse(stage, TOUCH_DOWN, l->body.row + 2, 20));
-	assert_int_equal(t->site_at, 1);
+	assert_int_equal(t->ui.site_at, 1);
 	press(stage, "?");
 	int at = t->viewer.at;
 	assert_true(mouse(stage, TOUCH_DOWN, l->body.row + 2, 20));
 	assert_int_equal(t->viewer.at, at + 1);
-	assert_int_equal(t->tenths, tenths);
+	assert_int_equal(t->ui.tenths, tenths);
 }
 
 /* Every mark of a run that is drawn in the middle of the plot says what it is,
@@ -206,18 +206,18 @@ a_click_on_the_plot_reads_it(void **state)
 		t->message[0] = '\0';
 		bool took = mouse(
 		    stage, TOUCH_PRESS, plot->row + plot->rows / 2, column);
-		if (!took || !t->cross)
+		if (!took || !t->ui.cross)
 			continue;
-		assert_true(t->cross_at < p->n);
+		assert_true(t->ui.cross_at < p->n);
 		/* From the finest to the coarsest. */
-		assert_true(t->cross_at <= before);
-		read += t->cross_at != before;
-		before = t->cross_at;
+		assert_true(t->ui.cross_at <= before);
+		read += t->ui.cross_at != before;
+		before = t->ui.cross_at;
 		runs += strstr(t->message, "measured") != NULL;
 	}
 	assert_in_range(read, 8, p->n);
 	assert_in_range(runs, 1, plot->columns);
-	assert_true(t->cross && t->focus != NULL);
+	assert_true(t->ui.cross && t->ui.focus != NULL);
 }
 
 static void
@@ -231,21 +231,21 @@ escape_goes_back_one_step_and_never_quits(void **state)
 	assert_false(t->filter.active);
 	assert_int_equal(t->filter.n, 0);
 	press(stage, "Esc");
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	press(stage, "c ?");
-	assert_true(t->cross && t->viewer.keys);
+	assert_true(t->ui.cross && t->viewer.keys);
 	press(stage, "/ by Esc");
 	assert_true(t->viewer.keys && t->viewer.word.n == 0);
 	press(stage, "Esc");
-	assert_true(t->cross && t->viewer.text == NULL);
+	assert_true(t->ui.cross && t->viewer.text == NULL);
 	press(stage, "Esc");
-	assert_false(t->cross || t->focus != NULL);
+	assert_false(t->ui.cross || t->ui.focus != NULL);
 	press(stage, "2 Tab");
-	assert_non_null(t->focus);
+	assert_non_null(t->ui.focus);
 	press(stage, "Esc");
-	assert_true(t->focus == NULL && t->page == PAGE_FIT);
+	assert_true(t->ui.focus == NULL && t->ui.page == PAGE_FIT);
 	press(stage, "Esc");
-	assert_int_equal(t->page, PAGE_PREDICT);
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	for (int i = 0; i < 3; i++) {
 		press(stage, "Esc");
 		assert_false(t->leave);
@@ -260,11 +260,11 @@ a_word_filters_the_rows(void **state)
 	struct tui *t = &stage->t;
 	int row, column;
 	press(stage, "5 / bro");
-	assert_int_equal(t->site_at, 1);
+	assert_int_equal(t->ui.site_at, 1);
 	assert_true(find_text(stage, "/bro  1 of 3", &row, &column));
 	assert_false(find_text(stage, "  ossjo ", &row, &column));
 	press(stage, "Enter End Down Up");
-	assert_int_equal(t->site_at, 1);
+	assert_int_equal(t->ui.site_at, 1);
 	press(stage, "Enter");
 	assert_string_equal(t->command, "use bro");
 	/* It is the page's, and gone with it. */
@@ -273,7 +273,7 @@ a_word_filters_the_rows(void **state)
 	press(stage, "/ zzz");
 	assert_true(find_text(stage, "0 of 3", &row, &column));
 	press(stage, "Enter Enter");
-	assert_int_equal(t->page, PAGE_SITES);
+	assert_int_equal(t->ui.page, PAGE_SITES);
 	/* Without a row of hints the word is seen, too. */
 	canvas_free(screen_back(stage->was));
 	stage->was = screen_aside(6, 40, CHARSET_ASCII, 0);
@@ -320,10 +320,10 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	press(stage, "? 2");
-	assert_true(t->viewer.text == NULL && t->page == PAGE_FIT);
+	assert_true(t->viewer.text == NULL && t->ui.page == PAGE_FIT);
 	press(stage, ": seed ; Space help Enter");
 	press(stage, "1 c");
-	assert_true(t->cross);
+	assert_true(t->ui.cross);
 	press(stage, "? f");
 	assert_null(t->viewer.text);
 	assert_false(session_busy(t->session));
@@ -333,7 +333,7 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	press(stage, "? ?");
 	assert_null(t->viewer.text);
 	press(stage, "? 7 8 Enter");
-	assert_int_equal(t->tenths, 780);
+	assert_int_equal(t->ui.tenths, 780);
 }
 
 static void
@@ -343,7 +343,7 @@ a_click_in_the_list_of_keys_runs_it(void **state)
 	struct tui *t = &stage->t;
 	press(stage, "?");
 	click(stage, "crosshair on or off");
-	assert_true(t->cross && t->viewer.text == NULL);
+	assert_true(t->ui.cross && t->viewer.text == NULL);
 }
 
 static void
@@ -427,16 +427,16 @@ little_is_typed(void **state)
 		if (stage->keys > ASKED[i].most)
 			fail_msg(
 			    "%s takes %zu keys", ASKED[i].what, stage->keys);
-		bool done = i == 0   ? t->cross
+		bool done = i == 0   ? t->ui.cross
 			    : i == 1 ? strcmp(t->command, "use bro") == 0
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
 			    : i == 3 ? strstr(t->typing.text, ".xlsx") != NULL
-			    : i == 4 ? t->band
+			    : i == 4 ? t->ui.band
 				     : t->pin.site[0] != '\0';
 		if (!done)
 			fail_msg("%s: not done", ASKED[i].what);
 		press(stage, "Esc Esc Esc : use Space tierp Enter");
-		t->band = false;
+		t->ui.band = false;
 	}
 }
 

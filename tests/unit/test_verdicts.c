@@ -132,8 +132,8 @@ a_verdict_is_that_of_the_envelope(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	size_t in_all = 0, all = 0;
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
-	t->tenths = tui_range(t).least;
-	for (; t->tenths <= tui_range(t).most; t->tenths++) {
+	t->ui.tenths = tui_range(t).least;
+	for (; t->ui.tenths <= tui_range(t).most; t->ui.tenths++) {
 		control_predict(t);
 		pages_update(t);
 		const struct grading *g = limits_now(t);
@@ -143,7 +143,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 		assert_true(grading_in_use(
 		    t->session, tui_entry(t), tui_feed(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
-		forecast_at(own.conditions.forecast, t->tenths / 10.0);
+		forecast_at(own.conditions.forecast, t->ui.tenths / 10.0);
 		for (size_t i = 0; i < g->limits.n; i++, all++) {
 			bool in = wanted_holds(&g->conditions, i);
 			assert_int_equal(in, wanted_holds(&own.conditions, i));
@@ -155,7 +155,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 		grading_close(&own);
 	}
 	assert_in_range(in_all, 1, all - 1);
-	t->tenths = 740;
+	t->ui.tenths = 740;
 	expect(t, 30, 100, "| 0/4.75 ASTM C33 fine aggregate");
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");
@@ -218,13 +218,13 @@ rows_of_the_panel_can_be_touched(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	touch(t, "|   5.6");
-	assert_true(t->cross && t->focus != NULL);
-	assert_float_equal(t->shown.product.size[t->cross_at], 5.6e-3, 1e-9);
+	assert_true(t->ui.cross && t->ui.focus != NULL);
+	assert_float_equal(t->shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
 	touch(t, "| P80");
-	assert_int_equal(t->level, 80);
-	assert_float_equal(t->shown.product.size[t->cross_at], 5.6e-3, 1e-9);
+	assert_int_equal(t->ui.level, 80);
+	assert_float_equal(t->shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
 	touch(t, "| 0/2");
-	assert_float_equal(t->shown.product.size[t->cross_at], 2e-3, 1e-9);
+	assert_float_equal(t->shown.product.size[t->ui.cross_at], 2e-3, 1e-9);
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
 	touch(t, "| 0/4.75 ASTM C33");
 	assert_non_null(strstr(t->viewer.text, "ASTM C33 fine aggregate"));
@@ -243,34 +243,6 @@ a_light_tells_its_first_reason(void **state)
 	expect(t, 24, 80, "parameters set");
 }
 
-/* Drawn once, not at every step. */
-static void
-a_wide_screen_has_a_second_plot(void **state)
-{
-	struct tui *t = &((struct stage *)*state)->t;
-	free(page(t, 50, 199));
-	assert_int_equal(t->places.second.rows, 0);
-	expect(t, 50, 200, "against  tip speed, m/s");
-	assert_true(t->places.second.columns >= 58);
-	const struct second_plot *first = t->second_plot;
-	press(t, "L");
-	free(page(t, 50, 200));
-	assert_ptr_equal(t->second_plot, first);
-	press(t, "v");
-	assert_int_equal(t->second, SECOND_RESIDUALS);
-	expect(t, 50, 200, "predicted minus measured");
-	press(t, "v");
-	assert_int_equal(t->second, SECOND_RESPONSE);
-	press(t, "x");
-	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
-	for (; session_busy(t->session); t->clock++)
-		watch_pump(t);
-	press(t, "1vv");
-	assert_int_equal(t->second, SECOND_OTHER);
-	expect(t, 50, 200, "Tierp, Granite, 11.2 mm: ");
-	assert_int_equal(t->session->current, 1);
-}
-
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -284,7 +256,6 @@ main(void)
 	    ON_STAGE(tonnes_are_those_of_the_feed_that_flow_was_told),
 	    ON_STAGE(rows_of_the_panel_can_be_touched),
 	    ON_STAGE(a_light_tells_its_first_reason),
-	    ON_STAGE(a_wide_screen_has_a_second_plot),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/sheets/mend.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/screen.h"
@@ -104,8 +105,8 @@ take_sheet(struct tui *t, const struct site *site)
 		int width = (int)strlen(text) + GAP;
 		h->width = width > h->width ? width : h->width;
 	}
-	h->row = h->row < h->n ? h->row : 0;
-	h->at = h->at < h->n_column ? h->at : 0;
+	t->ui.cell.row = t->ui.cell.row < h->n ? t->ui.cell.row : 0;
+	t->ui.cell.at = t->ui.cell.at < h->n_column ? t->ui.cell.at : 0;
 }
 
 /* Looks for doubtful cells once for a sheet and a calibration, which may take a
@@ -173,13 +174,13 @@ next_doubt(struct tui *t)
 	struct sheet *h = &t->sheet;
 	size_t cells = h->n * h->n_column;
 	for (size_t i = 1; i <= cells; i++) {
-		size_t k = (h->at * h->n + h->row + i) % cells;
+		size_t k = (t->ui.cell.at * h->n + t->ui.cell.row + i) % cells;
 		const struct finding *f = doubt_of(h, k / h->n, k % h->n);
 		/* Of a column its first cell. */
 		if (f == NULL || (!is_cell(&f->mend) && k % h->n > 0))
 			continue;
-		h->at = k / h->n;
-		h->row = k % h->n;
+		t->ui.cell.at = k / h->n;
+		t->ui.cell.row = k % h->n;
 		return;
 	}
 	tui_say(t, false,
@@ -191,7 +192,8 @@ static void
 mend(struct tui *t)
 {
 	const struct sheet *h = &t->sheet;
-	const struct finding *f = h->n > 0 ? doubt_of(h, h->at, h->row) : NULL;
+	const struct finding *f =
+	    h->n > 0 ? doubt_of(h, t->ui.cell.at, t->ui.cell.row) : NULL;
 	if (f == NULL) {
 		tui_say(t, false,
 		    "this cell is not doubtful: ! goes to one that is; help "
@@ -256,14 +258,17 @@ touch_cells(struct tui *t, const struct touched *touched)
 	int by = touched->kind == TOUCH_UP ? -1 : 1;
 	if (touched->kind == TOUCH_DRAG)
 		return false;
-	t->focus = &page_data;
+	t->ui.focus = &page_data;
 	if (touched->kind != TOUCH_PRESS) {
-		h->row = (size_t)pane_moved((int)h->row, by, h->n);
+		t->ui.cell.row =
+		    (size_t)pane_moved((int)t->ui.cell.row, by, h->n);
 		return true;
 	}
 	int column = touched->column < 0 ? 0 : touched->column / h->width;
-	h->at = (size_t)pane_moved((int)h->left, column, h->n_column);
-	h->row = (size_t)pane_moved((int)h->top, touched->row, h->n);
+	t->ui.cell.at =
+	    (size_t)pane_moved((int)t->ui.cell.left, column, h->n_column);
+	t->ui.cell.row =
+	    (size_t)pane_moved((int)t->ui.cell.top, touched->row, h->n);
 	return true;
 }
 
@@ -272,7 +277,8 @@ draw_cell(struct tui *t, const struct area *area, int row, int from,
     size_t column, size_t i)
 {
 	const struct sheet *h = &t->sheet;
-	bool here = t->focus == &page_data && h->at == column && h->row == i;
+	bool here = t->ui.focus == &page_data && t->ui.cell.at == column &&
+		    t->ui.cell.row == i;
 	bool doubtful = doubt_of(h, column, i) != NULL;
 	double x = cell_of(h, column, i);
 	char text[48];
@@ -304,8 +310,10 @@ draw_column(struct tui *t, const struct area *area, size_t rows, int from,
 	bool trained = text[strlen(text) - 1] == '*';
 	screen_text(area, 0, from, LOOK_BOLD, "%*s",
 	    h->width - (trained ? 0 : 1), text);
-	for (size_t i = h->top; i < h->n && i < h->top + rows; i++)
-		draw_cell(t, area, (int)(i - h->top) + 1, from, column, i);
+	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
+	     i++)
+		draw_cell(
+		    t, area, (int)(i - t->ui.cell.top) + 1, from, column, i);
 	return from + h->width;
 }
 
@@ -316,8 +324,9 @@ draw_prediction(
 	const struct sheet *h = &t->sheet;
 	const struct psd *psd = &t->shown.product;
 	screen_text(area, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, tr("PRED"));
-	for (size_t i = h->top; i < h->n && i < h->top + rows; i++) {
-		int row = (int)(i - h->top) + 1;
+	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
+	     i++) {
+		int row = (int)(i - t->ui.cell.top) + 1;
 		if (psd_covers(psd, h->sieve[i]))
 			screen_text(area, row, from, LOOK_BOLD, "%*.*f",
 			    PREDICTED - 1, h->digits,
@@ -333,11 +342,11 @@ static void
 draw_more(const struct tui *t, const struct area *area, struct room room)
 {
 	const struct sheet *h = &t->sheet;
-	if (h->top > 0)
+	if (t->ui.cell.top > 0)
 		screen_text(area, 1, 0, LOOK_BOLD, "^");
-	if (h->top + room.rows < h->n)
+	if (t->ui.cell.top + room.rows < h->n)
 		screen_text(area, (int)room.rows, 0, LOOK_BOLD, "v");
-	if (h->left > 0)
+	if (t->ui.cell.left > 0)
 		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
 }
 
@@ -348,13 +357,14 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 	const struct sheet *h = &t->sheet;
 	int from = SIEVES;
 	screen_text(area, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
-	for (size_t i = h->top; i < h->n && i < h->top + room.rows; i++)
-		screen_text(area, (int)(i - h->top) + 1, 0, 0, "%*g",
+	for (size_t i = t->ui.cell.top;
+	     i < h->n && i < t->ui.cell.top + room.rows; i++)
+		screen_text(area, (int)(i - t->ui.cell.top) + 1, 0, 0, "%*g",
 		    SIEVES - 1, units_mm(h->sieve[i]));
-	for (size_t c = h->left; c < h->n_column && c < h->left + room.columns;
-	     c++)
+	for (size_t c = t->ui.cell.left;
+	     c < h->n_column && c < t->ui.cell.left + room.columns; c++)
 		from = draw_column(t, area, room.rows, from, c);
-	if (h->left + room.columns < h->n_column)
+	if (t->ui.cell.left + room.columns < h->n_column)
 		screen_text(area, 0, from - 1, LOOK_BOLD, ">");
 	touch_add(&t->touches,
 	    (struct area){area->row + 1, area->column + SIEVES,
@@ -392,9 +402,9 @@ static char *
 cell_words(const struct tui *t)
 {
 	const struct sheet *h = &t->sheet;
-	const struct sheet_column *c = &h->column[h->at];
-	const struct finding *f = doubt_of(h, h->at, h->row);
-	double x = cell_of(h, h->at, h->row);
+	const struct sheet_column *c = &h->column[t->ui.cell.at];
+	const struct finding *f = doubt_of(h, t->ui.cell.at, t->ui.cell.row);
+	double x = cell_of(h, t->ui.cell.at, t->ui.cell.row);
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
 		char *why = mend_finding(h->site, f),
@@ -404,10 +414,10 @@ cell_words(const struct tui *t)
 		free(call);
 	} else if (isnan(x))
 		words = xasprintf(tr("%s: not sieved at %g mm"), name,
-		    units_mm(h->sieve[h->row]));
+		    units_mm(h->sieve[t->ui.cell.row]));
 	else
 		words = xasprintf(tr("%s: %.7g %% passes %g mm"), name, x,
-		    units_mm(h->sieve[h->row]));
+		    units_mm(h->sieve[t->ui.cell.row]));
 	free(name);
 	return words;
 }
@@ -416,10 +426,11 @@ cell_words(const struct tui *t)
 static int
 draw_said(const struct tui *t, const struct area *area, int row)
 {
-	bool here = t->focus == &page_data;
+	bool here = t->ui.focus == &page_data;
 	char *words = here ? cell_words(t) : state_words(t);
 	const struct sheet *h = &t->sheet;
-	bool doubtful = here && doubt_of(h, h->at, h->row) != NULL;
+	bool doubtful =
+	    here && doubt_of(h, t->ui.cell.at, t->ui.cell.row) != NULL;
 	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
 	free(words);
 	return row;
@@ -486,8 +497,10 @@ draw(struct tui *t)
 	if (entry->site != h->site)
 		take_sheet(t, entry->site);
 	struct room room = room_for(t, &area);
-	h->top = first_of(h->top, h->row, h->n, room.rows);
-	h->left = first_of(h->left, h->at, h->n_column, room.columns);
+	t->ui.cell.top =
+	    first_of(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
+	t->ui.cell.left =
+	    first_of(t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
 	int behind = draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1, foot = area.rows - SOURCE - SAID;
@@ -509,65 +522,70 @@ can_focus(const struct tui *t)
 	return entry != NULL && entry->site->n_run > 0;
 }
 
-/* Pages of rows, or so many columns. */
+/* A column, some of them, or a page of rows. */
 static void
-move_far(struct tui *t, int amount)
+move_sideways(struct tui *t, int amount)
 {
-	enum { PAGE = 50, COLUMNS = 5 };
+	enum { COLUMNS = 5 };
 	struct sheet *h = &t->sheet;
 	const struct area area = pane_list_area(t);
 	int rows = (int)room_for(t, &area).rows;
-	if (amount <= -PAGE || amount >= PAGE)
-		h->row = (size_t)pane_moved(
-		    (int)h->row, amount < 0 ? rows : -rows, h->n);
-	else if (amount != 0)
-		h->at = (size_t)pane_moved(
-		    (int)h->at, amount < 0 ? -COLUMNS : COLUMNS, h->n_column);
+	int columns = abs(amount) == STEP ? STEP : COLUMNS;
+	if (abs(amount) == FAR)
+		t->ui.cell.row = (size_t)pane_moved(
+		    (int)t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
+	else
+		t->ui.cell.at = (size_t)pane_moved((int)t->ui.cell.at,
+		    amount < 0 ? -columns : columns, h->n_column);
 }
 
-/* The arrows, where the page has the focus. */
+/* Whether the page has cells; then these are those of the sheet in use. */
+static bool
+takes_cells(struct tui *t)
+{
+	if (can_focus(t) && t->sheet.site != tui_entry(t)->site)
+		take_sheet(t, tui_entry(t)->site);
+	return can_focus(t);
+}
+
+/* What is seen to be chosen is mended. */
+void
+act_mend(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (!takes_cells(t))
+		return;
+	if (t->ui.focus == &page_data)
+		mend(t);
+	t->ui.focus = &page_data;
+}
+
+void
+act_doubt(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (!takes_cells(t))
+		return;
+	t->ui.focus = &page_data;
+	next_doubt(t);
+}
+
 static bool
 move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->sheet;
-	if (key->act == ACT_MOVE)
-		h->at =
-		    (size_t)pane_moved((int)h->at, key->amount, h->n_column);
-	else if (key->act == ACT_FINE)
-		move_far(t, key->amount);
-	else if (key->act == ACT_TO && key->amount == TO_LEAST)
-		h->row = 0;
-	else if (key->act == ACT_TO && key->amount == TO_MOST)
-		h->row = h->n > 0 ? h->n - 1 : 0;
-	else
+	bool here = t->ui.focus == &page_data;
+	if ((!here && key->act != act_list) || !takes_cells(t))
 		return false;
-	return true;
-}
-
-static bool
-act(struct tui *t, const struct key *key)
-{
-	struct sheet *h = &t->sheet;
-	bool own = key->act == ACT_LIST || key->act == ACT_MEND ||
-		   key->act == ACT_DOUBT;
-	if (!can_focus(t) || (!own && t->focus != &page_data))
-		return false;
-	if (h->site != tui_entry(t)->site)
-		take_sheet(t, tui_entry(t)->site);
-	if (own && t->focus != &page_data) {
-		t->focus = &page_data;
-		/* Enter mends what was seen to be chosen. */
-		if (key->act != ACT_DOUBT)
-			return true;
-	}
-	if (key->act == ACT_DOUBT)
-		next_doubt(t);
-	else if (key->act == ACT_MEND)
-		mend(t);
-	else if (key->act == ACT_LIST)
-		h->row = (size_t)pane_moved((int)h->row, key->amount, h->n);
-	else
-		return move(t, key);
+	t->ui.focus = &page_data;
+	if (key->act == act_ends)
+		t->ui.cell.row =
+		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
+	else if (key->act == act_list && here)
+		t->ui.cell.row =
+		    (size_t)pane_moved((int)t->ui.cell.row, key->amount, h->n);
+	else if (key->act == act_move)
+		move_sideways(t, key->amount);
 	return true;
 }
 
@@ -578,4 +596,4 @@ const struct page_ops page_data = {.name = N_("Data"),
     .update = update,
     .draw = draw,
     .can_focus = can_focus,
-    .key = act};
+    .move = move};

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/draw/plots_search.h"
 #include "core/search/misfit.h"
+#include "tui/acts.h"
 #include "tui/screen.h"
 #include "tui/widgets/search_side.h"
 #include "tui/watch.h"
@@ -20,7 +21,7 @@ touch_scrubber(struct tui *t, const struct touched *touched)
 	size_t n = tui_steps(t);
 	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
 		return false;
-	t->focus = &page_fit;
+	t->ui.focus = &page_fit;
 	int last = touched->area.columns - 1, at = touched->column;
 	if (n == 0 || last < 1)
 		return true;
@@ -53,7 +54,7 @@ caption(struct tui *t, const struct area *area)
 	int length = (int)strlen(label);
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
-	bool focus = t->focus == &page_fit;
+	bool focus = t->ui.focus == &page_fit;
 	screen_text(
 	    area, 0, column, focus ? LOOK_REVERSE : LOOK_BOLD, "%s", label);
 	if (focus)
@@ -98,17 +99,17 @@ draw(struct tui *t)
 	struct places *l = &t->places;
 	/* What there are no rows for to draw is said. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
-	    t->picture == PLOT_SEARCH) {
+	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
 		search_side_draw(t);
 		return;
 	}
 	struct plot_request request =
-	    plots_request(any ? t->picture : PLOT_PSD);
+	    plots_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
-	request.speed = t->tenths / 10.0;
-	request.feed_speed = t->feed;
-	request.generation = t->generation;
+	request.speed = t->ui.tenths / 10.0;
+	request.feed_speed = t->ui.feed;
+	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->places.plot.rows < TALL;
 	if (own)
 		pane_plot(t, &request, &t->places.plot);
@@ -146,50 +147,50 @@ can_focus(const struct tui *t)
 }
 
 static void
-move(struct tui *t, int by)
+go_on(struct tui *t, int by)
 {
 	int at = (int)tui_step(t) - 1;
 	tui_look_at(t, (size_t)pane_moved(at, by, tui_steps(t)) + 1);
 }
 
 /* Of a search that runs the next one is made, of one that is over shown. */
-static void
-one_generation(struct tui *t)
+void
+act_generation(struct tui *t, const struct key *key)
 {
+	(void)key;
 	if (!session_busy(t->session)) {
-		move(t, 1);
+		go_on(t, 1);
 		return;
 	}
 	watch_hold(t, true);
-	t->generation = 0;
+	t->ui.generation = 0;
 	watch_step(t);
 }
 
-/* Arrows to the sides go through the generations where these have the focus,
- * up and down through the parameters. */
-static bool
-act(struct tui *t, const struct key *key)
+void
+act_picture(struct tui *t, const struct key *key)
 {
 	static const enum plot_kind NEXT[] = {[PLOT_SEARCH] = PLOT_PSD,
 	    [PLOT_PSD] = PLOT_CONVERGENCE,
 	    [PLOT_CONVERGENCE] = PLOT_SPREAD,
 	    [PLOT_SPREAD] = PLOT_SEARCH};
-	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
-	bool focus = t->focus == &page_fit;
-	if (key->act == ACT_PICTURE)
-		t->picture = NEXT[t->picture];
-	else if (key->act == ACT_LIST)
+	(void)key;
+	t->ui.picture = NEXT[t->ui.picture];
+}
+
+/* Arrows to the sides go through the generations where these have the focus,
+ * up and down through the parameters. */
+static bool
+move(struct tui *t, const struct key *key)
+{
+	if (key->act == act_list)
 		search_side_choose(t, key->amount);
-	else if (key->act == ACT_CHOOSE)
-		search_side_bounds(t);
-	else if (key->act == ACT_STEP)
-		one_generation(t);
-	else if (focus && to_end)
-		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
-	else if (focus && (key->act == ACT_MOVE || key->act == ACT_FINE))
-		move(t, key->amount);
-	else
+	else if (t->ui.focus != &page_fit)
 		return false;
+	else if (key->act == act_ends)
+		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
+	else
+		go_on(t, key->amount);
 	return true;
 }
 
@@ -199,10 +200,11 @@ words(const struct tui *t)
 	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
 	    [PLOT_CONVERGENCE] = "convergence",
 	    [PLOT_SPREAD] = "spread"};
-	bool curves = t->picture == PLOT_PSD || tui_past(t).n == 0;
-	char *line = curves ? pane_curves_words(t) : xstrdup(NAMES[t->picture]);
-	if (t->generation > 0)
-		xappend(&line, " generation=%zu", t->generation);
+	bool curves = t->ui.picture == PLOT_PSD || tui_past(t).n == 0;
+	char *line =
+	    curves ? pane_curves_words(t) : xstrdup(NAMES[t->ui.picture]);
+	if (t->ui.generation > 0)
+		xappend(&line, " generation=%zu", t->ui.generation);
 	return line;
 }
 
@@ -213,5 +215,5 @@ const struct page_ops page_fit = {.name = N_("Fit"),
     .draw = draw,
     .caption = caption,
     .can_focus = can_focus,
-    .key = act,
+    .move = move,
     .words = words};

@@ -18,6 +18,7 @@
 #include "tui/frame.h"
 #include "cli/pump.h"
 #include "tui/screen.h"
+#include "tui/widgets/list.h"
 
 /* ---- What is compared ---- */
 
@@ -48,9 +49,10 @@ compare(struct tui *t, const struct entry *entry)
 
 /* The sizes of the chosen run, over all others by the same marks. */
 static void
-choose_points(struct parity *y)
+choose_points(struct tui *t)
 {
-	const struct validation *v = &y->point[y->at].v;
+	struct parity *y = &t->parity;
+	const struct validation *v = &y->point[t->ui.point_at].v;
 	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
 	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
 		of[i]->x[0] = 1000 * v->measured[i];
@@ -84,13 +86,13 @@ finish(struct tui *t)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			y->score[way][i] = validate_score(v, y->n, way, i);
 	free(v);
-	y->at = y->at < y->n ? y->at : 0;
+	t->ui.point_at = t->ui.point_at < y->n ? t->ui.point_at : 0;
 	y->chart = plots_chart(t->session, &request, &y->error);
 	if (y->chart == NULL || y->n == 0)
 		return;
 	if (y->n > 1)
 		add_chosen(y->chart);
-	choose_points(y);
+	choose_points(t);
 }
 
 /* Site by site, as a first comparison draws what is known of each from its
@@ -190,22 +192,6 @@ off_by(const struct validation *v, size_t i)
 	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
 }
 
-/* A click chooses a point; the wheel goes through them. */
-static bool
-touch_points(struct tui *t, const struct touched *touched)
-{
-	struct parity *y = &t->parity;
-	if (touched->kind == TOUCH_DRAG)
-		return false;
-	t->focus = &page_parity;
-	int by = touched->kind == TOUCH_UP ? -1 : 1;
-	y->at = (size_t)(touched->kind == TOUCH_PRESS
-			     ? pane_moved((int)y->top, touched->row, y->n)
-			     : pane_moved((int)y->at, by, y->n));
-	choose_points(y);
-	return true;
-}
-
 /* What there is room for beside the longest name: columns of the figures. */
 enum { FEW = 16, FIGURES = 32, ALL = 48 };
 
@@ -233,7 +219,7 @@ draw_point(const struct tui *t, const struct area *area, int row, size_t k,
 	const struct parity_point *p = &t->parity.point[k];
 	const struct entry *e = &t->session->entry[p->entry];
 	const struct run *run = &e->site->run[p->v.run];
-	unsigned look = k == t->parity.at ? LOOK_REVERSE : LOOK_PLAIN;
+	unsigned look = k == t->ui.point_at ? LOOK_REVERSE : LOOK_PLAIN;
 	int from = area->columns - figures;
 	struct area name = *area;
 	name.columns = figures > 0 ? from - 1 : area->columns;
@@ -267,19 +253,15 @@ draw_points(struct tui *t, const struct area *area, int row)
 		    figures == FEW ? tr(" P50 off")
 				   : tr("  P50 mm   model  off by"),
 		    figures == ALL ? "     P20     P80" : "");
-	row++;
-	if (y->top + room <= y->at)
-		y->top = y->at + 1 - room;
-	y->top = y->top > y->at ? y->at : y->top;
-	for (size_t k = y->top; k < y->n && k < y->top + room; k++)
-		draw_point(t, area, row + (int)(k - y->top), k, figures);
-	touch_add(&t->touches,
-	    (struct area){area->row + row, area->column,
-		(int)(room < y->n ? room : y->n), area->columns},
-	    touch_points, 0);
-	if (t->focus == &page_parity)
-		t->cursor = (struct cursor){
-		    area->row + row + (int)(y->at - y->top), area->column};
+	size_t k = rows_first(t, room);
+	for (row++; k < y->n && row < area->rows; k = rows_next(t, k), row++) {
+		struct area line = {
+		    area->row + row, area->column, 1, area->columns};
+		draw_point(t, area, row, k, figures);
+		rows_touch(t, line, k);
+		if (t->ui.focus == &page_parity && k == t->ui.point_at)
+			t->cursor = (struct cursor){line.row, line.column};
+	}
 }
 
 /* Statistics and points beside the plot. */
@@ -369,32 +351,28 @@ draw(struct tui *t)
 	draw_chart(t, &plot);
 }
 
-/* ---- Keys ---- */
+/* ---- The list of points ---- */
 
-static bool
-can_focus(const struct tui *t)
+static size_t
+count(const struct tui *t)
 {
-	return t->parity.chart != NULL && t->parity.n > 0;
+	return t->parity.chart != NULL ? t->parity.n : 0;
 }
 
-static bool
-act(struct tui *t, const struct key *key)
+static size_t
+chosen(const struct tui *t)
 {
-	struct parity *y = &t->parity;
-	bool here = t->focus == &page_parity;
-	int by = key->amount;
-	if (!can_focus(t) ||
-	    (key->act != ACT_LIST && !(here && key->act == ACT_MOVE) &&
-		!(here && key->act == ACT_TO && by <= TO_MOST)))
-		return false;
-	t->focus = &page_parity;
-	if (key->act == ACT_TO)
-		y->at = by == TO_MOST ? y->n - 1 : 0;
-	else
-		y->at = (size_t)pane_moved((int)y->at, by, y->n);
-	choose_points(y);
-	return true;
+	return t->ui.point_at;
 }
+
+static void
+choose(struct tui *t, size_t i)
+{
+	t->ui.point_at = i;
+	choose_points(t);
+}
+
+static const struct page_list POINTS = {.n = count, .at = chosen, .go = choose};
 
 static char *
 words(const struct tui *t)
@@ -408,6 +386,5 @@ const struct page_ops page_parity = {.name = N_("Parity"),
 		": command"),
     .update = update,
     .draw = draw,
-    .can_focus = can_focus,
-    .key = act,
+    .list = &POINTS,
     .words = words};

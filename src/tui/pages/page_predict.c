@@ -1,7 +1,8 @@
 /* The page Predict: the curves, and the numbers at the slider's speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tui/pages/page_predict.h"
+#include "tui/pane.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,10 +11,10 @@
 #include "cmd/ask/goals.h"
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/pages/start_page.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pages.h"
-#include "tui/widgets/second_plot.h"
 #include "tui/cmdline.h"
 #include "tui/widgets/panel.h"
 
@@ -22,7 +23,6 @@ draw_runs(struct tui *t)
 {
 	struct plot_request request = plots_request(PLOT_RUNS);
 	request.words = 0;
-	second_draw(t);
 	pane_curves(t, &request, t->places.side.rows == 0);
 }
 
@@ -35,25 +35,25 @@ draw(struct tui *t)
 		first_draw(t);
 		return;
 	}
-	if (t->runs) {
+	if (t->ui.runs) {
 		draw_runs(t);
 		verdicts_draw(t);
 		return;
 	}
 	request.words = 0;
-	request.speed = t->tenths / 10.0;
-	request.feed_speed = t->feed;
-	request.band = t->band;
-	if (p->product.n > 0 && t->asked.tenths == t->tenths)
+	request.speed = t->ui.tenths / 10.0;
+	request.feed_speed = t->ui.feed;
+	request.band = t->ui.band;
+	if (p->product.n > 0 && t->asked.tenths == t->ui.tenths)
 		request.made = p;
-	request.level = t->level;
+	request.level = t->ui.level;
 	if (t->pin.site[0] != '\0') {
 		request.beside = t->pin.site;
 		request.kept = &t->session->pin->p;
 	}
-	if (t->cross && t->cross_at < p->product.n)
-		request.crosshair_mm = units_mm(p->product.size[t->cross_at]);
-	second_draw(t);
+	if (t->ui.cross && t->ui.cross_at < p->product.n)
+		request.crosshair_mm =
+		    units_mm(p->product.size[t->ui.cross_at]);
 	pane_curves(t, &request, t->places.side.rows == 0);
 	verdicts_draw(t);
 }
@@ -61,22 +61,27 @@ draw(struct tui *t)
 static bool
 can_focus(const struct tui *t)
 {
-	return t->cross;
+	return t->ui.cross;
 }
 
 /* Up is a higher passing. */
 static void
 move_level(struct tui *t, int by)
 {
-	enum { STEP = 5, LEAST = 5, MOST = 95 };
-	int to = t->level - by * STEP;
-	t->level = to < LEAST ? LEAST : to > MOST ? MOST : to;
+	enum { POINTS = 5, LEAST = 5, MOST = 95 };
+	int to = t->ui.level - by * POINTS;
+	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
 /* What the panel has no room for. */
-static void
-show_numbers(struct tui *t)
+void
+act_numbers(struct tui *t, const struct key *key)
 {
+	if (tui_entry(t) == NULL) {
+		first_open(t);
+		return;
+	}
+	(void)key;
 	char *line = tui_asks(t);
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
@@ -85,50 +90,49 @@ show_numbers(struct tui *t)
 	free(line);
 }
 
-static bool
-act(struct tui *t, const struct key *key)
+void
+act_runs(struct tui *t, const struct key *key)
 {
-	bool ends = key->act == ACT_TO && key->amount <= TO_MOST;
-	bool moves = ends || key->act == ACT_MOVE || key->act == ACT_LIST;
-	if (tui_entry(t) == NULL)
-		return first_key(t, key);
-	if (key->act == ACT_PICTURE) {
-		t->runs = key->amount == 0 ? !t->runs : t->runs;
-		if (key->amount > 0)
-			second_next(t);
-		return true;
-	}
-	if (key->act == ACT_CHOOSE) {
-		show_numbers(t);
-		return true;
-	}
-	if (t->focus != &page_predict || !moves)
-		return false;
+	(void)key;
+	t->ui.runs = tui_entry(t) != NULL && !t->ui.runs;
+}
+
+static bool
+move(struct tui *t, const struct key *key)
+{
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->shown.product.n;
-	if (ends)
-		t->cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
-	else if (key->act == ACT_MOVE)
-		t->cross_at =
-		    (size_t)pane_moved((int)t->cross_at, -key->amount, n);
-	else
+	if (tui_entry(t) == NULL)
+		return first_move(t, key);
+	if (t->ui.focus != &page_predict)
+		return false;
+	if (key->act == act_ends)
+		t->ui.cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
+	else if (key->act == act_list)
 		move_level(t, key->amount);
+	else if (abs(key->amount) == STEP)
+		t->ui.cross_at =
+		    (size_t)pane_moved((int)t->ui.cross_at, -key->amount, n);
+	else
+		return false;
 	return true;
 }
 
+/* Opens the page. */
 void
-page_predict_cross(struct tui *t)
+act_cross(struct tui *t, const struct key *key)
 {
-	t->cross = !t->cross && t->shown.product.n > 0;
-	t->runs = t->runs && !t->cross;
-	if (t->cross && t->cross_at == 0)
-		t->cross_at = t->shown.product.n / 3;
-	if (t->cross)
+	(void)key;
+	t->ui.cross = !t->ui.cross && t->shown.product.n > 0;
+	t->ui.runs = t->ui.runs && !t->ui.cross;
+	if (t->ui.cross && t->ui.cross_at == 0)
+		t->ui.cross_at = t->shown.product.n / 3;
+	if (t->ui.cross)
 		pages_go(t, PAGE_PREDICT);
-	t->focus = t->cross ? &page_predict : NULL;
+	t->ui.focus = t->ui.cross ? &page_predict : NULL;
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
-	else if (t->cross)
+	else if (t->ui.cross)
 		tui_say(t, false,
 		    "left and right: the sieve; up and down: the passing; Tab: "
 		    "the speed again");
@@ -144,50 +148,38 @@ cross_at(struct tui *t, double size)
 		if (fabs(log(psd->size[i] / size)) <
 		    fabs(log(psd->size[best] / size)))
 			best = i;
-	t->cross_at = best;
-}
-
-void
-page_predict_read(struct tui *t, double size)
-{
-	if (!t->cross)
-		page_predict_cross(t);
-	if (!t->cross)
-		return;
-	pages_go(t, PAGE_PREDICT);
-	t->focus = &page_predict;
-	cross_at(t, size);
+	t->ui.cross_at = best;
 }
 
 static void
 point(struct tui *t, enum plot_kind kind, double x, double y)
 {
 	(void)y;
-	if (kind == PLOT_PSD)
-		page_predict_read(t, x / 1000);
-}
-
-void
-page_predict_beside(const struct tui *t, char **words)
-{
-	if (t->pin.site[0] != '\0')
-		xappend(words, " beside=pinned");
+	if (kind != PLOT_PSD)
+		return;
+	if (!t->ui.cross)
+		act_cross(t, NULL);
+	if (!t->ui.cross)
+		return;
+	pages_go(t, PAGE_PREDICT);
+	t->ui.focus = &page_predict;
+	cross_at(t, x / 1000);
 }
 
 static char *
 words(const struct tui *t)
 {
 	const struct prediction *p = &t->shown;
-	if (t->runs)
+	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
-	page_predict_beside(t, &words);
-	if (t->band)
+	if (t->pin.site[0] != '\0')
+		xappend(&words, " beside=pinned");
+	if (t->ui.band)
 		xappend(&words, " band=on");
-	if (t->cross && t->cross_at < p->product.n)
+	if (t->ui.cross && t->ui.cross_at < p->product.n)
 		xappend(&words, " at=%g level=%d",
-		    units_mm(p->product.size[t->cross_at]), t->level);
-	second_words(t, &words);
+		    units_mm(p->product.size[t->ui.cross_at]), t->ui.level);
 	return words;
 }
 
@@ -198,10 +190,10 @@ hints(const struct tui *t)
 	bool goal = goals_set(t->session);
 	if (tui_entry(t) == NULL)
 		return tr(FIRST_HINTS);
-	if (t->runs)
+	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "
 			  "quit  : command  d describe");
-	if (t->focus == &page_predict)
+	if (t->ui.focus == &page_predict)
 		return tr("<-/-> sieve  Up/Down passing  Tab speed  c no "
 			  "crosshair  ? keys  q quit  : command");
 	if (undone)
@@ -226,12 +218,11 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,
-    .second = true,
     .strip = true,
     .above = true,
     .update = limits_update,
     .draw = draw,
     .can_focus = can_focus,
-    .key = act,
+    .move = move,
     .point = point,
     .words = words};

@@ -17,6 +17,7 @@
 #include "cmd/ask/forecast.h"
 #include "io/sitefile/units.h"
 #include "tui/widgets/file_picker.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
@@ -71,7 +72,7 @@ row_at(struct site_row *row, const struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *e = &s->entry[row->entry];
-	double speed = t->tenths / 10.0;
+	double speed = t->ui.tenths / 10.0;
 	struct error error = {0};
 	row->p50 = NAN;
 	row->beyond = false;
@@ -266,9 +267,10 @@ static bool
 is_behind(
     const struct tui *t, const struct site_row *a, const struct site_row *b)
 {
-	if (t->sort == 0)
-		return t->sort_down ? a->entry < b->entry : a->entry > b->entry;
-	enum column column = (enum column)(t->sort - 1);
+	if (t->ui.sort == 0)
+		return t->ui.sort_down ? a->entry < b->entry
+				       : a->entry > b->entry;
+	enum column column = (enum column)(t->ui.sort - 1);
 	double x = number_of(t->session, a, column),
 	       y = number_of(t->session, b, column);
 	double by = x - y;
@@ -281,7 +283,7 @@ is_behind(
 			return v[0] == '\0';
 		by = strcmp(v, w);
 	}
-	return t->sort_down ? by < 0 : by > 0;
+	return t->ui.sort_down ? by < 0 : by > 0;
 }
 
 /* They are in order but for a few. */
@@ -323,7 +325,7 @@ update(struct tui *t)
 {
 	const struct session *s = t->session;
 	bool other = t->rows_at == 0 || t->n_row != s->n_entry;
-	if (!other && t->rows_at == t->tenths)
+	if (!other && t->rows_at == t->ui.tenths)
 		return;
 	if (other) {
 		free(t->row);
@@ -336,9 +338,9 @@ update(struct tui *t)
 		row_at(&t->row[i], t);
 	if (other)
 		measure(t);
-	if (other || t->sort == P50 + 1)
+	if (other || t->ui.sort == P50 + 1)
 		sort_rows(t);
-	t->rows_at = t->tenths;
+	t->rows_at = t->ui.tenths;
 }
 
 /* The place of the site under the cursor. */
@@ -346,7 +348,7 @@ static size_t
 place_of(const struct tui *t)
 {
 	size_t k = 0;
-	while (k + 1 < t->n_row && t->row[k].entry != t->site_at)
+	while (k + 1 < t->n_row && t->row[k].entry != t->ui.site_at)
 		k++;
 	return k;
 }
@@ -381,8 +383,8 @@ share_out(const struct tui *t, int columns, int width[static COLUMNS])
 static void
 sort_by(struct tui *t, int by)
 {
-	t->sort_down = by == t->sort && !t->sort_down;
-	t->sort = by;
+	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
+	t->ui.sort = by;
 	sort_rows(t);
 }
 
@@ -417,7 +419,7 @@ draw_cell(const struct tui *t, const struct area *cell, int row, int column,
     const struct site_row *of)
 {
 	char text[128];
-	unsigned look = of->entry == t->site_at ? LOOK_REVERSE : LOOK_PLAIN;
+	unsigned look = of->entry == t->ui.site_at ? LOOK_REVERSE : LOOK_PLAIN;
 	cell_text(t, of, (enum column)column, text, sizeof text);
 	if (TABLE[column].right)
 		screen_text(cell, row, 0, look, "%*s", cell->columns, text);
@@ -433,7 +435,7 @@ draw_cell(const struct tui *t, const struct area *cell, int row, int column,
 static void
 draw_head(struct tui *t, const struct area *cell, int column)
 {
-	bool sorted = column + 1 == t->sort;
+	bool sorted = column + 1 == t->ui.sort;
 	char text[32];
 	snprintf(text, sizeof text, "%s%s", column == NAME ? "  " : "",
 	    tr(TABLE[column].head));
@@ -443,7 +445,7 @@ draw_head(struct tui *t, const struct area *cell, int column)
 	    LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN), "%s", text);
 	if (sorted && (from > 0 || end < cell->columns))
 		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
-		    t->sort_down ? "v" : "^");
+		    t->ui.sort_down ? "v" : "^");
 	touch_add(&t->touches,
 	    (struct area){cell->row, cell->column, 1, cell->columns},
 	    touch_head, (size_t)column);
@@ -455,7 +457,7 @@ draw_row(struct tui *t, const struct area *area, int row,
     const int width[static COLUMNS], const struct site_row *of)
 {
 	int at = 0;
-	if (of != NULL && of->entry == t->site_at)
+	if (of != NULL && of->entry == t->ui.site_at)
 		screen_text(
 		    area, row, 0, LOOK_REVERSE, "%*s", area->columns, "");
 	for (int c = 0; c < COLUMNS; c++) {
@@ -475,14 +477,14 @@ enum { ABOUT = 4 };
 static void
 tell_site(const struct tui *t, char *text[static ABOUT])
 {
-	const struct entry *e = &t->session->entry[t->site_at];
+	const struct entry *e = &t->session->entry[t->ui.site_at];
 	const struct breakage *of = breakage_of(&e->params);
 	bool beyond =
-	    e->has_params && answers_extrapolates(e, t->tenths / 10.0);
+	    e->has_params && answers_extrapolates(e, t->ui.tenths / 10.0);
 	text[0] = beyond
 		      ? xasprintf(tr("%s extrapolated: %.1f m/s is outside the "
 				     "speeds measured"),
-			    track_signs().beyond, t->tenths / 10.0)
+			    track_signs().beyond, t->ui.tenths / 10.0)
 		      : xstrdup("");
 	text[1] = xstrdup("");
 	for (size_t j = 0; e->has_params && j < of->n; j++)
@@ -497,17 +499,6 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	free(label);
 }
 
-static int
-rows_of(const char *text, int columns)
-{
-	char *lines = text_wrapped(text, columns);
-	int n = 0;
-	for (const char *c = lines; *c != '\0'; c++)
-		n += *c == '\n';
-	free(lines);
-	return text[0] != '\0' ? n : 0;
-}
-
 /* In the rows at the foot of the page from `first` on. */
 static void
 draw_site(const struct tui *t, const struct area *area, int first)
@@ -518,7 +509,7 @@ draw_site(const struct tui *t, const struct area *area, int first)
 	int rows[ABOUT], left = area->rows - first;
 	tell_site(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
-		rows[i] = rows_of(text[i], area->columns);
+		rows[i] = text_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
 		left -= rows[i];
 	}
@@ -552,7 +543,8 @@ draw(struct tui *t)
 		    area.row + row, area.column, 1, area.columns};
 		draw_row(t, &area, row, width, &t->row[i]);
 		rows_touch(t, line, i);
-		if (t->focus == &page_sites && t->row[i].entry == t->site_at)
+		if (t->ui.focus == &page_sites &&
+		    t->row[i].entry == t->ui.site_at)
 			t->cursor = (struct cursor){line.row, 0};
 	}
 	if (rows_count(t) == 0)
@@ -571,7 +563,7 @@ static void
 to_place(struct tui *t, size_t i)
 {
 	if (i < t->n_row)
-		t->site_at = t->row[i].entry;
+		t->ui.site_at = t->row[i].entry;
 }
 
 /* All columns, whether there is room for them or not. */
@@ -597,12 +589,12 @@ choose(struct tui *t)
 		return;
 	}
 	/* The site in use is only looked at, and what runs goes on. */
-	if (session_busy(s) && t->site_at == s->current) {
+	if (session_busy(s) && t->ui.site_at == s->current) {
 		pages_go(t, PAGE_PREDICT);
 		return;
 	}
-	char *line = xasprintf(
-	    "use %s", t->site_at < s->n_entry ? s->entry[t->site_at].key : "");
+	char *line = xasprintf("use %s",
+	    t->ui.site_at < s->n_entry ? s->entry[t->ui.site_at].key : "");
 	watch_keep(t);
 	bool used = control_run(t, line);
 	free(line);
@@ -614,31 +606,29 @@ choose(struct tui *t)
 static void
 sort_on(struct tui *t)
 {
-	int width[COLUMNS], by = t->sort;
+	int width[COLUMNS], by = t->ui.sort;
 	share_out(t, pane_list_area(t).columns, width);
 	do
 		by = (by + 1) % (COLUMNS + 1);
 	while (by > 0 && width[by - 1] == 0);
-	t->sort_down = false;
-	t->sort = by;
+	t->ui.sort_down = false;
+	t->ui.sort = by;
 	sort_rows(t);
 }
 
-static bool
-act(struct tui *t, const struct key *key)
+void
+act_sort(struct tui *t, const struct key *key)
 {
-	if (key->act != ACT_SORT)
-		return false;
 	if (t->session->n_entry == 0)
 		chooser_open(t, CHOOSER_FILES);
 	else if (key->amount > 0)
 		sort_on(t);
 	else
-		sort_by(t, t->sort);
-	return true;
+		sort_by(t, t->ui.sort);
 }
 
-static const struct page_list LIST = {count, place_of, to_place, text, choose};
+static const struct page_list LIST = {
+    .n = count, .at = place_of, .go = to_place, .text = text, .open = choose};
 
 static const char *
 hints(const struct tui *t)
@@ -654,5 +644,4 @@ const struct page_ops page_sites = {.name = N_("Sites"),
     .update = update,
     .draw = draw,
     .takes_focus = true,
-    .list = &LIST,
-    .key = act};
+    .list = &LIST};

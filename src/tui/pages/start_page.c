@@ -4,85 +4,60 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "tui/acts.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
-#include "tui/tour.h"
 
-static void
-open_sheet(struct tui *t)
-{
-	chooser_open(t, CHOOSER_FILES);
-}
-
-static void
-open_shipped(struct tui *t)
-{
-	chooser_open(t, CHOOSER_SHIPPED);
-}
-
-static void
-open_feed(struct tui *t)
-{
-	chooser_open(t, CHOOSER_FEEDS);
-}
-
-static void
-open_session(struct tui *t)
-{
-	chooser_open(t, CHOOSER_SESSIONS);
-}
-
+/* Each with the list that it opens. */
 static const struct {
 	const char *name, *what;
-	void (*go)(struct tui *t);
+	enum chooser_list list;
 } WAYS[] = {{N_("Open a sheet"),
 		N_("Sieve analyses of the feed and of the product at two "
 		   "speeds or more, "
 		   "from Excel, LibreOffice or CSV. The list shows how each "
 		   "file would be "
 		   "read. Later: o."),
-		open_sheet},
+		CHOOSER_FILES},
     {N_("Go on with a saved session"),
 	N_("What the key w has saved, a file that ends in .tip: its sites are "
 	   "there again, with their fits, the goal and what was pinned."),
-	open_session},
+	CHOOSER_SESSIONS},
     {N_("Try a site that comes with tipspeed"),
 	N_("Quarries of the paper with their rock and tip speeds; their curves "
 	   "are reconstructed from it."),
-	open_shipped},
+	CHOOSER_SHIPPED},
     {N_("Estimate from rock type and top size"),
 	N_("Where only the feed was sampled: from the materials of other "
 	   "quarries, with a wide band. Choose the sheet with the feed, then "
 	   "complete the command."),
-	open_feed},
-    {N_("Take a tour"),
-	N_("Three steps on a site that comes with tipspeed: the curve, the "
-	   "speed, "
-	   "a fit. Esc leaves it at any time. Later: T."),
-	tour_begin}};
+	CHOOSER_FEEDS}};
 
 static bool
 touch_way_of(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != TOUCH_PRESS)
 		return false;
-	t->first_at = (int)touched->item;
-	WAYS[touched->item].go(t);
+	t->ui.first_at = (int)touched->item;
+	chooser_open(t, WAYS[touched->item].list);
 	return true;
 }
 
 bool
-first_key(struct tui *t, const struct key *key)
+first_move(struct tui *t, const struct key *key)
 {
-	if (key->act == ACT_LIST)
-		t->first_at =
-		    pane_moved(t->first_at, key->amount, ARRAY_LEN(WAYS));
-	else if (key->act == ACT_CHOOSE)
-		WAYS[t->first_at].go(t);
-	else
+	if (key->act != act_list)
 		return false;
+	t->ui.first_at =
+	    pane_moved(t->ui.first_at, key->amount, ARRAY_LEN(WAYS));
 	return true;
+}
+
+void
+first_open(struct tui *t)
+{
+	chooser_open(t, WAYS[t->ui.first_at].list);
 }
 
 /* In the middle, with what the chosen one is for where there is room. */
@@ -102,18 +77,19 @@ first_draw(struct tui *t)
 	if (title)
 		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
 	row += title ? 2 : 0;
-	int top = t->first_at >= area.rows ? t->first_at - area.rows + 1 : 0;
+	int top =
+	    t->ui.first_at >= area.rows ? t->ui.first_at - area.rows + 1 : 0;
 	for (int i = top; i < n; i++, row++) {
-		unsigned look = i == t->first_at ? LOOK_REVERSE : LOOK_PLAIN;
+		unsigned look = i == t->ui.first_at ? LOOK_REVERSE : LOOK_PLAIN;
 		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
 		    area.columns, "");
 		touch_add(&t->touches,
 		    (struct area){area.row + row, area.column, 1, area.columns},
 		    touch_way_of, (size_t)i);
-		if (i == t->first_at)
+		if (i == t->ui.first_at)
 			t->cursor =
 			    (struct cursor){area.row + row, area.column};
 	}
 	if (what)
-		screen_words(&area, row + 1, 0, tr(WAYS[t->first_at].what));
+		screen_words(&area, row + 1, 0, tr(WAYS[t->ui.first_at].what));
 }

@@ -9,10 +9,11 @@
 /* Draws it in the body. */
 void first_draw(struct tui *t);
 
-/* Takes a key of the list; false: it is none of them. */
-bool first_key(struct tui *t, const struct key *key);
+/* See move in page_ops; opens what is chosen. */
+bool first_move(struct tui *t, const struct key *key);
+void first_open(struct tui *t);
 
 #define FIRST_HINTS \
-	N_("Up/Down, Enter choose  ? keys  q quit  o open  T tour  : command")
+	N_("Up/Down, Enter choose  ? keys  q quit  o open  : command")
 
 #endif

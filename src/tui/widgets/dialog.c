@@ -17,7 +17,6 @@
 enum typing_result
 dialogue_key(struct tui *t, int code, bool special)
 {
-	enum { DELETE = 127 };
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
 	if (special && (code == KEY_UP || code == KEY_DOWN)) {
@@ -54,17 +53,6 @@ struct parts {
 };
 
 static int
-rows_of(const char *text, int columns)
-{
-	char *lines = text_wrapped(text, columns);
-	int n = 0;
-	for (const char *p = lines; *p != '\0'; p++)
-		n += *p == '\n';
-	free(lines);
-	return text[0] != '\0' ? n : 0;
-}
-
-static int
 at_most(int n, int *left)
 {
 	int taken = n < *left ? n : *left;
@@ -85,10 +73,10 @@ share_rows(const struct inquiry *q, const char *asks, int room, int columns)
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
 	struct parts p = {0};
 	p.line = at_most(1, &left);
-	p.text = at_most(rows_of(asks, columns), &left);
+	p.text = at_most(text_rows(asks, columns), &left);
 	p.table = at_most(table < LEAST ? table : LEAST, &left);
-	p.about = at_most(rows_of(about(q), columns), &left);
-	int hint = rows_of(q->hint, columns);
+	p.about = at_most(text_rows(about(q), columns), &left);
+	int hint = text_rows(q->hint, columns);
 	p.hint = hint <= left ? at_most(hint, &left) : 0;
 	p.table += at_most(table - p.table, &left);
 	p.gap = table > 0 && left >= 2 ? 2 : 0;
@@ -151,20 +139,12 @@ draw_table(struct tui *t, const struct area *area)
 	}
 }
 
-/* What is typed, after "> "; of what is too long the end. */
 static void
 draw_line(struct tui *t, const struct area *area)
 {
-	const struct typing *y = &t->answer;
-	char *till = xstrndup(y->text, y->at);
-	int before = text_width(till), room = area->columns - 3;
-	const char *shown = y->text;
-	char left[TEXT_SHOWN];
-	free(till);
-	while (before > room && *shown != '\0')
-		before -= text_show(&shown, left);
-	screen_text(area, 0, 0, LOOK_BOLD, "> %s", shown);
-	t->cursor = (struct cursor){area->row, area->column + 2 + before};
+	size_t from;
+	int at = pane_typed(area, "> ", &t->answer, &from);
+	t->cursor = (struct cursor){area->row, area->column + at};
 }
 
 /* The parts one below the other. */
@@ -210,8 +190,7 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	    .column = (columns - wide) / 2,
 	    .rows = high + 2 * edge,
 	    .columns = wide};
-	for (int r = 0; r < box.rows; r++)
-		screen_text(&box, r, 0, 0, "%*s", box.columns, "");
+	screen_clear(&box);
 	touch_clear(&t->touches);
 	touch_add(&t->touches, box, touch_table, 0);
 	if (frame)

@@ -12,9 +12,9 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/run/complete.h"
+#include "tui/keys.h"
 
 #define CONTROL(letter) ((letter)&0x1F)
-enum { ESCAPE = 27, DELETE = 127 };
 
 static void
 put_text(struct typing *t, const char *text)
@@ -220,7 +220,7 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 	size_t next = typing_next(t), n = t->n;
 	free(t->offers);
 	t->offers = NULL;
-	if (!special && (code == ESCAPE || code == CONTROL('C')))
+	if (!special && (code == ESCAPE || code == INTERRUPT))
 		return TYPING_GIVEN_UP;
 	if (key == KEY_BACKSPACE && t->n == 0)
 		return TYPING_GIVEN_UP;

@@ -7,12 +7,12 @@
 #include "base/xalloc.h"
 #include "core/answer/response.h"
 
-/* looked, feed: what it was opened for; open: it could be; tenths: where it
+/* revision, feed: what it was opened for; open: it could be; tenths: where it
  * is. */
 struct limits {
 	struct grading grading;
 	bool open;
-	size_t looked, feed;
+	size_t revision, feed;
 	int tenths;
 };
 
@@ -37,7 +37,8 @@ static bool
 is_current(const struct tui *t)
 {
 	const struct limits *l = t->limits;
-	return l != NULL && l->looked == t->looked && l->feed == tui_feed(t);
+	return l != NULL && l->revision == t->revision &&
+	       l->feed == tui_feed(t);
 }
 
 void
@@ -50,21 +51,21 @@ limits_update(struct tui *t)
 		return;
 	if (t->limits == NULL) {
 		t->limits = xcalloc(1, sizeof *t->limits);
-		t->limits->looked = t->looked;
+		t->limits->revision = t->revision;
 		t->limits->feed = tui_feed(t);
 		t->limits->open = grading_in_use(t->session, tui_entry(t),
 		    t->limits->feed, &t->limits->grading, &error);
 	}
-	if (t->limits->open && t->limits->tenths != t->tenths)
+	if (t->limits->open && t->limits->tenths != t->ui.tenths)
 		forecast_at(
 		    t->limits->grading.conditions.forecast, t->shown.speed);
-	t->limits->tenths = t->tenths;
+	t->limits->tenths = t->ui.tenths;
 }
 
 const struct grading *
 limits_now(const struct tui *t)
 {
 	bool now = is_wanted(t) && is_current(t) && t->limits->open &&
-		   t->limits->tenths == t->tenths;
+		   t->limits->tenths == t->ui.tenths;
 	return now ? &t->limits->grading : NULL;
 }

@@ -12,19 +12,19 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/watch.h"
-
-enum { ESCAPE = 27, DELETE = 127 };
+#include "tui/widgets/list.h"
 
 static void
 forget_preview(struct chooser *c)
 {
 	free(c->preview);
 	c->preview = NULL;
-	c->previewed = -1;
+	c->previewed = SIZE_MAX;
 }
 
 /* The items of the folder that have the word. */
@@ -60,23 +60,6 @@ close_list(struct tui *t)
 	folder_free(&t->chooser.folder);
 	forget_preview(&t->chooser);
 	t->chooser = (struct chooser){0};
-}
-
-bool
-chooser_open(struct tui *t, enum chooser_list what)
-{
-	if (t->session->safe) {
-		tui_say(t, true,
-		    "files are not opened with --safe: start the program "
-		    "without it");
-		return false;
-	}
-	close_list(t);
-	t->message[0] = '\0';
-	t->chooser.on = true;
-	t->chooser.list = what;
-	list_all(&t->chooser, "");
-	return true;
 }
 
 /* The line for guess, to be completed with what the sheet does not say: the
@@ -126,7 +109,7 @@ enter(struct tui *t)
 		return;
 	const struct folder_item *item = &c->folder.item[c->at];
 	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
-		char *into = folder_into(&c->folder, (size_t)c->at);
+		char *into = folder_into(&c->folder, c->at);
 		list_all(c, into);
 		free(into);
 		return;
@@ -135,6 +118,57 @@ enter(struct tui *t)
 	if (run(t, line, c->list == CHOOSER_FEEDS))
 		close_list(t);
 	free(line);
+}
+
+static size_t
+count(const struct tui *t)
+{
+	return t->chooser.folder.n;
+}
+
+static size_t
+chosen(const struct tui *t)
+{
+	return t->chooser.at;
+}
+
+static void
+choose(struct tui *t, size_t i)
+{
+	t->message[0] = '\0';
+	t->chooser.at = i;
+}
+
+/* Reads the file that is chosen, where it was not. */
+static void
+update(struct tui *t)
+{
+	struct chooser *c = &t->chooser;
+	if (c->folder.n == 0 || c->previewed == c->at)
+		return;
+	forget_preview(c);
+	c->preview = folder_preview(&c->folder.item[c->at]);
+	c->previewed = c->at;
+}
+
+static const struct page_list FILES = {
+    .n = count, .at = chosen, .go = choose, .open = enter, .update = update};
+
+void
+chooser_open(struct tui *t, enum chooser_list what)
+{
+	if (t->session->safe) {
+		tui_say(t, true,
+		    "files are not opened with --safe: start the program "
+		    "without it");
+		return;
+	}
+	close_list(t);
+	t->message[0] = '\0';
+	t->chooser.on = true;
+	t->chooser.rows = &FILES;
+	t->chooser.list = what;
+	list_all(&t->chooser, "");
 }
 
 /* To the folder above. */
@@ -146,37 +180,10 @@ go_up(struct tui *t)
 		list_all(c, c->folder.path);
 	for (size_t i = 0; i < c->folder.n; i++)
 		if (c->folder.item[i].kind == FOLDER_ABOVE) {
-			c->at = (int)i;
+			c->at = i;
 			enter(t);
 			return;
 		}
-}
-
-bool
-chooser_open_shipped(struct tui *t, const char *name)
-{
-	if (!chooser_open(t, CHOOSER_SHIPPED))
-		return false;
-	const struct folder *folder = &t->chooser.folder;
-	size_t i = 0;
-	while (i < folder->n && strcmp(folder->item[i].name, name) != 0)
-		i++;
-	char *line = i < folder->n ? folder_command(&folder->item[i], false)
-				   : xstrdup("");
-	if (i == folder->n)
-		tui_say(t, true, "%s%s is not there: reinstall tipspeed",
-		    folder->path, name);
-	close_list(t);
-	bool good = line[0] != '\0' && run(t, line, false);
-	free(line);
-	return good;
-}
-
-static void
-move_by(struct tui *t, int by)
-{
-	t->message[0] = '\0';
-	t->chooser.at = pane_moved(t->chooser.at, by, t->chooser.folder.n);
 }
 
 /* Letters of names, and keys that take them back; false for others.  One that
@@ -208,52 +215,21 @@ chooser_key(struct tui *t, int code, bool special)
 {
 	if (narrow(t, code, special))
 		return true;
-	const struct key *key = keys_find(code, t->page);
-	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
-	enum key_act act = key != NULL ? key->act : ACT_HELP;
-	bool end = code == KEY_END || code == KEY_HOME;
-	if (act == ACT_LIST)
-		move_by(t, key->amount);
-	else if (special && (code == KEY_NPAGE || code == KEY_PPAGE))
-		move_by(t, code == KEY_NPAGE ? page : -page);
-	else if (special && end)
-		move_by(t, code == KEY_END ? (int)t->chooser.folder.n
-					   : -t->chooser.at);
-	else if (code == '\n' || code == '\r' ||
-		 (act == ACT_MOVE && key->amount > 0))
+	const struct key *key = keys_find(code, t->ui.page);
+	key_way *act = key != NULL ? key->act : NULL;
+	bool aside = act == act_move && abs(key->amount) == STEP;
+	bool moves =
+	    !aside && (act == act_move || act == act_ends || act == act_list);
+	if (moves)
+		t->message[0] = '\0';
+	if (code == '\n' || code == '\r' || (aside && key->amount > 0))
 		enter(t);
-	else if (code == DELETE || code == '\b' || act == ACT_MOVE)
+	else if (code == DELETE || code == '\b' || aside)
 		go_up(t);
-	else {
+	else if (!moves || !rows_move(t, key)) {
 		close_list(t);
-		return code == ESCAPE || act == ACT_STOP;
+		return code == ESCAPE || code == INTERRUPT;
 	}
-	return true;
-}
-
-void
-chooser_update(struct tui *t)
-{
-	struct chooser *c = &t->chooser;
-	if (!c->on || c->folder.n == 0 || c->previewed == c->at)
-		return;
-	forget_preview(c);
-	c->preview = folder_preview(&c->folder.item[c->at]);
-	c->previewed = c->at;
-}
-
-/* A press chooses, a second one opens; the wheel moves. */
-static bool
-touch_item(struct tui *t, const struct touched *touched)
-{
-	if (touched->kind == TOUCH_UP || touched->kind == TOUCH_DOWN)
-		move_by(t, touched->kind == TOUCH_UP ? -1 : 1);
-	else if (touched->kind != TOUCH_PRESS || touched->item == SIZE_MAX)
-		return touched->kind == TOUCH_PRESS;
-	else if (t->chooser.at == (int)touched->item)
-		enter(t);
-	else
-		t->chooser.at = (int)touched->item;
 	return true;
 }
 
@@ -264,7 +240,7 @@ draw_item(struct tui *t, const struct area *list, int row, size_t i)
 	const struct chooser *c = &t->chooser;
 	const struct folder_item *item = &c->folder.item[i];
 	bool folder = item->kind == FOLDER_BELOW || item->kind == FOLDER_ABOVE;
-	unsigned look = (int)i == c->at              ? LOOK_REVERSE
+	unsigned look = i == c->at                   ? LOOK_REVERSE
 			: item->kind >= FOLDER_OTHER ? LOOK_DIM
 						     : LOOK_PLAIN;
 	screen_text(list, row, 0, look, " %-*s", list->columns - 1, "");
@@ -278,26 +254,22 @@ draw_item(struct tui *t, const struct area *list, int row, size_t i)
 		screen_text(list, row, 1, look, "%-*.*s%s", NAME,
 		    (int)(strrchr(item->name, '.') - item->name), item->name,
 		    item->about);
-	touch_add(&t->touches,
-	    (struct area){list->row + row, list->column, 1, list->columns},
-	    touch_item, i);
+	rows_touch(t,
+	    (struct area){list->row + row, list->column, 1, list->columns}, i);
 }
 
 static void
 draw_list(struct tui *t, const struct area *list)
 {
-	struct chooser *c = &t->chooser;
-	int most = (int)c->folder.n - list->rows;
-	if (c->top < c->at - list->rows + 1)
-		c->top = c->at - list->rows + 1;
-	if (c->top > c->at)
-		c->top = c->at;
-	if (c->top > most)
-		c->top = most > 0 ? most : 0;
-	for (int row = 0; row < list->rows && row + c->top < (int)c->folder.n;
-	     row++)
-		draw_item(t, list, row, (size_t)(row + c->top));
-	t->cursor = (struct cursor){list->row + c->at - c->top, list->column};
+	const struct chooser *c = &t->chooser;
+	size_t i = rows_first(t, (size_t)list->rows);
+	for (int row = 0; row < list->rows && i < c->folder.n;
+	     i = rows_next(t, i), row++) {
+		draw_item(t, list, row, i);
+		if (i == c->at)
+			t->cursor =
+			    (struct cursor){list->row + row, list->column};
+	}
 }
 
 static void
@@ -348,8 +320,7 @@ draw_message(const struct tui *t)
 		area.row--;
 		area.rows++;
 	}
-	for (int row = 0; row < area.rows; row++)
-		screen_text(&area, row, 0, 0, "%*s", area.columns, "");
+	screen_clear(&area);
 	screen_words(&area, 0, LOOK_BOLD, text);
 	free(text);
 }
@@ -363,7 +334,6 @@ chooser_draw(struct tui *t)
 	struct area list = body, preview = body;
 	bool shipped = t->chooser.list == CHOOSER_SHIPPED;
 	bool title = body.rows > 2;
-	touch_add(&t->touches, body, touch_item, SIZE_MAX);
 	if (title)
 		draw_title(t, &body);
 	list.row += title;

@@ -5,21 +5,14 @@
 
 #include "tui/tui_state.h"
 
-/* False with a message under --safe. */
-bool chooser_open(struct tui *t, enum chooser_list list);
+/* Only a message under --safe. */
+void chooser_open(struct tui *t, enum chooser_list list);
 
 /* Takes a key; false: the list is closed and the key is for what was below
  * it. */
 bool chooser_key(struct tui *t, int code, bool special);
 
-/* Reads the file that is chosen, where it was not. */
-void chooser_update(struct tui *t);
-
 /* Draws it with its hints. */
 void chooser_draw(struct tui *t);
-
-/* Opens a site that comes with the program, by the name of its file; false with
- * a message. */
-bool chooser_open_shipped(struct tui *t, const char *name);
 
 #endif

@@ -17,6 +17,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 
 /* Screens separate sharply. */
 static const struct partition SHARP = {0, 1};
@@ -39,14 +40,14 @@ goal_pending(const struct tui *t)
 double
 goal_best(const struct tui *t)
 {
-	return goals_best(t->session, &t->goal, t->tenths / 10.0);
+	return goals_best(t->session, &t->goal, t->ui.tenths / 10.0);
 }
 
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
 	return goals_words(
-	    t->session, tui_entry(t), &t->goal, t->tenths / 10.0, length);
+	    t->session, tui_entry(t), &t->goal, t->ui.tenths / 10.0, length);
 }
 
 static const struct psd *
@@ -92,15 +93,16 @@ goal_holds(const struct tui *t, double from, double to, bool *certain)
 }
 
 void
-goal_open(struct tui *t)
+act_goal(struct tui *t, const struct key *key)
 {
+	(void)key;
 	const struct entry *entry = tui_entry(t);
 	/* What a search has found so far is shown, too. */
 	if (entry == NULL || (!entry->has_params && t->shown.product.n == 0)) {
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
 	}
-	char *words = quantities_typed(&t->quantity);
+	char *words = quantities_typed(&t->ui.quantity);
 	char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
 					   : xasprintf("%s=", words);
 	t->message[0] = '\0';
@@ -204,7 +206,7 @@ take_quantity(struct tui *t, const char *text)
 	bool ok = quantities_read(copy, &SHARP, &q, &error);
 	free(copy);
 	if (ok && quantities_covered(&q, feed_of(t), &error)) {
-		t->quantity = q;
+		t->ui.quantity = q;
 		close_field(t);
 		if (goals_set(t->session))
 			tui_say(t, false,
@@ -237,8 +239,8 @@ goal_step(struct tui *t)
 	struct quantity first = most_told(&g->list);
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
 	/* Not that of a list of sieves, which goes with the goal. */
-	if (quantity_same(&t->quantity, &first) && binds->sieve == NULL)
-		t->quantity = *binds;
+	if (quantity_same(&t->ui.quantity, &first) && binds->sieve == NULL)
+		t->ui.quantity = *binds;
 }
 
 /* Enter: what cannot be read stays to be mended. */
@@ -258,7 +260,7 @@ take(struct tui *t)
 	} else if (goals_read(
 		       t->session, text, feed_of(t), &list, &n_value, &error)) {
 		if (list.n > 0)
-			t->quantity = most_told(&list);
+			t->ui.quantity = most_told(&list);
 		line = set_goal(t, text);
 	} else {
 		tui_say(t, true, "%s%s%s", error.text,
@@ -276,7 +278,7 @@ begin_anew(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
-	char *words = quantities_typed(&t->quantity);
+	char *words = quantities_typed(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
 	typing_begin(&t->typing, isalpha(code) ? "" : words);

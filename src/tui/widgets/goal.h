@@ -15,10 +15,7 @@ bool goal_pending(const struct tui *t);
  * that which binds. */
 void goal_step(struct tui *t);
 
-/* Opens the field, with the quantity above the track in it. */
-void goal_open(struct tui *t);
-
-/* Takes its keys; the command that Enter asks for, which the caller frees, or
+/* Takes the keys of its field; the command that Enter asks for, which the caller frees, or
  * NULL. */
 char *goal_key(struct tui *t, int code, bool special);
 

@@ -7,12 +7,34 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "tui/acts.h"
 #include "tui/pages.h"
 
 static const struct page_list *
 list_of(const struct tui *t)
 {
-	return pages_open(t)->list;
+	return t->chooser.on ? t->chooser.rows : pages_open(t)->list;
+}
+
+/* What lies over the page needs no focus. */
+static bool
+has_focus(const struct tui *t)
+{
+	return t->chooser.on || t->ui.focus == pages_open(t);
+}
+
+static void
+take_focus(struct tui *t)
+{
+	if (!t->chooser.on)
+		t->ui.focus = pages_open(t);
+}
+
+static void
+go(struct tui *t, size_t i)
+{
+	if (list_of(t)->at(t) != i)
+		list_of(t)->go(t, i);
 }
 
 static size_t
@@ -30,14 +52,11 @@ has_rows(const struct tui *t)
 static bool
 has_word(const struct tui *t, size_t i)
 {
-	if (t->filter.n == 0)
+	if (t->filter.n == 0 || list_of(t)->text == NULL)
 		return true;
-	char *text = list_of(t)->text(t, i), *folded = text_fold(text);
-	char *wanted = text_fold(t->filter.text);
-	bool has = strstr(folded, wanted) != NULL;
+	char *text = list_of(t)->text(t, i);
+	bool has = text_has(text, t->filter.text);
 	free(text);
-	free(folded);
-	free(wanted);
 	return has;
 }
 
@@ -81,7 +100,7 @@ settle(struct tui *t)
 		size_t next = rows_next(t, at);
 		at = next < n ? next : before(t, at);
 	}
-	list_of(t)->go(t, at);
+	go(t, at);
 }
 
 static void
@@ -93,21 +112,33 @@ move(struct tui *t, int by)
 		at = rows_next(t, at);
 	for (; by < 0 && before(t, at) != at; by++)
 		at = before(t, at);
-	list_of(t)->go(t, at);
+	go(t, at);
 }
 
 size_t
 rows_first(struct tui *t, size_t room)
 {
+	size_t *top = t->chooser.on ? &t->chooser.top : &t->ui.top[t->ui.page];
 	settle(t);
-	size_t top = list_of(t)->at(t);
-	if (!has_word(t, top))
-		return total(t);
-	/* What is shown reaches to the cursor, and further only where all that
-	 * is before it is shown. */
-	for (size_t i = 1; i < room && before(t, top) != top; i++)
-		top = before(t, top);
-	return top;
+	size_t first = list_of(t)->at(t), shown = 1, n = total(t);
+	if (n == 0 || !has_word(t, first))
+		return n;
+	for (; first > *top && shown < room && before(t, first) != first;
+	     shown++)
+		first = before(t, first);
+	/* At the end of the list no row is left blank. */
+	for (size_t i = list_of(t)->at(t); rows_next(t, i) < n; shown++)
+		i = rows_next(t, i);
+	for (; shown < room && before(t, first) != first; shown++)
+		first = before(t, first);
+	*top = first;
+	return first;
+}
+
+bool
+rows_here(const struct tui *t)
+{
+	return list_of(t) != NULL;
 }
 
 static void
@@ -124,9 +155,9 @@ touch_row(struct tui *t, const struct touched *touched)
 	if (touched->kind != TOUCH_PRESS || list_of(t) == NULL)
 		return false;
 	size_t at = list_of(t)->at(t);
-	bool again = t->focus == pages_open(t) && at == touched->item;
-	t->focus = pages_open(t);
-	list_of(t)->go(t, touched->item);
+	bool again = has_focus(t) && at == touched->item;
+	take_focus(t);
+	go(t, touched->item);
 	if (again)
 		open_row(t);
 	return true;
@@ -154,26 +185,17 @@ rows_wheel(struct tui *t, struct area area)
 	touch_add(&t->touches, area, touch_wheel, 0);
 }
 
-static void
-start_word(struct tui *t)
-{
-	t->focus = pages_open(t);
-	t->message[0] = '\0';
-	t->filter.active = true;
-}
-
 /* What is the list's while the arrows move in it only. */
 static bool
-focused_key(struct tui *t, const struct key *key)
+focused_move(struct tui *t, const struct key *key)
 {
-	enum { FAST = 50 };
 	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
-	bool to_end = key->act == ACT_TO && key->amount <= TO_MOST;
-	if (to_end)
+	int steps = abs(key->amount);
+	if (key->act == act_ends)
 		move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
-	else if (key->act == ACT_FINE && abs(key->amount) == FAST)
+	else if (steps == FAR)
 		move(t, key->amount > 0 ? -page : page);
-	else if (key->act == ACT_MOVE && pages_open(t)->takes_focus)
+	else if (steps == STEP)
 		move(t, key->amount);
 	else
 		return false;
@@ -181,23 +203,47 @@ focused_key(struct tui *t, const struct key *key)
 }
 
 bool
-rows_key(struct tui *t, const struct key *key)
+rows_move(struct tui *t, const struct key *key)
 {
 	if (list_of(t) == NULL)
 		return false;
 	/* Several keys may come before the next frame. */
-	pages_update(t);
-	if (key->act == ACT_LIST) {
-		t->focus = pages_open(t);
-		move(t, key->amount);
-	} else if (key->act == ACT_CHOOSE && has_rows(t)) {
-		open_row(t);
-	} else if (key->act == ACT_FILTER) {
-		start_word(t);
-	} else {
-		return t->focus == pages_open(t) && focused_key(t, key);
-	}
+	if (!t->chooser.on)
+		pages_update(t);
+	if (!has_rows(t))
+		return false;
+	if (key->act != act_list)
+		return has_focus(t) && focused_move(t, key);
+	take_focus(t);
+	move(t, key->amount);
 	return true;
+}
+
+void
+act_choose(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (list_of(t) != NULL)
+		pages_update(t);
+	if (has_rows(t) && list_of(t)->open != NULL)
+		open_row(t);
+	else
+		tui_say(t, false, "there is nothing to open on this page");
+}
+
+void
+act_filter(struct tui *t, const struct key *key)
+{
+	(void)key;
+	if (list_of(t) == NULL || list_of(t)->text == NULL) {
+		tui_say(t, false,
+		    "this page has no list to look through: Sites, ? and texts "
+		    "have");
+		return;
+	}
+	t->ui.focus = pages_open(t);
+	t->message[0] = '\0';
+	t->filter.active = true;
 }
 
 bool

@@ -1,12 +1,14 @@
-/* The list of a page: keys, mouse and a word after / go through its rows.
+/* The list of a page, or that over it: keys, mouse and a word after / go
+ * through its rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_LIST_H
 #define TIPSPEED_TUI_WIDGETS_LIST_H
 
 #include "tui/pane.h"
 
-/* Of the page that is open: how many rows of its list have the word that is
- * looked for; without a word all have. */
+/* Whether there is one; how many of its rows have the word that is looked for:
+ * without a word all have. */
+bool rows_here(const struct tui *t);
 size_t rows_count(const struct tui *t);
 
 /* The first to draw, so that the one under the cursor is among `room` of them;
@@ -19,8 +21,8 @@ size_t rows_next(const struct tui *t, size_t i);
 void rows_touch(struct tui *t, struct area area, size_t i);
 void rows_wheel(struct tui *t, struct area area);
 
-/* What a key does in the list; false: it is none of the list's. */
-bool rows_key(struct tui *t, const struct key *key);
+/* See move in page_ops. */
+bool rows_move(struct tui *t, const struct key *key);
 
 /* A key while the word is typed; false: it is none of the word's. */
 bool rows_letter(struct tui *t, int code, bool special);

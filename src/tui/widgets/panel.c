@@ -158,14 +158,14 @@ touch_size(struct tui *t, const struct touched *touched)
 	const struct psd *product = &t->shown.product;
 	if (touched->kind != TOUCH_PRESS || product->n == 0)
 		return false;
-	t->level = (int)lround(100 * PSD_PASSING[touched->item]);
+	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->shown.size[touched->item];
-	t->cross = true;
-	t->cross_at = 0;
-	while (isfinite(mm) && t->cross_at + 1 < product->n &&
-	       product->size[t->cross_at + 1] >= mm)
-		t->cross_at++;
-	t->focus = &page_predict;
+	t->ui.cross = true;
+	t->ui.cross_at = 0;
+	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
+	       product->size[t->ui.cross_at + 1] >= mm)
+		t->ui.cross_at++;
+	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -243,13 +243,13 @@ touch_fraction(struct tui *t, const struct touched *touched)
 	const double near = 1.0001;
 	if (touched->kind != TOUCH_PRESS || product->n == 0)
 		return false;
-	t->cross = true;
-	t->cross_at = 0;
-	while (t->cross_at + 1 < product->n &&
-	       1000 * product->size[t->cross_at] >
+	t->ui.cross = true;
+	t->ui.cross_at = 0;
+	while (t->ui.cross_at + 1 < product->n &&
+	       1000 * product->size[t->ui.cross_at] >
 		   near * FRACTION_MM[touched->item])
-		t->cross_at++;
-	t->focus = &page_predict;
+		t->ui.cross_at++;
+	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -618,10 +618,7 @@ take_light(struct panel *p)
 		if (p->light.reason[i].cause == TRUST_BEYOND)
 			first = i;
 	p->reason = p->light.reason[first].text;
-	char *rows = text_wrapped(p->reason, t->places.side.columns);
-	for (const char *c = rows; *c != '\0'; c++)
-		p->reason_rows += *c == '\n';
-	free(rows);
+	p->reason_rows = text_rows(p->reason, t->places.side.columns);
 }
 
 /* Without a prediction there is what is pinned, and what to do. */
@@ -676,7 +673,7 @@ verdicts_words(struct tui *t)
 {
 	const struct grading *g = limits_now(t);
 	char *words = xstrdup("");
-	if (t->page != PAGE_PREDICT || t->places.side.rows > 0 ||
+	if (t->ui.page != PAGE_PREDICT || t->places.side.rows > 0 ||
 	    t->now.site[0] == '\0')
 		return words;
 	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
@@ -716,23 +713,23 @@ verdicts_row(struct tui *t)
 	char a[24], b[24], c[24], d[24];
 	/* The list of sites tells of the marked one, which may be another. */
 	if (area->rows == 0 ||
-	    (t->page == PAGE_SITES && t->site_at != t->session->current))
+	    (t->ui.page == PAGE_SITES && t->ui.site_at != t->session->current))
 		return;
 	if (t->now.site[0] == '\0')
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
-	else if (t->cross && t->cross_at < p->product.n) {
-		if (t->focus == &page_predict)
+	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
+		if (t->ui.focus == &page_predict)
 			t->cursor =
 			    (struct cursor){area->row, t->places.side.column};
 		bool narrow = area->columns < 34;
-		double mm = 1000 * psd_size(&p->curve, t->level / 100.0);
+		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    narrow ? N_("%g %.1f%% P%d %s mm")
 			   : N_("%g mm %.1f %%  %d %% %s"),
-		    units_mm(p->product.size[t->cross_at]),
-		    100 * p->product.passing[t->cross_at], t->level,
+		    units_mm(p->product.size[t->ui.cross_at]),
+		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
 		    narrow ? short_size(mm, a) : readings_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",

@@ -32,9 +32,9 @@ draw_reading(const struct tui *t, const struct area *area, int row,
     unsigned look, const char *name, const struct psd *psd,
     const struct psd *finer)
 {
-	double x = t->shown.product.size[t->cross_at];
+	double x = t->shown.product.size[t->ui.cross_at];
 	char size[24] = "-";
-	double mm = 1000 * psd_size(finer, t->level / 100.0);
+	double mm = 1000 * psd_size(finer, t->ui.level / 100.0);
 	if (isfinite(mm))
 		readings_size(mm, size);
 	screen_text(area, row, 0, look, "%-8.8s", name);
@@ -50,12 +50,12 @@ static int
 draw_band(const struct tui *t, const struct area *area, int row)
 {
 	const struct prediction *p = &t->shown;
-	if (!t->band || p->low == NULL)
+	if (!t->ui.band || p->low == NULL)
 		return row;
 	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
-	    100 * p->low[t->cross_at], 100 * p->high[t->cross_at]);
+	    100 * p->low[t->ui.cross_at], 100 * p->high[t->ui.cross_at]);
 	const struct quantity size = {
-	    .kind = QUANTITY_SIZE, .x = t->level / 100.0};
+	    .kind = QUANTITY_SIZE, .x = t->ui.level / 100.0};
 	const struct question q = {.entry = tui_entry(t), .feed = p->feed_run};
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
 	forecast_at(f, p->speed);
@@ -71,10 +71,10 @@ int
 readings_rows(const struct tui *t)
 {
 	enum { OTHERS = 3, BAND = 2 };
-	if (!t->cross || t->cross_at >= t->shown.product.n)
+	if (!t->ui.cross || t->ui.cross_at >= t->shown.product.n)
 		return 0;
 	return OTHERS + (int)site_products(tui_entry(t)->site) +
-	       (t->band && t->shown.low != NULL ? BAND : 0) +
+	       (t->ui.band && t->shown.low != NULL ? BAND : 0) +
 	       (t->pin.site[0] != '\0');
 }
 
@@ -83,15 +83,15 @@ readings_draw(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->shown;
 	const struct site *site = tui_entry(t)->site;
-	bool focus = t->focus == &page_predict, pin = t->pin.site[0] != '\0';
+	bool focus = t->ui.focus == &page_predict, pin = t->pin.site[0] != '\0';
 	char name[40];
-	int row = 0, others = 1 + (t->band && p->low != NULL) + pin;
+	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
 	if (focus)
 		t->cursor = (struct cursor){area->row, area->column};
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
-	    units_mm(p->product.size[t->cross_at]));
+	    units_mm(p->product.size[t->ui.cross_at]));
 	screen_text(area, row++, 0, focus ? LOOK_REVERSE : LOOK_BOLD,
-	    "%-18s%4d %%", name, t->level);
+	    "%-18s%4d %%", name, t->ui.level);
 	draw_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];

@@ -14,6 +14,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
+#include "tui/acts.h"
 #include "tui/widgets/goal.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
@@ -101,7 +102,7 @@ feed_of(const struct tui *t)
 }
 
 void
-above_next(struct tui *t, int by)
+act_quantity(struct tui *t, const struct key *key)
 {
 	const struct quantity all[] = {above_usual(),
 	    usual(QUANTITY_SIZE, 0.5, 0), usual(QUANTITY_SIZE, 0.2, 0),
@@ -110,17 +111,17 @@ above_next(struct tui *t, int by)
 	    usual(QUANTITY_SHARE, 0, 2e-3), usual(QUANTITY_SHARE, 0, 4e-3)};
 	const int n = ARRAY_LEN(all);
 	struct error error = {0};
-	int at = by > 0 ? n - 1 : 0;
+	int by = key->amount, at = by > 0 ? n - 1 : 0;
 	if (tui_entry(t) == NULL)
 		return;
 	for (int i = 0; i < n; i++)
-		if (quantity_same(&all[i], &t->quantity))
+		if (quantity_same(&all[i], &t->ui.quantity))
 			at = i;
 	do
 		at = (at + by + n) % n;
-	while (!quantity_same(&all[at], &t->quantity) && at != 0 &&
+	while (!quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
 	       !quantities_covered(&all[at], feed_of(t), &error));
-	t->quantity = all[at];
+	t->ui.quantity = all[at];
 }
 
 /* What a search is still at would be another curve with each generation. */
@@ -138,7 +139,7 @@ is_fresh(const struct tui *t)
 {
 	const struct above *a = t->above;
 	return a->n == POINTS && a->feed == tui_feed(t) &&
-	       quantity_same(&a->of, &t->quantity);
+	       quantity_same(&a->of, &t->ui.quantity);
 }
 
 static double
@@ -154,10 +155,10 @@ static void
 work_out(struct tui *t)
 {
 	struct above *a = t->above;
-	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->quantity))
+	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->ui.quantity))
 		a->n = 0;
 	a->feed = tui_feed(t);
-	a->of = t->quantity;
+	a->of = t->ui.quantity;
 	const struct question q = {.entry = tui_entry(t), .feed = a->feed};
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
@@ -362,15 +363,15 @@ take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 	for (size_t i = 0; i < list->n && n + 2 <= MOST_LIMITS; i++) {
 		const struct condition *c = &list->at[i];
 		bool value = c->least == c->most;
-		if (!quantity_same(&c->quantity, &t->quantity))
+		if (!quantity_same(&c->quantity, &t->ui.quantity))
 			continue;
 		if (!isnan(c->least))
 			limit[n++] = (struct limit){
-			    quantities_shown(&t->quantity, c->least),
+			    quantities_shown(&t->ui.quantity, c->least),
 			    value ? "goal" : "min"};
 		if (!isnan(c->most) && !value)
 			limit[n++] = (struct limit){
-			    quantities_shown(&t->quantity, c->most), "max"};
+			    quantities_shown(&t->ui.quantity, c->most), "max"};
 	}
 	return n;
 }
@@ -379,8 +380,8 @@ static double
 measured_at(const struct tui *t, size_t run)
 {
 	const struct psd *product = tui_measured(t, run);
-	return product->n > 0 ? quantities_shown(&t->quantity,
-				    screened_value(product, &t->quantity))
+	return product->n > 0 ? quantities_shown(&t->ui.quantity,
+				    screened_value(product, &t->ui.quantity))
 			      : NAN;
 }
 
@@ -514,7 +515,7 @@ draw_marks(const struct tui *t, const struct cells *p)
 	struct slider_range range = tui_range(t);
 	const struct entry *entry = tui_entry(t);
 	double share =
-	    (double)(t->tenths - range.least) / (range.most - range.least);
+	    (double)(t->ui.tenths - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		double value = measured_at(t, r);
 		if (isnan(value))
@@ -529,7 +530,7 @@ draw_marks(const struct tui *t, const struct cells *p)
 	double value = value_at(t->above, share, 0);
 	if (isfinite(value))
 		screen_series(&p->area, row_of(p, value),
-		    slider_column(range, t->tenths, p->area.columns),
+		    slider_column(range, t->ui.tenths, p->area.columns),
 		    SERIES_PREDICTED, LOOK_BOLD, p->ascii ? "O" : "\u25CE");
 }
 

@@ -19,9 +19,6 @@ void above_look(struct tui *t);
 /* The quantity that is shown first: P80. */
 struct quantity above_usual(void);
 
-/* To the next one, or by -1 to the one before, that the feed tells of. */
-void above_next(struct tui *t, int by);
-
 /* Works out a part of the curve, or else of the goal, unless the slider has
  * just been moved: some 10 ms.  Without a terminal all of it. */
 void above_update(struct tui *t);

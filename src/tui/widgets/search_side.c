@@ -10,6 +10,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots_search.h"
+#include "tui/acts.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 
@@ -40,24 +41,25 @@ search_side_choose(struct tui *t, int by)
 	if (past.n == 0)
 		return;
 	/* The first key shows which one it is. */
-	int at = t->param_at > 0 ? (int)t->param_at - 1 : by > 0 ? -1 : 1;
-	t->param_at = (size_t)pane_moved(at, by, parameters(&past)) + 1;
+	int at = t->ui.param_at > 0 ? (int)t->ui.param_at - 1 : by > 0 ? -1 : 1;
+	t->ui.param_at = (size_t)pane_moved(at, by, parameters(&past)) + 1;
 }
 
 void
-search_side_bounds(struct tui *t)
+act_bounds(struct tui *t, const struct key *key)
 {
+	(void)key;
 	struct plots_past past = tui_past(t);
 	if (past.n == 0)
 		return;
-	size_t j = t->param_at > 0 ? t->param_at - 1 : 0;
+	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
 	const struct breakage *of = breakage_of(&past.best);
 	const struct session *s = t->session;
 	/* Those of the next search; of another model the last one's. */
 	const struct bounds *now = s->set.model.breakage == past.best.breakage
 				       ? &s->set.bounds
 				       : past.bounds;
-	t->param_at = j + 1;
+	t->ui.param_at = j + 1;
 	char *line = xasprintf("bounds %s ", of->parameter[j].name);
 	typing_begin(&t->typing, line);
 	free(line);
@@ -73,8 +75,8 @@ static bool
 touch_parameter(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind == TOUCH_PRESS) {
-		t->param_at = touched->item;
-		search_side_bounds(t);
+		t->ui.param_at = touched->item;
+		act_bounds(t, NULL);
 	}
 	return touched->kind == TOUCH_PRESS;
 }
@@ -171,7 +173,7 @@ draw_parameters(struct tui *t, const struct plots_past *past, int row)
 	bool wide = side->columns >= WIDE;
 	int rest = NAME + 2 * (BOUND + 1) + VALUE + (wide ? REMARK : SIGN);
 	struct row r = {side, row, side->columns - rest, wide};
-	bool end = t->generation == 0 && !session_fitting(t->session);
+	bool end = t->ui.generation == 0 && !session_fitting(t->session);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	screen_text(side, row, 0, LOOK_DIM, "%s 80 %%  * %s%s%s",
 	    ascii ? "=" : "\u2501", end ? tr("polished") : tr("best"),
@@ -182,10 +184,10 @@ draw_parameters(struct tui *t, const struct plots_past *past, int row)
 	r.width = r.width < 3 ? 3 : r.width;
 	for (size_t j = 0; j < of->n && r.row + 1 < side->rows; j++) {
 		struct plots_strip strip =
-		    plots_search_strip(t->session, past, t->generation, j);
+		    plots_search_strip(t->session, past, t->ui.generation, j);
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
-		    t->param_at == j + 1, &strip);
+		    t->ui.param_at == j + 1, &strip);
 		touch_add(&t->touches,
 		    (struct area){
 			side->row + r.row, side->column, 1, side->columns},
@@ -212,10 +214,10 @@ draw_pace(const struct tui *t, int row)
 	    calibration_status(t->session->job.calibration);
 	double seconds = tui_searched(t);
 	char pace[32] = "full";
-	if (t->pace == PACE_AUTO)
+	if (t->ui.pace == PACE_AUTO)
 		snprintf(pace, sizeof pace, "auto");
-	else if (t->pace < PACE_FULL)
-		snprintf(pace, sizeof pace, "%g/s", PACES[t->pace]);
+	else if (t->ui.pace < PACE_FULL)
+		snprintf(pace, sizeof pace, "%g/s", PACES[t->ui.pace]);
 	screen_text(&t->places.side, row, 0, LOOK_DIM,
 	    "%.1f s  %zu candidates  pace %s", seconds, st.evaluations, pace);
 	return row + 1;
@@ -255,7 +257,7 @@ draw_found(const struct tui *t, int row)
 {
 	const struct entry *entry = tui_entry(t);
 	const struct area *side = &t->places.side;
-	if (!entry->has_fit || t->generation > 0)
+	if (!entry->has_fit || t->ui.generation > 0)
 		return row;
 	const struct posterior *p = outlook_draws(t->session, entry);
 	int heads = 1 + (int)breakage_of(&entry->params)->n;
@@ -281,7 +283,7 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	const struct area *side = &t->places.side;
 	size_t at = tui_generation(t);
 	const struct calibrate_generation *g = &past->generation[at - 1];
-	bool end = t->generation == 0 && past->polished;
+	bool end = t->ui.generation == 0 && past->polished;
 	double best = plots_past_points(past, end ? past->misfit : g->best);
 	int row = 0;
 	screen_text(side, row++, 0, LOOK_BOLD,
@@ -291,9 +293,9 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	    past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
 	    best, plots_past_points(past, g->median));
-	char *words = t->begun != NULL
-			  ? xstrdup(t->begun)
-			  : plots_search_words(t->session, past, t->generation);
+	char *words = t->begun != NULL ? xstrdup(t->begun)
+				       : plots_search_words(t->session, past,
+					     t->ui.generation);
 	row = screen_words(side, row, LOOK_BOLD, words);
 	free(words);
 	return session_fitting(t->session) ? draw_pace(t, row)
@@ -310,8 +312,8 @@ draw_convergence(struct tui *t, int row)
 	below.rows = below.rows > MOST ? MOST : below.rows;
 	struct plot_request request = plots_request(PLOT_CONVERGENCE);
 	request.words = 0;
-	request.generation = t->generation;
-	if (below.rows >= CONVERGENCE && t->picture != PLOT_CONVERGENCE)
+	request.generation = t->ui.generation;
+	if (below.rows >= CONVERGENCE && t->ui.picture != PLOT_CONVERGENCE)
 		pane_plot(t, &request, &below);
 }
 
@@ -323,7 +325,7 @@ parameters_words(const struct tui *t, const struct plots_past *past)
 	char *words = xstrdup(""), text[24];
 	for (size_t j = 0; j < of->n; j++) {
 		struct plots_strip strip =
-		    plots_search_strip(t->session, past, t->generation, j);
+		    plots_search_strip(t->session, past, t->ui.generation, j);
 		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
 		    of->parameter[j].name,
 		    number(strip.best, j < of->gauge, text),
@@ -339,17 +341,17 @@ draw_low(const struct tui *t, const struct plots_past *past)
 	const struct area *side = &t->places.side;
 	const struct entry *entry = tui_entry(t);
 	size_t at = tui_generation(t);
-	bool over =
-	    t->generation == 0 && !session_busy(t->session) && entry->has_fit;
-	double points =
-	    t->generation == 0 ? past->misfit : past->generation[at - 1].best;
+	bool over = t->ui.generation == 0 && !session_busy(t->session) &&
+		    entry->has_fit;
+	double points = t->ui.generation == 0 ? past->misfit
+					      : past->generation[at - 1].best;
 	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
 	    at, plots_past_points(past, points));
 	char *words = parameters_words(t, past);
 	int row = screen_words_within(side, 1, side->rows - 1, 0, words, " ..");
 	free(words);
 	words = over ? verdict_words(t, entry)
-		     : plots_search_words(t->session, past, t->generation);
+		     : plots_search_words(t->session, past, t->ui.generation);
 	screen_words_within(
 	    side, row, side->rows - row, 0, words, over ? " .. :why" : " ..");
 	free(words);

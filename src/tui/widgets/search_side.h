@@ -11,7 +11,4 @@ void search_side_draw(struct tui *t);
 /* Chooses the next parameter or the one before. */
 void search_side_choose(struct tui *t, int by);
 
-/* Opens the bounds of the parameter chosen to be typed. */
-void search_side_bounds(struct tui *t);
-
 #endif

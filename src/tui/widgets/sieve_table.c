@@ -100,9 +100,9 @@ touch_sieve(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != TOUCH_PRESS || touched->item >= t->shown.product.n)
 		return false;
-	t->cross = true;
-	t->cross_at = touched->item;
-	t->focus = &page_predict;
+	t->ui.cross = true;
+	t->ui.cross_at = touched->item;
+	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -111,7 +111,8 @@ draw_sieve(
     struct tui *t, const struct area *area, int row, size_t i, double off)
 {
 	const struct prediction *p = &t->shown;
-	unsigned look = t->cross && t->cross_at == i ? LOOK_BOLD : LOOK_PLAIN;
+	unsigned look =
+	    t->ui.cross && t->ui.cross_at == i ? LOOK_BOLD : LOOK_PLAIN;
 	char sieve[24];
 	/* A longer name takes a blank of the next number. */
 	int n =
@@ -152,9 +153,9 @@ row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
 	size_t best = 0;
 	*sieve = 0;
 	while (*sieve < product->n &&
-	       fabs(product->size[*sieve] / t->quantity.x - 1) > same)
+	       fabs(product->size[*sieve] / t->ui.quantity.x - 1) > same)
 		++*sieve;
-	if (t->quantity.kind != QUANTITY_PASSING || *sieve == product->n ||
+	if (t->ui.quantity.kind != QUANTITY_PASSING || *sieve == product->n ||
 	    rows >= product->n)
 		return SIZE_MAX;
 	for (size_t r = 1; r < rows; r++)

@@ -12,6 +12,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "core/model/breakage.h"
 #include "io/sitefile/units.h"
+#include "tui/acts.h"
 #include "tui/widgets/goal.h"
 #include "tui/screen.h"
 
@@ -66,8 +67,8 @@ track_touch(struct tui *t, const struct touched *touched)
 		return false;
 	struct area track = places_track(&t->places);
 	if (touched->kind == TOUCH_PRESS)
-		t->focus = NULL;
-	t->tenths = slider_at(tui_range(t),
+		t->ui.focus = NULL;
+	t->ui.tenths = slider_at(tui_range(t),
 	    touched->area.column + touched->column - track.column,
 	    track.columns);
 	return true;
@@ -142,9 +143,9 @@ track_draw(struct tui *t)
 	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
 	char *text = xcalloc((size_t)track.columns + 1, 1);
 	bool *kept = window_ends(t, &track);
-	int at =
-	    slider_draw(text, track.columns, range, t->tenths, mark, n, kept);
-	bool focus = t->focus == NULL;
+	int at = slider_draw(
+	    text, track.columns, range, t->ui.tenths, mark, n, kept);
+	bool focus = t->ui.focus == NULL;
 	const char *close = strchr(text + at, ']');
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	for (int c = 0; c < track.columns; c++)
@@ -182,12 +183,12 @@ say(struct part *part, char *text)
 static void
 say_quantity(const struct tui *t, struct part *part)
 {
-	const char *unit = quantities_unit(&t->quantity);
+	const char *unit = quantities_unit(&t->ui.quantity);
 	if (tui_entry(t) == NULL) {
 		say(part, xstrdup(""));
 		return;
 	}
-	char *words = quantities_words(&t->quantity);
+	char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->places.above.rows > 0 && !goals_set(t->session))
 		say(part, xasprintf(tr("%s at all speeds"), words));
@@ -211,7 +212,7 @@ static void
 say_speed(const struct tui *t, struct part *part)
 {
 	const struct entry *entry = tui_entry(t);
-	double v = t->tenths / 10.0;
+	double v = t->ui.tenths / 10.0;
 	double rotor = entry != NULL ? entry->site->rotor : 0;
 	char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
@@ -339,15 +340,15 @@ stops(const struct tui *t, int tenths[static MOST_MARKS])
 static void
 to_limit(struct tui *t, int by)
 {
-	int tenths[MOST_MARKS], best = t->tenths;
+	int tenths[MOST_MARKS], best = t->ui.tenths;
 	size_t n = stops(t, tenths);
 	for (size_t i = 0; i < n; i++) {
-		bool beyond = by * (tenths[i] - t->tenths) > 0;
+		bool beyond = by * (tenths[i] - t->ui.tenths) > 0;
 		if (beyond &&
-		    (best == t->tenths || by * (best - tenths[i]) > 0))
+		    (best == t->ui.tenths || by * (best - tenths[i]) > 0))
 			best = tenths[i];
 	}
-	if (best == t->tenths)
+	if (best == t->ui.tenths)
 		tui_say(t, false,
 		    goals_set(t->session)
 			? (by > 0 ? N_("no faster limit: p goes to a slower "
@@ -356,7 +357,7 @@ to_limit(struct tui *t, int by)
 				       "one, N to the best speed"))
 		    : by > 0 ? N_("no faster run: t sets a goal")
 			     : N_("no slower run: t sets a goal"));
-	t->tenths = best;
+	t->ui.tenths = best;
 }
 
 static void
@@ -364,7 +365,7 @@ to_best(struct tui *t)
 {
 	double best = goal_best(t);
 	if (isfinite(best))
-		t->tenths = slider_tenths(tui_range(t), best);
+		t->ui.tenths = slider_tenths(tui_range(t), best);
 	else
 		tui_say(t, false,
 		    goals_set(t->session) ? N_("no best speed is known")
@@ -378,8 +379,8 @@ is_pending(const struct tui *t)
 	return entry != NULL && entry->has_params && goal_pending(t);
 }
 
-void
-track_go(struct tui *t, const struct key *key)
+static void
+go(struct tui *t, const struct key *key)
 {
 	if (is_pending(t) && session_fitting(t->session) == tui_entry(t)) {
 		tui_say(t, false,
@@ -387,7 +388,7 @@ track_go(struct tui *t, const struct key *key)
 		return;
 	}
 	t->wish = key;
-	t->wish_from = t->tenths;
+	t->wish_from = t->ui.tenths;
 	track_wished(t, t->aside);
 	if (t->wish != NULL)
 		tui_say(t, false,
@@ -396,10 +397,22 @@ track_go(struct tui *t, const struct key *key)
 }
 
 void
+act_limit(struct tui *t, const struct key *key)
+{
+	go(t, key);
+}
+
+void
+act_best(struct tui *t, const struct key *key)
+{
+	go(t, key);
+}
+
+void
 track_wished(struct tui *t, bool now)
 {
 	const struct key *key = t->wish;
-	if (key == NULL || t->tenths != t->wish_from) {
+	if (key == NULL || t->ui.tenths != t->wish_from) {
 		t->wish = NULL;
 		return;
 	}
@@ -409,7 +422,7 @@ track_wished(struct tui *t, bool now)
 		return;
 	t->wish = NULL;
 	t->message[0] = '\0';
-	if (key->act == ACT_BEST)
+	if (key->act == act_best)
 		to_best(t);
 	else
 		to_limit(t, key->amount);

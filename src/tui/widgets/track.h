@@ -15,11 +15,6 @@ void track_heading(struct tui *t);
 /* Wherever it is pressed the slider goes, and follows; see touch_way. */
 bool track_touch(struct tui *t, const struct touched *touched);
 
-/* ACT_LIMIT: to the next speed at which a goal begins or ends to be met, or was
- * measured where there is no goal; by -1 to the one before.  ACT_BEST: to the
- * best speed of the goal.  While these are not known the key is kept. */
-void track_go(struct tui *t, const struct key *key);
-
 /* Does what the kept key is for, where the speeds are known or are to be worked
  * out now.  Who has moved the slider since then wants something else. */
 void track_wished(struct tui *t, bool now);

@@ -11,21 +11,22 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "tui/acts.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-enum { ESCAPE = 27 };
-
-/* How many lines there are, and columns of the widest one. */
+/* Finds the lines and the columns of the widest one. */
 static void
-measure(struct viewer *v)
+split(struct viewer *v)
 {
 	for (const char *p = v->text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
 		int columns = text_width(line);
 		v->columns = columns > v->columns ? columns : v->columns;
-		free(line);
+		v->line =
+		    xrealloc(v->line, (size_t)v->lines + 1, sizeof *v->line);
+		v->line[v->lines] = line;
 		p += n + (p[n] == '\n');
 	}
 }
@@ -34,14 +35,17 @@ void
 view_close(struct tui *t)
 {
 	tui_untouch(t);
-	char *was = t->viewer.text;
-	if (was != NULL && !t->viewer.keys) {
+	struct viewer *v = &t->viewer;
+	for (int i = 0; i < v->lines; i++)
+		free(v->line[i]);
+	free(v->line);
+	if (v->text != NULL && !v->keys) {
 		free(t->closed);
-		t->closed = was;
+		t->closed = v->text;
 	} else {
-		free(was);
+		free(v->text);
 	}
-	t->viewer = (struct viewer){0};
+	*v = (struct viewer){0};
 }
 
 void
@@ -49,12 +53,13 @@ view_text(struct tui *t, char *text)
 {
 	view_close(t);
 	t->viewer = (struct viewer){.text = text, .at = -1};
-	measure(&t->viewer);
+	split(&t->viewer);
 }
 
 void
-view_again(struct tui *t)
+act_again(struct tui *t, const struct key *key)
 {
+	(void)key;
 	if (t->closed != NULL)
 		view_text(t, xstrdup(t->closed));
 	else
@@ -68,7 +73,7 @@ view_keys(struct tui *t)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
-	keys_list(t->page, word.text, out);
+	keys_list(t->ui.page, word.text, out);
 	fclose(out);
 	view_text(t, text);
 	t->viewer.keys = true;
@@ -77,55 +82,41 @@ view_keys(struct tui *t)
 	view_scroll(t, 1);
 }
 
+void
+act_help(struct tui *t, const struct key *key)
+{
+	(void)key;
+	view_keys(t);
+}
+
 /* The last frame may have been of other text there. */
 void
 view_message(struct tui *t)
 {
 	enum { MARGIN = 2, LEAST = 8 };
-	int rows, columns, lines = 0;
+	int rows, columns;
 	screen_size(&rows, &columns);
 	const struct places l =
 	    places_make(rows, columns, (struct places_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
-	char *text = text_wrapped(t->message, columns);
-	for (const char *c = text; *c != '\0'; c++)
-		lines += *c == '\n';
-	if (lines > places_message_rows(&l) && t->viewer.text == NULL)
-		view_text(t, text);
-	else
-		free(text);
+	if (text_rows(t->message, columns) > places_message_rows(&l) &&
+	    t->viewer.text == NULL)
+		view_text(t, text_wrapped(t->message, columns));
 }
 
-/* Whether a line of the text has the word. */
 static bool
-has_word(const struct viewer *v, const char *line)
+has_word(const struct viewer *v, int line)
 {
-	char *text = xstrndup(line, strcspn(line, "\n"));
-	char *folded = text_fold(text), *wanted = text_fold(v->word.text);
-	bool has = strstr(folded, wanted) != NULL;
-	free(text);
-	free(folded);
-	free(wanted);
-	return has;
+	return text_has(v->line[line], v->word.text);
 }
 
-/* How many lines with the word there are; number: which of these v->at is, 1..,
- * or 0; next: the first one from line `from` on, -1: none. */
+/* How many lines before one have the word. */
 static int
-count_found(const struct viewer *v, int from, int *number, int *next)
+count_found(const struct viewer *v, int before)
 {
-	int n = 0, line = 0;
-	*number = 0;
-	*next = -1;
-	for (const char *p = v->text; *p != '\0'; line++) {
-		if (has_word(v, p)) {
-			n++;
-			*next = *next < 0 && line >= from ? line : *next;
-			*number = line == v->at ? n : *number;
-		}
-		p += strcspn(p, "\n");
-		p += *p == '\n';
-	}
+	int n = 0;
+	for (int i = 0; i < before; i++)
+		n += has_word(v, i);
 	return n;
 }
 
@@ -161,34 +152,17 @@ go_to(struct tui *t, int line)
 	fit(t);
 }
 
-/* The last line with the word before a line; -1: none. */
+/* The first line with the word from a line on, round the end, or by -1 back;
+ * -1: none. */
 static int
-found_before(const struct viewer *v, int before)
+find_from(const struct viewer *v, int from, int by)
 {
-	int found = -1, line = 0;
-	for (const char *p = v->text; *p != '\0' && line < before; line++) {
-		found = has_word(v, p) ? line : found;
-		p += strcspn(p, "\n");
-		p += *p == '\n';
+	for (int i = 0; i < v->lines; i++) {
+		int line = (from + i * by + 2 * v->lines) % v->lines;
+		if (has_word(v, line))
+			return line;
 	}
-	return found;
-}
-
-/* The next line with the word, or the one before; round the ends. */
-static void
-find_next(struct tui *t, bool back)
-{
-	struct viewer *v = &t->viewer;
-	int number, next = -1;
-	if (back)
-		next = found_before(v, v->at);
-	else
-		count_found(v, v->at + 1, &number, &next);
-	if (next < 0 && back)
-		next = found_before(v, v->lines);
-	else if (next < 0)
-		count_found(v, 0, &number, &next);
-	go_to(t, next);
+	return -1;
 }
 
 /* A character of the word after '/'; false where it is none. */
@@ -212,13 +186,10 @@ find(struct tui *t, int code, bool special)
 	if (v->keys) {
 		view_keys(t);
 	} else {
-		int number, next;
-		count_found(v, v->at >= 0 ? v->at : v->top, &number, &next);
+		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
-		if (word->n > 0 && next >= 0)
-			go_to(t, next);
-		else if (word->n > 0)
-			find_next(t, false);
+		if (word->n > 0)
+			go_to(t, find_from(v, from, 1));
 	}
 	return true;
 }
@@ -237,7 +208,7 @@ view_scroll(struct tui *t, int by)
 	v->at += by;
 	fit(t);
 	bool last = v->at + step < 0 || v->at + step >= v->lines;
-	if (keys_nth(t->page, v->word.text, (size_t)v->at) == NULL)
+	if (keys_nth(t->ui.page, v->word.text, (size_t)v->at) == NULL)
 		v->at += last ? -step : step;
 	fit(t);
 }
@@ -261,22 +232,23 @@ forget_word(struct tui *t)
 static bool
 moves(struct tui *t, const struct key *key, int code)
 {
-	enum { FAST = 50 };
 	struct viewer *v = &t->viewer;
 	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
-	enum key_act act = key != NULL ? key->act : ACT_HELP;
-	if (act == ACT_LIST)
+	key_way *act = key != NULL ? key->act : NULL;
+	int steps = act == act_move ? abs(key->amount) : 0;
+	if (act == act_list)
 		view_scroll(t, key->amount);
-	else if (act == ACT_MOVE && !v->keys)
+	else if (steps == STEP && !v->keys)
 		v->left += key->amount * (t->places.body.columns + 1) / 2;
-	else if (act == ACT_FINE && abs(key->amount) == FAST)
+	else if (steps == FAR)
 		view_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
 		view_scroll(t, page);
-	else if (act == ACT_TO && key->amount <= TO_MOST)
+	else if (act == act_ends)
 		view_scroll(t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
-		find_next(t, code == 'N');
+		go_to(t, code == 'N' ? find_from(v, v->at - 1, -1)
+				     : find_from(v, v->at + 1, 1));
 	else
 		return false;
 	fit(t);
@@ -287,13 +259,12 @@ moves(struct tui *t, const struct key *key, int code)
  * pressed to be rid of a text.  A first calibration takes the place of nothing.
  */
 static bool
-changes(const struct tui *t, enum key_act act)
+changes(const struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_entry(t);
 	bool first =
 	    entry != NULL && !entry->has_params && !session_busy(t->session);
-	return (act == ACT_FIT && !first) || act == ACT_RUN ||
-	       act == ACT_CORRECT || act == ACT_KEEP || act == ACT_STOP;
+	return key->where & CHANGES && !(key->act == act_fit && first);
 }
 
 /* A key that is none of the text's has closed it: true where that is all that
@@ -305,25 +276,25 @@ only_closes(struct tui *t, const struct key *key, int code, bool keys)
 		return true;
 	if (key == NULL)
 		return false;
-	if (key->act == ACT_LEAVE || (keys && key->act == ACT_HELP))
+	if (key->act == act_leave || (keys && key->act == act_help))
 		return true;
-	if (changes(t, key->act) && key->act != ACT_STOP)
+	if (changes(t, key) && code != INTERRUPT)
 		tui_say(t, false, "%s again: %s", key->name, key->what);
-	return changes(t, key->act);
+	return changes(t, key);
 }
 
 bool
 view_key(struct tui *t, int code, bool special, const struct key **run)
 {
 	struct viewer *v = &t->viewer;
-	const struct key *key = keys_find(code, t->page);
+	const struct key *key = keys_find(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
 	if (find(t, code, special) || moves(t, key, code) ||
 	    (code == ESCAPE && forget_word(t)))
 		return true;
 	bool keys = v->keys;
 	if (keys && code == '\n') {
-		*run = keys_nth(t->page, v->word.text, (size_t)v->at);
+		*run = keys_nth(t->ui.page, v->word.text, (size_t)v->at);
 		if (*run != NULL)
 			view_close(t);
 		return true;
@@ -358,15 +329,15 @@ touch_key(struct tui *t, const struct touched *touched)
 /* One line of the text; of a key what there is no room for is cut, with a
  * mark.  Returns that. */
 static char *
-draw_line(struct tui *t, int row, const char *text, size_t n)
+draw_line(struct tui *t, int n)
 {
 	enum { NARROW = 60 };
 	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
 	const struct area *body = &t->places.body;
-	bool chosen = row + v->top == v->at;
-	bool found = !v->keys && v->word.n > 0 && has_word(v, text);
-	char *line = xstrndup(text, n), *rest = NULL;
+	bool found = !v->keys && v->word.n > 0 && has_word(v, n);
+	char *line = xstrdup(v->line[n]), *rest = NULL;
+	bool head = v->keys && line[0] != ' ';
 	if (v->keys && body->columns < NARROW)
 		squeeze(line);
 	int room = body->columns - (int)strlen(MORE);
@@ -378,13 +349,13 @@ draw_line(struct tui *t, int row, const char *text, size_t n)
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_show(&shown, left);
-	screen_series(body, row, 0, SERIES_TEXT,
-	    chosen                                 ? LOOK_REVERSE
-	    : found || (v->keys && text[0] != ' ') ? LOOK_BOLD
-						   : LOOK_PLAIN,
+	screen_series(body, n - v->top, 0, SERIES_TEXT,
+	    n == v->at      ? LOOK_REVERSE
+	    : found || head ? LOOK_BOLD
+			    : LOOK_PLAIN,
 	    shown);
 	free(line);
-	if (chosen)
+	if (n == v->at)
 		return rest;
 	free(rest);
 	return NULL;
@@ -396,14 +367,14 @@ draw_word(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct area *hints = &t->places.hints;
-	int number = 0, next = 0;
 	int at = screen_text(hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
 	if (v->word.n == 0)
 		return at;
-	char *words =
-	    v->keys
-		? xasprintf(tr("%zu keys"), keys_count(t->page, v->word.text))
-		: xasprintf(tr("%d lines"), count_found(v, 0, &number, &next));
+	char *words = v->keys
+			  ? xasprintf(tr("%zu keys"),
+				keys_count(t->ui.page, v->word.text))
+			  : xasprintf(tr("%d lines"), count_found(v, v->lines));
+	int number = v->keys || v->at < 0 ? 0 : count_found(v, v->at + 1);
 	int column = number > 0 ? screen_text(hints, 0, at + 2, 0,
 				      N_("line %d of %s"), number, words)
 				: screen_text(hints, 0, at + 2, 0, "%s", words);
@@ -443,18 +414,15 @@ view_draw(struct tui *t)
 	const struct area *body = &t->places.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
-	int line = -v->top;
-	for (const char *p = v->text; *p != '\0'; line++) {
-		size_t n = strcspn(p, "\n");
-		char *cut = draw_line(t, line, p, n);
+	for (int row = 0; row < body->rows && row + v->top < v->lines; row++) {
+		int n = row + v->top;
+		char *cut = draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
-		if (v->keys && line >= 0 && line < body->rows &&
-		    keys_nth(t->page, v->word.text, (size_t)(line + v->top)))
+		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
 			touch_add_both(&t->touches,
-			    (struct area){body->row + line, body->column, 1,
+			    (struct area){body->row + row, body->column, 1,
 				body->columns},
-			    touch_key, (size_t)(line + v->top), '\n');
-		p += n + (p[n] == '\n');
+			    touch_key, (size_t)n, '\n');
 	}
 	int at = v->at - v->top;
 	t->cursor = (struct cursor){

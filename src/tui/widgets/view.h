@@ -8,9 +8,6 @@
 /* Shows text, which it takes. */
 void view_text(struct tui *t, char *text);
 
-/* Shows the text again that was closed last. */
-void view_again(struct tui *t);
-
 /* Shows the message where its rows have no room for all of it. */
 void view_message(struct tui *t);
 

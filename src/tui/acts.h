@@ -1,0 +1,77 @@
+/* Keys, and what they do: each act is defined where what it is about is.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_TUI_ACTS_H
+#define TIPSPEED_TUI_ACTS_H
+
+enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
+
+/* Keys without a name of curses. */
+enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
+
+/* Where a key is there: bits of 1 << page.  Of one that is there on all pages
+ * the same bits, shifted, are those that list it first.  AT_SPEED: it is about
+ * the speed of the slider, which is first to be the one that was asked for.
+ * CHANGES: what is calculated, see view.c. */
+enum {
+	ON_PREDICT = 1 << PAGE_PREDICT,
+	ON_FIT = 1 << PAGE_FIT,
+	ON_DATA = 1 << PAGE_DATA,
+	ON_PARITY = 1 << PAGE_PARITY,
+	ON_SITES = 1 << PAGE_SITES,
+	ON_ALL = (1 << PAGES) - 1,
+	FIRST_ON_PREDICT = ON_PREDICT << PAGES,
+	FIRST_ON_FIT = ON_FIT << PAGES,
+	FIRST_ON_LISTS = (ON_DATA | ON_SITES) << PAGES,
+	AT_SPEED = 1 << 2 * PAGES,
+	CHANGES = AT_SPEED << 1
+};
+
+struct tui;
+struct key;
+typedef void key_way(struct tui *t, const struct key *key);
+
+/* code: as ncurses gives it; name: as shown, "Left, h" where h does the same.
+ * act: does it, with the amount; command: what it runs, or NULL. */
+struct key {
+	int code;
+	const char *name;
+	unsigned where;
+	key_way *act;
+	int amount;
+	const char *command, *what;
+};
+
+/* Amounts of act_move, and of act_ends. */
+enum { STEP = 1, FAST = 10, FAR = 50 };
+enum { TO_LEAST = -1, TO_MOST = 1 };
+
+/* In what has the focus, else the slider: by the amount, to an end; up and
+ * down. */
+key_way act_move, act_ends, act_list;
+
+/* The slider to a run (by -1 the slowest, 0 one in the middle, 1 the fastest),
+ * or to the next limit of the goal, a run where there is none, or to its best
+ * speed.  While these speeds are not known the key is kept. */
+key_way act_run_speed, act_limit, act_best;
+
+key_way act_page, act_focus, act_back, act_choose, act_filter;
+
+/* Lines: the command of the key; the field of one, empty, with `save` or with
+ * what is to be exported. */
+key_way act_command, act_describe, act_type, act_save, act_export;
+
+/* The calibration. */
+key_way act_fit, act_hold, act_stop, act_pace;
+
+/* What is predicted and shown; act_goal opens a field with the quantity above
+ * the track in it. */
+key_way act_correct, act_band, act_pin, act_cross, act_quantity, act_goal;
+
+/* Of pages. */
+key_way act_runs, act_numbers, act_picture, act_generation, act_bounds,
+    act_mend, act_doubt, act_sort;
+
+key_way act_files, act_again, act_help, act_mouse, act_redraw, act_suspend,
+    act_leave;
+
+#endif
