@@ -1,0 +1,17 @@
+/* Counts of what the program says of itself: what is promised, and how often it
+ * was so.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_BENCH_COUNTS_H
+#define TIPSPEED_BENCH_COUNTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Each prints its table for n cases of a kind; false: outside its limits. */
+bool count_power(size_t n);
+
+/* Prints a share in per cent with its standard error; whether it lies within
+ * least..most but for three standard errors. */
+bool counts_share(size_t inside, size_t n, double least, double most);
+
+#endif
