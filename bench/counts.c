@@ -12,6 +12,7 @@ static const struct kind {
 	bool (*count)(size_t n);
 	size_t n;
 } KINDS[] = {
+    {"drift", count_drift, 60},
     {"power", count_power, 2000},
 };
 
@@ -37,6 +38,6 @@ main(int argc, char **argv)
 			printf("%s %s\n", ok ? "ok" : "not ok", argv[1]);
 			return ok ? 0 : 1;
 		}
-	fprintf(stderr, "usage: counts power [N]\n");
+	fprintf(stderr, "usage: counts drift|power [N]\n");
 	return 2;
 }

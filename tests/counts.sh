@@ -9,5 +9,6 @@ count()
 	result $? "$1"
 	remark "$dir/out"
 }
+count drift "$(often 2 50)"
 count power "$(often 200 2000)"
 finish
