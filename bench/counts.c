@@ -13,6 +13,7 @@ static const struct kind {
 	size_t n;
 } KINDS[] = {
     {"drift", count_drift, 60},
+    {"guess", count_guess, 360},
     {"power", count_power, 2000},
 };
 
@@ -38,6 +39,6 @@ main(int argc, char **argv)
 			printf("%s %s\n", ok ? "ok" : "not ok", argv[1]);
 			return ok ? 0 : 1;
 		}
-	fprintf(stderr, "usage: counts drift|power [N]\n");
+	fprintf(stderr, "usage: counts drift|guess|power [N]\n");
 	return 2;
 }

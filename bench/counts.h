@@ -9,6 +9,7 @@
 
 /* Each prints its table for n cases of a kind; false: outside its limits. */
 bool count_drift(size_t n);
+bool count_guess(size_t n);
 bool count_power(size_t n);
 
 /* Prints a share in per cent with its standard error; whether it lies within

@@ -10,5 +10,6 @@ count()
 	remark "$dir/out"
 }
 count drift "$(often 2 50)"
+count guess "$(often 38 360)"
 count power "$(often 200 2000)"
 finish
