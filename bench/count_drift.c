@@ -10,7 +10,6 @@
 #include "base/xalloc.h"
 #include "core/check/control_chart.h"
 #include "core/posterior/ensemble.h"
-#include "core/search/calibrate.h"
 #include "counts.h"
 #include "plants.h"
 
@@ -40,29 +39,6 @@ struct view {
 	double *predicted[SPEEDS], *truth[SPEEDS], *error[SPEEDS];
 };
 
-static struct posterior *
-calibrated(struct site *site, uint64_t seed)
-{
-	bool use[PLANT_RUNS];
-	struct calibrate_options o = calibrate_options_default();
-	for (size_t r = 0; r < PLANT_RUNS; r++)
-		use[r] = true;
-	o.train = use;
-	o.seed = seed;
-	struct calibration *c = calibration_new(site, &o);
-	while (calibration_step(c) <= CALIBRATE_POLISHING)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return posterior_new(site, &fit.params,
-	    &(struct posterior_options){.use = use,
-		.settings = fit.settings,
-		.bounds = o.bounds,
-		.seed = 1,
-		.threads = 2,
-		.isa = ISA_BEST});
-}
-
 static struct view
 view_of(const struct errors *errors, uint64_t number)
 {
@@ -71,7 +47,8 @@ view_of(const struct errors *errors, uint64_t number)
 	p->own = errors->own / 100;
 	p->shared = errors->shared / 100;
 	struct site *site = plant_site(p, number);
-	struct posterior *posterior = calibrated(site, number);
+	struct fit fit;
+	struct posterior *posterior = counts_calibrate(site, number, &fit);
 	const struct psd *feed = &site->run[0].feed;
 	while (!(psd_passing(feed, p->sieve[v.from]) < 1))
 		v.from++;

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/xalloc.h"
+
 static const struct kind {
 	const char *name;
 	bool (*count)(size_t n);
@@ -14,6 +16,7 @@ static const struct kind {
 } KINDS[] = {
     {"drift", count_drift, 60},
     {"guess", count_guess, 360},
+    {"params", count_params, 100},
     {"power", count_power, 2000},
 };
 
@@ -28,6 +31,31 @@ counts_share(size_t inside, size_t n, double least, double most)
 	return share >= least - 3 * error && share <= most + 3 * error;
 }
 
+struct posterior *
+counts_calibrate(const struct site *site, uint64_t seed, struct fit *fit)
+{
+	bool *use = xcalloc(site->n_run, sizeof *use);
+	for (size_t r = 0; r < site->n_run; r++)
+		use[r] = true;
+	struct calibrate_options o = calibrate_options_default();
+	o.train = use;
+	o.seed = seed;
+	struct calibration *c = calibration_new(site, &o);
+	while (calibration_step(c) <= CALIBRATE_POLISHING)
+		;
+	*fit = calibration_fit(c);
+	calibration_free(c);
+	struct posterior *p = posterior_new(site, &fit->params,
+	    &(struct posterior_options){.use = use,
+		.settings = fit->settings,
+		.bounds = o.bounds,
+		.seed = 1,
+		.threads = 2,
+		.isa = ISA_BEST});
+	free(use);
+	return p;
+}
+
 int
 main(int argc, char **argv)
 {
@@ -39,6 +67,6 @@ main(int argc, char **argv)
 			printf("%s %s\n", ok ? "ok" : "not ok", argv[1]);
 			return ok ? 0 : 1;
 		}
-	fprintf(stderr, "usage: counts drift|guess|power [N]\n");
+	fprintf(stderr, "usage: counts drift|guess|params|power [N]\n");
 	return 2;
 }

@@ -11,5 +11,6 @@ count()
 }
 count drift "$(often 2 50)"
 count guess "$(often 38 360)"
+count params "$(often 2 60)"
 count power "$(often 200 2000)"
 finish
