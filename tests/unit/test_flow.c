@@ -323,41 +323,78 @@ each_draw_is_its_own_and_balances(void **state)
 	site_free(site);
 }
 
-/* P = 40 kW + 1.5 kinetic; at 72 m/s and 120 t/h that is 86.4 kW of kinetic
- * power: 5184 / 2 J/kg times 33.33 kg/s. */
+/* Euler: 33.33 kg/s brought to 72 m/s take 5184 J/kg, 172.8 kW; half of that
+ * would be the kinetic energy alone. */
 static void
-power_is_found_again(void **state)
+throwing_takes_what_euler_says(void **state)
 {
 	(void)state;
-	expect_near("kinetic", power_kinetic(72, 120), 86.4, 1e-12);
-	struct reading r[4] = {
-	    {65, 0, 100}, {72, 0, 120}, {79, 0, 90}, {85, 0, 140}};
-	for (size_t i = 0; i < 4; i++)
-		r[i].kw = 40 + 1.5 * power_kinetic(r[i].speed, r[i].tph);
-	for (size_t n = 2; n <= 4; n++) {
-		struct power p = power_fit(r, n);
-		expect_near("idle", p.idle, 40, 1e-9);
-		expect_near("factor", p.factor, 1.5, 1e-11);
-		assert_true(isfinite(p.spread) == (n > 2));
-		assert_true(isfinite(power_half(&p, 74, 120, 0.8)) == (n > 2));
+	expect_near("thrown", power_thrown(72, 120), 172.8, 1e-12);
+	struct power none = power_fit(NULL, 0);
+	assert_true(none.least);
+	for (size_t d = 0; d < POWER_DRAWS; d++)
+		expect_near("none", power_at(&none, d, 72, 120), 172.8, 1e-12);
+}
+
+/* The mean and the least and most of the draws. */
+static double
+power_mean(const struct power *p, double v, double tph, double range[2])
+{
+	double sum = 0;
+	range[0] = INFINITY;
+	range[1] = -INFINITY;
+	for (size_t d = 0; d < POWER_DRAWS; d++) {
+		double kw = power_at(p, d, v, tph);
+		sum += kw / POWER_DRAWS;
+		range[0] = fmin(range[0], kw);
+		range[1] = fmax(range[1], kw);
 	}
-	struct power one = power_fit(r + 1, 1), none = power_fit(NULL, 0);
-	assert_true(one.no_idle && one.idle == 0);
-	expect_near("one", one.factor, (40 + 1.5 * 86.4) / 86.4, 1e-12);
-	expect_near("none", power_at(&none, 72, 120), 86.4, 1e-12);
-	struct reading same[2] = {{72, 160, 120}, {72, 170, 120}};
-	struct power alike = power_fit(same, 2);
-	assert_true(alike.no_idle);
-	expect_near("alike", power_at(&alike, 72, 120), 165, 1e-9);
-	/* Readings 1, -2 and 1 kW off a line, at equal steps: in the middle half
-	 * of the 80 % band is t(0.9; 1) = 3.0777 times sqrt(6) sqrt(1/3). */
-	struct reading off[3] = {{60, 0, 100}, {60, 0, 110}, {60, 0, 120}};
-	for (size_t i = 0; i < 3; i++)
-		off[i].kw =
-		    40 + 2 * power_kinetic(60, off[i].tph) + (i == 1 ? -2 : 1);
-	struct power p = power_fit(off, 3);
-	expect_near("half", power_half(&p, 60, 110, 0.8),
-	    3.0776835 * sqrt(6) * sqrt(1.0 / 3), 1e-6);
+	return sum;
+}
+
+/* Readings of an empty and a loaded crusher whose idle grows with v^2.6, and
+ * the same without the empty ones. */
+static void
+idle_grows_as_the_empty_crusher_shows(void **state)
+{
+	(void)state;
+	struct reading r[4] = {
+	    {72, 0, 115}, {79, 0, 125}, {66, 0, 0}, {84, 0, 0}};
+	double empty[2], loaded[2], one[2], idle = 60 * pow(60 / 72.0, 2.6);
+	for (size_t i = 0; i < 4; i++)
+		r[i].kw = 60 * pow(r[i].speed / 72, 2.6) +
+			  1.2 * power_thrown(r[i].speed, r[i].tph);
+	struct power all = power_fit(r, 4), two = power_fit(r, 2),
+		     first = power_fit(r, 1);
+	expect_near("empty", power_mean(&all, 60, 0, empty), idle, 1.5);
+	double want = idle + 1.2 * power_thrown(60, 120);
+	expect_near("all", power_mean(&all, 60, 120, loaded), want, 4);
+	assert_true(loaded[0] < want && want < loaded[1]);
+	power_mean(&two, 60, 0, empty);
+	assert_true(empty[0] < 5 && empty[1] > idle);
+	power_mean(&first, 60, 60, one);
+	assert_true(one[1] - one[0] > 10);
+	for (size_t d = 0; d < POWER_DRAWS; d++)
+		assert_true(
+		    power_at(&first, d, 60, 100) >= power_thrown(60, 100));
+}
+
+/* Readings that contradict Euler, each other or themselves give numbers. */
+static void
+impossible_readings_give_numbers(void **state)
+{
+	(void)state;
+	struct reading r[5] = {{72, 20, 120}, {79, 300, 121}, {60, 1, 120},
+	    {60, 900, 1}, {61, 3, 0}};
+	for (size_t n = 1; n <= 5; n++) {
+		struct power p = power_fit(r, n),
+			     last = power_fit(r + n - 1, 1);
+		assert_true(p.below == (n == 1));
+		assert_true(last.least == (n == 5));
+		double range[2];
+		assert_true(isfinite(power_mean(&p, 74, 120, range)));
+		assert_true(range[0] >= 0 && isfinite(p.rms));
+	}
 }
 
 int
@@ -371,7 +408,9 @@ main(void)
 	    cmocka_unit_test(what_is_not_fed_and_what_never_leaves_is_found),
 	    cmocka_unit_test(classes_add_up_to_the_product_of_the_feed),
 	    cmocka_unit_test(each_draw_is_its_own_and_balances),
-	    cmocka_unit_test(power_is_found_again),
+	    cmocka_unit_test(throwing_takes_what_euler_says),
+	    cmocka_unit_test(idle_grows_as_the_empty_crusher_shows),
+	    cmocka_unit_test(impossible_readings_give_numbers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

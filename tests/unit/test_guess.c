@@ -30,7 +30,7 @@ fill(void **state)
 	for (size_t i = 0; i < N; i++)
 		t->m[i] = (struct guess_material){TABLE_3[i].site, ROCKS[i],
 		    TABLE_3[i].top_mm / 1000, made_params(&TABLE_3[i]),
-		    model_settings_default()};
+		    model_settings_default(), false};
 	*state = t;
 	return 0;
 }
@@ -175,6 +175,39 @@ sizes_below_the_sieves_are_told(void **state)
 	site_free(site);
 }
 
+/* A rock with coarse or with fine progeny, as strong as the others: the band
+ * holds it where their beta is open, and not where all have the default. */
+static void
+an_open_beta_is_in_the_band(void **state)
+{
+	struct table *t = *state;
+	const double fine[4] = {0.1, 1, -1, 0.5}, coarse[4] = {0, 0.7, 0.7, 0};
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
+	size_t n = nearest(t, "Granite", 11.2, N);
+	for (size_t q = 0; q < 2; q++) {
+		struct params params = made_params(&TABLE_3[TIERP]);
+		memcpy(params.beta, q == 0 ? fine : coarse, sizeof fine);
+		struct prediction p =
+		    predict(site, &params, model_settings_default(), 74, 0);
+		size_t held[2] = {0};
+		for (size_t open = 0; open < 2; open++) {
+			for (size_t i = 0; i < N; i++)
+				t->m[i].law_open = open == 1;
+			struct guess g =
+			    guess_product(site, 0, t->m, t->pick, n, 74);
+			for (size_t i = 0; i < p.product.n; i++)
+				held[open] += p.product.passing[i] >=
+						  g.low.passing[i] - 1e-9 &&
+					      p.product.passing[i] <=
+						  g.high.passing[i] + 1e-9;
+			guess_free(&g);
+		}
+		assert_true(held[1] == p.product.n && held[0] < held[1]);
+		prediction_free(&p);
+	}
+	site_free(site);
+}
+
 /* Two sites of one rock are guessed from each other: the error is known. */
 static void
 leaving_one_out_errs_by_the_difference(void **state)
@@ -277,6 +310,8 @@ main(void)
 		sizes_below_the_sieves_are_told, fill, drop),
 	    cmocka_unit_test_setup_teardown(
 		leaving_one_out_errs_by_the_difference, fill, drop),
+	    cmocka_unit_test_setup_teardown(
+		an_open_beta_is_in_the_band, fill, drop),
 	    cmocka_unit_test_setup_teardown(
 		a_site_is_not_guessed_from_itself, fill, drop),
 	    cmocka_unit_test_setup_teardown(

@@ -48,6 +48,26 @@ shares_of_the_prior_grade_parameters(void **state)
 	assert_int_equal(identify_param(&p, ALPHA).grade, IDENTIFY_POORLY);
 }
 
+/* beta2 is 1 in all draws because it is scaled so; the direction is known no
+ * better than beta3 tells, and all four have its grade. */
+static void
+a_scaled_beta_is_not_determined(void **state)
+{
+	(void)state;
+	struct posterior p = made_up(0.04);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		p.draw[d].params.at[BETA2 + 1] = -1 + (double)d / 128;
+	for (size_t j = 0; j < 4; j++) {
+		struct identify_param beta = identify_param(&p, j);
+		assert_int_equal(beta.grade, IDENTIFY_POORLY);
+		assert_true(beta.ratio == identify_param(&p, 0).ratio);
+		assert_true(beta.ratio < 1);
+	}
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		p.draw[d].params.at[BETA2 + 1] = -0.9 + (double)d / 12800;
+	assert_int_equal(identify_param(&p, BETA2).grade, IDENTIFY_DETERMINED);
+}
+
 /* alpha from 0.8 to 1: a tenth of the draws lies within 0.02 of its bound, of
  * those above 0.9 a fifth. */
 static void
@@ -105,6 +125,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(shares_of_the_prior_grade_parameters),
+	    cmocka_unit_test(a_scaled_beta_is_not_determined),
 	    cmocka_unit_test(many_draws_at_a_bound_are_told),
 	    cmocka_unit_test(a_ridge_is_a_correlation),
 	    cmocka_unit_test(break_sizes_are_those_of_the_draws)};

@@ -35,6 +35,7 @@ struct asked {
 	struct plant plant;
 	size_t n_line;
 	struct plant_line *line;
+	char *power;
 };
 
 /* Adds the quantities of a text to the list. */
@@ -76,6 +77,7 @@ asked_free(struct asked *all)
 		plant_free(&all->plant);
 	flow_plan_free(&all->plan);
 	free(all->line);
+	free(all->power);
 	free(all->q);
 	free(all->limits);
 	conditions_free(&all->list);
@@ -113,6 +115,7 @@ find_lines(struct asked *all, double speed, struct error *error)
 	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
 	all->n_line = plant_lines(&all->plant, &o, all->line);
+	all->power = plant_power_words(&all->plant, &o);
 	flow_free(&o.flow);
 	return ok;
 }
@@ -482,16 +485,14 @@ note_flow(struct answer *r, const struct asked *all)
 {
 	if (!all->flows)
 		return;
-	char *power = plant_power_words(&all->plant);
 	const char *back = all->plan.back;
 	bool returns = back != NULL && back[0] != '\0';
 	if (returns)
 		answer_note(r, "%g t/h of new feed, %s back to the crusher; %s",
-		    all->plan.circuit->tph, back, power);
+		    all->plan.circuit->tph, back, all->power);
 	else
-		answer_note(
-		    r, "%g t/h of new feed; %s", all->plan.circuit->tph, power);
-	free(power);
+		answer_note(r, "%g t/h of new feed; %s", all->plan.circuit->tph,
+		    all->power);
 	if (returns)
 		answer_say(r, ANSWER_REMARK,
 		    "sizes and passings are those of the new feed's product, "

@@ -71,7 +71,7 @@ basis_fill(struct basis *b)
 		double top_mm = m->top_size_mm;
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
-		    stored_settings(m)};
+		    stored_settings(m), stored_is_table3(m)};
 		b->leave_out[i] = text_same(m->site, b->wanted.site);
 	}
 	while (!stored_is_table3(&b->list.item[b->table3]))
@@ -284,12 +284,14 @@ note_choice(struct answer *r, const struct basis *b)
 static void
 note_materials(struct answer *r, const struct basis *b)
 {
-	bool measured = true;
-	for (size_t i = 0; i < b->n; i++)
+	bool measured = true, open = false;
+	for (size_t i = 0; i < b->n; i++) {
+		open = open || b->m[b->pick[i]].law_open;
 		measured =
 		    measured &&
 		    strcmp(site_data_kind(b->list.item[b->pick[i]].provenance),
 			"measured") == 0;
+	}
 	if (b->n > 1)
 		answer_say(r, ANSWER_REMARK,
 		    "estimated from other quarries, not calibrated: median "
@@ -297,8 +299,17 @@ note_materials(struct answer *r, const struct basis *b)
 		    b->n);
 	else
 		answer_say(r, ANSWER_REMARK,
-		    "estimated from another quarry, not calibrated: from one "
-		    "material, so without a band");
+		    open ? N_("estimated from another quarry, not calibrated: "
+			      "from one material, so that the band knows of no "
+			      "other strength")
+			 : N_("estimated from another quarry, not calibrated: "
+			      "from one material, so without a band"));
+	if (open)
+		answer_say(r, ANSWER_REMARK,
+		    "Table 3 prints no beta, and rocks differ in the sizes of "
+		    "their progeny: each of its materials is taken with %d "
+		    "beta from coarse to fine",
+		    GUESS_LAWS);
 	note_rock(r, b);
 	note_choice(r, b);
 	if (b->table3 < b->own)
@@ -353,19 +364,21 @@ note_error(struct answer *r, const struct basis *b)
 	const struct guess_error *e = &b->error;
 	if (b->n > 1 && e->held < 0.7)
 		answer_say(r, ANSWER_WARNING,
-		    "the band of so few materials is too narrow: it held "
-		    "%.0f %% of the passings of sites left out, instead of 80",
+		    "the band of so few materials is too narrow: with one beta "
+		    "for all, it held %.0f %% of the passings of sites left "
+		    "out, instead of 80",
 		    100 * e->held);
 	answer_say(r, ANSWER_REMARK,
-	    "leave-one-site-out RMSE (%zu materials of Table 3): median %.1f "
-	    "points, worst %.1f (%s); feed unchanged %.1f. These are "
-	    "reconstructed data on synthetic feeds without sampling error: "
-	    "expect larger errors at a plant",
+	    "leave-one-site-out RMSE (%zu materials of Table 3, one beta for "
+	    "all): median %.1f points, worst %.1f (%s); feed unchanged %.1f. "
+	    "These are reconstructed data on synthetic feeds without sampling "
+	    "error: with another beta expect 5 to 12 points",
 	    e->n, 100 * e->median, 100 * e->worst, worst_name(b),
 	    100 * e->feed);
 	if (b->n > 1)
 		answer_say(r, ANSWER_REMARK,
-		    "the band held %.0f %% of the passings of sites left out",
+		    "with one beta for all, the band held %.0f %% of the "
+		    "passings of sites left out",
 		    100 * e->held);
 }
 

@@ -319,22 +319,27 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "tph",
 	.option = FLOW_OPTIONS,
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
-	.text = "Tonnes an hour of each fraction that screens make of the "
-		"product of a new feed, in steady state. Fractions of recycle= "
-		"go back to the crusher: their tonnes are the circulating "
-		"load. Power is an engineering estimate, idle + c v2 Q, fitted "
-		"to readings of the motor. With prices, best=on finds the "
-		"speed that earns most and what it gains over speed=. circuit= "
-		"takes screens, splits and stockpiles from a file, see "
-		"tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the "
-		"tonnes of the products against the speed, from=..to=.",
-	.more = "What is coarser or finer than all fractions, or between them, "
-		"is listed too, and beside the circulating load what the "
-		"balance of feed and products is out by. tipspeed-circuit(5) "
-		"also says what is left out.",
+	.text =
+	    "Tonnes an hour of each fraction that screens make of the "
+	    "product of a new feed, in steady state. Fractions of recycle= "
+	    "go back to the crusher: their tonnes are the circulating "
+	    "load. Power is an engineering estimate, idle + c Q v2, from "
+	    "readings of the motor, power=m/s:kW:t/h. With prices, best=on "
+	    "finds the speed that earns most and what it gains over "
+	    "speed=. circuit= takes screens, splits and stockpiles from a "
+	    "file, see tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the "
+	    "tonnes of the products against the speed, from=..to=.",
+	.more =
+	    "What is coarser or finer than all fractions, or between them, "
+	    "is listed too, and beside the circulating load what the "
+	    "balance of feed and products is out by. Of the power c is 1 at "
+	    "least (Euler), and readings of the empty crusher (0 t/h) at two "
+	    "speeds show its idle. tipspeed-circuit(5) "
+	    "also says what is left out.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "flow tph=120 recycle=8/11.2\n"
-		   "flow tph=120 recycle=8/11.2 power=69:157:118,79:197:121 "
+		   "flow tph=120 recycle=8/11.2 "
+		   "power=69:206:118,79:279:121,66:24:0,78:37:0 "
 		   "prices=0/2:12,2/5:9,5/8:7 kwh=0.15 best=on\n"
 		   "flow circuit=data/circuits/two-decks.csv\n"
 		   "flow tph=120 recycle=8/11.2 > flow.svg",

@@ -100,7 +100,10 @@ fit_band(const struct posterior *p, const struct session *s,
 	const char *name = breakage_of(fit)->parameter[j].name;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value(&p->draw[d].params, name);
-	ensemble_range(value, settings_level(&s->set), fit->at[j], range);
+	ensemble_middle(value, settings_level(&s->set), &range[0], &range[1]);
+	/* Of these only the direction counts, which no range shows. */
+	if (j < breakage_of(fit)->gauge)
+		range[0] = range[1] = NAN;
 }
 
 void
@@ -113,7 +116,7 @@ fit_put_bands(struct fields *o, const struct session *s,
 		return;
 	}
 	struct fields *interval = fields_object(o, "interval");
-	for (size_t j = 0; j < of->n; j++) {
+	for (size_t j = of->gauge; j < of->n; j++) {
 		double range[2];
 		fit_band(posterior, s, fit, j, range);
 		fields_put(fields_list(interval, of->parameter[j].name),

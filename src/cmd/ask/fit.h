@@ -31,9 +31,9 @@ bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(struct fields *o, const struct params *p);
 
-/* The middle of the draws of parameter j of the fit's model, widened to hold
- * the fit's value; and puts that of each as "interval":
- * {"beta1":[low, high], ..}, or null without draws. */
+/* The middle of the draws of parameter j of the fit's model, NAN of one that
+ * counts only with others as a direction; and puts that of each other as
+ * "interval": {"f_mat":[low, high], ..}, or null without draws. */
 void fit_band(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2]);
 void fit_put_bands(struct fields *o, const struct session *s,

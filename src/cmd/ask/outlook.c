@@ -366,8 +366,20 @@ void
 outlook_note(struct answer *r, const struct session *s,
     const struct entry *entry, bool product)
 {
-	if (product)
-		answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
+	if (!product) {
+		answer_say(r, ANSWER_REMARK,
+		    "low, high: the middle %.0f %% of the draws; the value is "
+		    "the fit to the training runs, and may lie outside. Of "
+		    "made-up plants that follow Eqs 1 to 3 such ranges held "
+		    "the truth in 77 to 87 of 100",
+		    100 * settings_level(&s->set));
+		if (!entry->has_fit)
+			answer_say(r, ANSWER_REMARK,
+			    "the difference between the two sites is not "
+			    "included");
+		return;
+	}
+	answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
 	answer_say(r, ANSWER_REMARK,
 	    entry->has_fit
 		? N_("low, high: the true value lies between them with %.0f "

@@ -89,9 +89,9 @@ const char *outlook_why_none(
  * all runs", "corrected by the training runs", "model alone". */
 const char *outlook_words(const struct session *s, const struct entry *entry);
 
-/* Says what low and high are, and of a product which runs correct it; of
- * another site's parameters they are what its data leave open, and know nothing
- * of the difference between the two. */
+/* Says what low and high are, of parameters or of a product, and of this which
+ * runs correct it; of another site's parameters they are what its data leave
+ * open, and know nothing of the difference between the two. */
 void outlook_note(struct answer *r, const struct session *s,
     const struct entry *entry, bool product);
 

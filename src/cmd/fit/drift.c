@@ -103,22 +103,28 @@ say_what_next(struct answer *a, const struct routine *r)
 static void
 say_limits(struct answer *a, const struct routine *r)
 {
-	const struct drift_chart *last = &r->point[r->n - 1].chart[DRIFT_LEVEL];
 	const double shift = 0.005;
 	double quiet = drift_run_length(&r->rule, 0, SEED);
-	double found = drift_run_length(&r->rule, shift / last->sd, SEED);
+	double found = drift_delay(&r->rule, r->point, r->n,
+	    r->since < r->n ? r->since : r->n, shift, SEED);
 	answer_note(a,
 	    "a signal: EWMA beyond its limit or a CUSUM above %g, of the mean "
 	    "residual or of its tilt (coarse sieves less fine ones), in "
 	    "standard deviations; by chance, without drift, once in about %.0f "
 	    "cuts",
 	    r->rule.h, quiet > 100 ? 10 * round(quiet / 10) : quiet);
-	answer_note(a,
-	    "a mean of %.1f points finer or coarser is signalled "
-	    "after %.1f cuts on average",
-	    100 * shift, found);
+	if (isfinite(found))
+		answer_note(a,
+		    "of shifts by %.1f points, in the mean of the sieves, half "
+		    "are signalled after %g cuts at most",
+		    100 * shift, found);
+	else
+		answer_note(a,
+		    "shifts by %.1f points, in the mean of the sieves, are "
+		    "mostly not signalled: the errors of cuts hide them",
+		    100 * shift);
 	fields_put(answer_fields(a), "false_signal_every %g found_after %g",
-	    quiet, found);
+	    quiet, isfinite(found) ? found : (double)NAN);
 	if (!r->drawn)
 		answer_say(a, ANSWER_WARNING,
 		    "limits are from 'set noise' alone: what is not known of "

@@ -162,27 +162,6 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 	}
 }
 
-/* Band of the power: the draws' and, where readings scatter, theirs. */
-static void
-power_range(
-    const struct plant *p, const struct outcome *o, double range[static 2])
-{
-	double half = 0;
-	for (size_t u = 0; u < p->circuit->n_unit; u++) {
-		const struct unit *unit = &p->circuit->unit[u];
-		if (unit->kind == UNIT_CRUSHER)
-			half +=
-			    power_half(&p->power, plant_speed(unit, o->speed),
-				flow_into(&o->flow, unit) *
-				    plant_rotor_share(p, unit),
-				p->level);
-	}
-	range_of(p, o, o->kw_draw, o->kw, range);
-	bool known = isfinite(half + range[0]);
-	range[0] = known ? fmax(range[0] - half, 0) : NAN;
-	range[1] = known ? range[1] + half : NAN;
-}
-
 /* Readings that no crusher can have had. */
 static void
 warn_power(const struct plant *p, struct answer *r)
@@ -192,35 +171,37 @@ warn_power(const struct plant *p, struct answer *r)
 		    "the readings contradict the estimate of power: it cannot "
 		    "fall while the speed rises and the t/h do not fall; check "
 		    "them");
-	if (p->power.n > 0 && p->power.factor < 1)
+	if (p->power.below)
 		answer_say(r, ANSWER_WARNING,
-		    "the readings give less power than the kinetic energy of "
-		    "what is thrown, which is not possible: check m/s, kW and "
-		    "t/h");
+		    "the readings give less power than Q v2, which bringing "
+		    "the rock to the tip speed takes: check m/s, kW and t/h, "
+		    "and whether all of it passes the rotor (cascade=)");
 }
 
 static void
 note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 {
-	double range[2], t = p->circuit->tph;
-	char *words = plant_power_words(p);
+	double range[2] = {NAN, NAN}, idle[2], factor = 0, t = p->circuit->tph;
+	char *words = plant_power_words(p, o);
 	struct fields *f = answer_fields(r);
-	power_range(p, o, range);
+	if (!p->power.least)
+		ensemble_range(o->kw_draw, p->level, o->kw, range);
+	for (size_t d = 0; d < POWER_DRAWS; d++)
+		factor += p->power.draw[d].factor / POWER_DRAWS;
 	if (isfinite(range[0]))
 		answer_note(r, "power %.0f kW (%.0f to %.0f), %.2f kWh/t: %s",
 		    o->kw, range[0], range[1], o->kw / t, words);
 	else
 		answer_note(r,
-		    p->power.n == 0
-			? N_("power at least %.0f kW, %.2f kWh/t, no band: %s")
-			: N_("power %.0f kW, %.2f kWh/t, no band: %s"),
-		    o->kw, o->kw / t, words);
+		    "power at least %.0f kW, %.2f kWh/t, no band: %s", o->kw,
+		    o->kw / t, words);
 	fields_put(f,
 	    "power_kw %g power_low_kw %g power_high_kw %g kwh_per_t %g "
-	    "power_from %s readings %zu idle_kw %g kinetic_factor %g",
+	    "power_from %s readings %zu idle_kw %g euler_factor %g",
 	    o->kw, range[0], range[1], o->kw / t,
-	    p->power.n > 0 ? "readings" : "kinetic energy", p->power.n,
-	    p->power.idle, p->power.factor);
+	    p->power.n > 0 ? "readings" : "Q v2", p->power.n,
+	    plant_idle(p, o->speed, idle), factor);
+	answers_put_pair(f, "idle_range_kw", idle[0], idle[1]);
 	free(words);
 }
 
@@ -241,7 +222,7 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	char *band = quantities_band(range[0], range[1], 2);
 	answer_note(r,
 	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %g m/s")
-	    : p->power.n > 0
+	    : !p->power.least
 		? N_("earnings %.2f an hour%s at %g m/s, less the power")
 		: N_("earnings %.2f an hour%s at %g m/s, less the least power "
 		     "there can be"),

@@ -364,7 +364,7 @@ add_reading(struct flow_plan *plan, struct reading reading)
 	plan->reading[plan->n_reading++] = reading;
 }
 
-/* "72:187:121" */
+/* "72:187:121", or "66:52:0" of an empty crusher. */
 static bool
 read_reading(struct flow_plan *plan, const char *part, struct error *error)
 {
@@ -376,7 +376,7 @@ read_reading(struct flow_plan *plan, const char *part, struct error *error)
 		if (colon != NULL)
 			*colon = '\0';
 		ok = ok && at != NULL && text_number(at, &value[i]) &&
-		     value[i] > 0;
+		     (value[i] > 0 || (i == 2 && value[i] == 0));
 		at = colon != NULL ? colon + 1 : NULL;
 	}
 	free(copy);

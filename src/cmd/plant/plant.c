@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
+#include "core/posterior/ensemble.h"
 
 struct plant
 plant_new(struct session *s, const struct flow_plan *plan)
@@ -56,24 +57,27 @@ plant_speed(const struct unit *unit, double speed)
 	return unit->speed > 0 ? unit->speed : speed;
 }
 
-/* Power and earnings of a draw. */
+/* Power and earnings of a draw; a model alone has one product for all draws of
+ * the power. */
 static void
 count_draw(const struct plant *p, struct outcome *o, size_t d)
 {
 	double kw = 0, money = 0;
+	size_t of = d % o->flow.draws;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
-		double tph = flow_draw_into(&o->flow, unit, d);
+		double tph = flow_draw_into(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw += power_at(&p->power, plant_speed(unit, o->speed),
-			    tph * plant_rotor_share(p, unit));
+			kw +=
+			    power_at(&p->power, d, plant_speed(unit, o->speed),
+				tph * plant_rotor_share(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
 			money += tph * unit->price;
 	}
 	o->kw_draw[d] = kw;
 	o->money_draw[d] = money - kw * p->plan->kwh;
-	o->kw += kw / (double)o->flow.draws;
-	o->money += o->money_draw[d] / (double)o->flow.draws;
+	o->kw += kw / POWER_DRAWS;
+	o->money += o->money_draw[d] / POWER_DRAWS;
 }
 
 struct outcome
@@ -86,7 +90,7 @@ plant_at(const struct plant *p, double speed)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
 	o.flow =
 	    circuit_flow(p->circuit, p->feed, p->plan->size, p->plan->n, of);
-	for (size_t d = 0; d < o.flow.draws; d++)
+	for (size_t d = 0; d < POWER_DRAWS; d++)
 		count_draw(p, &o, d);
 	free(of);
 	transfer_free(t);
@@ -131,29 +135,43 @@ plant_not_steady(
 	    p->circuit->tph);
 }
 
+double
+plant_idle(const struct plant *p, double speed, double range[static 2])
+{
+	double draw[POWER_DRAWS], mean = 0;
+	for (size_t d = 0; d < POWER_DRAWS; d++) {
+		draw[d] = power_idle(&p->power, d, speed);
+		mean += draw[d] / POWER_DRAWS;
+	}
+	ensemble_range(draw, p->level, mean, range);
+	return mean;
+}
+
 char *
-plant_power_words(const struct plant *p)
+plant_power_words(const struct plant *p, const struct outcome *o)
 {
 	const struct power *w = &p->power;
-	const char *of =
-	    p->plan->of_cuts ? tr("of the belt cuts") : tr("given");
+	double range[2], idle = plant_idle(p, o->speed, range);
 	if (w->n == 0)
 		return xstrdup(
-		    tr("no motor readings: the kinetic energy alone, 1/2 v2 Q, "
-		       "which is a lower limit; give power=m/s:kW:t/h"));
+		    tr("no motor readings: Q v2 alone, what it takes to bring "
+		       "the rock to the tip speed, which is a lower limit; "
+		       "give power=m/s:kW:t/h"));
 	char *words =
-	    xasprintf(tr_n("engineering estimate, %.3g kW + %.3g times the "
-			   "kinetic power 1/2 v2 Q, from %zu reading %s",
-			  "engineering estimate, %.3g kW + %.3g times the "
-			  "kinetic power 1/2 v2 Q, from %zu readings %s",
+	    xasprintf(tr_n("engineering estimate from %zu reading %s, idle "
+			   "%.0f kW (%.0f to %.0f) at %g m/s",
+			  "engineering estimate from %zu readings %s, idle "
+			  "%.0f kW (%.0f to %.0f) at %g m/s",
 			  w->n),
-		w->idle, w->factor, w->n, of);
-	if (w->no_idle)
-		xlist(&words, "; ", "%s",
-		    w->n == 1 ? tr("one reading does not show the idle power")
-			      : tr("the readings do not show the idle power"));
-	else if (isfinite(w->spread))
+		w->n, p->plan->of_cuts ? tr("of the belt cuts") : tr("given"),
+		idle, range[0], range[1], o->speed);
+	if (w->n > 3)
 		xlist(&words, "; ", tr("the readings miss it by %.1f kW (RMS)"),
 		    w->rms);
+	if (range[1] - range[0] > 0.1 * o->kw)
+		xlist(&words, "; ", "%s",
+		    tr("the readings do not tell idle from load: read the "
+		       "empty crusher at two speeds, too, as in "
+		       "power=66:kW:0,78:kW:0"));
 	return words;
 }

@@ -54,7 +54,11 @@ size_t plant_lines(
 bool plant_not_steady(
     const struct plant *p, const struct outcome *o, struct error *error);
 
+/* What an empty crusher takes at a speed, kW, as far as the readings tell; its
+ * band. */
+double plant_idle(const struct plant *p, double speed, double range[static 2]);
+
 /* What the power was estimated from. */
-char *plant_power_words(const struct plant *p);
+char *plant_power_words(const struct plant *p, const struct outcome *o);
 
 #endif

@@ -301,6 +301,32 @@ is_expected(const struct site *site, const struct value *digest,
 	return good;
 }
 
+/* In the order of the sheet: what has no date is followed in that. */
+static void
+note_cuts(struct session *s, struct site *site, const struct site *cuts,
+    const struct origins *all)
+{
+	size_t *order = xcalloc(cuts->n_run + 1, sizeof *order);
+	for (size_t k = 0; k < cuts->n_run; k++) {
+		size_t i = k;
+		for (; i > 0; i--) {
+			size_t before = order[i - 1];
+			if (cuts->run[before].place <= cuts->run[k].place)
+				break;
+			order[i] = before;
+		}
+		order[i] = k;
+	}
+	for (size_t k = 0; k < cuts->n_run; k++) {
+		double v = cuts->run[order[k]].speed;
+		char *note = note_of(cuts, order[k], origin_of(all, v));
+		site_add_note(&site->note, &site->n_note, "cut", note);
+		session_note(s, "added a cut: %s", note);
+		free(note);
+	}
+	free(order);
+}
+
 /* Puts the cuts into a copy of the site in use, which takes its place. */
 static bool
 add_cuts(struct session *s, const struct args *args, const struct site *cuts,
@@ -320,13 +346,7 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	}
 	if (!(site->rotor > 0))
 		site->rotor = args_value(args, "rotor_mm")->number / 1000;
-	for (size_t k = 0; k < cuts->n_run; k++) {
-		double v = cuts->run[k].speed;
-		char *note = note_of(cuts, k, origin_of(all, v));
-		site_add_note(&site->note, &site->n_note, "cut", note);
-		session_note(s, "added a cut: %s", note);
-		free(note);
-	}
+	note_cuts(s, site, cuts, all);
 	load_note_reading(s, cuts);
 	warn_of(s, old, cuts);
 	session_grow(s, site, from);

@@ -179,17 +179,37 @@ guess_from(const struct prediction *p, size_t n, double v)
 	return guess;
 }
 
+/* The default with dust added, as much in each octave (beta1), or with coarse
+ * pieces (u^2). */
+static const double LAWS[GUESS_LAWS][4] = {
+    {0, 0.4889, 1, 0.2445},  /* 5 % finer than a tenth */
+    {0, 1, -0.3862, 0.5},    /* 10 */
+    {0.0016, 1, -1, 0.5},    /* 15 */
+    {0.0221, 1, -1, 0.5},    /* 24 */
+    {0.063, 1, -1, 0.5},     /* 35 */
+    {0.1472, 1, -1, 0.5},    /* 46 */
+    {0.3728, 1, -1, 0.5},    /* 56 */
+    {1, 0.02, -0.02, 0.01}}; /* 67 */
+
 struct guess
 guess_product(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v)
 {
-	struct prediction *p = xcalloc(n, sizeof *p);
+	size_t laws = 1, all;
 	assert(n >= 1);
 	for (size_t i = 0; i < n; i++)
-		p[i] = predict(
-		    site, &m[pick[i]].params, m[pick[i]].settings, v, feed_run);
-	struct guess guess = guess_from(p, n, v);
-	for (size_t i = 0; i < n; i++)
+		laws = m[pick[i]].law_open ? GUESS_LAWS : laws;
+	all = n * laws;
+	struct prediction *p = xcalloc(all, sizeof *p);
+	for (size_t i = 0; i < all; i++) {
+		const struct guess_material *of = &m[pick[i / laws]];
+		struct params params = of->params;
+		if (of->law_open)
+			memcpy(params.beta, LAWS[i % laws], sizeof params.beta);
+		p[i] = predict(site, &params, of->settings, v, feed_run);
+	}
+	struct guess guess = guess_from(p, all, v);
+	for (size_t i = 0; i < all; i++)
 		prediction_free(&p[i]);
 	free(p);
 	return guess;

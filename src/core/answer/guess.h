@@ -12,12 +12,14 @@
 
 /* A material to guess from, or what one is wanted for: then params are not
  * looked at.  rock: "" when not known; top_size m, 0 when not known.  settings:
- * those its parameters were found with.  Text is borrowed. */
+ * those its parameters were found with.  law_open: its beta is none that was
+ * found, as those of Table 3, which are not printed.  Text is borrowed. */
 struct guess_material {
 	const char *site, *rock;
 	double top_size;
 	struct params params;
 	struct model_settings settings;
+	bool law_open;
 };
 
 /* The nearest materials: the same rock (without case and accents) before any
@@ -54,9 +56,13 @@ struct guess {
 	};
 };
 
+/* How many beta stand for one that is open, from coarse progeny to fine: 5 to
+ * 67 % of what breaks is finer than a tenth of its parent (default: 14 %). */
+enum { GUESS_LAWS = 8 };
+
 /* The products of the feed of that run at tip speed v (m/s), with each of the
- * n >= 1 materials picked and its own settings.  Cannot fail; free with
- * guess_free. */
+ * n >= 1 materials picked and its own settings, and where a law is open with
+ * each of GUESS_LAWS.  Cannot fail; free with guess_free. */
 struct guess guess_product(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v);
 void guess_free(struct guess *guess);

@@ -5,72 +5,138 @@
 
 #include <gsl/gsl_cdf.h>
 
+static const double READING_ERROR = 0.02;
+
+/* Exponents and factors that are tried. */
+enum { EXPONENTS = 17, FACTORS = 64, TRIED = EXPONENTS * FACTORS };
+
 double
-power_kinetic(double speed, double tph)
+power_thrown(double speed, double tph)
 {
 	/* m2/s2 times t/h, which are 1 / 3.6 kg/s; W to kW. */
-	return speed * speed * tph / 2 / 3.6 / 1000;
+	return speed * speed * tph / 3.6 / 1000;
 }
 
-/* A line through 0. */
+/* An exponent and a factor: the idle that fits best, its standard deviation,
+ * and the sum of squares there, in errors of a reading.  Idle far below 0 is
+ * taken no further than to where a normal tail still is a number. */
+struct trial {
+	double exponent, factor, idle, sd, squares;
+};
+
 static void
-fit_factor(struct power *p, const struct reading *reading)
+fit_idle(struct trial *t, const struct power *p, const struct reading *reading)
 {
-	double xx = 0, xy = 0;
+	double xx = 0, xy = 0, yy = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		double x = power_kinetic(reading[i].speed, reading[i].tph);
+		const struct reading *r = &reading[i];
+		double sd = READING_ERROR * r->kw,
+		       x = pow(r->speed / p->at, t->exponent) / sd,
+		       y = (r->kw -
+			       t->factor * power_thrown(r->speed, r->tph)) /
+			   sd;
 		xx += x * x;
-		xy += x * reading[i].kw;
+		xy += x * y;
+		yy += y * y;
 	}
-	p->no_idle = true;
-	p->idle = 0;
-	p->factor = xy / xx;
-	p->mean = 0;
-	p->squares = xx;
+	t->sd = 1 / sqrt(xx);
+	t->idle = fmax(xy / xx, -8 * t->sd);
+	t->squares = yy - 2 * t->idle * xy + t->idle * t->idle * xx;
+}
+
+/* The factors that are tried: from 1 to that of a reading without idle. */
+static void
+put_range(struct power *p, const struct reading *reading, double range[2])
+{
+	double top = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		p->at += reading[i].speed / (double)p->n;
+		if (reading[i].tph > 0)
+			top = fmax(top,
+			    reading[i].kw /
+				power_thrown(reading[i].speed, reading[i].tph));
+	}
+	p->least = !(top > 0);
+	p->below = !p->least && top < 1;
+	range[0] = p->below ? top : 1;
+	range[1] =
+	    p->least || p->below ? range[0] : top * (1 + 3 * READING_ERROR);
+}
+
+/* weight [TRIED] out: what the readings leave of each trial, over all that its
+ * idle can be, in shares. */
+static void
+weigh(const struct power *p, struct trial *t, double *weight)
+{
+	double least = INFINITY, sum = 0;
+	for (size_t k = 0; k < TRIED; k++)
+		least = fmin(least, t[k].squares);
+	/* How much larger than stated the errors of the readings are. */
+	double wider = p->n > 3 ? fmax(1, least / (double)(p->n - 3)) : 1;
+	for (size_t k = 0; k < TRIED; k++) {
+		t[k].sd *= sqrt(wider);
+		weight[k] = exp((least - t[k].squares) / 2 / wider) * t[k].sd *
+			    gsl_cdf_ugaussian_P(t[k].idle / t[k].sd);
+		sum += weight[k];
+	}
+	for (size_t k = 0; k < TRIED; k++)
+		weight[k] /= sum;
+}
+
+/* Draws at even steps of the weights, with the idle at the places of a golden
+ * section within what it can be: the same at each call. */
+static void
+put_draws(struct power *p, const struct trial *t, const double *weight)
+{
+	const double golden = 0.6180339887498949;
+	double until = weight[0];
+	for (size_t d = 0, k = 0; d < POWER_DRAWS; d++) {
+		while (until < ((double)d + 0.5) / POWER_DRAWS && k + 1 < TRIED)
+			until += weight[++k];
+		double u = fmod(((double)d + 0.5) * golden, 1),
+		       above = gsl_cdf_ugaussian_P(t[k].idle / t[k].sd);
+		p->draw[d] = (struct power_draw){
+		    fmax(0, t[k].idle +
+				t[k].sd * gsl_cdf_ugaussian_Qinv(u * above)),
+		    t[k].exponent, t[k].factor};
+	}
 }
 
 static void
-fit_both(struct power *p, const struct reading *reading)
+fit_draws(struct power *p, const struct reading *reading)
 {
-	double y = 0, xy = 0, n = (double)p->n;
-	for (size_t i = 0; i < p->n; i++) {
-		p->mean += power_kinetic(reading[i].speed, reading[i].tph) / n;
-		y += reading[i].kw / n;
+	struct trial t[TRIED];
+	double range[2], weight[TRIED];
+	put_range(p, reading, range);
+	for (size_t k = 0; k < TRIED; k++) {
+		double e = (double)(k / FACTORS) / (EXPONENTS - 1),
+		       f = ((double)(k % FACTORS) + 0.5) / FACTORS;
+		t[k].exponent = 1 + 2 * e;
+		t[k].factor = range[0] + f * (range[1] - range[0]);
+		fit_idle(&t[k], p, reading);
 	}
-	for (size_t i = 0; i < p->n; i++) {
-		double x =
-		    power_kinetic(reading[i].speed, reading[i].tph) - p->mean;
-		p->squares += x * x;
-		xy += x * (reading[i].kw - y);
-	}
-	p->factor = xy / p->squares;
-	p->idle = y - p->factor * p->mean;
+	weigh(p, t, weight);
+	put_draws(p, t, weight);
 }
 
 struct power
 power_fit(const struct reading *reading, size_t n)
 {
-	struct power p = {.n = n, .factor = 1, .rms = NAN, .spread = NAN};
-	const double alike = 1e-6;
-	if (n == 0) {
-		p.no_idle = true;
-		return p;
-	}
-	if (n > 1)
-		fit_both(&p, reading);
-	if (n == 1 || !(p.squares > alike * p.mean * p.mean) ||
-	    !(p.idle >= 0) || !(p.factor > 0))
-		fit_factor(&p, reading);
-	double sum = 0;
+	struct power p = {.n = n, .least = true};
+	if (n > 0)
+		fit_draws(&p, reading);
+	else
+		for (size_t d = 0; d < POWER_DRAWS; d++)
+			p.draw[d].factor = 1;
 	for (size_t i = 0; i < n; i++) {
-		double off = reading[i].kw -
-			     power_at(&p, reading[i].speed, reading[i].tph);
-		sum += off * off;
+		double off = reading[i].kw;
+		for (size_t d = 0; d < POWER_DRAWS; d++)
+			off -=
+			    power_at(&p, d, reading[i].speed, reading[i].tph) /
+			    POWER_DRAWS;
+		p.rms += off * off / (double)n;
 	}
-	size_t unknowns = p.no_idle ? 1 : 2;
-	p.rms = sqrt(sum / (double)n);
-	if (n > unknowns)
-		p.spread = sqrt(sum / (double)(n - unknowns));
+	p.rms = sqrt(p.rms);
 	return p;
 }
 
@@ -88,20 +154,15 @@ power_falls(const struct reading *reading, size_t n)
 }
 
 double
-power_at(const struct power *p, double speed, double tph)
+power_idle(const struct power *p, size_t draw, double speed)
 {
-	return p->idle + p->factor * power_kinetic(speed, tph);
+	const struct power_draw *d = &p->draw[draw % POWER_DRAWS];
+	return d->idle > 0 ? d->idle * pow(speed / p->at, d->exponent) : 0;
 }
 
 double
-power_half(const struct power *p, double speed, double tph, double level)
+power_at(const struct power *p, size_t draw, double speed, double tph)
 {
-	if (!isfinite(p->spread))
-		return NAN;
-	double unknowns = p->no_idle ? 1 : 2;
-	double x = power_kinetic(speed, tph) - p->mean;
-	double mean = p->no_idle ? 0 : 1 / (double)p->n;
-	double share = mean + x * x / p->squares;
-	return gsl_cdf_tdist_Pinv((1 + level) / 2, (double)p->n - unknowns) *
-	       p->spread * sqrt(share);
+	return power_idle(p, draw, speed) +
+	       p->draw[draw % POWER_DRAWS].factor * power_thrown(speed, tph);
 }

@@ -303,7 +303,7 @@ response_break_band(
 		draw[d] = params_break_size_by(
 		    &p->draw[d].params, &p->settings, r->speed);
 	if (p != NULL)
-		ensemble_range(draw, level, response_break_size(r), range);
+		ensemble_middle(draw, level, &range[0], &range[1]);
 }
 
 double

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <gsl/gsl_cdf.h>
+
 #include "base/xalloc.h"
 #include "core/posterior/discrepancy.h"
 #include "core/numeric/elementary.h"
@@ -12,7 +14,7 @@
 /* Half a standard deviation is half of the shift that the CUSUM is best at
  * (Page); 0.2 and 3 are what textbooks have for the EWMA. */
 const struct drift_rule DRIFT_RULE = {
-    .k = 0.5, .h = 5, .lambda = 0.2, .width = 3};
+    .k = 0.5, .h = 5, .lambda = 0.2, .width = 3, .cuts = 2};
 
 /* Sheets have a tenth of a point or less. */
 static const double ROUNDING = 0.0005;
@@ -200,26 +202,29 @@ began(const struct drift_point *point, size_t i)
 	return since;
 }
 
-/* The variance of value i, given the first `known`; U: factor(). */
+/* How far value i is off, given the first `known`, of which that is there; U:
+ * factor(). */
 static double
-variance_of(const double *U, size_t n, size_t i, size_t known)
-{
-	double sum = 0;
-	for (size_t j = known; j <= i; j++)
-		sum += U[j * n + i] * U[j * n + i];
-	return sum;
-}
-
-/* The score of value i, given the first `known`, whose scores are there. */
-static double
-score_of(const double *U, size_t n, size_t i, size_t known, size_t k,
+off_of(const double *U, size_t n, size_t i, size_t known, size_t k,
     const struct drift_point *point)
 {
-	double expected = 0;
+	double expected = 0, variance = 0;
 	for (size_t j = 0; j < known; j++)
-		expected += U[j * n + i] * point[j].chart[k].score;
-	return (point[i].chart[k].value - expected) /
-	       sqrt(variance_of(U, n, i, known));
+		expected += U[j * n + i] * point[j].chart[k].off;
+	for (size_t j = known; j <= i; j++)
+		variance += U[j * n + i] * U[j * n + i];
+	return (point[i].chart[k].value - expected) / sqrt(variance);
+}
+
+/* The score of what is off by so much, after `known` that were off by so many
+ * squares. */
+static double
+score_of(const struct drift_rule *r, double off, size_t known, double squares)
+{
+	double freedom = r->cuts + (double)known;
+	double t = off / sqrt((r->cuts + squares) / freedom);
+	double beyond = fmax(gsl_cdf_tdist_Q(fabs(t), freedom), 1e-300);
+	return copysign(gsl_cdf_ugaussian_Qinv(beyond), t);
 }
 
 size_t
@@ -242,9 +247,19 @@ drift_follow(const struct drift_cut *cut, size_t n,
 				   : (struct drift_chart){0};
 			c->value = dot(w[i * DRIFT_COMPONENTS + k].weight,
 			    cut[i].residual, cut[i].n);
-			c->sd = sqrt(variance_of(U[k], n, i, 0));
-			c->score = score_of(
-			    U[k], n, i, i < *since ? i : *since, k, point);
+			size_t known = i < *since ? i : *since;
+			const struct weighed *own =
+			    &w[i * DRIFT_COMPONENTS + k];
+			double truth =
+			    shared_covariance(own, own, cut[i].n_draw);
+			c->truth = sqrt(truth);
+			c->error = sqrt(covariance(&cut[i], own, own) - truth);
+			c->off = off_of(U[k], n, i, known, k, point);
+			double squares = 0;
+			for (size_t j = 0; j < known; j++)
+				squares += point[j].chart[k].off *
+					   point[j].chart[k].off;
+			c->score = score_of(rule, c->off, known, squares);
 			side[k] = move(c, rule, i + 1);
 		}
 		point[i].state = state_of(side);
@@ -286,4 +301,66 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 		sum += (double)n;
 	}
 	return sum / SEQUENCES;
+}
+
+/* A level that is followed where truth and error have these standard
+ * deviations, the latter as the posterior has it and as it is: what the draws
+ * say of the truth narrows with each sample (mean, variance). */
+struct level {
+	double error, actual, mean, variance, squares;
+	size_t known;
+	struct drift_chart chart;
+};
+
+/* Takes a sample; whether the chart signals. */
+static bool
+follow_level(struct level *l, const struct drift_rule *r, double value)
+{
+	double sum = l->variance + l->error * l->error;
+	double share = l->variance / sum;
+	l->chart.off = (value - l->mean) / sqrt(sum);
+	l->chart.score = score_of(r, l->chart.off, l->known, l->squares);
+	l->mean += share * (value - l->mean);
+	l->variance *= 1 - share;
+	l->squares += l->chart.off * l->chart.off;
+	return move(&l->chart, r, ++l->known) != 0;
+}
+
+/* A sequence: `quiet` samples, then such that are moved; the place of its first
+ * signal among these, from 1; 0: before them, LONGEST + 1: none. */
+enum { LONGEST = 200 };
+static size_t
+signalled_after(const struct drift_rule *rule, struct level l, size_t quiet,
+    double shift, struct rng_key key)
+{
+	double truth = sqrt(l.variance) * rng_normal(key, 0);
+	for (uint32_t at = 1; at <= quiet + LONGEST; at++) {
+		double value = truth + l.actual * rng_normal(key, at);
+		if (follow_level(&l, rule, at > quiet ? value + shift : value))
+			return at > quiet ? at - quiet : 0;
+	}
+	return LONGEST + 1;
+}
+
+double
+drift_delay(const struct drift_rule *rule, const struct drift_point *point,
+    size_t n, size_t known, double shift, uint64_t seed)
+{
+	enum { SEQUENCES = 401, USE = (1 << 22) + 1 };
+	const struct drift_chart *last = &point[n - 1].chart[DRIFT_LEVEL];
+	double squares = rule->cuts;
+	for (size_t j = 0; j < known; j++)
+		squares += pow(point[j].chart[DRIFT_LEVEL].off, 2);
+	struct level l = {.error = last->error,
+	    .actual =
+		last->error * sqrt(squares / (rule->cuts + (double)known)),
+	    .variance = last->truth * last->truth};
+	size_t after[LONGEST + 2] = {0}, all = 0, sum = 0, median = 1;
+	for (uint64_t q = 0; q < SEQUENCES; q++)
+		after[signalled_after(
+		    rule, l, known, shift, rng_key(seed, q, USE))]++;
+	all = SEQUENCES - after[0];
+	while (median <= LONGEST && 2 * (sum + after[median]) <= all)
+		sum += after[median++];
+	return median <= LONGEST ? (double)median : INFINITY;
 }

@@ -17,9 +17,10 @@ enum drift_component { DRIFT_LEVEL, DRIFT_TILT, DRIFT_COMPONENTS };
 
 /* k, h: allowance and limit of the CUSUM, in standard deviations; lambda,
  * width: weight of the newest in the EWMA, and its limit in standard
- * deviations of its own. */
+ * deviations of its own; cuts: for how many cuts the posterior's size of the
+ * errors counts beside what the cuts themselves show of it. */
 struct drift_rule {
-	double k, h, lambda, width;
+	double k, h, lambda, width, cuts;
 };
 extern const struct drift_rule DRIFT_RULE;
 
@@ -42,11 +43,14 @@ enum drift_state {
 	DRIFT_STEEPER
 };
 
-/* One component after a sample.  value: passing, 0..1; sd: of it, before the
- * samples before it are known; score: standard normal where nothing drifts,
- * and independent of the others.  down is positive. */
+/* One component after a sample.  value: passing, 0..1; truth, error: standard
+ * deviations of it, by the draws and by the posterior's sampling; off: by how
+ * many standard deviations it differs from what those before let expect;
+ * score: the same where the size of the errors is learnt from those before,
+ * too: standard normal where nothing drifts, and independent of the others.
+ * down is positive. */
 struct drift_chart {
-	double value, sd, score, ewma, ewma_limit, up, down;
+	double value, truth, error, off, score, ewma, ewma_limit, up, down;
 };
 struct drift_point {
 	struct drift_chart chart[DRIFT_COMPONENTS];
@@ -59,11 +63,14 @@ struct drift_point {
  *
  * What nobody knows of the truth is the same for all samples, so that their
  * values are correlated, and charts of them would signal more often than they
- * say.  The scores are the values less what those before let expect, over the
+ * say.  What is off is the values less what those before let expect, over the
  * standard deviation that is left: L^-1 value, L the Cholesky factor of their
- * covariance.  After a signal nothing more is learnt from what came after
- * `since`, lest the drift itself be expected.   Source: Hawkins 1987
- * (self-starting CUSUM); Page 1954; Roberts 1959. */
+ * covariance.  How large the errors of cuts are the posterior knows roughly:
+ * off over the root mean square of those before, to which the posterior adds
+ * rule->cuts of 1, has Student's t, and the score is the normal number of the
+ * same probability.  After a signal nothing more is learnt from what came after
+ * `since`, lest the drift itself be expected.   Source: Hawkins 1987, Hawkins
+ * and Olwell 1998, section 7 (self-starting CUSUM); Page 1954; Roberts 1959. */
 size_t drift_follow(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since);
 
@@ -72,6 +79,14 @@ size_t drift_follow(const struct drift_cut *cut, size_t n,
  * longer than 20000 count as that. */
 double drift_run_length(
     const struct drift_rule *rule, double shift, uint64_t seed);
+
+/* The median number of samples to the first signal of the level where it moves
+ * by `shift`, passing, after the first `known` of points [n]: of 401 simulated
+ * sequences with errors as large as those of these points, on which the charts
+ * learn as they did here.  Infinite where half of them have none after 200. */
+double drift_delay(const struct drift_rule *rule,
+    const struct drift_point *point, size_t n, size_t known, double shift,
+    uint64_t seed);
 
 /* Covariance of the error of one sample of a product, passing [n] at size [n],
  * mean over the draws: [n * n] out.  drift_known_error: of one with a standard

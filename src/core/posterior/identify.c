@@ -33,6 +33,40 @@ bound_of(const double *value, double lower, double upper)
 	return low >= MANY * DRAWS ? -1 : high >= MANY * DRAWS;
 }
 
+/* Puts the first n parameters of a draw, as a vector of length 1. */
+static void
+direction_of(const struct posterior *p, size_t d, size_t n, double *unit)
+{
+	double squares = 0;
+	for (size_t j = 0; j < n; j++)
+		squares += pow(p->draw[d].params.at[j], 2);
+	for (size_t j = 0; j < n; j++)
+		unit[j] = p->draw[d].params.at[j] / sqrt(squares);
+}
+
+/* How far the draws of n parameters, of which only the direction counts, lie
+ * about their mean direction: the sine (RMS), over that of any directions. */
+static double
+scatter_of_direction(const struct posterior *p, size_t n)
+{
+	double mean[PARAMS_MOST] = {0}, unit[PARAMS_MOST], length = 0, sum = 0;
+	for (size_t d = 0; d < DRAWS; d++) {
+		direction_of(p, d, n, unit);
+		for (size_t j = 0; j < n; j++)
+			mean[j] += unit[j];
+	}
+	for (size_t j = 0; j < n; j++)
+		length += mean[j] * mean[j];
+	for (size_t d = 0; d < DRAWS; d++) {
+		double along = 0;
+		direction_of(p, d, n, unit);
+		for (size_t j = 0; j < n; j++)
+			along += unit[j] * mean[j] / sqrt(length);
+		sum += fmax(1 - along * along, 0) / DRAWS;
+	}
+	return sqrt(sum / (1 - 1 / (double)n));
+}
+
 struct identify_param
 identify_param(const struct posterior *p, size_t j)
 {
@@ -48,6 +82,11 @@ identify_param(const struct posterior *p, size_t j)
 	bool moves =
 	    b->upper[j] > b->lower[j] && a.sd > 1e-9 * fmax(fabs(a.mean), 1e-9);
 	a.ratio = moves ? a.sd / a.prior : NAN;
+	/* One of them may be 1 in all draws: scaled so, not known. */
+	if (j < of->gauge) {
+		a.ratio = scatter_of_direction(p, of->gauge);
+		moves = a.ratio > 1e-9;
+	}
 	a.grade = !moves                 ? IDENTIFY_FIXED
 		  : a.ratio < DETERMINED ? IDENTIFY_DETERMINED
 		  : a.ratio < POORLY     ? IDENTIFY_POORLY

@@ -17,9 +17,11 @@ enum identify_grade {
 
 /* A parameter's draws.  prior: standard deviation of its prior, uniform within
  * the bounds (of a parameter in the gauge from -1 to 1, as it is reported), or
- * the normal one of its table.  bound: -1 or 1 where at least a fifth of the
- * draws lie within the fiftieth of the range next to the lower or upper bound,
- * else 0. */
+ * the normal one of its table.  ratio: sd over prior; of a parameter in the
+ * gauge that of their direction, the same for all: the sine of the angle to
+ * the mean direction (RMS) over what it is of directions at random.  bound: -1
+ * or 1 where at least a fifth of the draws lie within the fiftieth of the range
+ * next to the lower or upper bound, else 0. */
 struct identify_param {
 	double mean, sd, prior, ratio;
 	enum identify_grade grade;

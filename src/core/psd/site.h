@@ -24,6 +24,7 @@ struct run {
 	double speed;    /* m/s; 0 of a feed for any speed, without product;
 			  * SITE_OTHER_FEED */
 	char repeat[16]; /* " (2)": which of several at this speed; else "" */
+	size_t place;    /* of its product among the columns that were read */
 	struct psd feed;
 	struct psd product;
 	double *product_sd;

@@ -335,8 +335,10 @@ fill_run(const struct columns *t, const struct column *shared, struct run *run,
 		    (unsigned)nth + 1);
 	if (shared != NULL || own != NULL)
 		run->feed = make_psd(shared != NULL ? shared : own);
-	if (product != NULL)
+	if (product != NULL) {
 		run->product = make_psd(product);
+		run->place = (size_t)(product - t->column);
+	}
 	if (sd == NULL)
 		return;
 	struct psd deviation = make_psd(sd);

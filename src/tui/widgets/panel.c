@@ -203,7 +203,7 @@ draw_break(struct panel *p, const struct area *area)
 	const double *range = t->shown.range[ANSWERS_BREAK];
 	draw_name(area, 0, 0, tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->now.break_mm);
-	/* A range that has the value at its end is no plus and minus. */
+	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (p->was != NULL)

@@ -1,0 +1,16 @@
+#!/bin/sh
+# What the program says of itself, counted by bench/counts on a few cases each.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "${srcdir:-.}/tests/tap.sh"
+scratch
+count()
+{
+	bench/counts "$1" "$2" >"$dir/out"
+	result $? "$1"
+	remark "$dir/out"
+}
+count drift "$(often 2 50)"
+count guess "$(often 38 360)"
+count params "$(often 2 60)"
+count power "$(often 200 2000)"
+finish
