@@ -142,6 +142,24 @@ grid_new(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
+/* "In" beside "Out" heads a feed; else it is an inch. */
+static void
+name_feeds(struct grid *g)
+{
+	static char feed[] = "feed";
+	for (size_t r = 0; r < g->n_row; r++) {
+		bool out = false;
+		for (size_t c = 0; c < g->n_col; c++) {
+			const char *text = cell_at(g, r, c)->text;
+			out = out || strcasecmp(text, "out") == 0 ||
+			      strcasecmp(text, "ut") == 0;
+		}
+		for (size_t c = 0; c < g->n_col && out; c++)
+			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
+				cell_at(g, r, c)->text = feed;
+	}
+}
+
 /* R heads its tables without the column of row numbers: a line one cell short
  * above lines that begin with 1, 2, 3. */
 static void
@@ -928,6 +946,7 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	struct place down[MOST_TABLES], across[MOST_TABLES];
 	struct grid g = grid_new(sheet, range);
 	shift_head(&g);
+	name_feeds(&g);
 	find_numbers(&g);
 	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down);
