@@ -152,6 +152,7 @@ static const struct command_option LAST_SPEED_OPTIONS[] = {
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
+	.others = {"sweep", "figures"},
 	.brief = "the product at a tip speed",
 	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
 		 COMMAND_BESIDE | COMMAND_DAILY,
@@ -204,11 +205,12 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
+	    "What predict does with several speeds, predict 65..85:5. "
 	    "Up to seven speeds are shown side by side, sieve by sieve; "
 	    "more are listed one per row. Without speeds= it covers 65 to 85 "
 	    "m/s and the runs outside that range; if all runs are below "
 	    "32.5 or above 170 m/s, it covers only the range around them.",
-	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85",
+	.example = "load data/sites/tierp.csv\ncalibrate\npredict 65..85:10",
 	.answer = cmd_sweep},
     {.name = "card",
 	.brief = "one page for the cabin: what each speed gives",
@@ -268,6 +270,7 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
+	    "What predict does with of=, predict 72 of=fm,D10,0/2. "
 	    "Single numbers of the product at a speed, with their bands: P and "
 	    "a number, or D and a number, the size that so much passes; "
 	    "passing and a size; fines, the passing at 0.063 mm; cu, D60/D10; "
@@ -427,6 +430,7 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 85",
 	.answer = cmd_uncertainty},
     {.name = "advise",
+	.alias = "uncertainty next",
 	.brief = "which sample next narrows a band most",
 	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
@@ -439,8 +443,9 @@ const struct command TABLE_ANSWERS[] = {
 		"uncertainty band is expected to be after it; see UNCERTAINTY "
 		"in tipspeed-model(7). Where several feeds were sampled, "
 		"it also shows what they change.",
-	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
-		   "advise passing 2 speed=85",
+	.example =
+	    "load data/sites/tierp.csv\ncalibrate\nuncertainty next p80\n"
+	    "uncertainty next passing 2 speed=85",
 	.answer = cmd_advise},
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",
@@ -459,6 +464,7 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
     {.name = "identify",
+	.alias = "uncertainty params",
 	.brief = "what the data determine, and what they do not",
 	.flags = COMMAND_AT_SITE,
 	.text =
@@ -470,7 +476,7 @@ const struct command TABLE_ANSWERS[] = {
 	    "other, and whether the threshold is bounded from above only. Ends "
 	    "in one sentence. plot correlation and plot profile draw it; see "
 	    "IDENTIFIABILITY in tipspeed-model(7).",
-	.example = "load data/sites/tierp.csv\ncalibrate\nidentify",
+	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty params",
 	.run = cmd_identify},
     {.name = "why",
 	.brief = "explain the numbers at a speed, or from one to another",

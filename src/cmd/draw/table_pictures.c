@@ -59,11 +59,14 @@ static const struct command_option SCREEN_OPTIONS[] = {
 	"times; 9999 in all"},
     {.name = NULL}};
 
-static const struct command_option DESCRIBE_OPTIONS[] = {
-    WHAT_OPTIONS, {.name = NULL}};
+static const struct command_option DESCRIBE_OPTIONS[] = {WHAT_OPTIONS,
+    {"as", VALUE_CHOICE, "", 0, 0, "words", "words",
+	"of plot: words for a picture"},
+    {.name = NULL}};
 
 const struct command TABLE_PICTURES[] = {
     {.name = "plot",
+	.others = {"describe"},
 	.brief = "draw a plot",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
@@ -113,7 +116,8 @@ const struct command TABLE_PICTURES[] = {
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "Describes what plot would draw, for users of screen readers: the "
+	    "What plot does with as=words, plot psd as=words: describes what "
+	    "it would draw, for users of screen readers: the "
 	    "axes, where each curve begins and ends and its P20, P50 and P80, "
 	    "where curves differ most, the break size, and the provenance of "
 	    "the data. The kinds and options are those of plot.",

@@ -132,6 +132,7 @@ const struct command TABLE_FIT[] = {
 		   "collect part1.json part2.json",
 	.run = cmd_collect},
     {.name = "continue",
+	.alias = "calibrate continue",
 	.brief = "continue a stopped calibration",
 	.flags = COMMAND_CHANGES,
 	.option = CONTINUE_OPTIONS,
@@ -139,9 +140,11 @@ const struct command TABLE_FIT[] = {
 		"the calibration had not been stopped. If bounds were edited "
 		"since, they apply from here on: candidates outside them are "
 		"moved to them, and the result states after which generation.",
-	.example = "load data/sites/tierp.csv\ncalibrate pause=10\ncontinue",
+	.example =
+	    "load data/sites/tierp.csv\ncalibrate pause=10\ncalibrate continue",
 	.run = cmd_continue},
     {.name = "accept",
+	.alias = "calibrate accept",
 	.brief = "keep the best of a stopped calibration as it is",
 	.flags = COMMAND_CHANGES,
 	.text = "A calibration that is stopped gives its site the best "
@@ -149,9 +152,11 @@ const struct command TABLE_FIT[] = {
 		"on the same runs and settings: these stay then, and accept "
 		"takes the stopped ones. It discards what "
 		"'continue' would need.",
-	.example = "load data/sites/tierp.csv\ncalibrate pause=10\naccept",
+	.example =
+	    "load data/sites/tierp.csv\ncalibrate pause=10\ncalibrate accept",
 	.run = cmd_accept},
     {.name = "history",
+	.alias = "show search",
 	.brief = "show how the last calibration converged",
 	.flags = COMMAND_AT_SITE,
 	.bare = "every",

@@ -86,6 +86,7 @@ const struct command TABLE_MODEL[] = {
 		   "predict 74",
 	.run = cmd_params},
     {.name = "bounds",
+	.alias = "params bounds",
 	.brief = "show or set the search bounds",
 	.operands = {"[default | PARAMETER FROM..TO | PARAMETER VALUE]",
 	    {"default PARAMETER", ""}, 0, 2},
@@ -93,7 +94,8 @@ const struct command TABLE_MODEL[] = {
 	.text = "Without operands, shows the lower and upper bounds. A single "
 		"VALUE holds the parameter fixed. The defaults are those of "
 		"the paper's Table 2, for its model.",
-	.example = "bounds f_mat 1.2\nbounds alpha 0.8..1\nbounds",
+	.example = "params bounds f_mat 1.2\nparams bounds alpha 0.8..1\n"
+		   "params bounds",
 	.run = cmd_bounds},
     {.name = "set",
 	.brief = "show or change settings",
@@ -112,12 +114,13 @@ const struct command TABLE_MODEL[] = {
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",
+	.alias = "set seed",
 	.brief = "seed of calibrations",
 	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
 	.bare = "seed",
 	.option = SEED_OPTIONS,
 	.text = "The same seed gives the same result to the last bit, with "
 		"any number of threads.",
-	.example = "seed 7",
+	.example = "set seed 7",
 	.run = cmd_seed},
     {.name = NULL}};

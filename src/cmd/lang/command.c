@@ -47,11 +47,53 @@ command_group(const struct command *command)
 	return NULL;
 }
 
-const char *
-command_short_alias(const struct command *command)
+static bool
+is_titled(const struct command *command)
 {
-	const char *alias = command->alias;
-	return alias != NULL && strchr(alias, ' ') == NULL ? alias : NULL;
+	return command->alias != NULL && strchr(command->alias, ' ') != NULL;
+}
+
+const char *
+command_title(const struct command *command)
+{
+	return is_titled(command) ? command->alias : command->name;
+}
+
+const char *
+command_other_name(const struct command *command)
+{
+	return is_titled(command) ? command->name : command->alias;
+}
+
+/* Whether a word is an option of it, or a range that its bare option takes. */
+static bool
+takes_word(const struct command *command, const char *word)
+{
+	size_t n = strcspn(word, "=");
+	char *name = xstrndup(word, n);
+	bool bare = word[n] == '\0' && strstr(word, "..") != NULL &&
+		    command->bare != NULL;
+	size_t i = command_option_index(command, bare ? command->bare : name);
+	free(name);
+	return bare ? i < OPTIONS &&
+			  command_option_at(command, i)->kind == VALUE_NUMBERS
+		    : word[n] != '\0' && i < OPTIONS;
+}
+
+const struct command *
+command_meant(const struct command *command, char *const *word, size_t n)
+{
+	for (size_t k = 0; k < ARRAY_LEN(command->others); k++) {
+		const struct command *other =
+		    command->others[k] != NULL
+			? command_find(command->others[k])
+			: NULL;
+		for (size_t i = 0; i < n && other != NULL; i++)
+			if (!takes_word(command, word[i]) &&
+			    takes_word(other, word[i]))
+				return other;
+	}
+	return command;
 }
 
 const struct command *
@@ -98,7 +140,7 @@ command_candidates(const char *name)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (!begins(c->name, start) && !begins(c->alias, start))
 			continue;
-		xlist(&list, ", ", "%s", c->name);
+		xlist(&list, ", ", "%s", command_title(c));
 	}
 	free(start);
 	return list;
@@ -255,7 +297,7 @@ placeholder(const struct command_option *o)
 char *
 command_usage(const struct command *command)
 {
-	char *usage = xstrdup(command->name);
+	char *usage = xstrdup(command_title(command));
 	if (command->operands.usage != NULL)
 		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o;

@@ -104,7 +104,10 @@ struct command_operands {
 	size_t least, most;
 };
 
-/* alias: a second name, of one or two words ("store list"), or NULL.
+/* name: one word, by which answers are known.  alias: a second name, or NULL;
+ * one of two words ("store list") is the first for people.  others: names of
+ * commands that are meant instead where a line has an option that only these
+ * have, or a range of speeds ("predict 65..85"), which command_meant sees.
  * bare: option that a bare word stands for ("predict 74"), or NULL.
  * setting: options that may be written as two words ("set method classes").
  * text: sentences for help and manual.  more: further ones for the manual, or
@@ -112,6 +115,7 @@ struct command_operands {
  * a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
+	const char *others[2];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
@@ -145,8 +149,13 @@ const struct command *command_next(const struct command *after);
 /* The group it stands in: "answers". */
 const char *command_group(const struct command *command);
 
-/* The alias where it is one word, else NULL: lists have no room for two. */
-const char *command_short_alias(const struct command *command);
+/* The name that people are told, and the other one or NULL. */
+const char *command_title(const struct command *command);
+const char *command_other_name(const struct command *command);
+
+/* The command or, of its others, that which its words are for. */
+const struct command *command_meant(
+    const struct command *command, char *const *word, size_t n);
 
 /* By full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);

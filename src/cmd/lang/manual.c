@@ -122,7 +122,7 @@ print_contents(FILE *out)
 			fputs(".It Sx ", out);
 			print_heading(group, out);
 		}
-		xlist(&names, ", ", "%s", c->name);
+		xlist(&names, ", ", "%s", command_title(c));
 		c = command_next(c);
 		if (c != NULL && strcmp(group, command_group(c)) == 0)
 			continue;
@@ -155,7 +155,8 @@ manual_commands(FILE *out)
 		fputc('\n', out);
 		free(usage);
 		if (c->alias != NULL)
-			fprintf(out, "Also called\n.Cm %s .\n", c->alias);
+			fprintf(out, "Also called\n.Cm %s .\n",
+			    command_other_name(c));
 		print_brief(c, out);
 		print_text(c->text, out);
 		print_text(c->more != NULL ? c->more : "", out);
@@ -215,11 +216,10 @@ print_commands(FILE *out)
 {
 	fputs("	-c)\n		words='", out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const char *alias = command_short_alias(c);
 		fprintf(out, "%s%s%s%s",
 		    c == command_next(NULL) ? "" : "\n			",
-		    c->name, alias != NULL ? " " : "",
-		    alias != NULL ? alias : "");
+		    c->name, c->alias != NULL ? " " : "",
+		    c->alias != NULL ? c->alias : "");
 	}
 	fputs("'\n		;;\n", out);
 }

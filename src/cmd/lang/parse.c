@@ -730,6 +730,7 @@ parse_call(const struct words *words, struct place place, struct args *args,
 		put_place(error, place, NULL, words, 0);
 		return NULL;
 	}
+	command = command_meant(command, words->text + 1, words->n - 1);
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];

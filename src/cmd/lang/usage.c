@@ -88,10 +88,11 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
 void
 usage_brief(const struct command *c, FILE *out)
 {
-	const char *alias = command_short_alias(c);
-	char *name = alias != NULL ? xasprintf("%s, %s", c->name, alias)
-				   : xstrdup(c->name);
-	fprintf(out, "  %-16s %s\n", name, tr(c->brief));
+	const char *title = command_title(c), *other = command_other_name(c);
+	char *name = other != NULL && title == c->name
+			 ? xasprintf("%s, %s", title, other)
+			 : xstrdup(title);
+	fprintf(out, "  %-18s %s\n", name, tr(c->brief));
 	free(name);
 }
 
@@ -168,14 +169,14 @@ usage_command(const struct command *c, FILE *out)
 {
 	const char *operands = c->operands.usage;
 	const struct command_option *o = command_option_at(c, 0);
-	fprintf(out, "%s - %s\n\n", c->name, tr(c->brief));
-	char *usage =
-	    xasprintf("%s %s %s", c->name, operands != NULL ? operands : "",
-		o != NULL ? tr("[OPTION=VALUE...]") : "");
+	fprintf(out, "%s - %s\n\n", command_title(c), tr(c->brief));
+	char *usage = xasprintf("%s %s %s", command_title(c),
+	    operands != NULL ? operands : "",
+	    o != NULL ? tr("[OPTION=VALUE...]") : "");
 	text_hang(usage, 2, 6, 78, out);
 	free(usage);
 	if (c->alias != NULL)
-		fprintf(out, tr("  also called %s\n"), c->alias);
+		fprintf(out, tr("  also called %s\n"), command_other_name(c));
 	print_shared(c, out);
 	fputc('\n', out);
 	text_wrap(tr(c->text), 2, 78, out);

@@ -394,10 +394,10 @@ static void
 offer_behind(struct work *w, const struct words *words, const char *line)
 {
 	const struct command *command = command_called(words->text[0], true);
-	if (command == NULL) {
+	if (words->n == 1)
 		offer_second_words(w, words->text[0]);
+	if (command == NULL)
 		return;
-	}
 	struct used used = use_up(command, words);
 	bool named;
 	const struct command_option *o =

@@ -62,6 +62,48 @@ is_group(const char *name)
 }
 
 static bool
+holds(const char *text, const char *folded)
+{
+	char *here = text_fold(text);
+	bool found = strstr(here, folded) != NULL;
+	free(here);
+	return found;
+}
+
+/* Whether anything the table says of a command holds a word. */
+static bool
+tells_of(const struct command *c, const char *folded)
+{
+	bool found =
+	    holds(c->name, folded) || holds(c->brief, folded) ||
+	    holds(c->text, folded) ||
+	    (c->more != NULL && holds(c->more, folded)) ||
+	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
+	    (c->alias != NULL && holds(c->alias, folded));
+	const struct command_option *o;
+	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
+		found = holds(o->name, folded) || holds(o->brief, folded) ||
+			(option_choices(o) != NULL &&
+			    holds(option_choices(o), folded));
+	return found;
+}
+
+/* How many commands have help that holds a word; lists them. */
+static size_t
+list_telling(const struct session *s, const char *word)
+{
+	char *folded = text_fold(word);
+	size_t found = 0;
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+		if (tells_of(c, folded)) {
+			usage_brief(c, help_stream(s));
+			found++;
+		}
+	free(folded);
+	return found;
+}
+
+static bool
 unknown(const char *name, struct error *error)
 {
 	const char *near = command_nearest(name);
@@ -71,9 +113,10 @@ unknown(const char *name, struct error *error)
 		    "run 'show models', or 'man model'",
 		    name);
 	return error_set(error, ERROR_USAGE,
-	    near != NULL ? N_("there is no command '%s'\ndid you mean '%s'?")
-			 : N_("there is no command '%s'\n"
-			      "run 'apropos %s' to search all help"),
+	    near != NULL
+		? N_("there is no command '%s'\ndid you mean '%s'?")
+		: N_("there is no command '%s', and no help mentions it\n"
+		     "run 'help all' for the commands"),
 	    name, near != NULL ? near : name);
 }
 
@@ -109,50 +152,16 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	else if (is_group(name) && !example)
 		usage_list(name, out);
 	else
-		return unknown(name, error);
+		return (!example && command_nearest(name) == NULL &&
+			   list_telling(s, name) > 0) ||
+		       unknown(name, error);
 	return true;
-}
-
-static bool
-holds(const char *text, const char *folded)
-{
-	char *here = text_fold(text);
-	bool found = strstr(here, folded) != NULL;
-	free(here);
-	return found;
-}
-
-/* Whether anything the table says of a command holds a word. */
-static bool
-tells_of(const struct command *c, const char *folded)
-{
-	bool found =
-	    holds(c->name, folded) || holds(c->brief, folded) ||
-	    holds(c->text, folded) ||
-	    (c->more != NULL && holds(c->more, folded)) ||
-	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
-	    (c->alias != NULL && holds(c->alias, folded));
-	const struct command_option *o;
-	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
-		found = holds(o->name, folded) || holds(o->brief, folded) ||
-			(option_choices(o) != NULL &&
-			    holds(option_choices(o), folded));
-	return found;
 }
 
 bool
 cmd_apropos(struct session *s, const struct args *args, struct error *error)
 {
-	char *folded = text_fold(args->operand[0]);
-	size_t found = 0;
-	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!tells_of(c, folded))
-			continue;
-		usage_brief(c, help_stream(s));
-		found++;
-	}
-	free(folded);
-	if (found > 0)
+	if (list_telling(s, args->operand[0]) > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "nothing in the help mentions '%s'\n"

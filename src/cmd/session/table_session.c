@@ -91,13 +91,14 @@ const struct command TABLE_SESSION[] = {
 	.example = "echo \"Tierp, at 74 m/s:\"",
 	.run = cmd_echo},
     {.name = "timing",
+	.alias = "set timing",
 	.brief = "show how long each command takes",
 	.flags = COMMAND_CHANGES,
 	.bare = "state",
 	.option = TIMING_OPTIONS,
 	.text = "Prints seconds of wall-clock time on standard error, for a "
 		"calibration to its end, for a script to its last line.",
-	.example = "timing on\nversion\ntiming off",
+	.example = "set timing on\nversion\nset timing off",
 	.run = cmd_timing},
     {.name = "assert",
 	.brief = "stop with status 1 unless a result is as expected",
@@ -141,6 +142,7 @@ const struct command TABLE_SESSION[] = {
 	.example = "apropos threads",
 	.run = cmd_apropos},
     {.name = "man",
+	.alias = "help page",
 	.brief = "show a page of the manual",
 	.operands = {"[PAGE|COMMAND]",
 	    {"tipspeed tutorial tui site spec model circuit COMMAND", ""}, 0,
@@ -150,7 +152,7 @@ const struct command TABLE_SESSION[] = {
 	.text = "At the prompt, shows the page with man(1). Elsewhere, or "
 		"without man(1), prints the list of commands. Of a COMMAND "
 		"that no page is called after it prints what help does.",
-	.example = "man find",
+	.example = "help page find",
 	.run = cmd_man},
     {.name = "version",
 	.brief = "show the version of the program",
