@@ -241,8 +241,15 @@ run(struct tui *t, const char *line)
 	under_way_end(t, control_command(line) == command_find("restore"), ok);
 	struct slider_range range = tui_range(t);
 	double said = session_known(s, "predict find", "speed");
+	const struct command *ran = control_command(line);
 	if (slider_has(range, said))
 		t->ui.tenths = slider_tenths(range, said);
+	else if (isfinite(said) && ok &&
+		 (ran == command_find("predict") ||
+		     ran == command_find("find")))
+		tui_say(t, true,
+		    "%.1f m/s is off the slider, %d to %d: set slider moves it",
+		    said, range.least / 10, range.most / 10);
 	if (tui_entry(t) != NULL && !slider_has(range, t->ui.tenths / 10.0))
 		t->ui.tenths =
 		    slider_tenths(range, answers_usual(tui_entry(t)));

@@ -14,6 +14,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
@@ -442,8 +443,7 @@ note_unreached(struct answer *r, const struct goal *goal, const char *words)
 		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
 		    low, unit, c->from, high, unit, c->to);
 	if (falls)
-		answer_note(r, finer ? N_("use from= to search slower speeds")
-				     : N_("use to= to search faster speeds"));
+		conditions_note_farther(r, c, finer, !finer);
 }
 
 static void
@@ -502,8 +502,8 @@ answer_goal(struct session *s, struct goal *goal)
 	note_finding(r, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	answers_show_basis_at(
-	    s, r, q, found ? v : site_middle(entry->site), false);
+	answers_show_basis(
+	    s, r, q, found ? v : 0, false, light_worst(s, entry, p, n));
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_answer(s, r);

@@ -12,6 +12,7 @@
 #include "cmd/ask/condition.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 
 /* What was asked, and what was found. */
@@ -106,12 +107,16 @@ note_margin(struct answer *r, const struct asking *a)
 static void
 note_inside(struct answer *r, const struct asking *a)
 {
+	const struct speed_range *in = speed_search_around(a->w);
 	char *speeds = conditions_speeds_words(a->w);
 	answer_note(r,
 	    a->list.n > 1 ? N_("all conditions hold at %s m/s")
 			  : N_("it holds at %s m/s"),
 	    speeds);
 	note_binding(r, a);
+	conditions_note_farther(r, &a->wanted,
+	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
+	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
 	free(speeds);
 }
 
@@ -190,20 +195,21 @@ put_limits(struct fields *o, const struct asking *a)
 	}
 }
 
-/* A window that goes on where nothing was measured. */
-static void
-note_beyond(struct answer *r, const struct asking *a)
+/* The least trusted of the best speed and the ends of the window about it. */
+static struct trust
+light_of_window(const struct session *s, const struct asking *a)
 {
 	const struct entry *entry = a->q->entry;
 	const struct speed_range *in = speed_search_around(a->w);
-	double slowest, fastest;
-	if (in == NULL || answers_extrapolates(entry, a->w->best) ||
-	    !origin_reach(entry, &slowest, &fastest) ||
-	    (in->from >= slowest && in->to <= fastest))
-		return;
-	char *speeds = answers_reach(entry, slowest, fastest);
-	answer_say(r, ANSWER_REMARK, "the window goes beyond the %s", speeds);
-	free(speeds);
+	double speed[] = {a->w->best, in != NULL ? in->from : a->w->best,
+	    in != NULL ? in->to : a->w->best};
+	struct prediction p[3];
+	for (size_t i = 0; i < 3; i++)
+		p[i] = forecast_whole(s, entry, speed[i], a->q->feed);
+	struct trust light = light_worst(s, entry, p, 3);
+	for (size_t i = 0; i < 3; i++)
+		prediction_free(&p[i]);
+	return light;
 }
 
 static void
@@ -263,8 +269,8 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_picture(r, args);
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
-		note_beyond(r, &a);
-		answers_show_basis_at(s, r, q, a.w->best, false);
+		answers_show_basis(
+		    s, r, q, a.w->best, false, light_of_window(s, &a));
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_answer(s, r);

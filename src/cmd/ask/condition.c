@@ -600,6 +600,20 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 	}
 }
 
+void
+conditions_note_farther(
+    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+{
+	const double more = 15;
+	if (slower && wanted->from > 1)
+		answer_note(r,
+		    "slower than %g m/s was not searched: add from=%g",
+		    wanted->from, fmax(1, wanted->from - more));
+	if (faster && wanted->to < SITE_FASTEST)
+		answer_note(r, "faster than %g m/s was not searched: add to=%g",
+		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
+}
+
 char *
 conditions_percent(double share)
 {

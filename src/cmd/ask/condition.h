@@ -91,6 +91,10 @@ double conditions_widths(const struct wanted *wanted, struct margin margin);
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
 
+/* What was not searched, slower or faster, and how to. */
+void conditions_note_farther(
+    struct answer *r, const struct wanted *wanted, bool slower, bool faster);
+
 /* "92 %"; draws alone never make sure: "over 99 %", "under 1 %".  The caller
  * frees. */
 char *conditions_percent(double share);

@@ -91,7 +91,8 @@ enum command_flag {
 	COMMAND_SPEC = 512,    /* operands are as VALUE_SPEC */
 	COMMAND_BESIDE = 1024, /* on the screen a search goes on beside it */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
-	COMMAND_DAILY = 4096   /* of a day's work: help alone shows it */
+	COMMAND_DAILY = 4096,  /* of a day's work: help alone shows it */
+	COMMAND_CONDITIONS = 8192 /* one is understood without quotes */
 };
 
 /* What a command works on: as shown in usage, or NULL; at least `least` and at

@@ -221,6 +221,42 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 	return true;
 }
 
+/* Whether a word is that of an option: "speed=72". */
+static bool
+is_option(const struct command *command, const char *word)
+{
+	size_t n = strcspn(word, "=");
+	char *name = xstrndup(word, n);
+	bool is =
+	    word[n] == '=' && command_option_index(command, name) < OPTIONS;
+	free(name);
+	return is;
+}
+
+/* Makes one word of a condition that stands without quotes, up to an option:
+ * passing 2 = 30..38. */
+static void
+join_condition(const struct command *command, struct words *words)
+{
+	size_t n = 1;
+	while (n < words->n && !is_option(command, words->text[n]))
+		n++;
+	if (n < 4 || strpbrk(words->text[1], " <>=") != NULL)
+		return;
+	for (size_t i = 2; i < n; i++)
+		if (strchr(words->text[i], ' ') != NULL)
+			return;
+	for (size_t i = 2; i < n; i++) {
+		xappend(&words->text[1], " %s", words->text[i]);
+		free(words->text[i]);
+	}
+	for (size_t i = n; i < words->n; i++) {
+		words->text[2 + i - n] = words->text[i];
+		words->column[2 + i - n] = words->column[i];
+	}
+	words->n -= n - 2;
+}
+
 bool
 words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
@@ -245,6 +281,10 @@ words_split(const char *line, size_t from, struct place place,
 		end = words->to == TO_SCREEN ? i : end;
 		i = skip_blanks(line, i);
 	}
+	const struct command *command =
+	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
+	if (command != NULL && (command->flags & COMMAND_CONDITIONS) != 0)
+		join_condition(command, words);
 	words->typed = xstrndup(line + begin, end - begin);
 	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
 	column_of(line, words, words->next);

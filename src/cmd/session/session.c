@@ -144,11 +144,16 @@ bool
 session_need_site(
     const struct session *s, const char *what, struct error *error)
 {
+	size_t own = 0;
 	if (s->n_entry > 0)
 		return true;
+	bool remembered = store_count(s->store, &own, NULL) && own > 0;
 	return error_set(error, ERROR_USAGE,
-	    "%s needs a site, and none is loaded\n"
-	    "load its site file first: load FILE",
+	    remembered ? N_("%s needs a site, and none is loaded\n"
+			    "load its site file: load FILE; or bring back what "
+			    "was remembered: recall NAME")
+		       : N_("%s needs a site, and none is loaded\n"
+			    "load its site file first: load FILE"),
 	    what);
 }
 

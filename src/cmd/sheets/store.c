@@ -363,10 +363,41 @@ take_recalled(struct session *s, const struct stored *m, size_t index,
 	return true;
 }
 
+/* Adds a name to a list. */
+static void
+add_name(void *data, const char *name)
+{
+	xlist(data, ", ", "%s", name);
+}
+
+/* recall without a name: says which there are. */
+static bool
+no_name(const struct session *s, struct error *error)
+{
+	char *names = xstrdup("");
+	if (!store_each(s->store, STORE_NAMES, add_name, &names, error)) {
+		free(names);
+		return false;
+	}
+	if (names[0] != '\0')
+		error_set(error, ERROR_USAGE,
+		    "recall: expected the name of what was remembered: %s\n"
+		    "for instance: recall %.*s",
+		    names, (int)strcspn(names, ","), names);
+	else
+		error_set(error, ERROR_USAGE,
+		    "recall: expected a name, and nothing was remembered yet\n"
+		    "'store list' has the materials of Table 3");
+	free(names);
+	return false;
+}
+
 bool
 cmd_recall(struct session *s, const struct args *args, struct error *error)
 {
 	size_t index = s->current;
+	if (args->n_operand == 0)
+		return no_name(s, error);
 	if (args->n_operand > 1 &&
 	    !session_find(s, args->operand[1], &index, error))
 		return false;
