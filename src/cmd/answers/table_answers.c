@@ -242,8 +242,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "Compares the predicted products of the site in use at two speeds, "
 	    "with the same feed, or of two loaded sites at one speed, each "
 	    "with its own feed: passing sieve by sieve and the difference "
-	    "(second minus first), P20, P50 and P80, the fines and the break "
-	    "sizes. 'pinned' is what pin has kept, with its own site and feed, "
+	    "(second minus first), P20, P50, P80 and the break sizes. 'pinned' "
+	    "is what pin has kept, with its own site and feed, "
 	    "and without a band of the difference. > FILE.svg, .png or .pdf "
 	    "draws both.",
 	.example = "load data/sites/tierp.csv\n"

@@ -175,8 +175,7 @@ note_feeds(struct answer *r, const struct session *s, const struct question *q,
 	}
 	if (!(most > 0))
 		return;
-	answer_note(r,
-	    "feeds as they varied move what passes %g mm by up to %.1f points",
+	answer_note(r, "feeds as they varied move 0/%g by up to %.1f points",
 	    units_mm(x), 100 * most);
 	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
 }
