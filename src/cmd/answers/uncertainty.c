@@ -220,6 +220,8 @@ parts_answer(const struct session *s, const struct question *q,
 	    "half width of the %.0f %% band at %.1f m/s%s, points",
 	    100 * settings_level(&s->set), at->speed, fraction);
 	free(fraction);
+	if (!s->linear)
+		answer_across(r);
 	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * settings_level(&s->set),
