@@ -169,11 +169,11 @@ tonnes_are_those_of_the_feed_that_flow_was_told(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	expect_none(t, 50, 160, "t/h");
 	press(t, ":flow tph=120\n\033");
-	expect(t, 50, 160, "| of 120 t/h, finer than mm");
-	expect(t, 50, 160, "| < 2    40.7 t/h 40.3..41.2");
+	expect(t, 50, 160, "| of 120 t/h");
+	expect(t, 50, 160, "| 0/2    40.7 t/h 40.3..41.2");
 	press(t, ":flow tph=120 recycle=8/11.2\n\033");
 	expect(t, 50, 160, " go back");
-	expect_none(t, 50, 160, "finer than mm");
+	expect_none(t, 50, 160, "of 120 t/h");
 	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
 	for (; session_busy(t->session); t->clock++)
 		watch_pump(t);

@@ -1,5 +1,7 @@
 /* advise: which sample next narrows the band of an answer most.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/answers/advise.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,12 +20,6 @@
 #include "core/answer/advise.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
-
-/* A sample that could be taken.  width: of the band, expected after it. */
-struct candidate {
-	double speed, width;
-	bool repeat;
-};
 
 /* What is asked, and how it is called. */
 struct wanted {
@@ -50,26 +46,26 @@ answer_draws(const struct session *s, const struct wanted *w, double *value)
 }
 
 static size_t
-add_candidate(const struct site *site, struct candidate *c, size_t n, double v)
+add_candidate(const struct site *site, struct advised *c, size_t n, double v)
 {
 	for (size_t i = 0; i < n; i++)
 		if (fabs(c[i].speed - v) < 0.5)
 			return n;
 	size_t r = site_run_at(site, v);
-	c[n] = (struct candidate){.speed = v,
+	c[n] = (struct advised){.speed = v,
 	    .repeat = r < site->n_run && site->run[r].product.n > 0};
 	return n + 1;
 }
 
 /* A repeat at each measured speed, the speed asked for and round ones; [*n],
  * which the caller frees. */
-static struct candidate *
+static struct advised *
 candidates(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
 	double *round = answers_speeds(s, site, &more);
-	struct candidate *c = xcalloc(site->n_run + more + 1, sizeof *c);
+	struct advised *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (misfit_covered(&site->run[r]) > 0)
 			k = add_candidate(site, c, k, site->run[r].speed);
@@ -84,8 +80,8 @@ candidates(
 static int
 by_width(const void *a, const void *b)
 {
-	double x = ((const struct candidate *)a)->width;
-	double y = ((const struct candidate *)b)->width;
+	double x = ((const struct advised *)a)->width;
+	double y = ((const struct advised *)b)->width;
 	return (x > y) - (x < y);
 }
 
@@ -110,7 +106,7 @@ sieved(const struct session *s, const struct question *q, size_t *n)
 /* Sorts the candidates by what they leave of a width. */
 static void
 weigh(const struct session *s, const struct wanted *w, const double *answer,
-    double width, struct candidate *c, size_t n)
+    double width, struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
@@ -159,11 +155,11 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 
 static void
 note_best(struct answer *r, const struct session *s, const struct wanted *w,
-    const struct candidate *best, double width)
+    const struct advised *best, double width)
 {
 	double level = 100 * settings_level(&s->set);
 	double less = 100 * (1 - best->width / width);
-	if (less < 5)
+	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
 		    "m/s (%.2g %s wide) by more than %.0f %%: take several",
@@ -182,6 +178,40 @@ note_best(struct answer *r, const struct session *s, const struct wanted *w,
 		    best->width, w->unit, less);
 }
 
+/* The candidates, best first, [*n], which the caller frees, and the band now;
+ * NULL where there is none to narrow. */
+static struct advised *
+weighed(const struct session *s, const struct wanted *w, double *answer,
+    double ends[2], size_t *n)
+{
+	ensemble_range(answer, settings_level(&s->set), NAN, ends);
+	double width = ends[1] - ends[0];
+	if (!(width > 0))
+		return NULL;
+	struct advised *c =
+	    candidates(s, w->question->entry->site, w->question->speed, n);
+	weigh(s, w, answer, width, c, *n);
+	return c;
+}
+
+bool
+advise_best(const struct session *s, const struct question *q,
+    const struct quantity *of, struct advised *best, double *width)
+{
+	const struct wanted w = {.question = q, .q = *of};
+	double answer[POSTERIOR_DRAWS], ends[2];
+	size_t n;
+	if (!answer_draws(s, &w, answer))
+		return false;
+	struct advised *c = weighed(s, &w, answer, ends, &n);
+	if (c == NULL)
+		return false;
+	*best = c[0];
+	*width = ends[1] - ends[0];
+	free(c);
+	return true;
+}
+
 /* NULL where there is no band to narrow. */
 static struct answer *
 advice(const struct session *s, const struct wanted *w, double *answer)
@@ -189,13 +219,10 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 	const struct entry *entry = w->question->entry;
 	size_t n;
 	double ends[2];
-	ensemble_range(answer, settings_level(&s->set), NAN, ends);
-	double width = ends[1] - ends[0];
-	if (!(width > 0))
+	struct advised *c = weighed(s, w, answer, ends, &n);
+	if (c == NULL)
 		return NULL;
-	struct candidate *c =
-	    candidates(s, entry->site, w->question->speed, &n);
-	weigh(s, w, answer, width, c, n);
+	double width = ends[1] - ends[0];
 	struct answer *r = answers_new(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s", w->name,
 	    w->question->speed);

@@ -250,7 +250,8 @@ page_head(const struct asked *all, const struct quantity *q)
 	if (cut->fine == own.fraction.fine &&
 	    cut->coarse == own.fraction.coarse)
 		own.fraction = (struct fraction){0};
-	if (q->kind == QUANTITY_PASSING && !fraction_screens(&own.fraction))
+	if (q->kind == QUANTITY_PASSING && q->letter == 0 &&
+	    !fraction_screens(&own.fraction))
 		return xasprintf("<%g mm", units_mm(q->x));
 	char *words = quantities_words(&own);
 	if (q->kind == QUANTITY_SHARE)
@@ -535,7 +536,12 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 	const struct site *site = q->entry->site;
 	char *speeds = session_speeds(site, ", ", NULL, true);
 	char *feed = feed_words(site, q->feed);
-	answer_note(r, "P20, P50 and P80 in mm, what passes in %%%s",
+	bool fines = false;
+	for (size_t i = 0; i < all->n; i++)
+		fines = fines || (all->q[i].kind == QUANTITY_PASSING &&
+				     all->q[i].letter != 0);
+	answer_note(r, "P20, P50, P80 in mm, passing in %%%s%s",
+	    fines ? tr(", fines under 0.063 mm") : "",
 	    all->flows ? tr(", fractions in t/h") : "");
 	if (fraction_screens(&q->fraction)) {
 		char *cut = quantities_fraction_words(&q->fraction);

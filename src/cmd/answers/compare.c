@@ -163,25 +163,10 @@ provenance(const struct side side[2])
 	return both;
 }
 
-/* What limits either side, and the fines. */
+/* What limits either side. */
 static void
-comparison_notes(
-    struct answer *r, const struct side side[2], const double *x, size_t n)
+comparison_notes(struct answer *r, const struct side side[2])
 {
-	double finest = NAN, a = NAN, b = NAN;
-	for (size_t i = 0; i < n; i++) {
-		double at_a = passing_at(&side[0], x[i]);
-		double at_b = passing_at(&side[1], x[i]);
-		if (isnan(at_a) || isnan(at_b))
-			continue;
-		finest = x[i];
-		a = at_a;
-		b = at_b;
-	}
-	if (isfinite(finest))
-		answer_note(r,
-		    "fines below %g mm: %.1f %% and %.1f %%, %+.1f points",
-		    units_mm(finest), 100 * a, 100 * b, 100 * (b - a));
 	answer_note(r, "broken, %% of feed: %.1f and %.1f",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++)
@@ -340,7 +325,7 @@ comparison(const struct session *s, const struct side side[2])
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * settings_level(&s->set));
-	comparison_notes(r, side, x, n);
+	comparison_notes(r, side);
 	show_basis(s, r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	for (size_t i = 0; i < 2; i++) {

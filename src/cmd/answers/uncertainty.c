@@ -6,6 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/answers/advise.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
@@ -175,10 +176,38 @@ note_feeds(struct answer *r, const struct session *s, const struct question *q,
 	}
 	if (!(most > 0))
 		return;
-	answer_note(r,
-	    "feeds as they varied move what passes %g mm by up to %.1f points",
+	answer_note(r, "feeds as they varied move 0/%g by up to %.1f points",
 	    units_mm(x), 100 * most);
 	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
+}
+
+/* The next sample, of the passing that predict's sentence is of. */
+static void
+note_next(struct answer *r, const struct session *s, const struct question *q,
+    const struct prediction *at)
+{
+	size_t i = answers_sieve(&at->product);
+	const struct quantity passing = {.kind = QUANTITY_PASSING,
+	    .x = at->product.size[i],
+	    .fraction = q->fraction};
+	struct advised best;
+	double width;
+	if (!advise_best(s, q, &passing, &best, &width))
+		return;
+	double share = 1 - best.width / width;
+	answer_note(r,
+	    share < ADVISE_WORTH
+		? N_("what would help most: several samples, as at %g m/s; one "
+		     "narrows the band at %g mm by %.0f %% only")
+	    : best.repeat
+		? N_("what would help most: another sample at %g m/s; "
+		     "it is expected to narrow the band at %g mm by "
+		     "%.0f %%")
+		: N_("what would help most: a sample at %g m/s; it is "
+		     "expected to narrow the band at %g mm by %.0f "
+		     "%%"),
+	    best.speed, units_mm(passing.x), 100 * fmax(share, 0));
+	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
 static struct answer *
@@ -191,6 +220,8 @@ parts_answer(const struct session *s, const struct question *q,
 	    "half width of the %.0f %% band at %.1f m/s%s, points",
 	    100 * settings_level(&s->set), at->speed, fraction);
 	free(fraction);
+	if (!s->linear)
+		answer_across(r);
 	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * settings_level(&s->set),
@@ -206,6 +237,7 @@ parts_answer(const struct session *s, const struct question *q,
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, q, at);
 	note_draws(r, p, outlook_evidence(s, entry));
+	note_next(r, s, q, at);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
 }

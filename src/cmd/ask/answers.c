@@ -15,6 +15,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
+#include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
 const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
@@ -429,8 +430,10 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 {
 	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm, "
 			  "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm");
-	char *head = xasprintf(
-	    "< %g mm, %%", units_mm(p[0].product.size[p[0].product.n - 1]));
+	double size = p[0].product.size[p[0].product.n - 1];
+	char *head = fabs(size - QUANTITIES_FINES) < 1e-9
+			 ? xstrdup(tr("fines %"))
+			 : xasprintf("< %g mm, %%", units_mm(size));
 	answer_column(r, "finest_pct", head);
 	answer_columns(r, "extrapolated: extrapolated");
 	free(head);

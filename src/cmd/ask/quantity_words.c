@@ -11,9 +11,6 @@
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"
 
-/* The size for fines, m. */
-#define FINES 0.000063
-
 static bool
 expected(const char *text, struct error *error)
 {
@@ -96,7 +93,8 @@ read_kind(const char *text, struct quantity *q, struct error *error)
 	double percent;
 	if (strcasecmp(text, "fines") == 0) {
 		q->kind = QUANTITY_PASSING;
-		q->x = FINES;
+		q->x = QUANTITIES_FINES;
+		q->letter = 'f';
 	} else if ((rest = after(text, "passing")) != NULL) {
 		q->kind = QUANTITY_PASSING;
 		if (!read_size(rest, &q->x))
@@ -223,7 +221,9 @@ kind_words(const struct quantity *q)
 {
 	switch (q->kind) {
 	case QUANTITY_PASSING:
-		return xasprintf(tr("passing %g mm"), units_mm(q->x));
+		return q->letter != 0
+			   ? xstrdup(tr("fines"))
+			   : xasprintf(tr("passing %g mm"), units_mm(q->x));
 	case QUANTITY_SIZE:
 		return xasprintf(
 		    "%c%g", q->letter != 0 ? q->letter : 'P', units_pct(q->x));

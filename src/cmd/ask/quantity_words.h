@@ -6,6 +6,9 @@
 #include "cmd/lang/command.h"
 #include "core/psd/quantity.h"
 
+/* What passes this is called fines, m. */
+#define QUANTITIES_FINES 0.000063
+
 /* Reads one, of the whole product where it names no fraction; sizes in mm.
  * Screens separate as the partition says. */
 bool quantities_read(const char *text, const struct partition *partition,

@@ -45,7 +45,7 @@ const struct setting SETTINGS[] = {
 	 "show long results in the pager"},
 	AT(unpaged)},
     {{"theme", VALUE_CHOICE, "", 0, 0, "normal dark light", "normal",
-	 "dark, light: of high contrast"},
+	 "colours"},
 	AT(theme)},
     {{"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "mean",
 	 "feed of answers: mean, or as feed= names it"},
@@ -103,13 +103,15 @@ const struct command TABLE_MODEL[] = {
 	.setting = SETTINGS,
 	.text = "Write 'set method classes' or 'set method=classes'. The "
 		"method classes follows the paper exactly; continuous, the "
-		"default, is its limit for fine size classes. The model is "
-		"used for later calibrations; 'show models' lists the models.",
+		"default, is its limit for fine size classes.",
 	.more =
-	    "continuous does not depend on the choice of sieves. With another "
+	    "The model is used for later calibrations; 'show models' lists the "
+	    "models. continuous does not depend on the choice of sieves. With "
+	    "another "
 	    "model the search bounds become those of it, and existing "
 	    "parameters of a site keep their model. Appearance functions other "
-	    "than ratio work only with classes. Another draw_seed changes "
+	    "than ratio work only with classes. The themes dark and light are "
+	    "of high contrast. Another draw_seed changes "
 	    "answers and bands by what chance leaves in them.",
 	.example = "set method classes\nset",
 	.run = cmd_set},

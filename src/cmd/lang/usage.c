@@ -170,9 +170,13 @@ usage_command(const struct command *c, FILE *out)
 	const char *operands = c->operands.usage;
 	const struct command_option *o = command_option_at(c, 0);
 	fprintf(out, "%s - %s\n\n", command_title(c), tr(c->brief));
-	char *usage = xasprintf("%s %s %s", command_title(c),
-	    operands != NULL ? operands : "",
-	    o != NULL ? tr("[OPTION=VALUE...]") : "");
+	char *usage = xstrdup(command_title(c));
+	if (operands != NULL)
+		xappend(&usage, " %s", operands);
+	if (c->bare != NULL)
+		xappend(&usage, " [%s]", c->bare);
+	if (o != NULL)
+		xappend(&usage, " %s", tr("[OPTION=VALUE...]"));
 	text_hang(usage, 2, 6, 78, out);
 	free(usage);
 	if (c->alias != NULL)

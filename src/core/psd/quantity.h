@@ -40,7 +40,8 @@ struct quantity {
 	size_t n_sieve;
 	const double *sieve; /* [n_sieve] m, coarsest first; not owned */
 	struct fraction fraction;
-	char letter; /* of QUANTITY_SIZE, as it was called: 'D'; 0: P */
+	/* As it was called: a size 'D', or 0: P; a passing 'f': fines. */
+	char letter;
 };
 
 /* Whether two are the same number of a product. */

@@ -294,7 +294,7 @@ draw_line(const struct tui *t, const struct area *area)
 	char r2[16] = "-";
 	if (!isnan(score->r2))
 		snprintf(r2, sizeof r2, "%.3f", score->r2);
-	screen_text(area, 0, 0, 0, "P50: bias %+.1f%% rms %.1f%% R2 %s",
+	screen_text(area, 0, 0, 0, "P50: bias %+.1f %% rms %.1f %% R2 %s",
 	    100 * score->bias, 100 * score->rms, r2);
 }
 

@@ -290,7 +290,7 @@ draw_shares(struct panel *p, const struct area *area, int row,
 static void
 draw_fractions(struct panel *p, const struct area *area)
 {
-	static const char *const NAME[] = {"<0.063", "0/2", "0/4"};
+	static const char *const NAME[] = {"fines", "0/2", "0/4"};
 	draw_shares(p, area, 0, NAME, 100, "%");
 }
 
@@ -306,14 +306,14 @@ tonnes_wish(const struct panel *p)
 static void
 draw_tonnes(struct panel *p, const struct area *area)
 {
-	static const char *const NAME[] = {"<0.063", "< 2", "< 4"};
+	static const char *const NAME[] = {"fines", "0/2", "0/4"};
 	if (p->back > 0) {
 		screen_text(
 		    area, 0, 0, 0, "%.6g t/h, %.1f go back", p->tph, p->back);
 		screen_text(area, 1, 0, LOOK_DIM, "at this speed: :flow");
 		return;
 	}
-	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h, finer than mm", p->tph);
+	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", p->tph);
 	draw_shares(p, area, 1, NAME, p->tph, "t/h");
 }
 
@@ -726,7 +726,7 @@ verdicts_row(struct tui *t)
 		bool narrow = area->columns < 34;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
-		    narrow ? N_("%g %.1f%% P%d %s mm")
+		    narrow ? N_("%g %.1f %% P%d %s mm")
 			   : N_("%g mm %.1f %%  %d %% %s"),
 		    units_mm(p->product.size[t->ui.cross_at]),
 		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
