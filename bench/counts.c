@@ -18,6 +18,7 @@ static const struct kind {
     {"guess", count_guess, 360},
     {"params", count_params, 100},
     {"power", count_power, 2000},
+    {"speeds", count_speeds, 60},
 };
 
 bool
@@ -67,6 +68,6 @@ main(int argc, char **argv)
 			printf("%s %s\n", ok ? "ok" : "not ok", argv[1]);
 			return ok ? 0 : 1;
 		}
-	fprintf(stderr, "usage: counts drift|guess|params|power [N]\n");
+	fprintf(stderr, "usage: counts drift|guess|params|power|speeds [N]\n");
 	return 2;
 }

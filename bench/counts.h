@@ -16,6 +16,7 @@ bool count_drift(size_t n);
 bool count_guess(size_t n);
 bool count_params(size_t n);
 bool count_power(size_t n);
+bool count_speeds(size_t n);
 
 /* Prints a share in per cent with its standard error; whether it lies within
  * least..most but for three standard errors. */

@@ -13,4 +13,5 @@ count drift "$(often 2 50)"
 count guess "$(often 38 360)"
 count params "$(often 2 60)"
 count power "$(often 200 2000)"
+count speeds "$(often 2 60)"
 finish

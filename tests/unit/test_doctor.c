@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "core/check/loo.h"
 #include "core/check/outliers.h"
 #include "core/numeric/rng.h"
 #include "core/model/synth.h"
@@ -85,6 +86,35 @@ a_wrong_cell_is_named(void **state)
 }
 
 /* 34.6 for 36.4: the two digits about the point change places. */
+/* Bounds within which passings could move by 10^10 leave no less to say: all
+ * numbers are finite, and none changes by more than bounds that are wide. */
+static void
+wide_bounds_leave_numbers(void **state)
+{
+	(void)state;
+	struct site *site = site_of(2);
+	struct posterior *p = posterior_of(site);
+	struct leave_out_shift wide[2];
+	for (size_t k = 0; k < 2; k++) {
+		for (size_t j = 0; j < 4; j++) {
+			p->bounds.lower[j] = k == 0 ? -1e3 : -1e10;
+			p->bounds.upper[j] = -p->bounds.lower[j];
+		}
+		struct leave_out *l = leave_out_new(site, p, 0);
+		for (size_t c = 0; c < leave_out_cells(l); c++) {
+			struct leave_out_shift s = leave_out_look(l, c);
+			assert_true(isfinite(s.z) && isfinite(s.gain));
+			assert_true(s.sd > 0 && isfinite(s.sd));
+			if (c == 5)
+				wide[k] = s;
+		}
+		leave_out_free(l);
+	}
+	expect_near("sd", wide[1].sd, wide[0].sd, 0.1 * wide[0].sd);
+	posterior_free(p);
+	site_free(site);
+}
+
 static double
 transposed(double passing)
 {
@@ -314,6 +344,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(a_wrong_cell_is_named),
+	    cmocka_unit_test(wide_bounds_leave_numbers),
 	    cmocka_unit_test(transposed_digits_are_read),
 	    cmocka_unit_test(columns_are_put_right),
 	    cmocka_unit_test(a_large_slip_is_no_exchange),

@@ -134,6 +134,9 @@ static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
     {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
 	"known standard deviation of a single passing around 50 %; 0: as the "
 	"data show it"},
+    {"speed_sd", VALUE_NUMBER, "%", 0, 20, NULL, "0.5",
+	"standard deviation of the stated tip speeds: slip, worn tips, "
+	"rounding"},
     {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
     {.name = NULL}};
 
@@ -423,8 +426,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "where a new measurement is expected. Below it are the sizes of "
 	    "these errors as the data show "
 	    "them, and where feeds were sampled with several runs, how far the "
-	    "product moves with them, and which sample next would help most, "
-	    "as advise has it. level= and noise= are settings, kept for "
+	    "product moves with them, what errors of the stated tip speeds "
+	    "add, and which sample next would help most, as advise has it. "
+	    "level= and noise= are settings, kept for "
 	    "the commands that "
 	    "follow. 'uncertainty draws > FILE.csv' writes the draws: "
 	    "parameters, errors and product of each. See UNCERTAINTY in "

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_cdf.h>
+
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers/advise.h"
@@ -14,6 +16,7 @@
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
+#include "core/answer/speed_error.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -210,9 +213,46 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
+/* What the band does not know: stated speeds are not the true ones.  sd: their
+ * standard deviation, a share of them. */
+static void
+note_speeds(struct answer *r, const struct session *s, const struct question *q,
+    const struct prediction *at, double sd)
+{
+	const double step = 0.005;
+	double times = speed_error_times(q->entry->site, at->speed),
+	       sure = gsl_cdf_ugaussian_Pinv((1 + settings_level(&s->set)) / 2),
+	       most = 0;
+	size_t worst = 0;
+	struct prediction to[2];
+	for (size_t k = 0; k < 2; k++)
+		to[k] = forecast_product(
+		    s, q, at->speed * (1 + (k == 0 ? -step : step)));
+	for (size_t i = 0; i < at->product.n; i++) {
+		double slope =
+		    (to[1].product.passing[i] - to[0].product.passing[i]) / 2 /
+		    step;
+		if (fabs(slope) > most) {
+			most = fabs(slope);
+			worst = i;
+		}
+	}
+	prediction_free(&to[0]);
+	prediction_free(&to[1]);
+	most *= sure * times * sd;
+	if (!(most > 0 && isfinite(most)))
+		return;
+	answer_note(r,
+	    "beside the band: tip speeds known to %g %% (speed_sd=) move what "
+	    "passes %g mm by +- %.2f points, and other sizes by less",
+	    100 * sd, units_mm(at->product.size[worst]), 100 * most);
+	fields_put(answer_fields(r), "speed_sd_pct %g speeds_move_pct %g",
+	    100 * sd, 100 * most);
+}
+
 static struct answer *
 parts_answer(const struct session *s, const struct question *q,
-    const struct posterior *p, const struct prediction *at)
+    const struct posterior *p, const struct prediction *at, double speed_sd)
 {
 	const struct entry *entry = q->entry;
 	char *fraction = screened_title(&at->fraction);
@@ -236,6 +276,7 @@ parts_answer(const struct session *s, const struct question *q,
 	note_strengths(r, p);
 	if (entry->site->individual_feeds)
 		note_feeds(r, s, q, at);
+	note_speeds(r, s, q, at, speed_sd);
 	note_draws(r, p, outlook_evidence(s, entry));
 	note_next(r, s, q, at);
 	answers_show_basis_at(s, r, q, at->speed, false);
@@ -302,8 +343,10 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	}
 	const struct posterior *p = outlook_draws(s, entry);
 	size_t n = (size_t)args_value(args, "n")->whole;
-	session_answer(s,
-	    draws ? draws_answer(s, q, p, &at, n) : parts_answer(s, q, p, &at));
+	session_answer(
+	    s, draws ? draws_answer(s, q, p, &at, n)
+		     : parts_answer(s, q, p, &at,
+			   args_value(args, "speed_sd")->number / 100));
 	prediction_free(&at);
 	return true;
 }

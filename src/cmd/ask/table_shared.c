@@ -21,7 +21,7 @@ const struct command_option SHARED_MACHINE[] = {
 	"diameter of the rotor; default: that of the site"},
     {"cascade", VALUE_NUMBER, "%", 0, 90, NULL, "",
 	"share of the feed led past the rotor, beside what the measured runs "
-	"had"},
+	"had; taken as uncrushed, the coarsest product that can be"},
     {"k", VALUE_NUMBER, "", 0.01, 100, NULL, "",
 	"impacts of a particle; default: as set, see 'set k'"},
     {"correction", VALUE_CHOICE, "", 0, 0, "all train off", "",

@@ -175,7 +175,8 @@ judge_variant(struct trust *t, const struct session *s,
 	if (v->bypass > 0)
 		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
-				 "cascade share (%g %% of the feed)"),
+				 "cascade share (%g %% of the feed, taken as "
+				 "uncrushed: the coarsest that can be)"),
 			100 * v->bypass));
 	if (v->k > 0 && v->k != s->set.model.k)
 		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,

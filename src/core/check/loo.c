@@ -182,6 +182,13 @@ free_cell(struct leave_out *l, size_t cell, double sign)
 
 /* ---- The joint vector ---- */
 
+/* The error of a feed's passing that products answer to. */
+static double
+feed_own(const struct leave_out *l)
+{
+	return l->noise > 0 ? l->noise : FEED_OWN;
+}
+
 /* The factor of both blocks with what they share [n n], the caller's. */
 static double *
 joint_factor(struct leave_out *l)
@@ -196,9 +203,14 @@ joint_factor(struct leave_out *l)
 				U[(b->first + i) * l->n + b->first + j] =
 				    b->U[i * b->n + j];
 	}
+	/* The feed's own error is searched, what products answer to is not:
+	 * where it has become smaller they share less, or else no errors would
+	 * have that covariance. */
+	double own = el_exp(f->hyper[SMOOTH_OWN]) / feed_own(l);
 	for (size_t i = 0; i < f->n; i++)
 		for (size_t j = 0; j < p->n; j++)
-			U[j * l->n + f->first + i] = l->cross[i * p->n + j];
+			U[j * l->n + f->first + i] =
+			    fmin(own, 1) * l->cross[i * p->n + j];
 	for (size_t c = 0; c < l->n; c++)
 		for (size_t i = 0; i < f->n && l->dropped[c]; i++)
 			for (size_t j = 0; j < p->n; j++)
@@ -450,6 +462,23 @@ fill_smooth(struct leave_out *l, struct block *b, bool feed)
 		}
 }
 
+/* What a parameter's bounds leave open, by the column J of its Jacobian, of so
+ * many.  Where they would let a passing move by more than far it is as good as
+ * free, and more would drown the errors in the last bits. */
+static void
+add_parameter(struct block *b, const double *J, size_t n, double wide)
+{
+	const double far = 10;
+	double most = 0;
+	for (size_t i = 0; i < b->n; i++)
+		most = fmax(most, fabs(J[i * n]));
+	wide = fmin(wide, far / fmax(most, 1e-300));
+	for (size_t i = 0; i < b->n; i++)
+		for (size_t k = 0; k < b->n; k++)
+			b->fixed[i * b->n + k] +=
+			    wide * wide * J[i * n] * J[k * n];
+}
+
 static void
 fill_differences(
     struct leave_out *l, struct block *b, const struct posterior *p)
@@ -471,19 +500,10 @@ fill_differences(
 		    .log_size = el_log(run->product.size[c->sieve]),
 		    .t = discrepancy_time(run->speed, p->middle),
 		    .h = discrepancy_h(P - b->value[i] / 2)};
-		for (size_t k = 0; k <= i; k++)
-			for (size_t j = 0; j < n; j++) {
-				double wide =
-				    (p->bounds.upper[j] - p->bounds.lower[j]) /
-				    2;
-				double part =
-				    wide * wide * J[i * n + j] * J[k * n + j];
-				b->fixed[i * b->n + k] += part;
-			}
 	}
-	for (size_t i = 0; i < b->n; i++)
-		for (size_t k = 0; k < i; k++)
-			b->fixed[k * b->n + i] = b->fixed[i * b->n + k];
+	for (size_t j = 0; j < n; j++)
+		add_parameter(
+		    b, J + j, n, (p->bounds.upper[j] - p->bounds.lower[j]) / 2);
 	for (size_t k = 0; k < HYPERS; k++)
 		b->hyper[k] = el_log(HYPER[k].median);
 	misfit_free(m);
@@ -545,9 +565,8 @@ static void
 add_feed_errors(struct leave_out *l)
 {
 	struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
-	double own = l->noise > 0 ? l->noise : FEED_OWN;
 	for (size_t c = 0; c < f->n; c++) {
-		double sd = own * f->cell[c].h;
+		double sd = feed_own(l) * f->cell[c].h;
 		const double *u = l->shift + (f->first + c) * l->n;
 		for (size_t i = 0; i < p->n; i++) {
 			for (size_t j = 0; j < p->n; j++)
