@@ -1,5 +1,5 @@
-/* One table of words: English, Swedish, German, French, Spanish, Portuguese,
- * Finnish and some Norwegian, without accents.
+/* Looks words up in one table: English, Swedish, German, French, Spanish,
+ * Portuguese, Finnish and some Norwegian, without accents.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/lexicon.h"
 
