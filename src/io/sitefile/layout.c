@@ -22,8 +22,8 @@ enum {
 };
 
 /* What a cell can be in a table.  means: of its words, of which so many are
- * unknown; head: it can head a column of sieves; foot: a line that says in words
- * what it has, a sum, a loss; kind, mm: as a sieve. */
+ * unknown; head: it can head a column of sieves; foot: it says in words what
+ * its line has, a sum, a loss; kind, mm: as a sieve. */
 struct nature {
 	uint64_t means;
 	unsigned unknown;

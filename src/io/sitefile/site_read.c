@@ -32,8 +32,9 @@ struct page {
 	struct layout *layout;
 };
 
-/* A site on its way.  table [n_table], of the layouts, and their columns in all; lost: something
- * is at fault, so that what is missing cannot be judged. */
+/* A site on its way.  table [n_table], of the layouts, and their columns in
+ * all; lost: something is at fault, so that what is missing cannot be
+ * judged. */
 struct reading {
 	const struct site_request *request;
 	struct error_list *errors;
