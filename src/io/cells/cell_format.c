@@ -1,4 +1,5 @@
-/* Format codes of workbooks, and the days that they count.
+/* Finds what a workbook's format code shows of a number, and writes the days
+ * that it counts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/cell_format.h"
 

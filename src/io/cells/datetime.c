@@ -1,4 +1,5 @@
-/* Zones are passed over: the clock on the wall is what the crew wrote down.
+/* Reads dates and times of day as several countries write them.  Zones are
+ * passed over: the clock on the wall is what the crew wrote down.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/datetime.h"
 

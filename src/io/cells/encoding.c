@@ -1,5 +1,6 @@
-/* Decodes by hand, as iconv's names and the letters it knows depend on the
- * system; composes by utf8proc.
+/* Decodes bytes as UTF-8, UTF-16 or Windows-1252.  It does so by hand, as
+ * iconv's names and the letters it knows depend on the system; utf8proc
+ * composes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/encoding.h"
 

@@ -1,4 +1,5 @@
-/* Cells into sheets, with limits; how files hold them is left to xlsx and ods.
+/* Collects cells of a workbook into sheets, within limits.  How files hold them
+ * is left to xlsx.c and ods.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/grid.h"
 

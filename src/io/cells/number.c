@@ -169,12 +169,12 @@ find_value(const struct sheet *sheet, struct cell *cell)
 	if (cell->kind == CELL_NUMBER) {
 		cell->value = VALUE_NUMBER;
 		number = cell->number;
-	} else if (cell->kind == CELL_TEXT && is_absent(cell->text)) {
-		cell->value = VALUE_ABSENT;
 	} else if (cell->kind == CELL_TEXT) {
 		bool less = cell->text[0] == '<';
 		if (read_text(sheet, cell->text + less, &number))
 			cell->value = less ? VALUE_TRACE : VALUE_NUMBER;
+		else if (is_absent(cell->text))
+			cell->value = VALUE_ABSENT;
 		else
 			cell->value = read_unit(sheet, cell->text, &number);
 	}

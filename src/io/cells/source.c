@@ -1,4 +1,4 @@
-/* From a path to sheets.
+/* Reads a file as sheets of cells, whatever kind of file it is.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/source.h"
 

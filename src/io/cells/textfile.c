@@ -1,4 +1,4 @@
-/* Reading bytes and telling text from what is not.
+/* Reads the bytes of a file, and tells text from what is none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/textfile.h"
 

@@ -1,4 +1,4 @@
-/* The parts of a workbook of Excel one after the other: what sheets there are,
+/* Reads the parts of an .xlsx one after the other: which sheets there are,
  * strings, formats, then each sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xlsx.h"

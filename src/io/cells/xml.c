@@ -1,4 +1,5 @@
-/* Names come from expat as "namespace name".
+/* Reads XML as events, by expat, within limits.  Names come from expat as
+ * "namespace name".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xml.h"
 

@@ -1,4 +1,5 @@
-/* libxlsxwriter, which writes into a file: here one without a name.
+/* Writes answers as a workbook by libxlsxwriter, which writes into a file: here
+ * one without a name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/book.h"
 

@@ -1,4 +1,4 @@
-/* From rows such as "screen,crushed,8,oversize,fine" to a circuit.
+/* Reads a circuit from rows such as "screen,crushed,8,oversize,fine".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/circuit_file.h"
 

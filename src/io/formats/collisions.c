@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads collision energies row by row, by the heads of their columns, into a
+ * spectrum; writes a spectrum so that it reads back.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/collisions.h"
 
 #include <ctype.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Merges the contacts of snapshots into impacts: one that goes on from snapshot
+ * to snapshot counts once, at its largest velocity.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/contacts.h"
 
 #include <math.h>

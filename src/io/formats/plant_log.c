@@ -1,5 +1,5 @@
-/* Finds the times first, then the columns beside them by their heads; what is
- * no number is passed over, as logs are full of it.
+/* Reads a plant's log: finds the times first, then the columns beside them by
+ * their heads.  What is no number is passed over, as logs are full of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/plant_log.h"
 

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads the parts of a run that was divided, and checks that they belong
+ * together.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/shards.h"
 
 #include <errno.h>

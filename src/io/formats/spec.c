@@ -1,4 +1,4 @@
-/* From a sheet of cells to the limits of a grading.
+/* Reads the limits of a grading from a sheet of cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/spec.h"
 

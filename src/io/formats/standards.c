@@ -1,4 +1,5 @@
-/* data/envelopes.csv and data/envelope-scalars.csv, and the names in them.
+/* Reads data/envelopes.csv and data/envelope-scalars.csv, and finds an envelope
+ * by words of its name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/standards.h"
 

@@ -1,4 +1,5 @@
-/* Heads say what they say; numbers say the rest, or that it cannot be told.
+/* Finds what the columns of a table are: by what their heads say, else by the
+ * shape of their numbers; a column that could be several things is open.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/classify.h"
 

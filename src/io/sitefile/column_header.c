@@ -1,4 +1,5 @@
-/* Speeds are cut out of the text first; what is left are words.
+/* Reads a head: cuts the speeds out of its text first, and takes what is left
+ * for words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/column_header.h"
 

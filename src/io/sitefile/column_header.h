@@ -16,7 +16,7 @@ enum speed_unit {
 	SPEED_RPM
 };
 
-/* means: of all its words, see vocabulary.h.  unknown: words without a meaning.
+/* means: of all its words, see lexicon.h.  unknown: words without a meaning.
  * unit: of a speed, with or without a number.  speed: m/s, 0 where none is told
  * in a unit of speed; rpm: 0 likewise.  number: the first of n_number numbers
  * without any unit.  several: it tells two speeds.

@@ -1,5 +1,5 @@
-/* A sheet is looked at as a grid, once as it is and once turned over, so that
- * sieves always go down.
+/* Finds the tables of a sheet.  It is looked at as a grid, once as it is and
+ * once turned over, so that sieves always go down.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/layout.h"
 
@@ -21,18 +21,13 @@ enum {
 	LEAST_WITHOUT_HEAD = 4 /* sieves of a table that nothing heads */
 };
 
-/* What a cell can be in a table; each is found when it is first asked.  kind
- * and mm: as a sieve. */
+/* What a cell can be in a table.  means: of its words, of which so many are
+ * unknown; head: it can head a column of sieves; foot: it says in words what
+ * its line has, a sum, a loss; kind, mm: as a sieve. */
 struct nature {
-	enum {
-		HAS_HEAD = 1,
-		IS_HEAD = 2,
-		HAS_FOOT = 4,
-		IS_FOOT = 8,
-		HAS_KIND = 16,
-		IS_PHI = 32,
-		IS_NUMBER = 64
-	} bits;
+	uint64_t means;
+	unsigned unknown;
+	bool head, foot;
 	enum sieve_kind kind;
 	double mm;
 };
@@ -67,6 +62,12 @@ cell_at(const struct grid *g, size_t r, size_t c)
 	return &g->at[index_at(g, r, c)];
 }
 
+static struct nature *
+nature_at(const struct grid *g, size_t r, size_t c)
+{
+	return &g->nature[index_at(g, r, c)];
+}
+
 static bool
 is_filled(const struct grid *g, size_t r, size_t c)
 {
@@ -93,7 +94,70 @@ in_range(struct layout_range range, int line, size_t column)
 		   (int)column <= range.last_column);
 }
 
+/* Whether a cell can head a column of sieves: by a word for size or sieve, or a
+ * unit of size alone, and no word for something else. */
+static bool
+can_head(const struct cell *cell, const struct nature *n)
+{
+	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
+				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
+				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
+				     WORD_PERCENT | WORD_PAN;
+	/* "n.d." is no diameter. */
+	if (cell->kind != CELL_TEXT || cell->value == VALUE_ABSENT ||
+	    strpbrk(cell->text, "0123456789") != NULL ||
+	    text_same(cell->text, "top_size_mm"))
+		return false;
+	uint64_t means = n->means;
+	uint64_t units =
+	    WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS | WORD_PHI;
+	/* A micrometre, too, in some languages: "My quarry" is a name. */
+	bool mine = n->unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
+	if ((means & ELSE) != 0 || mine)
+		return false;
+	/* "Lower phi" is a limit of a class, not of a specification. */
+	uint64_t more =
+	    WORD_FILLER | ((means & WORD_PHI) != 0 ? WORD_LIMIT : 0);
+	bool unit = (means & units) != 0 && n->unknown <= 1 &&
+		    (means & ~units & ~more) == 0;
+	bool number =
+	    (means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER && n->unknown == 0;
+	return (means & WORD_SIZE) != 0 || unit || number;
+}
+
+static struct nature
+nature_of(const struct sheet *sheet, const struct cell *cell)
+{
+	const struct sieve_unit none = {0, SIEVE_NONE},
+				length = {1, SIEVE_NONE};
+	struct nature n = {.kind = SIEVE_IS_NONE, .mm = NAN};
+	size_t unknown = 0;
+	if (cell->text[0] == '\0')
+		return n;
+	n.kind = sieve_size(sheet, *cell, none, &n.mm);
+	if (n.kind == SIEVE_IS_NONE)
+		n.kind = sieve_size(sheet, *cell, length, &n.mm);
+	if (cell->kind == CELL_TEXT && cell->value == VALUE_NUMBER)
+		return n;
+	n.means = vocabulary_text(cell->text, &unknown);
+	n.unknown = (unsigned)unknown;
+	n.head = can_head(cell, &n);
+	n.foot = n.kind == SIEVE_IS_NONE &&
+		 (n.means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
+	return n;
+}
+
 /* Of a grid whose cells are all there. */
+static void
+find_natures(struct grid *g)
+{
+	for (size_t r = 0; r < g->n_row && !error_stopped(g->sheet->errors);
+	     r++)
+		for (size_t c = 0; c < g->n_col; c++)
+			*nature_at(g, r, c) =
+			    nature_of(g->sheet, cell_at(g, r, c));
+}
+
 static void
 find_numbers(struct grid *g)
 {
@@ -217,38 +281,6 @@ grid_clear(struct grid *g)
 	free(g->used);
 }
 
-/* The words of a cell that can head a column of sieves: a word for size or
- * sieve, or a unit of size alone, and no word for something else; or 0. */
-static uint64_t
-head_words(const struct cell *cell)
-{
-	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
-				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
-				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
-				     WORD_PERCENT | WORD_PAN;
-	size_t unknown;
-	/* "n.d." is no diameter. */
-	if (cell->kind != CELL_TEXT || cell->text[0] == '\0' ||
-	    strpbrk(cell->text, "0123456789") != NULL ||
-	    cell->value == VALUE_ABSENT || text_same(cell->text, "top_size_mm"))
-		return 0;
-	uint64_t means = vocabulary_text(cell->text, &unknown);
-	uint64_t units =
-	    WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS | WORD_PHI;
-	/* A micrometre, too, in some languages: "My quarry" is a name. */
-	bool mine = unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
-	if ((means & ELSE) != 0 || mine)
-		return 0;
-	/* "Lower phi" is a limit of a class, not of a specification. */
-	uint64_t more =
-	    WORD_FILLER | ((means & WORD_PHI) != 0 ? WORD_LIMIT : 0);
-	bool unit = (means & units) != 0 && unknown <= 1 &&
-		    (means & ~units & ~more) == 0;
-	bool number =
-	    (means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER && unknown == 0;
-	return (means & WORD_SIZE) != 0 || unit || number ? means : 0;
-}
-
 /* Numbers that sieves of ASTM E11 have, below a head that says no more than
  * number: 4, 8, 16, but not 4, 5, 6, which counts something. */
 static bool
@@ -272,18 +304,9 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 static bool
 is_sieve_head(const struct grid *g, size_t r, size_t c)
 {
-	struct nature *nature = &g->nature[index_at(g, r, c)];
-	if ((nature->bits & HAS_HEAD) == 0) {
-		uint64_t means = head_words(cell_at(g, r, c));
-		nature->bits |=
-		    HAS_HEAD | (means != 0 ? IS_HEAD : 0) |
-		    ((means & WORD_PHI) != 0 ? IS_PHI : 0) |
-		    ((means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER ? IS_NUMBER
-								     : 0);
-	}
-	return (nature->bits & IS_HEAD) != 0 &&
-	       ((nature->bits & IS_NUMBER) == 0 ||
-		   has_numbers_of_sieves(g, r, c));
+	const struct nature *n = nature_at(g, r, c);
+	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
+	return n->head && (!number || has_numbers_of_sieves(g, r, c));
 }
 
 /* Whether phi is said above numbers that can be it: the letter is that of a
@@ -293,7 +316,7 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 {
 	double v;
 	if (!is_sieve_head(g, r, c) ||
-	    (g->nature[index_at(g, r, c)].bits & IS_PHI) == 0)
+	    (nature_at(g, r, c)->means & WORD_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
 		if (number_of(*cell_at(g, r, c), &v) &&
@@ -305,22 +328,11 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 static enum sieve_kind
 kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 {
-	struct sieve_unit none = {0, SIEVE_NONE}, length = {1, SIEVE_NONE};
-	struct nature *nature = &g->nature[index_at(g, r, c)];
-	const struct cell *cell = cell_at(g, r, c);
-	if (g->phi[c]) {
-		struct sieve_unit phi = {0, SIEVE_PHI};
-		return sieve_size(g->sheet, *cell, phi, mm);
-	}
-	if ((nature->bits & HAS_KIND) == 0) {
-		nature->bits |= HAS_KIND;
-		nature->kind = sieve_size(g->sheet, *cell, none, &nature->mm);
-		if (nature->kind == SIEVE_IS_NONE)
-			nature->kind =
-			    sieve_size(g->sheet, *cell, length, &nature->mm);
-	}
-	*mm = nature->mm;
-	return nature->kind;
+	const struct sieve_unit phi = {0, SIEVE_PHI};
+	if (g->phi[c])
+		return sieve_size(g->sheet, *cell_at(g, r, c), phi, mm);
+	*mm = nature_at(g, r, c)->mm;
+	return nature_at(g, r, c)->kind;
 }
 
 static bool
@@ -345,28 +357,6 @@ struct place {
 	int score;
 	bool unsure;
 };
-
-/* A row that says in words what it has: a sum, a loss. */
-static bool
-can_foot(const struct grid *g, size_t r, size_t c)
-{
-	const struct cell *cell = cell_at(g, r, c);
-	size_t unknown;
-	if (cell->text[0] == '\0' || is_sieve(g, r, c) ||
-	    strspn(cell->text, "0123456789.,") == strlen(cell->text))
-		return false;
-	uint64_t means = vocabulary_text(cell->text, &unknown);
-	return (means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
-}
-
-static bool
-is_foot(const struct grid *g, size_t r, size_t c)
-{
-	struct nature *nature = &g->nature[index_at(g, r, c)];
-	if ((nature->bits & HAS_FOOT) == 0)
-		nature->bits |= HAS_FOOT | (can_foot(g, r, c) ? IS_FOOT : 0);
-	return (nature->bits & IS_FOOT) != 0;
-}
 
 /* Where a sieve with numbers follows right below; n_row: it ends before. */
 static size_t
@@ -406,7 +396,7 @@ find_end(const struct grid *g, struct place *p)
 		bool numbers = has_numbers(g, r, p->c, p->end);
 		if (is_sieve_head(g, r, p->c))
 			break;
-		if (r >= known && is_foot(g, r, p->c) &&
+		if (r >= known && nature_at(g, r, p->c)->foot &&
 		    (known = goes_on(g, r, p->c, p->end)) == g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
@@ -471,8 +461,7 @@ is_other_head(const struct grid *g, size_t r, size_t c)
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
 	if (r == 0)
 		return false;
-	const struct cell *head = cell_at(g, g->across ? 0 : r - 1, c);
-	uint64_t means = vocabulary_text(head->text, NULL);
+	uint64_t means = nature_at(g, g->across ? 0 : r - 1, c)->means;
 	return (means & other) != 0 && (means & WORD_SIZE) == 0;
 }
 
@@ -746,18 +735,20 @@ take_table(const struct grid *g, const struct place *p, size_t from, size_t end,
 	       !g->used[index_at(g, top - 1, p->c)])
 		top--;
 	for (size_t r = top; r < p->first; r++) {
-		bool mass =
-		    is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end);
+		bool mass = nature_at(g, r, p->c)->foot &&
+			    has_numbers(g, r, p->c, p->end);
 		if (!mass)
 			add_row(g, r, col, n, &t.head, &t.n_head);
 		t.titles += !mass && r < own;
 	}
 	for (size_t r = top; r < p->first; r++)
-		if (is_foot(g, r, p->c) && has_numbers(g, r, p->c, p->end))
+		if (nature_at(g, r, p->c)->foot &&
+		    has_numbers(g, r, p->c, p->end))
 			add_row(g, r, col, n, &t.foot, &t.n_foot);
 	for (size_t r = p->first; r < p->last; r++)
 		add_row(g, r, col, n, &t.row, &t.n_row);
-	for (size_t r = p->last; r < g->n_row && is_foot(g, r, p->c); r++)
+	for (size_t r = p->last; r < g->n_row && nature_at(g, r, p->c)->foot;
+	     r++)
 		add_row(g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
@@ -947,6 +938,7 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	struct grid g = grid_new(sheet, range);
 	shift_head(&g);
 	name_feeds(&g);
+	find_natures(&g);
 	find_numbers(&g);
 	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down);

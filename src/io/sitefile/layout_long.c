@@ -1,4 +1,5 @@
-/* A column for each sample, a row for each sieve of any of them.
+/* Makes a long table wide: a column for each sample, a row for each sieve of
+ * any of them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/layout_long.h"
 

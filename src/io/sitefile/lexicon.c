@@ -1,5 +1,5 @@
-/* One table of words: English, Swedish, German, French, Spanish, Portuguese,
- * Finnish and some Norwegian, without accents.
+/* Looks words up in one table: English, Swedish, German, French, Spanish,
+ * Portuguese, Finnish and some Norwegian, without accents.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/lexicon.h"
 
@@ -26,7 +26,8 @@ static const struct {
 	"antes alimentacao syote syotto ennen pagang tilgang"},
     {WORD_PRODUCT,
 	"product products prod produkt produkte produkter krossprodukt "
-	"utgaende ut out output outlet discharge after crushed krossat krossad efter "
+	"utgaende ut out output outlet discharge after crushed krossat krossad "
+	"efter "
 	"austrag brechgut endprodukt nachher produit produits sortie apres "
 	"concasse broye producto productos salida triturado despues produto "
 	"produtos saida britado depois tuote tuotteen murske jalkeen"},

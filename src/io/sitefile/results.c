@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds out whether a sheet holds results that this program has printed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/results.h"
 
 #include <stdbool.h>

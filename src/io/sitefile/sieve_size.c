@@ -1,5 +1,5 @@
-/* Finds the opening of a sieve from the words of a cell: named ones in one table
- * of their standards, others by number and unit; tells pans from them.
+/* Finds the opening of a sieve from the words of a cell: named ones in one
+ * table of their standards, others by number and unit; tells pans from them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/sieve_size.h"
 
@@ -384,6 +384,13 @@ sieve_size_is_class(const struct sheet *sheet, struct cell cell)
 	return cut_class(sheet, &cell, copy);
 }
 
+/* mm, to 9 decimals, of a size in a unit of so many mm; 0: in mm. */
+static double
+in_unit(double value, double unit)
+{
+	return round(value * (unit > 0 ? unit : 1) * 1e9) / 1e9;
+}
+
 enum sieve_kind
 sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
     double *mm)
@@ -393,6 +400,12 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	*mm = NAN;
 	if (cell.kind == CELL_DATE || cell.text[0] == '\0')
 		return SIEVE_IS_NONE;
+	/* A number alone is a name only where the head says so. */
+	if (unit.series == SIEVE_NONE && cell.kind == CELL_TEXT &&
+	    cell.value == VALUE_NUMBER && cell.number > 0) {
+		*mm = in_unit(cell.number, unit.mm);
+		return SIEVE_IS_SIZE;
+	}
 	if (is_pan(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
@@ -401,10 +414,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
 	}
-	/* A number alone is a name only where the head says so. */
-	bool bare = cell.kind == CELL_TEXT && cell.value == VALUE_NUMBER &&
-		    unit.series == SIEVE_NONE;
-	double named = bare ? 0 : sieve_names_mm(cell.text, unit.series);
+	double named = sieve_names_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;
 		return SIEVE_IS_SIZE;
@@ -417,7 +427,6 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;
-	double factor = own > 0 ? own : unit.mm > 0 ? unit.mm : 1;
-	*mm = round(value * factor * 1e9) / 1e9;
+	*mm = in_unit(value, own > 0 ? own : unit.mm);
 	return SIEVE_IS_SIZE;
 }

@@ -57,7 +57,7 @@ enum { SIEVE_MOST_PHI = 10 };
 
 enum sieve_kind { SIEVE_IS_NONE, SIEVE_IS_PAN, SIEVE_IS_SIZE };
 
-/* The unit that the words of a head tell, see vocabulary.h. */
+/* The unit that the words of a head tell, see lexicon.h. */
 struct sieve_unit sieve_unit_of(uint64_t means);
 
 /* What a cell is, and of SIEVE_IS_SIZE its opening, mm to 9 decimals: NAN where

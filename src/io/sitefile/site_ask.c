@@ -1,4 +1,5 @@
-/* Questions about columns in the words that answer them.
+/* Makes the questions about what is open in a sheet, in the words that answer
+ * them, and reads the answers: columns= and range=.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_ask.h"
 

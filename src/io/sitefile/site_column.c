@@ -1,4 +1,4 @@
-/* From the cells of a column to passing in percent.
+/* Converts the cells of a column to passing in percent, and checks them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_column.h"
 

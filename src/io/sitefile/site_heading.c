@@ -1,4 +1,5 @@
-/* Keys in the languages of vocabulary.h.
+/* Reads the lines above the tables: keys with values, in the languages of
+ * lexicon.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_heading.h"
 

@@ -1,5 +1,5 @@
-/* From the sheets of one site or of its samples to the site: sheets come from
- * source, tables from layout, what they hold from recognise.
+/* Reads the sheets of one site, or of its samples: sheets come from source.c,
+ * tables from layout.c, what they hold from classify.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_read.h"
 
@@ -32,8 +32,9 @@ struct page {
 	struct layout *layout;
 };
 
-/* A site on its way.  table [n_table], of the layouts, and their columns in all; lost: something
- * is at fault, so that what is missing cannot be judged. */
+/* A site on its way.  table [n_table], of the layouts, and their columns in
+ * all; lost: something is at fault, so that what is missing cannot be
+ * judged. */
 struct reading {
 	const struct site_request *request;
 	struct error_list *errors;

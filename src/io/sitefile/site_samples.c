@@ -1,4 +1,5 @@
-/* Names of samples are those of their heads, or of the rows of a long table.
+/* Gives columns the roles that samples= says by name.  Names of samples are
+ * those of their heads, or of the rows of a long table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_samples.h"
 

@@ -1,4 +1,5 @@
-/* From the first cells of the rows to sieve sizes, coarsest first.
+/* Finds the unit of a table's sieves and their sizes, and puts them coarsest
+ * first.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_sieve.h"
 

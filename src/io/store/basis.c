@@ -1,6 +1,7 @@
-/* The text is a line "name=number,number name=.. " for the fit, a line for each
- * thing that the sheet was taken for, an empty line, and the sheets, with an
- * empty line between them.
+/* Writes and reads what a calibration rests on as text: a line
+ * "name=number,number name=.. " for the fit, a line for each thing that the
+ * sheet was taken for, an empty line, and the sheets, with an empty line
+ * between them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/basis.h"
 

@@ -1,5 +1,5 @@
-/* The fields of a material as one table, which the file, its CSV form and what
- * is shown are read from.
+/* Holds a material's fields in one table, which the file, its CSV form and what
+ * is shown are read from; reads those of Table 3.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/material.h"
 

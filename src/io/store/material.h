@@ -12,9 +12,9 @@
 #include "core/model/breakage.h"
 
 /* One material.  Text is never NULL and "" where nothing is known; a number is
- * then NAN and a whole number -1.  feed_source: of a row such as Table 3 has, what
- * the feeds were, "Individual", else NULL.  provenance: that of the site's data, so that
- * made-up data never pass for measured ones.  origin: "fit", "hand" or, of
+ * then NAN and a whole number -1.  feed_source: of a row such as Table 3 has,
+ * what the feeds were, "Individual", else NULL.  provenance: that of the site's
+ * data, so that made-up data never pass for measured ones.  origin: "fit", "hand" or, of
  * Table 3, "table3".  rmse_pct, holdout_pct: points at the training runs, and
  * the largest at the others.  basis: see basis.h. */
 struct stored {
@@ -115,10 +115,11 @@ bool stored_is_table3_name(const char *name);
 /* One line of UTF-8, without control characters. */
 bool stored_is_line(const char *text);
 
-/* Adds the rows of a file such as data/table3.csv, with the default beta, which
+/* Adds the rows of a file such as data/table3.csv, with the default beta, as it
  * is not printed: columns rock, site, top_size_mm, f_mat, feed_source, E0_min
  * and alpha in this order.  False with all the faults of the sheet in errors, a
- * list that the caller has zeroed; ERROR_SYSTEM when the file cannot be read. */
+ * list that the caller has zeroed; ERROR_SYSTEM when the file cannot be
+ * read. */
 bool stored_read_printed(
     const char *path, struct stored_list *list, struct error_list *errors);
 

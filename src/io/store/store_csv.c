@@ -1,4 +1,5 @@
-/* Export and import.  Quotes, line numbers and decimal signs are sheet's.
+/* Writes materials as CSV and reads them back.  Quotes, line numbers and
+ * decimal signs are left to sheet.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/store_csv.h"
 
