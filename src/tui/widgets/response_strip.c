@@ -226,7 +226,7 @@ above_update(struct tui *t)
 struct cells {
 	struct area area;
 	int across, down;
-	bool ascii, quadrants;
+	enum charset charset;
 	double low, high;
 	unsigned char *dots, *series; /* [rows * columns] */
 };
@@ -262,31 +262,20 @@ put_dot(struct cells *p, int x, int level, enum series series)
 	int down = p->down - 1 - level % p->down;
 	size_t at = (size_t)(row * p->area.columns + column);
 	/* Of a curve that falls steeply through a cell the last is shown. */
-	if (p->ascii)
+	if (p->charset == CHARSET_ASCII)
 		p->dots[at] = 0;
 	p->dots[at] |=
 	    (unsigned char)(1U << (p->across * down + x % p->across));
 	p->series[at] = (unsigned char)series;
 }
 
-/* Of eight dots, of four, or a character that stands as high. */
+/* Its dots, or a character that stands as high. */
 static uint32_t
 code_of(const struct cells *p, unsigned dots)
 {
-	static const uint32_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
-	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,
-	    0x2584, 0x2599, 0x259F, 0x2588};
-	static const unsigned char BRAILLE[8] = {
-	    0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
-	if (p->ascii)
-		return dots & 1 ? '\'' : dots & 2 ? '-' : '.';
-	if (p->quadrants)
-		return QUADRANTS[dots & 15];
-	unsigned code = 0;
-	for (unsigned i = 0; i < ARRAY_LEN(BRAILLE); i++)
-		if (dots >> i & 1)
-			code |= BRAILLE[i];
-	return 0x2800 + code;
+	if (p->charset != CHARSET_ASCII)
+		return canvas_dots_code(p->charset, dots);
+	return dots & 1 ? '\'' : dots & 2 ? '-' : '.';
 }
 
 /* Where in the track a column of dots is, 0 to 1: the middle of a cell is where
@@ -531,7 +520,8 @@ draw_marks(const struct tui *t, const struct cells *p)
 	if (isfinite(value))
 		screen_series(&p->area, row_of(p, value),
 		    slider_column(range, t->ui.tenths, p->area.columns),
-		    SERIES_PREDICTED, LOOK_BOLD, p->ascii ? "O" : "\u25CE");
+		    SERIES_PREDICTED, LOOK_BOLD,
+		    p->charset == CHARSET_ASCII ? "O" : "\u25CE");
 }
 
 /* In words why there is no curve; nothing while it is being worked out. */
@@ -556,14 +546,13 @@ void
 above_draw(struct tui *t)
 {
 	struct area area = t->places.above, track = places_track(&t->places);
+	enum { ASCII_DOWN = 3 };
 	enum charset charset = screen_charset();
 	struct cells p = {.area = area,
-	    .across = charset == CHARSET_ASCII ? 1 : 2,
-	    .down = charset == CHARSET_ASCII       ? 3
-		    : charset == CHARSET_QUADRANTS ? 2
-						   : 4,
-	    .ascii = charset == CHARSET_ASCII,
-	    .quadrants = charset == CHARSET_QUADRANTS};
+	    .charset = charset,
+	    .across = canvas_dots_across(charset),
+	    .down = charset == CHARSET_ASCII ? ASCII_DOWN
+					     : canvas_dots_down(charset)};
 	if (area.rows == 0)
 		return;
 	p.area.column = track.column;
