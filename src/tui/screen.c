@@ -174,6 +174,12 @@ screen_back(struct display *was)
 	return frame;
 }
 
+const struct canvas *
+screen_frame(void)
+{
+	return is.frame;
+}
+
 void
 screen_only_text(bool on)
 {
