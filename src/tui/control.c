@@ -360,7 +360,7 @@ free_all(struct tui *t)
 	folder_free(&t->chooser.folder);
 	free(t->chooser.preview);
 	limits_free(t);
-	touch_free(&t->touches);
+	hits_free(&t->hits);
 }
 
 /* The prediction at the slider, of which the session is not told. */

@@ -15,7 +15,7 @@ void control_end(struct tui *t);
 const struct tui *control_open(void);
 
 /* Another one that shows the same, for a frame beside it: nothing that is done
- * to it touches the open one, and control_drop is its end.  It has a copy of
+ * to it hits the open one, and control_drop is its end.  It has a copy of
  * what is chosen (struct ui), and works the rest out. */
 struct tui *control_beside(void);
 void control_drop(struct tui *t);

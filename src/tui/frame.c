@@ -40,7 +40,7 @@ tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 static void
 draw_header(struct tui *t)
 {
-	const struct area *area = &t->places.header;
+	const struct area *area = &t->layout.header;
 	const struct entry *entry = tui_entry(t);
 	char text[24];
 	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
@@ -62,7 +62,7 @@ draw_header(struct tui *t)
 		column = screen_text(area, 0, column,
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
-		touch_add_key(&t->touches,
+		hits_add_key(&t->hits,
 		    (struct area){area->row, from, 1, column - from},
 		    '1' + (int)p, false);
 		column++;
@@ -70,8 +70,8 @@ draw_header(struct tui *t)
 	if (help == 0)
 		return;
 	screen_text(area, 0, column, LOOK_DIM, " ? help");
-	touch_add_key(
-	    &t->touches, (struct area){area->row, column, 1, help}, '?', false);
+	hits_add_key(
+	    &t->hits, (struct area){area->row, column, 1, help}, '?', false);
 }
 
 /* The cursor goes where the line is clicked on, item being its first byte that
@@ -81,7 +81,7 @@ touch_line(struct tui *t, const struct touched *touched)
 {
 	const char *at = t->typing.text + touched->item;
 	char left[TEXT_SHOWN];
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
 	for (int c = 1; c < touched->column && *at != '\0';)
 		c += text_show(&at, left);
@@ -97,10 +97,10 @@ draw_command(struct tui *t, const struct area *area)
 		size_t from;
 		int at = pane_typed(
 		    area, t->goal_field ? "goal: " : ":", &t->typing, &from);
-		touch_add(&t->touches, *area, touch_line, from);
+		hits_add(&t->hits, *area, touch_line, from);
 		return at;
 	}
-	touch_add_key(&t->touches, *area, ':', false);
+	hits_add_key(&t->hits, *area, ':', false);
 	const char *tail =
 	    t->failed ? tr("(failed)") : tr("(last action, as a command)");
 	int column = screen_text(
@@ -120,9 +120,9 @@ draw_message(const struct tui *t, const struct area *row)
 	struct area area = *row;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
-	     hints = wide && t->places.hints.rows > 0;
+	     hints = wide && t->layout.hints.rows > 0;
 	if (wide)
-		area.rows = places_message_rows(&t->places);
+		area.rows = layout_message_rows(&t->layout);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	screen_clear(&area);
@@ -188,9 +188,9 @@ draw_state(struct tui *t, const struct area *area)
 static bool
 touch_offer(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == TOUCH_PRESS)
+	if (touched->kind == HIT_PRESS)
 		typing_take(&t->typing, touched->item);
-	return touched->kind == TOUCH_PRESS;
+	return touched->kind == HIT_PRESS;
 }
 
 /* What a word may become; ".." where there is more, which Tab shows. */
@@ -211,7 +211,7 @@ draw_offers(struct tui *t, const struct area *area)
 			break;
 		}
 		column = screen_text(area, 0, from, 0, "%s", text);
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){
 			area->row, area->column + from, 1, column - from},
 		    touch_offer, i);
@@ -266,7 +266,7 @@ draw_hints(struct tui *t)
 	else if (t->speed.n > 0)
 		pane_hints(t, LOOK_DIM, "Enter go there  Esc give up");
 	else if (filters(t))
-		draw_filter(t, &t->places.hints);
+		draw_filter(t, &t->layout.hints);
 	else
 		pane_hints(t, LOOK_DIM,
 		    page->hints != NULL ? page->hints : page->hints_now(t));
@@ -289,7 +289,7 @@ draw_speed(struct tui *t, const struct area *note)
 static bool
 tells_state(const struct tui *t)
 {
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	return l->status.rows == 0 &&
 	       (l->hints.rows > 0 || session_busy(t->session));
 }
@@ -298,7 +298,7 @@ tells_state(const struct tui *t)
 static bool
 draw_note(struct tui *t, const struct area *note)
 {
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	if (t->speed.text[0] != '\0') {
 		draw_speed(t, note);
 	} else if (t->typing.active && t->typing.offers != NULL) {
@@ -317,7 +317,7 @@ draw_note(struct tui *t, const struct area *note)
 static void
 draw_lower(struct tui *t)
 {
-	struct places *l = &t->places;
+	struct layout *l = &t->layout;
 	const struct area *note = l->status.rows > 0    ? &l->status
 				  : l->command.rows > 0 ? &l->command
 							: &l->track;
@@ -327,7 +327,7 @@ draw_lower(struct tui *t)
 		     (t->message[0] || t->speed.text[0] || tells_state(t));
 	/* Nothing else is touched by mistake while a line is typed. */
 	if (typing)
-		touch_clear(&t->touches);
+		hits_clear(&t->hits);
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
 			screen_clear(line);
@@ -358,11 +358,11 @@ draw_question(struct tui *t, int rows, int columns)
 	int end = text_width(last != NULL ? last + 1 : text);
 	t->cursor = (struct cursor){rows - 1, end};
 	/* It ends with "y/n"; the mouse has no other answer. */
-	touch_clear(&t->touches);
-	touch_add_key(&t->touches,
+	hits_clear(&t->hits);
+	hits_add_key(&t->hits,
 	    (struct area){rows - 1, end < 4 ? 0 : end - 4, 1, 2}, 'y', false);
-	touch_add_key(
-	    &t->touches, (struct area){rows - 1, end - 1, 1, 2}, 'n', false);
+	hits_add_key(
+	    &t->hits, (struct area){rows - 1, end - 1, 1, 2}, 'n', false);
 	free(text);
 	free(asks);
 }
@@ -371,7 +371,7 @@ static void
 draw_page(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
-	const struct area *caption = &t->places.caption;
+	const struct area *caption = &t->layout.caption;
 	if (caption->rows > 0 &&
 	    (page->caption == NULL || !page->caption(t, caption)))
 		track_heading(t);
@@ -386,8 +386,8 @@ draw_page(struct tui *t)
 static bool
 touch_wheel(struct tui *t, const struct touched *touched)
 {
-	int by = touched->kind == TOUCH_UP ? 1 : -1;
-	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+	int by = touched->kind == HIT_UP ? 1 : -1;
+	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
 	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + by);
 	return true;
@@ -397,9 +397,9 @@ touch_wheel(struct tui *t, const struct touched *touched)
 static bool
 touch_text(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
-	view_scroll(t, touched->kind == TOUCH_UP ? -1 : 1);
+	view_scroll(t, touched->kind == HIT_UP ? -1 : 1);
 	return true;
 }
 
@@ -417,14 +417,14 @@ side_columns(const struct page_ops *page, int columns)
 static void
 add_wheel(struct tui *t, bool viewing)
 {
-	const struct places *l = &t->places;
-	struct touches *touches = &t->touches;
+	const struct layout *l = &t->layout;
+	struct hits *hits = &t->hits;
 	const struct area over[] = {l->plot, l->legend, l->strip, l->numbers,
 	    l->caption, l->above, l->track};
 	if (viewing)
-		touch_add(touches, l->body, touch_text, 0);
+		hits_add(hits, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
-		touch_add(touches, over[i], touch_wheel, 0);
+		hits_add(hits, over[i], touch_wheel, 0);
 	if (!viewing && rows_here(t))
 		rows_wheel(t, l->body);
 }
@@ -437,18 +437,18 @@ frame_draw(struct tui *t)
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
 	bool viewing = t->viewer.text != NULL, list = t->chooser.on && !viewing;
-	t->places = viewing || list
-			? places_text(rows, columns)
-			: places_make(rows, columns,
-			      (struct places_ask){side_columns(page, columns),
+	t->layout = viewing || list
+			? layout_text(rows, columns)
+			: layout_make(rows, columns,
+			      (struct layout_ask){side_columns(page, columns),
 				  page->strip, page->above});
-	touch_clear(&t->touches);
+	hits_clear(&t->hits);
 	t->n_drawn = 0;
 	t->shows = page;
 	add_wheel(t, viewing);
 	draw_header(t);
-	t->cursor = (struct cursor){t->places.track.row, 0};
-	if (t->places.track.rows > 0)
+	t->cursor = (struct cursor){t->layout.track.row, 0};
+	if (t->layout.track.rows > 0)
 		track_draw(t);
 	if (viewing)
 		view_draw(t);

@@ -28,12 +28,12 @@ take(struct tui *t, int code)
 	/* Controls, those beyond ASCII too. */
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
-	if (p->ended || p->taken >= MOST || !act_types(t, code)) {
+	if (p->ended || p->taken >= MOST || !keymap_types(t, code)) {
 		p->left = p->left || code != ' ';
 		return;
 	}
 	p->taken++;
-	act_key(t, code, false);
+	keymap_key(t, code, false);
 }
 
 void

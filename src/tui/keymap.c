@@ -444,32 +444,32 @@ digit_key(struct tui *t, int code, bool special)
 /* Over a line that is typed only what belongs to it was said to be touched; a
  * speed that was begun ends where another thing is, but for its own keys. */
 static void
-touch(struct tui *t, enum touch_kind kind, int row, int column)
+touch(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	const struct touch *at = touch_at(&t->touches, row, column);
+	const struct hit *at = hits_at(&t->hits, row, column);
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
-	if (kind == TOUCH_PRESS && !own)
+	if (kind == HIT_PRESS && !own)
 		typing_begin(&t->speed, "");
-	touch_mouse(t, &t->touches, kind, row, column, act_key);
+	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 }
 
 /* What an event of ncurses means. */
 static void
 take_mouse(struct tui *t,
-    void (*touched)(struct tui *t, enum touch_kind kind, int row, int column))
+    void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))
 {
 	MEVENT e;
 	if (getmouse(&e) != OK)
 		return;
 	if (e.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED))
-		touched(t, TOUCH_PRESS, e.y, e.x);
+		touched(t, HIT_PRESS, e.y, e.x);
 	else if (e.bstate & (BUTTON4_PRESSED | BUTTON5_PRESSED))
-		touched(t, e.bstate & BUTTON4_PRESSED ? TOUCH_UP : TOUCH_DOWN,
-		    e.y, e.x);
+		touched(t, e.bstate & BUTTON4_PRESSED ? HIT_UP : HIT_DOWN, e.y,
+		    e.x);
 	else if (e.bstate & REPORT_MOUSE_POSITION)
-		touched(t, TOUCH_DRAG, e.y, e.x);
+		touched(t, HIT_DRAG, e.y, e.x);
 	if (e.bstate & (BUTTON1_RELEASED | BUTTON1_CLICKED))
-		touch_release(&t->touches);
+		hits_release(&t->hits);
 }
 
 static void
@@ -481,13 +481,13 @@ note_key(struct tui *t, int code, bool special)
 }
 
 static void
-touch_answer(struct tui *t, enum touch_kind kind, int row, int column)
+touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	touch_mouse(t, &t->touches, kind, row, column, note_key);
+	hits_mouse(t, &t->hits, kind, row, column, note_key);
 }
 
 bool
-act_pointed(struct tui *t, int *code, bool *special)
+keymap_pointed(struct tui *t, int *code, bool *special)
 {
 	t->pointed.is = false;
 	take_mouse(t, touch_answer);
@@ -546,7 +546,7 @@ next_mode(const struct tui *t, enum mode from)
 }
 
 bool
-act_types(const struct tui *t, int code)
+keymap_types(const struct tui *t, int code)
 {
 	switch (next_mode(t, ANSWER)) {
 	case ANSWER:
@@ -566,7 +566,7 @@ act_types(const struct tui *t, int code)
 }
 
 void
-act_key(struct tui *t, int code, bool special)
+keymap_key(struct tui *t, int code, bool special)
 {
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;

@@ -54,7 +54,7 @@ take_rows(struct area *left, int rows, int least, int every)
 }
 
 static void
-split_body(struct places *l, int rows, int side_columns)
+split_body(struct layout *l, int rows, int side_columns)
 {
 	bool side = rows >= FOR_SIDE && side_columns > 0 &&
 		    l->body.columns - side_columns >= PLOT_COLUMNS;
@@ -74,10 +74,10 @@ split_body(struct places *l, int rows, int side_columns)
 	l->side.columns = side_columns;
 }
 
-struct places
-places_make(int rows, int columns, struct places_ask ask)
+struct layout
+layout_make(int rows, int columns, struct layout_ask ask)
 {
-	struct places l = {.wall = -1, .body = {0, 0, rows, columns}};
+	struct layout l = {.wall = -1, .body = {0, 0, rows, columns}};
 	struct area *left = &l.body;
 	if (rows >= FOR_HEADER) {
 		l.header = (struct area){0, 0, 1, columns};
@@ -111,11 +111,11 @@ places_make(int rows, int columns, struct places_ask ask)
 	return l;
 }
 
-struct places
-places_text(int rows, int columns)
+struct layout
+layout_text(int rows, int columns)
 {
 	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
-	struct places l = {.body = {0, 0, rows, columns}};
+	struct layout l = {.body = {0, 0, rows, columns}};
 	if (rows >= FOR_TEXT_HINTS)
 		l.hints = take_bottom(&l.body);
 	if (rows >= FOR_TEXT_HEADER) {
@@ -127,7 +127,7 @@ places_text(int rows, int columns)
 }
 
 struct area
-places_track(const struct places *l)
+layout_track(const struct layout *l)
 {
 	struct area track = l->track;
 	bool ends = track.columns >= 30;
@@ -137,7 +137,7 @@ places_track(const struct places *l)
 }
 
 int
-places_message_rows(const struct places *l)
+layout_message_rows(const struct layout *l)
 {
 	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
 }

@@ -27,7 +27,7 @@ static bool asks;     /* a question stands on the picture */
 static void
 press(struct tui *t, int code, bool special)
 {
-	act_key(t, code, special);
+	keymap_key(t, code, special);
 	t->clock++;
 	watch_pump(t);
 	control_predict(t);
@@ -66,7 +66,7 @@ const struct tui_ways SHOT_WAYS = {.answer = answer};
 static bool
 is_typed(const struct tui *t, const char *word)
 {
-	return act_types(t, (unsigned char)word[0]) ||
+	return keymap_types(t, (unsigned char)word[0]) ||
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 

@@ -87,7 +87,7 @@ take_keys(struct tui *t)
 	bool special;
 	while (!t->leave && !t->session->quit && pump_signal() == 0 &&
 	       input_key(t, &code, &special)) {
-		act_key(t, code, special);
+		keymap_key(t, code, special);
 		pump_let_in();
 	}
 	/* Its end does not come: keys are keys again. */
@@ -140,7 +140,7 @@ answer(struct tui *t, int *code, bool *special)
 		show(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			done = act_pointed(t, code, special);
+			done = keymap_pointed(t, code, special);
 		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
 			raise(SIGTSTP);

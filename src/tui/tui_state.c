@@ -165,8 +165,8 @@ tui_searched(const struct tui *t)
 void
 tui_untouch(struct tui *t)
 {
-	touch_clear(&t->touches);
-	touch_release(&t->touches);
+	hits_clear(&t->hits);
+	hits_release(&t->hits);
 	t->n_drawn = 0;
 }
 

@@ -183,7 +183,7 @@ struct ui {
 struct tui {
 	struct session *session;
 	const struct tui_ways *ways;
-	struct places places;
+	struct layout layout;
 	struct ui ui;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
@@ -205,7 +205,7 @@ struct tui {
 	struct numbers now, pause, pin; /* site "": none */
 	struct prediction kept;         /* whose numbers are in pin, borrowed */
 	bool mouse;
-	struct touches touches; /* of the frame shown */
+	struct hits hits; /* of the frame shown */
 	struct {
 		struct plot_request request;
 		struct area area;

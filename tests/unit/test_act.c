@@ -33,7 +33,7 @@ static void
 type(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		act_key(t, (int)text_next(&text), false);
+		keymap_key(t, (int)text_next(&text), false);
 }
 
 static int
@@ -78,13 +78,13 @@ the_keypad_has_an_enter(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
-	act_key(t, KEY_ENTER, true);
+	keymap_key(t, KEY_ENTER, true);
 	assert_int_equal(t->ui.tenths, 723);
 	type(t, "?/up by 5");
-	act_key(t, KEY_ENTER, true);
+	keymap_key(t, KEY_ENTER, true);
 	assert_int_equal(t->ui.tenths, 773);
 	type(t, ":set k 1");
-	act_key(t, KEY_ENTER, true);
+	keymap_key(t, KEY_ENTER, true);
 	assert_false(t->typing.active);
 	assert_string_equal(t->command, "set k 1");
 }
@@ -105,7 +105,7 @@ press(struct tui *t, const char *name)
 {
 	int code = 0;
 	assert_true(keys_code(name, &code));
-	act_key(t, code, code > 255);
+	keymap_key(t, code, code > 255);
 }
 
 /* Enter would do what cannot be seen. */
@@ -122,7 +122,7 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	frame_draw(t);
 	canvas_free(screen_back(was));
 	assert_in_range(v->at, 19, 21); /* headings above */
-	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
+	assert_in_range(v->at - v->top, 0, t->layout.body.rows - 1);
 	assert_in_range(v->top, 1, 21);
 	frame_draw(t);
 	type(t, "\033:help predict\n");
@@ -213,9 +213,9 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 }
 
 static bool
-mouse(struct tui *t, enum touch_kind kind, int row, int column)
+mouse(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	return touch_mouse(t, &t->touches, kind, row, column, act_key);
+	return hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 }
 
 /* Works out all that is drawn and draws it, as the loop does. */
@@ -595,11 +595,11 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	type(t, "y");
 	/* A press there is one on the track. */
 	draw_all(t);
-	struct area above = t->places.above;
+	struct area above = t->layout.above;
 	assert_true(
-	    mouse(t, TOUCH_PRESS, above.row, places_track(&t->places).column));
+	    mouse(t, HIT_PRESS, above.row, layout_track(&t->layout).column));
 	assert_int_equal(t->ui.tenths, tui_range(t).least);
-	touch_release(&t->touches);
+	hits_release(&t->hits);
 }
 
 /* As set, a run's feed is the slider's too, and it can be taken back. */
@@ -699,9 +699,9 @@ bounds_are_typed_on_their_strip(void **state)
 		press(t, "Down");
 	assert_int_equal(t->ui.param_at, 7);
 	frame_draw(t);
-	int row = t->places.side.row;
+	int row = t->layout.side.row;
 	while (!t->typing.active && row < 24)
-		mouse(t, TOUCH_PRESS, row++, t->places.side.column + 2);
+		mouse(t, HIT_PRESS, row++, t->layout.side.column + 2);
 	assert_string_equal(t->typing.text, "bounds beta1 ");
 }
 
@@ -739,21 +739,21 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	type(t, "2");
 	frame_draw(t);
 	size_t n = tui_past(t).n;
-	const struct area s = t->places.caption;
+	const struct area s = t->layout.caption;
 	int column = 30;
 	assert_true(n > 1 && s.rows == 1);
-	assert_false(mouse(t, TOUCH_DRAG, s.row, column));
+	assert_false(mouse(t, HIT_DRAG, s.row, column));
 	assert_null(t->ui.focus);
-	assert_true(mouse(t, TOUCH_PRESS, s.row, column));
+	assert_true(mouse(t, HIT_PRESS, s.row, column));
 	assert_true(t->ui.focus == &page_fit);
 	assert_in_range(tui_generation(t), 2, n - 1);
-	assert_true(mouse(t, TOUCH_DRAG, 0, 0));
+	assert_true(mouse(t, HIT_DRAG, 0, 0));
 	assert_int_equal(tui_generation(t), 1);
-	assert_true(mouse(t, TOUCH_DRAG, 0, 90));
+	assert_true(mouse(t, HIT_DRAG, 0, 90));
 	assert_int_equal(tui_generation(t), n);
-	touch_release(&t->touches);
-	assert_false(mouse(t, TOUCH_DRAG, 0, 0));
-	assert_true(mouse(t, TOUCH_PRESS, t->places.header.row, 79));
+	hits_release(&t->hits);
+	assert_false(mouse(t, HIT_DRAG, 0, 0));
+	assert_true(mouse(t, HIT_PRESS, t->layout.header.row, 79));
 	assert_true(t->viewer.keys);
 }
 
@@ -819,9 +819,9 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	control_look(t);
 	draw_all(t);
 	char *text = frame_text();
-	int row = 0, from = t->places.above.row,
-	    to = from + t->places.above.rows;
-	assert_true(t->places.above.rows > 64);
+	int row = 0, from = t->layout.above.row,
+	    to = from + t->layout.above.rows;
+	assert_true(t->layout.above.rows > 64);
 	for (const char *line = text; *line != '\0';
 	     line += strcspn(line, "\n"), line += *line == '\n', row++) {
 		double value;
@@ -893,7 +893,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	t->aside = true;
 	type(t, ":spec use EN 12620 0/4\n");
 	for (enum page page = 0; page < PAGES; page++) {
-		act_key(t, '1' + (int)page, false);
+		keymap_key(t, '1' + (int)page, false);
 		type(t, ":screen\n:screen width=150 height=48\n\033");
 		t->message[0] = '\0';
 		draw_all(t);

@@ -34,7 +34,7 @@ press(struct tui *t, const char *name)
 {
 	int code = 0;
 	assert_true(keys_code(name, &code));
-	act_key(t, code, code > 255);
+	keymap_key(t, code, code > 255);
 	t->clock++;
 	watch_pump(t);
 	control_predict(t);
@@ -316,16 +316,16 @@ static void
 the_mouse_chooses_and_opens(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	press(t, "o");
 	int row = l->body.row + 2;
-	touch_mouse(t, &t->touches, TOUCH_PRESS, row, 3, act_key);
+	hits_mouse(t, &t->hits, HIT_PRESS, row, 3, keymap_key);
 	assert_int_equal(t->chooser.at, 1);
 	frame_draw(t);
-	touch_mouse(t, &t->touches, TOUCH_DOWN, row, 3, act_key);
+	hits_mouse(t, &t->hits, HIT_DOWN, row, 3, keymap_key);
 	assert_int_equal(t->chooser.at, 2);
 	frame_draw(t);
-	touch_mouse(t, &t->touches, TOUCH_PRESS, row + 1, 3, act_key);
+	hits_mouse(t, &t->hits, HIT_PRESS, row + 1, 3, keymap_key);
 	assert_string_not_equal(t->chooser.folder.path, "");
 }
 

@@ -48,7 +48,7 @@ press(struct tui *t, const char *names)
 	     name = strtok_r(NULL, " ", &left)) {
 		int code = 0;
 		assert_true(keys_code(name, &code));
-		act_key(t, code, code > 255);
+		keymap_key(t, code, code > 255);
 		control_predict(t);
 		pages_update(t);
 		frame_draw(t);
@@ -97,7 +97,7 @@ every_page_is_opened_and_saved(void **state)
 		assert_true(text_choice(SETTINGS_PAGES, word, &at));
 		free(word);
 		assert_int_equal(at, page);
-		act_key(t, '1' + (int)page, false);
+		keymap_key(t, '1' + (int)page, false);
 		turn(t);
 		assert_int_equal(t->ui.page, page);
 		control_set_looks(t);
@@ -176,7 +176,7 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 	assert_non_null(strstr(row_of(stage, 2), "tierp"));
 	const char *head = row_of(stage, 1);
 	int rock = (int)(strstr(head, "rock") - head);
-	assert_true(touch_mouse(t, &t->touches, TOUCH_PRESS, 1, rock, act_key));
+	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, 1, rock, keymap_key));
 	assert_non_null(strstr(row_of(stage, 1), "rock^"));
 	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
 	/* Down goes down on the screen. */

@@ -87,7 +87,7 @@ static void
 press(struct tui *t, const char *keys)
 {
 	while (*keys != '\0')
-		act_key(t, (int)text_next(&keys), false);
+		keymap_key(t, (int)text_next(&keys), false);
 	control_predict(t);
 	pages_update(t);
 }
@@ -207,9 +207,9 @@ touch(struct tui *t, const char *words)
 	int row = row_of(canvas, words);
 	canvas_free(canvas);
 	was = screen_aside(30, 100, CHARSET_ASCII, 0);
-	assert_true(touch_mouse(t, &t->touches, TOUCH_PRESS, row,
-	    t->places.side.column + 1, act_key));
-	touch_release(&t->touches);
+	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, row,
+	    t->layout.side.column + 1, keymap_key));
+	hits_release(&t->hits);
 	canvas_free(screen_back(was));
 }
 

@@ -301,7 +301,7 @@ draw_line(const struct tui *t, const struct area *area)
 static void
 draw_chart(const struct tui *t, const struct area *area)
 {
-	unsigned words = t->places.legend.rows > 0 ? CHART_TITLE | CHART_LEGEND
+	unsigned words = t->layout.legend.rows > 0 ? CHART_TITLE | CHART_LEGEND
 						   : CHART_TITLE;
 	if (area->rows < 1 || area->columns < 1)
 		return;

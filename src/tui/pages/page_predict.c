@@ -23,7 +23,7 @@ draw_runs(struct tui *t)
 {
 	struct plot_request request = plots_request(PLOT_RUNS);
 	request.words = 0;
-	pane_curves(t, &request, t->places.side.rows == 0);
+	pane_curves(t, &request, t->layout.side.rows == 0);
 }
 
 static void
@@ -54,7 +54,7 @@ draw(struct tui *t)
 	if (t->ui.cross && t->ui.cross_at < p->product.n)
 		request.crosshair_mm =
 		    units_mm(p->product.size[t->ui.cross_at]);
-	pane_curves(t, &request, t->places.side.rows == 0);
+	pane_curves(t, &request, t->layout.side.rows == 0);
 	verdicts_draw(t);
 }
 

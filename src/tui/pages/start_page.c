@@ -37,7 +37,7 @@ static const struct {
 static bool
 touch_way_of(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
 	t->ui.first_at = (int)touched->item;
 	chooser_open(t, WAYS[touched->item].list);
@@ -83,7 +83,7 @@ first_draw(struct tui *t)
 		unsigned look = i == t->ui.first_at ? LOOK_REVERSE : LOOK_PLAIN;
 		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
 		    area.columns, "");
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){area.row + row, area.column, 1, area.columns},
 		    touch_way_of, (size_t)i);
 		if (i == t->ui.first_at)

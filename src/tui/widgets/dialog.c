@@ -108,9 +108,9 @@ draw_frame(struct tui *t, const struct area *box, const char *keys)
 static bool
 touch_table(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
-	t->inquiry_up += touched->kind == TOUCH_UP ? 1 : -1;
+	t->inquiry_up += touched->kind == HIT_UP ? 1 : -1;
 	return true;
 }
 
@@ -191,8 +191,8 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	    .rows = high + 2 * edge,
 	    .columns = wide};
 	screen_clear(&box);
-	touch_clear(&t->touches);
-	touch_add(&t->touches, box, touch_table, 0);
+	hits_clear(&t->hits);
+	hits_add(&t->hits, box, touch_table, 0);
 	if (frame)
 		draw_frame(t, &box,
 		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");

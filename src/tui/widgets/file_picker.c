@@ -314,7 +314,7 @@ draw_title(const struct tui *t, const struct area *area)
 static void
 draw_message(const struct tui *t)
 {
-	struct area area = t->places.hints;
+	struct area area = t->layout.hints;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	if (text_width(text) > area.columns && area.row > 1) {
 		area.row--;
@@ -330,7 +330,7 @@ void
 chooser_draw(struct tui *t)
 {
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
-	const struct area body = t->places.body;
+	const struct area body = t->layout.body;
 	struct area list = body, preview = body;
 	bool shipped = t->chooser.list == CHOOSER_SHIPPED;
 	bool title = body.rows > 2;

@@ -152,7 +152,7 @@ static bool
 touch_row(struct tui *t, const struct touched *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
-	if (touched->kind != TOUCH_PRESS || list_of(t) == NULL)
+	if (touched->kind != HIT_PRESS || list_of(t) == NULL)
 		return false;
 	size_t at = list_of(t)->at(t);
 	bool again = has_focus(t) && at == touched->item;
@@ -166,30 +166,30 @@ touch_row(struct tui *t, const struct touched *touched)
 static bool
 touch_wheel(struct tui *t, const struct touched *touched)
 {
-	if ((touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN) ||
+	if ((touched->kind != HIT_UP && touched->kind != HIT_DOWN) ||
 	    list_of(t) == NULL)
 		return false;
-	move(t, touched->kind == TOUCH_UP ? -1 : 1);
+	move(t, touched->kind == HIT_UP ? -1 : 1);
 	return true;
 }
 
 void
 rows_touch(struct tui *t, struct area area, size_t i)
 {
-	touch_add(&t->touches, area, touch_row, i);
+	hits_add(&t->hits, area, touch_row, i);
 }
 
 void
 rows_wheel(struct tui *t, struct area area)
 {
-	touch_add(&t->touches, area, touch_wheel, 0);
+	hits_add(&t->hits, area, touch_wheel, 0);
 }
 
 /* What is the list's while the arrows move in it only. */
 static bool
 focused_move(struct tui *t, const struct key *key)
 {
-	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
+	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
 	if (key->act == act_ends)
 		move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);

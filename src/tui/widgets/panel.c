@@ -156,7 +156,7 @@ static bool
 touch_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->shown.product;
-	if (touched->kind != TOUCH_PRESS || product->n == 0)
+	if (touched->kind != HIT_PRESS || product->n == 0)
 		return false;
 	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->shown.size[touched->item];
@@ -182,7 +182,7 @@ draw_sizes(struct panel *p, const struct area *area)
 		if (p->was != NULL)
 			draw_change(
 			    area, i, t->now.size[i], p->was->size[i], 2);
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){
 			area->row + i, area->column, 1, area->columns},
 		    touch_size, (size_t)i);
@@ -241,7 +241,7 @@ touch_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->shown.product;
 	const double near = 1.0001;
-	if (touched->kind != TOUCH_PRESS || product->n == 0)
+	if (touched->kind != HIT_PRESS || product->n == 0)
 		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = 0;
@@ -278,7 +278,7 @@ draw_shares(struct panel *p, const struct area *area, int row,
 		if (p->was != NULL)
 			draw_change(area, row, now * part,
 			    p->was->passing[i] * part, 1);
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){
 			area->row + row, area->column, 1, area->columns},
 		    touch_fraction, i);
@@ -375,7 +375,7 @@ place_of_limit(const double *margin, size_t n, size_t i)
 static bool
 touch_limits(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
 	typed_line_run(t, "spec");
 	return true;
@@ -388,7 +388,7 @@ draw_limits(struct panel *p, const struct area *area)
 	const struct grading *g = limits_now(t);
 	struct area name = *area;
 	name.columns -= 4;
-	touch_add(&t->touches, *area, touch_limits, 0);
+	hits_add(&t->hits, *area, touch_limits, 0);
 	/* The fraction, where the name has room behind it. */
 	char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
@@ -450,14 +450,14 @@ light_wish(const struct panel *p)
 {
 	enum { LOW = 16, FEW = 3, MANY = 6 };
 	int n = p->reason_rows;
-	int least = p->t->places.side.rows <= LOW ? FEW : MANY;
+	int least = p->t->layout.side.rows <= LOW ? FEW : MANY;
 	return (struct wish){1 + (n < least ? n : least), 1 + n};
 }
 
 static bool
 touch_light(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
 	typed_line_run(t, "why");
 	return true;
@@ -486,7 +486,7 @@ draw_light(struct panel *p, const struct area *area)
 	if (p->reason != NULL)
 		screen_words_within(
 		    area, 1, area->rows - 1, 0, p->reason, " ..");
-	touch_add(&p->t->touches, *area, touch_light, 0);
+	hits_add(&p->t->hits, *area, touch_light, 0);
 }
 
 static struct wish
@@ -562,7 +562,7 @@ share_rows(const struct panel *p, int left, int rows[BLOCKS])
 static void
 draw_blocks(struct panel *p)
 {
-	const struct area *side = &p->t->places.side;
+	const struct area *side = &p->t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
 	share_rows(p, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
@@ -618,17 +618,17 @@ take_light(struct panel *p)
 		if (p->light.reason[i].cause == TRUST_BEYOND)
 			first = i;
 	p->reason = p->light.reason[first].text;
-	p->reason_rows = text_rows(p->reason, t->places.side.columns);
+	p->reason_rows = text_rows(p->reason, t->layout.side.columns);
 }
 
 /* Without a prediction there is what is pinned, and what to do. */
 static void
 draw_nothing(const struct tui *t)
 {
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_entry(t);
 	/* The row of numbers has said it already. */
-	int row = t->places.numbers.rows == 0;
+	int row = t->layout.numbers.rows == 0;
 	if (row > 0)
 		screen_text(side, 0, 0, 0, "nothing predicted yet");
 	screen_text(side, row, 0, 0,
@@ -649,11 +649,11 @@ draw_nothing(const struct tui *t)
 void
 verdicts_draw(struct tui *t)
 {
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	t->left_out = side->rows == 0 && t->now.site[0] != '\0';
 	if (side->rows == 0)
 		return;
-	screen_wall(side->row, t->places.wall, side->rows);
+	screen_wall(side->row, t->layout.wall, side->rows);
 	if (t->now.site[0] == '\0') {
 		draw_nothing(t);
 		return;
@@ -673,7 +673,7 @@ verdicts_words(struct tui *t)
 {
 	const struct grading *g = limits_now(t);
 	char *words = xstrdup("");
-	if (t->ui.page != PAGE_PREDICT || t->places.side.rows > 0 ||
+	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
 	    t->now.site[0] == '\0')
 		return words;
 	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
@@ -708,7 +708,7 @@ short_size(double mm, char text[static 24])
 void
 verdicts_row(struct tui *t)
 {
-	const struct area *area = &t->places.numbers;
+	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->shown;
 	char a[24], b[24], c[24], d[24];
 	/* The list of sites tells of the marked one, which may be another. */
@@ -722,7 +722,7 @@ verdicts_row(struct tui *t)
 	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
 		if (t->ui.focus == &page_predict)
 			t->cursor =
-			    (struct cursor){area->row, t->places.side.column};
+			    (struct cursor){area->row, t->layout.side.column};
 		bool narrow = area->columns < 34;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,

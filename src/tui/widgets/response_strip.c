@@ -416,7 +416,7 @@ static void
 draw_label(const struct tui *t, int row, unsigned look, double value)
 {
 	char text[32];
-	const struct area *area = &t->places.above;
+	const struct area *area = &t->layout.above;
 	snprintf(text, sizeof text, "%.6g", value);
 	int width = (int)strlen(text);
 	if (width <= 4)
@@ -428,7 +428,7 @@ static void
 draw_limits(struct tui *t, struct cells *p)
 {
 	struct limit limit[MOST_LIMITS];
-	const struct area *area = &t->places.above;
+	const struct area *area = &t->layout.above;
 	size_t n = take_limits(t, limit);
 	for (size_t i = 0; i < n; i++) {
 		if (!has_level(p, limit[i].value))
@@ -444,7 +444,7 @@ draw_limits(struct tui *t, struct cells *p)
 		int row = row_of(p, limit[i].value);
 		screen_series(area, row, area->columns - 4, SERIES_OTHER,
 		    LOOK_BOLD, limit[i].name);
-		touch_add_key(&t->touches,
+		hits_add_key(&t->hits,
 		    (struct area){area->row + row, area->columns - 4, 1, 4},
 		    't', false);
 	}
@@ -529,7 +529,7 @@ static void
 draw_none(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
-	const struct area *area = &t->places.above;
+	const struct area *area = &t->layout.above;
 	const char *why = "";
 	if (entry == NULL)
 		return;
@@ -545,7 +545,7 @@ draw_none(const struct tui *t)
 void
 above_draw(struct tui *t)
 {
-	struct area area = t->places.above, track = places_track(&t->places);
+	struct area area = t->layout.above, track = layout_track(&t->layout);
 	enum { ASCII_DOWN = 3 };
 	enum charset charset = screen_charset();
 	struct cells p = {.area = area,
@@ -557,7 +557,7 @@ above_draw(struct tui *t)
 		return;
 	p.area.column = track.column;
 	p.area.columns = track.columns;
-	touch_add(&t->touches, area, track_touch, 0);
+	hits_add(&t->hits, area, track_touch, 0);
 	if (!has_curve(t) || !is_fresh(t) || !scale(t, &p)) {
 		draw_none(t);
 		return;

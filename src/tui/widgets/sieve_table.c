@@ -98,7 +98,7 @@ draw_bar(const struct area *area, int row, double share)
 static bool
 touch_sieve(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS || touched->item >= t->shown.product.n)
+	if (touched->kind != HIT_PRESS || touched->item >= t->shown.product.n)
 		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = touched->item;
@@ -122,7 +122,7 @@ draw_sieve(
 	if (!isnan(off))
 		screen_text(area, row, COMPARED, look,
 		    off != 0 ? "%+5.1f" : "%5.1f", off);
-	touch_add(&t->touches,
+	hits_add(&t->hits,
 	    (struct area){area->row + row, area->column, 1, area->columns},
 	    touch_sieve, i);
 }

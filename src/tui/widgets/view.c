@@ -96,10 +96,10 @@ view_message(struct tui *t)
 	enum { MARGIN = 2, LEAST = 8 };
 	int rows, columns;
 	screen_size(&rows, &columns);
-	const struct places l =
-	    places_make(rows, columns, (struct places_ask){0});
+	const struct layout l =
+	    layout_make(rows, columns, (struct layout_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
-	if (text_rows(t->message, columns) > places_message_rows(&l) &&
+	if (text_rows(t->message, columns) > layout_message_rows(&l) &&
 	    t->viewer.text == NULL)
 		view_text(t, text_wrapped(t->message, columns));
 }
@@ -131,13 +131,13 @@ static void
 fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
-	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
+	int rows = t->layout.body.rows > 1 ? t->layout.body.rows : 1;
 	if (v->keys) {
 		v->at = within(v->at, 0, v->lines - 1);
 		v->top = within(v->top, v->at - rows + 1, v->at);
 	}
 	v->top = within(v->top, 0, v->lines - rows);
-	v->left = within(v->left, 0, v->columns - t->places.body.columns);
+	v->left = within(v->left, 0, v->columns - t->layout.body.columns);
 }
 
 /* To a line with the word, in the middle where it was not to be seen. */
@@ -145,7 +145,7 @@ static void
 go_to(struct tui *t, int line)
 {
 	struct viewer *v = &t->viewer;
-	int rows = t->places.body.rows;
+	int rows = t->layout.body.rows;
 	v->at = line;
 	if (line >= 0 && (line < v->top || line >= v->top + rows))
 		v->top = line - rows / 2;
@@ -233,13 +233,13 @@ static bool
 moves(struct tui *t, const struct key *key, int code)
 {
 	struct viewer *v = &t->viewer;
-	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
+	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
 	key_way *act = key != NULL ? key->act : NULL;
 	int steps = act == act_move ? abs(key->amount) : 0;
 	if (act == act_list)
 		view_scroll(t, key->amount);
 	else if (steps == STEP && !v->keys)
-		v->left += key->amount * (t->places.body.columns + 1) / 2;
+		v->left += key->amount * (t->layout.body.columns + 1) / 2;
 	else if (steps == FAR)
 		view_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
@@ -321,9 +321,9 @@ squeeze(char *line)
 static bool
 touch_key(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == TOUCH_PRESS)
+	if (touched->kind == HIT_PRESS)
 		t->viewer.at = (int)touched->item;
-	return touched->kind == TOUCH_PRESS;
+	return touched->kind == HIT_PRESS;
 }
 
 /* One line of the text; of a key what there is no room for is cut, with a
@@ -334,7 +334,7 @@ draw_line(struct tui *t, int n)
 	enum { NARROW = 60 };
 	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
-	const struct area *body = &t->places.body;
+	const struct area *body = &t->layout.body;
 	bool found = !v->keys && v->word.n > 0 && has_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
 	bool head = v->keys && line[0] != ' ';
@@ -366,7 +366,7 @@ static int
 draw_word(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
-	const struct area *hints = &t->places.hints;
+	const struct area *hints = &t->layout.hints;
 	int at = screen_text(hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
 	if (v->word.n == 0)
 		return at;
@@ -394,7 +394,7 @@ draw_word(struct tui *t)
 static void
 draw_hints(struct tui *t)
 {
-	const struct area *body = &t->places.body;
+	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	bool below = v->lines - v->top > body->rows,
 	     aside = !v->keys && v->columns - v->left > body->columns;
@@ -411,7 +411,7 @@ void
 view_draw(struct tui *t)
 {
 	fit(t);
-	const struct area *body = &t->places.body;
+	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
 	for (int row = 0; row < body->rows && row + v->top < v->lines; row++) {
@@ -419,7 +419,7 @@ view_draw(struct tui *t)
 		char *cut = draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
 		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
-			touch_add_both(&t->touches,
+			hits_add_both(&t->hits,
 			    (struct area){body->row + row, body->column, 1,
 				body->columns},
 			    touch_key, (size_t)n, '\n');
@@ -427,13 +427,13 @@ view_draw(struct tui *t)
 	int at = v->at - v->top;
 	t->cursor = (struct cursor){
 	    body->row + (at > 0 && at < body->rows ? at : 0), 0};
-	if ((v->word.active || v->word.n > 0) && t->places.hints.rows > 0) {
+	if ((v->word.active || v->word.n > 0) && t->layout.hints.rows > 0) {
 		int column = draw_word(t);
 		if (v->word.active)
 			t->cursor =
-			    (struct cursor){t->places.hints.row, column};
+			    (struct cursor){t->layout.hints.row, column};
 	} else if (rest != NULL)
-		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
+		screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else
 		draw_hints(t);
 	free(rest);
