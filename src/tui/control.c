@@ -136,7 +136,7 @@ control_look(struct tui *t)
 	t->n_row = 0;
 	tui_forget_parity(&t->parity);
 	t->revision++;
-	above_look(t);
+	strip_look(t);
 	look_at_pin(t);
 	tui_untouch(t);
 	if (isnan(session_known(s, "predict", "speed")))
@@ -159,7 +159,7 @@ take_looks(struct tui *t)
 	const struct choices *set = &t->session->set;
 	struct error error = {0};
 	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
-		t->ui.quantity = above_usual();
+		t->ui.quantity = strip_usual();
 	t->ui.page = (enum page)set->page;
 	tui_untouch(t);
 }
@@ -353,13 +353,13 @@ free_all(struct tui *t)
 	prediction_free(&t->shown);
 	free(t->command);
 	free(t->row);
-	above_free(t->above);
+	strip_free(t->strip);
 	goals_clear(&t->goal);
 	tui_forget_sheet(&t->sheet);
 	tui_forget_parity(&t->parity);
-	folder_free(&t->chooser.folder);
-	free(t->chooser.preview);
-	limits_free(t);
+	folder_free(&t->picker.folder);
+	free(t->picker.preview);
+	envelope_check_free(t);
 	hits_free(&t->hits);
 }
 
@@ -406,7 +406,7 @@ control_beside(void)
 	    .clock = open->clock,
 	    .started = open->started,
 	    .ran = open->ran,
-	    .above = above_new(),
+	    .strip = strip_new(),
 	    .pause = open->pause,
 	    .mouse = open->mouse,
 	    .held = open->held,
@@ -485,7 +485,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 		.picture = PLOT_SEARCH,
 		.level = 50},
 	    .mouse = screen_mouse(true),
-	    .above = above_new(),
+	    .strip = strip_new(),
 	    .holdout = NAN,
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};

@@ -137,7 +137,7 @@ draw_state(struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
-	char *verdict = verdicts_words(t);
+	char *verdict = panel_words(t);
 	int column;
 	if (session_busy(s) && !s->job.fits) {
 		char *at = s->job.rounds->at(s);
@@ -375,9 +375,9 @@ draw_page(struct tui *t)
 	if (caption->rows > 0 &&
 	    (page->caption == NULL || !page->caption(t, caption)))
 		track_heading(t);
-	if (page->above)
-		above_draw(t);
-	verdicts_row(t);
+	if (page->strip)
+		strip_draw(t);
+	panel_row(t);
 	page->draw(t);
 	draw_lower(t);
 }
@@ -419,8 +419,8 @@ add_wheel(struct tui *t, bool viewing)
 {
 	const struct layout *l = &t->layout;
 	struct hits *hits = &t->hits;
-	const struct area over[] = {l->plot, l->legend, l->strip, l->numbers,
-	    l->caption, l->above, l->track};
+	const struct area over[] = {l->plot, l->legend, l->differences,
+	    l->numbers, l->caption, l->strip, l->track};
 	if (viewing)
 		hits_add(hits, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
@@ -436,12 +436,12 @@ frame_draw(struct tui *t)
 	screen_theme(t->session->set.theme);
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
-	bool viewing = t->viewer.text != NULL, list = t->chooser.on && !viewing;
+	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
 	t->layout = viewing || list
 			? layout_text(rows, columns)
 			: layout_make(rows, columns,
 			      (struct layout_ask){side_columns(page, columns),
-				  page->strip, page->above});
+				  page->differences, page->strip});
 	hits_clear(&t->hits);
 	t->n_drawn = 0;
 	t->shows = page;
@@ -453,7 +453,7 @@ frame_draw(struct tui *t)
 	if (viewing)
 		view_draw(t);
 	else if (list)
-		chooser_draw(t);
+		picker_draw(t);
 	else
 		draw_page(t);
 	if (t->question != NULL && !viewing)

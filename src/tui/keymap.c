@@ -346,7 +346,7 @@ void
 act_files(struct tui *t, const struct key *key)
 {
 	(void)key;
-	chooser_open(t, CHOOSER_FILES);
+	picker_open(t, PICK_FILES);
 }
 
 void
@@ -523,7 +523,7 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [GOAL] = goal_line_key,
     [LINE] = line_key,
     [TEXT] = text_key,
-    [FILES] = chooser_key,
+    [FILES] = picker_key,
     [FILTER] = rows_letter,
     [SPEED] = digit_key,
     [PAGE] = page_key};
@@ -536,7 +536,7 @@ next_mode(const struct tui *t, enum mode from)
 	    [GOAL] = t->typing.active && t->goal_field,
 	    [LINE] = t->typing.active,
 	    [TEXT] = t->viewer.text != NULL,
-	    [FILES] = t->chooser.on,
+	    [FILES] = t->picker.on,
 	    [FILTER] = t->filter.active,
 	    [SPEED] = true,
 	    [PAGE] = true};

@@ -32,8 +32,8 @@ enum {
 	FOR_STATUS = 15,
 	FOR_SIDE = 18,
 	FOR_LEGEND = 20,
-	FOR_ABOVE = 24,
-	FOR_STRIP = 30
+	FOR_STRIP = 24,
+	FOR_DIFFERENCES = 30
 };
 /* Narrower, a plot, a legend or a panel says nothing. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
@@ -93,8 +93,8 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		if (rows >= bottom[i].least)
 			*bottom[i].area = take_bottom(left);
 	enum { EVERY = 10 };
-	if (ask.above && rows >= FOR_ABOVE)
-		l.above = take_rows(left, rows, FOR_ABOVE, EVERY);
+	if (ask.strip && rows >= FOR_STRIP)
+		l.strip = take_rows(left, rows, FOR_STRIP, EVERY);
 	if (rows >= FOR_CAPTION)
 		l.caption = take_bottom(left);
 	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
@@ -104,9 +104,10 @@ layout_make(int rows, int columns, struct layout_ask ask)
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
 		l.legend = take_bottom(left);
 	split_body(&l, rows, ask.side_columns);
-	if (ask.strip && rows >= FOR_STRIP) {
-		l.strip = take_rows(&l.plot, rows + EVERY, FOR_STRIP, EVERY);
-		l.strip.row = l.plot.row + l.plot.rows;
+	if (ask.differences && rows >= FOR_DIFFERENCES) {
+		l.differences =
+		    take_rows(&l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);
+		l.differences.row = l.plot.row + l.plot.rows;
 	}
 	return l;
 }

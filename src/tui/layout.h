@@ -5,12 +5,11 @@
 
 #include <stdbool.h>
 
-/* What a page wants beside its body: columns of a side panel, or 0; a strip
- * for differences below the plot; what is asked at all speeds, above the
- * track. */
+/* What a page wants beside its body: columns of a side panel, or 0; the
+ * strip of differences below the plot; the response strip above the track. */
 struct layout_ask {
 	int side_columns;
-	bool strip, above;
+	bool differences, strip;
 };
 
 /* From the top left of the screen; of no rows: left out. */
@@ -22,12 +21,12 @@ struct area {
  * its parts.  wall: the column of the line before side, -1: none. */
 struct layout {
 	int wall;
-	struct area header, body, plot, side, legend, strip, numbers, caption,
-	    above, track, command, status, hints;
+	struct area header, body, plot, side, legend, differences, numbers,
+	    caption, strip, track, command, status, hints;
 };
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:
- * strip, above, legend, side panel (a row of numbers takes its place), status
+ * differences, strip, legend, side panel (a row of numbers takes its place), status
  * (the row of the command takes its place), plot (the side panel has its rows),
  * hints, caption, header, command; track and numbers go last. */
 struct layout layout_make(int rows, int columns, struct layout_ask ask);

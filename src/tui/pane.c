@@ -176,8 +176,8 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	struct area plot = t->layout.plot;
 	bool psd = request->kind == PLOT_PSD, runs = request->kind == PLOT_RUNS;
 	bool below = !psd && !runs && t->layout.legend.rows > 0;
-	request->strip = psd ? t->layout.strip.rows : 0;
-	plot.rows += t->layout.strip.rows;
+	request->strip = psd ? t->layout.differences.rows : 0;
+	plot.rows += t->layout.differences.rows;
 	if (request->strip == 0 && (plot.rows >= TALL || below)) {
 		request->words |= CHART_LEGEND | (notes ? CHART_NOTES : 0);
 		plot.rows += t->layout.legend.rows;

@@ -28,7 +28,7 @@ struct page_ops {
 	/* Columns of its panel; on screens of 100 or more, or 0: no other; of
 	 * 120 or more. */
 	int side, middle_side, wide_side;
-	bool strip, above; /* see struct layout_ask */
+	bool differences, strip; /* see struct layout_ask */
 
 	/* Works out what is drawn and does not come with the prediction. */
 	void (*update)(struct tui *t);

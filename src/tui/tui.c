@@ -43,7 +43,7 @@ patience(const struct tui *t)
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
-		left = fmin(left, above_wait(t));
+		left = fmin(left, strip_wait(t));
 	return left > 0 ? left : 0;
 }
 

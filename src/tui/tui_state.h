@@ -109,24 +109,19 @@ struct cursor {
 	int row, column;
 };
 
-struct above;
+struct strip;
 struct page_list;
 struct page_ops;
 /* What is listed: the folder that the program runs in, of that sheets with a
  * feed that a product is estimated of, or saved sessions; or the sites that
  * come with the program. */
-enum chooser_list {
-	CHOOSER_FILES,
-	CHOOSER_FEEDS,
-	CHOOSER_SESSIONS,
-	CHOOSER_SHIPPED
-};
+enum picker_list { PICK_FILES, PICK_FEEDS, PICK_SESSIONS, PICK_SHIPPED };
 
 /* Files to open one of, over the page.  rows: the list of them; word: that they
  * have; preview: of the item `previewed`, SIZE_MAX: of none. */
-struct chooser {
+struct picker {
 	bool on;
-	enum chooser_list list;
+	enum picker_list list;
 	const struct page_list *rows;
 	struct folder folder;
 	struct typing word;
@@ -135,7 +130,7 @@ struct chooser {
 };
 
 struct inquiry;
-struct limits;
+struct envelope_check;
 struct tui;
 
 /* How a full screen is shown. */
@@ -164,7 +159,7 @@ struct ui {
 	bool cross, band, runs;   /* runs: page Predict has plot runs */
 	size_t cross_at;          /* a sieve of the prediction */
 	int level;    /* passing that the crosshair reads sizes at, % */
-	int first_at; /* of what can be done without a site */
+	int start_at; /* of what can be done without a site */
 	enum plot_kind picture; /* of the page Fit */
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
@@ -190,7 +185,7 @@ struct tui {
 	double clock;   /* s; a step with every key where it is drawn aside */
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
-	struct above *above; /* what is drawn there, see above.h */
+	struct strip *strip; /* what is drawn there */
 	struct goal goal;    /* the one that is set, see goals.h */
 	bool goal_field; /* the line typed is that; fresh: as it was offered */
 	bool goal_fresh;
@@ -217,26 +212,26 @@ struct tui {
 	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
 	size_t n_row;
 	int site_width[SITE_COLUMNS]; /* what the texts of each want */
-	int rows_at;           /* tenths they are of; 0: of another session */
-	size_t revision;       /* counts what may have changed the session */
-	struct limits *limits; /* see limits.h, owned, or NULL */
-	char *under_way;       /* line that is run, or NULL */
-	bool of_script;        /* it is one of a script */
-	bool stopping;         /* a key stops it */
-	double ran_from;       /* when it or its script began, s */
-	double drawn_at;       /* when that was last drawn */
-	const char *begun;     /* what takes a moment just now, or NULL */
-	bool held;             /* the calibration waits */
-	double due;            /* when the next generation is */
-	double holdout;        /* RMSE of the site in use, points, or NAN */
-	struct typing typing;  /* a command */
+	int rows_at;     /* tenths they are of; 0: of another session */
+	size_t revision; /* counts what may have changed the session */
+	struct envelope_check *envelope_check; /* owned, or NULL */
+	char *under_way;                       /* line that is run, or NULL */
+	bool of_script;                        /* it is one of a script */
+	bool stopping;                         /* a key stops it */
+	double ran_from;      /* when it or its script began, s */
+	double drawn_at;      /* when that was last drawn */
+	const char *begun;    /* what takes a moment just now, or NULL */
+	bool held;            /* the calibration waits */
+	double due;           /* when the next generation is */
+	double holdout;       /* RMSE of the site in use, points, or NAN */
+	struct typing typing; /* a command */
 	struct typing speed;
 	struct typing filter; /* a word that rows of a list must have */
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;
 	char *closed; /* the text that was closed last, or NULL */
-	struct chooser chooser;
+	struct picker picker;
 	char *command;   /* the last one, for show */
 	const char *job; /* name of that which began the job, or NULL */
 	bool failed;     /* it did */

@@ -328,7 +328,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	assert_int_equal(t->ui.tenths, 743);
 	t->aside = true;
 	pages_update(t);
-	assert_true(above_wait(t) <= 0);
+	assert_true(strip_wait(t) <= 0);
 	control_predict(t);
 	int best = slider_tenths(tui_range(t), goal_best(t));
 	assert_int_not_equal(best, 743);
@@ -595,7 +595,7 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	type(t, "y");
 	/* A press there is one on the track. */
 	draw_all(t);
-	struct area above = t->layout.above;
+	struct area above = t->layout.strip;
 	assert_true(
 	    mouse(t, HIT_PRESS, above.row, layout_track(&t->layout).column));
 	assert_int_equal(t->ui.tenths, tui_range(t).least);
@@ -635,7 +635,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
 	draw_all(t);
-	for (; above_point(t, n, &speed, value); n++) {
+	for (; strip_point(t, n, &speed, value); n++) {
 		struct question q = {
 		    .entry = tui_entry(t), .feed = tui_feed(t)};
 		struct prediction p = forecast_product(t->session, &q, speed);
@@ -819,9 +819,9 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	control_look(t);
 	draw_all(t);
 	char *text = frame_text();
-	int row = 0, from = t->layout.above.row,
-	    to = from + t->layout.above.rows;
-	assert_true(t->layout.above.rows > 64);
+	int row = 0, from = t->layout.strip.row,
+	    to = from + t->layout.strip.rows;
+	assert_true(t->layout.strip.rows > 64);
 	for (const char *line = text; *line != '\0';
 	     line += strcspn(line, "\n"), line += *line == '\n', row++) {
 		double value;

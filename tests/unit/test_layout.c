@@ -15,7 +15,7 @@ static void
 expect_apart(const struct layout *l, int rows, int columns)
 {
 	const struct area *areas[] = {&l->header, &l->plot, &l->side,
-	    &l->legend, &l->strip, &l->numbers, &l->caption, &l->above,
+	    &l->legend, &l->differences, &l->numbers, &l->caption, &l->strip,
 	    &l->track, &l->command, &l->status, &l->hints};
 	for (size_t i = 0; i < ARRAY_LEN(areas); i++) {
 		const struct area *a = areas[i];
@@ -44,11 +44,11 @@ expect_all(int rows, int columns, struct layout_ask ask)
 	assert_int_equal(l.track.rows, 1);
 	assert_true(rows < 2 || l.numbers.rows == 1 || l.side.rows > 0);
 	/* The same columns as the track, right above it. */
-	if (l.above.rows > 0)
-		assert_int_equal(l.above.row + l.above.rows, l.track.row);
+	if (l.strip.rows > 0)
+		assert_int_equal(l.strip.row + l.strip.rows, l.track.row);
 	assert_int_equal(
-	    l.above.rows, !ask.above || rows < 24 ? 0 : 3 + (rows - 24) / 10);
-	assert_true(!ask.above || rows < 24 || l.plot.rows >= 8);
+	    l.strip.rows, !ask.strip || rows < 24 ? 0 : 3 + (rows - 24) / 10);
+	assert_true(!ask.strip || rows < 24 || l.plot.rows >= 8);
 }
 
 static void
@@ -62,8 +62,8 @@ no_size_is_refused(void **state)
 				expect_all(rows, columns,
 				    (struct layout_ask){
 					.side_columns = sides[i],
-					.strip = i % 2 == 0,
-					.above = i > 1});
+					.differences = i % 2 == 0,
+					.strip = i > 1});
 }
 
 static void
@@ -75,8 +75,8 @@ panels_drop_in_their_order(void **state)
 	assert_true(l.plot.rows >= 14 && l.side.columns == 24);
 	assert_int_equal(l.legend.rows, 1);
 	l = layout_make(
-	    24, 80, (struct layout_ask){.side_columns = 24, .above = true});
-	assert_int_equal(l.above.rows, 3);
+	    24, 80, (struct layout_ask){.side_columns = 24, .strip = true});
+	assert_int_equal(l.strip.rows, 3);
 	assert_true(l.plot.rows >= 12);
 	l = layout_make(18, 80, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.legend.rows, 0);

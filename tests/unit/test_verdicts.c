@@ -136,7 +136,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	for (; t->ui.tenths <= tui_range(t).most; t->ui.tenths++) {
 		control_predict(t);
 		pages_update(t);
-		const struct grading *g = limits_now(t);
+		const struct grading *g = envelope_check_now(t);
 		assert_non_null(g);
 		struct grading own;
 		struct error error = {0};
@@ -160,7 +160,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");
 	press(t, ":spec off\n");
-	assert_null(limits_now(t));
+	assert_null(envelope_check_now(t));
 }
 
 static void

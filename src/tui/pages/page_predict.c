@@ -32,12 +32,12 @@ draw(struct tui *t)
 	const struct prediction *p = &t->shown;
 	struct plot_request request = plots_request(PLOT_PSD);
 	if (tui_entry(t) == NULL) {
-		first_draw(t);
+		start_draw(t);
 		return;
 	}
 	if (t->ui.runs) {
 		draw_runs(t);
-		verdicts_draw(t);
+		panel_draw(t);
 		return;
 	}
 	request.words = 0;
@@ -55,7 +55,7 @@ draw(struct tui *t)
 		request.crosshair_mm =
 		    units_mm(p->product.size[t->ui.cross_at]);
 	pane_curves(t, &request, t->layout.side.rows == 0);
-	verdicts_draw(t);
+	panel_draw(t);
 }
 
 static bool
@@ -78,7 +78,7 @@ void
 act_numbers(struct tui *t, const struct key *key)
 {
 	if (tui_entry(t) == NULL) {
-		first_open(t);
+		start_open(t);
 		return;
 	}
 	(void)key;
@@ -103,7 +103,7 @@ move(struct tui *t, const struct key *key)
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->shown.product.n;
 	if (tui_entry(t) == NULL)
-		return first_move(t, key);
+		return start_move(t, key);
 	if (t->ui.focus != &page_predict)
 		return false;
 	if (key->act == act_ends)
@@ -189,7 +189,7 @@ hints(const struct tui *t)
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	bool goal = goals_set(t->session);
 	if (tui_entry(t) == NULL)
-		return tr(FIRST_HINTS);
+		return tr(START_HINTS);
 	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "
 			  "quit  : command  d describe");
@@ -218,9 +218,9 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,
+    .differences = true,
     .strip = true,
-    .above = true,
-    .update = limits_update,
+    .update = envelope_check_update,
     .draw = draw,
     .can_focus = can_focus,
     .move = move,

@@ -620,7 +620,7 @@ void
 act_sort(struct tui *t, const struct key *key)
 {
 	if (t->session->n_entry == 0)
-		chooser_open(t, CHOOSER_FILES);
+		picker_open(t, PICK_FILES);
 	else if (key->amount > 0)
 		sort_on(t);
 	else

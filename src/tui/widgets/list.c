@@ -13,20 +13,20 @@
 static const struct page_list *
 list_of(const struct tui *t)
 {
-	return t->chooser.on ? t->chooser.rows : pages_open(t)->list;
+	return t->picker.on ? t->picker.rows : pages_open(t)->list;
 }
 
 /* What lies over the page needs no focus. */
 static bool
 has_focus(const struct tui *t)
 {
-	return t->chooser.on || t->ui.focus == pages_open(t);
+	return t->picker.on || t->ui.focus == pages_open(t);
 }
 
 static void
 take_focus(struct tui *t)
 {
-	if (!t->chooser.on)
+	if (!t->picker.on)
 		t->ui.focus = pages_open(t);
 }
 
@@ -118,7 +118,7 @@ move(struct tui *t, int by)
 size_t
 rows_first(struct tui *t, size_t room)
 {
-	size_t *top = t->chooser.on ? &t->chooser.top : &t->ui.top[t->ui.page];
+	size_t *top = t->picker.on ? &t->picker.top : &t->ui.top[t->ui.page];
 	settle(t);
 	size_t first = list_of(t)->at(t), shown = 1, n = total(t);
 	if (n == 0 || !has_word(t, first))
@@ -208,7 +208,7 @@ rows_move(struct tui *t, const struct key *key)
 	if (list_of(t) == NULL)
 		return false;
 	/* Several keys may come before the next frame. */
-	if (!t->chooser.on)
+	if (!t->picker.on)
 		pages_update(t);
 	if (!has_rows(t))
 		return false;

@@ -100,7 +100,7 @@ draw_size(const struct area *area, int row, unsigned look, double mm)
 	char text[24];
 	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
 		screen_text(
-		    area, row, VALUE + 1, look, "%s", readings_size(mm, text));
+		    area, row, VALUE + 1, look, "%s", readout_size(mm, text));
 	else
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
@@ -322,7 +322,7 @@ draw_tonnes(struct panel *p, const struct area *area)
 static struct wish
 limits_wish(const struct panel *p)
 {
-	const struct grading *g = limits_now(p->t);
+	const struct grading *g = envelope_check_now(p->t);
 	if (p->t->session->spec == NULL)
 		return (struct wish){0, 0};
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
@@ -385,7 +385,7 @@ static void
 draw_limits(struct panel *p, const struct area *area)
 {
 	struct tui *t = p->t;
-	const struct grading *g = limits_now(t);
+	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
 	hits_add(&t->hits, *area, touch_limits, 0);
@@ -420,14 +420,14 @@ static struct wish
 readings_wish(const struct panel *p)
 {
 	enum { LEAST = 3 };
-	int n = readings_rows(p->t);
+	int n = readout_rows(p->t);
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
 static void
 draw_readings(struct panel *p, const struct area *area)
 {
-	readings_draw(p->t, area);
+	readout_draw(p->t, area);
 }
 
 /* Of a few sieves nobody sees a curve. */
@@ -647,7 +647,7 @@ draw_nothing(const struct tui *t)
 }
 
 void
-verdicts_draw(struct tui *t)
+panel_draw(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	t->left_out = side->rows == 0 && t->now.site[0] != '\0';
@@ -669,9 +669,9 @@ verdicts_draw(struct tui *t)
 }
 
 char *
-verdicts_words(struct tui *t)
+panel_words(struct tui *t)
 {
-	const struct grading *g = limits_now(t);
+	const struct grading *g = envelope_check_now(t);
 	char *words = xstrdup("");
 	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
 	    t->now.site[0] == '\0')
@@ -706,7 +706,7 @@ short_size(double mm, char text[static 24])
 }
 
 void
-verdicts_row(struct tui *t)
+panel_row(struct tui *t)
 {
 	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->shown;
@@ -730,7 +730,7 @@ verdicts_row(struct tui *t)
 			   : N_("%g mm %.1f %%  %d %% %s"),
 		    units_mm(p->product.size[t->ui.cross_at]),
 		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
-		    narrow ? short_size(mm, a) : readings_size(mm, a));
+		    narrow ? short_size(mm, a) : readout_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
 		    short_size(t->now.size[1], b),
@@ -743,8 +743,8 @@ verdicts_row(struct tui *t)
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readings_size(t->now.size[0], a),
-		    readings_size(t->now.size[1], b),
-		    readings_size(t->now.size[2], c),
-		    readings_size(t->now.break_mm, d));
+		    readout_size(t->now.size[0], a),
+		    readout_size(t->now.size[1], b),
+		    readout_size(t->now.size[2], c),
+		    readout_size(t->now.break_mm, d));
 }

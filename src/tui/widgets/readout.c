@@ -12,7 +12,7 @@
 #include "tui/screen.h"
 
 const char *
-readings_size(double mm, char text[static 24])
+readout_size(double mm, char text[static 24])
 {
 	if (isnan(mm))
 		snprintf(text, 24, tr("off sieves"));
@@ -36,7 +36,7 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 	char size[24] = "-";
 	double mm = 1000 * psd_size(finer, t->ui.level / 100.0);
 	if (isfinite(mm))
-		readings_size(mm, size);
+		readout_size(mm, size);
 	screen_text(area, row, 0, look, "%-8.8s", name);
 	if (psd_covers(psd, x))
 		screen_text(
@@ -68,7 +68,7 @@ draw_band(const struct tui *t, const struct area *area, int row)
 }
 
 int
-readings_rows(const struct tui *t)
+readout_rows(const struct tui *t)
 {
 	enum { OTHERS = 3, BAND = 2 };
 	if (!t->ui.cross || t->ui.cross_at >= t->shown.product.n)
@@ -79,7 +79,7 @@ readings_rows(const struct tui *t)
 }
 
 void
-readings_draw(struct tui *t, const struct area *area)
+readout_draw(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->shown;
 	const struct site *site = tui_entry(t)->site;

@@ -190,9 +190,9 @@ say_quantity(const struct tui *t, struct part *part)
 	}
 	char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
-	if (t->layout.above.rows > 0 && !goals_set(t->session))
+	if (t->layout.strip.rows > 0 && !goals_set(t->session))
 		say(part, xasprintf(tr("%s at all speeds"), words));
-	if (t->layout.above.rows > 0)
+	if (t->layout.strip.rows > 0)
 		say(part, xstrdup(words));
 	say(part, xstrdup(""));
 	free(words);
