@@ -284,7 +284,7 @@ main(int argc, char **argv)
 	if (!understood)
 		error_print(&error, stderr);
 	if (understood && in.reset_tty) {
-		rescue_reset();
+		restore_reset();
 		status = 0;
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
@@ -299,7 +299,7 @@ main(int argc, char **argv)
 		s->store = store_new(none ? ":memory:" : in.store);
 		terminal_choose(in.color);
 		s->screen = terminal_screen();
-		s->hooks.draw_screen = shot_draw;
+		s->hooks.draw_screen = script_draw;
 		s->hooks.run_screen = in.linear ? repl_for_screen : tui_run;
 		pump_catch_signals();
 		s->hooks.stop = pump_waited_for;

@@ -247,9 +247,9 @@ read_line(const char *text)
 	pump_take_terminal(was);
 	at.given = 0;
 	take_size(text);
-	rescue_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
+	restore_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
-	rescue_done();
+	restore_done();
 	/* readline ends the line itself, but only where it turns bracketed
 	 * paste off. */
 	if (line == NULL && !pastes_in_brackets())

@@ -31,7 +31,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/script_progress.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 /* session->hooks.confirm and `screen` have no argument to pass it by. */
 static struct tui *open;
@@ -46,7 +46,7 @@ work(struct session *s)
 {
 	while (session_busy(s) && pump_signal() == 0) {
 		session_step(s);
-		under_way_draw(open);
+		script_progress_draw(open);
 		pump_let_in();
 	}
 	return pump_signal() == 0;
@@ -59,7 +59,7 @@ static bool
 stops(void)
 {
 	if (open != NULL && !session_busy(open->session))
-		under_way_draw(open);
+		script_progress_draw(open);
 	return pump_waited_for();
 }
 
@@ -184,7 +184,7 @@ control_set_looks(struct tui *t)
 	char *page = page_text(t->ui.page);
 	char *quantity = quantities_typed(&t->ui.quantity);
 	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
-	said_forget(t);
+	captured_forget(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, "typed", 0, &next, &error);
 	free(page);
@@ -228,17 +228,18 @@ run(struct tui *t, const char *line)
 	char site[sizeof t->now.site] = "";
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
-	said_forget(t);
+	captured_forget(t);
 	const struct driver d = {.session = s,
 	    .of = t,
-	    .fail = said_error,
-	    .begins = under_way_begins,
+	    .fail = captured_error,
+	    .begins = script_progress_begins,
 	    .work = work,
 	    .watches = true};
-	under_way_typed(t, line);
+	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
 	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
-	under_way_end(t, control_command(line) == command_find("restore"), ok);
+	script_progress_end(
+	    t, control_command(line) == command_find("restore"), ok);
 	struct slider_range range = tui_range(t);
 	double said = session_known(s, "predict find", "speed");
 	const struct command *ran = control_command(line);
@@ -283,7 +284,7 @@ control_run(struct tui *t, const char *line)
 	bool ok = run(t, line);
 	t->failed = !ok;
 	if (!ok)
-		view_message(t);
+		viewer_message(t);
 	return ok;
 }
 
@@ -318,7 +319,7 @@ control_predict(struct tui *t)
 	t->shown = (struct prediction){0};
 	if (!predict_step(
 		s, t->ui.tenths / 10.0, tui_feed(t), line, &t->shown, &error))
-		said_error(t, &error, line, "typed");
+		captured_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
@@ -347,8 +348,8 @@ free_all(struct tui *t)
 	if (t->said != NULL)
 		fclose(t->said);
 	free(t->said_text);
-	typing_end(&t->typing);
-	view_close(t);
+	edit_end(&t->line);
+	viewer_close(t);
 	free(t->closed);
 	prediction_free(&t->shown);
 	free(t->command);
@@ -388,8 +389,8 @@ copy_words(struct tui *t)
 	if (open->command != NULL)
 		t->command = xstrdup(open->command);
 	snprintf(t->message, sizeof t->message, "%s", open->message);
-	typing_begin(&t->speed, open->speed.text);
-	typing_begin(&t->filter, open->filter.text);
+	edit_begin(&t->speed, open->speed.text);
+	edit_begin(&t->filter, open->filter.text);
 	t->filter.active = open->filter.active;
 }
 

@@ -31,7 +31,7 @@ void control_predict(struct tui *t);
 /* Looks what the session is like after a command that was not run here. */
 void control_look(struct tui *t);
 
-/* ---- For typed_line.c ---- */
+/* ---- For cmdline.c ---- */
 
 /* The command of a line; NULL where it has several, or none of that name. */
 const struct command *control_command(const char *line);

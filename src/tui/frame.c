@@ -19,7 +19,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/widgets/panel.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 /* How a page is called in the heading: in full, by its number but for the one
  * that is open, or all by their numbers. */
@@ -79,13 +79,13 @@ draw_header(struct tui *t)
 static bool
 touch_line(struct tui *t, const struct touched *touched)
 {
-	const char *at = t->typing.text + touched->item;
+	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
 	if (touched->kind != HIT_PRESS)
 		return false;
 	for (int c = 1; c < touched->column && *at != '\0';)
 		c += text_show(&at, left);
-	t->typing.at = (size_t)(at - t->typing.text);
+	t->line.at = (size_t)(at - t->line.text);
 	return true;
 }
 
@@ -93,10 +93,10 @@ touch_line(struct tui *t, const struct touched *touched)
 static int
 draw_command(struct tui *t, const struct area *area)
 {
-	if (t->typing.active) {
+	if (t->line.active) {
 		size_t from;
 		int at = pane_typed(
-		    area, t->goal_field ? "goal: " : ":", &t->typing, &from);
+		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
 		hits_add(&t->hits, *area, touch_line, from);
 		return at;
 	}
@@ -189,7 +189,7 @@ static bool
 touch_offer(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind == HIT_PRESS)
-		typing_take(&t->typing, touched->item);
+		edit_take(&t->line, touched->item);
 	return touched->kind == HIT_PRESS;
 }
 
@@ -197,12 +197,12 @@ touch_offer(struct tui *t, const struct touched *touched)
 static void
 draw_offers(struct tui *t, const struct area *area)
 {
-	struct typing *y = &t->typing;
+	struct edit *y = &t->line;
 	enum { MORE = 3 };
 	int column = 0;
 	size_t i = y->from, n;
-	const char *offer = typing_offer(y, i, &n);
-	for (; offer != NULL; offer = typing_offer(y, ++i, &n)) {
+	const char *offer = edit_offer(y, i, &n);
+	for (; offer != NULL; offer = edit_offer(y, ++i, &n)) {
 		char *text = xstrndup(offer, n);
 		int width = text_width(text), from = column,
 		    room = area->columns - from - MORE;
@@ -250,17 +250,17 @@ static void
 draw_hints(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
-	if (t->typing.active && t->goal_field)
+	if (t->line.active && t->goal_field)
 		pane_hints(t, LOOK_DIM,
-		    t->typing.n > 0
+		    t->line.n > 0
 			? N_("Enter set it  Tab complete  ^U clear  "
 			     "Esc give up")
 			: N_("Enter no goal  Tab offers  Esc give up"));
-	else if (t->typing.active && strstr(t->typing.text, " > ") != NULL)
+	else if (t->line.active && strstr(t->line.text, " > ") != NULL)
 		pane_hints(t, LOOK_DIM,
 		    "Enter write  Esc give up  ending: .csv .xlsx .json table, "
 		    ".svg .png .pdf plot");
-	else if (t->typing.active)
+	else if (t->line.active)
 		pane_hints(t, LOOK_DIM,
 		    "Enter run  Tab complete  Up earlier lines  Esc give up");
 	else if (t->speed.n > 0)
@@ -301,7 +301,7 @@ draw_note(struct tui *t, const struct area *note)
 	const struct layout *l = &t->layout;
 	if (t->speed.text[0] != '\0') {
 		draw_speed(t, note);
-	} else if (t->typing.active && t->typing.offers != NULL) {
+	} else if (t->line.active && t->line.offers != NULL) {
 		draw_offers(t, note);
 	} else if (filters(t) && l->hints.rows == 0) {
 		screen_clear(note);
@@ -322,7 +322,7 @@ draw_lower(struct tui *t)
 				  : l->command.rows > 0 ? &l->command
 							: &l->track;
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
-	bool typing = t->typing.active;
+	bool typing = t->line.active;
 	bool taken = line == note &&
 		     (t->message[0] || t->speed.text[0] || tells_state(t));
 	/* Nothing else is touched by mistake while a line is typed. */
@@ -336,7 +336,7 @@ draw_lower(struct tui *t)
 			t->cursor = (struct cursor){line->row, at};
 	}
 	/* What is typed leaves the row of hints alone. */
-	bool offers = t->typing.offers != NULL && l->hints.rows > 0;
+	bool offers = t->line.offers != NULL && l->hints.rows > 0;
 	if (note == line && typing && offers)
 		draw_offers(t, &l->hints);
 	else if ((note == line && typing) || !draw_note(t, note))
@@ -399,7 +399,7 @@ touch_text(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
-	view_scroll(t, touched->kind == HIT_UP ? -1 : 1);
+	viewer_scroll(t, touched->kind == HIT_UP ? -1 : 1);
 	return true;
 }
 
@@ -451,7 +451,7 @@ frame_draw(struct tui *t)
 	if (t->layout.track.rows > 0)
 		track_draw(t);
 	if (viewing)
-		view_draw(t);
+		viewer_draw(t);
 	else if (list)
 		picker_draw(t);
 	else

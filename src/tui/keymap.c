@@ -26,7 +26,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/cmdline.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 #include "tui/watch.h"
 
 /* Whether what the page has takes a key that moves. */
@@ -98,7 +98,7 @@ static void
 propose(struct tui *t, const char *line, char *name)
 {
 	t->message[0] = '\0';
-	typing_propose(&t->typing, line, name);
+	edit_propose(&t->line, line, name);
 	free(name);
 }
 
@@ -151,13 +151,13 @@ act_type(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->message[0] = '\0';
-	typing_begin(&t->typing, "");
+	edit_begin(&t->line, "");
 }
 
 void
 act_command(struct tui *t, const struct key *key)
 {
-	typed_line_run(t, key->command);
+	cmdline_run(t, key->command);
 }
 
 void
@@ -166,7 +166,7 @@ act_describe(struct tui *t, const struct key *key)
 	char *(*words)(const struct tui *) = pages_open(t)->words;
 	char *of = words != NULL ? words(t) : pane_curves_words(t);
 	char *line = xasprintf("%s %s", key->command, of);
-	typed_line_run(t, line);
+	cmdline_run(t, line);
 	free(of);
 	free(line);
 }
@@ -181,7 +181,7 @@ act_correct(struct tui *t, const struct key *key)
 	    [CORRECTION_OFF] = "all"};
 	char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
-	typed_line_run(t, line);
+	cmdline_run(t, line);
 	free(line);
 }
 
@@ -395,13 +395,13 @@ goal_line_key(struct tui *t, int code, bool special)
 static bool
 line_key(struct tui *t, int code, bool special)
 {
-	struct typing *y = &t->typing;
-	enum typing_result result = typing_key(y, t->session, code, special);
-	if (result == TYPING_ON)
+	struct edit *y = &t->line;
+	enum edit_result result = edit_key(y, t->session, code, special);
+	if (result == EDIT_ON)
 		return true;
-	typing_end(y);
-	if (result == TYPING_DONE)
-		typed_line_run(t, y->text);
+	edit_end(y);
+	if (result == EDIT_DONE)
+		cmdline_run(t, y->text);
 	return true;
 }
 
@@ -410,7 +410,7 @@ static bool
 text_key(struct tui *t, int code, bool special)
 {
 	const struct key *run = NULL;
-	bool took = view_key(t, code, special, &run);
+	bool took = viewer_key(t, code, special, &run);
 	if (took)
 		act(t, run);
 	return took;
@@ -420,7 +420,7 @@ text_key(struct tui *t, int code, bool special)
 static bool
 digit_key(struct tui *t, int code, bool special)
 {
-	struct typing *y = &t->speed;
+	struct edit *y = &t->speed;
 	bool digit = code >= '0' && code <= '9',
 	     back = code == DELETE || code == '\b';
 	if (y->n == 0 && !(digit && (code == '0' || code > '0' + PAGES)))
@@ -428,7 +428,7 @@ digit_key(struct tui *t, int code, bool special)
 	if (code == ',')
 		code = '.';
 	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
-		return typing_letter(y, code, special, SPEED_LETTERS);
+		return edit_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
 		if (!slider_read(range, y->text, &t->ui.tenths))
@@ -437,7 +437,7 @@ digit_key(struct tui *t, int code, bool special)
 			    "slider moves the range",
 			    range.least / 10, range.most / 10, y->text);
 	}
-	typing_begin(y, "");
+	edit_begin(y, "");
 	return code == '\n' || code == '\r' || code == ESCAPE;
 }
 
@@ -449,7 +449,7 @@ touch(struct tui *t, enum hit_kind kind, int row, int column)
 	const struct hit *at = hits_at(&t->hits, row, column);
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
 	if (kind == HIT_PRESS && !own)
-		typing_begin(&t->speed, "");
+		edit_begin(&t->speed, "");
 	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 }
 
@@ -533,8 +533,8 @@ next_mode(const struct tui *t, enum mode from)
 {
 	const bool open[] = {[ANSWER] = t->inquiry != NULL,
 	    [QUESTION] = t->question != NULL,
-	    [GOAL] = t->typing.active && t->goal_field,
-	    [LINE] = t->typing.active,
+	    [GOAL] = t->line.active && t->goal_field,
+	    [LINE] = t->line.active,
 	    [TEXT] = t->viewer.text != NULL,
 	    [FILES] = t->picker.on,
 	    [FILTER] = t->filter.active,

@@ -28,7 +28,7 @@ void
 pages_go(struct tui *t, enum page page)
 {
 	if (t->ui.page != page) {
-		t->filter = (struct typing){0};
+		t->filter = (struct edit){0};
 		tui_untouch(t);
 	}
 	t->ui.page = page;

@@ -271,7 +271,7 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 
 int
 pane_typed(const struct area *area, const char *prompt,
-    const struct typing *typing, size_t *from)
+    const struct edit *typing, size_t *from)
 {
 	char *till = xstrndup(typing->text, typing->at), left[TEXT_SHOWN];
 	int before = text_width(till), width = text_width(prompt);

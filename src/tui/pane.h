@@ -87,7 +87,7 @@ void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
  * until the cursor is seen.  Returns the cursor's column; from: of its bytes
  * the first that is shown. */
 int pane_typed(const struct area *area, const char *prompt,
-    const struct typing *typing, size_t *from);
+    const struct edit *typing, size_t *from);
 
 /* Leaves out words, two spaces between them, that there is no room for. */
 void pane_cut(char *words, int columns);

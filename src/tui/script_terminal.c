@@ -60,7 +60,7 @@ answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-const struct tui_ways SHOT_WAYS = {.answer = answer};
+const struct tui_ways SCRIPT_WAYS = {.answer = answer};
 
 /* A word that is typed: a speed, or into a line. */
 static bool
@@ -182,7 +182,7 @@ static bool
 draw_new(struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
-	control_begin(&t, s, &SHOT_WAYS);
+	control_begin(&t, s, &SCRIPT_WAYS);
 	control_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
@@ -202,7 +202,7 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 }
 
 struct canvas *
-shot_draw(
+script_draw(
     struct session *s, struct screen_request *request, struct error *error)
 {
 	struct screen_request r = *request;

@@ -210,7 +210,7 @@ tui_run(struct session *s)
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)
 		typed_open(!s->safe);
-	rescue_note();
+	restore_note();
 	pump_hold_signals();
 	pump_take_terminal(was);
 	bool opened = screen_open(terminal_colour());
@@ -221,7 +221,7 @@ tui_run(struct session *s)
 		loop(&t);
 		control_end(&t);
 		screen_close();
-		rescue_done();
+		restore_done();
 	}
 	pump_give_terminal(was);
 	pump_free_signals();

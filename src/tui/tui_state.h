@@ -40,7 +40,7 @@ struct viewer {
 	int top, lines, left, columns;
 	bool keys, report; /* what a long job has ended with */
 	int at;
-	struct typing word;
+	struct edit word;
 };
 
 /* Plots of one frame that can be pointed at. */
@@ -124,7 +124,7 @@ struct picker {
 	enum picker_list list;
 	const struct page_list *rows;
 	struct folder folder;
-	struct typing word;
+	struct edit word;
 	size_t at, top, previewed;
 	char *preview;
 };
@@ -218,15 +218,15 @@ struct tui {
 	char *under_way;                       /* line that is run, or NULL */
 	bool of_script;                        /* it is one of a script */
 	bool stopping;                         /* a key stops it */
-	double ran_from;      /* when it or its script began, s */
-	double drawn_at;      /* when that was last drawn */
-	const char *begun;    /* what takes a moment just now, or NULL */
-	bool held;            /* the calibration waits */
-	double due;           /* when the next generation is */
-	double holdout;       /* RMSE of the site in use, points, or NAN */
-	struct typing typing; /* a command */
-	struct typing speed;
-	struct typing filter; /* a word that rows of a list must have */
+	double ran_from;    /* when it or its script began, s */
+	double drawn_at;    /* when that was last drawn */
+	const char *begun;  /* what takes a moment just now, or NULL */
+	bool held;          /* the calibration waits */
+	double due;         /* when the next generation is */
+	double holdout;     /* RMSE of the site in use, points, or NAN */
+	struct edit line; /* a command, or a goal */
+	struct edit speed;
+	struct edit filter; /* a word that rows of a list must have */
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;
@@ -242,7 +242,7 @@ struct tui {
 	bool formed;          /* `now` is of a search that was under way */
 	const char *question; /* that waits for an answer, or NULL */
 	const struct inquiry *inquiry; /* likewise, for a line */
-	struct typing answer;          /* that line */
+	struct edit answer;            /* that line */
 	int inquiry_up;                /* rows its table is moved up */
 	struct {
 		bool is, special;

@@ -60,7 +60,7 @@ finish_all(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		said_error(t, &error, "", "");
+		captured_error(t, &error, "", "");
 	else
 		tui_say(t, false,
 		    "all sites are calibrated: Enter opens one, :validate all "
@@ -75,7 +75,7 @@ finish(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		said_error(t, &error, "", "");
+		captured_error(t, &error, "", "");
 	t->held = false;
 	control_look(t);
 	const struct entry *entry = tui_entry(t);
@@ -101,9 +101,9 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	}
 	t->held = false;
 	control_look(t);
-	said_show(t);
+	captured_show(t);
 	if (!session_settle(t->session, true, &error))
-		said_error(t, &error, "", "");
+		captured_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",
@@ -177,7 +177,7 @@ watch_pump(struct tui *t)
 	do {
 		/* What each round says is not for a result. */
 		if (rounds->at != NULL)
-			said_forget(t);
+			captured_forget(t);
 		session_step(s);
 	} while (session_busy(s) && pump_signal() == 0 &&
 		 entry == s->job.entry &&

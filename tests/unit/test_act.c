@@ -51,8 +51,8 @@ every_letter_is_text_in_a_line(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":\u0157\u0107");
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "\u0157\u0107");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "\u0157\u0107");
 }
 
 static void
@@ -70,7 +70,7 @@ what_is_completed_is_whole_letters(void **state)
 	unlink("xä.csv");
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
-	assert_string_equal(t->typing.text, "load x");
+	assert_string_equal(t->line.text, "load x");
 }
 
 static void
@@ -85,7 +85,7 @@ the_keypad_has_an_enter(void **state)
 	assert_int_equal(t->ui.tenths, 773);
 	type(t, ":set k 1");
 	keymap_key(t, KEY_ENTER, true);
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	assert_string_equal(t->command, "set k 1");
 }
 
@@ -275,7 +275,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
 	type(t, "t5.2\n");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
 	assert_string_equal(t->command, "set goal \"p80=5.2\"");
 	assert_false(goal_known(t));
@@ -377,7 +377,7 @@ a_goal_may_be_set_while_a_first_search_runs(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":load data/sites/tierp.csv\nt");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	type(t, "f");
 	watch_pump(t);
 	draw_all(t);
@@ -513,7 +513,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	type(t, "t");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	assert_true(t->bad);
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
@@ -523,11 +523,11 @@ what_is_no_goal_stays_in_its_field(void **state)
 		type(t, "t");
 		type(t, BAD[i]);
 		type(t, "\n");
-		assert_true(t->typing.active && t->bad);
-		assert_string_equal(t->typing.text, BAD[i]);
+		assert_true(t->line.active && t->bad);
+		assert_string_equal(t->line.text, BAD[i]);
 		assert_string_equal(t->session->set.goal, "");
 		type(t, "\033");
-		assert_false(t->typing.active);
+		assert_false(t->line.active);
 	}
 	/* What stands there already is only offered. */
 	static const struct {
@@ -548,7 +548,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_string_equal(t->session->set.goal, "p80<6");
 	assert_int_equal(t->ui.quantity.kind, QUANTITY_PASSING);
 	type(t, "tfin\t");
-	assert_string_equal(t->typing.text, "fines<");
+	assert_string_equal(t->line.text, "fines<");
 	type(t, "6\n");
 	draw_all(t);
 	assert_true(goal_known(t));
@@ -688,8 +688,8 @@ bounds_are_typed_on_their_strip(void **state)
 	type(t, "2");
 	press(t, "Down");
 	press(t, "Enter");
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "bounds beta1 ");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "bounds beta1 ");
 	type(t, "0..5\n");
 	assert_string_equal(t->command, "bounds beta1 0..5");
 	assert_true(s->set.bounds.lower[0] == 0 && s->set.bounds.upper[0] == 5);
@@ -700,9 +700,9 @@ bounds_are_typed_on_their_strip(void **state)
 	assert_int_equal(t->ui.param_at, 7);
 	frame_draw(t);
 	int row = t->layout.side.row;
-	while (!t->typing.active && row < 24)
+	while (!t->line.active && row < 24)
 		mouse(t, HIT_PRESS, row++, t->layout.side.column + 2);
-	assert_string_equal(t->typing.text, "bounds beta1 ");
+	assert_string_equal(t->line.text, "bounds beta1 ");
 }
 
 static void
@@ -786,10 +786,10 @@ a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 	assert_non_null(t->viewer.text);
 	type(t, ":bounds");
 	assert_null(t->viewer.text);
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "bounds");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "bounds");
 	type(t, "\033?:undo");
-	assert_string_equal(t->typing.text, "undo");
+	assert_string_equal(t->line.text, "undo");
 }
 
 /* What is on the frame. */
@@ -853,15 +853,16 @@ so_many_keys_are_pressed_and_no_more(void **state)
 	control_end(&stage->t);
 	for (size_t i = 0; i < ARRAY_LEN(MANY); i++) {
 		request.keys = MANY[i];
-		assert_null(shot_draw(stage->desk->session, &request, &error));
+		assert_null(
+		    script_draw(stage->desk->session, &request, &error));
 		assert_non_null(strstr(error.text, "at most 9999 keys"));
 	}
 	request.keys = "Left*9000 Right*999";
 	struct canvas *canvas =
-	    shot_draw(stage->desk->session, &request, &error);
+	    script_draw(stage->desk->session, &request, &error);
 	assert_non_null(canvas);
 	canvas_free(canvas);
-	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
 }
 
 static void
@@ -869,7 +870,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	stage->desk->session->hooks.draw_screen = shot_draw;
+	stage->desk->session->hooks.draw_screen = script_draw;
 	canvas_free(screen_back(stage->was));
 	stage->was = screen_aside(50, 170, CHARSET_ASCII, 0);
 	desk_expect(stage->desk,
@@ -942,12 +943,12 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	const struct numbers pin = t->pin;
 	enum page page = t->ui.page;
 	control_end(t);
-	control_begin(t, other, &SHOT_WAYS);
+	control_begin(t, other, &SCRIPT_WAYS);
 	char *line = xasprintf(":source %s\n", file);
 	type(t, line);
 	free(line);
 	control_end(t);
-	control_begin(t, other, &SHOT_WAYS);
+	control_begin(t, other, &SCRIPT_WAYS);
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
@@ -988,7 +989,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		char *was = shown(t);
 		/* In a new session, and then in the screen that is open. */
 		shows_in_another(t, file, was);
-		control_begin(t, stage->desk->session, &SHOT_WAYS);
+		control_begin(t, stage->desk->session, &SCRIPT_WAYS);
 		type(t, ":reset\n");
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
@@ -1022,7 +1023,7 @@ what_is_left_is_found_again(void **state)
 	t->aside = false; /* as where somebody looks */
 	control_end(t);
 	assert_string_equal(s->set.goal, "p80<5.2");
-	control_begin(t, s, &SHOT_WAYS);
+	control_begin(t, s, &SCRIPT_WAYS);
 	assert_int_equal(t->ui.page, PAGE_PARITY);
 	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
 	assert_true(t->pin.speed == 74);
@@ -1164,14 +1165,14 @@ e_proposes_a_file(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	type(t, "e");
 	assert_string_equal(
-	    t->typing.text, "predict speed=74.0 > tierp-74.0.xlsx");
+	    t->line.text, "predict speed=74.0 > tierp-74.0.xlsx");
 	type(t, "\033");
 	control_predict(t);
 	type(t, "xe");
 	assert_string_equal(
-	    t->typing.text, "compare pinned 74.0 > tierp-74.0.xlsx");
+	    t->line.text, "compare pinned 74.0 > tierp-74.0.xlsx");
 	type(t, "ab\bc");
-	assert_string_equal(t->typing.text, "compare pinned 74.0 > ac");
+	assert_string_equal(t->line.text, "compare pinned 74.0 > ac");
 	type(t, "\033");
 }
 
@@ -1235,7 +1236,7 @@ a_pinned_answer_keeps_its_feed(void **state)
 	assert_non_null(strstr(t->viewer.text, want));
 	type(t, "\033e");
 	assert_string_equal(
-	    t->typing.text, "compare pinned 79.0 feed=79 > tierp-79.0.xlsx");
+	    t->line.text, "compare pinned 79.0 feed=79 > tierp-79.0.xlsx");
 	type(t, "\033");
 }
 
@@ -1494,7 +1495,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	control_end(t);
 	assert_false(session_busy(s));
 	assert_true(session_entry(s)->fit.misfit == best);
-	control_begin(t, s, &SHOT_WAYS);
+	control_begin(t, s, &SCRIPT_WAYS);
 }
 
 static volatile sig_atomic_t stops;
@@ -1526,7 +1527,7 @@ control_z_stops_wherever_it_is_typed(void **state)
 	sigaction(SIGTSTP, &action, &was);
 	type(t, ":help\032");
 	assert_int_equal(stops, 1);
-	assert_string_equal(t->typing.text, "help");
+	assert_string_equal(t->line.text, "help");
 	type(t, "\n\032");
 	assert_int_equal(stops, 2);
 	assert_non_null(t->viewer.text);
@@ -1555,7 +1556,7 @@ what_is_pasted_is_no_keys(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	paste(t, ":quit\n79\nq\003\032");
-	assert_false(t->typing.active || t->leave || t->session->quit);
+	assert_false(t->line.active || t->leave || t->session->quit);
 	assert_non_null(strstr(t->message, "pasted text was ignored"));
 	/* Keys with a name, as a hostile text may have them. */
 	input_paste(t, SCREEN_PASTE, true);
@@ -1570,12 +1571,12 @@ what_is_pasted_goes_into_an_open_line_up_to_its_end(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":set k\t");
 	paste(t, "\n 1\t\033[A5\302\233å\r\n");
-	assert_string_equal(t->typing.text, "set k  1 [A5å");
+	assert_string_equal(t->line.text, "set k  1 [A5å");
 	assert_string_equal(t->message, "");
 	paste(t, "9\nsecond");
-	assert_string_equal(t->typing.text, "set k  1 [A5å9");
+	assert_string_equal(t->line.text, "set k  1 [A5å9");
 	assert_non_null(strstr(t->message, "only part"));
-	assert_true(t->typing.active);
+	assert_true(t->line.active);
 	type(t, "\0337");
 	paste(t, "q1.5\n");
 	assert_string_equal(t->speed.text, "71.5");

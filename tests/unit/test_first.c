@@ -159,7 +159,7 @@ left_goes_to_the_folder_above(void **state)
 	/* A key that is no letter closes the list and does what it does. */
 	press(t, ":");
 	assert_false(t->picker.on);
-	assert_true(t->typing.active);
+	assert_true(t->line.active);
 }
 
 /* Not to one another, and to no line that cannot be run. */
@@ -173,7 +173,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 		t->message[0] = '\0';
 		press(t, ASKING[i]);
 		assert_string_equal(t->message, TUI_NO_SITE);
-		assert_false(t->typing.active);
+		assert_false(t->line.active);
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 	}
 	t->message[0] = '\0';
@@ -274,8 +274,8 @@ a_feed_fills_the_guess(void **state)
 	choose(t, "feed.csv");
 	assert_true(shows("a feed, no product"));
 	press(t, "Enter");
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "guess rock=Gneiss top=16");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "guess rock=Gneiss top=16");
 	/* What is not stated is typed where it belongs. */
 	sheet = fopen("feed.csv", "w");
 	fputs("top_size_mm,16\nsize_mm,feed\n16,100\n4,40\n1,9\n", sheet);
@@ -288,7 +288,7 @@ a_feed_fills_the_guess(void **state)
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
 	type(t, "granitegranite");
-	assert_string_equal(t->typing.text, "guess rock=granitegranite top=16");
+	assert_string_equal(t->line.text, "guess rock=granitegranite top=16");
 	press(t, "Enter");
 	assert_non_null(t->viewer.text);
 	assert_non_null(strstr(t->viewer.text,

@@ -226,7 +226,7 @@ walk(uint64_t seed)
 	if (below(4) > 0)
 		desk_expect(desk, "load data/sites/bro.csv "
 				  "data/sites/ossjo.csv data/sites/tierp.csv");
-	desk->session->hooks.draw_screen = shot_draw;
+	desk->session->hooks.draw_screen = script_draw;
 	/* From here on no file is written and no shell run. */
 	desk->session->safe = true;
 	before = screen_aside(rows, columns, CHARSET_BRAILLE, 256);
@@ -245,7 +245,7 @@ walk(uint64_t seed)
 	for (int i = 0; i < 12; i++)
 		keymap_key(&t, 27, false);
 	go_on(&t);
-	assert_false(t.typing.active || t.filter.active || t.ui.cross);
+	assert_false(t.line.active || t.filter.active || t.ui.cross);
 	assert_null(t.viewer.text);
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
 	assert_null(t.ui.focus);

@@ -114,7 +114,7 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct session *s = t->session;
-	typed_line_run(t, "calibrate all");
+	cmdline_run(t, "calibrate all");
 	assert_true(session_busy(s));
 	turn(t);
 	assert_int_equal(t->ui.page, PAGE_SITES);
@@ -147,7 +147,7 @@ what_it_ends_with_is_what_calibrate_all_says(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	typed_line_run(t, "calibrate all");
+	cmdline_run(t, "calibrate all");
 	for (int i = 0; i < 3; i++)
 		turn(t);
 	assert_false(session_busy(t->session));
@@ -238,7 +238,7 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	typed_line_run(t, "use tierp");
+	cmdline_run(t, "use tierp");
 	resize(stage, 12, 40);
 	press(t, "3");
 	assert_non_null(strstr(row_of(stage, 1), "feed@69"));

@@ -138,9 +138,9 @@ hints_are_their_keys(void **state)
 	click(stage, "Esc back");
 	assert_null(t->viewer.text);
 	click(stage, ": predict");
-	assert_true(t->typing.active);
+	assert_true(t->line.active);
 	click(stage, "Esc give up");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	click(stage, " 5 Sites");
 	assert_int_equal(t->ui.page, PAGE_SITES);
 	click(stage, "q quit");
@@ -352,16 +352,16 @@ offers_are_taken_by_a_click(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	press(stage, ": plot Space p Tab");
-	assert_non_null(t->typing.offers);
+	assert_non_null(t->line.offers);
 	click(stage, "parity");
-	assert_string_equal(t->typing.text, "plot parity ");
+	assert_string_equal(t->line.text, "plot parity ");
 	/* The slider is not moved while a line is typed. */
 	assert_false(mouse(stage, HIT_PRESS, t->layout.track.row, 20));
 	int row, column;
 	assert_true(find_text(stage, ":plot parity", &row, &column));
 	assert_true(mouse(stage, HIT_PRESS, row, column + 3));
 	press(stage, "X");
-	assert_string_equal(t->typing.text, "plXot parity ");
+	assert_string_equal(t->line.text, "plXot parity ");
 }
 
 /* Ways to answer of their own: what the mouse presses at a place. */
@@ -430,7 +430,7 @@ little_is_typed(void **state)
 		bool done = i == 0   ? t->ui.cross
 			    : i == 1 ? strcmp(t->command, "use bro") == 0
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
-			    : i == 3 ? strstr(t->typing.text, ".xlsx") != NULL
+			    : i == 3 ? strstr(t->line.text, ".xlsx") != NULL
 			    : i == 4 ? t->ui.band
 				     : t->pin.site[0] != '\0';
 		if (!done)

@@ -30,7 +30,7 @@ stage_open(void **state)
 	stage->desk = desk;
 	desk_expect(stage->desk, TIERP_CALIBRATED "; predict speed=74");
 	struct display *was = screen_aside(24, 80, CHARSET_ASCII, 0);
-	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
 	canvas_free(screen_back(was));
 	control_predict(&stage->t);
 	*state = stage;

@@ -86,7 +86,7 @@ act_numbers(struct tui *t, const struct key *key)
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
-		typed_line_show(t, line);
+		cmdline_show(t, line);
 	free(line);
 }
 

@@ -14,21 +14,21 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-enum typing_result
+enum edit_result
 dialogue_key(struct tui *t, int code, bool special)
 {
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
 	if (special && (code == KEY_UP || code == KEY_DOWN)) {
 		t->inquiry_up += code == KEY_UP ? 1 : -1;
-		return TYPING_ON;
+		return EDIT_ON;
 	}
 	if (special && code == KEY_ENTER)
-		return TYPING_DONE;
+		return EDIT_DONE;
 	/* In an empty line Backspace would give up; Tab completes commands. */
 	if ((back && t->answer.n == 0) || (!special && code == '\t'))
-		return TYPING_ON;
-	return typing_key(&t->answer, t->session, code, special);
+		return EDIT_ON;
+	return edit_key(&t->answer, t->session, code, special);
 }
 
 char *
@@ -36,15 +36,15 @@ dialogue_ask(struct tui *t, const struct inquiry *q)
 {
 	int code;
 	bool special;
-	enum typing_result result = TYPING_ON;
+	enum edit_result result = EDIT_ON;
 	t->inquiry = q;
 	t->inquiry_up = 0;
-	typing_begin(&t->answer, "");
-	while (result == TYPING_ON && t->ways->answer(t, &code, &special))
+	edit_begin(&t->answer, "");
+	while (result == EDIT_ON && t->ways->answer(t, &code, &special))
 		result = dialogue_key(t, code, special);
 	t->inquiry = NULL;
-	typing_end(&t->answer);
-	return result == TYPING_DONE ? xstrdup(t->answer.text) : NULL;
+	edit_end(&t->answer);
+	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
 }
 
 /* How many rows each part has; gap: blank ones around the table. */

@@ -50,7 +50,7 @@ relist(struct picker *c, const char *path)
 static void
 list_all(struct picker *c, const char *path)
 {
-	typing_begin(&c->word, "");
+	edit_begin(&c->word, "");
 	relist(c, path);
 }
 
@@ -73,9 +73,9 @@ type_guess(struct tui *t)
 	char *line = xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
 	if (site->top_size > 0)
 		xappend(&line, " top=%g", units_mm(site->top_size));
-	typing_begin(&t->typing, line);
+	edit_begin(&t->line, line);
 	if (site->rock[0] == '\0') {
-		t->typing.at = strlen(BEGIN);
+		t->line.at = strlen(BEGIN);
 		tui_say(t, false,
 		    "type the rock, granite say, and Enter: the sheet does not "
 		    "state it");
@@ -198,13 +198,13 @@ narrow(struct tui *t, int code, bool special)
 		return false;
 	t->message[0] = '\0';
 	if (code == ESCAPE)
-		typing_begin(&c->word, "");
+		edit_begin(&c->word, "");
 	else
-		typing_letter(&c->word, code, false, VIEWER_WORD);
+		edit_letter(&c->word, code, false, VIEWER_WORD);
 	relist(c, c->folder.path);
 	if (c->folder.n == 0 && !back) {
 		tui_say(t, false, "nothing here has '%s'", c->word.text);
-		typing_letter(&c->word, DELETE, false, VIEWER_WORD);
+		edit_letter(&c->word, DELETE, false, VIEWER_WORD);
 		relist(c, c->folder.path);
 	}
 	return true;

@@ -255,7 +255,7 @@ rows_letter(struct tui *t, int code, bool special)
 		t->filter.active = false;
 		return true;
 	}
-	if (!typing_letter(&t->filter, code, special, VIEWER_WORD))
+	if (!edit_letter(&t->filter, code, special, VIEWER_WORD))
 		return false;
 	settle(t);
 	return true;
@@ -266,7 +266,7 @@ rows_forget(struct tui *t)
 {
 	if (!t->filter.active && t->filter.n == 0)
 		return false;
-	typing_begin(&t->filter, "");
+	edit_begin(&t->filter, "");
 	t->filter.active = false;
 	return true;
 }

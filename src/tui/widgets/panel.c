@@ -377,7 +377,7 @@ touch_limits(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != HIT_PRESS)
 		return false;
-	typed_line_run(t, "spec");
+	cmdline_run(t, "spec");
 	return true;
 }
 
@@ -459,7 +459,7 @@ touch_light(struct tui *t, const struct touched *touched)
 {
 	if (touched->kind != HIT_PRESS)
 		return false;
-	typed_line_run(t, "why");
+	cmdline_run(t, "why");
 	return true;
 }
 

@@ -61,7 +61,7 @@ act_bounds(struct tui *t, const struct key *key)
 				       : past.bounds;
 	t->ui.param_at = j + 1;
 	char *line = xasprintf("bounds %s ", of->parameter[j].name);
-	typing_begin(&t->typing, line);
+	edit_begin(&t->line, line);
 	free(line);
 	tui_say(t, false,
 	    j < of->gauge

@@ -1,6 +1,6 @@
 /* Scrolling, choosing, drawing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +32,7 @@ split(struct viewer *v)
 }
 
 void
-view_close(struct tui *t)
+viewer_close(struct tui *t)
 {
 	tui_untouch(t);
 	struct viewer *v = &t->viewer;
@@ -49,9 +49,9 @@ view_close(struct tui *t)
 }
 
 void
-view_text(struct tui *t, char *text)
+viewer_text(struct tui *t, char *text)
 {
-	view_close(t);
+	viewer_close(t);
 	t->viewer = (struct viewer){.text = text, .at = -1};
 	split(&t->viewer);
 }
@@ -61,37 +61,37 @@ act_again(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (t->closed != NULL)
-		view_text(t, xstrdup(t->closed));
+		viewer_text(t, xstrdup(t->closed));
 	else
 		tui_say(t, false, "no text has been shown yet");
 }
 
 void
-view_keys(struct tui *t)
+viewer_keys(struct tui *t)
 {
-	struct typing word = t->viewer.word;
+	struct edit word = t->viewer.word;
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
 	keys_list(t->ui.page, word.text, out);
 	fclose(out);
-	view_text(t, text);
+	viewer_text(t, text);
 	t->viewer.keys = true;
 	t->viewer.word = word;
 	t->viewer.at = 0;
-	view_scroll(t, 1);
+	viewer_scroll(t, 1);
 }
 
 void
 act_help(struct tui *t, const struct key *key)
 {
 	(void)key;
-	view_keys(t);
+	viewer_keys(t);
 }
 
 /* The last frame may have been of other text there. */
 void
-view_message(struct tui *t)
+viewer_message(struct tui *t)
 {
 	enum { MARGIN = 2, LEAST = 8 };
 	int rows, columns;
@@ -101,7 +101,7 @@ view_message(struct tui *t)
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
 	if (text_rows(t->message, columns) > layout_message_rows(&l) &&
 	    t->viewer.text == NULL)
-		view_text(t, text_wrapped(t->message, columns));
+		viewer_text(t, text_wrapped(t->message, columns));
 }
 
 static bool
@@ -170,7 +170,7 @@ static bool
 find(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
-	struct typing *word = &v->word;
+	struct edit *word = &v->word;
 	if (!word->active && (special || code != '/'))
 		return false;
 	if (!word->active) {
@@ -181,10 +181,10 @@ find(struct tui *t, int code, bool special)
 		word->active = false;
 		return true;
 	}
-	if (!typing_letter(word, code, special, VIEWER_WORD))
+	if (!edit_letter(word, code, special, VIEWER_WORD))
 		return false;
 	if (v->keys) {
-		view_keys(t);
+		viewer_keys(t);
 	} else {
 		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
@@ -196,7 +196,7 @@ find(struct tui *t, int code, bool special)
 
 /* Of the list of keys the chosen one, past headings. */
 void
-view_scroll(struct tui *t, int by)
+viewer_scroll(struct tui *t, int by)
 {
 	struct viewer *v = &t->viewer;
 	int step = by < 0 ? -1 : 1;
@@ -220,9 +220,9 @@ forget_word(struct tui *t)
 	struct viewer *v = &t->viewer;
 	if (!v->word.active && v->word.n == 0)
 		return false;
-	v->word = (struct typing){0};
+	v->word = (struct edit){0};
 	if (v->keys)
-		view_keys(t);
+		viewer_keys(t);
 	else
 		v->at = -1;
 	return true;
@@ -237,15 +237,16 @@ moves(struct tui *t, const struct key *key, int code)
 	key_way *act = key != NULL ? key->act : NULL;
 	int steps = act == act_move ? abs(key->amount) : 0;
 	if (act == act_list)
-		view_scroll(t, key->amount);
+		viewer_scroll(t, key->amount);
 	else if (steps == STEP && !v->keys)
 		v->left += key->amount * (t->layout.body.columns + 1) / 2;
 	else if (steps == FAR)
-		view_scroll(t, key->amount < 0 ? page : -page);
+		viewer_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
-		view_scroll(t, page);
+		viewer_scroll(t, page);
 	else if (act == act_ends)
-		view_scroll(t, key->amount == TO_LEAST ? -v->lines : v->lines);
+		viewer_scroll(
+		    t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
 		go_to(t, code == 'N' ? find_from(v, v->at - 1, -1)
 				     : find_from(v, v->at + 1, 1));
@@ -284,7 +285,7 @@ only_closes(struct tui *t, const struct key *key, int code, bool keys)
 }
 
 bool
-view_key(struct tui *t, int code, bool special, const struct key **run)
+viewer_key(struct tui *t, int code, bool special, const struct key **run)
 {
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->ui.page);
@@ -296,12 +297,12 @@ view_key(struct tui *t, int code, bool special, const struct key **run)
 	if (keys && code == '\n') {
 		*run = keys_nth(t->ui.page, v->word.text, (size_t)v->at);
 		if (*run != NULL)
-			view_close(t);
+			viewer_close(t);
 		return true;
 	}
 	/* How it is found again is read after it has gone. */
 	t->told = t->told || v->report;
-	view_close(t);
+	viewer_close(t);
 	return only_closes(t, key, code, keys);
 }
 
@@ -408,7 +409,7 @@ draw_hints(struct tui *t)
 }
 
 void
-view_draw(struct tui *t)
+viewer_draw(struct tui *t)
 {
 	fit(t);
 	const struct area *body = &t->layout.body;
