@@ -110,12 +110,14 @@ a_saved_session_is_restored(void **state)
 		assert_true(folder->item[i].kind == FOLDER_SESSION ||
 			    folder->item[i].kind == FOLDER_ABOVE ||
 			    folder->item[i].kind == FOLDER_BELOW);
-	choose(t, "doc");
+	choose(t, "data");
 	press(t, "Enter");
-	choose(t, "demo.tip");
+	choose(t, "sessions");
+	press(t, "Enter");
+	choose(t, "paper.tip");
 	assert_int_equal(folder->item[t->picker.at].kind, FOLDER_SESSION);
 	char *line = folder_command(&folder->item[t->picker.at], true);
-	assert_string_equal(line, "restore \"doc/demo.tip\"");
+	assert_string_equal(line, "restore \"data/sessions/paper.tip\"");
 	free(line);
 	press(t, "Esc");
 	press(t, "Up");
