@@ -13,7 +13,8 @@
 #include "cmd/run/line.h"
 #include "cmd/lang/parse.h"
 #include "tui/control.h"
-#include "cli/pump.h"
+#include "cli/ask.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 #include "cli/history.h"
 #include "tui/widgets/viewer.h"
@@ -46,8 +47,8 @@ await_return(void)
 	    stdout);
 	fflush(stdout);
 	/* ^C has ended the shell command. */
-	pump_forget_interrupt();
-	pump_answer(NULL);
+	signals_forget_interrupt();
+	ask_line(NULL);
 	/* Whoever leaves the screen finds a line of their own. */
 	fputs("\n", stdout);
 }

@@ -26,7 +26,8 @@
 #include "tui/folder.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pane.h"
-#include "cli/pump.h"
+#include "cli/ask.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
@@ -44,12 +45,12 @@ static const double PAUSE = 0.7;
 static bool
 work(struct session *s)
 {
-	while (session_busy(s) && pump_signal() == 0) {
+	while (session_busy(s) && signals_noted() == 0) {
 		session_step(s);
 		script_progress_draw(open);
-		pump_let_in();
+		signals_let_in();
 	}
-	return pump_signal() == 0;
+	return signals_noted() == 0;
 }
 
 /* What reads much asks in the midst of a line, of which Esc is then heard; the
@@ -60,7 +61,7 @@ stops(void)
 {
 	if (open != NULL && !session_busy(open->session))
 		script_progress_draw(open);
-	return pump_waited_for();
+	return signals_waited_for();
 }
 
 const struct command *
@@ -237,7 +238,8 @@ run(struct tui *t, const char *line)
 	    .watches = true};
 	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
-	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
+	bool ok =
+	    driver_line(&d, line, "typed", 0) == 0 || signals_noted() != 0;
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
 	struct slider_range range = tui_range(t);
@@ -436,7 +438,7 @@ confirm(struct session *s, const char *question)
 	int code = 0;
 	bool special = false;
 	if (open->ways->is_away != NULL && open->ways->is_away())
-		return pump_confirm(s, question);
+		return ask_confirm(s, question);
 	open->question = question;
 	bool got = open->ways->answer(open, &code, &special);
 	open->question = NULL;
@@ -447,7 +449,7 @@ static char *
 question(struct session *s, const struct inquiry *q)
 {
 	bool away = open->ways->is_away != NULL && open->ways->is_away();
-	return away ? pump_question(s, q) : dialogue_ask(open, q);
+	return away ? ask_question(s, q) : dialogue_ask(open, q);
 }
 
 /* At the end of a search, before there is a result to draw. */

@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
 #include "cmd/session/script.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 #include "tui/widgets/viewer.h"
 
@@ -50,7 +50,7 @@ draw(struct tui *t, bool begins)
 	if (t->ways->stopped(t)) {
 		t->stopping = true;
 		raise(SIGINT);
-		pump_let_in();
+		signals_let_in();
 	}
 }
 
@@ -91,8 +91,8 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 	if (told)
 		viewer_close(t);
 	/* A signal from elsewhere ends the program, unless a script runs. */
-	if ((t->of_script || t->stopping) && pump_signal() == SIGINT) {
-		pump_forget_interrupt();
+	if ((t->of_script || t->stopping) && signals_noted() == SIGINT) {
+		signals_forget_interrupt();
 		captured_forget(t);
 		if (t->of_script)
 			tui_say(t, false,

@@ -12,7 +12,7 @@
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/pages.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/screen.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
@@ -113,7 +113,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 	if (!count_keys(word, key ? n : text_width(word), pressed, error))
 		return false;
 	if (key) {
-		for (; n > 0 && !t->leave && pump_signal() == 0; n--)
+		for (; n > 0 && !t->leave && signals_noted() == 0; n--)
 			press(t, code, code > 255);
 		return true;
 	}
@@ -140,7 +140,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
 		ok = press_word(t, word, &pressed, error);
-		if (ok && pump_signal() != 0)
+		if (ok && signals_noted() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}

@@ -8,7 +8,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "tui/control.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 
 /* What is said of one that was stopped, by what became of it: in full, and
@@ -179,11 +179,11 @@ watch_pump(struct tui *t)
 		if (rounds->at != NULL)
 			captured_forget(t);
 		session_step(s);
-	} while (session_busy(s) && pump_signal() == 0 &&
-		 entry == s->job.entry &&
-		 (pace == PACE_FULL || is_drawing(s)) &&
-		 (t->aside ||
-		     (!pump_waited_for() && session_clock() - began < FRAME)));
+	} while (
+	    session_busy(s) && signals_noted() == 0 && entry == s->job.entry &&
+	    (pace == PACE_FULL || is_drawing(s)) &&
+	    (t->aside ||
+		(!signals_waited_for() && session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / pace_now(t);
 	if (entry == s->current && rounds->at == NULL)
