@@ -26,7 +26,8 @@ bool signals_wait_with(const sigset_t *mask, double seconds);
 void signals_let_in(void);
 
 /* While one has the terminal, ^Z, a continue and another size are noted for
- * signals_news, which returns as these bits what came since it was last asked. */
+ * signals_news, which returns as these bits what came since it was last
+ * asked. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
 void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);

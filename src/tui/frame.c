@@ -227,14 +227,11 @@ draw_offers(struct tui *t, const struct area *area)
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
-	const char *keys = tr("Enter keep it  Esc all rows");
-	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", t->filter.text);
-	int column = screen_text(area, 0, at + 2, 0, "%zu of %zu",
-	    rows_count(t), pages_open(t)->list->n(t));
-	if (column + 2 + text_width(keys) <= area->columns) {
-		screen_text(area, 0, column + 2, LOOK_DIM, "%s", keys);
-		pane_touch_hints(t, area->row, area->column + column + 2, keys);
-	}
+	char *found = xasprintf(
+	    tr("%zu of %zu"), rows_count(t), pages_open(t)->list->n(t));
+	int at = pane_word(
+	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
+	free(found);
 	if (t->filter.active && area->rows > 0)
 		t->cursor = (struct cursor){area->row, at};
 }

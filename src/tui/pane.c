@@ -284,6 +284,21 @@ pane_typed(const struct area *area, const char *prompt,
 	return width + before;
 }
 
+int
+pane_word(struct tui *t, const struct area *area, const char *word,
+    const char *found, const char *keys)
+{
+	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", word);
+	if (found == NULL)
+		return at;
+	int column = screen_text(area, 0, at + 2, 0, "%s", found) + 2;
+	if (column + text_width(keys) <= area->columns) {
+		screen_text(area, 0, column, LOOK_DIM, "%s", keys);
+		pane_touch_hints(t, area->row, area->column + column, keys);
+	}
+	return at;
+}
+
 char *
 pane_curves_words(const struct tui *t)
 {

@@ -89,6 +89,11 @@ void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
 int pane_typed(const struct area *area, const char *prompt,
     const struct edit *typing, size_t *from);
 
+/* A word that is looked for, after /, with how many have it, or NULL, and where
+ * there is room the keys that are its own.  Returns the cursor's column. */
+int pane_word(struct tui *t, const struct area *area, const char *word,
+    const char *found, const char *keys);
+
 /* Leaves out words, two spaces between them, that there is no room for. */
 void pane_cut(char *words, int columns);
 

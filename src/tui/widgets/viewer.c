@@ -368,27 +368,22 @@ draw_word(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct area *hints = &t->layout.hints;
-	int at = screen_text(hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
-	if (v->word.n == 0)
-		return at;
-	char *words = v->keys
+	int number = v->keys || v->at < 0 ? 0 : count_found(v, v->at + 1);
+	char *found = v->word.n == 0 ? NULL
+		      : v->keys
 			  ? xasprintf(tr("%zu keys"),
 				keys_count(t->ui.page, v->word.text))
 			  : xasprintf(tr("%d lines"), count_found(v, v->lines));
-	int number = v->keys || v->at < 0 ? 0 : count_found(v, v->at + 1);
-	int column = number > 0 ? screen_text(hints, 0, at + 2, 0,
-				      N_("line %d of %s"), number, words)
-				: screen_text(hints, 0, at + 2, 0, "%s", words);
-	free(words);
-	const char *keys = v->keys ? tr("Enter run it  Esc clear")
-			   : v->word.active
-			       ? tr("Enter keep  Esc clear")
-			       : tr("n next  N previous  Esc clear");
-	if (column + 2 + text_width(keys) <= hints->columns) {
-		screen_text(hints, 0, column + 2, LOOK_DIM, "%s", keys);
-		pane_touch_hints(
-		    t, hints->row, hints->column + column + 2, keys);
+	if (number > 0 && found != NULL) {
+		char *lines = found;
+		found = xasprintf(tr("line %d of %s"), number, lines);
+		free(lines);
 	}
+	int at = pane_word(t, hints, v->word.text, found,
+	    v->keys          ? tr("Enter run it  Esc clear")
+	    : v->word.active ? tr("Enter keep  Esc clear")
+			     : tr("n next  N previous  Esc clear"));
+	free(found);
 	return at;
 }
 
