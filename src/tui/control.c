@@ -113,8 +113,9 @@ static void
 look_at_pin(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
-	t->kept = pin != NULL ? pin->p : (struct prediction){0};
-	t->pin = numbers_of(t->session, pin != NULL ? pin->key : "", &t->kept);
+	t->pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
+	t->pinned = numbers_of(
+	    t->session, pin != NULL ? pin->key : "", &t->pinned_whole);
 }
 
 static void
@@ -122,8 +123,8 @@ forget(struct tui *t)
 {
 	prediction_free(&t->shown);
 	t->shown = (struct prediction){0};
-	t->now = (struct numbers){0};
-	t->asked.tenths = 0;
+	t->current = (struct numbers){0};
+	t->request.tenths = 0;
 }
 
 /* What the session is like after any command. */
@@ -226,7 +227,7 @@ run(struct tui *t, const char *line)
 	struct session *s = t->session;
 	const struct choices was = s->set;
 	bool was_busy = session_busy(s);
-	char site[sizeof t->now.site] = "";
+	char site[sizeof t->current.site] = "";
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	captured_forget(t);
@@ -258,13 +259,13 @@ run(struct tui *t, const char *line)
 		    slider_tenths(range, answers_usual(tui_entry(t)));
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
-		t->asked.tenths = 0;
+		t->request.tenths = 0;
 		t->ui.site_at = s->current;
 		t->ui.feed = 0;
 	}
 	/* Another answer is shown where other runs correct the model. */
 	if (s->set.correction != was.correction)
-		t->asked.tenths = 0;
+		t->request.tenths = 0;
 	if (sets_looks(&was, &s->set) && strcmp(line, "undo") != 0 &&
 	    strcmp(line, "redo") != 0)
 		take_looks(t);
@@ -303,14 +304,15 @@ control_predict(struct tui *t)
 		       calibration_status(s->job.calibration).generation > 0;
 	if (entry == NULL || (!entry->has_params && !forming))
 		return;
-	bool first = t->asked.tenths == 0;
-	if (t->asked.tenths == t->ui.tenths && t->asked.feed_run == tui_feed(t))
+	bool first = t->request.tenths == 0;
+	if (t->request.tenths == t->ui.tenths &&
+	    t->request.feed_run == tui_feed(t))
 		return;
 	/* What a search had on its way is nothing to count from. */
 	if (!t->formed &&
-	    (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
-		strcmp(t->pause.site, entry->key) != 0))
-		t->pause = t->now;
+	    (t->clock - t->moved > PAUSE || t->reference.site[0] == '\0' ||
+		strcmp(t->reference.site, entry->key) != 0))
+		t->reference = t->current;
 	t->formed = forming;
 	if (!first)
 		t->moved = t->clock;
@@ -330,9 +332,9 @@ control_predict(struct tui *t)
 	if (!first && !told)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
-	t->asked.tenths = t->ui.tenths;
-	t->asked.feed_run = tui_feed(t);
-	t->now = numbers_of(s, entry->key, &t->shown);
+	t->request.tenths = t->ui.tenths;
+	t->request.feed_run = tui_feed(t);
+	t->current = numbers_of(s, entry->key, &t->shown);
 	free(where);
 	free(line);
 }
@@ -381,7 +383,7 @@ form(struct tui *t)
 	const struct question q = {
 	    .entry = entry, .feed = tui_feed(t), .params = &params};
 	t->shown = forecast_product(s, &q, t->ui.tenths / 10.0);
-	t->now = numbers_of(s, entry->key, &t->shown);
+	t->current = numbers_of(s, entry->key, &t->shown);
 }
 
 /* What was said and typed. */
@@ -410,7 +412,7 @@ control_beside(void)
 	    .started = open->started,
 	    .ran = open->ran,
 	    .strip = strip_new(),
-	    .pause = open->pause,
+	    .reference = open->reference,
 	    .mouse = open->mouse,
 	    .held = open->held,
 	    .job = open->job,

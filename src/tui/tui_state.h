@@ -194,11 +194,12 @@ struct tui {
 	struct {
 		int tenths; /* 0: not yet */
 		size_t feed_run;
-	} asked;                 /* what was last predicted */
+	} request;               /* what was last predicted */
 	double moved;            /* when the slider last was */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	struct numbers now, pause, pin; /* site "": none */
-	struct prediction kept;         /* whose numbers are in pin, borrowed */
+	struct numbers current, reference, pinned; /* site "": none */
+	struct prediction
+	    pinned_whole; /* whose numbers are in pinned, borrowed */
 	bool mouse;
 	struct hits hits; /* of the frame shown */
 	struct {
@@ -218,13 +219,13 @@ struct tui {
 	char *under_way;                       /* line that is run, or NULL */
 	bool of_script;                        /* it is one of a script */
 	bool stopping;                         /* a key stops it */
-	double ran_from;    /* when it or its script began, s */
-	double drawn_at;    /* when that was last drawn */
-	const char *begun;  /* what takes a moment just now, or NULL */
-	bool held;          /* the calibration waits */
-	double due;         /* when the next generation is */
-	double holdout;     /* RMSE of the site in use, points, or NAN */
-	struct edit line; /* a command, or a goal */
+	double ran_from;   /* when it or its script began, s */
+	double drawn_at;   /* when that was last drawn */
+	const char *begun; /* what takes a moment just now, or NULL */
+	bool held;         /* the calibration waits */
+	double due;        /* when the next generation is */
+	double holdout;    /* RMSE of the site in use, points, or NAN */
+	struct edit line;  /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* a word that rows of a list must have */
 	struct paste paste;

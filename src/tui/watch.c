@@ -42,7 +42,7 @@ watch_keep(struct tui *t)
 	session_settle(s, true, &error);
 	t->ran = tui_searched(t);
 	t->held = false;
-	t->asked.tenths = 0;
+	t->request.tenths = 0;
 	control_look(t);
 	const char *said =
 	    useless != NULL ? useless
@@ -139,7 +139,7 @@ watch_step(struct tui *t)
 	do
 		session_step(t->session);
 	while (session_busy(t->session) && is_drawing(t->session));
-	t->asked.tenths = 0;
+	t->request.tenths = 0;
 	if (!session_busy(t->session))
 		finish_rounds(t, rounds);
 }
@@ -187,7 +187,7 @@ watch_pump(struct tui *t)
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / pace_now(t);
 	if (entry == s->current && rounds->at == NULL)
-		t->asked.tenths = 0;
+		t->request.tenths = 0;
 	if (!session_busy(s))
 		finish_rounds(t, rounds);
 	else if (rounds->at == NULL && entry != s->job.entry)

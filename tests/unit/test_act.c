@@ -155,7 +155,7 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	canvas_free(screen_back(was));
 	type(t, "x");
 	assert_null(t->viewer.text);
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 }
 
 /* Else a pause would count as slow work, and what is taken up again as quick. */
@@ -340,7 +340,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	t->aside = false;
 	type(t, "Nx");
 	t->aside = true;
-	assert_int_equal(lround(10 * t->pin.speed), best);
+	assert_int_equal(lround(10 * t->pinned.speed), best);
 }
 
 /* Nor is it worked out again for what changes nothing of it. */
@@ -940,7 +940,7 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	void *desk;
 	desk_open(&desk);
 	struct session *other = ((struct desk *)desk)->session;
-	const struct numbers pin = t->pin;
+	const struct numbers pin = t->pinned;
 	enum page page = t->ui.page;
 	control_end(t);
 	control_begin(t, other, &SCRIPT_WAYS);
@@ -952,8 +952,8 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
-	assert_true(t->pin.feed == 69 && t->pin.speed == 74);
-	assert_memory_equal(t->pin.size, pin.size, sizeof pin.size);
+	assert_true(t->pinned.feed == 69 && t->pinned.speed == 74);
+	assert_memory_equal(t->pinned.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
 	free(is);
 	control_end(t);
@@ -993,7 +993,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		type(t, ":reset\n");
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
-		assert_int_equal(t->pin.site[0], '\0');
+		assert_int_equal(t->pinned.site[0], '\0');
 		line = xasprintf(":restore %s\n", file);
 		type(t, line);
 		/* No text of what its commands said is to be closed. */
@@ -1026,16 +1026,16 @@ what_is_left_is_found_again(void **state)
 	control_begin(t, s, &SCRIPT_WAYS);
 	assert_int_equal(t->ui.page, PAGE_PARITY);
 	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
-	assert_true(t->pin.speed == 74);
+	assert_true(t->pinned.speed == 74);
 	type(t, "1u");
 	assert_string_equal(s->set.goal, "");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "u");
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
 	type(t, "UU");
 	assert_string_equal(s->set.goal, "p80<5.2");
-	assert_true(t->pin.speed == 74);
+	assert_true(t->pinned.speed == 74);
 	/* A search goes on when a goal is set, which is saved nevertheless. */
 	type(t, "fy");
 	watch_pump(t);
@@ -1064,10 +1064,10 @@ go_through(struct tui *t, const char *at)
 			free(frame);
 		}
 		if (frames % 10 < 2) {
-			double p80 = t->now.size[2];
+			double p80 = t->current.size[2];
 			type(t, frames % 2 == 0 ? "H" : "L");
 			control_predict(t);
-			assert_true(t->now.size[2] != p80);
+			assert_true(t->current.size[2] != p80);
 			assert_non_null(t->shown.low);
 		}
 		watch_pump(t);
@@ -1224,15 +1224,15 @@ a_pinned_answer_keeps_its_feed(void **state)
 	type(t, ":predict 74 feed=69\n");
 	control_predict(t);
 	type(t, "x");
-	assert_true(t->pin.feed == 69);
+	assert_true(t->pinned.feed == 69);
 	type(t, "\033");
 	type(t, ":predict 79 feed=79\n");
 	control_predict(t);
 	assert_int_equal(t->shown.feed_run, 2);
 	type(t, "d");
 	assert_non_null(strstr(t->command, "beside=pinned"));
-	snprintf(want, sizeof want, "P50 %.2f mm, P80 %.2f mm", t->pin.size[1],
-	    t->pin.size[2]);
+	snprintf(want, sizeof want, "P50 %.2f mm, P80 %.2f mm",
+	    t->pinned.size[1], t->pinned.size[2]);
 	assert_non_null(strstr(t->viewer.text, want));
 	type(t, "\033e");
 	assert_string_equal(
@@ -1302,15 +1302,15 @@ a_shows_the_answer_of_the_correction(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	draw_all(t);
-	double all = t->now.size[1];
+	double all = t->current.size[1];
 	type(t, "aa");
 	draw_all(t);
 	assert_null(t->shown.low);
-	assert_true(fabs(t->now.size[1] - all) > 1e-6);
+	assert_true(fabs(t->current.size[1] - all) > 1e-6);
 	type(t, "a");
 	draw_all(t);
 	assert_non_null(t->shown.low);
-	assert_float_equal(t->now.size[1], all, 1e-9);
+	assert_float_equal(t->current.size[1], all, 1e-9);
 	/* Page Data takes its column from the same answer; so does undo. */
 	type(t, "3aau");
 	draw_all(t);
@@ -1341,7 +1341,7 @@ a_size_is_one_number_everywhere(void **state)
 	for (int v = 70; v <= 84; v += 2) {
 		t->ui.tenths = 10 * v;
 		draw_all(t);
-		double p50 = t->now.size[1];
+		double p50 = t->current.size[1];
 		apart = fmax(
 		    apart, fabs(p50 - 1000 * psd_size(&t->shown.product, 0.5)));
 		type(t, "d");
@@ -1397,24 +1397,25 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	draw_all(t);
 	type(t, "x");
-	double p50 = t->pin.size[1];
+	double p50 = t->pinned.size[1];
 	for (int i = 0; i < 30; i++)
 		press(t, "Right");
 	draw_all(t);
 	type(t, "/x");
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 	assert_non_null(strstr(t->message, "unpinned tierp at 74.0 m/s: u"));
 	draw_all(t);
 	type(t, "u");
-	assert_true(t->pin.speed == 74 && t->pin.size[1] == p50);
-	assert_true(t->kept.speed == 74 && t->kept.product.n > 0);
+	assert_true(t->pinned.speed == 74 && t->pinned.size[1] == p50);
+	assert_true(
+	    t->pinned_whole.speed == 74 && t->pinned_whole.product.n > 0);
 	assert_true(tui_entry(t)->has_fit);
 	draw_all(t);
 	/* x again pins what is shown; each is a step of undo. */
 	type(t, "xx");
-	assert_true(t->pin.speed == 77);
+	assert_true(t->pinned.speed == 77);
 	type(t, "x:set k 2\nuuuuu");
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
 	type(t, "u");
 	assert_false(tui_entry(t)->has_fit);

@@ -432,7 +432,7 @@ little_is_typed(void **state)
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
 			    : i == 3 ? strstr(t->line.text, ".xlsx") != NULL
 			    : i == 4 ? t->ui.band
-				     : t->pin.site[0] != '\0';
+				     : t->pinned.site[0] != '\0';
 		if (!done)
 			fail_msg("%s: not done", ASKED[i].what);
 		press(stage, "Esc Esc Esc : use Space tierp Enter");

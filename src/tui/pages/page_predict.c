@@ -44,11 +44,11 @@ draw(struct tui *t)
 	request.speed = t->ui.tenths / 10.0;
 	request.feed_speed = t->ui.feed;
 	request.band = t->ui.band;
-	if (p->product.n > 0 && t->asked.tenths == t->ui.tenths)
+	if (p->product.n > 0 && t->request.tenths == t->ui.tenths)
 		request.made = p;
 	request.level = t->ui.level;
-	if (t->pin.site[0] != '\0') {
-		request.beside = t->pin.site;
+	if (t->pinned.site[0] != '\0') {
+		request.beside = t->pinned.site;
 		request.kept = &t->session->pin->p;
 	}
 	if (t->ui.cross && t->ui.cross_at < p->product.n)
@@ -173,7 +173,7 @@ words(const struct tui *t)
 	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
-	if (t->pin.site[0] != '\0')
+	if (t->pinned.site[0] != '\0')
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");

@@ -47,7 +47,7 @@ struct wish {
 static bool
 is_pinned(const struct tui *t)
 {
-	return t->pin.site[0] != '\0';
+	return t->pinned.site[0] != '\0';
 }
 
 /* Not 0 as shown. */
@@ -110,7 +110,8 @@ static struct wish
 speed_wish(const struct panel *p)
 {
 	const struct tui *t = p->t;
-	bool other = is_pinned(t) && strcmp(t->pin.site, t->now.site) != 0;
+	bool other =
+	    is_pinned(t) && strcmp(t->pinned.site, t->current.site) != 0;
 	return (struct wish){1, other ? 2 : 1};
 }
 
@@ -121,7 +122,7 @@ is_changed(const struct panel *p)
 	bool changed = false;
 	for (int i = 0; i < PSD_SIZES && p->was != NULL; i++)
 		changed |= isfinite(p->was->size[i]) &&
-			   is_seen(p->t->now.size[i] - p->was->size[i], 2);
+			   is_seen(p->t->current.size[i] - p->was->size[i], 2);
 	return changed;
 }
 
@@ -129,19 +130,19 @@ static void
 draw_speed(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
-	const bool since = p->was != NULL && p->was->speed != t->now.speed;
+	const bool since = p->was != NULL && p->was->speed != t->current.speed;
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->now.speed);
+	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->current.speed);
 	if (is_pinned(t))
 		screen_text(
-		    area, 0, FROM, LOOK_DIM, "vs pinned %.1f", t->pin.speed);
+		    area, 0, FROM, LOOK_DIM, "vs pinned %.1f", t->pinned.speed);
 	else if (since)
 		screen_text(
 		    area, 0, FROM, LOOK_DIM, "since %.1f", p->was->speed);
 	else if (is_changed(p))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
-		screen_text(area, 1, 0, LOOK_DIM, "pinned: %s", t->pin.site);
+		screen_text(area, 1, 0, LOOK_DIM, "pinned: %s", t->pinned.site);
 }
 
 static struct wish
@@ -177,11 +178,11 @@ draw_sizes(struct panel *p, const struct area *area)
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->shown.range[i];
 		draw_name(area, i, LOOK_BOLD, NAME[i]);
-		draw_size(area, i, LOOK_BOLD, t->now.size[i]);
+		draw_size(area, i, LOOK_BOLD, t->current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
 			draw_change(
-			    area, i, t->now.size[i], p->was->size[i], 2);
+			    area, i, t->current.size[i], p->was->size[i], 2);
 		hits_add(&t->hits,
 		    (struct area){
 			area->row + i, area->column, 1, area->columns},
@@ -202,12 +203,12 @@ draw_break(struct panel *p, const struct area *area)
 	const struct tui *t = p->t;
 	const double *range = t->shown.range[ANSWERS_BREAK];
 	draw_name(area, 0, 0, tr("break"));
-	draw_size(area, 0, LOOK_PLAIN, t->now.break_mm);
+	draw_size(area, 0, LOOK_PLAIN, t->current.break_mm);
 	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (p->was != NULL)
-		draw_change(area, 0, t->now.break_mm, p->was->break_mm, 2);
+		draw_change(area, 0, t->current.break_mm, p->was->break_mm, 2);
 	if (area->rows > 1)
 		screen_text(area, 1, 0, 0,
 		    area->columns < WIDE
@@ -224,7 +225,7 @@ count_fractions(const struct panel *p)
 {
 	int n = 0;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n += !isnan(p->t->now.passing[i]);
+		n += !isnan(p->t->current.passing[i]);
 	return n;
 }
 
@@ -264,7 +265,7 @@ draw_shares(struct panel *p, const struct area *area, int row,
 	low.passing = shown->low;
 	high.passing = shown->high;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS && row < area->rows; i++) {
-		double now = t->now.passing[i], part = all / 100;
+		double now = t->current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
 		draw_name(area, row, 0, name[i]);
@@ -639,10 +640,10 @@ draw_nothing(const struct tui *t)
 		return;
 	row += 2;
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
-	    t->pin.speed, t->pin.site);
+	    t->pinned.speed, t->pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
-		draw_size(side, row + i, LOOK_PLAIN, t->pin.size[i]);
+		draw_size(side, row + i, LOOK_PLAIN, t->pinned.size[i]);
 	}
 }
 
@@ -650,18 +651,18 @@ void
 panel_draw(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	t->left_out = side->rows == 0 && t->now.site[0] != '\0';
+	t->left_out = side->rows == 0 && t->current.site[0] != '\0';
 	if (side->rows == 0)
 		return;
 	screen_wall(side->row, t->layout.wall, side->rows);
-	if (t->now.site[0] == '\0') {
+	if (t->current.site[0] == '\0') {
 		draw_nothing(t);
 		return;
 	}
 	struct panel p = {.t = t,
-	    .was = is_pinned(t)               ? &t->pin
-		   : t->pause.site[0] != '\0' ? &t->pause
-					      : NULL};
+	    .was = is_pinned(t)                   ? &t->pinned
+		   : t->reference.site[0] != '\0' ? &t->reference
+						  : NULL};
 	take_tonnes(&p);
 	take_light(&p);
 	draw_blocks(&p);
@@ -674,7 +675,7 @@ panel_words(struct tui *t)
 	const struct grading *g = envelope_check_now(t);
 	char *words = xstrdup("");
 	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
-	    t->now.site[0] == '\0')
+	    t->current.site[0] == '\0')
 		return words;
 	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
 	xlist(&words, ", ", tr("trust %s"), tr(LIGHT_NAME[light.light]));
@@ -715,7 +716,7 @@ panel_row(struct tui *t)
 	if (area->rows == 0 ||
 	    (t->ui.page == PAGE_SITES && t->ui.site_at != t->session->current))
 		return;
-	if (t->now.site[0] == '\0')
+	if (t->current.site[0] == '\0')
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
@@ -733,18 +734,18 @@ panel_row(struct tui *t)
 		    narrow ? short_size(mm, a) : readout_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
-		    short_size(t->now.size[1], b),
-		    short_size(t->now.size[2], c));
+		    short_size(t->current.size[1], b),
+		    short_size(t->current.size[2], c));
 	else if (area->columns < 60)
 		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
-		    short_size(t->now.size[0], a),
-		    short_size(t->now.size[1], b),
-		    short_size(t->now.size[2], c));
+		    short_size(t->current.size[0], a),
+		    short_size(t->current.size[1], b),
+		    short_size(t->current.size[2], c));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readout_size(t->now.size[0], a),
-		    readout_size(t->now.size[1], b),
-		    readout_size(t->now.size[2], c),
-		    readout_size(t->now.break_mm, d));
+		    readout_size(t->current.size[0], a),
+		    readout_size(t->current.size[1], b),
+		    readout_size(t->current.size[2], c),
+		    readout_size(t->current.break_mm, d));
 }

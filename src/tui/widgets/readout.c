@@ -75,7 +75,7 @@ readout_rows(const struct tui *t)
 		return 0;
 	return OTHERS + (int)site_products(tui_entry(t)->site) +
 	       (t->ui.band && t->shown.low != NULL ? BAND : 0) +
-	       (t->pin.site[0] != '\0');
+	       (t->pinned.site[0] != '\0');
 }
 
 void
@@ -83,7 +83,8 @@ readout_draw(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->shown;
 	const struct site *site = tui_entry(t)->site;
-	bool focus = t->ui.focus == &page_predict, pin = t->pin.site[0] != '\0';
+	bool focus = t->ui.focus == &page_predict,
+	     pin = t->pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
 	if (focus)
@@ -104,7 +105,7 @@ readout_draw(struct tui *t, const struct area *area)
 	}
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
-		draw_reading(t, area, row++, 0, "pinned", &t->kept.product,
-		    &t->kept.curve);
+		draw_reading(t, area, row++, 0, "pinned",
+		    &t->pinned_whole.product, &t->pinned_whole.curve);
 	draw_band(t, area, row);
 }

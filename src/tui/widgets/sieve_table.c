@@ -23,24 +23,25 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 {
 	const struct site *site = tui_entry(t)->site;
 	const struct run *nearest = NULL;
-	if (t->pin.site[0] != '\0') {
+	if (t->pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));
 		*series = SERIES_OTHER;
-		return &t->kept.product;
+		return &t->pinned_whole.product;
 	}
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
 		if (run->product.n > 0 &&
 		    (nearest == NULL ||
-			fabs(run->speed - t->now.speed) <
-			    fabs(nearest->speed - t->now.speed)))
+			fabs(run->speed - t->current.speed) <
+			    fabs(nearest->speed - t->current.speed)))
 			nearest = run;
 	}
 	if (nearest == NULL)
 		return NULL;
 	snprintf(name, 40,
-	    fabs(nearest->speed - t->now.speed) < 0.05 ? tr("vs %g measured")
-						       : tr("vs %g m/s"),
+	    fabs(nearest->speed - t->current.speed) < 0.05
+		? tr("vs %g measured")
+		: tr("vs %g m/s"),
 	    nearest->speed);
 	size_t run = (size_t)(nearest - site->run);
 	*series = site_chart_run(site, run, false).series;
