@@ -19,7 +19,7 @@
 #include "cmd/lang/usage.h"
 #include "config.h"
 #include "cli/batch.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "cli/repl.h"
 #include "cli/restore.h"
 #include "tui/script_terminal.h"
@@ -232,7 +232,7 @@ run(struct session *s, const struct invocation *in, int argc, char **argv)
 	if (status != 0)
 		return status;
 	if (prompt)
-		pump_forget_interrupt(); /* of a question */
+		signals_forget_interrupt(); /* of a question */
 	if (in->n_action > 0)
 		return run_actions(s, in);
 	if (prompt)
@@ -284,7 +284,7 @@ main(int argc, char **argv)
 	if (!understood)
 		error_print(&error, stderr);
 	if (understood && in.reset_tty) {
-		rescue_reset();
+		restore_reset();
 		status = 0;
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
@@ -299,10 +299,10 @@ main(int argc, char **argv)
 		s->store = store_new(none ? ":memory:" : in.store);
 		terminal_choose(in.color);
 		s->screen = terminal_screen();
-		s->hooks.draw_screen = shot_draw;
+		s->hooks.draw_screen = script_draw;
 		s->hooks.run_screen = in.linear ? repl_for_screen : tui_run;
-		pump_catch_signals();
-		s->hooks.stop = pump_waited_for;
+		signals_catch();
+		s->hooks.stop = signals_waited_for;
 		s->linear = in.linear;
 		if (in.help)
 			usage_print(stdout);
@@ -313,7 +313,7 @@ main(int argc, char **argv)
 	}
 	free(in.action);
 	/* What could not be read because of a signal ended by that. */
-	if (status != 0 && pump_signal() != 0)
-		status = pump_status();
+	if (status != 0 && signals_noted() != 0)
+		status = signals_status();
 	return close_output(status);
 }

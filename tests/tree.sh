@@ -141,7 +141,7 @@ awk 'FNR == 1 { all = "" }
 		all = ""
 	}' $(of cmd '*.c') $(of cli '*.c') $(of tui '*.c') \
 		src/main.c |
-	grep -v '^src/cli/\(batch\|pager\|pump\|repl\|history\)\.c' >"$tmp"
+	grep -v '^src/cli/\(batch\|ask\|pager\|progress\|repl\|history\)\.c' >"$tmp"
 none "words of others are not printed as they are"
 
 # Variables outside functions: only constant tables, but for

@@ -11,7 +11,9 @@
 #include "cmd/session/autosave.h"
 #include "cmd/session/script.h"
 #include "cli/driver.h"
-#include "cli/pump.h"
+#include "cli/ask.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
 #include "cli/terminal.h"
 
 /* The line at fault, cut to fit a screen, and a caret under the column. */
@@ -64,7 +66,7 @@ plain_driver(struct session *s)
 	return (struct driver){.session = s,
 	    .fail = print_error,
 	    .interrupted = print_interrupted,
-	    .work = pump_run};
+	    .work = progress_run};
 }
 
 int
@@ -163,8 +165,8 @@ batch_attend(struct session *s)
 	if (offer != NULL)
 		session_note(s, "%s", offer);
 	free(offer);
-	s->hooks.confirm = pump_confirm;
-	s->hooks.question = pump_question;
+	s->hooks.confirm = ask_confirm;
+	s->hooks.question = ask_question;
 	s->prompt = true;
 	s->typed_at = s->scripts;
 }
@@ -188,7 +190,7 @@ batch_typed(struct session *s)
 	size_t n = 0, room = 0, from = 0;
 	struct error error = {0};
 	batch_attend(s);
-	for (int number = 1; !s->quit; pump_forget_interrupt()) {
+	for (int number = 1; !s->quit; signals_forget_interrupt()) {
 		print_prompt(s, from > 0);
 		enum text_line got = text_line(&line, &n, &room, stdin);
 		bool more = got == TEXT_LINE && script_goes_on(line + from);
@@ -198,16 +200,16 @@ batch_typed(struct session *s)
 			script_too_long("typed", number, &error);
 			error_print(&error, stderr);
 		}
-		if (got != TEXT_LINE && pump_signal() != SIGINT)
+		if (got != TEXT_LINE && signals_noted() != SIGINT)
 			break;
 		n = from = more ? from + strlen(line + from) : 0;
 		if (got == TEXT_END)
 			clearerr(stdin);
 		if (got == TEXT_LINE && !more)
 			batch_line(s, line, number++, NULL);
-		if (pump_ended())
+		if (signals_ended())
 			break;
 	}
 	free(line);
-	return pump_ended() ? pump_status() : (int)error.kind;
+	return signals_ended() ? signals_status() : (int)error.kind;
 }

@@ -8,7 +8,7 @@
 #include "cmd/run/line.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 
 /* Ends what the line has under way after an error or an interruption; the
  * latter keeps the results so far. */
@@ -16,7 +16,7 @@ static void
 give_up(const struct driver *d, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
-	bool ok = status == 0 || pump_signal() != 0;
+	bool ok = status == 0 || signals_noted() != 0;
 	if (!session_settle(d->session, ok, &error) && ok)
 		d->fail(d->of, &error, line, name);
 }
@@ -32,7 +32,7 @@ interrupt(
 	pager_show(d->pager);
 	if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return pump_status();
+	return signals_status();
 }
 
 /* A command did nothing: it could not, or a signal came before it was done. */
@@ -44,7 +44,7 @@ fail(const struct driver *d, const struct error *e, const char *line,
 		d->fail(d->of, e, line, name);
 	else if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return pump_signal() != 0 ? pump_status() : (int)e->kind;
+	return signals_noted() != 0 ? signals_status() : (int)e->kind;
 }
 
 /* What the commands so far began. */
@@ -97,13 +97,13 @@ driver_scripts(const struct driver *d, size_t depth)
 	struct session *s = d->session;
 	int status = 0;
 	while (status == 0 && s->scripts > depth && !s->quit &&
-	       pump_signal() == 0) {
+	       signals_noted() == 0) {
 		struct error error = {0};
 		struct place place;
 		char *line = script_line(s, &place, &error);
 		if (line != NULL && d->begins != NULL)
 			d->begins(d->of, line);
-		if (line != NULL && pump_signal() == 0)
+		if (line != NULL && signals_noted() == 0)
 			status = driver_line(d, line, place.file, place.line);
 		else if (error.kind != ERROR_NONE)
 			d->fail(d->of, &error, "", "");
@@ -112,5 +112,5 @@ driver_scripts(const struct driver *d, size_t depth)
 		free(line);
 	}
 	script_close(s, depth);
-	return pump_signal() != 0 ? pump_status() : status;
+	return signals_noted() != 0 ? signals_status() : status;
 }

@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "cli/terminal.h"
 
 /* What a shell ends with when there is no such program. */
@@ -106,7 +106,8 @@ pager_show(struct pager *pager)
 	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
-	bool tall = paged && !pump_ended() && count_rows(text, columns) >= rows;
+	bool tall =
+	    paged && !signals_ended() && count_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
 	fflush(stdout);

@@ -25,7 +25,8 @@
 #include "cli/batch.h"
 #include "cli/manpage.h"
 #include "cli/pager.h"
-#include "cli/pump.h"
+#include "cli/ask.h"
+#include "cli/signals.h"
 #include "cli/restore.h"
 #include "cli/terminal.h"
 #include "cli/history.h"
@@ -156,19 +157,19 @@ fit_prompt(void)
 static void
 answer_signals(void)
 {
-	int news = pump_news();
-	if (news & PUMP_STOP) {
+	int news = signals_news();
+	if (news & SIGNALS_STOP) {
 		rl_deprep_terminal();
-		pump_suspend();
-		news |= pump_news() | PUMP_WAKE;
+		signals_suspend();
+		news |= signals_news() | SIGNALS_WAKE;
 	}
-	if (news & PUMP_WAKE) {
+	if (news & SIGNALS_WAKE) {
 		/* The shell may have set the terminal to its liking. */
 		rl_deprep_terminal();
 		rl_prep_terminal(1);
 		rl_on_new_line();
 	}
-	if (news & (PUMP_WAKE | PUMP_SIZE)) {
+	if (news & (SIGNALS_WAKE | SIGNALS_SIZE)) {
 		rl_clear_visible_line();
 		take_size(rl_prompt);
 		fit_prompt();
@@ -180,8 +181,8 @@ answer_signals(void)
 static bool
 wait_for_key(void)
 {
-	while (pump_signal() == 0) {
-		if (pump_wait(INFINITY))
+	while (signals_noted() == 0) {
+		if (signals_wait(INFINITY))
 			return true;
 		answer_signals();
 	}
@@ -206,7 +207,7 @@ no_key(void)
 		return at.given < sizeof END - 1 ? END[at.given++] : EOF;
 	rl_point = rl_end;
 	rl_redisplay();
-	if (pump_signal() == SIGINT)
+	if (signals_noted() == SIGINT)
 		fputs("^C", rl_outstream);
 	return READERR;
 }
@@ -224,10 +225,10 @@ on_read(FILE *in)
 	while (wait_for_key()) {
 		ssize_t got = -1;
 		errno = EINTR;
-		pump_free_signals();
-		if (pump_signal() == 0)
+		signals_release();
+		if (signals_noted() == 0)
 			got = read(fileno(in), &c, 1);
-		pump_hold_signals();
+		signals_hold();
 		if (got == 1)
 			return c;
 		if (got == 0 || errno != EINTR)
@@ -243,19 +244,19 @@ static char *
 read_line(const char *text)
 {
 	struct sigaction was[3];
-	pump_hold_signals();
-	pump_take_terminal(was);
+	signals_hold();
+	signals_take_terminal(was);
 	at.given = 0;
 	take_size(text);
-	rescue_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
+	restore_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
-	rescue_done();
+	restore_done();
 	/* readline ends the line itself, but only where it turns bracketed
 	 * paste off. */
 	if (line == NULL && !pastes_in_brackets())
 		fputc('\n', rl_outstream);
-	pump_give_terminal(was);
-	pump_free_signals();
+	signals_give_terminal(was);
+	signals_release();
 	return line;
 }
 
@@ -290,7 +291,7 @@ take_lines(struct session *s, char *typed, int *number)
 		if (!more)
 			run_line(s, joined, (*number)++);
 		free(joined);
-		if (pump_signal() != 0)
+		if (signals_noted() != 0)
 			break;
 	}
 }
@@ -333,7 +334,7 @@ take_offer(struct session *s, int *number)
 	typed_add(line);
 	session_note(s, "  %s", line);
 	int status = 0;
-	while (status == 0 && *line != '\0' && !pump_ended()) {
+	while (status == 0 && *line != '\0' && !signals_ended()) {
 		size_t n = strcspn(line, ";");
 		char *command = xstrndup(line, n);
 		status = batch_quiet(s, command, *number);
@@ -422,9 +423,9 @@ repl_begin(struct session *s)
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
 	free(path);
-	pump_forget_interrupt();
+	signals_forget_interrupt();
 	/* Files of the command line are asked about, too. */
-	s->hooks.question = pump_question;
+	s->hooks.question = ask_question;
 }
 
 /* For readline: what is no command has no completion. */
@@ -451,7 +452,7 @@ read_answer(const char *text)
 static char *
 question(struct session *s, const struct inquiry *q)
 {
-	return pump_ask(s, q, read_answer);
+	return ask_with(s, q, read_answer);
 }
 
 int
@@ -461,7 +462,7 @@ repl_run(struct session *s)
 	set_up(s);
 	batch_attend(s);
 	s->hooks.question = question;
-	while (!s->quit && !pump_ended()) {
+	while (!s->quit && !signals_ended()) {
 		if (at.before[0] == '\0')
 			offer_next(s);
 		char *text = prompt(s);
@@ -472,16 +473,16 @@ repl_run(struct session *s)
 			if (!answers_offer(s, typed, &number))
 				take_lines(s, typed, &number);
 			free(typed);
-		} else if (pump_signal() == 0) {
+		} else if (signals_noted() == 0) {
 			break;
 		}
-		if (pump_signal() != 0)
+		if (signals_noted() != 0)
 			at.before[0] = '\0';
-		pump_forget_interrupt();
+		signals_forget_interrupt();
 	}
 	typed_close();
 	free(at.before);
-	return pump_status();
+	return signals_status();
 }
 
 int

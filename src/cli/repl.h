@@ -11,7 +11,7 @@ void repl_begin(struct session *s);
 
 /* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
  * status: 0, 143 or 129.  Errors are printed and the next line is read.
- * pump_catch_signals must have been called. */
+ * signals_catch must have been called. */
 int repl_run(struct session *s);
 
 /* The same instead of the full screen, where the session is to be heard.

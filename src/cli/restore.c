@@ -72,7 +72,7 @@ on_exit_early(void)
 }
 
 void
-rescue_note(void)
+restore_note(void)
 {
 	at.known = tcgetattr(STDIN_FILENO, &at.usual) == 0;
 }
@@ -114,7 +114,7 @@ watch(void)
 }
 
 void
-rescue_screen(void)
+restore_screen(void)
 {
 	at.n = 0;
 	at.full = true;
@@ -135,9 +135,9 @@ rescue_screen(void)
 }
 
 void
-rescue_prompt(const char *bytes)
+restore_prompt(const char *bytes)
 {
-	rescue_note();
+	restore_note();
 	at.n = 0;
 	at.full = false;
 	add(bytes);
@@ -145,7 +145,7 @@ rescue_prompt(const char *bytes)
 }
 
 void
-rescue_done(void)
+restore_done(void)
 {
 	at.open = 0;
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
@@ -153,7 +153,7 @@ rescue_done(void)
 }
 
 void
-rescue_reset(void)
+restore_reset(void)
 {
 	static const char bytes[] =
 	    MOUSE_OFF "\033[?1l\033>\033[?2004l\033[0m\033[?25h\033[?1049l\r";

@@ -4,22 +4,22 @@
 #define TIPSPEED_CLI_RESTORE_H
 
 /* Notes how the terminal is set, before the screen is opened. */
-void rescue_note(void);
+void restore_note(void);
 
 /* Writes down what puts the terminal right, from what ncurses knows of it, and
  * from now on does so when a fault, a failed check or a signal that is not
  * caught ends the program (SEGV, ABRT, QUIT, ..), or memory runs out. SIGTERM,
  * SIGHUP and SIGINT leave by the usual way. */
-void rescue_screen(void);
+void restore_screen(void);
 
 /* The same while readline has the terminal, as it is set now. bytes: to be
  * written then. */
-void rescue_prompt(const char *bytes);
+void restore_prompt(const char *bytes);
 
 /* The screen has been closed, or the prompt has its line. */
-void rescue_done(void);
+void restore_done(void);
 
 /* Restores a terminal that a killed program left behind; for --reset-tty. */
-void rescue_reset(void);
+void restore_reset(void);
 
 #endif

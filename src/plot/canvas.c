@@ -150,3 +150,34 @@ canvas_print(const struct canvas *canvas, int depth, FILE *out)
 	for (int row = 0; row < canvas->rows; row++)
 		print_row(canvas, row, depth, out);
 }
+
+int
+canvas_dots_across(enum charset charset)
+{
+	return charset == CHARSET_ASCII ? 1 : 2;
+}
+
+int
+canvas_dots_down(enum charset charset)
+{
+	return charset == CHARSET_ASCII       ? 1
+	       : charset == CHARSET_QUADRANTS ? 2
+					      : 4;
+}
+
+uint32_t
+canvas_dots_code(enum charset charset, unsigned dots)
+{
+	static const uint16_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
+	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,
+	    0x2584, 0x2599, 0x259F, 0x2588};
+	static const unsigned char BRAILLE[8] = {
+	    0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
+	if (charset == CHARSET_QUADRANTS)
+		return QUADRANTS[dots];
+	unsigned code = 0;
+	for (unsigned i = 0; i < ARRAY_LEN(BRAILLE); i++)
+		if (dots >> i & 1)
+			code |= BRAILLE[i];
+	return code > 0 ? 0x2800 + code : ' ';
+}

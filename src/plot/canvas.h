@@ -56,4 +56,10 @@ bool canvas_is_faint(
  * sequences where depth > 0. */
 void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 
+/* Dots of a cell, across and down, and the character of one whose dots are
+ * set, bit 2 * row + column; ASCII has none. */
+int canvas_dots_across(enum charset charset);
+int canvas_dots_down(enum charset charset);
+uint32_t canvas_dots_code(enum charset charset, unsigned dots);
+
 #endif

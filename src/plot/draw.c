@@ -53,39 +53,6 @@ rule_code(enum series series, enum charset charset)
 	}
 }
 
-/* Dots of a cell, across and down. */
-static int
-dots_across(enum charset charset)
-{
-	return charset == CHARSET_ASCII ? 1 : 2;
-}
-
-static int
-dots_down(enum charset charset)
-{
-	return charset == CHARSET_ASCII       ? 1
-	       : charset == CHARSET_QUADRANTS ? 2
-					      : 4;
-}
-
-/* The character of a cell whose dots are set; bit 2 * row + column. */
-static uint32_t
-dots_code(enum charset charset, unsigned dots)
-{
-	static const uint16_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
-	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,
-	    0x2584, 0x2599, 0x259F, 0x2588};
-	static const unsigned char BRAILLE[8] = {
-	    0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
-	if (charset == CHARSET_QUADRANTS)
-		return QUADRANTS[dots];
-	unsigned code = 0;
-	for (unsigned i = 0; i < ARRAY_LEN(BRAILLE); i++)
-		if (dots >> i & 1)
-			code |= BRAILLE[i];
-	return code > 0 ? 0x2800 + code : ' ';
-}
-
 /* A fine mark in dots, from the left of a cell on. */
 static char *
 mark_text(const struct mark *mark, enum charset charset)
@@ -99,10 +66,11 @@ mark_text(const struct mark *mark, enum charset charset)
 			    1U << (2 * (i / SIDE) + i % SIDE % 2);
 	if (charset == CHARSET_QUADRANTS)
 		xappend(&sample, "%s",
-		    canvas_utf8(dots_code(charset, mark->quarters), text));
+		    canvas_utf8(
+			canvas_dots_code(charset, mark->quarters), text));
 	for (size_t i = 0; i < CELLS && charset == CHARSET_BRAILLE; i++)
 		xappend(&sample, "%s",
-		    canvas_utf8(dots_code(charset, cell[i]), text));
+		    canvas_utf8(canvas_dots_code(charset, cell[i]), text));
 	return sample;
 }
 
@@ -469,8 +437,8 @@ put(struct brush *p, int column, int row, uint32_t code, enum series series,
 static void
 put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
 {
-	int across = dots_across(p->at.charset),
-	    down = dots_down(p->at.charset);
+	int across = canvas_dots_across(p->at.charset),
+	    down = canvas_dots_down(p->at.charset);
 	int column = x / across, row = y / down;
 	if (x < 0 || column >= p->at.width || y < 0 || row >= p->at.height)
 		return;
@@ -479,7 +447,7 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
 	unsigned all = set ? *dots | bit : *dots & ~bit;
 	uint32_t code = p->at.charset == CHARSET_ASCII
 			    ? (uint32_t)s->ascii
-			    : dots_code(p->at.charset, all);
+			    : canvas_dots_code(p->at.charset, all);
 	if (all == *dots && !set)
 		return;
 	put(p, column, row, code, s->series, 0);
@@ -490,8 +458,8 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
 static void
 draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 {
-	int across = dots_across(p->at.charset),
-	    down = dots_down(p->at.charset);
+	int across = canvas_dots_across(p->at.charset),
+	    down = canvas_dots_down(p->at.charset);
 	int x0 = layout_column(&p->at, s->x[i], across);
 	int y0 = layout_row(&p->at, s->y[i], down);
 	int dx = layout_column(&p->at, s->x[i + 1], across) - x0;
@@ -655,8 +623,8 @@ static void
 draw_bars(struct brush *p, const struct chart_series *s)
 {
 	enum { DOTTED = 2 };
-	int across = dots_across(p->at.charset),
-	    down = dots_down(p->at.charset);
+	int across = canvas_dots_across(p->at.charset),
+	    down = canvas_dots_down(p->at.charset);
 	int wide = s->line == CHART_LONG ? across : 1;
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
@@ -713,8 +681,9 @@ draw_band(struct brush *p, const struct chart_series *s)
 {
 	enum { EVERY = 2 };
 	const struct chart_series edge = {.series = palette_tint(s->series)};
-	int across = dots_across(p->at.charset), parts = p->at.width * across;
-	int down = dots_down(p->at.charset);
+	int across = canvas_dots_across(p->at.charset),
+	    parts = p->at.width * across;
+	int down = canvas_dots_down(p->at.charset);
 	for (int i = 0; i < parts && s->low != NULL; i++) {
 		double x = x_at(p, i, parts);
 		double low = edge_at(p, s, s->low, x);
@@ -744,7 +713,7 @@ draw_guides(struct brush *p)
 		const struct axis_tick *t = &p->at.chart->y.tick[i];
 		int dot = layout_row(&p->at, t->at, 4) % 4;
 		uint32_t code =
-		    braille ? dots_code(CHARSET_BRAILLE, 1U << (2 * dot))
+		    braille ? canvas_dots_code(CHARSET_BRAILLE, 1U << (2 * dot))
 		    : p->at.charset == CHARSET_ASCII ? '-'
 						     : 0x00B7;
 		for (int column = every / 2; column < p->at.width && t->guide;

@@ -11,7 +11,7 @@ enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 /* Where a key is there: bits of 1 << page.  Of one that is there on all pages
  * the same bits, shifted, are those that list it first.  AT_SPEED: it is about
  * the speed of the slider, which is first to be the one that was asked for.
- * CHANGES: what is calculated, see view.c. */
+ * CHANGES: what is calculated, see viewer.c. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,

@@ -7,11 +7,11 @@
 
 #include "base/xalloc.h"
 #include "tui/screen.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 /* What is said next is for this screen, which has no use for escapes. */
 void
-said_forget(struct tui *t)
+captured_forget(struct tui *t)
 {
 	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
 	screen_size(&screen.rows, &screen.columns);
@@ -21,7 +21,8 @@ said_forget(struct tui *t)
 }
 
 void
-said_error(void *t, const struct error *e, const char *line, const char *name)
+captured_error(
+    void *t, const struct error *e, const char *line, const char *name)
 {
 	char place[sizeof e->file + 32] = "";
 	(void)line, (void)name;
@@ -33,7 +34,7 @@ said_error(void *t, const struct error *e, const char *line, const char *name)
 }
 
 void
-said_show(struct tui *t)
+captured_show(struct tui *t)
 {
 	fflush(t->said);
 	size_t n = t->said_n;
@@ -41,7 +42,7 @@ said_show(struct tui *t)
 		n--;
 	char *text = xstrndup(t->said_text, n);
 	if (strchr(text, '\n') != NULL) {
-		view_text(t, text);
+		viewer_text(t, text);
 		return;
 	}
 	if (n > 0)

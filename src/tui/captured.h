@@ -6,14 +6,14 @@
 #include "tui/tui_state.h"
 
 /* Forgets what was said before. */
-void said_forget(struct tui *t);
+void captured_forget(struct tui *t);
 
 /* See struct driver, of = struct tui *: the line itself stands on the screen.
  */
-void said_error(
+void captured_error(
     void *of, const struct error *e, const char *line, const char *name);
 
 /* Shows what was said: one line is a message, more take the whole screen. */
-void said_show(struct tui *t);
+void captured_show(struct tui *t);
 
 #endif

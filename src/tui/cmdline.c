@@ -13,10 +13,11 @@
 #include "cmd/run/line.h"
 #include "cmd/lang/parse.h"
 #include "tui/control.h"
-#include "cli/pump.h"
+#include "cli/ask.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 #include "cli/history.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 #include "tui/watch.h"
 
 /* Stops no search, and the screen stays as it stands until it is drawn. */
@@ -25,16 +26,16 @@ draw_screen(struct tui *t, const char *line)
 {
 	struct error error = {0};
 	size_t next;
-	said_forget(t);
+	captured_forget(t);
 	bool ok = session_line(t->session, line, 0, "typed", 0, &next, &error);
 	free(t->command);
 	t->command = xstrdup(line);
 	t->failed = !ok;
 	t->message[0] = '\0';
 	if (ok)
-		said_show(t);
+		captured_show(t);
 	else
-		said_error(t, &error, line, "typed");
+		captured_error(t, &error, line, "typed");
 }
 
 /* What a shell command wrote stays until it is read. */
@@ -46,8 +47,8 @@ await_return(void)
 	    stdout);
 	fflush(stdout);
 	/* ^C has ended the shell command. */
-	pump_forget_interrupt();
-	pump_answer(NULL);
+	signals_forget_interrupt();
+	ask_line(NULL);
 	/* Whoever leaves the screen finds a line of their own. */
 	fputs("\n", stdout);
 }
@@ -128,7 +129,7 @@ tell(struct tui *t, const char *line, bool ok, bool began)
 	if (!ok && t->said_n > 0)
 		text_wrap(t->message, 0, 78, t->said);
 	if (!began && (ok ? !moved_only : t->said_n > 0))
-		said_show(t);
+		captured_show(t);
 }
 
 static void
@@ -235,7 +236,7 @@ meant_by(const char *line, const char *where)
 }
 
 void
-typed_line_run(struct tui *t, const char *line)
+cmdline_run(struct tui *t, const char *line)
 {
 	char *where = tui_where(t);
 	char *meant = meant_by(line, where);
@@ -243,14 +244,14 @@ typed_line_run(struct tui *t, const char *line)
 		typed_add(line);
 	run_typed(t, meant);
 	t->told = t->message[0] != '\0';
-	view_message(t);
+	viewer_message(t);
 	free(where);
 	free(meant);
 }
 
 void
-typed_line_show(struct tui *t, const char *line)
+cmdline_show(struct tui *t, const char *line)
 {
 	if (control_run(t, line))
-		said_show(t);
+		captured_show(t);
 }

@@ -8,7 +8,7 @@
 
 /* Runs a typed line.  What it prints is shown, but of a prediction that the
  * page shows; of the other that, too. */
-void typed_line_run(struct tui *t, const char *line);
-void typed_line_show(struct tui *t, const char *line);
+void cmdline_run(struct tui *t, const char *line);
+void cmdline_show(struct tui *t, const char *line);
 
 #endif

@@ -26,12 +26,13 @@
 #include "tui/folder.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pane.h"
-#include "cli/pump.h"
+#include "cli/ask.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/script_progress.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 /* session->hooks.confirm and `screen` have no argument to pass it by. */
 static struct tui *open;
@@ -44,12 +45,12 @@ static const double PAUSE = 0.7;
 static bool
 work(struct session *s)
 {
-	while (session_busy(s) && pump_signal() == 0) {
+	while (session_busy(s) && signals_noted() == 0) {
 		session_step(s);
-		under_way_draw(open);
-		pump_let_in();
+		script_progress_draw(open);
+		signals_let_in();
 	}
-	return pump_signal() == 0;
+	return signals_noted() == 0;
 }
 
 /* What reads much asks in the midst of a line, of which Esc is then heard; the
@@ -59,8 +60,8 @@ static bool
 stops(void)
 {
 	if (open != NULL && !session_busy(open->session))
-		under_way_draw(open);
-	return pump_waited_for();
+		script_progress_draw(open);
+	return signals_waited_for();
 }
 
 const struct command *
@@ -112,8 +113,9 @@ static void
 look_at_pin(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
-	t->kept = pin != NULL ? pin->p : (struct prediction){0};
-	t->pin = numbers_of(t->session, pin != NULL ? pin->key : "", &t->kept);
+	t->pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
+	t->pinned = numbers_of(
+	    t->session, pin != NULL ? pin->key : "", &t->pinned_whole);
 }
 
 static void
@@ -121,8 +123,8 @@ forget(struct tui *t)
 {
 	prediction_free(&t->shown);
 	t->shown = (struct prediction){0};
-	t->now = (struct numbers){0};
-	t->asked.tenths = 0;
+	t->current = (struct numbers){0};
+	t->request.tenths = 0;
 }
 
 /* What the session is like after any command. */
@@ -136,7 +138,7 @@ control_look(struct tui *t)
 	t->n_row = 0;
 	tui_forget_parity(&t->parity);
 	t->revision++;
-	above_look(t);
+	strip_look(t);
 	look_at_pin(t);
 	tui_untouch(t);
 	if (isnan(session_known(s, "predict", "speed")))
@@ -159,7 +161,7 @@ take_looks(struct tui *t)
 	const struct choices *set = &t->session->set;
 	struct error error = {0};
 	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
-		t->ui.quantity = above_usual();
+		t->ui.quantity = strip_usual();
 	t->ui.page = (enum page)set->page;
 	tui_untouch(t);
 }
@@ -184,7 +186,7 @@ control_set_looks(struct tui *t)
 	char *page = page_text(t->ui.page);
 	char *quantity = quantities_typed(&t->ui.quantity);
 	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
-	said_forget(t);
+	captured_forget(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, "typed", 0, &next, &error);
 	free(page);
@@ -225,20 +227,22 @@ run(struct tui *t, const char *line)
 	struct session *s = t->session;
 	const struct choices was = s->set;
 	bool was_busy = session_busy(s);
-	char site[sizeof t->now.site] = "";
+	char site[sizeof t->current.site] = "";
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
-	said_forget(t);
+	captured_forget(t);
 	const struct driver d = {.session = s,
 	    .of = t,
-	    .fail = said_error,
-	    .begins = under_way_begins,
+	    .fail = captured_error,
+	    .begins = script_progress_begins,
 	    .work = work,
 	    .watches = true};
-	under_way_typed(t, line);
+	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
-	bool ok = driver_line(&d, line, "typed", 0) == 0 || pump_signal() != 0;
-	under_way_end(t, control_command(line) == command_find("restore"), ok);
+	bool ok =
+	    driver_line(&d, line, "typed", 0) == 0 || signals_noted() != 0;
+	script_progress_end(
+	    t, control_command(line) == command_find("restore"), ok);
 	struct slider_range range = tui_range(t);
 	double said = session_known(s, "predict find", "speed");
 	const struct command *ran = control_command(line);
@@ -255,13 +259,13 @@ run(struct tui *t, const char *line)
 		    slider_tenths(range, answers_usual(tui_entry(t)));
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
-		t->asked.tenths = 0;
+		t->request.tenths = 0;
 		t->ui.site_at = s->current;
 		t->ui.feed = 0;
 	}
 	/* Another answer is shown where other runs correct the model. */
 	if (s->set.correction != was.correction)
-		t->asked.tenths = 0;
+		t->request.tenths = 0;
 	if (sets_looks(&was, &s->set) && strcmp(line, "undo") != 0 &&
 	    strcmp(line, "redo") != 0)
 		take_looks(t);
@@ -283,7 +287,7 @@ control_run(struct tui *t, const char *line)
 	bool ok = run(t, line);
 	t->failed = !ok;
 	if (!ok)
-		view_message(t);
+		viewer_message(t);
 	return ok;
 }
 
@@ -300,14 +304,15 @@ control_predict(struct tui *t)
 		       calibration_status(s->job.calibration).generation > 0;
 	if (entry == NULL || (!entry->has_params && !forming))
 		return;
-	bool first = t->asked.tenths == 0;
-	if (t->asked.tenths == t->ui.tenths && t->asked.feed_run == tui_feed(t))
+	bool first = t->request.tenths == 0;
+	if (t->request.tenths == t->ui.tenths &&
+	    t->request.feed_run == tui_feed(t))
 		return;
 	/* What a search had on its way is nothing to count from. */
 	if (!t->formed &&
-	    (t->clock - t->moved > PAUSE || t->pause.site[0] == '\0' ||
-		strcmp(t->pause.site, entry->key) != 0))
-		t->pause = t->now;
+	    (t->clock - t->moved > PAUSE || t->reference.site[0] == '\0' ||
+		strcmp(t->reference.site, entry->key) != 0))
+		t->reference = t->current;
 	t->formed = forming;
 	if (!first)
 		t->moved = t->clock;
@@ -318,7 +323,7 @@ control_predict(struct tui *t)
 	t->shown = (struct prediction){0};
 	if (!predict_step(
 		s, t->ui.tenths / 10.0, tui_feed(t), line, &t->shown, &error))
-		said_error(t, &error, line, "typed");
+		captured_error(t, &error, line, "typed");
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
@@ -327,9 +332,9 @@ control_predict(struct tui *t)
 	if (!first && !told)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
-	t->asked.tenths = t->ui.tenths;
-	t->asked.feed_run = tui_feed(t);
-	t->now = numbers_of(s, entry->key, &t->shown);
+	t->request.tenths = t->ui.tenths;
+	t->request.feed_run = tui_feed(t);
+	t->current = numbers_of(s, entry->key, &t->shown);
 	free(where);
 	free(line);
 }
@@ -347,20 +352,20 @@ free_all(struct tui *t)
 	if (t->said != NULL)
 		fclose(t->said);
 	free(t->said_text);
-	typing_end(&t->typing);
-	view_close(t);
+	edit_end(&t->line);
+	viewer_close(t);
 	free(t->closed);
 	prediction_free(&t->shown);
 	free(t->command);
 	free(t->row);
-	above_free(t->above);
+	strip_free(t->strip);
 	goals_clear(&t->goal);
 	tui_forget_sheet(&t->sheet);
 	tui_forget_parity(&t->parity);
-	folder_free(&t->chooser.folder);
-	free(t->chooser.preview);
-	limits_free(t);
-	touch_free(&t->touches);
+	folder_free(&t->picker.folder);
+	free(t->picker.preview);
+	envelope_check_free(t);
+	hits_free(&t->hits);
 }
 
 /* The prediction at the slider, of which the session is not told. */
@@ -378,7 +383,7 @@ form(struct tui *t)
 	const struct question q = {
 	    .entry = entry, .feed = tui_feed(t), .params = &params};
 	t->shown = forecast_product(s, &q, t->ui.tenths / 10.0);
-	t->now = numbers_of(s, entry->key, &t->shown);
+	t->current = numbers_of(s, entry->key, &t->shown);
 }
 
 /* What was said and typed. */
@@ -388,8 +393,8 @@ copy_words(struct tui *t)
 	if (open->command != NULL)
 		t->command = xstrdup(open->command);
 	snprintf(t->message, sizeof t->message, "%s", open->message);
-	typing_begin(&t->speed, open->speed.text);
-	typing_begin(&t->filter, open->filter.text);
+	edit_begin(&t->speed, open->speed.text);
+	edit_begin(&t->filter, open->filter.text);
 	t->filter.active = open->filter.active;
 }
 
@@ -406,8 +411,8 @@ control_beside(void)
 	    .clock = open->clock,
 	    .started = open->started,
 	    .ran = open->ran,
-	    .above = above_new(),
-	    .pause = open->pause,
+	    .strip = strip_new(),
+	    .reference = open->reference,
 	    .mouse = open->mouse,
 	    .held = open->held,
 	    .job = open->job,
@@ -435,7 +440,7 @@ confirm(struct session *s, const char *question)
 	int code = 0;
 	bool special = false;
 	if (open->ways->is_away != NULL && open->ways->is_away())
-		return pump_confirm(s, question);
+		return ask_confirm(s, question);
 	open->question = question;
 	bool got = open->ways->answer(open, &code, &special);
 	open->question = NULL;
@@ -446,7 +451,7 @@ static char *
 question(struct session *s, const struct inquiry *q)
 {
 	bool away = open->ways->is_away != NULL && open->ways->is_away();
-	return away ? pump_question(s, q) : dialogue_ask(open, q);
+	return away ? ask_question(s, q) : dialogue_ask(open, q);
 }
 
 /* At the end of a search, before there is a result to draw. */
@@ -485,7 +490,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 		.picture = PLOT_SEARCH,
 		.level = 50},
 	    .mouse = screen_mouse(true),
-	    .above = above_new(),
+	    .strip = strip_new(),
 	    .holdout = NAN,
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};

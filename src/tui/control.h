@@ -15,7 +15,7 @@ void control_end(struct tui *t);
 const struct tui *control_open(void);
 
 /* Another one that shows the same, for a frame beside it: nothing that is done
- * to it touches the open one, and control_drop is its end.  It has a copy of
+ * to it hits the open one, and control_drop is its end.  It has a copy of
  * what is chosen (struct ui), and works the rest out. */
 struct tui *control_beside(void);
 void control_drop(struct tui *t);
@@ -31,7 +31,7 @@ void control_predict(struct tui *t);
 /* Looks what the session is like after a command that was not run here. */
 void control_look(struct tui *t);
 
-/* ---- For typed_line.c ---- */
+/* ---- For cmdline.c ---- */
 
 /* The command of a line; NULL where it has several, or none of that name. */
 const struct command *control_command(const char *line);

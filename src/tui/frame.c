@@ -19,7 +19,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/widgets/panel.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 /* How a page is called in the heading: in full, by its number but for the one
  * that is open, or all by their numbers. */
@@ -40,7 +40,7 @@ tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 static void
 draw_header(struct tui *t)
 {
-	const struct area *area = &t->places.header;
+	const struct area *area = &t->layout.header;
 	const struct entry *entry = tui_entry(t);
 	char text[24];
 	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
@@ -62,7 +62,7 @@ draw_header(struct tui *t)
 		column = screen_text(area, 0, column,
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
-		touch_add_key(&t->touches,
+		hits_add_key(&t->hits,
 		    (struct area){area->row, from, 1, column - from},
 		    '1' + (int)p, false);
 		column++;
@@ -70,8 +70,8 @@ draw_header(struct tui *t)
 	if (help == 0)
 		return;
 	screen_text(area, 0, column, LOOK_DIM, " ? help");
-	touch_add_key(
-	    &t->touches, (struct area){area->row, column, 1, help}, '?', false);
+	hits_add_key(
+	    &t->hits, (struct area){area->row, column, 1, help}, '?', false);
 }
 
 /* The cursor goes where the line is clicked on, item being its first byte that
@@ -79,13 +79,13 @@ draw_header(struct tui *t)
 static bool
 touch_line(struct tui *t, const struct touched *touched)
 {
-	const char *at = t->typing.text + touched->item;
+	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
 	for (int c = 1; c < touched->column && *at != '\0';)
 		c += text_show(&at, left);
-	t->typing.at = (size_t)(at - t->typing.text);
+	t->line.at = (size_t)(at - t->line.text);
 	return true;
 }
 
@@ -93,14 +93,14 @@ touch_line(struct tui *t, const struct touched *touched)
 static int
 draw_command(struct tui *t, const struct area *area)
 {
-	if (t->typing.active) {
+	if (t->line.active) {
 		size_t from;
 		int at = pane_typed(
-		    area, t->goal_field ? "goal: " : ":", &t->typing, &from);
-		touch_add(&t->touches, *area, touch_line, from);
+		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
+		hits_add(&t->hits, *area, touch_line, from);
 		return at;
 	}
-	touch_add_key(&t->touches, *area, ':', false);
+	hits_add_key(&t->hits, *area, ':', false);
 	const char *tail =
 	    t->failed ? tr("(failed)") : tr("(last action, as a command)");
 	int column = screen_text(
@@ -120,9 +120,9 @@ draw_message(const struct tui *t, const struct area *row)
 	struct area area = *row;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
-	     hints = wide && t->places.hints.rows > 0;
+	     hints = wide && t->layout.hints.rows > 0;
 	if (wide)
-		area.rows = places_message_rows(&t->places);
+		area.rows = layout_message_rows(&t->layout);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	screen_clear(&area);
@@ -137,7 +137,7 @@ draw_state(struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
-	char *verdict = verdicts_words(t);
+	char *verdict = panel_words(t);
 	int column;
 	if (session_busy(s) && !s->job.fits) {
 		char *at = s->job.rounds->at(s);
@@ -188,21 +188,21 @@ draw_state(struct tui *t, const struct area *area)
 static bool
 touch_offer(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == TOUCH_PRESS)
-		typing_take(&t->typing, touched->item);
-	return touched->kind == TOUCH_PRESS;
+	if (touched->kind == HIT_PRESS)
+		edit_take(&t->line, touched->item);
+	return touched->kind == HIT_PRESS;
 }
 
 /* What a word may become; ".." where there is more, which Tab shows. */
 static void
 draw_offers(struct tui *t, const struct area *area)
 {
-	struct typing *y = &t->typing;
+	struct edit *y = &t->line;
 	enum { MORE = 3 };
 	int column = 0;
 	size_t i = y->from, n;
-	const char *offer = typing_offer(y, i, &n);
-	for (; offer != NULL; offer = typing_offer(y, ++i, &n)) {
+	const char *offer = edit_offer(y, i, &n);
+	for (; offer != NULL; offer = edit_offer(y, ++i, &n)) {
 		char *text = xstrndup(offer, n);
 		int width = text_width(text), from = column,
 		    room = area->columns - from - MORE;
@@ -211,7 +211,7 @@ draw_offers(struct tui *t, const struct area *area)
 			break;
 		}
 		column = screen_text(area, 0, from, 0, "%s", text);
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){
 			area->row, area->column + from, 1, column - from},
 		    touch_offer, i);
@@ -227,14 +227,11 @@ draw_offers(struct tui *t, const struct area *area)
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
-	const char *keys = tr("Enter keep it  Esc all rows");
-	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", t->filter.text);
-	int column = screen_text(area, 0, at + 2, 0, "%zu of %zu",
-	    rows_count(t), pages_open(t)->list->n(t));
-	if (column + 2 + text_width(keys) <= area->columns) {
-		screen_text(area, 0, column + 2, LOOK_DIM, "%s", keys);
-		pane_touch_hints(t, area->row, area->column + column + 2, keys);
-	}
+	char *found = xasprintf(
+	    tr("%zu of %zu"), rows_count(t), pages_open(t)->list->n(t));
+	int at = pane_word(
+	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
+	free(found);
 	if (t->filter.active && area->rows > 0)
 		t->cursor = (struct cursor){area->row, at};
 }
@@ -250,23 +247,23 @@ static void
 draw_hints(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
-	if (t->typing.active && t->goal_field)
+	if (t->line.active && t->goal_field)
 		pane_hints(t, LOOK_DIM,
-		    t->typing.n > 0
+		    t->line.n > 0
 			? N_("Enter set it  Tab complete  ^U clear  "
 			     "Esc give up")
 			: N_("Enter no goal  Tab offers  Esc give up"));
-	else if (t->typing.active && strstr(t->typing.text, " > ") != NULL)
+	else if (t->line.active && strstr(t->line.text, " > ") != NULL)
 		pane_hints(t, LOOK_DIM,
 		    "Enter write  Esc give up  ending: .csv .xlsx .json table, "
 		    ".svg .png .pdf plot");
-	else if (t->typing.active)
+	else if (t->line.active)
 		pane_hints(t, LOOK_DIM,
 		    "Enter run  Tab complete  Up earlier lines  Esc give up");
 	else if (t->speed.n > 0)
 		pane_hints(t, LOOK_DIM, "Enter go there  Esc give up");
 	else if (filters(t))
-		draw_filter(t, &t->places.hints);
+		draw_filter(t, &t->layout.hints);
 	else
 		pane_hints(t, LOOK_DIM,
 		    page->hints != NULL ? page->hints : page->hints_now(t));
@@ -289,7 +286,7 @@ draw_speed(struct tui *t, const struct area *note)
 static bool
 tells_state(const struct tui *t)
 {
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	return l->status.rows == 0 &&
 	       (l->hints.rows > 0 || session_busy(t->session));
 }
@@ -298,10 +295,10 @@ tells_state(const struct tui *t)
 static bool
 draw_note(struct tui *t, const struct area *note)
 {
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	if (t->speed.text[0] != '\0') {
 		draw_speed(t, note);
-	} else if (t->typing.active && t->typing.offers != NULL) {
+	} else if (t->line.active && t->line.offers != NULL) {
 		draw_offers(t, note);
 	} else if (filters(t) && l->hints.rows == 0) {
 		screen_clear(note);
@@ -317,17 +314,17 @@ draw_note(struct tui *t, const struct area *note)
 static void
 draw_lower(struct tui *t)
 {
-	struct places *l = &t->places;
+	struct layout *l = &t->layout;
 	const struct area *note = l->status.rows > 0    ? &l->status
 				  : l->command.rows > 0 ? &l->command
 							: &l->track;
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
-	bool typing = t->typing.active;
+	bool typing = t->line.active;
 	bool taken = line == note &&
 		     (t->message[0] || t->speed.text[0] || tells_state(t));
 	/* Nothing else is touched by mistake while a line is typed. */
 	if (typing)
-		touch_clear(&t->touches);
+		hits_clear(&t->hits);
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
 			screen_clear(line);
@@ -336,7 +333,7 @@ draw_lower(struct tui *t)
 			t->cursor = (struct cursor){line->row, at};
 	}
 	/* What is typed leaves the row of hints alone. */
-	bool offers = t->typing.offers != NULL && l->hints.rows > 0;
+	bool offers = t->line.offers != NULL && l->hints.rows > 0;
 	if (note == line && typing && offers)
 		draw_offers(t, &l->hints);
 	else if ((note == line && typing) || !draw_note(t, note))
@@ -358,11 +355,11 @@ draw_question(struct tui *t, int rows, int columns)
 	int end = text_width(last != NULL ? last + 1 : text);
 	t->cursor = (struct cursor){rows - 1, end};
 	/* It ends with "y/n"; the mouse has no other answer. */
-	touch_clear(&t->touches);
-	touch_add_key(&t->touches,
+	hits_clear(&t->hits);
+	hits_add_key(&t->hits,
 	    (struct area){rows - 1, end < 4 ? 0 : end - 4, 1, 2}, 'y', false);
-	touch_add_key(
-	    &t->touches, (struct area){rows - 1, end - 1, 1, 2}, 'n', false);
+	hits_add_key(
+	    &t->hits, (struct area){rows - 1, end - 1, 1, 2}, 'n', false);
 	free(text);
 	free(asks);
 }
@@ -371,13 +368,13 @@ static void
 draw_page(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
-	const struct area *caption = &t->places.caption;
+	const struct area *caption = &t->layout.caption;
 	if (caption->rows > 0 &&
 	    (page->caption == NULL || !page->caption(t, caption)))
 		track_heading(t);
-	if (page->above)
-		above_draw(t);
-	verdicts_row(t);
+	if (page->strip)
+		strip_draw(t);
+	panel_row(t);
 	page->draw(t);
 	draw_lower(t);
 }
@@ -386,8 +383,8 @@ draw_page(struct tui *t)
 static bool
 touch_wheel(struct tui *t, const struct touched *touched)
 {
-	int by = touched->kind == TOUCH_UP ? 1 : -1;
-	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+	int by = touched->kind == HIT_UP ? 1 : -1;
+	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
 	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + by);
 	return true;
@@ -397,9 +394,9 @@ touch_wheel(struct tui *t, const struct touched *touched)
 static bool
 touch_text(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
-	view_scroll(t, touched->kind == TOUCH_UP ? -1 : 1);
+	viewer_scroll(t, touched->kind == HIT_UP ? -1 : 1);
 	return true;
 }
 
@@ -417,14 +414,14 @@ side_columns(const struct page_ops *page, int columns)
 static void
 add_wheel(struct tui *t, bool viewing)
 {
-	const struct places *l = &t->places;
-	struct touches *touches = &t->touches;
-	const struct area over[] = {l->plot, l->legend, l->strip, l->numbers,
-	    l->caption, l->above, l->track};
+	const struct layout *l = &t->layout;
+	struct hits *hits = &t->hits;
+	const struct area over[] = {l->plot, l->legend, l->differences,
+	    l->numbers, l->caption, l->strip, l->track};
 	if (viewing)
-		touch_add(touches, l->body, touch_text, 0);
+		hits_add(hits, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
-		touch_add(touches, over[i], touch_wheel, 0);
+		hits_add(hits, over[i], touch_wheel, 0);
 	if (!viewing && rows_here(t))
 		rows_wheel(t, l->body);
 }
@@ -436,24 +433,24 @@ frame_draw(struct tui *t)
 	screen_theme(t->session->set.theme);
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
-	bool viewing = t->viewer.text != NULL, list = t->chooser.on && !viewing;
-	t->places = viewing || list
-			? places_text(rows, columns)
-			: places_make(rows, columns,
-			      (struct places_ask){side_columns(page, columns),
-				  page->strip, page->above});
-	touch_clear(&t->touches);
+	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
+	t->layout = viewing || list
+			? layout_text(rows, columns)
+			: layout_make(rows, columns,
+			      (struct layout_ask){side_columns(page, columns),
+				  page->differences, page->strip});
+	hits_clear(&t->hits);
 	t->n_drawn = 0;
 	t->shows = page;
 	add_wheel(t, viewing);
 	draw_header(t);
-	t->cursor = (struct cursor){t->places.track.row, 0};
-	if (t->places.track.rows > 0)
+	t->cursor = (struct cursor){t->layout.track.row, 0};
+	if (t->layout.track.rows > 0)
 		track_draw(t);
 	if (viewing)
-		view_draw(t);
+		viewer_draw(t);
 	else if (list)
-		chooser_draw(t);
+		picker_draw(t);
 	else
 		draw_page(t);
 	if (t->question != NULL && !viewing)

@@ -7,52 +7,49 @@
 #include "base/xalloc.h"
 
 void
-touch_clear(struct touches *touches)
+hits_clear(struct hits *hits)
 {
-	touches->n = 0;
+	hits->n = 0;
 }
 
 void
-touch_free(struct touches *touches)
+hits_free(struct hits *hits)
 {
-	free(touches->at);
-	*touches = (struct touches){0};
+	free(hits->at);
+	*hits = (struct hits){0};
 }
 
 static void
-add(struct touches *touches, struct touch touch)
+add(struct hits *hits, struct hit touch)
 {
 	if (touch.area.rows < 1 || touch.area.columns < 1)
 		return;
-	touches->at =
-	    xrealloc(touches->at, touches->n + 1, sizeof *touches->at);
-	touches->at[touches->n++] = touch;
+	hits->at = xrealloc(hits->at, hits->n + 1, sizeof *hits->at);
+	hits->at[hits->n++] = touch;
 }
 
 void
-touch_add(
-    struct touches *touches, struct area area, touch_way *way, size_t item)
+hits_add(struct hits *hits, struct area area, hit_way *way, size_t item)
 {
-	add(touches, (struct touch){.area = area, .way = way, .item = item});
+	add(hits, (struct hit){.area = area, .way = way, .item = item});
 }
 
 void
-touch_add_key(struct touches *touches, struct area area, int code, bool special)
+hits_add_key(struct hits *hits, struct area area, int code, bool special)
 {
-	add(touches,
-	    (struct touch){.area = area, .code = code, .special = special});
+	add(hits, (struct hit){.area = area, .code = code, .special = special});
 }
 
 void
-touch_add_both(struct touches *touches, struct area area, touch_way *way,
-    size_t item, int code)
+hits_add_both(
+    struct hits *hits, struct area area, hit_way *way, size_t item, int code)
 {
-	add(touches, (struct touch){
-			 .area = area, .way = way, .item = item, .code = code});
+	add(hits,
+	    (struct hit){.area = area, .way = way, .item = item, .code = code});
 }
 
 static bool
-hand_on(struct tui *t, const struct touch *touch, enum touch_kind kind, int row,
+hand_on(struct tui *t, const struct hit *touch, enum hit_kind kind, int row,
     int column)
 {
 	return touch->way(
@@ -61,41 +58,41 @@ hand_on(struct tui *t, const struct touch *touch, enum touch_kind kind, int row,
 }
 
 bool
-touch_mouse(struct tui *t, struct touches *touches, enum touch_kind kind,
-    int row, int column, void (*key)(struct tui *t, int code, bool special))
+hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
+    int column, void (*key)(struct tui *t, int code, bool special))
 {
-	if (kind == TOUCH_DRAG)
-		return touches->pressed.way != NULL &&
-		       hand_on(t, &touches->pressed, kind, row, column);
-	for (size_t i = touches->n; i-- > 0;) {
+	if (kind == HIT_DRAG)
+		return hits->pressed.way != NULL &&
+		       hand_on(t, &hits->pressed, kind, row, column);
+	for (size_t i = hits->n; i-- > 0;) {
 		/* What it does may draw, and so change the list. */
-		struct touch touch = touches->at[i];
+		struct hit touch = hits->at[i];
 		if (!area_has(&touch.area, row, column))
 			continue;
-		bool presses = touch.code != 0 && kind == TOUCH_PRESS;
+		bool presses = touch.code != 0 && kind == HIT_PRESS;
 		if (touch.way != NULL ? !hand_on(t, &touch, kind, row, column)
 				      : !presses)
 			continue;
 		if (presses)
 			key(t, touch.code, touch.special);
-		else if (kind == TOUCH_PRESS)
-			touches->pressed = touch;
+		else if (kind == HIT_PRESS)
+			hits->pressed = touch;
 		return true;
 	}
 	return false;
 }
 
-const struct touch *
-touch_at(const struct touches *touches, int row, int column)
+const struct hit *
+hits_at(const struct hits *hits, int row, int column)
 {
-	for (size_t i = touches->n; i-- > 0;)
-		if (area_has(&touches->at[i].area, row, column))
-			return &touches->at[i];
+	for (size_t i = hits->n; i-- > 0;)
+		if (area_has(&hits->at[i].area, row, column))
+			return &hits->at[i];
 	return NULL;
 }
 
 void
-touch_release(struct touches *touches)
+hits_release(struct hits *hits)
 {
-	touches->pressed = (struct touch){0};
+	hits->pressed = (struct hit){0};
 }

@@ -11,13 +11,13 @@
 
 struct tui;
 
-/* TOUCH_DRAG goes to what was pressed, wherever the mouse is by then. */
-enum touch_kind { TOUCH_PRESS, TOUCH_DRAG, TOUCH_UP, TOUCH_DOWN };
+/* HIT_DRAG goes to what was pressed, wherever the mouse is by then. */
+enum hit_kind { HIT_PRESS, HIT_DRAG, HIT_UP, HIT_DOWN };
 
 /* row, column: from the top left of the area, negative or beyond it where it
  * was dragged off; item: what was given with it. */
 struct touched {
-	enum touch_kind kind;
+	enum hit_kind kind;
 	int row, column;
 	struct area area;
 	size_t item;
@@ -25,49 +25,46 @@ struct touched {
 
 /* Does what the mouse asks for; false: it has no part in that kind, and what
  * lies below is asked. */
-typedef bool touch_way(struct tui *t, const struct touched *touched);
+typedef bool hit_way(struct tui *t, const struct touched *touched);
 
-struct touch {
+struct hit {
 	struct area area;
-	touch_way *way; /* or NULL */
+	hit_way *way; /* or NULL */
 	size_t item;
 	int code; /* a key that is pressed then, or 0 */
 	bool special;
 };
 
 /* Those of a frame, n of them; pressed: what a drag goes to, way NULL: none. */
-struct touches {
+struct hits {
 	size_t n;
-	struct touch *at;
-	struct touch pressed;
+	struct hit *at;
+	struct hit pressed;
 };
 
 /* For a new frame; what is being dragged stays. */
-void touch_clear(struct touches *touches);
-void touch_free(struct touches *touches);
+void hits_clear(struct hits *hits);
+void hits_free(struct hits *hits);
 
 /* Areas without a cell are left out. */
-void touch_add(
-    struct touches *touches, struct area area, touch_way *way, size_t item);
+void hits_add(struct hits *hits, struct area area, hit_way *way, size_t item);
 
-/* A press there is the key: code and special as in act_key. */
-void touch_add_key(
-    struct touches *touches, struct area area, int code, bool special);
+/* A press there is the key: code and special as in keymap_key. */
+void hits_add_key(struct hits *hits, struct area area, int code, bool special);
 
 /* A press there does its part by the way, and then is the key, too. */
-void touch_add_both(struct touches *touches, struct area area, touch_way *way,
-    size_t item, int code);
+void hits_add_both(
+    struct hits *hits, struct area area, hit_way *way, size_t item, int code);
 
 /* Hands on what the mouse did at a cell; false where nobody took it.  A key
  * goes to `key`. */
-bool touch_mouse(struct tui *t, struct touches *touches, enum touch_kind kind,
-    int row, int column, void (*key)(struct tui *t, int code, bool special));
+bool hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
+    int column, void (*key)(struct tui *t, int code, bool special));
 
 /* The topmost that has the cell, or NULL. */
-const struct touch *touch_at(
-    const struct touches *touches, int row, int column);
+const struct hit *hits_at(const struct hits *hits, int row, int column);
 
 /* The button was let go of. */
-void touch_release(struct touches *touches);
+void hits_release(struct hits *hits);
 
 #endif

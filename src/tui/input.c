@@ -11,7 +11,7 @@
 #include <curses.h>
 
 #include "tui/keymap.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/screen.h"
 
 /* Longer than any line may be. */
@@ -28,12 +28,12 @@ take(struct tui *t, int code)
 	/* Controls, those beyond ASCII too. */
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
-	if (p->ended || p->taken >= MOST || !act_types(t, code)) {
+	if (p->ended || p->taken >= MOST || !keymap_types(t, code)) {
 		p->left = p->left || code != ' ';
 		return;
 	}
 	p->taken++;
-	act_key(t, code, false);
+	keymap_key(t, code, false);
 }
 
 void
@@ -70,9 +70,9 @@ input_paste(struct tui *t, int code, bool special)
 static int
 next(wint_t *code)
 {
-	pump_free_signals();
+	signals_release();
 	int got = get_wch(code);
-	pump_hold_signals();
+	signals_hold();
 	return got;
 }
 
@@ -112,7 +112,7 @@ bool
 input_key(struct tui *t, int *code, bool *special)
 {
 	wint_t c = 0;
-	while (pump_signal() == 0) {
+	while (signals_noted() == 0) {
 		int got = next(&c);
 		if (got == ERR && !more_waits())
 			return false;

@@ -26,7 +26,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/cmdline.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 #include "tui/watch.h"
 
 /* Whether what the page has takes a key that moves. */
@@ -98,7 +98,7 @@ static void
 propose(struct tui *t, const char *line, char *name)
 {
 	t->message[0] = '\0';
-	typing_propose(&t->typing, line, name);
+	edit_propose(&t->line, line, name);
 	free(name);
 }
 
@@ -151,13 +151,13 @@ act_type(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->message[0] = '\0';
-	typing_begin(&t->typing, "");
+	edit_begin(&t->line, "");
 }
 
 void
 act_command(struct tui *t, const struct key *key)
 {
-	typed_line_run(t, key->command);
+	cmdline_run(t, key->command);
 }
 
 void
@@ -166,7 +166,7 @@ act_describe(struct tui *t, const struct key *key)
 	char *(*words)(const struct tui *) = pages_open(t)->words;
 	char *of = words != NULL ? words(t) : pane_curves_words(t);
 	char *line = xasprintf("%s %s", key->command, of);
-	typed_line_run(t, line);
+	cmdline_run(t, line);
 	free(of);
 	free(line);
 }
@@ -181,7 +181,7 @@ act_correct(struct tui *t, const struct key *key)
 	    [CORRECTION_OFF] = "all"};
 	char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
-	typed_line_run(t, line);
+	cmdline_run(t, line);
 	free(line);
 }
 
@@ -244,9 +244,9 @@ void
 act_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct numbers was = t->pin;
+	const struct numbers was = t->pinned;
 	char *where = tui_where(t), *line = xasprintf("pin %s", where);
-	if (was.site[0] == '\0' && t->now.site[0] == '\0')
+	if (was.site[0] == '\0' && t->current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
 		; /* it has said why */
@@ -263,7 +263,7 @@ act_pin(struct tui *t, const struct key *key)
 			     "is not saved")
 			: N_("pinned %s at %.1f m/s: go to another speed or "
 			     "site; e exports both"),
-		    t->pin.site, t->pin.speed);
+		    t->pinned.site, t->pinned.speed);
 	free(where);
 	free(line);
 }
@@ -275,7 +275,7 @@ act_band(struct tui *t, const struct key *key)
 	const struct entry *entry = tui_entry(t);
 	t->ui.band = !t->ui.band;
 	t->message[0] = '\0';
-	if (!t->ui.band || t->now.site[0] == '\0')
+	if (!t->ui.band || t->current.site[0] == '\0')
 		return;
 	bool known = t->shown.low != NULL;
 	tui_say(t, false,
@@ -346,7 +346,7 @@ void
 act_files(struct tui *t, const struct key *key)
 {
 	(void)key;
-	chooser_open(t, CHOOSER_FILES);
+	picker_open(t, PICK_FILES);
 }
 
 void
@@ -395,13 +395,13 @@ goal_line_key(struct tui *t, int code, bool special)
 static bool
 line_key(struct tui *t, int code, bool special)
 {
-	struct typing *y = &t->typing;
-	enum typing_result result = typing_key(y, t->session, code, special);
-	if (result == TYPING_ON)
+	struct edit *y = &t->line;
+	enum edit_result result = edit_key(y, t->session, code, special);
+	if (result == EDIT_ON)
 		return true;
-	typing_end(y);
-	if (result == TYPING_DONE)
-		typed_line_run(t, y->text);
+	edit_end(y);
+	if (result == EDIT_DONE)
+		cmdline_run(t, y->text);
 	return true;
 }
 
@@ -410,7 +410,7 @@ static bool
 text_key(struct tui *t, int code, bool special)
 {
 	const struct key *run = NULL;
-	bool took = view_key(t, code, special, &run);
+	bool took = viewer_key(t, code, special, &run);
 	if (took)
 		act(t, run);
 	return took;
@@ -420,7 +420,7 @@ text_key(struct tui *t, int code, bool special)
 static bool
 digit_key(struct tui *t, int code, bool special)
 {
-	struct typing *y = &t->speed;
+	struct edit *y = &t->speed;
 	bool digit = code >= '0' && code <= '9',
 	     back = code == DELETE || code == '\b';
 	if (y->n == 0 && !(digit && (code == '0' || code > '0' + PAGES)))
@@ -428,7 +428,7 @@ digit_key(struct tui *t, int code, bool special)
 	if (code == ',')
 		code = '.';
 	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
-		return typing_letter(y, code, special, SPEED_LETTERS);
+		return edit_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
 		if (!slider_read(range, y->text, &t->ui.tenths))
@@ -437,39 +437,39 @@ digit_key(struct tui *t, int code, bool special)
 			    "slider moves the range",
 			    range.least / 10, range.most / 10, y->text);
 	}
-	typing_begin(y, "");
+	edit_begin(y, "");
 	return code == '\n' || code == '\r' || code == ESCAPE;
 }
 
 /* Over a line that is typed only what belongs to it was said to be touched; a
  * speed that was begun ends where another thing is, but for its own keys. */
 static void
-touch(struct tui *t, enum touch_kind kind, int row, int column)
+touch(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	const struct touch *at = touch_at(&t->touches, row, column);
+	const struct hit *at = hits_at(&t->hits, row, column);
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
-	if (kind == TOUCH_PRESS && !own)
-		typing_begin(&t->speed, "");
-	touch_mouse(t, &t->touches, kind, row, column, act_key);
+	if (kind == HIT_PRESS && !own)
+		edit_begin(&t->speed, "");
+	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 }
 
 /* What an event of ncurses means. */
 static void
 take_mouse(struct tui *t,
-    void (*touched)(struct tui *t, enum touch_kind kind, int row, int column))
+    void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))
 {
 	MEVENT e;
 	if (getmouse(&e) != OK)
 		return;
 	if (e.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED))
-		touched(t, TOUCH_PRESS, e.y, e.x);
+		touched(t, HIT_PRESS, e.y, e.x);
 	else if (e.bstate & (BUTTON4_PRESSED | BUTTON5_PRESSED))
-		touched(t, e.bstate & BUTTON4_PRESSED ? TOUCH_UP : TOUCH_DOWN,
-		    e.y, e.x);
+		touched(t, e.bstate & BUTTON4_PRESSED ? HIT_UP : HIT_DOWN, e.y,
+		    e.x);
 	else if (e.bstate & REPORT_MOUSE_POSITION)
-		touched(t, TOUCH_DRAG, e.y, e.x);
+		touched(t, HIT_DRAG, e.y, e.x);
 	if (e.bstate & (BUTTON1_RELEASED | BUTTON1_CLICKED))
-		touch_release(&t->touches);
+		hits_release(&t->hits);
 }
 
 static void
@@ -481,13 +481,13 @@ note_key(struct tui *t, int code, bool special)
 }
 
 static void
-touch_answer(struct tui *t, enum touch_kind kind, int row, int column)
+touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	touch_mouse(t, &t->touches, kind, row, column, note_key);
+	hits_mouse(t, &t->hits, kind, row, column, note_key);
 }
 
 bool
-act_pointed(struct tui *t, int *code, bool *special)
+keymap_pointed(struct tui *t, int *code, bool *special)
 {
 	t->pointed.is = false;
 	take_mouse(t, touch_answer);
@@ -523,7 +523,7 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [GOAL] = goal_line_key,
     [LINE] = line_key,
     [TEXT] = text_key,
-    [FILES] = chooser_key,
+    [FILES] = picker_key,
     [FILTER] = rows_letter,
     [SPEED] = digit_key,
     [PAGE] = page_key};
@@ -533,10 +533,10 @@ next_mode(const struct tui *t, enum mode from)
 {
 	const bool open[] = {[ANSWER] = t->inquiry != NULL,
 	    [QUESTION] = t->question != NULL,
-	    [GOAL] = t->typing.active && t->goal_field,
-	    [LINE] = t->typing.active,
+	    [GOAL] = t->line.active && t->goal_field,
+	    [LINE] = t->line.active,
 	    [TEXT] = t->viewer.text != NULL,
-	    [FILES] = t->chooser.on,
+	    [FILES] = t->picker.on,
 	    [FILTER] = t->filter.active,
 	    [SPEED] = true,
 	    [PAGE] = true};
@@ -546,7 +546,7 @@ next_mode(const struct tui *t, enum mode from)
 }
 
 bool
-act_types(const struct tui *t, int code)
+keymap_types(const struct tui *t, int code)
 {
 	switch (next_mode(t, ANSWER)) {
 	case ANSWER:
@@ -566,7 +566,7 @@ act_types(const struct tui *t, int code)
 }
 
 void
-act_key(struct tui *t, int code, bool special)
+keymap_key(struct tui *t, int code, bool special)
 {
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;

@@ -7,13 +7,13 @@
 
 /* Takes one key: code as ncurses has it; special: one with a name, no
  * character; the mouse is one such, whose event ncurses holds. */
-void act_key(struct tui *t, int code, bool special);
+void keymap_key(struct tui *t, int code, bool special);
 
 /* Whether a character is typed into what takes the keys now. */
-bool act_types(const struct tui *t, int code);
+bool keymap_types(const struct tui *t, int code);
 
 /* While an answer is waited for: what the mouse did, from the event ncurses
  * holds.  True where that is a key, which answers. */
-bool act_pointed(struct tui *t, int *code, bool *special);
+bool keymap_pointed(struct tui *t, int *code, bool *special);
 
 #endif

@@ -32,8 +32,8 @@ enum {
 	FOR_STATUS = 15,
 	FOR_SIDE = 18,
 	FOR_LEGEND = 20,
-	FOR_ABOVE = 24,
-	FOR_STRIP = 30
+	FOR_STRIP = 24,
+	FOR_DIFFERENCES = 30
 };
 /* Narrower, a plot, a legend or a panel says nothing. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
@@ -54,7 +54,7 @@ take_rows(struct area *left, int rows, int least, int every)
 }
 
 static void
-split_body(struct places *l, int rows, int side_columns)
+split_body(struct layout *l, int rows, int side_columns)
 {
 	bool side = rows >= FOR_SIDE && side_columns > 0 &&
 		    l->body.columns - side_columns >= PLOT_COLUMNS;
@@ -74,10 +74,10 @@ split_body(struct places *l, int rows, int side_columns)
 	l->side.columns = side_columns;
 }
 
-struct places
-places_make(int rows, int columns, struct places_ask ask)
+struct layout
+layout_make(int rows, int columns, struct layout_ask ask)
 {
-	struct places l = {.wall = -1, .body = {0, 0, rows, columns}};
+	struct layout l = {.wall = -1, .body = {0, 0, rows, columns}};
 	struct area *left = &l.body;
 	if (rows >= FOR_HEADER) {
 		l.header = (struct area){0, 0, 1, columns};
@@ -93,8 +93,8 @@ places_make(int rows, int columns, struct places_ask ask)
 		if (rows >= bottom[i].least)
 			*bottom[i].area = take_bottom(left);
 	enum { EVERY = 10 };
-	if (ask.above && rows >= FOR_ABOVE)
-		l.above = take_rows(left, rows, FOR_ABOVE, EVERY);
+	if (ask.strip && rows >= FOR_STRIP)
+		l.strip = take_rows(left, rows, FOR_STRIP, EVERY);
 	if (rows >= FOR_CAPTION)
 		l.caption = take_bottom(left);
 	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
@@ -104,18 +104,19 @@ places_make(int rows, int columns, struct places_ask ask)
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
 		l.legend = take_bottom(left);
 	split_body(&l, rows, ask.side_columns);
-	if (ask.strip && rows >= FOR_STRIP) {
-		l.strip = take_rows(&l.plot, rows + EVERY, FOR_STRIP, EVERY);
-		l.strip.row = l.plot.row + l.plot.rows;
+	if (ask.differences && rows >= FOR_DIFFERENCES) {
+		l.differences =
+		    take_rows(&l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);
+		l.differences.row = l.plot.row + l.plot.rows;
 	}
 	return l;
 }
 
-struct places
-places_text(int rows, int columns)
+struct layout
+layout_text(int rows, int columns)
 {
 	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
-	struct places l = {.body = {0, 0, rows, columns}};
+	struct layout l = {.body = {0, 0, rows, columns}};
 	if (rows >= FOR_TEXT_HINTS)
 		l.hints = take_bottom(&l.body);
 	if (rows >= FOR_TEXT_HEADER) {
@@ -127,7 +128,7 @@ places_text(int rows, int columns)
 }
 
 struct area
-places_track(const struct places *l)
+layout_track(const struct layout *l)
 {
 	struct area track = l->track;
 	bool ends = track.columns >= 30;
@@ -137,7 +138,7 @@ places_track(const struct places *l)
 }
 
 int
-places_message_rows(const struct places *l)
+layout_message_rows(const struct layout *l)
 {
 	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
 }

@@ -5,12 +5,11 @@
 
 #include <stdbool.h>
 
-/* What a page wants beside its body: columns of a side panel, or 0; a strip
- * for differences below the plot; what is asked at all speeds, above the
- * track. */
-struct places_ask {
+/* What a page wants beside its body: columns of a side panel, or 0; the
+ * strip of differences below the plot; the response strip above the track. */
+struct layout_ask {
 	int side_columns;
-	bool strip, above;
+	bool differences, strip;
 };
 
 /* From the top left of the screen; of no rows: left out. */
@@ -20,27 +19,27 @@ struct area {
 
 /* body: all between header and caption, a rule with words; plot and side are
  * its parts.  wall: the column of the line before side, -1: none. */
-struct places {
+struct layout {
 	int wall;
-	struct area header, body, plot, side, legend, strip, numbers, caption,
-	    above, track, command, status, hints;
+	struct area header, body, plot, side, legend, differences, numbers,
+	    caption, strip, track, command, status, hints;
 };
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:
- * strip, above, legend, side panel (a row of numbers takes its place), status
+ * differences, strip, legend, side panel (a row of numbers takes its place), status
  * (the row of the command takes its place), plot (the side panel has its rows),
  * hints, caption, header, command; track and numbers go last. */
-struct places places_make(int rows, int columns, struct places_ask ask);
+struct layout layout_make(int rows, int columns, struct layout_ask ask);
 
 /* The same for text on all of the screen: between header and hints, as long as
  * there is room for these. */
-struct places places_text(int rows, int columns);
+struct layout layout_text(int rows, int columns);
 
 /* The track of the slider without its ends. */
-struct area places_track(const struct places *l);
+struct area layout_track(const struct layout *l);
 
 /* How many rows a message may have. */
-int places_message_rows(const struct places *l);
+int layout_message_rows(const struct layout *l);
 
 /* Whether a cell lies in the area. */
 bool area_has(const struct area *area, int row, int column);

@@ -28,7 +28,7 @@ void
 pages_go(struct tui *t, enum page page)
 {
 	if (t->ui.page != page) {
-		t->filter = (struct typing){0};
+		t->filter = (struct edit){0};
 		tui_untouch(t);
 	}
 	t->ui.page = page;
@@ -42,9 +42,9 @@ pages_go(struct tui *t, enum page page)
 void
 pages_update(struct tui *t)
 {
-	if (t->chooser.on)
-		t->chooser.rows->update(t);
-	above_update(t);
+	if (t->picker.on)
+		t->picker.rows->update(t);
+	strip_update(t);
 	if (pages_open(t)->update != NULL)
 		pages_open(t)->update(t);
 }

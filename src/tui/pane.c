@@ -17,8 +17,8 @@
 struct area
 pane_list_area(const struct tui *t)
 {
-	struct area area = t->places.body;
-	area.rows += t->places.legend.rows;
+	struct area area = t->layout.body;
+	area.rows += t->layout.legend.rows;
 	return area;
 }
 
@@ -26,7 +26,7 @@ pane_list_area(const struct tui *t)
 static bool
 touch_plot(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
+	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
 		return false;
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)
@@ -62,7 +62,7 @@ pane_plot(
 		if (t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
-		touch_add(&t->touches, *area, touch_plot, t->n_drawn++);
+		hits_add(&t->hits, *area, touch_plot, t->n_drawn++);
 		return;
 	}
 	int row = screen_words(area, area->rows / 3, LOOK_BOLD, error.text);
@@ -75,7 +75,7 @@ static int
 draw_name(const struct tui *t, int column, enum series series, unsigned look,
     const char *text)
 {
-	const struct area *area = &t->places.legend;
+	const struct area *area = &t->layout.legend;
 	int from = column > 0 ? column + 2 : 0;
 	if (from + text_width(text) > area->columns)
 		return column;
@@ -143,7 +143,7 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	if (runs && entry->has_params)
 		column = draw_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
-	else if (!runs && t->now.site[0] != '\0') {
+	else if (!runs && t->current.site[0] != '\0') {
 		snprintf(text, sizeof text, tr("%s predicted%s"),
 		    ascii ? "#" : "\u2500",
 		    outlook_short(t->session, tui_entry(t), &t->shown));
@@ -162,7 +162,7 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 		   : "\u2508",
 	    sample);
 	column = draw_name(t, column, SERIES_FEED, 0, text);
-	if (runs || t->now.site[0] == '\0')
+	if (runs || t->current.site[0] == '\0')
 		return;
 	column = draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));
@@ -173,15 +173,15 @@ void
 pane_curves(struct tui *t, struct plot_request *request, bool notes)
 {
 	enum { TALL = 20 };
-	struct area plot = t->places.plot;
+	struct area plot = t->layout.plot;
 	bool psd = request->kind == PLOT_PSD, runs = request->kind == PLOT_RUNS;
-	bool below = !psd && !runs && t->places.legend.rows > 0;
-	request->strip = psd ? t->places.strip.rows : 0;
-	plot.rows += t->places.strip.rows;
+	bool below = !psd && !runs && t->layout.legend.rows > 0;
+	request->strip = psd ? t->layout.differences.rows : 0;
+	plot.rows += t->layout.differences.rows;
 	if (request->strip == 0 && (plot.rows >= TALL || below)) {
 		request->words |= CHART_LEGEND | (notes ? CHART_NOTES : 0);
-		plot.rows += t->places.legend.rows;
-	} else if (t->places.legend.rows > 0)
+		plot.rows += t->layout.legend.rows;
+	} else if (t->layout.legend.rows > 0)
 		draw_legend(t, request);
 	pane_plot(t, request, &plot);
 }
@@ -215,7 +215,7 @@ touch_hint(struct tui *t, int row, int column, const char *hint, size_t n)
 		size_t till = from == 0 && end == word ? n : end;
 		int code;
 		if (keys_code(name, &code))
-			touch_add_key(&t->touches,
+			hits_add_key(&t->hits,
 			    (struct area){
 				row, column + (int)from, 1, (int)(till - from)},
 			    code, code > 255);
@@ -260,7 +260,7 @@ draw_hints(const struct area *area, unsigned look, const char *hints)
 void
 pane_hints(struct tui *t, unsigned look, const char *hints)
 {
-	const struct area *area = &t->places.hints;
+	const struct area *area = &t->layout.hints;
 	char text[128];
 	snprintf(text, sizeof text, "%s", tr(hints));
 	pane_cut(text, area->columns);
@@ -271,7 +271,7 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 
 int
 pane_typed(const struct area *area, const char *prompt,
-    const struct typing *typing, size_t *from)
+    const struct edit *typing, size_t *from)
 {
 	char *till = xstrndup(typing->text, typing->at), left[TEXT_SHOWN];
 	int before = text_width(till), width = text_width(prompt);
@@ -282,6 +282,21 @@ pane_typed(const struct area *area, const char *prompt,
 	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;
+}
+
+int
+pane_word(struct tui *t, const struct area *area, const char *word,
+    const char *found, const char *keys)
+{
+	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", word);
+	if (found == NULL)
+		return at;
+	int column = screen_text(area, 0, at + 2, 0, "%s", found) + 2;
+	if (column + text_width(keys) <= area->columns) {
+		screen_text(area, 0, column, LOOK_DIM, "%s", keys);
+		pane_touch_hints(t, area->row, area->column + column, keys);
+	}
+	return at;
 }
 
 char *

@@ -28,7 +28,7 @@ struct page_ops {
 	/* Columns of its panel; on screens of 100 or more, or 0: no other; of
 	 * 120 or more. */
 	int side, middle_side, wide_side;
-	bool strip, above; /* see struct places_ask */
+	bool differences, strip; /* see struct layout_ask */
 
 	/* Works out what is drawn and does not come with the prediction. */
 	void (*update)(struct tui *t);
@@ -87,7 +87,12 @@ void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
  * until the cursor is seen.  Returns the cursor's column; from: of its bytes
  * the first that is shown. */
 int pane_typed(const struct area *area, const char *prompt,
-    const struct typing *typing, size_t *from);
+    const struct edit *typing, size_t *from);
+
+/* A word that is looked for, after /, with how many have it, or NULL, and where
+ * there is room the keys that are its own.  Returns the cursor's column. */
+int pane_word(struct tui *t, const struct area *area, const char *word,
+    const char *found, const char *keys);
 
 /* Leaves out words, two spaces between them, that there is no room for. */
 void pane_cut(char *words, int columns);

@@ -120,7 +120,7 @@ screen_open(bool colour)
 		delscreen(is.screen);
 		return false;
 	}
-	rescue_screen();
+	restore_screen();
 	is.utf8 = terminal_is_utf8();
 	is.charset = terminal_draws() ? CHARSET_BRAILLE : CHARSET_ASCII;
 	set_modes();
@@ -172,6 +172,12 @@ screen_back(struct display *was)
 	is = *was;
 	free(was);
 	return frame;
+}
+
+const struct canvas *
+screen_frame(void)
+{
+	return is.frame;
 }
 
 void

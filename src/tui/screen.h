@@ -37,6 +37,9 @@ struct canvas *screen_back(struct display *was);
  * it. */
 void screen_only_text(bool on);
 
+/* The last one, which stays with the screen; NULL where there was none. */
+const struct canvas *screen_frame(void);
+
 /* Of the last frame. */
 void screen_size(int *rows, int *columns);
 

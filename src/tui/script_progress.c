@@ -8,9 +8,9 @@
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
 #include "cmd/session/script.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 /* "4 of 15: validate", and what a search of it is at; the caller frees. */
 static char *
@@ -43,19 +43,19 @@ draw(struct tui *t, bool begins)
 	    now - t->ran_from < patience ||
 	    (!begins && now - t->drawn_at < often) || t->ways->is_away())
 		return;
-	view_text(t, under_way_words(t));
+	viewer_text(t, under_way_words(t));
 	t->ways->show(t);
-	view_close(t);
+	viewer_close(t);
 	t->drawn_at = now;
 	if (t->ways->stopped(t)) {
 		t->stopping = true;
 		raise(SIGINT);
-		pump_let_in();
+		signals_let_in();
 	}
 }
 
 void
-under_way_typed(struct tui *t, const char *line)
+script_progress_typed(struct tui *t, const char *line)
 {
 	t->ran_from = session_clock();
 	free(t->under_way);
@@ -64,7 +64,7 @@ under_way_typed(struct tui *t, const char *line)
 }
 
 void
-under_way_begins(void *of, const char *line)
+script_progress_begins(void *of, const char *line)
 {
 	struct tui *t = of;
 	struct script_place at = script_place(t->session);
@@ -79,21 +79,21 @@ under_way_begins(void *of, const char *line)
 }
 
 void
-under_way_draw(struct tui *t)
+script_progress_draw(struct tui *t)
 {
 	draw(t, false);
 }
 
 void
-under_way_end(struct tui *t, bool restores, bool ok)
+script_progress_end(struct tui *t, bool restores, bool ok)
 {
 	bool told = t->of_script || t->drawn_at >= t->ran_from;
 	if (told)
-		view_close(t);
+		viewer_close(t);
 	/* A signal from elsewhere ends the program, unless a script runs. */
-	if ((t->of_script || t->stopping) && pump_signal() == SIGINT) {
-		pump_forget_interrupt();
-		said_forget(t);
+	if ((t->of_script || t->stopping) && signals_noted() == SIGINT) {
+		signals_forget_interrupt();
+		captured_forget(t);
 		if (t->of_script)
 			tui_say(t, false,
 			    "stopped at %s: what was done before stays, "
@@ -105,7 +105,7 @@ under_way_end(struct tui *t, bool restores, bool ok)
 		const struct entry *entry = tui_entry(t);
 		const size_t n = t->session->n_entry;
 		if (restores)
-			said_forget(t);
+			captured_forget(t);
 		char *words =
 		    entry == NULL
 			? xstrdup(tr("no site is loaded"))

@@ -7,17 +7,17 @@
 #include "tui/tui_state.h"
 
 /* A line that was typed runs from now on. */
-void under_way_typed(struct tui *t, const char *line);
+void script_progress_typed(struct tui *t, const char *line);
 
 /* See struct driver, of = struct tui *: the line, after which somebody looks
  * for Esc again. */
-void under_way_begins(void *of, const char *line);
+void script_progress_begins(void *of, const char *line);
 
 /* The same in the midst of a line, as often as it changes. */
-void under_way_draw(struct tui *t);
+void script_progress_draw(struct tui *t);
 
 /* What is left to say at its end: of one that was stopped, and of a session
  * that is there again (restores). */
-void under_way_end(struct tui *t, bool restores, bool ok);
+void script_progress_end(struct tui *t, bool restores, bool ok);
 
 #endif

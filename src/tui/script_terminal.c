@@ -12,7 +12,7 @@
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/pages.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/screen.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
@@ -27,7 +27,7 @@ static bool asks;     /* a question stands on the picture */
 static void
 press(struct tui *t, int code, bool special)
 {
-	act_key(t, code, special);
+	keymap_key(t, code, special);
 	t->clock++;
 	watch_pump(t);
 	control_predict(t);
@@ -60,13 +60,13 @@ answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-const struct tui_ways SHOT_WAYS = {.answer = answer};
+const struct tui_ways SCRIPT_WAYS = {.answer = answer};
 
 /* A word that is typed: a speed, or into a line. */
 static bool
 is_typed(const struct tui *t, const char *word)
 {
-	return act_types(t, (unsigned char)word[0]) ||
+	return keymap_types(t, (unsigned char)word[0]) ||
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 
@@ -113,7 +113,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 	if (!count_keys(word, key ? n : text_width(word), pressed, error))
 		return false;
 	if (key) {
-		for (; n > 0 && !t->leave && pump_signal() == 0; n--)
+		for (; n > 0 && !t->leave && signals_noted() == 0; n--)
 			press(t, code, code > 255);
 		return true;
 	}
@@ -140,7 +140,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
 		ok = press_word(t, word, &pressed, error);
-		if (ok && pump_signal() != 0)
+		if (ok && signals_noted() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}
@@ -182,7 +182,7 @@ static bool
 draw_new(struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
-	control_begin(&t, s, &SHOT_WAYS);
+	control_begin(&t, s, &SCRIPT_WAYS);
 	control_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
@@ -202,7 +202,7 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 }
 
 struct canvas *
-shot_draw(
+script_draw(
     struct session *s, struct screen_request *request, struct error *error)
 {
 	struct screen_request r = *request;

@@ -7,12 +7,12 @@
 #include "tui/tui_state.h"
 
 /* Drawn aside of any terminal; the next key that is pressed answers. */
-extern const struct tui_ways SHOT_WAYS;
+extern const struct tui_ways SCRIPT_WAYS;
 
 /* What the request asks for, see there.  Without an open screen one is begun on
  * the session, its keys do what they do, and it is left.  NULL with an error
  * where a key has no such name, or a signal came. */
-struct canvas *shot_draw(
+struct canvas *script_draw(
     struct session *s, struct screen_request *request, struct error *error);
 
 #endif

@@ -18,7 +18,7 @@
 #include "tui/input.h"
 #include "cli/manpage.h"
 #include "tui/pages.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "cli/restore.h"
 #include "tui/screen.h"
 #include "cli/terminal.h"
@@ -43,7 +43,7 @@ patience(const struct tui *t)
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
-		left = fmin(left, above_wait(t));
+		left = fmin(left, strip_wait(t));
 	return left > 0 ? left : 0;
 }
 
@@ -54,16 +54,16 @@ leave(void)
 {
 	aside = true;
 	screen_leave();
-	pump_note_stop(false);
-	pump_free_signals();
+	signals_note_stop(false);
+	signals_release();
 }
 
 static void
 come_back(void)
 {
-	pump_hold_signals();
-	pump_note_stop(true);
-	pump_forget_interrupt();
+	signals_hold();
+	signals_note_stop(true);
+	signals_forget_interrupt();
 	screen_return();
 	aside = false;
 }
@@ -73,8 +73,8 @@ stop_here(struct tui *t)
 {
 	double left = session_clock();
 	screen_leave();
-	pump_suspend();
-	pump_forget_interrupt();
+	signals_suspend();
+	signals_forget_interrupt();
 	screen_return();
 	t->started += session_clock() - left;
 }
@@ -85,10 +85,10 @@ take_keys(struct tui *t)
 {
 	int code;
 	bool special;
-	while (!t->leave && !t->session->quit && pump_signal() == 0 &&
+	while (!t->leave && !t->session->quit && signals_noted() == 0 &&
 	       input_key(t, &code, &special)) {
-		act_key(t, code, special);
-		pump_let_in();
+		keymap_key(t, code, special);
+		signals_let_in();
 	}
 	/* Its end does not come: keys are keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
@@ -105,7 +105,7 @@ notice_end(void)
 		return;
 	/* pselect lets no signal in while there is something to read. */
 	raise(SIGHUP);
-	pump_let_in();
+	signals_let_in();
 }
 
 /* One frame, until something happens. */
@@ -113,15 +113,15 @@ static void
 show(struct tui *t)
 {
 	frame_draw(t);
-	pump_watch(false);
-	pump_wait(patience(t));
+	signals_watch_keys(false);
+	signals_wait(patience(t));
 	notice_end();
-	int news = pump_news();
-	if (news & PUMP_STOP) {
+	int news = signals_news();
+	if (news & SIGNALS_STOP) {
 		stop_here(t);
-		news = pump_news();
+		news = signals_news();
 	}
-	if (news & (PUMP_WAKE | PUMP_SIZE))
+	if (news & (SIGNALS_WAKE | SIGNALS_SIZE))
 		screen_resize();
 }
 
@@ -136,11 +136,11 @@ static bool
 answer(struct tui *t, int *code, bool *special)
 {
 	bool done = false;
-	while (!done && pump_signal() == 0) {
+	while (!done && signals_noted() == 0) {
 		show(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			done = act_pointed(t, code, special);
+			done = keymap_pointed(t, code, special);
 		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
 			raise(SIGTSTP);
@@ -155,7 +155,7 @@ stopped(struct tui *t)
 {
 	int code;
 	bool special, stops = false;
-	pump_let_in();
+	signals_let_in();
 	while (input_key(t, &code, &special))
 		stops = stops ||
 			(!special && (code == ESCAPE || code == INTERRUPT));
@@ -165,17 +165,17 @@ stopped(struct tui *t)
 static void
 loop(struct tui *t)
 {
-	while (!t->leave && !t->session->quit && pump_signal() == 0) {
+	while (!t->leave && !t->session->quit && signals_noted() == 0) {
 		t->clock = session_clock();
-		pump_watch(true);
+		signals_watch_keys(true);
 		control_predict(t);
 		pages_update(t);
 		show(t);
 		t->clock = session_clock();
 		take_keys(t);
-		pump_watch(true);
+		signals_watch_keys(true);
 		watch_pump(t);
-		pump_watch(false);
+		signals_watch_keys(false);
 	}
 }
 
@@ -210,9 +210,9 @@ tui_run(struct session *s)
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)
 		typed_open(!s->safe);
-	rescue_note();
-	pump_hold_signals();
-	pump_take_terminal(was);
+	restore_note();
+	signals_hold();
+	signals_take_terminal(was);
 	bool opened = screen_open(terminal_colour());
 	if (opened) {
 		control_begin(&t, s, &WAYS);
@@ -221,10 +221,10 @@ tui_run(struct session *s)
 		loop(&t);
 		control_end(&t);
 		screen_close();
-		rescue_done();
+		restore_done();
 	}
-	pump_give_terminal(was);
-	pump_free_signals();
+	signals_give_terminal(was);
+	signals_release();
 	if (!history)
 		typed_close();
 	if (!opened) {
@@ -232,5 +232,5 @@ tui_run(struct session *s)
 				"check TERM, or use 'predict' without it");
 		return ERROR_SYSTEM;
 	}
-	return pump_status();
+	return signals_status();
 }

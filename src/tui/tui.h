@@ -7,7 +7,7 @@
 
 /* Opens the full screen until it is left.  Where the terminal cannot show it,
  * says so beside the results and comes back.  Returns the exit status: 0, or
- * what a signal asks for, see pump_status. */
+ * what a signal asks for, see signals_status. */
 int tui_run(struct session *s);
 
 #endif

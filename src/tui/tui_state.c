@@ -114,9 +114,9 @@ char *
 tui_asks(const struct tui *t)
 {
 	char *where = tui_where(t);
-	char *line = t->pin.site[0] != '\0' ? xasprintf("compare pinned %s",
-						  where + strlen("speed="))
-					    : xasprintf("predict %s", where);
+	char *line = t->pinned.site[0] != '\0' ? xasprintf("compare pinned %s",
+						     where + strlen("speed="))
+					       : xasprintf("predict %s", where);
 	free(where);
 	return line;
 }
@@ -165,8 +165,8 @@ tui_searched(const struct tui *t)
 void
 tui_untouch(struct tui *t)
 {
-	touch_clear(&t->touches);
-	touch_release(&t->touches);
+	hits_clear(&t->hits);
+	hits_release(&t->hits);
 	t->n_drawn = 0;
 }
 

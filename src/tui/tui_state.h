@@ -40,7 +40,7 @@ struct viewer {
 	int top, lines, left, columns;
 	bool keys, report; /* what a long job has ended with */
 	int at;
-	struct typing word;
+	struct edit word;
 };
 
 /* Plots of one frame that can be pointed at. */
@@ -109,33 +109,28 @@ struct cursor {
 	int row, column;
 };
 
-struct above;
+struct strip;
 struct page_list;
 struct page_ops;
 /* What is listed: the folder that the program runs in, of that sheets with a
  * feed that a product is estimated of, or saved sessions; or the sites that
  * come with the program. */
-enum chooser_list {
-	CHOOSER_FILES,
-	CHOOSER_FEEDS,
-	CHOOSER_SESSIONS,
-	CHOOSER_SHIPPED
-};
+enum picker_list { PICK_FILES, PICK_FEEDS, PICK_SESSIONS, PICK_SHIPPED };
 
 /* Files to open one of, over the page.  rows: the list of them; word: that they
  * have; preview: of the item `previewed`, SIZE_MAX: of none. */
-struct chooser {
+struct picker {
 	bool on;
-	enum chooser_list list;
+	enum picker_list list;
 	const struct page_list *rows;
 	struct folder folder;
-	struct typing word;
+	struct edit word;
 	size_t at, top, previewed;
 	char *preview;
 };
 
 struct inquiry;
-struct limits;
+struct envelope_check;
 struct tui;
 
 /* How a full screen is shown. */
@@ -164,7 +159,7 @@ struct ui {
 	bool cross, band, runs;   /* runs: page Predict has plot runs */
 	size_t cross_at;          /* a sieve of the prediction */
 	int level;    /* passing that the crosshair reads sizes at, % */
-	int first_at; /* of what can be done without a site */
+	int start_at; /* of what can be done without a site */
 	enum plot_kind picture; /* of the page Fit */
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
@@ -183,14 +178,14 @@ struct ui {
 struct tui {
 	struct session *session;
 	const struct tui_ways *ways;
-	struct places places;
+	struct layout layout;
 	struct ui ui;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
 	double clock;   /* s; a step with every key where it is drawn aside */
 	double started; /* the search or its last part, by that clock */
 	double ran;     /* s of its parts before */
-	struct above *above; /* what is drawn there, see above.h */
+	struct strip *strip; /* what is drawn there */
 	struct goal goal;    /* the one that is set, see goals.h */
 	bool goal_field; /* the line typed is that; fresh: as it was offered */
 	bool goal_fresh;
@@ -199,13 +194,14 @@ struct tui {
 	struct {
 		int tenths; /* 0: not yet */
 		size_t feed_run;
-	} asked;                 /* what was last predicted */
+	} request;               /* what was last predicted */
 	double moved;            /* when the slider last was */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	struct numbers now, pause, pin; /* site "": none */
-	struct prediction kept;         /* whose numbers are in pin, borrowed */
+	struct numbers current, reference, pinned; /* site "": none */
+	struct prediction
+	    pinned_whole; /* whose numbers are in pinned, borrowed */
 	bool mouse;
-	struct touches touches; /* of the frame shown */
+	struct hits hits; /* of the frame shown */
 	struct {
 		struct plot_request request;
 		struct area area;
@@ -217,26 +213,26 @@ struct tui {
 	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
 	size_t n_row;
 	int site_width[SITE_COLUMNS]; /* what the texts of each want */
-	int rows_at;           /* tenths they are of; 0: of another session */
-	size_t revision;       /* counts what may have changed the session */
-	struct limits *limits; /* see limits.h, owned, or NULL */
-	char *under_way;       /* line that is run, or NULL */
-	bool of_script;        /* it is one of a script */
-	bool stopping;         /* a key stops it */
-	double ran_from;       /* when it or its script began, s */
-	double drawn_at;       /* when that was last drawn */
-	const char *begun;     /* what takes a moment just now, or NULL */
-	bool held;             /* the calibration waits */
-	double due;            /* when the next generation is */
-	double holdout;        /* RMSE of the site in use, points, or NAN */
-	struct typing typing;  /* a command */
-	struct typing speed;
-	struct typing filter; /* a word that rows of a list must have */
+	int rows_at;     /* tenths they are of; 0: of another session */
+	size_t revision; /* counts what may have changed the session */
+	struct envelope_check *envelope_check; /* owned, or NULL */
+	char *under_way;                       /* line that is run, or NULL */
+	bool of_script;                        /* it is one of a script */
+	bool stopping;                         /* a key stops it */
+	double ran_from;   /* when it or its script began, s */
+	double drawn_at;   /* when that was last drawn */
+	const char *begun; /* what takes a moment just now, or NULL */
+	bool held;         /* the calibration waits */
+	double due;        /* when the next generation is */
+	double holdout;    /* RMSE of the site in use, points, or NAN */
+	struct edit line;  /* a command, or a goal */
+	struct edit speed;
+	struct edit filter; /* a word that rows of a list must have */
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;
 	char *closed; /* the text that was closed last, or NULL */
-	struct chooser chooser;
+	struct picker picker;
 	char *command;   /* the last one, for show */
 	const char *job; /* name of that which began the job, or NULL */
 	bool failed;     /* it did */
@@ -247,7 +243,7 @@ struct tui {
 	bool formed;          /* `now` is of a search that was under way */
 	const char *question; /* that waits for an answer, or NULL */
 	const struct inquiry *inquiry; /* likewise, for a line */
-	struct typing answer;          /* that line */
+	struct edit answer;            /* that line */
 	int inquiry_up;                /* rows its table is moved up */
 	struct {
 		bool is, special;

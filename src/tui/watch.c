@@ -8,7 +8,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "tui/control.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/captured.h"
 
 /* What is said of one that was stopped, by what became of it: in full, and
@@ -42,7 +42,7 @@ watch_keep(struct tui *t)
 	session_settle(s, true, &error);
 	t->ran = tui_searched(t);
 	t->held = false;
-	t->asked.tenths = 0;
+	t->request.tenths = 0;
 	control_look(t);
 	const char *said =
 	    useless != NULL ? useless
@@ -60,7 +60,7 @@ finish_all(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		said_error(t, &error, "", "");
+		captured_error(t, &error, "", "");
 	else
 		tui_say(t, false,
 		    "all sites are calibrated: Enter opens one, :validate all "
@@ -75,7 +75,7 @@ finish(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		said_error(t, &error, "", "");
+		captured_error(t, &error, "", "");
 	t->held = false;
 	control_look(t);
 	const struct entry *entry = tui_entry(t);
@@ -101,9 +101,9 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	}
 	t->held = false;
 	control_look(t);
-	said_show(t);
+	captured_show(t);
 	if (!session_settle(t->session, true, &error))
-		said_error(t, &error, "", "");
+		captured_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",
@@ -139,7 +139,7 @@ watch_step(struct tui *t)
 	do
 		session_step(t->session);
 	while (session_busy(t->session) && is_drawing(t->session));
-	t->asked.tenths = 0;
+	t->request.tenths = 0;
 	if (!session_busy(t->session))
 		finish_rounds(t, rounds);
 }
@@ -177,17 +177,17 @@ watch_pump(struct tui *t)
 	do {
 		/* What each round says is not for a result. */
 		if (rounds->at != NULL)
-			said_forget(t);
+			captured_forget(t);
 		session_step(s);
-	} while (session_busy(s) && pump_signal() == 0 &&
-		 entry == s->job.entry &&
-		 (pace == PACE_FULL || is_drawing(s)) &&
-		 (t->aside ||
-		     (!pump_waited_for() && session_clock() - began < FRAME)));
+	} while (
+	    session_busy(s) && signals_noted() == 0 && entry == s->job.entry &&
+	    (pace == PACE_FULL || is_drawing(s)) &&
+	    (t->aside ||
+		(!signals_waited_for() && session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / pace_now(t);
 	if (entry == s->current && rounds->at == NULL)
-		t->asked.tenths = 0;
+		t->request.tenths = 0;
 	if (!session_busy(s))
 		finish_rounds(t, rounds);
 	else if (rounds->at == NULL && entry != s->job.entry)

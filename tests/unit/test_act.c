@@ -33,7 +33,7 @@ static void
 type(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		act_key(t, (int)text_next(&text), false);
+		keymap_key(t, (int)text_next(&text), false);
 }
 
 static int
@@ -51,8 +51,8 @@ every_letter_is_text_in_a_line(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":\u0157\u0107");
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "\u0157\u0107");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "\u0157\u0107");
 }
 
 static void
@@ -70,7 +70,7 @@ what_is_completed_is_whole_letters(void **state)
 	unlink("xä.csv");
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
-	assert_string_equal(t->typing.text, "load x");
+	assert_string_equal(t->line.text, "load x");
 }
 
 static void
@@ -78,14 +78,14 @@ the_keypad_has_an_enter(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
-	act_key(t, KEY_ENTER, true);
+	keymap_key(t, KEY_ENTER, true);
 	assert_int_equal(t->ui.tenths, 723);
 	type(t, "?/up by 5");
-	act_key(t, KEY_ENTER, true);
+	keymap_key(t, KEY_ENTER, true);
 	assert_int_equal(t->ui.tenths, 773);
 	type(t, ":set k 1");
-	act_key(t, KEY_ENTER, true);
-	assert_false(t->typing.active);
+	keymap_key(t, KEY_ENTER, true);
+	assert_false(t->line.active);
 	assert_string_equal(t->command, "set k 1");
 }
 
@@ -105,7 +105,7 @@ press(struct tui *t, const char *name)
 {
 	int code = 0;
 	assert_true(keys_code(name, &code));
-	act_key(t, code, code > 255);
+	keymap_key(t, code, code > 255);
 }
 
 /* Enter would do what cannot be seen. */
@@ -122,7 +122,7 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	frame_draw(t);
 	canvas_free(screen_back(was));
 	assert_in_range(v->at, 19, 21); /* headings above */
-	assert_in_range(v->at - v->top, 0, t->places.body.rows - 1);
+	assert_in_range(v->at - v->top, 0, t->layout.body.rows - 1);
 	assert_in_range(v->top, 1, 21);
 	frame_draw(t);
 	type(t, "\033:help predict\n");
@@ -155,7 +155,7 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	canvas_free(screen_back(was));
 	type(t, "x");
 	assert_null(t->viewer.text);
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 }
 
 /* Else a pause would count as slow work, and what is taken up again as quick. */
@@ -213,9 +213,9 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 }
 
 static bool
-mouse(struct tui *t, enum touch_kind kind, int row, int column)
+mouse(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	return touch_mouse(t, &t->touches, kind, row, column, act_key);
+	return hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 }
 
 /* Works out all that is drawn and draws it, as the loop does. */
@@ -275,7 +275,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
 	type(t, "t5.2\n");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
 	assert_string_equal(t->command, "set goal \"p80=5.2\"");
 	assert_false(goal_known(t));
@@ -328,7 +328,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	assert_int_equal(t->ui.tenths, 743);
 	t->aside = true;
 	pages_update(t);
-	assert_true(above_wait(t) <= 0);
+	assert_true(strip_wait(t) <= 0);
 	control_predict(t);
 	int best = slider_tenths(tui_range(t), goal_best(t));
 	assert_int_not_equal(best, 743);
@@ -340,7 +340,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	t->aside = false;
 	type(t, "Nx");
 	t->aside = true;
-	assert_int_equal(lround(10 * t->pin.speed), best);
+	assert_int_equal(lround(10 * t->pinned.speed), best);
 }
 
 /* Nor is it worked out again for what changes nothing of it. */
@@ -377,7 +377,7 @@ a_goal_may_be_set_while_a_first_search_runs(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":load data/sites/tierp.csv\nt");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	type(t, "f");
 	watch_pump(t);
 	draw_all(t);
@@ -513,7 +513,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	type(t, "t");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	assert_true(t->bad);
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
@@ -523,11 +523,11 @@ what_is_no_goal_stays_in_its_field(void **state)
 		type(t, "t");
 		type(t, BAD[i]);
 		type(t, "\n");
-		assert_true(t->typing.active && t->bad);
-		assert_string_equal(t->typing.text, BAD[i]);
+		assert_true(t->line.active && t->bad);
+		assert_string_equal(t->line.text, BAD[i]);
 		assert_string_equal(t->session->set.goal, "");
 		type(t, "\033");
-		assert_false(t->typing.active);
+		assert_false(t->line.active);
 	}
 	/* What stands there already is only offered. */
 	static const struct {
@@ -548,7 +548,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_string_equal(t->session->set.goal, "p80<6");
 	assert_int_equal(t->ui.quantity.kind, QUANTITY_PASSING);
 	type(t, "tfin\t");
-	assert_string_equal(t->typing.text, "fines<");
+	assert_string_equal(t->line.text, "fines<");
 	type(t, "6\n");
 	draw_all(t);
 	assert_true(goal_known(t));
@@ -595,11 +595,11 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	type(t, "y");
 	/* A press there is one on the track. */
 	draw_all(t);
-	struct area above = t->places.above;
+	struct area above = t->layout.strip;
 	assert_true(
-	    mouse(t, TOUCH_PRESS, above.row, places_track(&t->places).column));
+	    mouse(t, HIT_PRESS, above.row, layout_track(&t->layout).column));
 	assert_int_equal(t->ui.tenths, tui_range(t).least);
-	touch_release(&t->touches);
+	hits_release(&t->hits);
 }
 
 /* As set, a run's feed is the slider's too, and it can be taken back. */
@@ -635,7 +635,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
 	draw_all(t);
-	for (; above_point(t, n, &speed, value); n++) {
+	for (; strip_point(t, n, &speed, value); n++) {
 		struct question q = {
 		    .entry = tui_entry(t), .feed = tui_feed(t)};
 		struct prediction p = forecast_product(t->session, &q, speed);
@@ -688,8 +688,8 @@ bounds_are_typed_on_their_strip(void **state)
 	type(t, "2");
 	press(t, "Down");
 	press(t, "Enter");
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "bounds beta1 ");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "bounds beta1 ");
 	type(t, "0..5\n");
 	assert_string_equal(t->command, "bounds beta1 0..5");
 	assert_true(s->set.bounds.lower[0] == 0 && s->set.bounds.upper[0] == 5);
@@ -699,10 +699,10 @@ bounds_are_typed_on_their_strip(void **state)
 		press(t, "Down");
 	assert_int_equal(t->ui.param_at, 7);
 	frame_draw(t);
-	int row = t->places.side.row;
-	while (!t->typing.active && row < 24)
-		mouse(t, TOUCH_PRESS, row++, t->places.side.column + 2);
-	assert_string_equal(t->typing.text, "bounds beta1 ");
+	int row = t->layout.side.row;
+	while (!t->line.active && row < 24)
+		mouse(t, HIT_PRESS, row++, t->layout.side.column + 2);
+	assert_string_equal(t->line.text, "bounds beta1 ");
 }
 
 static void
@@ -739,21 +739,21 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	type(t, "2");
 	frame_draw(t);
 	size_t n = tui_past(t).n;
-	const struct area s = t->places.caption;
+	const struct area s = t->layout.caption;
 	int column = 30;
 	assert_true(n > 1 && s.rows == 1);
-	assert_false(mouse(t, TOUCH_DRAG, s.row, column));
+	assert_false(mouse(t, HIT_DRAG, s.row, column));
 	assert_null(t->ui.focus);
-	assert_true(mouse(t, TOUCH_PRESS, s.row, column));
+	assert_true(mouse(t, HIT_PRESS, s.row, column));
 	assert_true(t->ui.focus == &page_fit);
 	assert_in_range(tui_generation(t), 2, n - 1);
-	assert_true(mouse(t, TOUCH_DRAG, 0, 0));
+	assert_true(mouse(t, HIT_DRAG, 0, 0));
 	assert_int_equal(tui_generation(t), 1);
-	assert_true(mouse(t, TOUCH_DRAG, 0, 90));
+	assert_true(mouse(t, HIT_DRAG, 0, 90));
 	assert_int_equal(tui_generation(t), n);
-	touch_release(&t->touches);
-	assert_false(mouse(t, TOUCH_DRAG, 0, 0));
-	assert_true(mouse(t, TOUCH_PRESS, t->places.header.row, 79));
+	hits_release(&t->hits);
+	assert_false(mouse(t, HIT_DRAG, 0, 0));
+	assert_true(mouse(t, HIT_PRESS, t->layout.header.row, 79));
 	assert_true(t->viewer.keys);
 }
 
@@ -786,10 +786,10 @@ a_colon_begins_a_line_over_what_fills_the_screen(void **state)
 	assert_non_null(t->viewer.text);
 	type(t, ":bounds");
 	assert_null(t->viewer.text);
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "bounds");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "bounds");
 	type(t, "\033?:undo");
-	assert_string_equal(t->typing.text, "undo");
+	assert_string_equal(t->line.text, "undo");
 }
 
 /* What is on the frame. */
@@ -819,9 +819,9 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	control_look(t);
 	draw_all(t);
 	char *text = frame_text();
-	int row = 0, from = t->places.above.row,
-	    to = from + t->places.above.rows;
-	assert_true(t->places.above.rows > 64);
+	int row = 0, from = t->layout.strip.row,
+	    to = from + t->layout.strip.rows;
+	assert_true(t->layout.strip.rows > 64);
 	for (const char *line = text; *line != '\0';
 	     line += strcspn(line, "\n"), line += *line == '\n', row++) {
 		double value;
@@ -853,15 +853,16 @@ so_many_keys_are_pressed_and_no_more(void **state)
 	control_end(&stage->t);
 	for (size_t i = 0; i < ARRAY_LEN(MANY); i++) {
 		request.keys = MANY[i];
-		assert_null(shot_draw(stage->desk->session, &request, &error));
+		assert_null(
+		    script_draw(stage->desk->session, &request, &error));
 		assert_non_null(strstr(error.text, "at most 9999 keys"));
 	}
 	request.keys = "Left*9000 Right*999";
 	struct canvas *canvas =
-	    shot_draw(stage->desk->session, &request, &error);
+	    script_draw(stage->desk->session, &request, &error);
 	assert_non_null(canvas);
 	canvas_free(canvas);
-	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
 }
 
 static void
@@ -869,7 +870,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	stage->desk->session->hooks.draw_screen = shot_draw;
+	stage->desk->session->hooks.draw_screen = script_draw;
 	canvas_free(screen_back(stage->was));
 	stage->was = screen_aside(50, 170, CHARSET_ASCII, 0);
 	desk_expect(stage->desk,
@@ -893,7 +894,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	t->aside = true;
 	type(t, ":spec use EN 12620 0/4\n");
 	for (enum page page = 0; page < PAGES; page++) {
-		act_key(t, '1' + (int)page, false);
+		keymap_key(t, '1' + (int)page, false);
 		type(t, ":screen\n:screen width=150 height=48\n\033");
 		t->message[0] = '\0';
 		draw_all(t);
@@ -939,20 +940,20 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	void *desk;
 	desk_open(&desk);
 	struct session *other = ((struct desk *)desk)->session;
-	const struct numbers pin = t->pin;
+	const struct numbers pin = t->pinned;
 	enum page page = t->ui.page;
 	control_end(t);
-	control_begin(t, other, &SHOT_WAYS);
+	control_begin(t, other, &SCRIPT_WAYS);
 	char *line = xasprintf(":source %s\n", file);
 	type(t, line);
 	free(line);
 	control_end(t);
-	control_begin(t, other, &SHOT_WAYS);
+	control_begin(t, other, &SCRIPT_WAYS);
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
-	assert_true(t->pin.feed == 69 && t->pin.speed == 74);
-	assert_memory_equal(t->pin.size, pin.size, sizeof pin.size);
+	assert_true(t->pinned.feed == 69 && t->pinned.speed == 74);
+	assert_memory_equal(t->pinned.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
 	free(is);
 	control_end(t);
@@ -988,11 +989,11 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		char *was = shown(t);
 		/* In a new session, and then in the screen that is open. */
 		shows_in_another(t, file, was);
-		control_begin(t, stage->desk->session, &SHOT_WAYS);
+		control_begin(t, stage->desk->session, &SCRIPT_WAYS);
 		type(t, ":reset\n");
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
-		assert_int_equal(t->pin.site[0], '\0');
+		assert_int_equal(t->pinned.site[0], '\0');
 		line = xasprintf(":restore %s\n", file);
 		type(t, line);
 		/* No text of what its commands said is to be closed. */
@@ -1022,19 +1023,19 @@ what_is_left_is_found_again(void **state)
 	t->aside = false; /* as where somebody looks */
 	control_end(t);
 	assert_string_equal(s->set.goal, "p80<5.2");
-	control_begin(t, s, &SHOT_WAYS);
+	control_begin(t, s, &SCRIPT_WAYS);
 	assert_int_equal(t->ui.page, PAGE_PARITY);
 	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
-	assert_true(t->pin.speed == 74);
+	assert_true(t->pinned.speed == 74);
 	type(t, "1u");
 	assert_string_equal(s->set.goal, "");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "u");
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
 	type(t, "UU");
 	assert_string_equal(s->set.goal, "p80<5.2");
-	assert_true(t->pin.speed == 74);
+	assert_true(t->pinned.speed == 74);
 	/* A search goes on when a goal is set, which is saved nevertheless. */
 	type(t, "fy");
 	watch_pump(t);
@@ -1063,10 +1064,10 @@ go_through(struct tui *t, const char *at)
 			free(frame);
 		}
 		if (frames % 10 < 2) {
-			double p80 = t->now.size[2];
+			double p80 = t->current.size[2];
 			type(t, frames % 2 == 0 ? "H" : "L");
 			control_predict(t);
-			assert_true(t->now.size[2] != p80);
+			assert_true(t->current.size[2] != p80);
 			assert_non_null(t->shown.low);
 		}
 		watch_pump(t);
@@ -1164,14 +1165,14 @@ e_proposes_a_file(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	type(t, "e");
 	assert_string_equal(
-	    t->typing.text, "predict speed=74.0 > tierp-74.0.xlsx");
+	    t->line.text, "predict speed=74.0 > tierp-74.0.xlsx");
 	type(t, "\033");
 	control_predict(t);
 	type(t, "xe");
 	assert_string_equal(
-	    t->typing.text, "compare pinned 74.0 > tierp-74.0.xlsx");
+	    t->line.text, "compare pinned 74.0 > tierp-74.0.xlsx");
 	type(t, "ab\bc");
-	assert_string_equal(t->typing.text, "compare pinned 74.0 > ac");
+	assert_string_equal(t->line.text, "compare pinned 74.0 > ac");
 	type(t, "\033");
 }
 
@@ -1223,19 +1224,19 @@ a_pinned_answer_keeps_its_feed(void **state)
 	type(t, ":predict 74 feed=69\n");
 	control_predict(t);
 	type(t, "x");
-	assert_true(t->pin.feed == 69);
+	assert_true(t->pinned.feed == 69);
 	type(t, "\033");
 	type(t, ":predict 79 feed=79\n");
 	control_predict(t);
 	assert_int_equal(t->shown.feed_run, 2);
 	type(t, "d");
 	assert_non_null(strstr(t->command, "beside=pinned"));
-	snprintf(want, sizeof want, "P50 %.2f mm, P80 %.2f mm", t->pin.size[1],
-	    t->pin.size[2]);
+	snprintf(want, sizeof want, "P50 %.2f mm, P80 %.2f mm",
+	    t->pinned.size[1], t->pinned.size[2]);
 	assert_non_null(strstr(t->viewer.text, want));
 	type(t, "\033e");
 	assert_string_equal(
-	    t->typing.text, "compare pinned 79.0 feed=79 > tierp-79.0.xlsx");
+	    t->line.text, "compare pinned 79.0 feed=79 > tierp-79.0.xlsx");
 	type(t, "\033");
 }
 
@@ -1301,15 +1302,15 @@ a_shows_the_answer_of_the_correction(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	draw_all(t);
-	double all = t->now.size[1];
+	double all = t->current.size[1];
 	type(t, "aa");
 	draw_all(t);
 	assert_null(t->shown.low);
-	assert_true(fabs(t->now.size[1] - all) > 1e-6);
+	assert_true(fabs(t->current.size[1] - all) > 1e-6);
 	type(t, "a");
 	draw_all(t);
 	assert_non_null(t->shown.low);
-	assert_float_equal(t->now.size[1], all, 1e-9);
+	assert_float_equal(t->current.size[1], all, 1e-9);
 	/* Page Data takes its column from the same answer; so does undo. */
 	type(t, "3aau");
 	draw_all(t);
@@ -1340,7 +1341,7 @@ a_size_is_one_number_everywhere(void **state)
 	for (int v = 70; v <= 84; v += 2) {
 		t->ui.tenths = 10 * v;
 		draw_all(t);
-		double p50 = t->now.size[1];
+		double p50 = t->current.size[1];
 		apart = fmax(
 		    apart, fabs(p50 - 1000 * psd_size(&t->shown.product, 0.5)));
 		type(t, "d");
@@ -1396,24 +1397,25 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	draw_all(t);
 	type(t, "x");
-	double p50 = t->pin.size[1];
+	double p50 = t->pinned.size[1];
 	for (int i = 0; i < 30; i++)
 		press(t, "Right");
 	draw_all(t);
 	type(t, "/x");
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 	assert_non_null(strstr(t->message, "unpinned tierp at 74.0 m/s: u"));
 	draw_all(t);
 	type(t, "u");
-	assert_true(t->pin.speed == 74 && t->pin.size[1] == p50);
-	assert_true(t->kept.speed == 74 && t->kept.product.n > 0);
+	assert_true(t->pinned.speed == 74 && t->pinned.size[1] == p50);
+	assert_true(
+	    t->pinned_whole.speed == 74 && t->pinned_whole.product.n > 0);
 	assert_true(tui_entry(t)->has_fit);
 	draw_all(t);
 	/* x again pins what is shown; each is a step of undo. */
 	type(t, "xx");
-	assert_true(t->pin.speed == 77);
+	assert_true(t->pinned.speed == 77);
 	type(t, "x:set k 2\nuuuuu");
-	assert_int_equal(t->pin.site[0], '\0');
+	assert_int_equal(t->pinned.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
 	type(t, "u");
 	assert_false(tui_entry(t)->has_fit);
@@ -1494,7 +1496,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	control_end(t);
 	assert_false(session_busy(s));
 	assert_true(session_entry(s)->fit.misfit == best);
-	control_begin(t, s, &SHOT_WAYS);
+	control_begin(t, s, &SCRIPT_WAYS);
 }
 
 static volatile sig_atomic_t stops;
@@ -1526,7 +1528,7 @@ control_z_stops_wherever_it_is_typed(void **state)
 	sigaction(SIGTSTP, &action, &was);
 	type(t, ":help\032");
 	assert_int_equal(stops, 1);
-	assert_string_equal(t->typing.text, "help");
+	assert_string_equal(t->line.text, "help");
 	type(t, "\n\032");
 	assert_int_equal(stops, 2);
 	assert_non_null(t->viewer.text);
@@ -1555,7 +1557,7 @@ what_is_pasted_is_no_keys(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	paste(t, ":quit\n79\nq\003\032");
-	assert_false(t->typing.active || t->leave || t->session->quit);
+	assert_false(t->line.active || t->leave || t->session->quit);
 	assert_non_null(strstr(t->message, "pasted text was ignored"));
 	/* Keys with a name, as a hostile text may have them. */
 	input_paste(t, SCREEN_PASTE, true);
@@ -1570,12 +1572,12 @@ what_is_pasted_goes_into_an_open_line_up_to_its_end(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":set k\t");
 	paste(t, "\n 1\t\033[A5\302\233å\r\n");
-	assert_string_equal(t->typing.text, "set k  1 [A5å");
+	assert_string_equal(t->line.text, "set k  1 [A5å");
 	assert_string_equal(t->message, "");
 	paste(t, "9\nsecond");
-	assert_string_equal(t->typing.text, "set k  1 [A5å9");
+	assert_string_equal(t->line.text, "set k  1 [A5å9");
 	assert_non_null(strstr(t->message, "only part"));
-	assert_true(t->typing.active);
+	assert_true(t->line.active);
 	type(t, "\0337");
 	paste(t, "q1.5\n");
 	assert_string_equal(t->speed.text, "71.5");

@@ -34,7 +34,7 @@ press(struct tui *t, const char *name)
 {
 	int code = 0;
 	assert_true(keys_code(name, &code));
-	act_key(t, code, code > 255);
+	keymap_key(t, code, code > 255);
 	t->clock++;
 	watch_pump(t);
 	control_predict(t);
@@ -68,13 +68,13 @@ shows(const char *words)
 static void
 choose(struct tui *t, const char *name)
 {
-	const struct folder *folder = &t->chooser.folder;
+	const struct folder *folder = &t->picker.folder;
 	press(t, "Home");
 	for (size_t i = 1; i < folder->n &&
-			   strcmp(folder->item[t->chooser.at].name, name) != 0;
+			   strcmp(folder->item[t->picker.at].name, name) != 0;
 	     i++)
 		press(t, "Down");
-	assert_string_equal(folder->item[t->chooser.at].name, name);
+	assert_string_equal(folder->item[t->picker.at].name, name);
 }
 
 static void
@@ -89,10 +89,10 @@ without_a_site_it_shows_what_can_be_done(void **state)
 	press(t, "Up");
 	press(t, "Up");
 	press(t, "Enter");
-	assert_true(t->chooser.on);
+	assert_true(t->picker.on);
 	assert_true(shows("open a sheet, in this folder"));
 	press(t, "Esc");
-	assert_false(t->chooser.on);
+	assert_false(t->picker.on);
 	assert_true(shows("Open a sheet"));
 }
 
@@ -102,7 +102,7 @@ a_saved_session_is_restored(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	const struct folder *folder = &t->chooser.folder;
+	const struct folder *folder = &t->picker.folder;
 	press(t, "Down");
 	press(t, "Enter");
 	assert_true(shows("saved sessions, in this folder"));
@@ -110,12 +110,14 @@ a_saved_session_is_restored(void **state)
 		assert_true(folder->item[i].kind == FOLDER_SESSION ||
 			    folder->item[i].kind == FOLDER_ABOVE ||
 			    folder->item[i].kind == FOLDER_BELOW);
-	choose(t, "doc");
+	choose(t, "data");
 	press(t, "Enter");
-	choose(t, "demo.tip");
-	assert_int_equal(folder->item[t->chooser.at].kind, FOLDER_SESSION);
-	char *line = folder_command(&folder->item[t->chooser.at], true);
-	assert_string_equal(line, "restore \"doc/demo.tip\"");
+	choose(t, "sessions");
+	press(t, "Enter");
+	choose(t, "paper.tip");
+	assert_int_equal(folder->item[t->picker.at].kind, FOLDER_SESSION);
+	char *line = folder_command(&folder->item[t->picker.at], true);
+	assert_string_equal(line, "restore \"data/sessions/paper.tip\"");
 	free(line);
 	press(t, "Esc");
 	press(t, "Up");
@@ -134,7 +136,7 @@ a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
 	choose(t, "borlange.csv");
 	assert_true(shows("3 runs: 69, 74, 79 m/s"));
 	press(t, "Enter");
-	assert_false(t->chooser.on);
+	assert_false(t->picker.on);
 	assert_string_equal(t->command, "load \"data/sites/borlange.csv\"");
 	assert_non_null(strstr(t->message, "f calibrates"));
 	assert_int_equal(stage->desk->session->n_entry, 1);
@@ -150,16 +152,16 @@ left_goes_to_the_folder_above(void **state)
 	press(t, "o");
 	choose(t, "data");
 	press(t, "Enter");
-	assert_string_equal(t->chooser.folder.path, "data/");
+	assert_string_equal(t->picker.folder.path, "data/");
 	press(t, "Left");
-	assert_string_equal(t->chooser.folder.path, "");
+	assert_string_equal(t->picker.folder.path, "");
 	press(t, "Left");
 	press(t, "Left");
-	assert_string_equal(t->chooser.folder.path, "../../");
+	assert_string_equal(t->picker.folder.path, "../../");
 	/* A key that is no letter closes the list and does what it does. */
 	press(t, ":");
-	assert_false(t->chooser.on);
-	assert_true(t->typing.active);
+	assert_false(t->picker.on);
+	assert_true(t->line.active);
 }
 
 /* Not to one another, and to no line that cannot be run. */
@@ -173,7 +175,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 		t->message[0] = '\0';
 		press(t, ASKING[i]);
 		assert_string_equal(t->message, TUI_NO_SITE);
-		assert_false(t->typing.active);
+		assert_false(t->line.active);
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 	}
 	t->message[0] = '\0';
@@ -184,7 +186,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 	assert_false(shows("Enter use it"));
 	assert_true(shows("o open a sheet"));
 	press(t, "o");
-	assert_true(t->chooser.on);
+	assert_true(t->picker.on);
 }
 
 /* Only the program, in a folder. */
@@ -199,7 +201,7 @@ made_sites_need_no_installation(void **state)
 	press(t, "Down");
 	press(t, "Down");
 	press(t, "Enter");
-	assert_in_range(t->chooser.folder.n, 15, 19);
+	assert_in_range(t->picker.folder.n, 15, 19);
 	type(t, "forsby");
 	press(t, "Enter");
 	assert_string_equal(tui_entry(t)->site->name, "Forsby");
@@ -215,16 +217,16 @@ letters_narrow_the_list(void **state)
 	press(t, "Down");
 	press(t, "Down");
 	press(t, "Enter");
-	size_t all = t->chooser.folder.n;
+	size_t all = t->picker.folder.n;
 	type(t, "limestone");
-	assert_true(t->chooser.on);
+	assert_true(t->picker.on);
 	assert_true(shows("what has 'limestone'"));
-	assert_in_range(t->chooser.folder.n, 1, all - 1);
+	assert_in_range(t->picker.folder.n, 1, all - 1);
 	press(t, "Esc");
-	assert_int_equal(t->chooser.folder.n, all);
+	assert_int_equal(t->picker.folder.n, all);
 	type(t, "tierz");
 	assert_true(shows("nothing here has 'tierz'"));
-	assert_string_equal(t->chooser.word.text, "tier");
+	assert_string_equal(t->picker.word.text, "tier");
 	press(t, "Enter");
 	assert_string_equal(tui_entry(t)->site->name, "Tierp");
 	/* Left is the folder above, narrowed or not. */
@@ -232,12 +234,12 @@ letters_narrow_the_list(void **state)
 	type(t, "data");
 	press(t, "Enter");
 	type(t, "sit");
-	assert_int_equal(t->chooser.folder.n, 1);
+	assert_int_equal(t->picker.folder.n, 1);
 	press(t, "Left");
-	assert_string_equal(t->chooser.folder.path, "");
-	assert_int_equal(t->chooser.word.n, 0);
+	assert_string_equal(t->picker.folder.path, "");
+	assert_int_equal(t->picker.word.n, 0);
 	press(t, "Esc");
-	assert_false(t->chooser.on);
+	assert_false(t->picker.on);
 }
 
 static void
@@ -248,7 +250,7 @@ a_site_of_the_program_is_tried(void **state)
 	press(t, "Down");
 	press(t, "Down");
 	press(t, "Enter");
-	assert_int_equal(t->chooser.folder.n, 19);
+	assert_int_equal(t->picker.folder.n, 19);
 	choose(t, "tierp.csv");
 	assert_true(shows("tierp           Granite          "));
 	press(t, "Enter");
@@ -274,8 +276,8 @@ a_feed_fills_the_guess(void **state)
 	choose(t, "feed.csv");
 	assert_true(shows("a feed, no product"));
 	press(t, "Enter");
-	assert_true(t->typing.active);
-	assert_string_equal(t->typing.text, "guess rock=Gneiss top=16");
+	assert_true(t->line.active);
+	assert_string_equal(t->line.text, "guess rock=Gneiss top=16");
 	/* What is not stated is typed where it belongs. */
 	sheet = fopen("feed.csv", "w");
 	fputs("top_size_mm,16\nsize_mm,feed\n16,100\n4,40\n1,9\n", sheet);
@@ -288,7 +290,7 @@ a_feed_fills_the_guess(void **state)
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
 	type(t, "granitegranite");
-	assert_string_equal(t->typing.text, "guess rock=granitegranite top=16");
+	assert_string_equal(t->line.text, "guess rock=granitegranite top=16");
 	press(t, "Enter");
 	assert_non_null(t->viewer.text);
 	assert_non_null(strstr(t->viewer.text,
@@ -303,30 +305,30 @@ what_cannot_be_loaded_leaves_the_list_open(void **state)
 	type(t, "README");
 	press(t, "Enter");
 	assert_true(t->bad);
-	assert_true(t->chooser.on);
+	assert_true(t->picker.on);
 	assert_true(shows("! README.md"));
 	press(t, "Down");
 	assert_false(shows("! README.md"));
 	press(t, "Esc");
 	press(t, "Esc");
-	assert_false(t->chooser.on);
+	assert_false(t->picker.on);
 }
 
 static void
 the_mouse_chooses_and_opens(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	press(t, "o");
 	int row = l->body.row + 2;
-	touch_mouse(t, &t->touches, TOUCH_PRESS, row, 3, act_key);
-	assert_int_equal(t->chooser.at, 1);
+	hits_mouse(t, &t->hits, HIT_PRESS, row, 3, keymap_key);
+	assert_int_equal(t->picker.at, 1);
 	frame_draw(t);
-	touch_mouse(t, &t->touches, TOUCH_DOWN, row, 3, act_key);
-	assert_int_equal(t->chooser.at, 2);
+	hits_mouse(t, &t->hits, HIT_DOWN, row, 3, keymap_key);
+	assert_int_equal(t->picker.at, 2);
 	frame_draw(t);
-	touch_mouse(t, &t->touches, TOUCH_PRESS, row + 1, 3, act_key);
-	assert_string_not_equal(t->chooser.folder.path, "");
+	hits_mouse(t, &t->hits, HIT_PRESS, row + 1, 3, keymap_key);
+	assert_string_not_equal(t->picker.folder.path, "");
 }
 
 static void
@@ -339,7 +341,7 @@ safe_lists_no_files(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(KEYS_THERE); i++) {
 		t->message[0] = '\0';
 		press(t, KEYS_THERE[i]);
-		assert_false(t->chooser.on);
+		assert_false(t->picker.on);
 		assert_non_null(strstr(t->message, "--safe"));
 	}
 }

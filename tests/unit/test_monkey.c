@@ -138,16 +138,16 @@ static void
 type_text(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		act_key(t, (int)text_next(&text), false);
+		keymap_key(t, (int)text_next(&text), false);
 }
 
 static void
 type_line(struct tui *t)
 {
-	act_key(t, 27, false);
-	act_key(t, ':', false);
+	keymap_key(t, 27, false);
+	keymap_key(t, ':', false);
 	type_text(t, TYPED[below(ARRAY_LEN(TYPED))]);
-	act_key(t, below(5) > 0 ? '\n' : '\t', false);
+	keymap_key(t, below(5) > 0 ? '\n' : '\t', false);
 }
 
 /* Something is set and at once drawn beside: what both states know of it is
@@ -159,7 +159,7 @@ type_more(struct tui *t)
 	if (below(2) == 0) {
 		type_text(t, SPEEDS[below(ARRAY_LEN(SPEEDS))]);
 	} else {
-		act_key(t, 't', false);
+		keymap_key(t, 't', false);
 		type_text(t, GOALS[below(ARRAY_LEN(GOALS))]);
 	}
 	for (size_t n = below(4); n > 0; n--)
@@ -171,12 +171,12 @@ type_more(struct tui *t)
 static void
 use_mouse(struct tui *t)
 {
-	enum touch_kind kind = (enum touch_kind)below(4);
+	enum hit_kind kind = (enum hit_kind)below(4);
 	int row = (int)below((size_t)rows + 2) - 1,
 	    column = (int)below((size_t)columns + 2) - 1;
-	touch_mouse(t, &t->touches, kind, row, column, act_key);
+	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 	if (below(3) == 0)
-		touch_release(&t->touches);
+		hits_release(&t->hits);
 }
 
 /* All that the loop does between two keys. */
@@ -208,7 +208,7 @@ one_step(struct tui *t)
 	else if (what < 10)
 		use_mouse(t);
 	else
-		act_key(t, code, code > 255);
+		keymap_key(t, code, code > 255);
 }
 
 /* Some hundred steps on a session of its own. */
@@ -226,7 +226,7 @@ walk(uint64_t seed)
 	if (below(4) > 0)
 		desk_expect(desk, "load data/sites/bro.csv "
 				  "data/sites/ossjo.csv data/sites/tierp.csv");
-	desk->session->hooks.draw_screen = shot_draw;
+	desk->session->hooks.draw_screen = script_draw;
 	/* From here on no file is written and no shell run. */
 	desk->session->safe = true;
 	before = screen_aside(rows, columns, CHARSET_BRAILLE, 256);
@@ -243,13 +243,13 @@ walk(uint64_t seed)
 	/* It still answers: from wherever it is, back, and on. */
 	input_end_paste(&t);
 	for (int i = 0; i < 12; i++)
-		act_key(&t, 27, false);
+		keymap_key(&t, 27, false);
 	go_on(&t);
-	assert_false(t.typing.active || t.filter.active || t.ui.cross);
+	assert_false(t.line.active || t.filter.active || t.ui.cross);
 	assert_null(t.viewer.text);
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
 	assert_null(t.ui.focus);
-	act_key(&t, 'q', false);
+	keymap_key(&t, 'q', false);
 	assert_true(t.leave);
 	control_end(&t);
 	canvas_free(screen_back(before));

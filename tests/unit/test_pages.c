@@ -48,7 +48,7 @@ press(struct tui *t, const char *names)
 	     name = strtok_r(NULL, " ", &left)) {
 		int code = 0;
 		assert_true(keys_code(name, &code));
-		act_key(t, code, code > 255);
+		keymap_key(t, code, code > 255);
 		control_predict(t);
 		pages_update(t);
 		frame_draw(t);
@@ -97,7 +97,7 @@ every_page_is_opened_and_saved(void **state)
 		assert_true(text_choice(SETTINGS_PAGES, word, &at));
 		free(word);
 		assert_int_equal(at, page);
-		act_key(t, '1' + (int)page, false);
+		keymap_key(t, '1' + (int)page, false);
 		turn(t);
 		assert_int_equal(t->ui.page, page);
 		control_set_looks(t);
@@ -114,7 +114,7 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct session *s = t->session;
-	typed_line_run(t, "calibrate all");
+	cmdline_run(t, "calibrate all");
 	assert_true(session_busy(s));
 	turn(t);
 	assert_int_equal(t->ui.page, PAGE_SITES);
@@ -147,7 +147,7 @@ what_it_ends_with_is_what_calibrate_all_says(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	typed_line_run(t, "calibrate all");
+	cmdline_run(t, "calibrate all");
 	for (int i = 0; i < 3; i++)
 		turn(t);
 	assert_false(session_busy(t->session));
@@ -176,7 +176,7 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 	assert_non_null(strstr(row_of(stage, 2), "tierp"));
 	const char *head = row_of(stage, 1);
 	int rock = (int)(strstr(head, "rock") - head);
-	assert_true(touch_mouse(t, &t->touches, TOUCH_PRESS, 1, rock, act_key));
+	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, 1, rock, keymap_key));
 	assert_non_null(strstr(row_of(stage, 1), "rock^"));
 	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
 	/* Down goes down on the screen. */
@@ -238,7 +238,7 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	typed_line_run(t, "use tierp");
+	cmdline_run(t, "use tierp");
 	resize(stage, 12, 40);
 	press(t, "3");
 	assert_non_null(strstr(row_of(stage, 1), "feed@69"));

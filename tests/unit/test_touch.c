@@ -55,7 +55,7 @@ press(struct stage *stage, const char *names)
 		do {
 			if (!named)
 				code = (int)text_next(&rest);
-			act_key(&stage->t, code, code > 255);
+			keymap_key(&stage->t, code, code > 255);
 			stage->keys++;
 		} while (!named && *rest != '\0');
 		settle(stage);
@@ -92,11 +92,11 @@ find_text(struct stage *stage, const char *text, int *row, int *column)
 }
 
 static bool
-mouse(struct stage *stage, enum touch_kind kind, int row, int column)
+mouse(struct stage *stage, enum hit_kind kind, int row, int column)
 {
 	struct tui *t = &stage->t;
-	bool took = touch_mouse(t, &t->touches, kind, row, column, act_key);
-	touch_release(&t->touches);
+	bool took = hits_mouse(t, &t->hits, kind, row, column, keymap_key);
+	hits_release(&t->hits);
 	settle(stage);
 	return took;
 }
@@ -107,7 +107,7 @@ click(struct stage *stage, const char *text)
 	int row = -1, column = -1;
 	if (!find_text(stage, text, &row, &column))
 		fail_msg("%s is not on the screen", text);
-	if (!mouse(stage, TOUCH_PRESS, row, column))
+	if (!mouse(stage, HIT_PRESS, row, column))
 		fail_msg("%s cannot be touched", text);
 }
 
@@ -121,9 +121,9 @@ hints_are_their_keys(void **state)
 		pages_go(t, (enum page)page);
 		settle(stage);
 		size_t keys = 0;
-		for (size_t i = 0; i < t->touches.n; i++) {
-			const struct touch *at = &t->touches.at[i];
-			if (at->area.row != t->places.hints.row ||
+		for (size_t i = 0; i < t->hits.n; i++) {
+			const struct hit *at = &t->hits.at[i];
+			if (at->area.row != t->layout.hints.row ||
 			    at->way != NULL)
 				continue;
 			assert_non_null(keys_find(at->code, t->ui.page));
@@ -138,9 +138,9 @@ hints_are_their_keys(void **state)
 	click(stage, "Esc back");
 	assert_null(t->viewer.text);
 	click(stage, ": predict");
-	assert_true(t->typing.active);
+	assert_true(t->line.active);
 	click(stage, "Esc give up");
-	assert_false(t->typing.active);
+	assert_false(t->line.active);
 	click(stage, " 5 Sites");
 	assert_int_equal(t->ui.page, PAGE_SITES);
 	click(stage, "q quit");
@@ -174,20 +174,20 @@ the_wheel_moves_what_is_under_it(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	const struct places *l = &t->places;
+	const struct layout *l = &t->layout;
 	int tenths = t->ui.tenths;
-	assert_true(mouse(stage, TOUCH_UP, l->plot.row + 2, 20));
+	assert_true(mouse(stage, HIT_UP, l->plot.row + 2, 20));
 	assert_int_equal(t->ui.tenths, tenths + 1);
-	assert_true(mouse(stage, TOUCH_DOWN, l->track.row, 20));
+	assert_true(mouse(stage, HIT_DOWN, l->track.row, 20));
 	assert_int_equal(t->ui.tenths, tenths);
-	assert_false(mouse(stage, TOUCH_UP, l->header.row, 1));
-	assert_false(mouse(stage, TOUCH_UP, l->hints.row, 1));
+	assert_false(mouse(stage, HIT_UP, l->header.row, 1));
+	assert_false(mouse(stage, HIT_UP, l->hints.row, 1));
 	press(stage, "5");
-	assert_true(mouse(stage, TOUCH_DOWN, l->body.row + 2, 20));
+	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
 	assert_int_equal(t->ui.site_at, 1);
 	press(stage, "?");
 	int at = t->viewer.at;
-	assert_true(mouse(stage, TOUCH_DOWN, l->body.row + 2, 20));
+	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
 	assert_int_equal(t->viewer.at, at + 1);
 	assert_int_equal(t->ui.tenths, tenths);
 }
@@ -200,12 +200,12 @@ a_click_on_the_plot_reads_it(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct psd *p = &t->shown.product;
-	const struct area *plot = &t->places.plot;
+	const struct area *plot = &t->layout.plot;
 	size_t read = 0, runs = 0, before = (size_t)-1;
 	for (int column = plot->column; column < plot->columns; column++) {
 		t->message[0] = '\0';
-		bool took = mouse(
-		    stage, TOUCH_PRESS, plot->row + plot->rows / 2, column);
+		bool took =
+		    mouse(stage, HIT_PRESS, plot->row + plot->rows / 2, column);
 		if (!took || !t->ui.cross)
 			continue;
 		assert_true(t->ui.cross_at < p->n);
@@ -278,7 +278,7 @@ a_word_filters_the_rows(void **state)
 	canvas_free(screen_back(stage->was));
 	stage->was = screen_aside(6, 40, CHARSET_ASCII, 0);
 	press(stage, "Esc / bro");
-	assert_int_equal(t->places.hints.rows, 0);
+	assert_int_equal(t->layout.hints.rows, 0);
 	assert_int_equal(t->cursor.column, 4);
 	assert_true(find_text(stage, "/bro  1 of 3", &row, &column));
 	press(stage, "Esc 1 /");
@@ -304,8 +304,8 @@ a_text_is_searched(void **state)
 	assert_int_equal(t->viewer.at, first);
 	press(stage, "G");
 	assert_int_equal(
-	    t->viewer.top, t->viewer.lines - t->places.body.rows > 0
-			       ? t->viewer.lines - t->places.body.rows
+	    t->viewer.top, t->viewer.lines - t->layout.body.rows > 0
+			       ? t->viewer.lines - t->layout.body.rows
 			       : 0);
 	press(stage, "Esc");
 	assert_non_null(t->viewer.text);
@@ -352,16 +352,16 @@ offers_are_taken_by_a_click(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	press(stage, ": plot Space p Tab");
-	assert_non_null(t->typing.offers);
+	assert_non_null(t->line.offers);
 	click(stage, "parity");
-	assert_string_equal(t->typing.text, "plot parity ");
+	assert_string_equal(t->line.text, "plot parity ");
 	/* The slider is not moved while a line is typed. */
-	assert_false(mouse(stage, TOUCH_PRESS, t->places.track.row, 20));
+	assert_false(mouse(stage, HIT_PRESS, t->layout.track.row, 20));
 	int row, column;
 	assert_true(find_text(stage, ":plot parity", &row, &column));
-	assert_true(mouse(stage, TOUCH_PRESS, row, column + 3));
+	assert_true(mouse(stage, HIT_PRESS, row, column + 3));
 	press(stage, "X");
-	assert_string_equal(t->typing.text, "plXot parity ");
+	assert_string_equal(t->line.text, "plXot parity ");
 }
 
 /* Ways to answer of their own: what the mouse presses at a place. */
@@ -381,10 +381,10 @@ point(struct tui *t, int *code, bool *special)
 	frame_draw(t);
 	t->pointed.is = false;
 	/* Of what lies below the question nothing answers. */
-	touch_mouse(t, &t->touches, TOUCH_PRESS, 0, 99, note);
+	hits_mouse(t, &t->hits, HIT_PRESS, 0, 99, note);
 	assert_false(t->pointed.is);
 	const struct cursor *end = &t->cursor;
-	touch_mouse(t, &t->touches, TOUCH_PRESS, end->row + asked_row,
+	hits_mouse(t, &t->hits, HIT_PRESS, end->row + asked_row,
 	    end->column + asked_column, note);
 	assert_true(t->pointed.is);
 	*code = t->pointed.code;
@@ -430,9 +430,9 @@ little_is_typed(void **state)
 		bool done = i == 0   ? t->ui.cross
 			    : i == 1 ? strcmp(t->command, "use bro") == 0
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
-			    : i == 3 ? strstr(t->typing.text, ".xlsx") != NULL
+			    : i == 3 ? strstr(t->line.text, ".xlsx") != NULL
 			    : i == 4 ? t->ui.band
-				     : t->pin.site[0] != '\0';
+				     : t->pinned.site[0] != '\0';
 		if (!done)
 			fail_msg("%s: not done", ASKED[i].what);
 		press(stage, "Esc Esc Esc : use Space tierp Enter");

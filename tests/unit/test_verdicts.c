@@ -30,7 +30,7 @@ stage_open(void **state)
 	stage->desk = desk;
 	desk_expect(stage->desk, TIERP_CALIBRATED "; predict speed=74");
 	struct display *was = screen_aside(24, 80, CHARSET_ASCII, 0);
-	control_begin(&stage->t, stage->desk->session, &SHOT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
 	canvas_free(screen_back(was));
 	control_predict(&stage->t);
 	*state = stage;
@@ -87,7 +87,7 @@ static void
 press(struct tui *t, const char *keys)
 {
 	while (*keys != '\0')
-		act_key(t, (int)text_next(&keys), false);
+		keymap_key(t, (int)text_next(&keys), false);
 	control_predict(t);
 	pages_update(t);
 }
@@ -136,7 +136,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	for (; t->ui.tenths <= tui_range(t).most; t->ui.tenths++) {
 		control_predict(t);
 		pages_update(t);
-		const struct grading *g = limits_now(t);
+		const struct grading *g = envelope_check_now(t);
 		assert_non_null(g);
 		struct grading own;
 		struct error error = {0};
@@ -160,7 +160,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");
 	press(t, ":spec off\n");
-	assert_null(limits_now(t));
+	assert_null(envelope_check_now(t));
 }
 
 static void
@@ -207,9 +207,9 @@ touch(struct tui *t, const char *words)
 	int row = row_of(canvas, words);
 	canvas_free(canvas);
 	was = screen_aside(30, 100, CHARSET_ASCII, 0);
-	assert_true(touch_mouse(t, &t->touches, TOUCH_PRESS, row,
-	    t->places.side.column + 1, act_key));
-	touch_release(&t->touches);
+	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, row,
+	    t->layout.side.column + 1, keymap_key));
+	hits_release(&t->hits);
 	canvas_free(screen_back(was));
 }
 

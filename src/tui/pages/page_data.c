@@ -255,11 +255,11 @@ static bool
 touch_cells(struct tui *t, const struct touched *touched)
 {
 	struct sheet *h = &t->sheet;
-	int by = touched->kind == TOUCH_UP ? -1 : 1;
-	if (touched->kind == TOUCH_DRAG)
+	int by = touched->kind == HIT_UP ? -1 : 1;
+	if (touched->kind == HIT_DRAG)
 		return false;
 	t->ui.focus = &page_data;
-	if (touched->kind != TOUCH_PRESS) {
+	if (touched->kind != HIT_PRESS) {
 		t->ui.cell.row =
 		    (size_t)pane_moved((int)t->ui.cell.row, by, h->n);
 		return true;
@@ -366,7 +366,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 		from = draw_column(t, area, room.rows, from, c);
 	if (t->ui.cell.left + room.columns < h->n_column)
 		screen_text(area, 0, from - 1, LOOK_BOLD, ">");
-	touch_add(&t->touches,
+	hits_add(&t->hits,
 	    (struct area){area->row + 1, area->column + SIEVES,
 		(int)(h->n < room.rows ? h->n : room.rows), from - SIEVES},
 	    touch_cells, 0);

@@ -19,7 +19,7 @@ static bool
 touch_scrubber(struct tui *t, const struct touched *touched)
 {
 	size_t n = tui_steps(t);
-	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
+	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
 		return false;
 	t->ui.focus = &page_fit;
 	int last = touched->area.columns - 1, at = touched->column;
@@ -44,7 +44,7 @@ caption(struct tui *t, const struct area *area)
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
 		return false;
-	touch_add(&t->touches, (struct area){area->row, from, 1, room},
+	hits_add(&t->hits, (struct area){area->row, from, 1, room},
 	    touch_scrubber, 0);
 	for (int c = 0; c < room; c++)
 		screen_text(area, 0, from + c, LOOK_DIM, "-");
@@ -68,7 +68,7 @@ draw_legend(const struct tui *t)
 {
 	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
 				 *const ASCII[] = {"#", "|", ":"};
-	const struct area *area = &t->places.legend;
+	const struct area *area = &t->layout.legend;
 	const struct plots_past past = tui_past(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int column = 0;
@@ -96,7 +96,7 @@ draw(struct tui *t)
 {
 	enum { TALL = 20, LOW = 9 };
 	bool any = tui_past(t).n > 0;
-	struct places *l = &t->places;
+	struct layout *l = &t->layout;
 	/* What there are no rows for to draw is said. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
 	    t->ui.picture == PLOT_SEARCH) {
@@ -110,12 +110,12 @@ draw(struct tui *t)
 	request.speed = t->ui.tenths / 10.0;
 	request.feed_speed = t->ui.feed;
 	request.generation = t->ui.generation;
-	bool own = request.kind == PLOT_SEARCH && t->places.plot.rows < TALL;
+	bool own = request.kind == PLOT_SEARCH && t->layout.plot.rows < TALL;
 	if (own)
-		pane_plot(t, &request, &t->places.plot);
+		pane_plot(t, &request, &t->layout.plot);
 	else
 		pane_curves(t, &request, request.kind == PLOT_PSD);
-	if (own && t->places.legend.rows > 0)
+	if (own && t->layout.legend.rows > 0)
 		draw_legend(t);
 	search_side_draw(t);
 }

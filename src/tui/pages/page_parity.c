@@ -16,7 +16,7 @@
 #include "cmd/fit/comparison.h"
 #include "core/search/misfit.h"
 #include "tui/frame.h"
-#include "cli/pump.h"
+#include "cli/signals.h"
 #include "tui/screen.h"
 #include "tui/widgets/list.h"
 
@@ -109,7 +109,7 @@ update(struct tui *t)
 			frame_draw(t);
 		size_t before = y->n;
 		compare(t, &s->entry[y->next]);
-		if (!t->aside && pump_waited_for()) {
+		if (!t->aside && signals_waited_for()) {
 			y->n = before;
 			return;
 		}
@@ -301,7 +301,7 @@ draw_line(const struct tui *t, const struct area *area)
 static void
 draw_chart(const struct tui *t, const struct area *area)
 {
-	unsigned words = t->places.legend.rows > 0 ? CHART_TITLE | CHART_LEGEND
+	unsigned words = t->layout.legend.rows > 0 ? CHART_TITLE | CHART_LEGEND
 						   : CHART_TITLE;
 	if (area->rows < 1 || area->columns < 1)
 		return;

@@ -23,7 +23,7 @@ draw_runs(struct tui *t)
 {
 	struct plot_request request = plots_request(PLOT_RUNS);
 	request.words = 0;
-	pane_curves(t, &request, t->places.side.rows == 0);
+	pane_curves(t, &request, t->layout.side.rows == 0);
 }
 
 static void
@@ -32,30 +32,30 @@ draw(struct tui *t)
 	const struct prediction *p = &t->shown;
 	struct plot_request request = plots_request(PLOT_PSD);
 	if (tui_entry(t) == NULL) {
-		first_draw(t);
+		start_draw(t);
 		return;
 	}
 	if (t->ui.runs) {
 		draw_runs(t);
-		verdicts_draw(t);
+		panel_draw(t);
 		return;
 	}
 	request.words = 0;
 	request.speed = t->ui.tenths / 10.0;
 	request.feed_speed = t->ui.feed;
 	request.band = t->ui.band;
-	if (p->product.n > 0 && t->asked.tenths == t->ui.tenths)
+	if (p->product.n > 0 && t->request.tenths == t->ui.tenths)
 		request.made = p;
 	request.level = t->ui.level;
-	if (t->pin.site[0] != '\0') {
-		request.beside = t->pin.site;
+	if (t->pinned.site[0] != '\0') {
+		request.beside = t->pinned.site;
 		request.kept = &t->session->pin->p;
 	}
 	if (t->ui.cross && t->ui.cross_at < p->product.n)
 		request.crosshair_mm =
 		    units_mm(p->product.size[t->ui.cross_at]);
-	pane_curves(t, &request, t->places.side.rows == 0);
-	verdicts_draw(t);
+	pane_curves(t, &request, t->layout.side.rows == 0);
+	panel_draw(t);
 }
 
 static bool
@@ -78,7 +78,7 @@ void
 act_numbers(struct tui *t, const struct key *key)
 {
 	if (tui_entry(t) == NULL) {
-		first_open(t);
+		start_open(t);
 		return;
 	}
 	(void)key;
@@ -86,7 +86,7 @@ act_numbers(struct tui *t, const struct key *key)
 	if (t->shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
-		typed_line_show(t, line);
+		cmdline_show(t, line);
 	free(line);
 }
 
@@ -103,7 +103,7 @@ move(struct tui *t, const struct key *key)
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->shown.product.n;
 	if (tui_entry(t) == NULL)
-		return first_move(t, key);
+		return start_move(t, key);
 	if (t->ui.focus != &page_predict)
 		return false;
 	if (key->act == act_ends)
@@ -173,7 +173,7 @@ words(const struct tui *t)
 	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
-	if (t->pin.site[0] != '\0')
+	if (t->pinned.site[0] != '\0')
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");
@@ -189,7 +189,7 @@ hints(const struct tui *t)
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	bool goal = goals_set(t->session);
 	if (tui_entry(t) == NULL)
-		return tr(FIRST_HINTS);
+		return tr(START_HINTS);
 	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "
 			  "quit  : command  d describe");
@@ -218,9 +218,9 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,
+    .differences = true,
     .strip = true,
-    .above = true,
-    .update = limits_update,
+    .update = envelope_check_update,
     .draw = draw,
     .can_focus = can_focus,
     .move = move,

@@ -392,7 +392,7 @@ sort_by(struct tui *t, int by)
 static bool
 touch_head(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
 	sort_by(t, (int)touched->item + 1);
 	return true;
@@ -446,7 +446,7 @@ draw_head(struct tui *t, const struct area *cell, int column)
 	if (sorted && (from > 0 || end < cell->columns))
 		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
 		    t->ui.sort_down ? "v" : "^");
-	touch_add(&t->touches,
+	hits_add(&t->hits,
 	    (struct area){cell->row, cell->column, 1, cell->columns},
 	    touch_head, (size_t)column);
 }
@@ -620,7 +620,7 @@ void
 act_sort(struct tui *t, const struct key *key)
 {
 	if (t->session->n_entry == 0)
-		chooser_open(t, CHOOSER_FILES);
+		picker_open(t, PICK_FILES);
 	else if (key->amount > 0)
 		sort_on(t);
 	else

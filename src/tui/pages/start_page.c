@@ -12,57 +12,57 @@
 /* Each with the list that it opens. */
 static const struct {
 	const char *name, *what;
-	enum chooser_list list;
+	enum picker_list list;
 } WAYS[] = {{N_("Open a sheet"),
 		N_("Sieve analyses of the feed and of the product at two "
 		   "speeds or more, "
 		   "from Excel, LibreOffice or CSV. The list shows how each "
 		   "file would be "
 		   "read. Later: o."),
-		CHOOSER_FILES},
+		PICK_FILES},
     {N_("Go on with a saved session"),
 	N_("What the key w has saved, a file that ends in .tip: its sites are "
 	   "there again, with their fits, the goal and what was pinned."),
-	CHOOSER_SESSIONS},
+	PICK_SESSIONS},
     {N_("Try a site that comes with tipspeed"),
 	N_("Quarries of the paper with their rock and tip speeds; their curves "
 	   "are reconstructed from it."),
-	CHOOSER_SHIPPED},
+	PICK_SHIPPED},
     {N_("Estimate from rock type and top size"),
 	N_("Where only the feed was sampled: from the materials of other "
 	   "quarries, with a wide band. Choose the sheet with the feed, then "
 	   "complete the command."),
-	CHOOSER_FEEDS}};
+	PICK_FEEDS}};
 
 static bool
 touch_way_of(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
-	t->ui.first_at = (int)touched->item;
-	chooser_open(t, WAYS[touched->item].list);
+	t->ui.start_at = (int)touched->item;
+	picker_open(t, WAYS[touched->item].list);
 	return true;
 }
 
 bool
-first_move(struct tui *t, const struct key *key)
+start_move(struct tui *t, const struct key *key)
 {
 	if (key->act != act_list)
 		return false;
-	t->ui.first_at =
-	    pane_moved(t->ui.first_at, key->amount, ARRAY_LEN(WAYS));
+	t->ui.start_at =
+	    pane_moved(t->ui.start_at, key->amount, ARRAY_LEN(WAYS));
 	return true;
 }
 
 void
-first_open(struct tui *t)
+start_open(struct tui *t)
 {
-	chooser_open(t, WAYS[t->ui.first_at].list);
+	picker_open(t, WAYS[t->ui.start_at].list);
 }
 
 /* In the middle, with what the chosen one is for where there is room. */
 void
-first_draw(struct tui *t)
+start_draw(struct tui *t)
 {
 	enum { WIDEST = 64, GAPS = 3, WHAT = 4 };
 	struct area area = pane_list_area(t);
@@ -78,18 +78,18 @@ first_draw(struct tui *t)
 		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
 	row += title ? 2 : 0;
 	int top =
-	    t->ui.first_at >= area.rows ? t->ui.first_at - area.rows + 1 : 0;
+	    t->ui.start_at >= area.rows ? t->ui.start_at - area.rows + 1 : 0;
 	for (int i = top; i < n; i++, row++) {
-		unsigned look = i == t->ui.first_at ? LOOK_REVERSE : LOOK_PLAIN;
+		unsigned look = i == t->ui.start_at ? LOOK_REVERSE : LOOK_PLAIN;
 		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
 		    area.columns, "");
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){area.row + row, area.column, 1, area.columns},
 		    touch_way_of, (size_t)i);
-		if (i == t->ui.first_at)
+		if (i == t->ui.start_at)
 			t->cursor =
 			    (struct cursor){area.row + row, area.column};
 	}
 	if (what)
-		screen_words(&area, row + 1, 0, tr(WAYS[t->ui.first_at].what));
+		screen_words(&area, row + 1, 0, tr(WAYS[t->ui.start_at].what));
 }

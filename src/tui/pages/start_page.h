@@ -7,13 +7,13 @@
 #include "tui/tui_state.h"
 
 /* Draws it in the body. */
-void first_draw(struct tui *t);
+void start_draw(struct tui *t);
 
 /* See move in page_ops; opens what is chosen. */
-bool first_move(struct tui *t, const struct key *key);
-void first_open(struct tui *t);
+bool start_move(struct tui *t, const struct key *key);
+void start_open(struct tui *t);
 
-#define FIRST_HINTS \
+#define START_HINTS \
 	N_("Up/Down, Enter choose  ? keys  q quit  o open  : command")
 
 #endif

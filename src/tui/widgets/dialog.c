@@ -14,21 +14,21 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-enum typing_result
+enum edit_result
 dialogue_key(struct tui *t, int code, bool special)
 {
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
 	if (special && (code == KEY_UP || code == KEY_DOWN)) {
 		t->inquiry_up += code == KEY_UP ? 1 : -1;
-		return TYPING_ON;
+		return EDIT_ON;
 	}
 	if (special && code == KEY_ENTER)
-		return TYPING_DONE;
+		return EDIT_DONE;
 	/* In an empty line Backspace would give up; Tab completes commands. */
 	if ((back && t->answer.n == 0) || (!special && code == '\t'))
-		return TYPING_ON;
-	return typing_key(&t->answer, t->session, code, special);
+		return EDIT_ON;
+	return edit_key(&t->answer, t->session, code, special);
 }
 
 char *
@@ -36,15 +36,15 @@ dialogue_ask(struct tui *t, const struct inquiry *q)
 {
 	int code;
 	bool special;
-	enum typing_result result = TYPING_ON;
+	enum edit_result result = EDIT_ON;
 	t->inquiry = q;
 	t->inquiry_up = 0;
-	typing_begin(&t->answer, "");
-	while (result == TYPING_ON && t->ways->answer(t, &code, &special))
+	edit_begin(&t->answer, "");
+	while (result == EDIT_ON && t->ways->answer(t, &code, &special))
 		result = dialogue_key(t, code, special);
 	t->inquiry = NULL;
-	typing_end(&t->answer);
-	return result == TYPING_DONE ? xstrdup(t->answer.text) : NULL;
+	edit_end(&t->answer);
+	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
 }
 
 /* How many rows each part has; gap: blank ones around the table. */
@@ -108,9 +108,9 @@ draw_frame(struct tui *t, const struct area *box, const char *keys)
 static bool
 touch_table(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN)
+	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
 		return false;
-	t->inquiry_up += touched->kind == TOUCH_UP ? 1 : -1;
+	t->inquiry_up += touched->kind == HIT_UP ? 1 : -1;
 	return true;
 }
 
@@ -191,8 +191,8 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	    .rows = high + 2 * edge,
 	    .columns = wide};
 	screen_clear(&box);
-	touch_clear(&t->touches);
-	touch_add(&t->touches, box, touch_table, 0);
+	hits_clear(&t->hits);
+	hits_add(&t->hits, box, touch_table, 0);
 	if (frame)
 		draw_frame(t, &box,
 		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");

@@ -11,7 +11,7 @@
 char *dialogue_ask(struct tui *t, const struct inquiry *q);
 
 /* Takes a key of the dialogue that stands. */
-enum typing_result dialogue_key(struct tui *t, int code, bool special);
+enum edit_result dialogue_key(struct tui *t, int code, bool special);
 
 /* Draws it over whatever the screen shows, at any size, and puts the cursor
  * into its line. */

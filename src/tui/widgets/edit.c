@@ -17,7 +17,7 @@
 #define CONTROL(letter) ((letter)&0x1F)
 
 static void
-put_text(struct typing *t, const char *text)
+put_text(struct edit *t, const char *text)
 {
 	snprintf(t->text, sizeof t->text, "%s", text);
 	t->n = t->at = strlen(t->text);
@@ -25,7 +25,7 @@ put_text(struct typing *t, const char *text)
 
 /* Puts text instead of the bytes from start to the cursor. */
 static void
-replace(struct typing *t, size_t start, const char *text, size_t n)
+replace(struct edit *t, size_t start, const char *text, size_t n)
 {
 	if (t->n - (t->at - start) + n + 1 > sizeof t->text)
 		return;
@@ -36,9 +36,9 @@ replace(struct typing *t, size_t start, const char *text, size_t n)
 }
 
 void
-typing_begin(struct typing *t, const char *text)
+edit_begin(struct edit *t, const char *text)
 {
-	typing_end(t);
+	edit_end(t);
 	t->active = true;
 	t->back = 0;
 	t->fresh = 0;
@@ -46,15 +46,15 @@ typing_begin(struct typing *t, const char *text)
 }
 
 void
-typing_propose(struct typing *t, const char *text, const char *name)
+edit_propose(struct edit *t, const char *text, const char *name)
 {
-	typing_begin(t, text);
+	edit_begin(t, text);
 	t->fresh = t->n;
 	replace(t, t->n, name, strlen(name));
 }
 
 void
-typing_end(struct typing *t)
+edit_end(struct edit *t)
 {
 	free(t->offers);
 	t->offers = NULL;
@@ -62,7 +62,7 @@ typing_end(struct typing *t)
 }
 
 static void
-insert(struct typing *t, unsigned code)
+insert(struct edit *t, unsigned code)
 {
 	char bytes[4];
 	size_t n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
@@ -75,7 +75,7 @@ insert(struct typing *t, unsigned code)
 
 /* The offset of the character before, and after, an offset. */
 static size_t
-before(const struct typing *t, size_t at)
+before(const struct edit *t, size_t at)
 {
 	while (at > 0 && (t->text[--at] & 0xC0) == 0x80)
 		;
@@ -83,7 +83,7 @@ before(const struct typing *t, size_t at)
 }
 
 static size_t
-behind(const struct typing *t, size_t at)
+behind(const struct edit *t, size_t at)
 {
 	while (at < t->n && (t->text[++at] & 0xC0) == 0x80)
 		;
@@ -91,7 +91,7 @@ behind(const struct typing *t, size_t at)
 }
 
 static size_t
-word_before(const struct typing *t)
+word_before(const struct edit *t)
 {
 	size_t at = t->at;
 	while (at > 0 && t->text[at - 1] == ' ')
@@ -102,7 +102,7 @@ word_before(const struct typing *t)
 }
 
 static void
-go_back(struct typing *t, int by)
+go_back(struct edit *t, int by)
 {
 	int back = t->back + by;
 	if (back < 0 || back > history_length)
@@ -128,7 +128,7 @@ shared(const struct completion *c)
 }
 
 static void
-show_offers(struct typing *t, const struct completion *c)
+show_offers(struct edit *t, const struct completion *c)
 {
 	size_t n = 0;
 	FILE *out = text_memory(&t->offers, &n);
@@ -139,7 +139,7 @@ show_offers(struct typing *t, const struct completion *c)
 }
 
 static void
-complete_word(struct typing *t, const struct session *s)
+complete_word(struct edit *t, const struct session *s)
 {
 	struct completion *c = complete(s, t->text, t->at);
 	if (c->n > 0)
@@ -154,7 +154,7 @@ complete_word(struct typing *t, const struct session *s)
 
 /* Keys with a name. */
 static void
-edit(struct typing *t, int code)
+edit(struct edit *t, int code)
 {
 	if (code == KEY_LEFT)
 		t->at = before(t, t->at);
@@ -192,7 +192,7 @@ meaning(int code)
 }
 
 const char *
-typing_offer(const struct typing *t, size_t n, size_t *length)
+edit_offer(const struct edit *t, size_t n, size_t *length)
 {
 	const char *offer = t->offers;
 	while (offer != NULL && n-- > 0) {
@@ -207,25 +207,25 @@ typing_offer(const struct typing *t, size_t n, size_t *length)
 }
 
 size_t
-typing_next(const struct typing *t)
+edit_next(const struct edit *t)
 {
 	size_t next = t->from + t->shown, length;
-	return typing_offer(t, next, &length) != NULL ? next : 0;
+	return edit_offer(t, next, &length) != NULL ? next : 0;
 }
 
-enum typing_result
-typing_key(struct typing *t, const struct session *s, int code, bool special)
+enum edit_result
+edit_key(struct edit *t, const struct session *s, int code, bool special)
 {
 	int key = special ? code : meaning(code);
-	size_t next = typing_next(t), n = t->n;
+	size_t next = edit_next(t), n = t->n;
 	free(t->offers);
 	t->offers = NULL;
 	if (!special && (code == ESCAPE || code == INTERRUPT))
-		return TYPING_GIVEN_UP;
+		return EDIT_GIVEN_UP;
 	if (key == KEY_BACKSPACE && t->n == 0)
-		return TYPING_GIVEN_UP;
+		return EDIT_GIVEN_UP;
 	if (!special && (code == '\n' || code == '\r'))
-		return TYPING_DONE;
+		return EDIT_DONE;
 	if (special || key != 0)
 		edit(t, key);
 	else if (code == '\t')
@@ -243,14 +243,14 @@ typing_key(struct typing *t, const struct session *s, int code, bool special)
 	}
 	t->fresh = 0;
 	t->from = code == '\t' && t->n == n ? next : 0;
-	return TYPING_ON;
+	return EDIT_ON;
 }
 
 void
-typing_take(struct typing *t, size_t n)
+edit_take(struct edit *t, size_t n)
 {
 	size_t length;
-	const char *offer = typing_offer(t, n, &length);
+	const char *offer = edit_offer(t, n, &length);
 	if (offer == NULL)
 		return;
 	bool open = length > 0 &&
@@ -263,7 +263,7 @@ typing_take(struct typing *t, size_t n)
 }
 
 bool
-typing_letter(struct typing *t, int code, bool special, size_t most)
+edit_letter(struct edit *t, int code, bool special, size_t most)
 {
 	bool back = code == DELETE || code == '\b';
 	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))

@@ -14,7 +14,7 @@
  * two blanks between them, or NULL; from: the first that is shown, of so many;
  * Tab again goes on to the next.  fresh: where a name begins that was proposed,
  * which a letter replaces; or 0. */
-struct typing {
+struct edit {
 	bool active;
 	char text[2000];
 	size_t n, at;
@@ -23,30 +23,30 @@ struct typing {
 	size_t start, from, shown, fresh;
 };
 
-enum typing_result { TYPING_ON, TYPING_DONE, TYPING_GIVEN_UP };
+enum edit_result { EDIT_ON, EDIT_DONE, EDIT_GIVEN_UP };
 
-void typing_begin(struct typing *t, const char *text);
+void edit_begin(struct edit *t, const char *text);
 
 /* With a name proposed behind it. */
-void typing_propose(struct typing *t, const char *text, const char *name);
+void edit_propose(struct edit *t, const char *text, const char *name);
 
 /* Takes a key (code: of ncurses where special, else a character). */
-enum typing_result typing_key(
-    struct typing *t, const struct session *s, int code, bool special);
-void typing_end(struct typing *t);
+enum edit_result edit_key(
+    struct edit *t, const struct session *s, int code, bool special);
+void edit_end(struct edit *t);
 
 /* Offer n, length bytes; NULL where there are not so many. */
-const char *typing_offer(const struct typing *t, size_t n, size_t *length);
+const char *edit_offer(const struct edit *t, size_t n, size_t *length);
 
 /* Where Tab goes on in the offers: behind those that are shown, or to the
  * first. */
-size_t typing_next(const struct typing *t);
+size_t edit_next(const struct edit *t);
 
 /* Puts the n-th of the offers in place of the word. */
-void typing_take(struct typing *t, size_t n);
+void edit_take(struct edit *t, size_t n);
 
 /* Takes a letter of ASCII into what has `most` of them, or takes the last one
  * back; false where the key is neither, or there is none. */
-bool typing_letter(struct typing *t, int code, bool special, size_t most);
+bool edit_letter(struct edit *t, int code, bool special, size_t most);
 
 #endif

@@ -9,7 +9,7 @@
 
 /* revision, feed: what it was opened for; open: it could be; tenths: where it
  * is. */
-struct limits {
+struct envelope_check {
 	struct grading grading;
 	bool open;
 	size_t revision, feed;
@@ -25,47 +25,49 @@ is_wanted(const struct tui *t)
 }
 
 void
-limits_free(struct tui *t)
+envelope_check_free(struct tui *t)
 {
-	if (t->limits != NULL && t->limits->open)
-		grading_close(&t->limits->grading);
-	free(t->limits);
-	t->limits = NULL;
+	if (t->envelope_check != NULL && t->envelope_check->open)
+		grading_close(&t->envelope_check->grading);
+	free(t->envelope_check);
+	t->envelope_check = NULL;
 }
 
 static bool
 is_current(const struct tui *t)
 {
-	const struct limits *l = t->limits;
+	const struct envelope_check *l = t->envelope_check;
 	return l != NULL && l->revision == t->revision &&
 	       l->feed == tui_feed(t);
 }
 
 void
-limits_update(struct tui *t)
+envelope_check_update(struct tui *t)
 {
 	struct error error = {0};
 	if (!is_wanted(t) || !is_current(t))
-		limits_free(t);
+		envelope_check_free(t);
 	if (!is_wanted(t))
 		return;
-	if (t->limits == NULL) {
-		t->limits = xcalloc(1, sizeof *t->limits);
-		t->limits->revision = t->revision;
-		t->limits->feed = tui_feed(t);
-		t->limits->open = grading_in_use(t->session, tui_entry(t),
-		    t->limits->feed, &t->limits->grading, &error);
+	if (t->envelope_check == NULL) {
+		t->envelope_check = xcalloc(1, sizeof *t->envelope_check);
+		t->envelope_check->revision = t->revision;
+		t->envelope_check->feed = tui_feed(t);
+		t->envelope_check->open = grading_in_use(t->session,
+		    tui_entry(t), t->envelope_check->feed,
+		    &t->envelope_check->grading, &error);
 	}
-	if (t->limits->open && t->limits->tenths != t->ui.tenths)
-		forecast_at(
-		    t->limits->grading.conditions.forecast, t->shown.speed);
-	t->limits->tenths = t->ui.tenths;
+	if (t->envelope_check->open &&
+	    t->envelope_check->tenths != t->ui.tenths)
+		forecast_at(t->envelope_check->grading.conditions.forecast,
+		    t->shown.speed);
+	t->envelope_check->tenths = t->ui.tenths;
 }
 
 const struct grading *
-limits_now(const struct tui *t)
+envelope_check_now(const struct tui *t)
 {
-	bool now = is_wanted(t) && is_current(t) && t->limits->open &&
-		   t->limits->tenths == t->ui.tenths;
-	return now ? &t->limits->grading : NULL;
+	bool now = is_wanted(t) && is_current(t) && t->envelope_check->open &&
+		   t->envelope_check->tenths == t->ui.tenths;
+	return now ? &t->envelope_check->grading : NULL;
 }

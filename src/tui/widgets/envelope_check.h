@@ -8,11 +8,11 @@
 
 /* As the slider or the session is now.  What does not change with the speed is
  * kept; a step reads the curve of its prediction, without draws. */
-void limits_update(struct tui *t);
-void limits_free(struct tui *t);
+void envelope_check_update(struct tui *t);
+void envelope_check_free(struct tui *t);
 
 /* At that speed; NULL where no envelope is in use, none of its sieves is in the
  * range of the feed's, or a calibration runs. */
-const struct grading *limits_now(const struct tui *t);
+const struct grading *envelope_check_now(const struct tui *t);
 
 #endif

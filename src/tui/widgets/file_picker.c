@@ -20,7 +20,7 @@
 #include "tui/widgets/list.h"
 
 static void
-forget_preview(struct chooser *c)
+forget_preview(struct picker *c)
 {
 	free(c->preview);
 	c->preview = NULL;
@@ -29,17 +29,17 @@ forget_preview(struct chooser *c)
 
 /* The items of the folder that have the word. */
 static void
-relist(struct chooser *c, const char *path)
+relist(struct picker *c, const char *path)
 {
 	char *copy = xstrdup(path);
 	folder_free(&c->folder);
-	if (c->list == CHOOSER_SHIPPED)
+	if (c->list == PICK_SHIPPED)
 		folder_shipped(&c->folder);
 	else
 		folder_list(&c->folder, copy);
-	if (c->list == CHOOSER_FEEDS || c->list == CHOOSER_SESSIONS)
+	if (c->list == PICK_FEEDS || c->list == PICK_SESSIONS)
 		folder_only(&c->folder,
-		    c->list == CHOOSER_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
+		    c->list == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
 	if (c->word.n > 0)
 		folder_narrow(&c->folder, c->word.text);
 	c->at = c->top = 0;
@@ -48,18 +48,18 @@ relist(struct chooser *c, const char *path)
 }
 
 static void
-list_all(struct chooser *c, const char *path)
+list_all(struct picker *c, const char *path)
 {
-	typing_begin(&c->word, "");
+	edit_begin(&c->word, "");
 	relist(c, path);
 }
 
 static void
 close_list(struct tui *t)
 {
-	folder_free(&t->chooser.folder);
-	forget_preview(&t->chooser);
-	t->chooser = (struct chooser){0};
+	folder_free(&t->picker.folder);
+	forget_preview(&t->picker);
+	t->picker = (struct picker){0};
 }
 
 /* The line for guess, to be completed with what the sheet does not say: the
@@ -73,9 +73,9 @@ type_guess(struct tui *t)
 	char *line = xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
 	if (site->top_size > 0)
 		xappend(&line, " top=%g", units_mm(site->top_size));
-	typing_begin(&t->typing, line);
+	edit_begin(&t->line, line);
 	if (site->rock[0] == '\0') {
-		t->typing.at = strlen(BEGIN);
+		t->line.at = strlen(BEGIN);
 		tui_say(t, false,
 		    "type the rock, granite say, and Enter: the sheet does not "
 		    "state it");
@@ -104,7 +104,7 @@ run(struct tui *t, const char *line, bool estimates)
 static void
 enter(struct tui *t)
 {
-	struct chooser *c = &t->chooser;
+	struct picker *c = &t->picker;
 	if (c->folder.n == 0)
 		return;
 	const struct folder_item *item = &c->folder.item[c->at];
@@ -114,8 +114,8 @@ enter(struct tui *t)
 		free(into);
 		return;
 	}
-	char *line = folder_command(item, c->list == CHOOSER_SESSIONS);
-	if (run(t, line, c->list == CHOOSER_FEEDS))
+	char *line = folder_command(item, c->list == PICK_SESSIONS);
+	if (run(t, line, c->list == PICK_FEEDS))
 		close_list(t);
 	free(line);
 }
@@ -123,27 +123,27 @@ enter(struct tui *t)
 static size_t
 count(const struct tui *t)
 {
-	return t->chooser.folder.n;
+	return t->picker.folder.n;
 }
 
 static size_t
 chosen(const struct tui *t)
 {
-	return t->chooser.at;
+	return t->picker.at;
 }
 
 static void
 choose(struct tui *t, size_t i)
 {
 	t->message[0] = '\0';
-	t->chooser.at = i;
+	t->picker.at = i;
 }
 
 /* Reads the file that is chosen, where it was not. */
 static void
 update(struct tui *t)
 {
-	struct chooser *c = &t->chooser;
+	struct picker *c = &t->picker;
 	if (c->folder.n == 0 || c->previewed == c->at)
 		return;
 	forget_preview(c);
@@ -155,7 +155,7 @@ static const struct page_list FILES = {
     .n = count, .at = chosen, .go = choose, .open = enter, .update = update};
 
 void
-chooser_open(struct tui *t, enum chooser_list what)
+picker_open(struct tui *t, enum picker_list what)
 {
 	if (t->session->safe) {
 		tui_say(t, true,
@@ -165,17 +165,17 @@ chooser_open(struct tui *t, enum chooser_list what)
 	}
 	close_list(t);
 	t->message[0] = '\0';
-	t->chooser.on = true;
-	t->chooser.rows = &FILES;
-	t->chooser.list = what;
-	list_all(&t->chooser, "");
+	t->picker.on = true;
+	t->picker.rows = &FILES;
+	t->picker.list = what;
+	list_all(&t->picker, "");
 }
 
 /* To the folder above. */
 static void
 go_up(struct tui *t)
 {
-	struct chooser *c = &t->chooser;
+	struct picker *c = &t->picker;
 	if (c->word.n > 0)
 		list_all(c, c->folder.path);
 	for (size_t i = 0; i < c->folder.n; i++)
@@ -191,27 +191,27 @@ go_up(struct tui *t)
 static bool
 narrow(struct tui *t, int code, bool special)
 {
-	struct chooser *c = &t->chooser;
+	struct picker *c = &t->picker;
 	bool back = code == DELETE || code == '\b' || code == ESCAPE,
 	     letter = code < DELETE && (isalnum(code) || strchr("._- ", code));
 	if (special || code == '\0' || (back ? c->word.n == 0 : !letter))
 		return false;
 	t->message[0] = '\0';
 	if (code == ESCAPE)
-		typing_begin(&c->word, "");
+		edit_begin(&c->word, "");
 	else
-		typing_letter(&c->word, code, false, VIEWER_WORD);
+		edit_letter(&c->word, code, false, VIEWER_WORD);
 	relist(c, c->folder.path);
 	if (c->folder.n == 0 && !back) {
 		tui_say(t, false, "nothing here has '%s'", c->word.text);
-		typing_letter(&c->word, DELETE, false, VIEWER_WORD);
+		edit_letter(&c->word, DELETE, false, VIEWER_WORD);
 		relist(c, c->folder.path);
 	}
 	return true;
 }
 
 bool
-chooser_key(struct tui *t, int code, bool special)
+picker_key(struct tui *t, int code, bool special)
 {
 	if (narrow(t, code, special))
 		return true;
@@ -237,7 +237,7 @@ static void
 draw_item(struct tui *t, const struct area *list, int row, size_t i)
 {
 	enum { NAME = 16 };
-	const struct chooser *c = &t->chooser;
+	const struct picker *c = &t->picker;
 	const struct folder_item *item = &c->folder.item[i];
 	bool folder = item->kind == FOLDER_BELOW || item->kind == FOLDER_ABOVE;
 	unsigned look = i == c->at                   ? LOOK_REVERSE
@@ -261,7 +261,7 @@ draw_item(struct tui *t, const struct area *list, int row, size_t i)
 static void
 draw_list(struct tui *t, const struct area *list)
 {
-	const struct chooser *c = &t->chooser;
+	const struct picker *c = &t->picker;
 	size_t i = rows_first(t, (size_t)list->rows);
 	for (int row = 0; row < list->rows && i < c->folder.n;
 	     i = rows_next(t, i), row++) {
@@ -275,7 +275,7 @@ draw_list(struct tui *t, const struct area *list)
 static void
 draw_preview(const struct tui *t, const struct area *area)
 {
-	const char *text = t->chooser.preview;
+	const char *text = t->picker.preview;
 	int row = 0;
 	for (unsigned look = LOOK_BOLD;
 	     text != NULL && *text != '\0' && row < area->rows;
@@ -291,15 +291,14 @@ draw_preview(const struct tui *t, const struct area *area)
 static void
 draw_title(const struct tui *t, const struct area *area)
 {
-	const struct chooser *c = &t->chooser;
+	const struct picker *c = &t->picker;
 	const char *folder =
 	    c->folder.path[0] != '\0' ? c->folder.path : tr("this folder");
 	int column = screen_text(area, 0, 0, LOOK_BOLD,
-	    c->list == CHOOSER_FEEDS      ? N_("sheet with a feed, in %s")
-	    : c->list == CHOOSER_SESSIONS ? N_("saved sessions, in %s")
-	    : c->list == CHOOSER_SHIPPED
-		? N_("sites that come with tipspeed, %s")
-		: N_("open a sheet, in %s"),
+	    c->list == PICK_FEEDS      ? N_("sheet with a feed, in %s")
+	    : c->list == PICK_SESSIONS ? N_("saved sessions, in %s")
+	    : c->list == PICK_SHIPPED  ? N_("sites that come with tipspeed, %s")
+				       : N_("open a sheet, in %s"),
 	    folder);
 	if (c->word.n > 0)
 		screen_text(area, 0, column, 0, ": what has '%s', %zu",
@@ -314,7 +313,7 @@ draw_title(const struct tui *t, const struct area *area)
 static void
 draw_message(const struct tui *t)
 {
-	struct area area = t->places.hints;
+	struct area area = t->layout.hints;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	if (text_width(text) > area.columns && area.row > 1) {
 		area.row--;
@@ -327,12 +326,12 @@ draw_message(const struct tui *t)
 
 /* The preview stands beside the list, or below it where that is narrow. */
 void
-chooser_draw(struct tui *t)
+picker_draw(struct tui *t)
 {
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
-	const struct area body = t->places.body;
+	const struct area body = t->layout.body;
 	struct area list = body, preview = body;
-	bool shipped = t->chooser.list == CHOOSER_SHIPPED;
+	bool shipped = t->picker.list == PICK_SHIPPED;
 	bool title = body.rows > 2;
 	if (title)
 		draw_title(t, &body);
@@ -361,7 +360,7 @@ chooser_draw(struct tui *t)
 		return;
 	}
 	pane_hints(t, LOOK_REVERSE,
-	    t->chooser.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
+	    t->picker.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
 	    : shipped
 		? N_("Esc back  Enter opens it  Up/Down  letters narrow the "
 		     "list")

@@ -6,13 +6,13 @@
 #include "tui/tui_state.h"
 
 /* Only a message under --safe. */
-void chooser_open(struct tui *t, enum chooser_list list);
+void picker_open(struct tui *t, enum picker_list list);
 
 /* Takes a key; false: the list is closed and the key is for what was below
  * it. */
-bool chooser_key(struct tui *t, int code, bool special);
+bool picker_key(struct tui *t, int code, bool special);
 
 /* Draws it with its hints. */
-void chooser_draw(struct tui *t);
+void picker_draw(struct tui *t);
 
 #endif

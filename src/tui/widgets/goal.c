@@ -107,7 +107,7 @@ act_goal(struct tui *t, const struct key *key)
 					   : xasprintf("%s=", words);
 	t->message[0] = '\0';
 	t->goal_field = t->goal_fresh = true;
-	typing_begin(&t->typing, line);
+	edit_begin(&t->line, line);
 	free(words);
 	free(line);
 }
@@ -115,7 +115,7 @@ act_goal(struct tui *t, const struct key *key)
 /* What the words before a comma may become: quantities, and the envelopes that
  * come with the program. */
 static void
-complete_goal(struct typing *y)
+complete_goal(struct edit *y)
 {
 	static const char *const NAMES[] = {"p80=", "p50=", "p20=", "passing ",
 	    "fines<", "0/2>=", "fm EN=", "cu<", "cc<"};
@@ -141,7 +141,7 @@ complete_goal(struct typing *y)
 	if (first != NULL && strlen(first) > strlen(word)) {
 		*word = '\0';
 		xappend(&text, "%s", first);
-		typing_begin(y, text);
+		edit_begin(y, text);
 		free(offers);
 	} else {
 		free(y->offers);
@@ -156,7 +156,7 @@ complete_goal(struct typing *y)
 static void
 close_field(struct tui *t)
 {
-	typing_end(&t->typing);
+	edit_end(&t->line);
 	t->goal_field = false;
 }
 
@@ -250,7 +250,7 @@ take(struct tui *t)
 	char *line = NULL;
 	struct condition_list list = {0};
 	struct error error = {0};
-	char *copy = xstrdup(t->typing.text), *text = text_trim(copy);
+	char *copy = xstrdup(t->line.text), *text = text_trim(copy);
 	size_t n_value = 0;
 	t->message[0] = '\0';
 	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
@@ -281,32 +281,32 @@ begin_anew(struct tui *t, int code)
 	char *words = quantities_typed(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
-	typing_begin(&t->typing, isalpha(code) ? "" : words);
+	edit_begin(&t->line, isalpha(code) ? "" : words);
 	free(words);
 }
 
 /* The number that stood for a value begins a fraction: "p80=0", then a /. */
 static void
-begin_fraction(struct typing *y)
+begin_fraction(struct edit *y)
 {
 	const char *sign = strchr(y->text, '=');
 	if (sign == NULL || sign[1] == '\0' ||
 	    sign[1 + strspn(sign + 1, "0123456789.")] != '\0')
 		return;
 	char *number = xstrdup(sign + 1);
-	typing_begin(y, number);
+	edit_begin(y, number);
 	free(number);
 }
 
 char *
 goal_key(struct tui *t, int code, bool special)
 {
-	struct typing *y = &t->typing;
+	struct edit *y = &t->line;
 	if (!special && code == '\t') {
 		if (t->goal_fresh)
-			typing_begin(y, "");
+			edit_begin(y, "");
 		t->goal_fresh = false;
-		size_t next = typing_next(y), n = y->n;
+		size_t next = edit_next(y), n = y->n;
 		complete_goal(y);
 		y->from = y->n == n ? next : 0;
 		return NULL;
@@ -318,13 +318,13 @@ goal_key(struct tui *t, int code, bool special)
 	if (!special && code == '/')
 		begin_fraction(y);
 	t->goal_fresh = false;
-	switch (typing_key(y, t->session, code, special)) {
-	case TYPING_DONE:
+	switch (edit_key(y, t->session, code, special)) {
+	case EDIT_DONE:
 		return take(t);
-	case TYPING_GIVEN_UP:
+	case EDIT_GIVEN_UP:
 		close_field(t);
 		break;
-	case TYPING_ON:
+	case EDIT_ON:
 		break;
 	}
 	return NULL;

@@ -13,20 +13,20 @@
 static const struct page_list *
 list_of(const struct tui *t)
 {
-	return t->chooser.on ? t->chooser.rows : pages_open(t)->list;
+	return t->picker.on ? t->picker.rows : pages_open(t)->list;
 }
 
 /* What lies over the page needs no focus. */
 static bool
 has_focus(const struct tui *t)
 {
-	return t->chooser.on || t->ui.focus == pages_open(t);
+	return t->picker.on || t->ui.focus == pages_open(t);
 }
 
 static void
 take_focus(struct tui *t)
 {
-	if (!t->chooser.on)
+	if (!t->picker.on)
 		t->ui.focus = pages_open(t);
 }
 
@@ -118,7 +118,7 @@ move(struct tui *t, int by)
 size_t
 rows_first(struct tui *t, size_t room)
 {
-	size_t *top = t->chooser.on ? &t->chooser.top : &t->ui.top[t->ui.page];
+	size_t *top = t->picker.on ? &t->picker.top : &t->ui.top[t->ui.page];
 	settle(t);
 	size_t first = list_of(t)->at(t), shown = 1, n = total(t);
 	if (n == 0 || !has_word(t, first))
@@ -152,7 +152,7 @@ static bool
 touch_row(struct tui *t, const struct touched *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
-	if (touched->kind != TOUCH_PRESS || list_of(t) == NULL)
+	if (touched->kind != HIT_PRESS || list_of(t) == NULL)
 		return false;
 	size_t at = list_of(t)->at(t);
 	bool again = has_focus(t) && at == touched->item;
@@ -166,30 +166,30 @@ touch_row(struct tui *t, const struct touched *touched)
 static bool
 touch_wheel(struct tui *t, const struct touched *touched)
 {
-	if ((touched->kind != TOUCH_UP && touched->kind != TOUCH_DOWN) ||
+	if ((touched->kind != HIT_UP && touched->kind != HIT_DOWN) ||
 	    list_of(t) == NULL)
 		return false;
-	move(t, touched->kind == TOUCH_UP ? -1 : 1);
+	move(t, touched->kind == HIT_UP ? -1 : 1);
 	return true;
 }
 
 void
 rows_touch(struct tui *t, struct area area, size_t i)
 {
-	touch_add(&t->touches, area, touch_row, i);
+	hits_add(&t->hits, area, touch_row, i);
 }
 
 void
 rows_wheel(struct tui *t, struct area area)
 {
-	touch_add(&t->touches, area, touch_wheel, 0);
+	hits_add(&t->hits, area, touch_wheel, 0);
 }
 
 /* What is the list's while the arrows move in it only. */
 static bool
 focused_move(struct tui *t, const struct key *key)
 {
-	int page = t->places.body.rows > 3 ? t->places.body.rows - 2 : 1;
+	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
 	if (key->act == act_ends)
 		move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
@@ -208,7 +208,7 @@ rows_move(struct tui *t, const struct key *key)
 	if (list_of(t) == NULL)
 		return false;
 	/* Several keys may come before the next frame. */
-	if (!t->chooser.on)
+	if (!t->picker.on)
 		pages_update(t);
 	if (!has_rows(t))
 		return false;
@@ -255,7 +255,7 @@ rows_letter(struct tui *t, int code, bool special)
 		t->filter.active = false;
 		return true;
 	}
-	if (!typing_letter(&t->filter, code, special, VIEWER_WORD))
+	if (!edit_letter(&t->filter, code, special, VIEWER_WORD))
 		return false;
 	settle(t);
 	return true;
@@ -266,7 +266,7 @@ rows_forget(struct tui *t)
 {
 	if (!t->filter.active && t->filter.n == 0)
 		return false;
-	typing_begin(&t->filter, "");
+	edit_begin(&t->filter, "");
 	t->filter.active = false;
 	return true;
 }

@@ -47,7 +47,7 @@ struct wish {
 static bool
 is_pinned(const struct tui *t)
 {
-	return t->pin.site[0] != '\0';
+	return t->pinned.site[0] != '\0';
 }
 
 /* Not 0 as shown. */
@@ -100,7 +100,7 @@ draw_size(const struct area *area, int row, unsigned look, double mm)
 	char text[24];
 	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
 		screen_text(
-		    area, row, VALUE + 1, look, "%s", readings_size(mm, text));
+		    area, row, VALUE + 1, look, "%s", readout_size(mm, text));
 	else
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
@@ -110,7 +110,8 @@ static struct wish
 speed_wish(const struct panel *p)
 {
 	const struct tui *t = p->t;
-	bool other = is_pinned(t) && strcmp(t->pin.site, t->now.site) != 0;
+	bool other =
+	    is_pinned(t) && strcmp(t->pinned.site, t->current.site) != 0;
 	return (struct wish){1, other ? 2 : 1};
 }
 
@@ -121,7 +122,7 @@ is_changed(const struct panel *p)
 	bool changed = false;
 	for (int i = 0; i < PSD_SIZES && p->was != NULL; i++)
 		changed |= isfinite(p->was->size[i]) &&
-			   is_seen(p->t->now.size[i] - p->was->size[i], 2);
+			   is_seen(p->t->current.size[i] - p->was->size[i], 2);
 	return changed;
 }
 
@@ -129,19 +130,19 @@ static void
 draw_speed(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
-	const bool since = p->was != NULL && p->was->speed != t->now.speed;
+	const bool since = p->was != NULL && p->was->speed != t->current.speed;
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->now.speed);
+	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->current.speed);
 	if (is_pinned(t))
 		screen_text(
-		    area, 0, FROM, LOOK_DIM, "vs pinned %.1f", t->pin.speed);
+		    area, 0, FROM, LOOK_DIM, "vs pinned %.1f", t->pinned.speed);
 	else if (since)
 		screen_text(
 		    area, 0, FROM, LOOK_DIM, "since %.1f", p->was->speed);
 	else if (is_changed(p))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
-		screen_text(area, 1, 0, LOOK_DIM, "pinned: %s", t->pin.site);
+		screen_text(area, 1, 0, LOOK_DIM, "pinned: %s", t->pinned.site);
 }
 
 static struct wish
@@ -156,7 +157,7 @@ static bool
 touch_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->shown.product;
-	if (touched->kind != TOUCH_PRESS || product->n == 0)
+	if (touched->kind != HIT_PRESS || product->n == 0)
 		return false;
 	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->shown.size[touched->item];
@@ -177,12 +178,12 @@ draw_sizes(struct panel *p, const struct area *area)
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->shown.range[i];
 		draw_name(area, i, LOOK_BOLD, NAME[i]);
-		draw_size(area, i, LOOK_BOLD, t->now.size[i]);
+		draw_size(area, i, LOOK_BOLD, t->current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
 			draw_change(
-			    area, i, t->now.size[i], p->was->size[i], 2);
-		touch_add(&t->touches,
+			    area, i, t->current.size[i], p->was->size[i], 2);
+		hits_add(&t->hits,
 		    (struct area){
 			area->row + i, area->column, 1, area->columns},
 		    touch_size, (size_t)i);
@@ -202,12 +203,12 @@ draw_break(struct panel *p, const struct area *area)
 	const struct tui *t = p->t;
 	const double *range = t->shown.range[ANSWERS_BREAK];
 	draw_name(area, 0, 0, tr("break"));
-	draw_size(area, 0, LOOK_PLAIN, t->now.break_mm);
+	draw_size(area, 0, LOOK_PLAIN, t->current.break_mm);
 	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (p->was != NULL)
-		draw_change(area, 0, t->now.break_mm, p->was->break_mm, 2);
+		draw_change(area, 0, t->current.break_mm, p->was->break_mm, 2);
 	if (area->rows > 1)
 		screen_text(area, 1, 0, 0,
 		    area->columns < WIDE
@@ -224,7 +225,7 @@ count_fractions(const struct panel *p)
 {
 	int n = 0;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n += !isnan(p->t->now.passing[i]);
+		n += !isnan(p->t->current.passing[i]);
 	return n;
 }
 
@@ -241,7 +242,7 @@ touch_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->shown.product;
 	const double near = 1.0001;
-	if (touched->kind != TOUCH_PRESS || product->n == 0)
+	if (touched->kind != HIT_PRESS || product->n == 0)
 		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = 0;
@@ -264,7 +265,7 @@ draw_shares(struct panel *p, const struct area *area, int row,
 	low.passing = shown->low;
 	high.passing = shown->high;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS && row < area->rows; i++) {
-		double now = t->now.passing[i], part = all / 100;
+		double now = t->current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
 		draw_name(area, row, 0, name[i]);
@@ -278,7 +279,7 @@ draw_shares(struct panel *p, const struct area *area, int row,
 		if (p->was != NULL)
 			draw_change(area, row, now * part,
 			    p->was->passing[i] * part, 1);
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){
 			area->row + row, area->column, 1, area->columns},
 		    touch_fraction, i);
@@ -322,7 +323,7 @@ draw_tonnes(struct panel *p, const struct area *area)
 static struct wish
 limits_wish(const struct panel *p)
 {
-	const struct grading *g = limits_now(p->t);
+	const struct grading *g = envelope_check_now(p->t);
 	if (p->t->session->spec == NULL)
 		return (struct wish){0, 0};
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
@@ -375,9 +376,9 @@ place_of_limit(const double *margin, size_t n, size_t i)
 static bool
 touch_limits(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
-	typed_line_run(t, "spec");
+	cmdline_run(t, "spec");
 	return true;
 }
 
@@ -385,10 +386,10 @@ static void
 draw_limits(struct panel *p, const struct area *area)
 {
 	struct tui *t = p->t;
-	const struct grading *g = limits_now(t);
+	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
-	touch_add(&t->touches, *area, touch_limits, 0);
+	hits_add(&t->hits, *area, touch_limits, 0);
 	/* The fraction, where the name has room behind it. */
 	char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
@@ -420,14 +421,14 @@ static struct wish
 readings_wish(const struct panel *p)
 {
 	enum { LEAST = 3 };
-	int n = readings_rows(p->t);
+	int n = readout_rows(p->t);
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
 static void
 draw_readings(struct panel *p, const struct area *area)
 {
-	readings_draw(p->t, area);
+	readout_draw(p->t, area);
 }
 
 /* Of a few sieves nobody sees a curve. */
@@ -450,16 +451,16 @@ light_wish(const struct panel *p)
 {
 	enum { LOW = 16, FEW = 3, MANY = 6 };
 	int n = p->reason_rows;
-	int least = p->t->places.side.rows <= LOW ? FEW : MANY;
+	int least = p->t->layout.side.rows <= LOW ? FEW : MANY;
 	return (struct wish){1 + (n < least ? n : least), 1 + n};
 }
 
 static bool
 touch_light(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS)
+	if (touched->kind != HIT_PRESS)
 		return false;
-	typed_line_run(t, "why");
+	cmdline_run(t, "why");
 	return true;
 }
 
@@ -486,7 +487,7 @@ draw_light(struct panel *p, const struct area *area)
 	if (p->reason != NULL)
 		screen_words_within(
 		    area, 1, area->rows - 1, 0, p->reason, " ..");
-	touch_add(&p->t->touches, *area, touch_light, 0);
+	hits_add(&p->t->hits, *area, touch_light, 0);
 }
 
 static struct wish
@@ -562,7 +563,7 @@ share_rows(const struct panel *p, int left, int rows[BLOCKS])
 static void
 draw_blocks(struct panel *p)
 {
-	const struct area *side = &p->t->places.side;
+	const struct area *side = &p->t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
 	share_rows(p, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
@@ -618,17 +619,17 @@ take_light(struct panel *p)
 		if (p->light.reason[i].cause == TRUST_BEYOND)
 			first = i;
 	p->reason = p->light.reason[first].text;
-	p->reason_rows = text_rows(p->reason, t->places.side.columns);
+	p->reason_rows = text_rows(p->reason, t->layout.side.columns);
 }
 
 /* Without a prediction there is what is pinned, and what to do. */
 static void
 draw_nothing(const struct tui *t)
 {
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_entry(t);
 	/* The row of numbers has said it already. */
-	int row = t->places.numbers.rows == 0;
+	int row = t->layout.numbers.rows == 0;
 	if (row > 0)
 		screen_text(side, 0, 0, 0, "nothing predicted yet");
 	screen_text(side, row, 0, 0,
@@ -639,29 +640,29 @@ draw_nothing(const struct tui *t)
 		return;
 	row += 2;
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
-	    t->pin.speed, t->pin.site);
+	    t->pinned.speed, t->pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
-		draw_size(side, row + i, LOOK_PLAIN, t->pin.size[i]);
+		draw_size(side, row + i, LOOK_PLAIN, t->pinned.size[i]);
 	}
 }
 
 void
-verdicts_draw(struct tui *t)
+panel_draw(struct tui *t)
 {
-	const struct area *side = &t->places.side;
-	t->left_out = side->rows == 0 && t->now.site[0] != '\0';
+	const struct area *side = &t->layout.side;
+	t->left_out = side->rows == 0 && t->current.site[0] != '\0';
 	if (side->rows == 0)
 		return;
-	screen_wall(side->row, t->places.wall, side->rows);
-	if (t->now.site[0] == '\0') {
+	screen_wall(side->row, t->layout.wall, side->rows);
+	if (t->current.site[0] == '\0') {
 		draw_nothing(t);
 		return;
 	}
 	struct panel p = {.t = t,
-	    .was = is_pinned(t)               ? &t->pin
-		   : t->pause.site[0] != '\0' ? &t->pause
-					      : NULL};
+	    .was = is_pinned(t)                   ? &t->pinned
+		   : t->reference.site[0] != '\0' ? &t->reference
+						  : NULL};
 	take_tonnes(&p);
 	take_light(&p);
 	draw_blocks(&p);
@@ -669,12 +670,12 @@ verdicts_draw(struct tui *t)
 }
 
 char *
-verdicts_words(struct tui *t)
+panel_words(struct tui *t)
 {
-	const struct grading *g = limits_now(t);
+	const struct grading *g = envelope_check_now(t);
 	char *words = xstrdup("");
-	if (t->ui.page != PAGE_PREDICT || t->places.side.rows > 0 ||
-	    t->now.site[0] == '\0')
+	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
+	    t->current.site[0] == '\0')
 		return words;
 	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
 	xlist(&words, ", ", tr("trust %s"), tr(LIGHT_NAME[light.light]));
@@ -706,23 +707,23 @@ short_size(double mm, char text[static 24])
 }
 
 void
-verdicts_row(struct tui *t)
+panel_row(struct tui *t)
 {
-	const struct area *area = &t->places.numbers;
+	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->shown;
 	char a[24], b[24], c[24], d[24];
 	/* The list of sites tells of the marked one, which may be another. */
 	if (area->rows == 0 ||
 	    (t->ui.page == PAGE_SITES && t->ui.site_at != t->session->current))
 		return;
-	if (t->now.site[0] == '\0')
+	if (t->current.site[0] == '\0')
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
 	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
 		if (t->ui.focus == &page_predict)
 			t->cursor =
-			    (struct cursor){area->row, t->places.side.column};
+			    (struct cursor){area->row, t->layout.side.column};
 		bool narrow = area->columns < 34;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
@@ -730,21 +731,21 @@ verdicts_row(struct tui *t)
 			   : N_("%g mm %.1f %%  %d %% %s"),
 		    units_mm(p->product.size[t->ui.cross_at]),
 		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
-		    narrow ? short_size(mm, a) : readings_size(mm, a));
+		    narrow ? short_size(mm, a) : readout_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
-		    short_size(t->now.size[1], b),
-		    short_size(t->now.size[2], c));
+		    short_size(t->current.size[1], b),
+		    short_size(t->current.size[2], c));
 	else if (area->columns < 60)
 		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
-		    short_size(t->now.size[0], a),
-		    short_size(t->now.size[1], b),
-		    short_size(t->now.size[2], c));
+		    short_size(t->current.size[0], a),
+		    short_size(t->current.size[1], b),
+		    short_size(t->current.size[2], c));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readings_size(t->now.size[0], a),
-		    readings_size(t->now.size[1], b),
-		    readings_size(t->now.size[2], c),
-		    readings_size(t->now.break_mm, d));
+		    readout_size(t->current.size[0], a),
+		    readout_size(t->current.size[1], b),
+		    readout_size(t->current.size[2], c),
+		    readout_size(t->current.break_mm, d));
 }

@@ -6,13 +6,13 @@
 #include "tui/tui_state.h"
 
 /* The side panel of page Predict. */
-void verdicts_draw(struct tui *t);
+void panel_draw(struct tui *t);
 
 /* What stands for the panel where it has no room: "trust amber, misses ASTM
  * C33", or "".  The caller frees. */
-char *verdicts_words(struct tui *t);
+char *panel_words(struct tui *t);
 
 /* The row of numbers that takes the side panel's place, on any page. */
-void verdicts_row(struct tui *t);
+void panel_row(struct tui *t);
 
 #endif

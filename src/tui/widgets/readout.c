@@ -12,7 +12,7 @@
 #include "tui/screen.h"
 
 const char *
-readings_size(double mm, char text[static 24])
+readout_size(double mm, char text[static 24])
 {
 	if (isnan(mm))
 		snprintf(text, 24, tr("off sieves"));
@@ -36,7 +36,7 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 	char size[24] = "-";
 	double mm = 1000 * psd_size(finer, t->ui.level / 100.0);
 	if (isfinite(mm))
-		readings_size(mm, size);
+		readout_size(mm, size);
 	screen_text(area, row, 0, look, "%-8.8s", name);
 	if (psd_covers(psd, x))
 		screen_text(
@@ -68,22 +68,23 @@ draw_band(const struct tui *t, const struct area *area, int row)
 }
 
 int
-readings_rows(const struct tui *t)
+readout_rows(const struct tui *t)
 {
 	enum { OTHERS = 3, BAND = 2 };
 	if (!t->ui.cross || t->ui.cross_at >= t->shown.product.n)
 		return 0;
 	return OTHERS + (int)site_products(tui_entry(t)->site) +
 	       (t->ui.band && t->shown.low != NULL ? BAND : 0) +
-	       (t->pin.site[0] != '\0');
+	       (t->pinned.site[0] != '\0');
 }
 
 void
-readings_draw(struct tui *t, const struct area *area)
+readout_draw(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->shown;
 	const struct site *site = tui_entry(t)->site;
-	bool focus = t->ui.focus == &page_predict, pin = t->pin.site[0] != '\0';
+	bool focus = t->ui.focus == &page_predict,
+	     pin = t->pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
 	if (focus)
@@ -104,7 +105,7 @@ readings_draw(struct tui *t, const struct area *area)
 	}
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
-		draw_reading(t, area, row++, 0, "pinned", &t->kept.product,
-		    &t->kept.curve);
+		draw_reading(t, area, row++, 0, "pinned",
+		    &t->pinned_whole.product, &t->pinned_whole.curve);
 	draw_band(t, area, row);
 }

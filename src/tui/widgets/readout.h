@@ -6,13 +6,13 @@
 #include "tui/tui_state.h"
 
 /* Rows that it takes where there is room: 0 where it is off. */
-int readings_rows(const struct tui *t);
+int readout_rows(const struct tui *t);
 
 /* What every curve passes at the crosshair and the size at its level, with the
  * cursor there where it has the focus. */
-void readings_draw(struct tui *t, const struct area *area);
+void readout_draw(struct tui *t, const struct area *area);
 
 /* "2.81 mm", or why there is no such number. */
-const char *readings_size(double mm, char text[static 24]);
+const char *readout_size(double mm, char text[static 24]);
 
 #endif

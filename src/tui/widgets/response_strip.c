@@ -34,32 +34,32 @@ struct basis {
 };
 
 /* value [n]: as people see it, with the ends of its band, NAN without one. */
-struct above {
+struct strip {
 	struct basis basis;
 	struct quantity of;
 	size_t feed, n;
 	double value[POINTS][3];
 };
 
-struct above *
-above_new(void)
+struct strip *
+strip_new(void)
 {
-	return xcalloc(1, sizeof(struct above));
+	return xcalloc(1, sizeof(struct strip));
 }
 
 void
-above_free(struct above *a)
+strip_free(struct strip *a)
 {
 	origin_drop(a->basis.origin);
 	free(a);
 }
 
 void
-above_look(struct tui *t)
+strip_look(struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	const struct choices *set = &t->session->set;
-	struct basis *b = &t->above->basis;
+	struct basis *b = &t->strip->basis;
 	if (entry != NULL && entry == session_fitting(t->session))
 		t->wish = NULL;
 	if (entry != NULL && b->site == entry->site &&
@@ -76,7 +76,7 @@ above_look(struct tui *t)
 	}
 	if (b->origin != NULL)
 		b->origin->holders++;
-	t->above->n = 0;
+	t->strip->n = 0;
 	goals_clear(&t->goal);
 	t->wish = NULL;
 }
@@ -90,7 +90,7 @@ usual(enum quantity_kind kind, double x, double coarse)
 }
 
 struct quantity
-above_usual(void)
+strip_usual(void)
 {
 	return usual(QUANTITY_SIZE, 0.8, 0);
 }
@@ -104,7 +104,7 @@ feed_of(const struct tui *t)
 void
 act_quantity(struct tui *t, const struct key *key)
 {
-	const struct quantity all[] = {above_usual(),
+	const struct quantity all[] = {strip_usual(),
 	    usual(QUANTITY_SIZE, 0.5, 0), usual(QUANTITY_SIZE, 0.2, 0),
 	    usual(QUANTITY_PASSING, 4e-3, 0), usual(QUANTITY_PASSING, 2e-3, 0),
 	    usual(QUANTITY_PASSING, 0.063e-3, 0),
@@ -137,7 +137,7 @@ has_curve(const struct tui *t)
 static bool
 is_fresh(const struct tui *t)
 {
-	const struct above *a = t->above;
+	const struct strip *a = t->strip;
 	return a->n == POINTS && a->feed == tui_feed(t) &&
 	       quantity_same(&a->of, &t->ui.quantity);
 }
@@ -154,7 +154,7 @@ speed_at(const struct tui *t, double share)
 static void
 work_out(struct tui *t)
 {
-	struct above *a = t->above;
+	struct strip *a = t->strip;
 	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->ui.quantity))
 		a->n = 0;
 	a->feed = tui_feed(t);
@@ -173,18 +173,18 @@ work_out(struct tui *t)
 }
 
 bool
-above_point(
+strip_point(
     const struct tui *t, size_t i, double *speed, double value[static 3])
 {
 	if (!is_fresh(t) || i >= POINTS)
 		return false;
 	*speed = speed_at(t, (double)i / (POINTS - 1));
-	memcpy(value, t->above->value[i], 3 * sizeof *value);
+	memcpy(value, t->strip->value[i], 3 * sizeof *value);
 	return true;
 }
 
 double
-above_wait(const struct tui *t)
+strip_wait(const struct tui *t)
 {
 	if (!has_curve(t))
 		return INFINITY;
@@ -208,11 +208,11 @@ step_goal(struct tui *t)
 }
 
 void
-above_update(struct tui *t)
+strip_update(struct tui *t)
 {
 	if (!has_curve(t))
 		return;
-	bool now = t->aside || above_wait(t) <= 0;
+	bool now = t->aside || strip_wait(t) <= 0;
 	do
 		if (now && !is_fresh(t))
 			work_out(t);
@@ -226,7 +226,7 @@ above_update(struct tui *t)
 struct cells {
 	struct area area;
 	int across, down;
-	bool ascii, quadrants;
+	enum charset charset;
 	double low, high;
 	unsigned char *dots, *series; /* [rows * columns] */
 };
@@ -262,31 +262,20 @@ put_dot(struct cells *p, int x, int level, enum series series)
 	int down = p->down - 1 - level % p->down;
 	size_t at = (size_t)(row * p->area.columns + column);
 	/* Of a curve that falls steeply through a cell the last is shown. */
-	if (p->ascii)
+	if (p->charset == CHARSET_ASCII)
 		p->dots[at] = 0;
 	p->dots[at] |=
 	    (unsigned char)(1U << (p->across * down + x % p->across));
 	p->series[at] = (unsigned char)series;
 }
 
-/* Of eight dots, of four, or a character that stands as high. */
+/* Its dots, or a character that stands as high. */
 static uint32_t
 code_of(const struct cells *p, unsigned dots)
 {
-	static const uint32_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
-	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,
-	    0x2584, 0x2599, 0x259F, 0x2588};
-	static const unsigned char BRAILLE[8] = {
-	    0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
-	if (p->ascii)
-		return dots & 1 ? '\'' : dots & 2 ? '-' : '.';
-	if (p->quadrants)
-		return QUADRANTS[dots & 15];
-	unsigned code = 0;
-	for (unsigned i = 0; i < ARRAY_LEN(BRAILLE); i++)
-		if (dots >> i & 1)
-			code |= BRAILLE[i];
-	return 0x2800 + code;
+	if (p->charset != CHARSET_ASCII)
+		return canvas_dots_code(p->charset, dots);
+	return dots & 1 ? '\'' : dots & 2 ? '-' : '.';
 }
 
 /* Where in the track a column of dots is, 0 to 1: the middle of a cell is where
@@ -300,7 +289,7 @@ share_of(const struct cells *p, int x)
 }
 
 static double
-value_at(const struct above *a, double share, size_t which)
+value_at(const struct strip *a, double share, size_t which)
 {
 	double at = share * (POINTS - 1);
 	size_t i = at < POINTS - 2 ? (size_t)at : POINTS - 2;
@@ -310,7 +299,7 @@ value_at(const struct above *a, double share, size_t which)
 
 /* The edges are drawn where they are apart from the curve. */
 static void
-draw_edges(struct cells *p, const struct above *a)
+draw_edges(struct cells *p, const struct strip *a)
 {
 	for (int x = 0; x < p->area.columns * p->across; x += p->across)
 		for (size_t k = 1; k < 3; k++) {
@@ -326,7 +315,7 @@ draw_edges(struct cells *p, const struct above *a)
 static void
 draw_curve(const struct tui *t, struct cells *p)
 {
-	const struct above *a = t->above;
+	const struct strip *a = t->strip;
 	const struct entry *entry = tui_entry(t);
 	int last = -1;
 	for (int x = 0; x < p->area.columns * p->across; x++) {
@@ -405,7 +394,7 @@ scale(const struct tui *t, struct cells *p)
 	p->high = -INFINITY;
 	for (size_t i = 0; i < POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			hold(p, t->above->value[i][k]);
+			hold(p, t->strip->value[i][k]);
 	for (size_t r = 0; r < tui_entry(t)->site->n_run; r++)
 		hold(p, measured_at(t, r));
 	if (!(p->low <= p->high))
@@ -427,7 +416,7 @@ static void
 draw_label(const struct tui *t, int row, unsigned look, double value)
 {
 	char text[32];
-	const struct area *area = &t->places.above;
+	const struct area *area = &t->layout.strip;
 	snprintf(text, sizeof text, "%.6g", value);
 	int width = (int)strlen(text);
 	if (width <= 4)
@@ -439,7 +428,7 @@ static void
 draw_limits(struct tui *t, struct cells *p)
 {
 	struct limit limit[MOST_LIMITS];
-	const struct area *area = &t->places.above;
+	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
 	for (size_t i = 0; i < n; i++) {
 		if (!has_level(p, limit[i].value))
@@ -455,7 +444,7 @@ draw_limits(struct tui *t, struct cells *p)
 		int row = row_of(p, limit[i].value);
 		screen_series(area, row, area->columns - 4, SERIES_OTHER,
 		    LOOK_BOLD, limit[i].name);
-		touch_add_key(&t->touches,
+		hits_add_key(&t->hits,
 		    (struct area){area->row + row, area->columns - 4, 1, 4},
 		    't', false);
 	}
@@ -527,11 +516,12 @@ draw_marks(const struct tui *t, const struct cells *p)
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
-	double value = value_at(t->above, share, 0);
+	double value = value_at(t->strip, share, 0);
 	if (isfinite(value))
 		screen_series(&p->area, row_of(p, value),
 		    slider_column(range, t->ui.tenths, p->area.columns),
-		    SERIES_PREDICTED, LOOK_BOLD, p->ascii ? "O" : "\u25CE");
+		    SERIES_PREDICTED, LOOK_BOLD,
+		    p->charset == CHARSET_ASCII ? "O" : "\u25CE");
 }
 
 /* In words why there is no curve; nothing while it is being worked out. */
@@ -539,7 +529,7 @@ static void
 draw_none(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
-	const struct area *area = &t->places.above;
+	const struct area *area = &t->layout.strip;
 	const char *why = "";
 	if (entry == NULL)
 		return;
@@ -553,22 +543,21 @@ draw_none(const struct tui *t)
 }
 
 void
-above_draw(struct tui *t)
+strip_draw(struct tui *t)
 {
-	struct area area = t->places.above, track = places_track(&t->places);
+	struct area area = t->layout.strip, track = layout_track(&t->layout);
+	enum { ASCII_DOWN = 3 };
 	enum charset charset = screen_charset();
 	struct cells p = {.area = area,
-	    .across = charset == CHARSET_ASCII ? 1 : 2,
-	    .down = charset == CHARSET_ASCII       ? 3
-		    : charset == CHARSET_QUADRANTS ? 2
-						   : 4,
-	    .ascii = charset == CHARSET_ASCII,
-	    .quadrants = charset == CHARSET_QUADRANTS};
+	    .charset = charset,
+	    .across = canvas_dots_across(charset),
+	    .down = charset == CHARSET_ASCII ? ASCII_DOWN
+					     : canvas_dots_down(charset)};
 	if (area.rows == 0)
 		return;
 	p.area.column = track.column;
 	p.area.columns = track.columns;
-	touch_add(&t->touches, area, track_touch, 0);
+	hits_add(&t->hits, area, track_touch, 0);
 	if (!has_curve(t) || !is_fresh(t) || !scale(t, &p)) {
 		draw_none(t);
 		return;
@@ -576,7 +565,7 @@ above_draw(struct tui *t)
 	size_t cells = (size_t)(p.area.rows * p.area.columns);
 	p.dots = xcalloc(cells, 1);
 	p.series = xcalloc(cells, 1);
-	draw_edges(&p, t->above);
+	draw_edges(&p, t->strip);
 	draw_limits(t, &p);
 	draw_curve(t, &p);
 	draw_cells(&p);

@@ -7,33 +7,33 @@
 #include "tui/tui_state.h"
 
 /* What was worked out; opaque. */
-struct above;
+struct strip;
 
-struct above *above_new(void);
-void above_free(struct above *above);
+struct strip *strip_new(void);
+void strip_free(struct strip *strip);
 
 /* After a command: what was worked out is forgotten where it follows from
  * something else now, and so is the goal's. */
-void above_look(struct tui *t);
+void strip_look(struct tui *t);
 
 /* The quantity that is shown first: P80. */
-struct quantity above_usual(void);
+struct quantity strip_usual(void);
 
 /* Works out a part of the curve, or else of the goal, unless the slider has
  * just been moved: some 10 ms.  Without a terminal all of it. */
-void above_update(struct tui *t);
+void strip_update(struct tui *t);
 
 /* Point i of the curve, from the slowest speed on: value, low and high as they
  * are shown.  False where it is not known, or there are no more. */
-bool above_point(
+bool strip_point(
     const struct tui *t, size_t i, double *speed, double value[static 3]);
 
 /* How long until there is such a part to work out, s; INFINITY: none. */
-double above_wait(const struct tui *t);
+double strip_wait(const struct tui *t);
 
 /* Draws it, when all is known: its band as two thin edges, with gaps where
  * speeds are extrapolated, limits on it as dotted lines, what was measured and
  * where the slider stands as marks. */
-void above_draw(struct tui *t);
+void strip_draw(struct tui *t);
 
 #endif

@@ -61,7 +61,7 @@ act_bounds(struct tui *t, const struct key *key)
 				       : past.bounds;
 	t->ui.param_at = j + 1;
 	char *line = xasprintf("bounds %s ", of->parameter[j].name);
-	typing_begin(&t->typing, line);
+	edit_begin(&t->line, line);
 	free(line);
 	tui_say(t, false,
 	    j < of->gauge
@@ -74,11 +74,11 @@ act_bounds(struct tui *t, const struct key *key)
 static bool
 touch_parameter(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == TOUCH_PRESS) {
+	if (touched->kind == HIT_PRESS) {
 		t->ui.param_at = touched->item;
 		act_bounds(t, NULL);
 	}
-	return touched->kind == TOUCH_PRESS;
+	return touched->kind == HIT_PRESS;
 }
 
 /* Where a value stands within its bounds, as a cell of a bar. */
@@ -168,7 +168,7 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 static int
 draw_parameters(struct tui *t, const struct plots_past *past, int row)
 {
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	const struct breakage *of = breakage_of(&past->best);
 	bool wide = side->columns >= WIDE;
 	int rest = NAME + 2 * (BOUND + 1) + VALUE + (wide ? REMARK : SIGN);
@@ -188,7 +188,7 @@ draw_parameters(struct tui *t, const struct plots_past *past, int row)
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
 		    t->ui.param_at == j + 1, &strip);
-		touch_add(&t->touches,
+		hits_add(&t->hits,
 		    (struct area){
 			side->row + r.row, side->column, 1, side->columns},
 		    touch_parameter, j + 1);
@@ -218,7 +218,7 @@ draw_pace(const struct tui *t, int row)
 		snprintf(pace, sizeof pace, "auto");
 	else if (t->ui.pace < PACE_FULL)
 		snprintf(pace, sizeof pace, "%g/s", PACES[t->ui.pace]);
-	screen_text(&t->places.side, row, 0, LOOK_DIM,
+	screen_text(&t->layout.side, row, 0, LOOK_DIM,
 	    "%.1f s  %zu candidates  pace %s", seconds, st.evaluations, pace);
 	return row + 1;
 }
@@ -256,7 +256,7 @@ static int
 draw_found(const struct tui *t, int row)
 {
 	const struct entry *entry = tui_entry(t);
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	if (!entry->has_fit || t->ui.generation > 0)
 		return row;
 	const struct posterior *p = outlook_draws(t->session, entry);
@@ -280,7 +280,7 @@ draw_found(const struct tui *t, int row)
 static int
 draw_words(const struct tui *t, const struct plots_past *past)
 {
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	size_t at = tui_generation(t);
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	bool end = t->ui.generation == 0 && past->polished;
@@ -306,7 +306,7 @@ static void
 draw_convergence(struct tui *t, int row)
 {
 	enum { MOST = 20 };
-	struct area below = t->places.side;
+	struct area below = t->layout.side;
 	below.row += row;
 	below.rows -= row;
 	below.rows = below.rows > MOST ? MOST : below.rows;
@@ -338,7 +338,7 @@ parameters_words(const struct tui *t, const struct plots_past *past)
 static void
 draw_low(const struct tui *t, const struct plots_past *past)
 {
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_entry(t);
 	size_t at = tui_generation(t);
 	bool over = t->ui.generation == 0 && !session_busy(t->session) &&
@@ -361,11 +361,11 @@ void
 search_side_draw(struct tui *t)
 {
 	enum { LOW = 12 };
-	const struct area *side = &t->places.side;
+	const struct area *side = &t->layout.side;
 	struct plots_past past = tui_past(t);
 	if (side->rows == 0)
 		return;
-	screen_wall(side->row, t->places.wall, side->rows);
+	screen_wall(side->row, t->layout.wall, side->rows);
 	if (past.n > 0 && side->rows < LOW) {
 		draw_low(t, &past);
 		return;

@@ -23,24 +23,25 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 {
 	const struct site *site = tui_entry(t)->site;
 	const struct run *nearest = NULL;
-	if (t->pin.site[0] != '\0') {
+	if (t->pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));
 		*series = SERIES_OTHER;
-		return &t->kept.product;
+		return &t->pinned_whole.product;
 	}
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
 		if (run->product.n > 0 &&
 		    (nearest == NULL ||
-			fabs(run->speed - t->now.speed) <
-			    fabs(nearest->speed - t->now.speed)))
+			fabs(run->speed - t->current.speed) <
+			    fabs(nearest->speed - t->current.speed)))
 			nearest = run;
 	}
 	if (nearest == NULL)
 		return NULL;
 	snprintf(name, 40,
-	    fabs(nearest->speed - t->now.speed) < 0.05 ? tr("vs %g measured")
-						       : tr("vs %g m/s"),
+	    fabs(nearest->speed - t->current.speed) < 0.05
+		? tr("vs %g measured")
+		: tr("vs %g m/s"),
 	    nearest->speed);
 	size_t run = (size_t)(nearest - site->run);
 	*series = site_chart_run(site, run, false).series;
@@ -98,7 +99,7 @@ draw_bar(const struct area *area, int row, double share)
 static bool
 touch_sieve(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS || touched->item >= t->shown.product.n)
+	if (touched->kind != HIT_PRESS || touched->item >= t->shown.product.n)
 		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = touched->item;
@@ -122,7 +123,7 @@ draw_sieve(
 	if (!isnan(off))
 		screen_text(area, row, COMPARED, look,
 		    off != 0 ? "%+5.1f" : "%5.1f", off);
-	touch_add(&t->touches,
+	hits_add(&t->hits,
 	    (struct area){area->row + row, area->column, 1, area->columns},
 	    touch_sieve, i);
 }

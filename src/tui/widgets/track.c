@@ -63,10 +63,10 @@ take_marks(const struct entry *entry, struct slider_range range,
 bool
 track_touch(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != TOUCH_PRESS && touched->kind != TOUCH_DRAG)
+	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
 		return false;
-	struct area track = places_track(&t->places);
-	if (touched->kind == TOUCH_PRESS)
+	struct area track = layout_track(&t->layout);
+	if (touched->kind == HIT_PRESS)
 		t->ui.focus = NULL;
 	t->ui.tenths = slider_at(tui_range(t),
 	    touched->area.column + touched->column - track.column,
@@ -135,8 +135,8 @@ draw_cell(const struct tui *t, const struct area *track, int column, char sign)
 void
 track_draw(struct tui *t)
 {
-	touch_add(&t->touches, t->places.track, track_touch, 0);
-	struct area track = places_track(&t->places);
+	hits_add(&t->hits, t->layout.track, track_touch, 0);
+	struct area track = layout_track(&t->layout);
 	const struct entry *entry = tui_entry(t);
 	struct slider_range range = tui_range(t);
 	struct slider_mark mark[MOST_MARKS];
@@ -154,8 +154,8 @@ track_draw(struct tui *t)
 	screen_text(&track, 0, at, focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
 	    length, text + at);
 	if (track.column > 0) {
-		screen_text(&t->places.track, 0, 0, 0, "%3d", range.least / 10);
-		screen_text(&t->places.track, 0, t->places.track.columns - 3, 0,
+		screen_text(&t->layout.track, 0, 0, 0, "%3d", range.least / 10);
+		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
 		    "%d", range.most / 10);
 	}
 	free(kept);
@@ -190,9 +190,9 @@ say_quantity(const struct tui *t, struct part *part)
 	}
 	char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
-	if (t->places.above.rows > 0 && !goals_set(t->session))
+	if (t->layout.strip.rows > 0 && !goals_set(t->session))
 		say(part, xasprintf(tr("%s at all speeds"), words));
-	if (t->places.above.rows > 0)
+	if (t->layout.strip.rows > 0)
 		say(part, xstrdup(words));
 	say(part, xstrdup(""));
 	free(words);
@@ -295,7 +295,7 @@ void
 track_heading(struct tui *t)
 {
 	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
-	const struct area *area = &t->places.caption;
+	const struct area *area = &t->layout.caption;
 	struct part part[PARTS] = {0};
 	say_quantity(t, &part[QUANTITY]);
 	say_goal(t, &part[GOAL]);
@@ -310,7 +310,7 @@ track_heading(struct tui *t)
 			screen_text(
 			    area, 0, column, part[i].look, " %s ", text);
 		if (KEY[i] != 0)
-			touch_add_key(&t->touches,
+			hits_add_key(&t->hits,
 			    (struct area){area->row, area->column + column, 1,
 				text_width(text)},
 			    KEY[i], false);

@@ -12,7 +12,7 @@ void track_draw(struct tui *t);
  * signs mean. */
 void track_heading(struct tui *t);
 
-/* Wherever it is pressed the slider goes, and follows; see touch_way. */
+/* Wherever it is pressed the slider goes, and follows; see hit_way. */
 bool track_touch(struct tui *t, const struct touched *touched);
 
 /* Does what the kept key is for, where the speeds are known or are to be worked

@@ -1,31 +1,31 @@
 /* Text on the whole screen: what commands print, and the list of keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_TUI_WIDGETS_VIEW_H
-#define TIPSPEED_TUI_WIDGETS_VIEW_H
+#ifndef TIPSPEED_TUI_WIDGETS_VIEWER_H
+#define TIPSPEED_TUI_WIDGETS_VIEWER_H
 
 #include "tui/tui_state.h"
 
 /* Shows text, which it takes. */
-void view_text(struct tui *t, char *text);
+void viewer_text(struct tui *t, char *text);
 
 /* Shows the message where its rows have no room for all of it. */
-void view_message(struct tui *t);
+void viewer_message(struct tui *t);
 
 /* Shows the keys whose line has the word that is looked for. */
-void view_keys(struct tui *t);
+void viewer_keys(struct tui *t);
 
 /* Takes a key: scrolls, looks for a word, or closes.  False where it is none
  * of the text's, which is closed then, and does what it does without.  run: the
  * key chosen from the list of keys, else left alone. */
-bool view_key(struct tui *t, int code, bool special, const struct key **run);
+bool viewer_key(struct tui *t, int code, bool special, const struct key **run);
 
 /* Draws it with its hints. */
-void view_draw(struct tui *t);
+void viewer_draw(struct tui *t);
 
 /* Moves the text, or the key that is chosen, by so many lines. */
-void view_scroll(struct tui *t, int by);
+void viewer_scroll(struct tui *t, int by);
 
 /* Closes it; what was printed can be shown again. */
-void view_close(struct tui *t);
+void viewer_close(struct tui *t);
 
 #endif

@@ -1,6 +1,6 @@
 /* Scrolling, choosing, drawing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tui/widgets/view.h"
+#include "tui/widgets/viewer.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +32,7 @@ split(struct viewer *v)
 }
 
 void
-view_close(struct tui *t)
+viewer_close(struct tui *t)
 {
 	tui_untouch(t);
 	struct viewer *v = &t->viewer;
@@ -49,9 +49,9 @@ view_close(struct tui *t)
 }
 
 void
-view_text(struct tui *t, char *text)
+viewer_text(struct tui *t, char *text)
 {
-	view_close(t);
+	viewer_close(t);
 	t->viewer = (struct viewer){.text = text, .at = -1};
 	split(&t->viewer);
 }
@@ -61,47 +61,47 @@ act_again(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (t->closed != NULL)
-		view_text(t, xstrdup(t->closed));
+		viewer_text(t, xstrdup(t->closed));
 	else
 		tui_say(t, false, "no text has been shown yet");
 }
 
 void
-view_keys(struct tui *t)
+viewer_keys(struct tui *t)
 {
-	struct typing word = t->viewer.word;
+	struct edit word = t->viewer.word;
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
 	keys_list(t->ui.page, word.text, out);
 	fclose(out);
-	view_text(t, text);
+	viewer_text(t, text);
 	t->viewer.keys = true;
 	t->viewer.word = word;
 	t->viewer.at = 0;
-	view_scroll(t, 1);
+	viewer_scroll(t, 1);
 }
 
 void
 act_help(struct tui *t, const struct key *key)
 {
 	(void)key;
-	view_keys(t);
+	viewer_keys(t);
 }
 
 /* The last frame may have been of other text there. */
 void
-view_message(struct tui *t)
+viewer_message(struct tui *t)
 {
 	enum { MARGIN = 2, LEAST = 8 };
 	int rows, columns;
 	screen_size(&rows, &columns);
-	const struct places l =
-	    places_make(rows, columns, (struct places_ask){0});
+	const struct layout l =
+	    layout_make(rows, columns, (struct layout_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
-	if (text_rows(t->message, columns) > places_message_rows(&l) &&
+	if (text_rows(t->message, columns) > layout_message_rows(&l) &&
 	    t->viewer.text == NULL)
-		view_text(t, text_wrapped(t->message, columns));
+		viewer_text(t, text_wrapped(t->message, columns));
 }
 
 static bool
@@ -131,13 +131,13 @@ static void
 fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
-	int rows = t->places.body.rows > 1 ? t->places.body.rows : 1;
+	int rows = t->layout.body.rows > 1 ? t->layout.body.rows : 1;
 	if (v->keys) {
 		v->at = within(v->at, 0, v->lines - 1);
 		v->top = within(v->top, v->at - rows + 1, v->at);
 	}
 	v->top = within(v->top, 0, v->lines - rows);
-	v->left = within(v->left, 0, v->columns - t->places.body.columns);
+	v->left = within(v->left, 0, v->columns - t->layout.body.columns);
 }
 
 /* To a line with the word, in the middle where it was not to be seen. */
@@ -145,7 +145,7 @@ static void
 go_to(struct tui *t, int line)
 {
 	struct viewer *v = &t->viewer;
-	int rows = t->places.body.rows;
+	int rows = t->layout.body.rows;
 	v->at = line;
 	if (line >= 0 && (line < v->top || line >= v->top + rows))
 		v->top = line - rows / 2;
@@ -170,7 +170,7 @@ static bool
 find(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
-	struct typing *word = &v->word;
+	struct edit *word = &v->word;
 	if (!word->active && (special || code != '/'))
 		return false;
 	if (!word->active) {
@@ -181,10 +181,10 @@ find(struct tui *t, int code, bool special)
 		word->active = false;
 		return true;
 	}
-	if (!typing_letter(word, code, special, VIEWER_WORD))
+	if (!edit_letter(word, code, special, VIEWER_WORD))
 		return false;
 	if (v->keys) {
-		view_keys(t);
+		viewer_keys(t);
 	} else {
 		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
@@ -196,7 +196,7 @@ find(struct tui *t, int code, bool special)
 
 /* Of the list of keys the chosen one, past headings. */
 void
-view_scroll(struct tui *t, int by)
+viewer_scroll(struct tui *t, int by)
 {
 	struct viewer *v = &t->viewer;
 	int step = by < 0 ? -1 : 1;
@@ -220,9 +220,9 @@ forget_word(struct tui *t)
 	struct viewer *v = &t->viewer;
 	if (!v->word.active && v->word.n == 0)
 		return false;
-	v->word = (struct typing){0};
+	v->word = (struct edit){0};
 	if (v->keys)
-		view_keys(t);
+		viewer_keys(t);
 	else
 		v->at = -1;
 	return true;
@@ -233,19 +233,20 @@ static bool
 moves(struct tui *t, const struct key *key, int code)
 {
 	struct viewer *v = &t->viewer;
-	int page = t->places.body.rows > 2 ? t->places.body.rows - 1 : 1;
+	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
 	key_way *act = key != NULL ? key->act : NULL;
 	int steps = act == act_move ? abs(key->amount) : 0;
 	if (act == act_list)
-		view_scroll(t, key->amount);
+		viewer_scroll(t, key->amount);
 	else if (steps == STEP && !v->keys)
-		v->left += key->amount * (t->places.body.columns + 1) / 2;
+		v->left += key->amount * (t->layout.body.columns + 1) / 2;
 	else if (steps == FAR)
-		view_scroll(t, key->amount < 0 ? page : -page);
+		viewer_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
-		view_scroll(t, page);
+		viewer_scroll(t, page);
 	else if (act == act_ends)
-		view_scroll(t, key->amount == TO_LEAST ? -v->lines : v->lines);
+		viewer_scroll(
+		    t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
 		go_to(t, code == 'N' ? find_from(v, v->at - 1, -1)
 				     : find_from(v, v->at + 1, 1));
@@ -284,7 +285,7 @@ only_closes(struct tui *t, const struct key *key, int code, bool keys)
 }
 
 bool
-view_key(struct tui *t, int code, bool special, const struct key **run)
+viewer_key(struct tui *t, int code, bool special, const struct key **run)
 {
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->ui.page);
@@ -296,12 +297,12 @@ view_key(struct tui *t, int code, bool special, const struct key **run)
 	if (keys && code == '\n') {
 		*run = keys_nth(t->ui.page, v->word.text, (size_t)v->at);
 		if (*run != NULL)
-			view_close(t);
+			viewer_close(t);
 		return true;
 	}
 	/* How it is found again is read after it has gone. */
 	t->told = t->told || v->report;
-	view_close(t);
+	viewer_close(t);
 	return only_closes(t, key, code, keys);
 }
 
@@ -321,9 +322,9 @@ squeeze(char *line)
 static bool
 touch_key(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == TOUCH_PRESS)
+	if (touched->kind == HIT_PRESS)
 		t->viewer.at = (int)touched->item;
-	return touched->kind == TOUCH_PRESS;
+	return touched->kind == HIT_PRESS;
 }
 
 /* One line of the text; of a key what there is no room for is cut, with a
@@ -334,7 +335,7 @@ draw_line(struct tui *t, int n)
 	enum { NARROW = 60 };
 	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
-	const struct area *body = &t->places.body;
+	const struct area *body = &t->layout.body;
 	bool found = !v->keys && v->word.n > 0 && has_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
 	bool head = v->keys && line[0] != ' ';
@@ -366,35 +367,30 @@ static int
 draw_word(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
-	const struct area *hints = &t->places.hints;
-	int at = screen_text(hints, 0, 0, LOOK_BOLD, "/%s", v->word.text);
-	if (v->word.n == 0)
-		return at;
-	char *words = v->keys
+	const struct area *hints = &t->layout.hints;
+	int number = v->keys || v->at < 0 ? 0 : count_found(v, v->at + 1);
+	char *found = v->word.n == 0 ? NULL
+		      : v->keys
 			  ? xasprintf(tr("%zu keys"),
 				keys_count(t->ui.page, v->word.text))
 			  : xasprintf(tr("%d lines"), count_found(v, v->lines));
-	int number = v->keys || v->at < 0 ? 0 : count_found(v, v->at + 1);
-	int column = number > 0 ? screen_text(hints, 0, at + 2, 0,
-				      N_("line %d of %s"), number, words)
-				: screen_text(hints, 0, at + 2, 0, "%s", words);
-	free(words);
-	const char *keys = v->keys ? tr("Enter run it  Esc clear")
-			   : v->word.active
-			       ? tr("Enter keep  Esc clear")
-			       : tr("n next  N previous  Esc clear");
-	if (column + 2 + text_width(keys) <= hints->columns) {
-		screen_text(hints, 0, column + 2, LOOK_DIM, "%s", keys);
-		pane_touch_hints(
-		    t, hints->row, hints->column + column + 2, keys);
+	if (number > 0 && found != NULL) {
+		char *lines = found;
+		found = xasprintf(tr("line %d of %s"), number, lines);
+		free(lines);
 	}
+	int at = pane_word(t, hints, v->word.text, found,
+	    v->keys          ? tr("Enter run it  Esc clear")
+	    : v->word.active ? tr("Enter keep  Esc clear")
+			     : tr("n next  N previous  Esc clear"));
+	free(found);
 	return at;
 }
 
 static void
 draw_hints(struct tui *t)
 {
-	const struct area *body = &t->places.body;
+	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	bool below = v->lines - v->top > body->rows,
 	     aside = !v->keys && v->columns - v->left > body->columns;
@@ -408,10 +404,10 @@ draw_hints(struct tui *t)
 }
 
 void
-view_draw(struct tui *t)
+viewer_draw(struct tui *t)
 {
 	fit(t);
-	const struct area *body = &t->places.body;
+	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
 	for (int row = 0; row < body->rows && row + v->top < v->lines; row++) {
@@ -419,7 +415,7 @@ view_draw(struct tui *t)
 		char *cut = draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
 		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
-			touch_add_both(&t->touches,
+			hits_add_both(&t->hits,
 			    (struct area){body->row + row, body->column, 1,
 				body->columns},
 			    touch_key, (size_t)n, '\n');
@@ -427,13 +423,13 @@ view_draw(struct tui *t)
 	int at = v->at - v->top;
 	t->cursor = (struct cursor){
 	    body->row + (at > 0 && at < body->rows ? at : 0), 0};
-	if ((v->word.active || v->word.n > 0) && t->places.hints.rows > 0) {
+	if ((v->word.active || v->word.n > 0) && t->layout.hints.rows > 0) {
 		int column = draw_word(t);
 		if (v->word.active)
 			t->cursor =
-			    (struct cursor){t->places.hints.row, column};
+			    (struct cursor){t->layout.hints.row, column};
 	} else if (rest != NULL)
-		screen_text(&t->places.hints, 0, 0, LOOK_REVERSE, "%s", rest);
+		screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else
 		draw_hints(t);
 	free(rest);

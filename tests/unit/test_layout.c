@@ -12,10 +12,10 @@
 #include "tui/layout.h"
 
 static void
-expect_apart(const struct places *l, int rows, int columns)
+expect_apart(const struct layout *l, int rows, int columns)
 {
 	const struct area *areas[] = {&l->header, &l->plot, &l->side,
-	    &l->legend, &l->strip, &l->numbers, &l->caption, &l->above,
+	    &l->legend, &l->differences, &l->numbers, &l->caption, &l->strip,
 	    &l->track, &l->command, &l->status, &l->hints};
 	for (size_t i = 0; i < ARRAY_LEN(areas); i++) {
 		const struct area *a = areas[i];
@@ -37,18 +37,18 @@ expect_apart(const struct places *l, int rows, int columns)
 }
 
 static void
-expect_all(int rows, int columns, struct places_ask ask)
+expect_all(int rows, int columns, struct layout_ask ask)
 {
-	struct places l = places_make(rows, columns, ask);
+	struct layout l = layout_make(rows, columns, ask);
 	expect_apart(&l, rows, columns);
 	assert_int_equal(l.track.rows, 1);
 	assert_true(rows < 2 || l.numbers.rows == 1 || l.side.rows > 0);
 	/* The same columns as the track, right above it. */
-	if (l.above.rows > 0)
-		assert_int_equal(l.above.row + l.above.rows, l.track.row);
+	if (l.strip.rows > 0)
+		assert_int_equal(l.strip.row + l.strip.rows, l.track.row);
 	assert_int_equal(
-	    l.above.rows, !ask.above || rows < 24 ? 0 : 3 + (rows - 24) / 10);
-	assert_true(!ask.above || rows < 24 || l.plot.rows >= 8);
+	    l.strip.rows, !ask.strip || rows < 24 ? 0 : 3 + (rows - 24) / 10);
+	assert_true(!ask.strip || rows < 24 || l.plot.rows >= 8);
 }
 
 static void
@@ -60,28 +60,28 @@ no_size_is_refused(void **state)
 		for (int columns = 1; columns <= 300; columns += 3)
 			for (size_t i = 0; i < ARRAY_LEN(sides); i++)
 				expect_all(rows, columns,
-				    (struct places_ask){
+				    (struct layout_ask){
 					.side_columns = sides[i],
-					.strip = i % 2 == 0,
-					.above = i > 1});
+					.differences = i % 2 == 0,
+					.strip = i > 1});
 }
 
 static void
 panels_drop_in_their_order(void **state)
 {
 	(void)state;
-	struct places l =
-	    places_make(24, 80, (struct places_ask){.side_columns = 24});
+	struct layout l =
+	    layout_make(24, 80, (struct layout_ask){.side_columns = 24});
 	assert_true(l.plot.rows >= 14 && l.side.columns == 24);
 	assert_int_equal(l.legend.rows, 1);
-	l = places_make(
-	    24, 80, (struct places_ask){.side_columns = 24, .above = true});
-	assert_int_equal(l.above.rows, 3);
+	l = layout_make(
+	    24, 80, (struct layout_ask){.side_columns = 24, .strip = true});
+	assert_int_equal(l.strip.rows, 3);
 	assert_true(l.plot.rows >= 12);
-	l = places_make(18, 80, (struct places_ask){.side_columns = 24});
+	l = layout_make(18, 80, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.legend.rows, 0);
 	assert_true(l.side.rows > 0);
-	l = places_make(12, 40, (struct places_ask){.side_columns = 24});
+	l = layout_make(12, 40, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.side.rows, 0);
 	assert_true(l.plot.rows > 0);
 	assert_int_equal(l.numbers.rows, 1);
@@ -89,26 +89,26 @@ panels_drop_in_their_order(void **state)
 	assert_int_equal(l.hints.row, 11);
 	assert_int_equal(l.status.rows, 0);
 	assert_int_equal(l.wall, -1);
-	l = places_make(30, 100, (struct places_ask){.side_columns = 34});
+	l = layout_make(30, 100, (struct layout_ask){.side_columns = 34});
 	assert_int_equal(l.side.column, l.wall + 2);
 	assert_int_equal(l.side.column + l.side.columns, 100);
 	assert_int_equal(l.plot.columns, l.wall);
-	l = places_make(9, 33, (struct places_ask){.side_columns = 24});
+	l = layout_make(9, 33, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.plot.rows, 0);
 	assert_int_equal(l.side.rows, 3);
 	assert_int_equal(l.side.columns, 33);
 	assert_int_equal(
-	    places_make(9, 20, (struct places_ask){.side_columns = 24})
+	    layout_make(9, 20, (struct layout_ask){.side_columns = 24})
 		.side.rows,
 	    0);
 	assert_int_equal(
-	    places_make(9, 33, (struct places_ask){.side_columns = 0})
+	    layout_make(9, 33, (struct layout_ask){.side_columns = 0})
 		.side.rows,
 	    0);
-	l = places_make(5, 20, (struct places_ask){.side_columns = 24});
+	l = layout_make(5, 20, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.plot.rows, 0);
 	assert_int_equal(l.numbers.rows, 1);
-	l = places_make(1, 20, (struct places_ask){.side_columns = 24});
+	l = layout_make(1, 20, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.numbers.rows, 0);
 	assert_int_equal(l.track.row, 0);
 }
@@ -118,14 +118,14 @@ text_has_the_room_at_any_size(void **state)
 {
 	(void)state;
 	for (int rows = 1; rows <= 100; rows++) {
-		struct places l = places_text(rows, 80);
+		struct layout l = layout_text(rows, 80);
 		int taken = l.header.rows + l.hints.rows;
 		assert_int_equal(l.body.rows + taken, rows);
 		assert_int_equal(l.body.row, l.header.rows);
 		assert_true(l.body.rows >= 1 && taken <= 2);
 		assert_true(l.hints.rows == 0 || l.hints.row == rows - 1);
 	}
-	assert_int_equal(places_text(24, 80).body.rows, 22);
+	assert_int_equal(layout_text(24, 80).body.rows, 22);
 }
 
 int

@@ -1,0 +1,114 @@
+/* Questions on standard error, answers from the terminal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/ask.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cli/signals.h"
+#include "cli/terminal.h"
+
+/* What ends the wait is let in only while there is nothing to read: one that
+ * came just before would be noted, and the read would wait on.  ^Z keeps its
+ * usual effect all the time. */
+int
+ask_line(char **line)
+{
+	static const int ENDS[] = {SIGINT, SIGTERM, SIGHUP};
+	sigset_t held, was;
+	int first = EOF;
+	unsigned char c = 0;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
+		sigaddset(&held, ENDS[i]);
+	sigprocmask(SIG_BLOCK, &held, &was);
+	while (c != '\n' && signals_noted() == 0) {
+		if (!signals_wait_with(&was, INFINITY))
+			continue;
+		ssize_t got = read(STDIN_FILENO, &c, 1);
+		if (got == 0 || (got < 0 && errno != EINTR))
+			break;
+		first = got > 0 && first == EOF ? c : first;
+		if (got > 0 && c != '\n' && line != NULL)
+			xappend(line, "%c", c);
+	}
+	sigprocmask(SIG_SETMASK, &was, NULL);
+	return c == '\n' ? first : EOF;
+}
+
+bool
+ask_confirm(struct session *s, const char *question)
+{
+	(void)s;
+	text_put(question, stderr);
+	fputs(" [y/N] ", stderr);
+	int c = ask_line(NULL);
+	if (c == EOF)
+		fputc('\n', stderr);
+	return c == 'y' || c == 'Y';
+}
+
+/* What stands above the questions of a table. */
+static void
+show_table(const struct inquiry *q, int columns)
+{
+	text_wrap(q->about, 0, columns, stderr);
+	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
+		char *line = inquiry_row(q, r, columns);
+		text_put(line, stderr);
+		fputc('\n', stderr);
+		free(line);
+	}
+	if (q->ask->n > 0)
+		text_wrap("Enter accepts what is in [ ], - leaves a column "
+			  "out, ^C gives up",
+		    0, columns, stderr);
+}
+
+/* Past the notes of the session, which wait for the end of the command. */
+char *
+ask_with(
+    struct session *s, const struct inquiry *q, char *(*read)(const char *text))
+{
+	int rows, columns;
+	(void)s;
+	terminal_size(&rows, &columns);
+	columns = columns < 100 ? columns - 1 : 99;
+	if (q->wrong[0] != '\0')
+		text_wrap(q->wrong, 0, columns, stderr);
+	if (q->first)
+		show_table(q, columns);
+	fflush(stderr);
+	bool offers = q->offered[0] != '\0';
+	char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
+	    q->offered, offers ? "]" : "");
+	char *shown = text_shown(asks), *answer = read(shown);
+	free(shown);
+	free(asks);
+	return answer;
+}
+
+static char *
+read_plain(const char *text)
+{
+	text_put(text, stderr);
+	char *line = xstrdup("");
+	if (ask_line(&line) != EOF && text_is_utf8(line, strlen(line)))
+		return line;
+	free(line);
+	fputc('\n', stderr);
+	return NULL;
+}
+
+char *
+ask_question(struct session *s, const struct inquiry *q)
+{
+	return ask_with(s, q, read_plain);
+}

@@ -1,0 +1,191 @@
+/* The job to its end, with lines or a picture of how it goes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/progress.h"
+
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/tr.h"
+#include "cmd/draw/plots.h"
+#include "cmd/fit/job.h"
+#include "cli/signals.h"
+#include "cli/terminal.h"
+
+/* What a terminal shows while a calibration runs: one line, four times a
+ * second; elsewhere a row at generation 1 and every ten, of what takes long or
+ * is to be told in detail. */
+struct progress {
+	bool terminal;
+	double shown;
+	size_t row;
+};
+
+/* Columns of the progress that is on the screen, and rows of what is watched
+ * above it. */
+static int on_screen, rows_above;
+
+static void
+clear_line(void)
+{
+	if (rows_above > 0)
+		fprintf(stderr, "\r\033[%dA\033[J", rows_above);
+	on_screen = rows_above > 0 ? 0 : on_screen;
+	rows_above = 0;
+	if (on_screen > 0)
+		fprintf(stderr, "\r%*s\r", on_screen, "");
+	on_screen = 0;
+}
+
+static void
+progress_line(struct progress *p, const struct calibrate_status *st)
+{
+	double now = session_clock();
+	if (now - p->shown < 0.25)
+		return;
+	p->shown = now;
+	char text[128];
+	if (st->state == CALIBRATE_POLISHING)
+		snprintf(text, sizeof text, "  polish %zu  best %.4g",
+		    st->starts_done, st->best);
+	else
+		snprintf(text, sizeof text,
+		    "  generation %zu  best %.4g  median %.4g  stall %zu",
+		    st->generation, st->best, st->median, st->stall);
+	int rows, columns, width = text_width(text);
+	terminal_size(&rows, &columns);
+	int room = columns > 12 ? columns - 3 : 9; /* with the echo of ^C */
+	if (width > room)
+		text[width = room] = '\0';
+	fprintf(stderr, "\r%s%*s", text,
+	    on_screen > width ? on_screen - width : 0, "");
+	on_screen = width;
+	fflush(stderr);
+}
+
+static void
+progress_row(
+    struct session *s, struct progress *p, const struct calibrate_status *st)
+{
+	const double soon = 2; /* s */
+	bool due = st->generation == 1 ||
+		   (st->generation > 0 && st->generation % 10 == 0);
+	if (st->state >= CALIBRATE_POLISHING || !due ||
+	    st->generation == p->row ||
+	    (!s->job.detail && session_clock() - s->job.started < soon))
+		return;
+	p->row = st->generation;
+	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
+	    st->generation, st->best, st->median);
+}
+
+/* What can move its cursor up and clear below it. */
+static bool
+can_watch(const struct session *s, const struct progress *p)
+{
+	const char *term = getenv("TERM");
+	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
+	       term != NULL && term[0] != '\0' && strcmp(term, "dumb") != 0;
+}
+
+/* All runs and what the best candidate makes of them, over the picture of the
+ * generation before. */
+static void
+draw_watched(
+    struct session *s, struct progress *p, const struct calibrate_status *st)
+{
+	enum { WIDEST = 100, HIGHEST = 22, LEAST = 8 };
+	int rows, columns;
+	struct error error = {0};
+	struct plot_request request = plots_request(PLOT_RUNS);
+	terminal_size(&rows, &columns);
+	rows = rows - 2 < HIGHEST ? rows - 2 : HIGHEST;
+	if (st->generation == p->row || rows < LEAST)
+		return;
+	p->row = st->generation;
+	request.site = s->entry[s->job.entry].key;
+	request.words = CHART_TITLE | CHART_LEGEND;
+	request.charset = s->screen.drawing ? CHARSET_BRAILLE : CHARSET_ASCII;
+	struct canvas *canvas = plots_draw(s, &request,
+	    columns - 1 < WIDEST ? columns - 1 : WIDEST, rows, &error);
+	if (canvas == NULL)
+		return;
+	clear_line();
+	canvas_print(canvas, s->screen.colours, stderr);
+	canvas_free(canvas);
+	rows_above = rows;
+	p->shown = 0;
+}
+
+/* A search would be over before it is seen: its first generations take a
+ * moment each. */
+static void
+pace_watched(const struct session *s)
+{
+	enum { MOMENT_MS = 40 };
+	const double long_s = 4;
+	if (session_clock() - s->job.started < long_s)
+		poll(NULL, 0, MOMENT_MS);
+}
+
+static void
+watch(struct session *s, struct progress *p, const struct calibrate_status *st)
+{
+	size_t before = p->row;
+	if (st->state == CALIBRATE_SEARCHING)
+		draw_watched(s, p, st);
+	progress_line(p, st);
+	if (p->row != before)
+		pace_watched(s);
+}
+
+static void
+progress(struct session *s, struct progress *p)
+{
+	if (!session_busy(s) || s->notes == NULL)
+		return;
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	if (can_watch(s, p))
+		watch(s, p, &st);
+	else if (p->terminal)
+		progress_line(p, &st);
+	else
+		progress_row(s, p, &st);
+}
+
+/* The answer to SIGUSR1. */
+static void
+answer(const struct session *s)
+{
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	clear_line();
+	fprintf(stderr,
+	    st.state == CALIBRATE_POLISHING
+		? tr("%s: generation %zu of %zu, best %.4g, median %.4g, %.1f "
+		     "s, polishing\n")
+		: tr("%s: generation %zu of %zu, best %.4g, median %.4g, %.1f "
+		     "s\n"),
+	    s->entry[s->job.entry].key, st.generation,
+	    s->job.options.generations, st.best, st.median,
+	    session_clock() - s->job.started);
+}
+
+bool
+progress_run(struct session *s)
+{
+	struct progress p = {
+	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
+	signals_asked();
+	s->hooks.tidy = p.terminal ? clear_line : NULL;
+	while (session_busy(s) && signals_noted() == 0) {
+		session_rounds(s);
+		if (session_busy(s) && signals_asked())
+			answer(s);
+		progress(s, &p);
+	}
+	clear_line();
+	return signals_noted() == 0;
+}

@@ -1,0 +1,12 @@
+/* Runs the session's job and shows how it goes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CLI_PROGRESS_H
+#define TIPSPEED_CLI_PROGRESS_H
+
+#include "cmd/session/session.h"
+
+/* Runs the job to its end.  False when a signal came: then the job is as it
+ * was, for session_pause. */
+bool progress_run(struct session *s);
+
+#endif

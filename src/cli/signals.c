@@ -1,0 +1,209 @@
+/* Signals are noted by their handlers, and answered where a loop waits.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/signals.h"
+
+#include <math.h>
+#include <poll.h>
+#include <sys/select.h>
+#include <unistd.h>
+
+#include "base/xalloc.h"
+
+static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
+
+/* Signals that are let in while the program waits. */
+static sigset_t let_in;
+
+static void
+on_signal(int signal)
+{
+	if (noted == 0 || noted == SIGINT)
+		noted = signal;
+}
+
+static void
+on_ask(int signal)
+{
+	asked = signal;
+}
+
+static void
+on_file_size(int signal)
+{
+	(void)signal;
+}
+
+void
+signals_catch(void)
+{
+	struct sigaction action = {.sa_handler = on_signal};
+	sigemptyset(&action.sa_mask);
+	sigaction(SIGINT, &action, NULL);
+	sigaction(SIGTERM, &action, NULL);
+	sigaction(SIGHUP, &action, NULL);
+	/* The write then fails, as on a full disk; shells that are started get
+	 * the usual end by it, which SIG_IGN would not give back. */
+	action.sa_handler = on_file_size;
+	sigaction(SIGXFSZ, &action, NULL);
+	action.sa_handler = on_ask;
+	action.sa_flags = SA_RESTART;
+	sigaction(SIGUSR1, &action, NULL);
+}
+
+static void
+on_terminal(int signal)
+{
+	*(signal == SIGTSTP     ? &stopped
+	    : signal == SIGCONT ? &woken
+				: &resized) = 1;
+}
+
+void
+signals_hold(void)
+{
+	static const int ANSWERED[] = {
+	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
+	sigset_t held;
+	sigemptyset(&held);
+	for (size_t i = 0; i < ARRAY_LEN(ANSWERED); i++)
+		sigaddset(&held, ANSWERED[i]);
+	sigprocmask(SIG_BLOCK, &held, &let_in);
+}
+
+void
+signals_release(void)
+{
+	sigprocmask(SIG_SETMASK, &let_in, NULL);
+}
+
+bool
+signals_wait_with(const sigset_t *mask, double seconds)
+{
+	struct timespec time = {0};
+	bool ends = isfinite(seconds);
+	if (ends) {
+		time.tv_sec = (time_t)seconds;
+		time.tv_nsec = (long)(1e9 * (seconds - floor(seconds)));
+	}
+	fd_set in;
+	FD_ZERO(&in);
+	FD_SET(STDIN_FILENO, &in);
+	return pselect(STDIN_FILENO + 1, &in, NULL, NULL, ends ? &time : NULL,
+		   mask) > 0;
+}
+
+/* What was let in before is not to wait for what comes next. */
+bool
+signals_wait(double seconds)
+{
+	if (noted != 0 || stopped || woken || resized)
+		return false;
+	return signals_wait_with(&let_in, seconds);
+}
+
+void
+signals_let_in(void)
+{
+	sigset_t held;
+	sigprocmask(SIG_SETMASK, &let_in, &held);
+	sigprocmask(SIG_SETMASK, &held, NULL);
+}
+
+void
+signals_note_stop(bool note)
+{
+	struct sigaction now,
+	    action = {.sa_handler = note ? on_terminal : SIG_DFL};
+	sigaction(SIGTSTP, NULL, &now);
+	if (now.sa_handler != SIG_IGN)
+		sigaction(SIGTSTP, &action, NULL);
+}
+
+void
+signals_take_terminal(struct sigaction was[static 3])
+{
+	struct sigaction action = {.sa_handler = on_terminal};
+	sigaction(SIGTSTP, NULL, &was[0]);
+	sigaction(SIGCONT, &action, &was[1]);
+	sigaction(SIGWINCH, &action, &was[2]);
+	signals_note_stop(true);
+}
+
+void
+signals_give_terminal(const struct sigaction was[static 3])
+{
+	sigaction(SIGTSTP, &was[0], NULL);
+	sigaction(SIGCONT, &was[1], NULL);
+	sigaction(SIGWINCH, &was[2], NULL);
+}
+
+int
+signals_news(void)
+{
+	int news = (stopped ? SIGNALS_STOP : 0) | (woken ? SIGNALS_WAKE : 0) |
+		   (resized ? SIGNALS_SIZE : 0);
+	stopped = woken = resized = 0;
+	return news;
+}
+
+void
+signals_suspend(void)
+{
+	struct sigaction was, usual = {.sa_handler = SIG_DFL};
+	sigaction(SIGTSTP, &usual, &was);
+	raise(SIGTSTP);
+	signals_let_in();
+	sigaction(SIGTSTP, &was, NULL);
+}
+
+int
+signals_noted(void)
+{
+	return noted;
+}
+
+bool
+signals_ended(void)
+{
+	return noted != 0 && noted != SIGINT;
+}
+
+void
+signals_forget_interrupt(void)
+{
+	/* Between the two, another signal may come. */
+	if (noted == SIGINT)
+		noted = 0;
+}
+
+int
+signals_status(void)
+{
+	return noted != 0 ? 128 + noted : 0;
+}
+
+bool
+signals_asked(void)
+{
+	bool was = asked != 0;
+	asked = 0;
+	return was;
+}
+
+void
+signals_watch_keys(bool keys)
+{
+	watching = keys;
+}
+
+bool
+signals_waited_for(void)
+{
+	sigset_t held;
+	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+	if (noted != 0)
+		return true;
+	sigpending(&held);
+	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
+	       sigismember(&held, SIGHUP) || (watching && poll(&in, 1, 0) > 0);
+}
