@@ -13,6 +13,7 @@
 #include "base/xalloc.h"
 #include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
+#include "core/posterior/posterior.h"
 #include "core/model/product.h"
 #include "core/check/trust.h"
 #include "io/sitefile/site_read.h"
@@ -35,11 +36,14 @@ struct task {
 	double *convergence, *seconds;
 };
 
-static int
-by_value(const void *a, const void *b)
+/* Whether the band of the draws [POSTERIOR_DRAWS], whose order changes, holds
+ * it, to what sheets are rounded to. */
+static bool
+is_within(double P, double *draw, double level, double *low, double *high)
 {
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
+	const double slack = 1e-4;
+	ensemble_middle(draw, level, low, high);
+	return P >= *low - slack && P <= *high + slack;
 }
 
 /* Straight in v^2 through the two nearest runs. */
@@ -82,12 +86,11 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 			continue;
 		for (size_t k = 0; k < N; k++)
 			mean += row[k] / N;
-		qsort(row, N, sizeof *row, by_value);
-		double slack = 1e-4; /* what sheets are rounded to */
+		double low, high;
 		score->cells++;
-		score->in80 += P >= row[25] - slack && P <= row[N - 26] + slack;
-		score->in90 += P >= row[12] - slack && P <= row[N - 13] + slack;
-		score->width += row[N - 26] - row[25];
+		score->in90 += is_within(P, row, 0.9, &low, &high);
+		score->in80 += is_within(P, row, 0.8, &low, &high);
+		score->width += high - low;
 		score->answer += (mean - P) * (mean - P);
 		score->model += (alone[i] - P) * (alone[i] - P);
 		double line = line_at(site, i, v) - P;
@@ -213,9 +216,9 @@ leave_out(const struct site *site, size_t out)
 		double mean = 0;
 		for (size_t k = 0; k < N; k++)
 			mean += row[k] / N;
-		qsort(row, N, sizeof *row, by_value);
-		in += P >= row[25] - 1e-4 && P <= row[N - 26] + 1e-4;
-		width += (row[N - 26] - row[25]) / (double)n;
+		double low, high;
+		in += is_within(P, row, 0.8, &low, &high);
+		width += (high - low) / (double)n;
 		error += (mean - P) * (mean - P) / (double)n;
 	}
 	printf(

@@ -315,7 +315,7 @@ test_bands_hold(void **state)
 {
 	(void)state;
 	size_t in = 0, all = 0;
-	for (uint64_t seed = 1; seed <= often(8, 20); seed++) {
+	for (uint64_t seed = 1; seed <= often(12, 20); seed++) {
 		struct known k = known(TIERP, 0.005, seed);
 		struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 		const struct psd *feed = &k.site->run[1].feed;
@@ -555,11 +555,68 @@ faster_is_never_coarser(void **state)
 	site_free(k.site);
 }
 
+/* Answer and ends of the band at each sieve, three numbers each. */
+static double *
+answers_of(const struct known *k, size_t n, double speed)
+{
+	struct posterior *p = posterior_of(k, 1, ISA_BEST);
+	const struct psd *feed = &k->site->run[0].feed;
+	struct ensemble *e = ensemble_new(p, feed, feed->size, n);
+	double *answer = xdoubles(3 * n);
+	ensemble_at(e, speed);
+	ensemble_mean(e, answer);
+	for (size_t i = 0; i < n; i++)
+		ensemble_band(e, ENSEMBLE_ANSWER, i, 0.8, &answer[n + i],
+		    &answer[2 * n + i]);
+	ensemble_free(e);
+	posterior_free(p);
+	return answer;
+}
+
+/* Over five seeds answers range over a twentieth of the band's width, its ends
+ * over a tenth, in the mean of the sieves; 256 draws as they come leave 0.06 to
+ * 0.08 and 0.10 to 0.13. */
+static void
+test_seeds(void **state)
+{
+	(void)state;
+	enum { SEEDS = 5 };
+	struct known k = known(TIERP, 0.005, 3);
+	size_t n = k.site->run[0].feed.n, wide = 0;
+	double *answer[SEEDS], range[3] = {0};
+	for (size_t s = 0; s < SEEDS; s++) {
+		k.options.seed = s + 1;
+		answer[s] = answers_of(&k, n, 72);
+	}
+	for (size_t i = 0; i < n; i++) {
+		double width = answer[0][2 * n + i] - answer[0][n + i];
+		if (width < 0.001)
+			continue;
+		wide++;
+		for (size_t j = 0; j < 3; j++) {
+			double low = INFINITY, high = -INFINITY;
+			for (size_t s = 0; s < SEEDS; s++) {
+				low = fmin(low, answer[s][j * n + i]);
+				high = fmax(high, answer[s][j * n + i]);
+			}
+			range[j] += (high - low) / width;
+		}
+	}
+	assert_true(wide >= 8);
+	expect_near("answers", range[0] / (double)wide, 0, 0.05);
+	expect_near("low ends", range[1] / (double)wide, 0, 0.1);
+	expect_near("high ends", range[2] / (double)wide, 0, 0.1);
+	for (size_t s = 0; s < SEEDS; s++)
+		free(answer[s]);
+	site_free(k.site);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(test_bits),
+	    cmocka_unit_test(test_seeds),
 	    cmocka_unit_test(test_bounds),
 	    cmocka_unit_test(test_strengths),
 	    cmocka_unit_test(test_parts),

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/xalloc.h"
@@ -522,14 +523,23 @@ ensemble_mean(const struct ensemble *e, double *passing)
 	}
 }
 
-/* The ends of the middle `level` of n values, which it puts in another
- * order. */
+/* The ends of the middle `level` of n values, which are put into order: means
+ * of those about either end, the further off the less they count, as one alone
+ * errs by chance. */
 static void
 find_middle(double *value, size_t n, double level, double *low, double *high)
 {
 	size_t cut = (size_t)floor((1 - level) / 2 * (double)n + 0.5);
-	*low = gsl_stats_select(value, 1, n, cut);
-	*high = gsl_stats_select(value, 1, n, n - 1 - cut);
+	size_t about = n / 20 < cut ? n / 20 : cut;
+	double sum = (double)((about + 1) * (about + 1));
+	gsl_sort(value, 1, n);
+	*low = *high = 0;
+	for (size_t k = 0; k <= 2 * about; k++) {
+		size_t near = k < about ? k : 2 * about - k;
+		double weight = (double)(near + 1) / sum;
+		*low += weight * value[cut - about + k];
+		*high += weight * value[n - 1 - cut + about - k];
+	}
 }
 
 void

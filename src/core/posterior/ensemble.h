@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CORE_POSTERIOR_ENSEMBLE_H
 #define TIPSPEED_CORE_POSTERIOR_ENSEMBLE_H
 
-#include "core/posterior/posterior.h"
+#include "core/posterior/draws.h"
 #include "core/psd/psd.h"
 
 /* Products of all draws from one feed, at any speed.  The posterior must

@@ -18,19 +18,25 @@
 #include "base/pool.h"
 #include "base/xalloc.h"
 #include "core/posterior/covariance.h"
+#include "core/posterior/guide.h"
+#include "core/posterior/thin.h"
 #include "core/numeric/elementary.h"
 #include "core/search/kernel.h"
 #include "core/numeric/rng.h"
 #include "core/search/sensitivity.h"
 
 enum {
-	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws each */
+	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws to a batch, */
+	BATCHES = 4,                  /* of which one is left, see thin.h */
+	DRAWS_EACH = 2 * BATCHES,
 	HALF = CHAINS / 2,
 	PART = 16, /* of a half, for one thread at a time */
 	RUNG = 7,  /* generations */
 	WARM_UP = 130,
-	KEPT = 120,
+	KEPT = 160,
+	RECENT = 5,      /* generations that the guide goes by, until warm */
 	HYPER_EVERY = 6, /* generations, one of the hyperparameters */
+	ALONG_EVERY = 4, /* one that goes along differences, once warm */
 	LEAP_EVERY = 10, /* one that leaps from valley to valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
@@ -38,6 +44,8 @@ enum {
 	LEAST = 8     /* passings taken of each of many runs; of few as many as
 		       * make one matrix: more tell little more */
 };
+
+_Static_assert((int)COORDINATES <= (int)GUIDE_MOST, "room of the guide");
 
 static const double FIRST_RUNG = 0.02, RISE = 1.25;
 
@@ -49,6 +57,7 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior;
+	double more;   /* of a guided move, see guide_move */
 	double *U, *d; /* covariance_factor, simulated - measured */
 };
 
@@ -76,6 +85,9 @@ struct sampler {
 	size_t first; /* chain of the half that moves */
 	bool started; /* both halves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
+	bool guided;  /* by the part of what the guide knows */
+	struct guide guide;
+	struct guide_part part;
 	/* Of the trials, in the order in which they are evaluated, first those
 	 * of two strengths: which they are, parameters, e0_min of the softer
 	 * rock and its share, and differences. */
@@ -281,6 +293,56 @@ propose(struct sampler *s, size_t i, struct rng_key key)
 	reflect(s, x);
 }
 
+/* Where the chain goes of this index: some coordinates are drawn anew. */
+static void
+propose_guided(struct sampler *s, size_t i, struct rng_key key)
+{
+	const double share = 0.3;
+	struct chain *trial = &s->trial[i];
+	const struct chain *now = &s->chain[s->first + i];
+	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 4);
+	memcpy(trial->x, now->x, sizeof trial->x);
+	trial->more = guide_move(
+	    &s->part, s->hyper ? 1 : share, now->x, trial->x, key, at);
+	for (size_t j = 0; j < s->of->n; j++)
+		if (is_own_coordinate(s, j) &&
+		    !(trial->x[j] >= s->bounds.lower[j] &&
+			trial->x[j] <= s->bounds.upper[j]))
+			trial->more = INFINITY;
+	if (trial->more == INFINITY)
+		memcpy(trial->x, now->x, sizeof trial->x);
+}
+
+/* The coordinates that move, [COORDINATES] out. */
+static size_t
+moving(const struct sampler *s, size_t *at)
+{
+	size_t n = 0;
+	for (size_t j = 0; j < HYPERS && s->hyper; j++)
+		at[n++] = PARAMS_MOST + j;
+	for (size_t j = 0; j < s->of->n && !s->hyper; j++)
+		at[n++] = j;
+	for (size_t j = STRENGTHS; j < COORDINATES && s->two && !s->hyper; j++)
+		at[n++] = j;
+	return n;
+}
+
+/* Of each generation's moves, which they are.  Along differences alone chains
+ * forget where they were after 100 to 400 generations; so most are guided.  The
+ * warm-up keeps to differences for parameters: a cloud of chains has no shape
+ * to go by while valleys are still being chosen. */
+static void
+choose_moves(struct sampler *s)
+{
+	size_t at[COORDINATES];
+	s->hyper = s->generation % HYPER_EVERY == HYPER_EVERY - 1;
+	s->guided = s->hyper || (s->generation >= WARM_UP &&
+				    s->generation % ALONG_EVERY != 0);
+	s->guided = s->guided && s->generation >= RUNG;
+	if (s->guided && s->first == 0)
+		guide_factor(&s->guide, at, moving(s, at), &s->part);
+}
+
 static void
 swap(double **a, double **b)
 {
@@ -306,7 +368,7 @@ accept(struct sampler *s, size_t i, struct rng_key key)
 {
 	struct chain *now = &s->chain[s->first + i], *trial = &s->trial[i];
 	double rise = s->share * (trial->likelihood - now->likelihood) +
-		      trial->prior - now->prior;
+		      trial->prior - now->prior + (s->guided ? trial->more : 0);
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 3);
 	s->tried++;
 	if (!(el_log(rng_uniform(key, at)) < -rise))
@@ -328,9 +390,9 @@ static bool
 move_half(struct sampler *s)
 {
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
-	s->hyper = s->generation % HYPER_EVERY == HYPER_EVERY - 1;
+	choose_moves(s);
 	for (size_t i = 0; i < HALF; i++)
-		propose(s, i, key);
+		(s->guided ? propose_guided : propose)(s, i, key);
 	evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept(s, i, key);
@@ -841,7 +903,8 @@ sampler_free(struct sampler *s)
 
 struct posterior_run {
 	struct site *site; /* with smooth feeds */
-	struct posterior *p;
+	struct posterior *p, *batch;
+	struct thin *thin;
 	struct misfit *m;
 	struct sampler *s;
 	struct sums *sums;
@@ -878,6 +941,22 @@ choose_runs(const struct site *site, const bool *use)
 	return taken;
 }
 
+static void
+make_processes(struct posterior *p)
+{
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
+	p->error = xdoubles(p->n_knot * POSTERIOR_DRAWS);
+}
+
+static void
+free_processes(struct posterior *p)
+{
+	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+		free(p->term[j]);
+	free(p->error);
+}
+
 struct posterior_run *
 posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
@@ -903,21 +982,23 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	for (size_t r = 0; r < m->n_run; r++)
 		p->slowest = fmin(p->slowest, m->run[r].speed);
 	make_knots(p, site, s);
-	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
-	p->error = xdoubles(p->n_knot * POSTERIOR_DRAWS);
+	make_processes(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
-	*run = (struct posterior_run){
-	    site, p, m, s, xcalloc(1, sizeof *run->sums)};
+	*run = (struct posterior_run){site, p, NULL,
+	    thin_new(measured, BATCHES), m, s, xcalloc(1, sizeof *run->sums)};
+	run->batch = xcalloc(BATCHES, sizeof *run->batch);
+	for (size_t b = 0; b < BATCHES; b++) {
+		run->batch[b] = *p;
+		make_processes(&run->batch[b]);
+	}
 	return run;
 }
 
-/* Half of the draws come from the middle of the kept generations, half from
- * their end: the number of the first that are made of this one. */
+/* How many draws of each chain the generations so far make. */
 static size_t
-first_draw(const struct sampler *s)
+draws_due(const struct sampler *s)
 {
-	return s->generation == WARM_UP + KEPT ? CHAINS : 0;
+	return (s->generation - WARM_UP) * DRAWS_EACH / KEPT;
 }
 
 static void
@@ -925,20 +1006,59 @@ draw_part(void *data, size_t part, unsigned thread)
 {
 	struct posterior_run *run = data;
 	struct sampler *s = run->s;
-	size_t first = first_draw(s);
+	size_t which = draws_due(s) - 1, first = which % 2 * CHAINS;
 	(void)thread;
 	for (size_t i = part * PART; i < (part + 1) * PART; i++) {
 		struct noise noise = {
-		    rng_key(s->seed, i, USE_DRAW), 0, first == 0 ? 1 : -1};
-		make_draw(s, run->p, &s->chain[i], noise, first + i);
+		    rng_key(s->seed, which / 2 * CHAINS + i, USE_DRAW), 0,
+		    first == 0 ? 1 : -1};
+		make_draw(
+		    s, &run->batch[which / 2], &s->chain[i], noise, first + i);
 	}
+}
+
+static void
+draw_batch(struct posterior_run *run)
+{
+	pool_run(run->s->pool, CHAINS / PART, draw_part, run);
+	size_t n = draws_due(run->s);
+	if (n % 2 == 0)
+		thin_add(run->thin, &run->batch[n / 2 - 1]);
+}
+
+static void
+choose_draws(struct posterior_run *run)
+{
+	enum { N = POSTERIOR_DRAWS };
+	struct posterior *p = run->p;
+	size_t chosen[N];
+	thin_choose(run->thin, chosen);
+	for (size_t d = 0; d < N; d++) {
+		const struct posterior *b = &run->batch[chosen[d] / N];
+		size_t from = chosen[d] % N;
+		p->draw[d] = b->draw[from];
+		for (size_t k = 0; k < p->n_knot * N; k += N) {
+			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
+				p->term[j][k + d] = b->term[j][k + from];
+			p->error[k + d] = b->error[k + from];
+		}
+	}
+}
+
+static void
+tell_guide(struct sampler *s)
+{
+	const double *x[CHAINS];
+	for (size_t i = 0; i < CHAINS; i++)
+		x[i] = s->chain[i].x;
+	guide_add(&s->guide, x, CHAINS, COORDINATES,
+	    s->generation <= WARM_UP ? RECENT : KEPT);
 }
 
 bool
 posterior_step(struct posterior_run *run)
 {
 	struct sampler *s = run->s;
-	struct posterior *p = run->p;
 	if (s->generation == WARM_UP + KEPT)
 		return true;
 	if (!s->started) {
@@ -949,16 +1069,19 @@ posterior_step(struct posterior_run *run)
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		climb(s, fmin(1, RISE * s->share));
-	if (s->generation <= WARM_UP)
+	tell_guide(s);
+	if (s->generation <= WARM_UP) {
 		s->accepted = s->tried = 0;
-	else
-		add_to(run->sums, s);
-	size_t first = first_draw(s);
-	if (first > 0 || s->generation == WARM_UP + KEPT / 2)
-		pool_run(s->pool, CHAINS / PART, draw_part, run);
-	if (first > 0)
-		find_convergence(p, s, run->sums);
-	return first > 0;
+		return false;
+	}
+	add_to(run->sums, s);
+	if ((s->generation - WARM_UP) % (KEPT / DRAWS_EACH) == 0)
+		draw_batch(run);
+	if (s->generation < WARM_UP + KEPT)
+		return false;
+	choose_draws(run);
+	find_convergence(run->p, s, run->sums);
+	return true;
 }
 
 struct posterior *
@@ -968,6 +1091,10 @@ posterior_end(struct posterior_run *run)
 		return NULL;
 	struct posterior *p = run->p;
 	bool done = run->s->generation == WARM_UP + KEPT;
+	for (size_t b = 0; b < BATCHES; b++)
+		free_processes(&run->batch[b]);
+	free(run->batch);
+	thin_free(run->thin);
 	sampler_free(run->s);
 	misfit_free(run->m);
 	site_free(run->site);
@@ -994,9 +1121,7 @@ posterior_free(struct posterior *p)
 {
 	if (p == NULL)
 		return;
-	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		free(p->term[j]);
-	free(p->error);
+	free_processes(p);
 	free(p->knot);
 	free(p);
 }

@@ -1,0 +1,49 @@
+/* Draws of what is known after the data, see posterior.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_POSTERIOR_DRAWS_H
+#define TIPSPEED_CORE_POSTERIOR_DRAWS_H
+
+#include <stddef.h>
+
+#include "core/posterior/discrepancy.h"
+#include "core/model/params.h"
+#include "core/model/strengths.h"
+
+/* Of more than POSTERIOR_RUNS runs so many inform the draws, evenly from the
+ * slowest to the fastest: with 80, chains settled where what the model leaves
+ * out is large and its parameters are wrong, and bands held 30 %. */
+enum { POSTERIOR_DRAWS = 256, POSTERIOR_RUNS = 40 };
+
+/* strengths: of the rock, where e0_min is its mean's (D16). */
+struct posterior_draw {
+	struct params params; /* scaled */
+	struct strengths strengths;
+	double hyper[HYPERS];
+};
+
+/* settings: the model of the draws, which lets the appearance follow the energy
+ * where there is such a one (D12).  fit, bounds: the optimum it was told and
+ * what it keeps within, in that model. */
+struct posterior {
+	struct model_settings settings;
+	struct params fit;
+	struct bounds bounds;
+	size_t n_cell;
+	double middle;   /* ln of the mean energy, J/kg, where t is 0 */
+	double slowest;  /* of the runs that inform it, m/s */
+	double from, to; /* speeds that are looked at, see site_reach */
+	size_t n_knot;
+	double *knot; /* ln of sizes, coarsest first */
+	/* At the knots, [n_knot * POSTERIOR_DRAWS], a row of draws for each:
+	 * the processes of the discrepancy (discrepancy.h), and the errors of
+	 * one more sample, shared and independent together, over h. */
+	double *term[DISCREPANCY_TERMS], *error;
+	struct posterior_draw draw[POSTERIOR_DRAWS];
+	/* What shows that the chains converged.  ratio: Gelman and Rubin's R,
+	 * the largest of all coordinates, 1 at best; drift: how far the means
+	 * of the draws' two halves, taken at different times, lie apart, in
+	 * standard deviations, the largest; accepted: share of the moves. */
+	double ratio, drift, accepted;
+};
+
+#endif

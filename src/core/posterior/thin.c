@@ -1,0 +1,155 @@
+/* Draws as they come err by chance in everything; of pairs of them one is left
+ * so that the sums of what matters stay what they were (as in the walks of
+ * Alweiss, Liu and Sawhney 2021 and Dwivedi and Mackey 2024).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/posterior/thin.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_sort.h>
+
+#include "base/xalloc.h"
+#include "core/posterior/ensemble.h"
+
+/* Of each answer three features: itself, and on which side it is of either end
+ * of the band, see feature. */
+enum { SPEEDS = 3, SIEVES = 16, FEATURES = 3 };
+
+struct thin {
+	struct psd feed;
+	size_t n_sieve;
+	double sieve[SIEVES];
+	size_t n, added; /* candidates */
+	double *answer;  /* [SPEEDS * n_sieve][n] */
+};
+
+struct thin *
+thin_new(const struct site *site, size_t batches)
+{
+	struct thin *t = xcalloc(1, sizeof *t);
+	size_t n, covered = 0;
+	double *sieve = site_sieves(site, &n);
+	t->feed = psd_copy(site_feed(site, SITE_MEAN_FEED));
+	for (size_t i = 0; i < n; i++)
+		if (psd_covers(&t->feed, sieve[i]))
+			sieve[covered++] = sieve[i];
+	t->n_sieve = covered < SIEVES ? covered : SIEVES;
+	for (size_t i = 0; i < t->n_sieve; i++)
+		t->sieve[i] = sieve[i * covered / t->n_sieve];
+	free(sieve);
+	t->n = batches * POSTERIOR_DRAWS;
+	t->answer = xdoubles(SPEEDS * t->n_sieve * t->n + 1);
+	return t;
+}
+
+void
+thin_free(struct thin *t)
+{
+	if (t == NULL)
+		return;
+	psd_free(&t->feed);
+	free(t->answer);
+	free(t);
+}
+
+void
+thin_add(struct thin *t, const struct posterior *batch)
+{
+	if (t->n_sieve > 0) {
+		struct ensemble *e =
+		    ensemble_new(batch, &t->feed, t->sieve, t->n_sieve);
+		double *to = t->answer + t->added;
+		for (size_t k = 0; k < SPEEDS; k++) {
+			double far = (double)k / (SPEEDS - 1);
+			ensemble_draws_at(
+			    e, batch->from + far * (batch->to - batch->from));
+			const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+			for (size_t i = 0; i < t->n_sieve; i++, to += t->n)
+				memcpy(to, P + i * POSTERIOR_DRAWS,
+				    POSTERIOR_DRAWS * sizeof *to);
+		}
+		ensemble_free(e);
+	}
+	t->added += POSTERIOR_DRAWS;
+}
+
+/* On which side of an end, -1 to 1, where it counts how near. */
+static double
+side(double off)
+{
+	return fmin(fmax(3 * off, -1), 1);
+}
+
+/* Adds the features of an answer to the rows [n][width] of the candidates, and
+ * to `by` what they are sorted by. */
+static void
+put_features(
+    const double *answer, size_t n, double *row, size_t width, double *by)
+{
+	const double end = 1.28; /* standard deviations: of 80 % */
+	double mean = 0, squares = 0;
+	for (size_t i = 0; i < n; i++)
+		mean += answer[i] / (double)n;
+	for (size_t i = 0; i < n; i++)
+		squares += (answer[i] - mean) * (answer[i] - mean);
+	double sd = sqrt(squares / (double)n);
+	for (size_t i = 0; i < n && sd > 2e-4; i++, row += width) {
+		double u = (answer[i] - mean) / sd;
+		row[0] = u;
+		row[1] = 2 * side(u - end);
+		row[2] = 2 * side(u + end);
+		by[i] += u;
+	}
+}
+
+/* Leaves one of each pair, the one that brings the sums of the features of
+ * those left nearer to those of the others. */
+static void
+halve(const double *row, size_t width, size_t *list, size_t n)
+{
+	double *sum = xdoubles(width + 1);
+	for (size_t i = 0; i < n / 2; i++) {
+		size_t one = list[2 * i], two = list[2 * i + 1];
+		const double *a = row + one * width, *b = row + two * width;
+		double product = 0;
+		for (size_t k = 0; k < width; k++)
+			product += sum[k] * (a[k] - b[k]);
+		double sign = product > 0 ? -1 : 1;
+		for (size_t k = 0; k < width; k++)
+			sum[k] += sign * (a[k] - b[k]);
+		list[i] = product > 0 ? two : one;
+	}
+	free(sum);
+}
+
+/* The first and the second half of the candidates, each from the coarsest to
+ * the finest, so that pairs are alike. */
+static void
+line_up(const double *by, size_t n, size_t *list)
+{
+	size_t half = n / 2;
+	gsl_sort_index(list, by, 1, half);
+	gsl_sort_index(list + half, by + half, 1, half);
+	for (size_t i = half; i < n; i++)
+		list[i] += half;
+}
+
+void
+thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
+{
+	size_t n = t->n, answers = SPEEDS * t->n_sieve;
+	size_t width = FEATURES * answers, *list = xcalloc(n, sizeof *list);
+	double *row = xdoubles(n * width + 1), *by = xdoubles(n);
+	for (size_t k = 0; k < answers; k++)
+		put_features(
+		    t->answer + k * n, n, row + k * FEATURES, width, by);
+	line_up(by, n, list);
+	for (; n > POSTERIOR_DRAWS; n /= 2)
+		halve(row, width, list, n);
+	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);
+	free(list);
+	free(row);
+	free(by);
+}
