@@ -52,7 +52,7 @@ static const struct {
 	"what column 3 is", "columns="},
     {"size_mm,feed,product 74 m/s 75,product@79\n" ROWS, 1, 14,
 	"what column 3 is", "columns="},
-    {"size_mm,feed,product@201,product@79\n" ROWS, 1, 14, "its tip speed",
+    {"size_mm,feed,product@401,product@79\n" ROWS, 1, 14, "its tip speed",
 	"@SPEED"},
     {"size_mm,feed,product@79,retained_pct@79\n8,100,100,0\n4,60,80,5\n"
      "1,10,20,95\n",

@@ -11,12 +11,12 @@
 #include "base/error.h"
 #include "core/model/breakage.h"
 
-/* One material.  Text is never NULL and "" where nothing is known; a number is
- * then NAN and a whole number -1.  feed_source: of a row such as Table 3 has,
- * what the feeds were, "Individual", else NULL.  provenance: that of the site's
- * data, so that made-up data never pass for measured ones.  origin: "fit", "hand" or, of
- * Table 3, "table3".  rmse_pct, holdout_pct: points at the training runs, and
- * the largest at the others.  basis: see basis.h. */
+/* One material.  Text is never NULL and "" where nothing is known; a number
+ * is then NAN and a whole number -1.  feed_source: of a row such as Table 3
+ * has, what the feeds were, "Individual", else NULL.  provenance: that of the
+ * site's data, so that made-up data never pass for measured ones.  origin:
+ * "fit", "hand" or, of Table 3, "table3".  rmse_pct, holdout_pct: points at
+ * the training runs, and the largest at the others.  basis: see basis.h. */
 struct stored {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
