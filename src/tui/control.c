@@ -221,6 +221,26 @@ begin_job(struct tui *t, const char *line)
 	}
 }
 
+/* The slider to the speed that a line has answered for, if it can go there. */
+static void
+follow_speed(struct tui *t, const char *line, bool ok)
+{
+	struct slider_range range = tui_range(t);
+	double said = session_known(t->session, "predict find", "speed");
+	const struct command *ran = control_command(line);
+	bool asks =
+	    ran == command_find("predict") || ran == command_find("find");
+	if (slider_has(range, said))
+		t->ui.tenths = slider_tenths(range, said);
+	else if (isfinite(said) && ok && asks)
+		tui_say(t, true,
+		    "%.1f m/s is off the slider, %d to %d: set slider moves it",
+		    said, range.least / 10, range.most / 10);
+	if (tui_entry(t) != NULL && !slider_has(range, t->ui.tenths / 10.0))
+		t->ui.tenths =
+		    slider_tenths(range, answers_usual(tui_entry(t)));
+}
+
 static bool
 run(struct tui *t, const char *line)
 {
@@ -243,20 +263,7 @@ run(struct tui *t, const char *line)
 	    driver_line(&d, line, "typed", 0) == 0 || signals_noted() != 0;
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
-	struct slider_range range = tui_range(t);
-	double said = session_known(s, "predict find", "speed");
-	const struct command *ran = control_command(line);
-	if (slider_has(range, said))
-		t->ui.tenths = slider_tenths(range, said);
-	else if (isfinite(said) && ok &&
-		 (ran == command_find("predict") ||
-		     ran == command_find("find")))
-		tui_say(t, true,
-		    "%.1f m/s is off the slider, %d to %d: set slider moves it",
-		    said, range.least / 10, range.most / 10);
-	if (tui_entry(t) != NULL && !slider_has(range, t->ui.tenths / 10.0))
-		t->ui.tenths =
-		    slider_tenths(range, answers_usual(tui_entry(t)));
+	follow_speed(t, line, ok);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
 		t->request.tenths = 0;

@@ -26,9 +26,9 @@ struct layout {
 };
 
 /* Any size of at least 1 x 1.  What there is no room for drops in this order:
- * differences, strip, legend, side panel (a row of numbers takes its place), status
- * (the row of the command takes its place), plot (the side panel has its rows),
- * hints, caption, header, command; track and numbers go last. */
+ * differences, strip, legend, side panel (a row of numbers takes its place),
+ * status (the row of the command takes its place), plot (the side panel has its
+ * rows), hints, caption, header, command; track and numbers go last. */
 struct layout layout_make(int rows, int columns, struct layout_ask ask);
 
 /* The same for text on all of the screen: between header and hints, as long as

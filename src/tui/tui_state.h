@@ -32,9 +32,9 @@ struct numbers {
 };
 
 /* Text on the whole screen: lines from `top` on, of these what is right of the
- * column `left`.  text NULL: none; line [lines]: its lines, owned.  keys: the list of keys, of those that have
- * the word; one of them, `at`, can be run.  Of other text `at` is the line with
- * the word that was found. */
+ * column `left`.  text NULL: none; line [lines]: its lines, owned.  keys: the
+ * list of keys, of those that have the word; one of them, `at`, can be run.  Of
+ * other text `at` is the line with the word that was found. */
 struct viewer {
 	char *text, **line;
 	int top, lines, left, columns;

@@ -15,8 +15,8 @@ bool goal_pending(const struct tui *t);
  * that which binds. */
 void goal_step(struct tui *t);
 
-/* Takes the keys of its field; the command that Enter asks for, which the caller frees, or
- * NULL. */
+/* Takes the keys of its field; the command that Enter asks for, which the
+ * caller frees, or NULL. */
 char *goal_key(struct tui *t, int code, bool special);
 
 /* See goals_words. */
