@@ -28,31 +28,44 @@ section() {
 # block NAME: the lines set in by two blanks below a heading of the help.
 block() { awk -v n="$1" '$0 == n { h = 1; next } /^[^ ]|^$/ { h = 0 } h' help; }
 
-# Commands and their aliases, but for those of two words.
-sed -n 's/^  \([a-z, ]*[a-z]\)  .*/\1/p' commands | tr ',' ' ' >all
+# Commands and their other names; one of two words is written show_sites here.
+names() { sed -n 's/^  \([a-z, ]*[a-z]\)  .*/\1/p' "$1" | sed 's/, /,/; s/ /_/' |
+	tr ',' '\n'; }
+names commands >titles
+two=$(grep _ titles | sed 's/\(.*\)_\(.*\)/s,^\\.It "\1 \2\\b,.It "\1_\2,/' | tr '\n' ';')
+section() {
+	awk -v name="$1" '/^\.Sh / { here = $0 == ".Sh " name } here' "$page" |
+		sed "$two"
+}
+while read -r name; do
+	"$TIPSPEED" -c "help $(echo "$name" | tr _ ' ')" |
+		sed -n 's/^  also called //p' | tr ' ' _
+done <titles >others
+sort -u titles others >all
 {
-	section COMMANDS | sed -n 's/^\.It "\([a-z]*\).*/\1/p'
+	section COMMANDS | sed -n 's/^\.It "\([a-z_]*\).*/\1/p'
 	section COMMANDS | grep -A 1 '^Also called' |
 		sed -n 's/^\.Cm \([a-z]*\) \.$/\1/p'
 } >in_manual
 same "commands: help and manual" all in_manual
+sed 's/_.*//' titles others | sort -u >all
 awk "/^\\t-c\\)/ { h = 1; next } h && /;;/ { exit }
-	h { gsub(/words=|'/, \"\"); print }" "$bash" >in_bash
+	h { gsub(/words=|'/, \"\"); print }" "$bash" | tr -s ' \t' '\n\n' |
+	grep . | sort -u >in_bash
 same "commands: help and completion" all in_bash
-sed -n 's/^  \([a-z, ]*[a-z]\)  .*/\1/p' help | tr ',' ' ' >in_help
-same "commands: help and --help" all in_help
+names help >in_help
+same "commands: help and --help" titles in_help
 
 # Options of each command.
-tr -s ' \n' '\n\n' <all | while read -r name; do
-	[ -n "$name" ] || continue
-	"$TIPSPEED" -c "help $name" >one
-	full=$(sed -n '1s/ .*//p' one)
+while read -r name; do
+	"$TIPSPEED" -c "help $(echo "$name" | tr _ ' ')" >one
+	full=$(sed -n '1s/ - .*//p' one | tr ' ' _)
 	awk -v c="$full" '/^options$/ { h = 1; next } /^$/ { h = 0 }
 		h && /^  [a-z]/ { print c "." $1 }' one
 	tr '\n' ' ' <one | sed -n 's/.*  also takes \(.*\):  *help options.*/\1/p' |
 		tr -d ',' | tr -s ' ' '\n' | sed "s/^/shared $full./"
 	echo
-done | grep . | sort -u >both_options
+done <titles | grep . | sort -u >both_options
 section COMMANDS | awk '/^\.It "/ { c = $2; gsub(/"/, "", c) }
 	/^\.It Cm / { print (c == "" ? "" : c ".") $3 }
 	/^Also takes / { h = 1; $1 = $2 = "" }
@@ -60,7 +73,7 @@ section COMMANDS | awk '/^\.It "/ { c = $2; gsub(/"/, "", c) }
 		for (i = 1; i <= NF; i++) print "shared " c "." $i; h = !last }' \
 	>both_in_manual
 grep -v '^shared' both_options >all_options
-grep '^[a-z]*\.' both_in_manual >in_manual
+grep '^[a-z_]*\.' both_in_manual >in_manual
 same "options of commands: help and manual" all_options in_manual
 sed -n 's/^shared //p' both_options >all
 sed -n 's/^shared //p' both_in_manual >in_manual
@@ -68,7 +81,7 @@ same "shared options of commands: help and manual" all in_manual
 "$TIPSPEED" -c 'help options' | sed -n 's/^  \([a-z][a-z_]*\) .*/\1/p' >all
 grep -v '[ .]' both_in_manual >in_manual
 same "shared options: help and manual" all in_manual
-[ "$(sort -u all)" = "$(sed -n 's/^shared [a-z]*\.//p' both_options | sort -u)" ]
+[ "$(sort -u all)" = "$(sed -n 's/^shared [a-z_]*\.//p' both_options | sort -u)" ]
 result $? "shared options: each is told, and told of a command"
 
 # Nobody reads on where it has scrolled away.
@@ -76,8 +89,8 @@ longest() { wc -l | awk -v n="$1" '$1 == 0 || $1 > n { exit 1 }'; }
 "$TIPSPEED" -c help | longest 24
 result $? "help fits a screen of 24 lines"
 long=
-for name in options $(sed -n 's/^  \([a-z]*\)[, ] .*/\1/p' commands); do
-	"$TIPSPEED" -c "help $name" >one
+for name in options $(cat titles); do
+	"$TIPSPEED" -c "help $(echo "$name" | tr _ ' ')" >one
 	longest 40 <one || long="$long $name"
 done
 result ${#long} "help of each command within 40 lines:$long"
@@ -115,7 +128,7 @@ same "exit statuses: --help and manual" all in_manual
 	sed -n 's/^	ERROR_[A-Z]* = \([0-9]*\).*/\1/p' \
 		"$srcdir/src/base/error.h"
 	# 128 and the signals that are caught to end the program.
-	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/cli/pump.c" |
+	grep -oE 'sigaction\(SIG(HUP|INT|TERM)' "$srcdir/src/cli/signals.c" |
 		sed 's/.*SIGHUP/129/; s/.*SIGINT/130/; s/.*SIGTERM/143/'
 } | sort -nu >in_source
 same "exit statuses: --help and source" all in_source
@@ -142,7 +155,7 @@ same "variables: --help and manual" all in_manual
 same "variables: --help and source" all in_source
 
 # Pages.
-section COMMANDS | sed -n 's/^\.It "man .*\[page=\(.*\)\]"/\1/p' |
+section COMMANDS | sed -n 's/^\.It "help_page .*\[page=\(.*\)\]"/\1/p' |
 	tr '|' '\n' >all
 for f in "$page" "$srcdir"/man/*.[0-9] "$srcdir"/man/*-*.in; do
 	basename "$f" | sed 's/\..*//; s/^tipspeed-//'

@@ -84,7 +84,7 @@ static const struct {
     {"predict speed=74 speed=75", 18, "speed is given twice", ""},
     {"predict 74 speed=75", 12, "speed is given twice", ""},
     {"predict 74 75", 12, "unexpected word '75'", "usage: predict"},
-    {"seed 1 2", 8, "unexpected word '2'", "usage: seed"},
+    {"seed 1 2", 8, "unexpected word '2'", "usage: set seed"},
     {"set method", 5, "method: expected a value", ""},
     {"use", 1, "use: expected SITE", "usage: use SITE"},
     {"predict speed=1,074", 9, "1,074", "use a decimal point"},
@@ -106,8 +106,8 @@ static const struct {
     {"predict speed=", 9, "speed: expected a number", ""},
     {"predict speed=74km/h", 9, "'74km/h'", ""},
     {"predict speed=nan", 9, "got 'nan'", ""},
-    {"predict speed=300", 9, "1 to 200 m/s", ""},
-    {"predict -74", 9, "1 to 200 m/s", ""},
+    {"predict speed=500", 9, "1 to 400 m/s", ""},
+    {"predict -74", 9, "1 to 400 m/s", ""},
     {"calibrate population=7", 11, "8 to 1000000", ""},
     {"calibrate population=1e3", 11, "whole number", ""},
     {"calibrate seed=-1", 11, "whole number", ""},
@@ -120,7 +120,7 @@ static const struct {
     {"sweep 85..65", 7, "from low to high", ""},
     {"sweep 65..85:0", 7, "got 0", ""},
     {"sweep 65..85:0.002", 7, "at most 2000 steps, got 10000", "larger step"},
-    {"sweep 65..", 7, "got ''", ""}, {"sweep 65..300", 7, "1 to 200 m/s", ""},
+    {"sweep 65..", 7, "got ''", ""}, {"sweep 65..500", 7, "1 to 400 m/s", ""},
     {"sweep 65,x", 7, "got 'x'", ""}, {"sweep ,", 7, "speeds: expected", ""},
     {"sweep 65,,75", 7, "got ''", ""}, {"sweep 65,75,", 7, "got ''", ""},
     {"use \"Borl", 5, "quote", "closing"},
@@ -262,7 +262,7 @@ lists_and_ranges_become_numbers(void **state)
 			if (!(fabs(v->list[k] - want) < 1e-12))
 				fail_msg(
 				    "%s: %.17g", LISTS[i].line, v->list[k]);
-			assert_true(v->list[k] >= 1 && v->list[k] <= 200);
+			assert_true(v->list[k] >= 1 && v->list[k] <= 400);
 		}
 		call_free(call);
 	}

@@ -294,7 +294,7 @@ a_session_survives_errors(void **state)
 	    "set method x", "bounds f_mat 3..1", "bounds f_mat", "load",
 	    "load /nonexistent/x.csv", "params set f_mat=1", "params throw",
 	    "show it", "write /nonexistent/x.csv", "calibrate train=71",
-	    "synth /nonexistent", "validate", "sweep 85..65", "help nothing",
+	    "synth /nonexistent", "validate", "sweep 85..65", "help zzz",
 	    "use \"", "predict feed=74"};
 	add(desk, TIERP);
 	desk_expect(desk, "seed 4; set k 2; bounds alpha 0.5..0.9");

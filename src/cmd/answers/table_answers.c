@@ -213,7 +213,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "more are listed one per row. Without speeds= it covers 65 to 85 "
 	    "m/s and the runs outside that range; if all runs are below "
 	    "32.5 or above 170 m/s, it covers only the range around them.",
-	.example = "load data/sites/tierp.csv\ncalibrate\npredict 65..85:10",
+	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85\n"
+		   "predict 65..85:5",
 	.answer = cmd_sweep},
     {.name = "card",
 	.brief = "one page for the cabin: what each speed gives",

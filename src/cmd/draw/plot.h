@@ -13,8 +13,8 @@
  * else 100 x 30.  page: from 1; 0: the one shown.  keys: names of keys, pressed
  * before; "": none.  charset and colours (0, 8, 16 or 256) are those of the
  * open one unless they are `asked`.  words: for who hears it: plots and lines
- * are left out, and `picture` is what describe calls the plot of the page, which
- * the caller frees, or NULL. */
+ * are left out, and `picture` is what describe calls the plot of the page, or
+ * NULL; the caller frees it. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;

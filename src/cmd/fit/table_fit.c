@@ -170,6 +170,6 @@ const struct command TABLE_FIT[] = {
 		"values. The misfits are those of the search, which is less "
 		"exact than the polish that follows.",
 	.example = "load data/sites/tierp.csv\n"
-		   "calibrate population=500 generations=40\nhistory",
+		   "calibrate population=500 generations=40\nshow search",
 	.run = cmd_history},
     {.name = NULL}};

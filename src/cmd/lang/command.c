@@ -106,10 +106,14 @@ command_find(const char *name)
 	return NULL;
 }
 
+/* Whether one of its names of one word begins so. */
 static bool
-begins(const char *name, const char *start)
+begins_with(const struct command *c, const char *start)
 {
-	return name != NULL && strncmp(name, start, strlen(start)) == 0;
+	size_t n = strlen(start);
+	return strncmp(c->name, start, n) == 0 ||
+	       (c->alias != NULL && !is_titled(c) &&
+		   strncmp(c->alias, start, n) == 0);
 }
 
 const struct command *
@@ -124,7 +128,7 @@ command_called(const char *name, bool prompt)
 	size_t n = strlen(start) < LEAST ? LEAST : 0;
 	const struct command *exact = command_find(start);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!begins(c->name, start) && !begins(c->alias, start))
+		if (!begins_with(c, start))
 			continue;
 		found = c;
 		n++;
@@ -138,9 +142,9 @@ command_candidates(const char *name)
 {
 	char *list = xstrdup(""), *start = text_fold(name);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!begins(c->name, start) && !begins(c->alias, start))
+		if (!begins_with(c, start))
 			continue;
-		xlist(&list, ", ", "%s", command_title(c));
+		xlist(&list, ", ", "%s", c->name);
 	}
 	free(start);
 	return list;

@@ -216,10 +216,11 @@ print_commands(FILE *out)
 {
 	fputs("	-c)\n		words='", out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		fprintf(out, "%s%s%s%s",
+		const char *alias = c->alias != NULL ? c->alias : "";
+		fprintf(out, "%s%s%s%.*s",
 		    c == command_next(NULL) ? "" : "\n			",
-		    c->name, c->alias != NULL ? " " : "",
-		    c->alias != NULL ? c->alias : "");
+		    c->name, alias[0] != '\0' ? " " : "",
+		    (int)strcspn(alias, " "), alias);
 	}
 	fputs("'\n		;;\n", out);
 }

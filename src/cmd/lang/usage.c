@@ -92,7 +92,7 @@ usage_brief(const struct command *c, FILE *out)
 	char *name = other != NULL && title == c->name
 			 ? xasprintf("%s, %s", title, other)
 			 : xstrdup(title);
-	fprintf(out, "  %-18s %s\n", name, tr(c->brief));
+	fprintf(out, "  %-19s %s\n", name, tr(c->brief));
 	free(name);
 }
 

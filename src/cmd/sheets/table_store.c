@@ -58,7 +58,8 @@ const struct command TABLE_STORE[] = {
 	.text = "Lists your own calibrations and the rows of the paper's Table "
 		"3, which are called table3/... and are read only. With NAME, "
 		"shows everything stored about one, including its origin.",
-	.example = "materials rock=granite top=11.2\nmaterials table3/tierp",
+	.example = "store list rock=granite top=11.2\n"
+		   "store list table3/tierp",
 	.run = cmd_materials},
     {.name = "recall",
 	.brief = "bring back a calibration from the store",
@@ -89,7 +90,7 @@ const struct command TABLE_STORE[] = {
 		"printed, it is on the disk.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "remember date=2026-11-21 note=\"after new liners\"\n"
-		   "materials origin=own",
+		   "store list origin=own",
 	.run = cmd_remember},
     {.name = "forget",
 	.alias = "store forget",
@@ -100,7 +101,7 @@ const struct command TABLE_STORE[] = {
 		"is lost, unless 'export' saved it. Table 3 stays.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2 e0_min=17 alpha=0.95\n"
-		   "remember trial\nforget trial",
+		   "remember trial\nstore forget trial",
 	.run = cmd_forget},
     {.name = "export",
 	.alias = "store export",
@@ -111,7 +112,7 @@ const struct command TABLE_STORE[] = {
 	.text = "Writes all of your own materials, with exact numbers, for "
 		"'import' into another store; Table 3 is in every store. It "
 		"does not export predictions: use > FILE after a command.",
-	.example = "export materials.csv",
+	.example = "store export materials.csv",
 	.run = cmd_export},
     {.name = "import",
 	.alias = "store import",
@@ -125,7 +126,7 @@ const struct command TABLE_STORE[] = {
 		"faults without replace=on.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2 e0_min=17 alpha=0.95\nremember trial\n"
-		   "export trial.csv\nimport trial.csv replace=on",
+		   "store export trial.csv\nstore import trial.csv replace=on",
 	.run = cmd_import},
     {.name = "guess",
 	.brief = "estimate the product of an uncalibrated site",
