@@ -10,7 +10,7 @@
 #include "core/answer/guess.h"
 #include "core/numeric/rng.h"
 #include "counts.h"
-#include "io/store/table3.h"
+#include "io/store/material.h"
 #include "measure.h"
 #include "plants.h"
 
@@ -62,31 +62,31 @@ put_fragments(struct plant *p, enum fragments law, struct rng_key key)
 
 /* The row with its own strength, top size and law. */
 static struct plant
-rock_of(enum fragments law, const struct material *row, uint64_t number)
+rock_of(enum fragments law, const struct stored *row, uint64_t number)
 {
 	struct plant p = plant_of(RIGHT, number);
 	double top = row->top_size_mm / 1000;
 	for (size_t i = 0; i < p.n_sieve; i++)
 		p.sieve[i] *= top / p.top;
 	p.top = top;
-	p.f_mat = row->f_mat;
-	p.e0 = row->e0_min;
-	p.alpha = row->alpha;
+	p.f_mat = row->params.f_mat;
+	p.e0 = row->params.e0_min;
+	p.alpha = row->params.alpha;
 	put_fragments(&p, law, rng_key(number, law, 91));
 	return p;
 }
 
 /* Which others there are to guess from. */
 static size_t
-others(const struct materials *table, const struct material *row,
+others(const struct stored_list *table, const struct stored *row,
     struct guess_material *m, size_t *pick, bool open)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < ROWS; i++) {
-		const struct material *r = &table->row[i];
+		const struct stored *r = &table->item[i];
 		m[i] = (struct guess_material){r->site, r->rock,
-		    r->top_size_mm / 1000, materials_params(r),
-		    model_settings_default(), open};
+		    r->top_size_mm / 1000, r->params, model_settings_default(),
+		    open};
 		if (strcmp(r->site, row->site) != 0)
 			pick[n++] = i;
 	}
@@ -96,11 +96,11 @@ others(const struct materials *table, const struct material *row,
 /* The share of the passings that the band holds; *error: RMSE of the guess. */
 static double
 held_of(const struct plant *p, const struct site *site,
-    const struct materials *table, size_t row, double v, bool open,
+    const struct stored_list *table, size_t row, double v, bool open,
     double *error)
 {
 	struct guess_material m[ROWS];
-	size_t pick[ROWS], n = others(table, &table->row[row], m, pick, open),
+	size_t pick[ROWS], n = others(table, &table->item[row], m, pick, open),
 			   cells = 0, in = 0;
 	struct guess g = guess_product(site, 0, m, pick, n, v);
 	*error = 0;
@@ -124,7 +124,8 @@ count_guess(size_t n)
 {
 	bool ok = true;
 	double *error = xdoubles(n);
-	struct materials *table = materials_table3();
+	struct stored_list list = {0}, *table = &list;
+	stored_table3(table);
 	printf("%-22s %s\n", "fragments",
 	    "  held %    RMSE, median   at one "
 	    "law, held %");
@@ -133,7 +134,7 @@ count_guess(size_t n)
 		for (size_t i = 0; i < n; i++) {
 			size_t row = i % ROWS;
 			struct plant p = rock_of(
-			    (enum fragments)l, &table->row[row], 4000 + i);
+			    (enum fragments)l, &table->item[row], 4000 + i);
 			struct site *site = plant_site(&p, 4000 + i);
 			double v = 65 + 20 * rng_uniform(rng_key(i, l, 92), 0),
 			       held = held_of(
@@ -154,6 +155,6 @@ count_guess(size_t n)
 						sum[0] - 3 * se < 0.92));
 	}
 	free(error);
-	materials_free(table);
+	stored_list_free(table);
 	return ok;
 }

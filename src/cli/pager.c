@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cli/signals.h"
 #include "cli/terminal.h"
@@ -33,13 +34,16 @@ count_rows(const char *text, int columns)
 	return rows;
 }
 
-static const char *
+/* Less says at its foot how to leave it.  The caller frees. */
+static char *
 pager_command(void)
 {
 	const char *own = getenv("TIPSPEED_PAGER"), *any = getenv("PAGER");
 	if (own != NULL || any != NULL)
-		return own != NULL ? own : any;
-	return "command -v less >/dev/null || exit 127; exec less -FRX";
+		return xstrdup(own != NULL ? own : any);
+	return xasprintf("command -v less >/dev/null || exit 127; "
+			 "exec less -FRX '-Ps%s'",
+	    tr("space goes on, q leaves"));
 }
 
 static void
@@ -102,7 +106,7 @@ pager_show(struct pager *pager)
 	const char *text = pager->text + pager->shown;
 	pager->shown = pager->n;
 	terminal_size(&rows, &columns);
-	const char *command = pager_command();
+	char *command = pager_command();
 	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
@@ -110,6 +114,7 @@ pager_show(struct pager *pager)
 	    paged && !signals_ended() && count_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
+	free(command);
 	fflush(stdout);
 }
 

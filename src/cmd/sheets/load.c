@@ -613,6 +613,30 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	return site;
 }
 
+/* A name that may be the file's, and whether it was. */
+struct remembered_name {
+	const char *name;
+	bool found;
+};
+
+static void
+compare_name(void *data, const char *name)
+{
+	struct remembered_name *r = data;
+	r->found = r->found || text_same(name, r->name);
+}
+
+/* Of a file that is not there: whether something so named was remembered. */
+static void
+hint_remembered(const struct session *s, const char *word, struct error *error)
+{
+	struct remembered_name r = {.name = word};
+	if (access(word, F_OK) != 0 &&
+	    store_each(s->store, STORE_NAMES, compare_name, &r, NULL) &&
+	    r.found)
+		error_hint(error, "it was remembered: recall %s", word);
+}
+
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
@@ -631,6 +655,8 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	l.digest = digest->given ? digest->text : NULL;
 	take_options(&l, args);
 	good = good && run(s, &l, args_value(args, "skip")->choice == 1, error);
+	if (!good && args->n_operand == 1)
+		hint_remembered(s, args->operand[0], error);
 	load_clear(&l);
 	listed_clear(&list);
 	return good;
