@@ -234,8 +234,9 @@ follow_speed(struct tui *t, const char *line, bool ok)
 		t->ui.tenths = slider_tenths(range, said);
 	else if (isfinite(said) && ok && asks)
 		tui_say(t, true,
-		    "%.1f m/s is off the slider, %d to %d: set slider moves it",
-		    said, range.least / 10, range.most / 10);
+		    "%.1f m/s is off the slider: type :set slider %.0f..%.0f",
+		    said, fmin(floor(said), range.least / 10.0),
+		    fmax(ceil(said), range.most / 10.0));
 	if (tui_entry(t) != NULL && !slider_has(range, t->ui.tenths / 10.0))
 		t->ui.tenths =
 		    slider_tenths(range, answers_usual(tui_entry(t)));

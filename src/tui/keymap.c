@@ -433,8 +433,8 @@ digit_key(struct tui *t, int code, bool special)
 		struct slider_range range = tui_range(t);
 		if (!slider_read(range, y->text, &t->ui.tenths))
 			tui_say(t, true,
-			    "expected a speed from %d to %d m/s, got %s: set "
-			    "slider moves the range",
+			    "expected a speed from %d to %d m/s, got %s; :set "
+			    "slider 20..120 shows others",
 			    range.least / 10, range.most / 10, y->text);
 	}
 	edit_begin(y, "");
