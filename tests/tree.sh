@@ -190,6 +190,20 @@ none "no folder with more than 42 files"
 grep -nwE 'TODO|FIXME|XXX' -r src tests/unit man >"$tmp"
 none "no marks left"
 
+# The guides name files and identifiers that there are; minimize_crash is an option of
+# the fuzzer, table3_text.c is made.
+guides='HACKING.md bench/README.md dem/README.md'
+grep -ohE '[a-z_0-9]+\.[ch]\b' $guides | sort -u | grep -vx table3_text.c |
+	while read -r f; do
+		find src tests bench tools dem -name "$f" | grep -q . || echo "$f"
+	done >"$tmp"
+grep -rohE '[A-Za-z]+(_[A-Za-z0-9]+)+' src tests tools bench data dem man Makefile.am \
+	configure.ac .ci | sort -u >"$tmp.there"
+grep -ohE '\b[a-z]+(_[a-z0-9]+)+\b' $guides | grep -vx minimize_crash | sort -u |
+	comm -23 - "$tmp.there" >>"$tmp"
+rm "$tmp.there"
+none "guides name files and identifiers that there are"
+
 # What the full screen exported by the way is soon committed by the way.
 git ls-files 2>/dev/null | grep -v / | grep -vxE '\.clang-format|\.gitignore|'\
 'COPYING|HACKING\.md|Makefile\.am|NEWS|README\.md|bootstrap|configure\.ac' >"$tmp"
