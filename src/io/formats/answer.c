@@ -778,9 +778,10 @@ block_from(const struct table *t, const struct form *f, size_t from)
 			break;
 	}
 	size_t n = b.to - from, all = t->n_column - from;
-	size_t blocks = (all + n - 1) / n;
-	if (f->even)
+	if (f->even && n > 0) {
+		size_t blocks = (all + n - 1) / n;
 		b.to = from + (all + blocks - 1) / blocks;
+	}
 	return b;
 }
 
