@@ -292,7 +292,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	say_open(r, &f);
 	answer_note(r,
 	    "of made-up plants that follow Eqs 1 to 3 the middle 80 %% of the "
-	    "draws of the break size held the true one in 58 to 77 of 100");
+	    "draws of the break size held the true one in 63 to 82 of 100");
 	answer_note(r, "%s", text);
 	free(text);
 	free(f.speed);

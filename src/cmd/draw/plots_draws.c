@@ -233,8 +233,8 @@ add_profile(struct chart *chart, const struct profiled *a)
 		near[1] = fmax(near[1], x[i]);
 	}
 	chart_note(chart,
-	    "lowest misfit E %.4g, within 10 %% of it from %.3g to %.3g; as a "
-	    "likelihood, E to the power -%g, which takes errors to be "
+	    "lowest misfit %.4g, within 10 %% of it from %.3g to %.3g; as a "
+	    "likelihood, the misfit to the power -%g, which takes errors to be "
 	    "independent",
 	    least, near[0], near[1], half);
 }
