@@ -370,10 +370,10 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
 		    : tr("A text screen of %d columns and %d rows.%s"),
 	    canvas->columns, canvas->rows, from);
-	bool ok = (picture_form_of(s->file, &form) &&
-		      picture_cells(
-			  canvas, colours, form, title, about, s->out)) ||
-		  cannot_draw(s, error);
+	bool ok =
+	    (picture_form_of(s->file, &form) &&
+		picture_cells(canvas, colours, form, title, about, s->out)) ||
+	    cannot_draw(s, error);
 	free(about);
 	free(from);
 	free(title);

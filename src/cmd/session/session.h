@@ -90,7 +90,7 @@ struct session {
 	struct site **site;    /* every site there was; entries borrow them */
 	struct plant_log *log; /* in use, or NULL */
 	size_t n_log;
-	struct plant_log **logs;   /* every one there was */
+	struct plant_log **logs; /* every one there was */
 	const struct spec *spec; /* envelope chosen, or NULL */
 	size_t n_spec;
 	struct spec **specs; /* every one there was */

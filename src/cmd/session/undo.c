@@ -101,8 +101,8 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 {
 	if (snapshot->n_entry != s->n_entry ||
 	    snapshot->current != s->current || snapshot->log != s->log ||
-	    snapshot->spec != s->spec ||
-	    snapshot->pin != s->pin || snapshot->energy != s->energy ||
+	    snapshot->spec != s->spec || snapshot->pin != s->pin ||
+	    snapshot->energy != s->energy ||
 	    !settings_same(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
