@@ -443,6 +443,7 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"
 		    "write: report > report.html");
+	question_as_last(s, args, q);
 	bool ok = read_ask(s, args, &ask, error);
 	if (ok) {
 		/* What was answered before is still what assert asks. */

@@ -549,6 +549,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "It needs no network and no other file. A site that is not "
 	    "calibrated gets the parts that do not need it, and what is "
 	    "missing is stated.",
+	.more = "Without speed= it is of the speed that was last predicted, or "
+		"the best for its conditions.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "report \"passing 2 = 30..36\" > tierp.html",
 	.answer = cmd_report},

@@ -816,7 +816,7 @@ put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 		return schema_fail(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store has a material '%s' already\n"
-	    "choose another name, or replace it with replace=on",
+	    "choose another name, or add replace=on to the line",
 	    m->name);
 }
 
