@@ -4,7 +4,8 @@
 
 #include "core/numeric/elementary.h"
 
-/* Of the logarithm of harder over softer, see HACKING.md. */
+/* Of the logarithm of harder over softer, see
+ * doc/decisions/two-strengths.md. */
 static const double SPREAD = 0.4;
 
 struct strengths
