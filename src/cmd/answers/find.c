@@ -383,13 +383,17 @@ note_other(struct answer *r, const struct goal *goal, size_t i)
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
 	char *words = conditions_words(c), *value = value_words(goal, i);
+	double missed = -100 * wanted_margin(&goal->wanted, i).passing;
 	if (wanted_holds(&goal->wanted, i))
 		answer_note(r, "%s: met, %s", words, value);
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
+	else if (missed < 0.05)
+		answer_note(
+		    r, "%s: missed by less than 0.1 points, %s", words, value);
 	else
-		answer_note(r, "%s: missed by %.1f points, %s", words,
-		    -100 * wanted_margin(&goal->wanted, i).passing, value);
+		answer_note(
+		    r, "%s: missed by %.1f points, %s", words, missed, value);
 	free(words);
 	free(value);
 }

@@ -215,10 +215,10 @@ say_light(const struct subject *a)
 			: N_("Trust is amber"));
 	else if (e != NULL)
 		answer_note(a->answer,
-		    "Trust is green: the residuals are like sampling errors "
-		    "(RMSE %.2f points; %.1f times as large as usual, "
-		    "neighbours %+.1f sd alike), and %zu passings for %zu "
-		    "parameters would have shown more",
+		    "Trust is green: the residuals are like sampling errors: "
+		    "RMSE %.2f points, %.1f times the usual, and no more alike "
+		    "on neighbouring sieves than by chance (%+.1f sd); %zu "
+		    "passings for %zu parameters would show a wrong model",
 		    100 * e->rmse, sqrt(e->size), e->alike, e->cells,
 		    e->parameters);
 	for (size_t i = 0; i < t.n; i++)

@@ -103,7 +103,7 @@ put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
 	}
 }
 
-/* What circulates, and what the sums are out by. */
+/* The circulating load and the mass balance. */
 static void
 note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 {
@@ -117,13 +117,10 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 		    o->flow.circulating, band, 100 * o->flow.circulating / tph);
 	free(band);
 	answer_note(r,
-	    tr_n(
-		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu pass",
-		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu "
-		"passes",
+	    tr_n("balance: %g t/h in, %g t/h out after %zu pass",
+		"balance: %g t/h in, %g t/h out after %zu passes",
 		o->flow.passes),
-	    tph, round((tph - o->flow.balance) * 1e6) / 1e6,
-	    fabs(o->flow.balance), o->flow.passes);
+	    tph, round((tph - o->flow.balance) * 1e6) / 1e6, o->flow.passes);
 	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
 	    o->flow.circulating, o->flow.balance, o->flow.passes);
 	answers_put_pair(f, "circulating_range_tph", range[0], range[1]);
@@ -479,7 +476,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
 	if (reach[0] >= reach[1])
 		return error_set(error, ERROR_USAGE,
-		    "flow: expected from below to, got %g and %g m/s\n"
+		    "flow: from= must be below to=, got %g and %g m/s\n"
 		    "write: from=65 to=85",
 		    reach[0], reach[1]);
 	struct search search = search_best(p, reach[0], reach[1]);
