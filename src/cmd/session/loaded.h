@@ -87,8 +87,8 @@ struct variant {
 	enum correction correction;
 };
 
-/* By which one of many sites is found: digests of its name as in keys, of its
- * path, and of the file there when it was loaded, 0 where there was none. */
+/* Lookup keys of a site: digests of its name as in keys, of its path, and of
+ * the file there when it was loaded, 0 where there was none. */
 struct mark_of {
 	uint64_t name, path, file;
 };

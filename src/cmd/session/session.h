@@ -18,7 +18,7 @@ struct rounds;
  * it: session_step until session_busy is false. */
 struct job {
 	const struct rounds *rounds; /* see job.h */
-	void *of;                    /* what they add up, theirs */
+	void *of;                    /* accumulator, owned by the job type */
 	void *found;                 /* what followed from a round, likewise */
 	struct calibration *calibration;
 	struct calibration *lowest; /* what a plain search is compared with, or

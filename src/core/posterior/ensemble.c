@@ -319,7 +319,7 @@ fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
 	}
 }
 
-/* Most who ask want none. */
+/* Computed lazily: few callers need it. */
 static void
 make_samples(struct ensemble *e)
 {
