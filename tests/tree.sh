@@ -173,6 +173,11 @@ for f in $(find src/*/ -name '*.[ch]'); do
 	head -n 12 "$f" | grep -q 'SPDX-License-Identifier' || echo "$f"
 done >"$tmp"
 none "every file opens with its duty and its licence"
+for f in $(of base '*.c') $(of core '*.c') $(of io '*.c') $(of plot '*.c') \
+	$(of cli '*.c'); do
+	! head -n 1 "$f" | grep -q 'SPDX' || echo "$f"
+done >"$tmp"
+none "a .c opens with what it does, before its licence"
 
 # A .c with a header of its name includes that first.
 for f in $(find src -name '*.c'); do
