@@ -230,6 +230,14 @@ none "guides name functions in the file that defines them"
 [ "$(wc -l <HACKING.md)" -le 200 ]
 result $? "HACKING.md has 200 lines at most"
 
+# Headers that comments name are there.
+grep -rhE '/\*|^[[:space:]]*\*' src --include='*.[ch]' | grep -oE '\b[a-z_]{4,}\.h\b' |
+	sort -u | grep -vx ctype.h |
+	while read -r f; do
+		find src tests/unit -name "$f" | grep -q . || echo "$f"
+	done >"$tmp"
+none "comments name headers that there are"
+
 # What the full screen exported by the way is soon committed by the way.
 git ls-files 2>/dev/null | grep -v / | grep -vxE '\.clang-format|\.gitignore|'\
 'COPYING|HACKING\.md|Makefile\.am|NEWS|README\.md|bootstrap|configure\.ac' >"$tmp"

@@ -25,7 +25,7 @@ struct driver {
 	bool watches;
 };
 
-/* Runs one line to its end; name and number: what its place is called, number 0
+/* Runs one line to its end; name and number: its place in messages; number 0
  * for a line typed on the full screen.  Returns 0, the status of the first
  * error, which was reported, or that of a signal. */
 int driver_line(

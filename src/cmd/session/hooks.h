@@ -22,7 +22,7 @@ struct hooks {
 	void (*begins)(const char *what);
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
-	/* Draws the full screen, see pictures.h; NULL: there is none. */
+	/* Draws the full screen, see plot.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
 	/* Runs the full screen until the user quits; returns an exit status.

@@ -18,9 +18,9 @@
  * it searched in; and its site and training runs [n_run], from which follows,
  * when first asked for, what is known after it: posterior and evidence, by the
  * runs that inform them (enum correction), and the products of the last feed
- * that was asked for.  later: runs that came to a site after it, and the one
- * that it misses by most; alarm: what the charts of them say (drift.h).  Shared
- * by the entries, snapshots and origins that hold it. */
+ * that was asked for. later: runs that came to a site after it, and the one
+ * that it misses by most; alarm: the state of their charts (control_chart.h).
+ * Shared by the entries, snapshots and origins that hold it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;

@@ -104,7 +104,7 @@ struct session {
 	struct energies **energies; /* every one there was */
 	struct choices *first; /* what the command line set; reset goes there */
 	struct journal *journal;
-	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
+	struct keep *keep; /* autosave, see autosave.h; NULL: off */
 	struct undo *undo;
 	struct script *script;         /* scripts being read, innermost first */
 	size_t scripts;                /* how many */

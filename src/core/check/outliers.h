@@ -13,7 +13,7 @@
 /* A mend that would make the sheet consistent.  It is only proposed: the
  * laboratory's sheet decides.
  *   measured, expected, sd  of a cell: as it is, and as all others say (see
- *                 leave_out.h), passing 0..1; NAN of columns
+ *                 loo.h), passing 0..1; NAN of columns
  *   surprise      of a cell after a calibration: how much more probable the
  *                 sheet is without it, as a logarithm; NAN
  *   off           of a column: how far it is from what others say, RMS before
