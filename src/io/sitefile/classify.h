@@ -17,7 +17,7 @@
  * tip speeds.  strange: the title has words that may mean another machine or
  * day. */
 struct surroundings {
-	double rotor, speed;
+	double rotor, speed, rpm;
 	uint64_t context;
 	bool told, strange, counted;
 	struct samples *samples;
