@@ -173,8 +173,7 @@ for f in $(find src/*/ -name '*.[ch]'); do
 	head -n 12 "$f" | grep -q 'SPDX-License-Identifier' || echo "$f"
 done >"$tmp"
 none "every file opens with its duty and its licence"
-for f in $(of base '*.c') $(of core '*.c') $(of io '*.c') $(of plot '*.c') \
-	$(of cli '*.c'); do
+for f in $(of . '*.c'); do
 	! head -n 1 "$f" | grep -q 'SPDX' || echo "$f"
 done >"$tmp"
 none "a .c opens with what it does, before its licence"

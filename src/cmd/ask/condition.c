@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads conditions and lists of them, writes them for people and for programs,
+ * and asks for the speeds at which they hold.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition.h"
 
 #include <math.h>
