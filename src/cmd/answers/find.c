@@ -394,13 +394,13 @@ note_other(struct answer *r, const struct goal *goal, size_t i)
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
 	char *words = conditions_words(c), *value = value_words(goal, i);
+	double missed = -100 * wanted_margin(&goal->wanted, i).passing;
 	if (wanted_holds(&goal->wanted, i))
 		answer_note(r, "%s: met, %s", words, value);
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
-		note_missed(r, words,
-		    -100 * wanted_margin(&goal->wanted, i).passing, value);
+		note_missed(r, words, missed, value);
 	free(words);
 	free(value);
 }

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads conditions and lists of them, writes them for people and for programs,
+ * and asks for the speeds at which they hold.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition.h"
 
 #include <math.h>
@@ -443,7 +445,7 @@ conditions_speeds(const struct session *s, const struct args *args,
 	*from = args_number(args, "from", *from);
 	*to = args_number(args, "to", *to);
 	return *from < *to || error_set(error, ERROR_USAGE,
-				  "expected from below to, got %g and %g m/s\n"
+				  "from= must be below to=, got %g and %g m/s\n"
 				  "write from=65 to=85",
 				  *from, *to);
 }
@@ -624,8 +626,8 @@ note_ways(struct answer *r, const struct wanted *wanted,
 		} else if (limit[k].i != SIZE_MAX) {
 			char *words = conditions_limit(list, limit[k]);
 			answer_note(r,
-			    k == 0 ? N_("what binds slower: %s")
-				   : N_("what binds faster: %s"),
+			    k == 0 ? N_("limiting at lower speeds: %s")
+				   : N_("limiting at higher speeds: %s"),
 			    words);
 			free(words);
 		}

@@ -17,9 +17,9 @@ struct condition_list {
 void conditions_add(struct condition_list *list, struct condition condition);
 void conditions_free(struct condition_list *list);
 
-/* Reads one: a quantity (quantities.h), then <, > or = and a number or, after
- * =, a range, or the words for these; of the fraction where it names none.  A
- * single number after = is both limits. */
+/* Reads one: a quantity (quantity_words.h), then <, > or = and a number or,
+ * after =, a range, or the words for these; of the fraction where it names
+ * none.  A single number after = is both limits. */
 bool conditions_read(const char *text, const struct fraction *fraction,
     struct condition *condition, struct error *error);
 

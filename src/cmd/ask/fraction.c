@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A cut against the band of a sample at its speed: how many sieves lie inside,
+ * RMSE, and the sieve that is farthest off.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/fraction.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads quantities as they are typed, writes them for people, keys and units,
+ * and checks that the feed covers them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/quantity_words.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Orders the cuts by date, takes the residuals at the sieves that crushing can
+ * change, and follows them (drift_follow).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 
 #include <math.h>

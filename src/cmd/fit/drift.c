@@ -134,9 +134,8 @@ say_limits(struct answer *a, const struct routine *r)
 	    quiet, isfinite(found) ? found : (double)NAN);
 	if (!r->drawn)
 		answer_say(a, ANSWER_WARNING,
-		    "limits are from 'set noise' alone: what is not known of "
-		    "the parameters comes on top of it, so that the charts "
-		    "signal more often");
+		    "limits are from 'set noise' alone: parameter uncertainty "
+		    "is not included: expect more false alarms");
 	if (!r->dated)
 		answer_say(a, ANSWER_REMARK,
 		    "not every cut has a date: they are in the order in which "

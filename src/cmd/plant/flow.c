@@ -103,7 +103,7 @@ put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
 	}
 }
 
-/* What circulates, and what the sums are out by. */
+/* The circulating load and the mass balance. */
 static void
 note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 {
@@ -474,7 +474,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
 	if (reach[0] >= reach[1])
 		return error_set(error, ERROR_USAGE,
-		    "flow: expected from below to, got %g and %g m/s\n"
+		    "flow: from= must be below to=, got %g and %g m/s\n"
 		    "write: from=65 to=85",
 		    reach[0], reach[1]);
 	struct search search = search_best(p, reach[0], reach[1]);

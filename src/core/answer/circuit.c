@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solves a circuit in steady state by successive substitution, for each draw:
+ * streams that close loops begin empty, and the units are computed in turn
+ * until they change no more.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/circuit.h"
 
 #include <math.h>
