@@ -998,7 +998,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 static size_t
 draws_due(const struct sampler *s)
 {
-	return (s->generation - WARM_UP) * DRAWS_EACH / KEPT;
+	return (size_t)(s->generation - WARM_UP) * DRAWS_EACH / KEPT;
 }
 
 static void
