@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_draws.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>

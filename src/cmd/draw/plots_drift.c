@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_drift.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -75,6 +75,7 @@ say(struct chart *chart, const struct routine *r)
 	free(words);
 }
 
+/* The control charts of the site in use, as `drift` has them. */
 struct chart *
 plots_drift(
     struct session *s, const struct plot_request *q, struct error *error)

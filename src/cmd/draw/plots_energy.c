@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_energy.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -62,6 +62,8 @@ add(struct chart *chart, const struct energies *e, bool main, size_t place)
 	free(whole);
 }
 
+/* How often particles are hit at which energy: those in use, the first impact
+ * of each apart, and all others that were loaded. */
 struct chart *
 plots_energy(
     struct session *s, const struct plot_request *q, struct error *error)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_map.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -144,6 +144,9 @@ reach(struct extent *e, const struct params *p)
 	e->high = fmax(e->high, params_value(p, "e0_min"));
 }
 
+/* The paper's figure 10: f_mat and e0_min of the materials of the store and of
+ * Table 3, by rock, and of all loaded sites that have parameters; of these a
+ * fit that has one at its bound is marked. */
 struct chart *
 plots_map(struct session *s, const struct plot_request *q, struct error *error)
 {

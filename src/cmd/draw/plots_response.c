@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_response.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -387,6 +387,8 @@ make_charts(struct session *s, struct drawn *d)
 	return first;
 }
 
+/* With bands, what was measured, the training speeds, limits and where all of
+ * them hold; a chart for each unit, one below the other. */
 struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_runs.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -172,6 +172,10 @@ add_all(struct chart *chart, const struct session *s,
 	add_further(chart, s, q, params);
 }
 
+/* The paper's figure 7: each run's product as measured, solid, and as the model
+ * alone predicts it from the run's own feed, dashed; with `speeds` its figure
+ * 9, predictions at speeds that were not measured, from the feed that is asked
+ * about.  Without parameters what was measured alone. */
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
