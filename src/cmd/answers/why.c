@@ -482,7 +482,7 @@ put_balance(struct fields *o, const struct balance *b)
 }
 
 static void
-give(struct balance *b)
+why_give(struct balance *b)
 {
 	const struct entry *entry = b->entry;
 	struct answer *r = answers_new(entry->site, "why",
@@ -531,7 +531,7 @@ balance_answer(struct session *s, const struct args *args,
 		b.of[k] = ledger_new(
 		    b.feed, &entry->params, outlook_settings(s, entry), v[k]);
 	}
-	give(&b);
+	why_give(&b);
 	for (size_t k = 0; k < 2; k++) {
 		prediction_free(&b.p[k]);
 		ledger_free(&b.of[k]);

@@ -31,7 +31,7 @@ conditions_free(struct condition_list *list)
 }
 
 static bool
-expected(const char *text, struct error *error)
+conditions_expected(const char *text, struct error *error)
 {
 	return error_set(error, ERROR_USAGE,
 	    "expected a condition: a quantity, then <, > or = and a limit, got "
@@ -43,7 +43,7 @@ expected(const char *text, struct error *error)
 
 /* What a limit may be: "0 to 100 %". */
 static bool
-beyond(const char *text, const struct quantity *q, double most,
+conditions_beyond(const char *text, const struct quantity *q, double most,
     struct error *error)
 {
 	const char *unit = quantities_unit(q);
@@ -83,7 +83,7 @@ read_limit(const char *text, const struct quantity *q, double *limit,
 				       : INFINITY;
 	bool ok = text_number(word, limit) || no_number(word, q, error);
 	if (ok && (*limit < 0 || *limit > most))
-		ok = beyond(word, q, most, error);
+		ok = conditions_beyond(word, q, most, error);
 	*limit /= one;
 	free(copy);
 	return ok;
@@ -194,7 +194,7 @@ no_sign(const char *text, const struct fraction *fraction, struct error *error)
 	}
 	if (!found) {
 		free(name);
-		return expected(text, error);
+		return conditions_expected(text, error);
 	}
 	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
 	if (c.least != c.most)
@@ -214,7 +214,7 @@ read_signed(const char *text, const struct fraction *fraction,
 {
 	size_t n = strcspn(text, "<>=");
 	if (n == 0)
-		return expected(text, error);
+		return conditions_expected(text, error);
 	if (text[n] == '\0')
 		return no_sign(text, fraction, error);
 	char *name = xstrndup(text, n);

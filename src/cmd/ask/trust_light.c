@@ -198,7 +198,7 @@ reach_of(const struct entry *entry)
 }
 
 static struct trust
-judge(const struct session *s, const struct entry *entry,
+light_judge(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
@@ -238,7 +238,7 @@ light_of(const struct session *s, const struct entry *entry,
 		    xstrdup(tr("a calibration is running: parameters change")));
 		return t;
 	}
-	return judge(s, entry, p, outlook_evidence(s, entry), true);
+	return light_judge(s, entry, p, outlook_evidence(s, entry), true);
 }
 
 void
@@ -345,6 +345,7 @@ light_verdict_undrawn(const struct session *s, const struct entry *entry)
 	const char *plain = plain_verdict(&entry->fit);
 	struct evidence e = outlook_undrawn(s, entry);
 	/* No cut was added since. */
-	return plain != NULL ? plain
-			     : light_name(judge(s, entry, NULL, &e, false));
+	return plain != NULL
+		   ? plain
+		   : light_name(light_judge(s, entry, NULL, &e, false));
 }

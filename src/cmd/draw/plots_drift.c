@@ -64,7 +64,7 @@ add_limits(struct chart *chart, double last)
 }
 
 static void
-say(struct chart *chart, const struct routine *r)
+drift_say(struct chart *chart, const struct routine *r)
 {
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
 	char *words = routine_words(r);
@@ -116,7 +116,7 @@ plots_drift(
 	if (r->first < r->n)
 		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
 		    "began at about cut %zu", r->since + 1);
-	say(chart, r);
+	drift_say(chart, r);
 	routine_free(r);
 	return chart;
 }

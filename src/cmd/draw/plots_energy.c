@@ -15,7 +15,7 @@ enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
 
 /* Impacts a particle, or share of the impacts in %, in each half octave. */
 static void
-fill(struct chart_series *series, const struct spectrum *s,
+energy_fill(struct chart_series *series, const struct spectrum *s,
     const struct spectrum_size *whole, bool first)
 {
 	double all = spectrum_above(whole, 0, false).mass;
@@ -41,7 +41,8 @@ highest(const struct chart *chart)
 }
 
 static void
-add(struct chart *chart, const struct energies *e, bool main, size_t place)
+energy_add(
+    struct chart *chart, const struct energies *e, bool main, size_t place)
 {
 	const struct spectrum *s = e->c.spectrum;
 	struct spectrum_size *whole = spectrum_whole(s);
@@ -51,12 +52,12 @@ add(struct chart *chart, const struct energies *e, bool main, size_t place)
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
-	fill(chart_add(chart, main ? look : site_chart_look(place), POINTS,
-		 "%s%s", e->name, speed),
+	energy_fill(chart_add(chart, main ? look : site_chart_look(place),
+			POINTS, "%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)
-		fill(chart_add(chart, of_first, POINTS, "first above %g J/kg",
-			 e->cut),
+		energy_fill(chart_add(chart, of_first, POINTS,
+				"first above %g J/kg", e->cut),
 		    s, whole, true);
 	free(speed);
 	free(whole);
@@ -85,8 +86,8 @@ plots_energy(
 	for (size_t i = 0; i < s->n_energies; i++)
 		if (s->energies[i] != e &&
 		    s->energies[i]->c.spectrum->counted == of->counted)
-			add(chart, s->energies[i], false, i);
-	add(chart, e, true, 0);
+			energy_add(chart, s->energies[i], false, i);
+	energy_add(chart, e, true, 0);
 	axis_free(&chart->y);
 	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
 						"octave, -")

@@ -16,7 +16,7 @@ enum { NAMED = 60 };
 
 /* Where a material stands; each string is taken. */
 static void
-put(struct chart_series *series, const struct params *p, char *name,
+map_put(struct chart_series *series, const struct params *p, char *name,
     char *label, char *about)
 {
 	size_t i = series->n++;
@@ -26,7 +26,7 @@ put(struct chart_series *series, const struct params *p, char *name,
 }
 
 static struct chart_series *
-add(struct chart *chart, struct chart_series look, size_t most, bool named,
+map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
     const char *name)
 {
 	struct chart_series *series = chart_add(chart, look, most, "%s", name);
@@ -42,12 +42,12 @@ add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
 {
 	struct chart_series look = site_chart_look(chart->n);
 	look.line = CHART_MARKS;
-	struct chart_series *series = add(chart, look, list->n,
+	struct chart_series *series = map_add(chart, look, list->n,
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
 		if (text_same(m->rock, rock))
-			put(series, &m->params, xstrdup(m->name),
+			map_put(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
 }
@@ -83,13 +83,13 @@ add_loaded(struct chart *chart, const struct session *s, bool bound)
 		if (!entry->has_params || at_bound(entry) != bound)
 			continue;
 		if (series == NULL)
-			series = add(chart,
+			series = map_add(chart,
 			    (struct chart_series){.series = SERIES_PREDICTED,
 				.mark = bound ? 'X' : '#'},
 			    s->n_entry, s->n_entry <= NAMED,
 			    bound ? tr("loaded, a parameter at its bound")
 				  : tr("loaded sites"));
-		put(series, &entry->params, xstrdup(entry->key),
+		map_put(series, &entry->params, xstrdup(entry->key),
 		    xstrdup(entry->site->name), site_source(entry->site, ""));
 	}
 }

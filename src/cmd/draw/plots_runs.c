@@ -125,7 +125,7 @@ add_further(struct chart *chart, const struct session *s,
 }
 
 static bool
-refuse(const struct plot_request *q, struct error *error)
+runs_refuse(const struct plot_request *q, struct error *error)
 {
 	const struct site *site = entry_loaded(q->entry)->site;
 	if (q->n_speed > FURTHER)
@@ -183,7 +183,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	struct params params;
 	struct error unknown = {0};
 	bool known = plots_past_params(s, q, &params, &unknown);
-	if (refuse(q, error))
+	if (runs_refuse(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->n_speed > 0)) {
 		*error = unknown;

@@ -72,7 +72,8 @@ count_trained(const struct site *site, const bool *train)
 }
 
 static void
-compare(struct comparison *c, const struct predicted_by *by, size_t run)
+comparison_compare(
+    struct comparison *c, const struct predicted_by *by, size_t run)
 {
 	const struct site *site = by->site;
 	const struct posterior *posterior = by->posterior;
@@ -103,7 +104,7 @@ comparison_add(struct comparison *c, const struct predicted_by *by)
 {
 	for (size_t r = 0; r < by->site->n_run; r++)
 		if (!by->train[r] && misfit_covered(&by->site->run[r]) > 0)
-			compare(c, by, r);
+			comparison_compare(c, by, r);
 }
 
 void

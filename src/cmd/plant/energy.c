@@ -175,7 +175,7 @@ note_others(struct answer *r, const struct session *s, const struct question *q)
  * within a quarter: k about 1, most energy in the first impact, and that near
  * v^2/2. */
 static void
-judge(struct answer *r, const struct question *q,
+energy_judge(struct answer *r, const struct question *q,
     const struct spectrum_size *whole)
 {
 	const double within = 0.8;
@@ -299,7 +299,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_below(&q, whole), q.scale * q.cut);
 	note_others(r, s, &q);
-	judge(r, &q, whole);
+	energy_judge(r, &q, whole);
 	note_site(r, &q);
 	note_basis(r, &q);
 	put_fields(r, &q, whole);

@@ -388,7 +388,7 @@ feed_difference(
 /* The light of each crusher's speed; a feed that what comes back has changed is
  * judged as another feed would be. */
 static struct trust
-judge(const struct plant *p, const struct outcome *o)
+flow_judge(const struct plant *p, const struct outcome *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
@@ -445,7 +445,7 @@ answer_flow(const struct plant *p, const struct outcome *o)
 
 /* The rest of the answer, which it gives. */
 static bool
-finish(const struct plant *p, const struct outcome *o, struct answer *r)
+flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	const struct entry *entry = p->plan->question->entry;
 	put_streams(p, o, answer_fields(r));
@@ -458,7 +458,8 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	answers_show_basis(p->s, r, p->plan->question, 0, band, judge(p, o));
+	answers_show_basis(
+	    p->s, r, p->plan->question, 0, band, flow_judge(p, o));
 	if (!pictures_wanted(p->s) || p->s->document != NULL)
 		return session_answer(p->s, r);
 	session_keep(p->s, r);
@@ -491,7 +492,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		note_best(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain(p, &best, &usual, r);
-		finish(p, &best, r);
+		flow_finish(p, &best, r);
 	}
 	flow_free(&usual.flow);
 	flow_free(&best.flow);
@@ -505,7 +506,7 @@ flow_at(const struct plant *p, double speed, struct error *error)
 	struct outcome o = plant_at(p, speed);
 	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
 	if (ok)
-		finish(p, &o, answer_flow(p, &o));
+		flow_finish(p, &o, answer_flow(p, &o));
 	flow_free(&o.flow);
 	return ok;
 }

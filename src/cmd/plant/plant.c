@@ -41,7 +41,7 @@ struct cuts {
 };
 
 static bool
-overlap(const struct fraction *a, const struct fraction *b)
+plant_overlap(const struct fraction *a, const struct fraction *b)
 {
 	return a->fine < b->coarse && b->fine < a->coarse;
 }
@@ -55,7 +55,7 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 		struct fraction f = {0};
 		ok = quantities_fraction(part, &f, error);
 		for (size_t i = 0; ok && i < c->n; i++)
-			if (overlap(&f, &c->fraction[i]))
+			if (plant_overlap(&f, &c->fraction[i]))
 				ok = error_set(error, ERROR_USAGE,
 				    "fractions= has %s, which overlaps with "
 				    "another one\n"

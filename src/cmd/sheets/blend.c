@@ -160,7 +160,7 @@ give_product(
 }
 
 static void
-give(struct session *s, const struct args *args, const struct blended *b)
+blend_give(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
 	if (s->n_entry == 0) {
@@ -217,7 +217,7 @@ cmd_blend(struct session *s, const struct args *args, struct error *error)
 		good =
 		    !out->given || write_sheet(s, args, &b, out->text, error);
 		if (good)
-			give(s, args, &b);
+			blend_give(s, args, &b);
 	}
 	blended_clear(&b);
 	return good;

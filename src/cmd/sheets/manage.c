@@ -301,7 +301,7 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 /* Goes to another session.  A calibration that was stopped is kept only where
  * its site and the fit it left there stay. */
 static const char *
-go(struct session *s, const char *(*where)(struct session *))
+manage_go(struct session *s, const char *(*where)(struct session *))
 {
 	struct entry held = {0};
 	bool paused = s->job.calibration != NULL && s->job.paused;
@@ -325,7 +325,7 @@ bool
 cmd_undo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = go(s, undo_back);
+	const char *label = manage_go(s, undo_back);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");
 	session_note(s, "undone: %s", label);
@@ -336,7 +336,7 @@ bool
 cmd_redo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = go(s, undo_forth);
+	const char *label = manage_go(s, undo_forth);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
 	session_note(s, "redone: %s", label);

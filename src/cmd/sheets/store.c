@@ -93,7 +93,7 @@ find_material(struct store *store, const char *name, struct stored_list *list,
 }
 
 static void
-set(char **text, char *value)
+store_set(char **text, char *value)
 {
 	char *trimmed = xstrdup(text_trim(value));
 	free(value);
@@ -104,7 +104,7 @@ set(char **text, char *value)
 static void
 set_copy(char **text, const char *value)
 {
-	set(text, xstrdup(value));
+	store_set(text, xstrdup(value));
 }
 
 /* What only a calibration has. */
@@ -112,7 +112,7 @@ static void
 take_fit(struct stored *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	set(&m->basis, remembered_basis(entry));
+	store_set(&m->basis, remembered_basis(entry));
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
@@ -132,14 +132,14 @@ take_origin(struct stored *m, const struct entry *entry)
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
 		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
-	set(&m->train_mps, speeds);
+	store_set(&m->train_mps, speeds);
 	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
-	set(&m->site_digest,
+	store_set(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
 	set_copy(&m->note, own ? "" : o->words);
 	if (own && site_assumed_top(entry->site) > 0)
-		set(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
-				  site_assumed_top(entry->site)));
+		store_set(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
+					site_assumed_top(entry->site)));
 }
 
 static struct stored
@@ -237,7 +237,7 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 		return false;
 	struct stored m = material_of(s, entry);
 	set_copy(&m.name, name);
-	set(&m.date, date->given ? xstrdup(date->text) : moment_today());
+	store_set(&m.date, date->given ? xstrdup(date->text) : moment_today());
 	if (note->given)
 		set_copy(&m.note, note->text);
 	stored_list_add(list, m);
