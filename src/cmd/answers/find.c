@@ -475,7 +475,7 @@ put_found(
 	if (goal->wanted.n == 0)
 		return;
 	forecast_at(goal->wanted.forecast, isnan(v) ? f->best : v);
-	conditions_put(o, &goal->wanted, f);
+	conditions_rows(NULL, o, &goal->wanted, f);
 	fields_put(
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }

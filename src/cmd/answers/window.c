@@ -256,8 +256,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		    answers_new(entry->site, "window", "%s at %.1f m/s",
 			a.list.n > 1 ? tr("conditions") : tr("the condition"),
 			a.w->best);
-		conditions_rows(r, &a.wanted, a.w);
-		conditions_put(answer_fields(r), &a.wanted, a.w);
+		conditions_rows(r, answer_fields(r), &a.wanted, a.w);
 		if (a.w->n_inside > 0)
 			note_inside(r, &a);
 		else

@@ -439,26 +439,6 @@ conditions_limit(const struct condition_list *list, struct wanted_limit limit)
 	return conditions_words(&one);
 }
 
-static void
-put_condition(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found, size_t i)
-{
-	const struct condition *c = &wanted->at[i];
-	const struct quantity *q = &c->quantity;
-	struct margin margin = wanted_margin(wanted, i);
-	struct figure f = forecast_figure(wanted->forecast, i);
-	char *key = quantities_key(q);
-	fields_put(o,
-	    "quantity %s unit %s min %g max %g value %g low %g high %g "
-	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, quantities_unit(q), quantities_shown(q, c->least),
-	    quantities_shown(q, c->most), quantities_shown(q, f.value),
-	    quantities_shown(q, f.low), quantities_shown(q, f.high),
-	    100 * margin.passing, conditions_widths(wanted, margin),
-	    found->alone[i][0], found->alone[i][1]);
-	free(key);
-}
-
 char *
 conditions_speeds_words(const struct speed_search *found)
 {
@@ -485,53 +465,57 @@ conditions_widths(const struct wanted *wanted, struct margin margin)
 		   : NAN;
 }
 
-void
-conditions_put(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found)
-{
-	struct fields *list = fields_list(o, "conditions");
-	for (size_t i = 0; i < wanted->n; i++)
-		put_condition(fields_object(list, NULL), wanted, found, i);
-}
-
+/* Of a condition a row, of an answer or for NULL of none, and fields. */
 static void
-condition_row(struct answer *r, const struct wanted *wanted,
+add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
-	const struct condition *c = &wanted->at[i];
-	const struct quantity *q = &c->quantity;
-	double margin = wanted_margin(wanted, i).passing;
+	const struct quantity *q = &wanted->at[i].quantity;
+	struct margin margin = wanted_margin(wanted, i);
 	struct figure f = forecast_figure(wanted->forecast, i);
-	char *words = quantities_words(q), *key = quantities_key(q);
+	const double limit[] = {quantities_shown(q, wanted->at[i].least),
+	    quantities_shown(q, wanted->at[i].most)};
+	const double value = quantities_shown(q, f.value),
+		     band[] = {quantities_shown(q, f.low),
+			 quantities_shown(q, f.high)},
+		     points = 100 * margin.passing, *alone = found->alone[i];
 	const char *unit = quantities_unit(q);
 	bool whole = quantities_decimals(q) == 1;
-	char *name =
-	    xasprintf("%s%s%s", words, unit[0] != '\0' ? ", " : "", unit);
-	answer_name(r, key, name);
-	answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f",
-	    quantities_shown(q, c->least), quantities_shown(q, c->most),
-	    quantities_shown(q, f.value));
-	if (forecast_draws(wanted->forecast, i) != NULL)
-		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
-		    quantities_shown(q, f.low), quantities_shown(q, f.high));
-	answer_cells(r, "%.1f %.1f %.1f", isinf(margin) ? NAN : 100 * margin,
-	    found->alone[i][0], found->alone[i][1]);
-	free(name);
+	char *words = quantities_words(q), *key = quantities_key(q);
+	fields_put(o,
+	    "quantity %s unit %s min %g max %g value %g low %g high %g "
+	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
+	    key, unit, limit[0], limit[1], value, band[0], band[1], points,
+	    conditions_widths(wanted, margin), alone[0], alone[1]);
+	if (unit[0] != '\0')
+		xappend(&words, ", %s", unit);
+	if (r != NULL) {
+		answer_name(r, key, words);
+		answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f", limit[0],
+		    limit[1], value);
+		if (forecast_draws(wanted->forecast, i) != NULL)
+			answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
+			    band[0], band[1]);
+		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
+	}
 	free(words);
 	free(key);
 }
 
 void
-conditions_rows(struct answer *r, const struct wanted *wanted,
+conditions_rows(struct answer *r, struct fields *o, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	answer_columns(r, "quantity: condition on, min, max, value");
-	if (forecast_draws(wanted->forecast, 0) != NULL)
-		answer_columns(r, "low, high");
-	answer_columns(r, "margin_pct: points, holds_from: from m/s, "
-			  "holds_to: to m/s");
+	struct fields *list = fields_list(o, "conditions");
+	if (r != NULL) {
+		answer_columns(r, "quantity: condition on, min, max, value");
+		if (forecast_draws(wanted->forecast, 0) != NULL)
+			answer_columns(r, "low, high");
+		answer_columns(r, "margin_pct: points, holds_from: from m/s, "
+				  "holds_to: to m/s");
+	}
 	for (size_t i = 0; i < wanted->n; i++)
-		condition_row(r, wanted, found, i);
+		add_condition(r, fields_object(list, NULL), wanted, found, i);
 }
 
 struct wanted

@@ -148,10 +148,7 @@ give_product(
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		fields_numbers(
-		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
-		fields_numbers(answer_fields(r), "high_pct", p.high,
-		    p.product.n, units_pct);
+		answer_put_columns(r, "low_pct high_pct");
 		answers_put_band(answer_fields(r), s, &p);
 	}
 	answers_show_basis_at(s, r, q, v, p.low != NULL);
