@@ -70,13 +70,9 @@ plots_energy(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
-	const struct energies *e = s->energy;
-	if (e == NULL) {
-		error_set(error, ERROR_USAGE,
-		    "no collision energies are loaded\n"
-		    "load some: energy load FILE");
+	const struct energies *e = energies_last(s, error);
+	if (e == NULL)
 		return NULL;
-	}
 	const struct spectrum *of = e->c.spectrum;
 	double E = of->speed > 0 ? energy_specific(of->speed) : NAN;
 	struct chart *chart = chart_new(tr("collision energies"),
