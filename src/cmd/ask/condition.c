@@ -391,7 +391,7 @@ conditions_speeds(const struct session *s, const struct args *args,
 	*from = args_number(args, "from", *from);
 	*to = args_number(args, "to", *to);
 	return *from < *to || error_set(error, ERROR_USAGE,
-				  "expected from below to, got %g and %g m/s\n"
+				  "from= must be below to=, got %g and %g m/s\n"
 				  "write from=65 to=85",
 				  *from, *to);
 }

@@ -470,20 +470,14 @@ static bool
 flow_best(const struct plant *p, const struct args *args, struct error *error)
 {
 	const struct entry *entry = p->plan->question->entry;
-	double reach[2];
-	settings_reach(&p->s->set, entry->site, &reach[0], &reach[1]);
-	reach[0] = args_number(args, "from", reach[0]);
-	reach[1] = args_number(args, "to", reach[1]);
+	double from, to;
 	if (!p->plan->priced)
 		return error_set(error, ERROR_USAGE,
 		    "best=on needs prices\n"
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
-	if (reach[0] >= reach[1])
-		return error_set(error, ERROR_USAGE,
-		    "flow: expected from below to, got %g and %g m/s\n"
-		    "write: from=65 to=85",
-		    reach[0], reach[1]);
-	struct search search = search_best(p, reach[0], reach[1]);
+	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
+		return false;
+	struct search search = search_best(p, from, to);
 	struct outcome usual = plant_at(p, p->plan->question->speed),
 		       best = plant_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
