@@ -7,7 +7,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/ask/outlook.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"

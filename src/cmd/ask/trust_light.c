@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/session/energies.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/forecast.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 
 #include <math.h>
 #include <stdlib.h>
