@@ -8,7 +8,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/sheets/data.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/lang/parse.h"
@@ -191,7 +190,7 @@ write_sheet(struct session *s, const struct args *args, const struct blended *b,
 	site->rock = xstrdup(b->rock);
 	site->provenance = xstrdup(b->of);
 	site->run[0].feed = psd_copy(&b->feed);
-	bool good = data_may_write(s, args, path, error) &&
+	bool good = files_may_overwrite(s, args, path, error) &&
 		    site_save(site, path, &rows, error);
 	if (good) {
 		files_wrote(s, path);

@@ -7,7 +7,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/sheets/data.h"
 #include "cmd/session/energies.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
@@ -260,7 +259,7 @@ may_save(const struct session *s, const struct args *args, const char *path,
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (again && (saved || args_value(args, "replace")->choice == 1))
 		return file_may_write(path, error);
-	return data_may_write(s, args, path, error);
+	return files_may_overwrite(s, args, path, error);
 }
 
 static bool

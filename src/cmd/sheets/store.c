@@ -10,7 +10,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/sheets/data.h"
 #include "cmd/sheets/load.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
@@ -610,7 +609,7 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct stored_list list = {0};
-	bool ok = data_may_write(s, args, path, error) &&
+	bool ok = files_may_overwrite(s, args, path, error) &&
 		  store_list(s->store, &list, error) &&
 		  store_csv_save(&list, path, error);
 	if (ok) {
