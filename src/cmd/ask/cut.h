@@ -1,7 +1,7 @@
 /* A belt cut beside what is predicted for it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ASK_FRACTION_H
-#define TIPSPEED_CMD_ASK_FRACTION_H
+#ifndef TIPSPEED_CMD_ASK_CUT_H
+#define TIPSPEED_CMD_ASK_CUT_H
 
 #include "cmd/session/session.h"
 
