@@ -31,9 +31,9 @@ bool strip_point(
 /* How long until there is such a part to work out, s; INFINITY: none. */
 double strip_wait(const struct tui *t);
 
-/* Draws it, when all is known: its band as two thin edges, with gaps where
- * speeds are extrapolated, limits on it as dotted lines, what was measured and
- * where the slider stands as marks. */
+/* Draws it, when all is known: dashed where speeds are extrapolated, its band
+ * as a shade, limits on it as dotted lines, what was measured and where the
+ * slider stands as marks. */
 void strip_draw(struct tui *t);
 
 #endif
