@@ -244,9 +244,9 @@ void
 act_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct numbers was = t->pinned;
+	const struct numbers was = t->view.pinned;
 	char *where = tui_where(t), *line = xasprintf("pin %s", where);
-	if (was.site[0] == '\0' && t->current.site[0] == '\0')
+	if (was.site[0] == '\0' && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
 		; /* it has said why */
@@ -263,7 +263,7 @@ act_pin(struct tui *t, const struct key *key)
 			     "is not saved")
 			: N_("pinned %s at %.1f m/s: go to another speed or "
 			     "site; e exports both"),
-		    t->pinned.site, t->pinned.speed);
+		    t->view.pinned.site, t->view.pinned.speed);
 	free(where);
 	free(line);
 }
@@ -275,9 +275,9 @@ act_band(struct tui *t, const struct key *key)
 	const struct entry *entry = tui_entry(t);
 	t->ui.band = !t->ui.band;
 	t->message[0] = '\0';
-	if (!t->ui.band || t->current.site[0] == '\0')
+	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
-	bool known = t->shown.low != NULL;
+	bool known = t->view.shown.low != NULL;
 	tui_say(t, false,
 	    known || (entry->has_fit && fit_too_few(&entry->fit))
 		? "%s%s"

@@ -25,6 +25,7 @@
 #include "tui/tui_state.h"
 #include "cli/history.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
@@ -168,8 +169,7 @@ loop(struct tui *t)
 	while (!t->leave && !t->session->quit && signals_noted() == 0) {
 		t->clock = session_clock();
 		signals_watch_keys(true);
-		control_predict(t);
-		pages_update(t);
+		view_update(t);
 		show(t);
 		t->clock = session_clock();
 		take_keys(t);

@@ -42,7 +42,6 @@ watch_keep(struct tui *t)
 	session_settle(s, true, &error);
 	t->ran = tui_searched(t);
 	t->held = false;
-	t->request.tenths = 0;
 	control_look(t);
 	const char *said =
 	    useless != NULL ? useless
@@ -139,7 +138,6 @@ watch_step(struct tui *t)
 	do
 		session_step(t->session);
 	while (session_busy(t->session) && is_drawing(t->session));
-	t->request.tenths = 0;
 	if (!session_busy(t->session))
 		finish_rounds(t, rounds);
 }
@@ -186,8 +184,6 @@ watch_pump(struct tui *t)
 		(!signals_waited_for() && session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / pace_now(t);
-	if (entry == s->current && rounds->at == NULL)
-		t->request.tenths = 0;
 	if (!session_busy(s))
 		finish_rounds(t, rounds);
 	else if (rounds->at == NULL && entry != s->job.entry)

@@ -28,6 +28,7 @@
 #include "tui/widgets/track.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 static void
 type(struct tui *t, const char *text)
@@ -155,7 +156,7 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	canvas_free(screen_back(was));
 	type(t, "x");
 	assert_null(t->viewer.text);
-	assert_int_equal(t->pinned.site[0], '\0');
+	assert_int_equal(t->view.pinned.site[0], '\0');
 }
 
 /* Else a pause would count as slow work, and what is taken up again as quick. */
@@ -222,8 +223,7 @@ mouse(struct tui *t, enum hit_kind kind, int row, int column)
 static void
 draw_all(struct tui *t)
 {
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 }
 
@@ -324,12 +324,12 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	}
 	t->ui.tenths = 743;
 	type(t, "N");
-	control_predict(t);
+	view_predict(t);
 	assert_int_equal(t->ui.tenths, 743);
 	t->aside = true;
 	pages_update(t);
 	assert_true(strip_wait(t) <= 0);
-	control_predict(t);
+	view_predict(t);
 	int best = slider_tenths(tui_range(t), goal_best(t));
 	assert_int_not_equal(best, 743);
 	assert_int_equal(t->ui.tenths, best);
@@ -340,7 +340,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	t->aside = false;
 	type(t, "Nx");
 	t->aside = true;
-	assert_int_equal(lround(10 * t->pinned.speed), best);
+	assert_int_equal(lround(10 * t->view.pinned.speed), best);
 }
 
 /* Nor is it worked out again for what changes nothing of it. */
@@ -428,7 +428,7 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	type(t, "c");
 	int tenths = t->ui.tenths;
 	press(t, "Home");
-	assert_int_equal(t->ui.cross_at, t->shown.product.n - 1);
+	assert_int_equal(t->ui.cross_at, t->view.shown.product.n - 1);
 	press(t, "End");
 	assert_int_equal(t->ui.cross_at, 0);
 	assert_int_equal(t->ui.tenths, tenths);
@@ -486,7 +486,7 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	desk_expect(stage->desk, "window \"passing 2 = 33..35\" \"p80 > 5\"");
 	const struct session *s = t->session;
 	assert_float_equal(session_known(s, "window", "best"), goal_best(t), 0);
-	assert_int_equal(t->goal.found->n_inside, 1);
+	assert_int_equal(t->view.goal.found->n_inside, 1);
 	t->ui.tenths = 650;
 	type(t, "n");
 	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[0]));
@@ -554,7 +554,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_true(goal_known(t));
 	type(t, "t\025EN 12620 0/4\n");
 	draw_all(t);
-	assert_true(t->goal.list.n > 1);
+	assert_true(t->view.goal.list.n > 1);
 }
 
 /* Of an envelope that is shown which ends its window, and what stands there as
@@ -569,7 +569,7 @@ an_envelope_shows_what_binds(void **state)
 	type(t, "t\025EN 12620 0/4\n");
 	while (goal_pending(t))
 		goal_step(t);
-	const struct goal *g = &t->goal;
+	const struct goal *g = &t->view.goal;
 	assert_true(g->n_value == 0 && g->found->n_inside == 1);
 	assert_true(
 	    quantity_same(&t->ui.quantity, &g->list.at[g->binds].quantity));
@@ -611,17 +611,34 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
 	draw_all(t);
-	double mean = t->shown.p50;
+	double mean = t->view.shown.p50;
 	type(t, ":set feed 79\n");
 	draw_all(t);
-	assert_true(t->shown.p50 != mean);
+	assert_true(t->view.shown.p50 != mean);
 	assert_string_equal(t->command, "predict speed=74.0 feed=79");
 	desk_expect(stage->desk, "predict 74");
 	assert_true(session_known(t->session, "predict", "p50_mm") ==
-		    1000 * t->shown.p50);
+		    1000 * t->view.shown.p50);
 	type(t, ":set feed mean\n");
 	draw_all(t);
-	assert_true(t->shown.p50 == mean);
+	assert_true(t->view.shown.p50 == mean);
+}
+
+/* Not only from the next step of the slider on. */
+static void
+a_band_is_of_the_level_that_is_set(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	draw_all(t);
+	const double *range = t->view.shown.range[1];
+	double width = range[1] - range[0];
+	type(t, ":set level 90\n");
+	draw_all(t);
+	assert_true(range[1] - range[0] > 1.1 * width);
+	assert_string_equal(t->command, "set level 90");
 }
 
 /* Of each speed what predict says there, with its band. */
@@ -880,7 +897,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	draw_all(t);
 	/* On a terminal a goal is worked out part by part. */
 	t->aside = false;
-	t->moved = -1e9;
+	t->view.moved = -1e9;
 	type(t, "tp80=5..5.3\n");
 	for (size_t part = 0; goal_pending(t); part++) {
 		if (part % often(16, 1) == 0) {
@@ -940,7 +957,7 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	void *desk;
 	desk_open(&desk);
 	struct session *other = ((struct desk *)desk)->session;
-	const struct numbers pin = t->pinned;
+	const struct numbers pin = t->view.pinned;
 	enum page page = t->ui.page;
 	control_end(t);
 	control_begin(t, other, &SCRIPT_WAYS);
@@ -952,8 +969,8 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
-	assert_true(t->pinned.feed == 69 && t->pinned.speed == 74);
-	assert_memory_equal(t->pinned.size, pin.size, sizeof pin.size);
+	assert_true(t->view.pinned.feed == 69 && t->view.pinned.speed == 74);
+	assert_memory_equal(t->view.pinned.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
 	free(is);
 	control_end(t);
@@ -972,10 +989,10 @@ what_is_shown_is_saved_and_shown_again(void **state)
 	static const char *const PAGES_OF[] = {"1", "2", "5"};
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	type(t, ":predict 74 feed=69\n");
-	control_predict(t);
+	view_predict(t);
 	type(t, "xt5.2\n");
 	t->ui.tenths = 712;
-	control_predict(t);
+	view_predict(t);
 	type(t, "yya");
 	for (size_t i = 0; i < ARRAY_LEN(PAGES_OF); i++) {
 		/* What was read cannot be overwritten. */
@@ -993,7 +1010,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		type(t, ":reset\n");
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
-		assert_int_equal(t->pinned.site[0], '\0');
+		assert_int_equal(t->view.pinned.site[0], '\0');
 		line = xasprintf(":restore %s\n", file);
 		type(t, line);
 		/* No text of what its commands said is to be closed. */
@@ -1018,7 +1035,7 @@ what_is_left_is_found_again(void **state)
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_look(t);
-	control_predict(t);
+	view_predict(t);
 	type(t, "xtp80<5.2\ny4");
 	t->aside = false; /* as where somebody looks */
 	control_end(t);
@@ -1026,16 +1043,16 @@ what_is_left_is_found_again(void **state)
 	control_begin(t, s, &SCRIPT_WAYS);
 	assert_int_equal(t->ui.page, PAGE_PARITY);
 	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
-	assert_true(t->pinned.speed == 74);
+	assert_true(t->view.pinned.speed == 74);
 	type(t, "1u");
 	assert_string_equal(s->set.goal, "");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "u");
-	assert_int_equal(t->pinned.site[0], '\0');
+	assert_int_equal(t->view.pinned.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
 	type(t, "UU");
 	assert_string_equal(s->set.goal, "p80<5.2");
-	assert_true(t->pinned.speed == 74);
+	assert_true(t->view.pinned.speed == 74);
 	/* A search goes on when a goal is set, which is saved nevertheless. */
 	type(t, "fy");
 	watch_pump(t);
@@ -1064,11 +1081,11 @@ go_through(struct tui *t, const char *at)
 			free(frame);
 		}
 		if (frames % 10 < 2) {
-			double p80 = t->current.size[2];
+			double p80 = t->view.current.size[2];
 			type(t, frames % 2 == 0 ? "H" : "L");
-			control_predict(t);
-			assert_true(t->current.size[2] != p80);
-			assert_non_null(t->shown.low);
+			view_predict(t);
+			assert_true(t->view.current.size[2] != p80);
+			assert_non_null(t->view.shown.low);
 		}
 		watch_pump(t);
 	}
@@ -1167,7 +1184,7 @@ e_proposes_a_file(void **state)
 	assert_string_equal(
 	    t->line.text, "predict speed=74.0 > tierp-74.0.xlsx");
 	type(t, "\033");
-	control_predict(t);
+	view_predict(t);
 	type(t, "xe");
 	assert_string_equal(
 	    t->line.text, "compare pinned 74.0 > tierp-74.0.xlsx");
@@ -1202,10 +1219,10 @@ d_tells_the_picture_of_the_page(void **state)
 	type(t, "\033vd");
 	assert_string_equal(t->command, "describe spread");
 	type(t, "\0331");
-	control_predict(t);
+	view_predict(t);
 	type(t, "cbx");
 	type(t, "76\n");
-	control_predict(t);
+	view_predict(t);
 	type(t, "d");
 	assert_string_equal(t->command,
 	    "describe psd speed=76.0 beside=pinned band=on at=5.6 level=50");
@@ -1222,17 +1239,17 @@ a_pinned_answer_keeps_its_feed(void **state)
 	char want[40];
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
 	type(t, ":predict 74 feed=69\n");
-	control_predict(t);
+	view_predict(t);
 	type(t, "x");
-	assert_true(t->pinned.feed == 69);
+	assert_true(t->view.pinned.feed == 69);
 	type(t, "\033");
 	type(t, ":predict 79 feed=79\n");
-	control_predict(t);
-	assert_int_equal(t->shown.feed_run, 2);
+	view_predict(t);
+	assert_int_equal(t->view.shown.feed_run, 2);
 	type(t, "d");
 	assert_non_null(strstr(t->command, "beside=pinned"));
 	snprintf(want, sizeof want, "P50 %.2f mm, P80 %.2f mm",
-	    t->pinned.size[1], t->pinned.size[2]);
+	    t->view.pinned.size[1], t->view.pinned.size[2]);
 	assert_non_null(strstr(t->viewer.text, want));
 	type(t, "\033e");
 	assert_string_equal(
@@ -1266,7 +1283,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	size_t n = 0;
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
-	control_predict(t);
+	view_predict(t);
 	type(t, "xbc");
 	frame_draw(t); /* what was measured is moved to the feed once */
 	FILE *said = s->out,
@@ -1275,10 +1292,10 @@ a_step_predicts_once_and_says_nothing(void **state)
 		int before = t->ui.tenths;
 		press(t, i < 20 ? "L" : "H");
 		predictions = 0;
-		control_predict(t);
+		view_predict(t);
 		frame_draw(t);
 		assert_int_equal(predictions, t->ui.tenths != before);
-		assert_true(t->shown.speed == t->ui.tenths / 10.0);
+		assert_true(t->view.shown.speed == t->ui.tenths / 10.0);
 		assert_true(session_known(s, "predict", "speed") ==
 			    t->ui.tenths / 10.0);
 	}
@@ -1302,19 +1319,19 @@ a_shows_the_answer_of_the_correction(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	draw_all(t);
-	double all = t->current.size[1];
+	double all = t->view.current.size[1];
 	type(t, "aa");
 	draw_all(t);
-	assert_null(t->shown.low);
-	assert_true(fabs(t->current.size[1] - all) > 1e-6);
+	assert_null(t->view.shown.low);
+	assert_true(fabs(t->view.current.size[1] - all) > 1e-6);
 	type(t, "a");
 	draw_all(t);
-	assert_non_null(t->shown.low);
-	assert_float_equal(t->current.size[1], all, 1e-9);
+	assert_non_null(t->view.shown.low);
+	assert_float_equal(t->view.current.size[1], all, 1e-9);
 	/* Page Data takes its column from the same answer; so does undo. */
 	type(t, "3aau");
 	draw_all(t);
-	assert_non_null(t->shown.low);
+	assert_non_null(t->view.shown.low);
 }
 
 /* A text without the breaks between its lines; the caller frees. */
@@ -1341,9 +1358,9 @@ a_size_is_one_number_everywhere(void **state)
 	for (int v = 70; v <= 84; v += 2) {
 		t->ui.tenths = 10 * v;
 		draw_all(t);
-		double p50 = t->current.size[1];
-		apart = fmax(
-		    apart, fabs(p50 - 1000 * psd_size(&t->shown.product, 0.5)));
+		double p50 = t->view.current.size[1];
+		apart = fmax(apart,
+		    fabs(p50 - 1000 * psd_size(&t->view.shown.product, 0.5)));
 		type(t, "d");
 		assert_non_null(t->viewer.text);
 		char *told = on_one_line(t->viewer.text), *at = told;
@@ -1361,7 +1378,8 @@ a_size_is_one_number_everywhere(void **state)
 		at = strstr(at, words) + strlen(words);
 		assert_float_equal(strtod(at, NULL), p50, 0.0051);
 		snprintf(words, sizeof words, "(%.2f to %.2f)",
-		    1000 * t->shown.range[1][0], 1000 * t->shown.range[1][1]);
+		    1000 * t->view.shown.range[1][0],
+		    1000 * t->view.shown.range[1][1]);
 		assert_non_null(strstr(at, words));
 		free(told);
 		type(t, "\033");
@@ -1397,25 +1415,26 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	draw_all(t);
 	type(t, "x");
-	double p50 = t->pinned.size[1];
+	double p50 = t->view.pinned.size[1];
 	for (int i = 0; i < 30; i++)
 		press(t, "Right");
 	draw_all(t);
 	type(t, "/x");
-	assert_int_equal(t->pinned.site[0], '\0');
+	assert_int_equal(t->view.pinned.site[0], '\0');
 	assert_non_null(strstr(t->message, "unpinned tierp at 74.0 m/s: u"));
 	draw_all(t);
 	type(t, "u");
-	assert_true(t->pinned.speed == 74 && t->pinned.size[1] == p50);
 	assert_true(
-	    t->pinned_whole.speed == 74 && t->pinned_whole.product.n > 0);
+	    t->view.pinned.speed == 74 && t->view.pinned.size[1] == p50);
+	assert_true(t->view.pinned_whole.speed == 74 &&
+		    t->view.pinned_whole.product.n > 0);
 	assert_true(tui_entry(t)->has_fit);
 	draw_all(t);
 	/* x again pins what is shown; each is a step of undo. */
 	type(t, "xx");
-	assert_true(t->pinned.speed == 77);
+	assert_true(t->view.pinned.speed == 77);
 	type(t, "x:set k 2\nuuuuu");
-	assert_int_equal(t->pinned.site[0], '\0');
+	assert_int_equal(t->view.pinned.site[0], '\0');
 	assert_true(tui_entry(t)->has_fit);
 	type(t, "u");
 	assert_false(tui_entry(t)->has_fit);
@@ -1668,6 +1687,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(y_goes_round_the_quantities_above_the_track),
     ON_STAGE(the_curve_above_the_track_is_what_predict_says),
     ON_STAGE(a_feed_that_is_set_is_the_sliders),
+    ON_STAGE(a_band_is_of_the_level_that_is_set),
     ON_STAGE(every_letter_is_text_in_a_line),
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),

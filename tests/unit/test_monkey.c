@@ -21,6 +21,7 @@
 #include "tui/script_terminal.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 /* SplitMix64: the same walk from the same seed everywhere. */
 static uint64_t state_of;
@@ -185,8 +186,7 @@ go_on(struct tui *t)
 {
 	t->clock += (double)below(3) * 0.3;
 	watch_pump(t);
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 	t->leave = t->session->quit = t->session->wants_tui = false;
 }

@@ -17,6 +17,7 @@
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
 #include "tui/tui_state.h"
+#include "tui/view.h"
 
 enum { ROWS = 30, COLUMNS = 100 };
 
@@ -25,8 +26,7 @@ settle(struct stage *stage)
 {
 	struct tui *t = &stage->t;
 	t->clock++;
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 }
 
@@ -199,7 +199,7 @@ a_click_on_the_plot_reads_it(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	const struct psd *p = &t->shown.product;
+	const struct psd *p = &t->view.shown.product;
 	const struct area *plot = &t->layout.plot;
 	size_t read = 0, runs = 0, before = (size_t)-1;
 	for (int column = plot->column; column < plot->columns; column++) {
@@ -432,7 +432,7 @@ little_is_typed(void **state)
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
 			    : i == 3 ? strstr(t->line.text, ".xlsx") != NULL
 			    : i == 4 ? t->ui.band
-				     : t->pinned.site[0] != '\0';
+				     : t->view.pinned.site[0] != '\0';
 		if (!done)
 			fail_msg("%s: not done", ASKED[i].what);
 		press(stage, "Esc Esc Esc : use Space tierp Enter");

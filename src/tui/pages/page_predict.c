@@ -29,7 +29,7 @@ draw_runs(struct tui *t)
 static void
 draw(struct tui *t)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	struct plot_request request = plots_request(PLOT_PSD);
 	if (tui_entry(t) == NULL) {
 		start_draw(t);
@@ -44,11 +44,11 @@ draw(struct tui *t)
 	request.speed = t->ui.tenths / 10.0;
 	request.feed_speed = t->ui.feed;
 	request.band = t->ui.band;
-	if (p->product.n > 0 && t->request.tenths == t->ui.tenths)
+	if (p->product.n > 0 && t->view.of.tenths == t->ui.tenths)
 		request.made = p;
 	request.level = t->ui.level;
-	if (t->pinned.site[0] != '\0') {
-		request.beside = t->pinned.site;
+	if (t->view.pinned.site[0] != '\0') {
+		request.beside = t->view.pinned.site;
 		request.kept = &t->session->pin->p;
 	}
 	if (t->ui.cross && t->ui.cross_at < p->product.n)
@@ -83,7 +83,7 @@ act_numbers(struct tui *t, const struct key *key)
 	}
 	(void)key;
 	char *line = tui_asks(t);
-	if (t->shown.product.n == 0)
+	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
 		cmdline_show(t, line);
@@ -101,7 +101,7 @@ static bool
 move(struct tui *t, const struct key *key)
 {
 	/* Sieves stand coarsest first, the plot finest first. */
-	size_t n = t->shown.product.n;
+	size_t n = t->view.shown.product.n;
 	if (tui_entry(t) == NULL)
 		return start_move(t, key);
 	if (t->ui.focus != &page_predict)
@@ -123,14 +123,14 @@ void
 act_cross(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->ui.cross = !t->ui.cross && t->shown.product.n > 0;
+	t->ui.cross = !t->ui.cross && t->view.shown.product.n > 0;
 	t->ui.runs = t->ui.runs && !t->ui.cross;
 	if (t->ui.cross && t->ui.cross_at == 0)
-		t->ui.cross_at = t->shown.product.n / 3;
+		t->ui.cross_at = t->view.shown.product.n / 3;
 	if (t->ui.cross)
 		pages_go(t, PAGE_PREDICT);
 	t->ui.focus = t->ui.cross ? &page_predict : NULL;
-	if (t->shown.product.n == 0)
+	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (t->ui.cross)
 		tui_say(t, false,
@@ -142,7 +142,7 @@ act_cross(struct tui *t, const struct key *key)
 static void
 cross_at(struct tui *t, double size)
 {
-	const struct psd *psd = &t->shown.product;
+	const struct psd *psd = &t->view.shown.product;
 	size_t best = 0;
 	for (size_t i = 1; i < psd->n; i++)
 		if (fabs(log(psd->size[i] / size)) <
@@ -169,11 +169,11 @@ point(struct tui *t, enum plot_kind kind, double x, double y)
 static char *
 words(const struct tui *t)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
-	if (t->pinned.site[0] != '\0')
+	if (t->view.pinned.site[0] != '\0')
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");

@@ -25,20 +25,10 @@
 enum { POINTS = 41, IN_ONE_GO = 8 };
 static const double PAUSE = 0.05;
 
-/* What answers at all speeds follow from: while it is the same, so are they.
- * origin: a share in it. */
-struct basis {
-	const struct site *site;
-	struct origin *origin;
-	struct params params;
-	struct choices set;
-};
-
 /* value [n]: as people see it, with the ends of its band, NAN without one. */
 struct strip {
-	struct basis basis;
 	struct quantity of;
-	size_t feed, n;
+	size_t basis, feed, n;
 	double value[POINTS][3];
 };
 
@@ -51,35 +41,7 @@ strip_new(void)
 void
 strip_free(struct strip *a)
 {
-	origin_drop(a->basis.origin);
 	free(a);
-}
-
-void
-strip_look(struct tui *t)
-{
-	const struct entry *entry = tui_entry(t);
-	const struct choices *set = &t->session->set;
-	struct basis *b = &t->strip->basis;
-	if (entry != NULL && entry == session_fitting(t->session))
-		t->wish = NULL;
-	if (entry != NULL && b->site == entry->site &&
-	    b->origin == entry->origin &&
-	    memcmp(&b->params, &entry->params, sizeof b->params) == 0 &&
-	    settings_same(&b->set, set))
-		return;
-	origin_drop(b->origin);
-	*b = (struct basis){.set = *set};
-	if (entry != NULL) {
-		b->site = entry->site;
-		b->origin = entry->origin;
-		b->params = entry->params;
-	}
-	if (b->origin != NULL)
-		b->origin->holders++;
-	t->strip->n = 0;
-	goals_clear(&t->goal);
-	t->wish = NULL;
 }
 
 static struct quantity
@@ -135,12 +97,20 @@ has_curve(const struct tui *t)
 	       session_fitting(s) != entry;
 }
 
+/* Whether its points are those that are to be shown. */
+static bool
+is_of(const struct tui *t)
+{
+	const struct strip *a = t->view.strip;
+	return a->basis == t->view.n_basis && a->feed == tui_feed(t) &&
+	       quantity_same(&a->of, &t->ui.quantity);
+}
+
 static bool
 is_fresh(const struct tui *t)
 {
-	const struct strip *a = t->strip;
-	return a->n == POINTS && a->feed == tui_feed(t) &&
-	       quantity_same(&a->of, &t->ui.quantity);
+	const struct strip *a = t->view.strip;
+	return a->n == POINTS && is_of(t);
 }
 
 static double
@@ -155,9 +125,10 @@ speed_at(const struct tui *t, double share)
 static void
 work_out(struct tui *t)
 {
-	struct strip *a = t->strip;
-	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->ui.quantity))
+	struct strip *a = t->view.strip;
+	if (!is_of(t))
 		a->n = 0;
+	a->basis = t->view.n_basis;
 	a->feed = tui_feed(t);
 	a->of = t->ui.quantity;
 	const struct question q = {.entry = tui_entry(t), .feed = a->feed};
@@ -180,7 +151,7 @@ strip_point(
 	if (!is_fresh(t) || i >= POINTS)
 		return false;
 	*speed = speed_at(t, (double)i / (POINTS - 1));
-	memcpy(value, t->strip->value[i], 3 * sizeof *value);
+	memcpy(value, t->view.strip->value[i], 3 * sizeof *value);
 	return true;
 }
 
@@ -191,7 +162,7 @@ strip_wait(const struct tui *t)
 		return INFINITY;
 	if (is_fresh(t) && !goal_pending(t))
 		return t->wish != NULL ? 0 : INFINITY;
-	return fmax(0, t->moved + PAUSE - session_clock());
+	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 
 /* What the heading has no room for on a narrow screen. */
@@ -200,7 +171,7 @@ step_goal(struct tui *t)
 {
 	bool pending = goal_pending(t);
 	goal_step(t);
-	if (!pending || goal_pending(t) || t->goal.missed == NULL ||
+	if (!pending || goal_pending(t) || t->view.goal.missed == NULL ||
 	    t->message[0] != '\0')
 		return;
 	char *words = goal_words(t, GOALS_FULL);
@@ -242,7 +213,7 @@ enum { MOST_LIMITS = 8 };
 static size_t
 take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 {
-	const struct condition_list *list = &t->goal.list;
+	const struct condition_list *list = &t->view.goal.list;
 	size_t n = 0;
 	for (size_t i = 0; i < list->n && n + 2 <= MOST_LIMITS; i++) {
 		const struct condition *c = &list->at[i];
@@ -299,7 +270,7 @@ scale(const struct tui *t, struct axis *axis)
 	axis->high = -INFINITY;
 	for (size_t i = 0; i < POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			hold(axis, t->strip->value[i][k]);
+			hold(axis, t->view.strip->value[i][k]);
 	for (size_t r = 0; r < tui_entry(t)->site->n_run; r++)
 		hold(axis, measured_at(t, r));
 	if (!(axis->low <= axis->high))
@@ -339,7 +310,7 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 	struct chart_series *s = add_series(t, chart, CHART_MARKS);
 	chart_add_band(s);
 	for (size_t i = 0; i < POINTS; i++) {
-		const double *value = t->strip->value[i];
+		const double *value = t->view.strip->value[i];
 		bool thick = value[2] - value[1] > least;
 		s->low[i] = thick ? value[1] : NAN;
 		s->high[i] = thick ? value[2] : NAN;
@@ -354,14 +325,14 @@ add_curve(const struct tui *t, struct chart *chart)
 			    *within = add_series(t, chart, CHART_SOLID);
 	bool was = false;
 	for (size_t i = 0; i < POINTS; i++) {
-		double value = t->strip->value[i][0];
+		double value = t->view.strip->value[i][0];
 		bool is = answers_extrapolates(tui_entry(t), within->x[i]);
 		if (!is)
 			within->y[i] = value;
 		if (is || was)
 			beyond->y[i] = value;
 		if (is && i > 0)
-			beyond->y[i - 1] = t->strip->value[i - 1][0];
+			beyond->y[i - 1] = t->view.strip->value[i - 1][0];
 		was = is;
 	}
 }
@@ -472,7 +443,7 @@ draw_marks(
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
-	double value = value_at(t->strip, share);
+	double value = value_at(t->view.strip, share);
 	if (isfinite(value))
 		screen_series(area, row_of(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),

@@ -12,10 +12,6 @@ struct strip;
 struct strip *strip_new(void);
 void strip_free(struct strip *strip);
 
-/* After a command: what was worked out is forgotten where it follows from
- * something else now, and so is the goal's. */
-void strip_look(struct tui *t);
-
 /* The quantity that is shown first: P80. */
 struct quantity strip_usual(void);
 

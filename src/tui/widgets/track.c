@@ -236,8 +236,8 @@ say_signs(const struct tui *t, struct part *part)
 		say(part, xstrdup(""));
 		return;
 	}
-	bool beyond = t->shown.product.n > 0 &&
-		      answers_extrapolates(tui_entry(t), t->shown.speed);
+	bool beyond = t->view.shown.product.n > 0 &&
+		      answers_extrapolates(tui_entry(t), t->view.shown.speed);
 	char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
 	char *marks = xasprintf(
