@@ -42,7 +42,7 @@ enter() {
 	esac
 	case $1 in
 	calibrating)
-		keys - - f
+		keys - - f y
 		want 'generation [2-9] of 800'
 		;;
 	list)
@@ -135,7 +135,7 @@ want 'shell:$'
 keys 'stty brkint; stty -a >before' Enter
 keys "sh -c 'echo \$\$ >pid; exec \"\$TIPSPEED\" data/sites/tierp.csv -c tui'" Enter
 want 'f calibrates'
-keys - - f
+keys - - f y
 want 'generation [2-9] of 800'
 for how in '^Z' SIGTSTP; do
 	if [ $how = ^Z ]; then keys C-z; else kill -s TSTP "$(cat pid)"; fi

@@ -145,7 +145,7 @@ keys Escape
 
 keys 2
 want 'generation 1 ---' "the page Fit"
-keys - - f
+keys - - f y
 want 'CALIBRATING' "it can be watched"
 keys Right
 want '\[74\.1\]' "the speed moves while it runs"
@@ -158,7 +158,7 @@ keys Space
 want 'PAUSED' "pause"
 keys Space + + + + + + + +
 want 'calibrated: good' "a calibration to its end"
-keys - - - - f
+keys - - - - f y
 want 'CALIBRATING.* 1[0-9] of' "a calibration to be edited"
 keys : 'bounds e0_min 0..9' Enter
 want 'continues within the new bounds' \
@@ -211,7 +211,13 @@ want '\[74\.0\]'
 paste ':sites | touch stray
 :bounds alpha 0.4
 q'
-want 'pasted text was ignored: press : first' "pasted text is no keys"
+want '^:sites | touch stray *$' "pasted text is no keys"
+keys Escape
+want '\[74\.0\]'
+keys calibrate
+want '^:calibrate *$' "nor is a word that is typed"
+keys Escape
+want '\[74\.0\]'
 keys :
 paste 'set k 1.5
 set k 3
@@ -252,12 +258,16 @@ awk 'BEGIN { for (i = 0; i < 20000; i++) print ":q what is pasted is no key" }' 
 	>much
 mux load-buffer -b clip much
 mux paste-buffer -p -b clip -t one
+keys Escape
+want '\[74\.0\]'
 keys Right
 want '\[74\.1\]' "nor do 600 kB"
 keys -l "$(printf '\033[200~')"
 sleep 0.3
 keys q
 sleep 2.5
+keys Escape
+want '\[74\.1\]'
 keys Right
 want '\[74\.2\]' "a paste that does not end holds the keys for 2 seconds"
 echo mine >mine.csv

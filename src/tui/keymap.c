@@ -28,6 +28,7 @@
 #include "tui/cmdline.h"
 #include "tui/widgets/viewer.h"
 #include "tui/watch.h"
+#include "tui/word.h"
 
 /* Whether what the page has takes a key that moves. */
 static bool
@@ -171,18 +172,47 @@ act_describe(struct tui *t, const struct key *key)
 	free(line);
 }
 
-/* Goes on to the next choice. */
+/* Goes on to the next choice, which changes the answer. */
 void
 act_correct(struct tui *t, const struct key *key)
 {
 	(void)key;
+	static const char *const SAID[] = {
+	    [CORRECTION_ALL] = N_("all runs correct the answer now: u takes it "
+				  "back"),
+	    [CORRECTION_TRAIN] = N_("only the training runs correct the answer "
+				    "now: u takes it back"),
+	    [CORRECTION_OFF] = N_("no run corrects the answer now, it is the "
+				  "model's: u takes it back")};
 	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
 	    [CORRECTION_TRAIN] = "off",
 	    [CORRECTION_OFF] = "all"};
 	char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
 	cmdline_run(t, line);
+	if (!t->failed && t->viewer.text == NULL)
+		tui_say(t, false, "%s", tr(SAID[t->session->set.correction]));
 	free(line);
+}
+
+/* What was calibrated, set or recalled is replaced only by who wants it. */
+static bool
+may_replace(struct tui *t)
+{
+	struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	if (!entry->has_params)
+		return true;
+	char *asks = xasprintf(entry->has_fit
+				   ? tr("%s is calibrated: calibrate it again?")
+				   : tr("%s has parameters: replace them by a "
+					"calibration?"),
+	    entry->key);
+	bool yes = s->hooks.confirm(s, asks);
+	free(asks);
+	if (!yes)
+		tui_say(t, false, "not calibrated: the parameters stay");
+	return yes;
 }
 
 static void
@@ -200,6 +230,8 @@ act_fit(struct tui *t, const struct key *key)
 		tui_say(t, true, TUI_NO_SITE);
 		return;
 	}
+	if (!may_replace(t))
+		return;
 	pages_go(t, PAGE_FIT);
 	calibrate(t, "calibrate");
 }
@@ -500,7 +532,8 @@ static bool
 page_key(struct tui *t, int code, bool special)
 {
 	const struct key *key = keys_find(code, t->ui.page);
-	(void)special;
+	if (word_begins(t, code, special, key))
+		return true;
 	act(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
 		tui_say(t, false, "this key has no function: ? lists the keys");
@@ -566,8 +599,31 @@ keymap_types(const struct tui *t, int code)
 }
 
 void
+keymap_open_line(struct tui *t)
+{
+	if (next_mode(t, ANSWER) == SPEED && t->speed.n == 0)
+		act_type(t, NULL);
+}
+
+void
+keymap_held(struct tui *t)
+{
+	act(t, word_held(t));
+}
+
+void
 keymap_key(struct tui *t, int code, bool special)
 {
+	if (word_goes_on(t, code, special))
+		return;
+	/* What the held key asks has this one for an answer. */
+	t->again.is = true;
+	t->again.code = code;
+	t->again.special = special;
+	keymap_held(t);
+	if (!t->again.is)
+		return;
+	t->again.is = false;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;
 		special = false;

@@ -215,6 +215,15 @@ struct view {
 	int rows_at; /* tenths they are of; 0: of another session */
 };
 
+/* A letter that may begin a word, see word.h.  held: what it does as a key, and
+ * has not done yet; was: what was chosen before it. */
+struct word {
+	char letter;
+	double at;
+	const struct key *held;
+	struct ui was;
+};
+
 struct tui {
 	struct session *session;
 	const struct tui_ways *ways;
@@ -249,6 +258,7 @@ struct tui {
 	struct edit line;  /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* a word that rows of a list must have */
+	struct word word;
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;
@@ -268,7 +278,8 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} pointed;  /* the key that the mouse pressed for an answer */
+	} pointed,  /* the key that the mouse pressed for an answer */
+	    again;  /* the key that is to be read next */
 	FILE *said; /* what commands print */
 	char *said_text;
 	size_t said_n;

@@ -28,6 +28,7 @@
 #include "tui/widgets/track.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
+#include "tui/word.h"
 #include "tui/view.h"
 
 static void
@@ -35,6 +36,14 @@ type(struct tui *t, const char *text)
 {
 	while (*text != '\0')
 		keymap_key(t, (int)text_next(&text), false);
+}
+
+/* Answers a key that asks before it replaces something. */
+static bool
+says_yes(struct session *s, const char *question)
+{
+	(void)s, (void)question;
+	return true;
 }
 
 static int
@@ -181,6 +190,7 @@ a_pause_is_no_part_of_the_search(void **state)
 	assert_true(session_busy(t->session));
 	t->clock = 202;
 	assert_float_equal(tui_searched(t), 6, 1e-9);
+	t->session->hooks.confirm = says_yes;
 	type(t, "f");
 	assert_float_equal(tui_searched(t), 0, 1e-9);
 }
@@ -339,6 +349,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	t->ui.tenths = 743;
 	t->aside = false;
 	type(t, "Nx");
+	keymap_held(t);
 	t->aside = true;
 	assert_int_equal(lround(10 * t->view.pinned.speed), best);
 }
@@ -893,6 +904,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	desk_expect(stage->desk,
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "pin speed=70; use bro; calibrate");
+	t->session->hooks.confirm = says_yes;
 	control_look(t);
 	draw_all(t);
 	/* On a terminal a goal is worked out part by part. */
@@ -1054,6 +1066,7 @@ what_is_left_is_found_again(void **state)
 	assert_string_equal(s->set.goal, "p80<5.2");
 	assert_true(t->view.pinned.speed == 74);
 	/* A search goes on when a goal is set, which is saved nevertheless. */
+	s->hooks.confirm = says_yes;
 	type(t, "fy");
 	watch_pump(t);
 	assert_true(session_busy(s));
@@ -1157,6 +1170,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	t->aside = false; /* as where somebody looks */
 	t->ui.pace = PACE_FULL;
 	type(t, "f");
+	keymap_held(t);
 	size_t drawing = 0;
 	while (session_busy(s)) {
 		watch_pump(t);
@@ -1448,6 +1462,7 @@ a_line_stops_no_search_unsaid(void **state)
 	struct session *s = t->session;
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
+	t->session->hooks.confirm = says_yes;
 	control_look(t);
 	const double best = tui_entry(t)->fit.misfit;
 	type(t, "f.. ");
@@ -1483,6 +1498,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	desk_expect(stage->desk,
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "predict speed=74");
+	t->session->hooks.confirm = says_yes;
 	control_look(t);
 	draw_all(t);
 	const double best = tui_entry(t)->fit.misfit;
@@ -1560,6 +1576,78 @@ control_z_stops_wherever_it_is_typed(void **state)
 	sigaction(SIGTSTP, &was, NULL);
 }
 
+/* Letters of a word come faster than keys: of those before it the slider has
+ * forgotten what they did. */
+static void
+a_word_begins_a_line(void **state)
+{
+	static const char *const WORDS[] = {"calibrate", "load", "help", "quit",
+	    "undo", "find", "save", "export", "uncertainty"};
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	t->aside = false;
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
+		t->clock += 5;
+		for (const char *c = WORDS[i]; *c != '\0'; c++) {
+			t->clock += 0.15;
+			keymap_key(t, *c, false);
+		}
+		assert_string_equal(t->line.text, WORDS[i]);
+		assert_true(t->line.active);
+		type(t, "\033");
+		assert_int_equal(t->ui.tenths, 740);
+		assert_false(t->ui.cross || t->leave || t->picker.on);
+	}
+	t->aside = true;
+}
+
+static void
+single_letters_are_keys(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	view_predict(t);
+	t->aside = false;
+	type(t, "l");
+	assert_int_equal(t->ui.tenths, 741);
+	t->clock += 0.5;
+	type(t, "c");
+	assert_false(t->ui.cross);
+	assert_true(word_wait(t) > 0.2);
+	t->clock += 0.5;
+	assert_true(word_wait(t) == 0);
+	keymap_held(t);
+	assert_true(t->ui.cross);
+	t->clock += 0.5;
+	type(t, "a");
+	assert_false(t->line.active);
+	t->aside = true;
+}
+
+/* What it took to find is not lost by a letter. */
+static void
+f_asks_before_it_replaces_parameters(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	const struct origin *origin = t->session->entry[0].origin;
+	type(t, "f");
+	assert_string_equal(t->message, "not calibrated: the parameters stay");
+	assert_false(session_busy(t->session));
+	assert_ptr_equal(t->session->entry[0].origin, origin);
+	type(t, "a");
+	assert_int_equal(t->session->set.correction, CORRECTION_TRAIN);
+	assert_non_null(strstr(t->message, "u takes it back"));
+	type(t, "u");
+	assert_int_equal(t->session->set.correction, CORRECTION_ALL);
+}
+
 /* As a terminal hands on what is pasted into it. */
 static void
 paste(struct tui *t, const char *text)
@@ -1576,8 +1664,10 @@ what_is_pasted_is_no_keys(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	paste(t, ":quit\n79\nq\003\032");
-	assert_false(t->line.active || t->leave || t->session->quit);
-	assert_non_null(strstr(t->message, "pasted text was ignored"));
+	assert_false(t->leave || t->session->quit);
+	assert_string_equal(t->line.text, "quit");
+	assert_non_null(strstr(t->message, "only part of the pasted text"));
+	type(t, "\033");
 	/* Keys with a name, as a hostile text may have them. */
 	input_paste(t, SCREEN_PASTE, true);
 	assert_true(input_paste(t, KEY_PPAGE, true));
@@ -1714,6 +1804,9 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(d_tells_the_picture_of_the_page),
     ON_STAGE(an_answer_is_measured_by_the_screen_and_not_by_the_text_before),
     ON_STAGE(control_z_stops_wherever_it_is_typed),
+    ON_STAGE(a_word_begins_a_line),
+    ON_STAGE(single_letters_are_keys),
+    ON_STAGE(f_asks_before_it_replaces_parameters),
     ON_STAGE(what_is_pasted_is_no_keys),
     ON_STAGE(what_is_pasted_goes_into_an_open_line_up_to_its_end),
     ON_STAGE(ten_megabytes_are_pasted),

@@ -250,6 +250,7 @@ walk(uint64_t seed)
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
 	assert_null(t.ui.focus);
 	keymap_key(&t, 'q', false);
+	keymap_held(&t);
 	assert_true(t.leave);
 	control_end(&t);
 	canvas_free(screen_back(before));
