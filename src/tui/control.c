@@ -156,7 +156,6 @@ begin_job(struct tui *t, const char *line)
 	if (job->fits && !job->rounds->alone) {
 		t->ui.page = PAGE_SITES;
 		tui_untouch(t);
-		t->ui.focus = &page_sites;
 	}
 }
 

@@ -78,20 +78,16 @@ act_run_speed(struct tui *t, const struct key *key)
 }
 
 void
+act_speed(struct tui *t, const struct key *key)
+{
+	t->message[0] = '\0';
+	edit_letter(&t->speed, key->code, false, SPEED_LETTERS);
+}
+
+void
 act_page(struct tui *t, const struct key *key)
 {
 	pages_go(t, (enum page)key->amount);
-}
-
-/* Between the slider and what the page has. */
-void
-act_focus(struct tui *t, const struct key *key)
-{
-	(void)key;
-	bool can = pages_can_focus(t) && t->ui.focus == NULL;
-	t->ui.focus = can ? pages_open(t) : NULL;
-	/* What was said of the arrows holds no longer. */
-	tui_say(t, false, "%s", "");
 }
 
 /* Shows the field of a command with a name for a file proposed behind it. */
@@ -366,8 +362,6 @@ act_back(struct tui *t, const struct key *key)
 		act_cross(t, key);
 	else if (predict && t->ui.runs)
 		t->ui.runs = false;
-	else if (t->ui.focus != NULL && !pages_open(t)->takes_focus)
-		t->ui.focus = NULL;
 	else if (!predict)
 		pages_go(t, PAGE_PREDICT);
 	else
@@ -448,9 +442,9 @@ text_key(struct tui *t, int code, bool special)
 	return took;
 }
 
-/* Digits of a speed; the first are pages, but after a 0. */
+/* Digits of a speed, behind the = that began it, or one that is no page. */
 static bool
-digit_key(struct tui *t, int code, bool special)
+speed_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->speed;
 	bool digit = code >= '0' && code <= '9',
@@ -463,11 +457,13 @@ digit_key(struct tui *t, int code, bool special)
 		return edit_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
-		if (!slider_read(range, y->text, &t->ui.tenths))
+		const char *number = y->text + (y->text[0] == '=');
+		if (*number != '\0' &&
+		    !slider_read(range, number, &t->ui.tenths))
 			tui_say(t, true,
 			    "expected a speed from %d to %d m/s, got %s; :set "
 			    "slider 20..120 shows others",
-			    range.least / 10, range.most / 10, y->text);
+			    range.least / 10, range.most / 10, number);
 	}
 	edit_begin(y, "");
 	return code == '\n' || code == '\r' || code == ESCAPE;
@@ -558,7 +554,7 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [TEXT] = text_key,
     [FILES] = picker_key,
     [FILTER] = rows_letter,
-    [SPEED] = digit_key,
+    [SPEED] = speed_key,
     [PAGE] = page_key};
 
 static enum mode

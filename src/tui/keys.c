@@ -17,9 +17,9 @@
 
 const struct key KEYS[] = {
     {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP, NULL,
-	"speed down by 0.1 m/s; or move what Tab chose to the left"},
+	"slider of the page to the left: speed by 0.1 m/s, generation, cell"},
     {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move, STEP, NULL,
-	"speed up by 0.1 m/s; or move what Tab chose to the right"},
+	"slider of the page to the right"},
     {KEY_SLEFT, "Shift-Left, H", ON_ALL | FIRST_ON_PREDICT, act_move, -FAST,
 	NULL, "speed down by 1 m/s; or ten generations"},
     {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT, act_move, FAST,
@@ -32,6 +32,8 @@ const struct key KEYS[] = {
 	"to the slow end of the track; to the first of a list"},
     {KEY_END, "End, G", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_MOST, NULL,
 	"to the fast end of the track; to the last of a list"},
+    {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_speed, 0, NULL,
+	"type a speed: =72.5 Enter"},
     {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_run_speed, -1, NULL,
 	"to the slowest run"},
     {']', "]", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 1, NULL,
@@ -48,19 +50,15 @@ const struct key KEYS[] = {
     {'y', "y", ON_PREDICT, act_quantity, 1, NULL,
 	"next quantity above the track: P80, P50 .."},
     {'Y', "Y", ON_PREDICT, act_quantity, -1, NULL, "the one before"},
-    {'\t', "Tab", ON_ALL, act_focus, 1, NULL,
-	"choose what arrows move: speed, crosshair, generation, list"},
-    {KEY_BTAB, "Shift-Tab", ON_ALL, act_focus, -1, NULL,
-	"choose the previous one"},
     {'1', "1", ON_ALL, act_page, PAGE_PREDICT, NULL, "page Predict"},
     {'2', "2", ON_ALL, act_page, PAGE_FIT, NULL, "page Fit"},
     {'3', "3", ON_ALL, act_page, PAGE_DATA, NULL, "page Data"},
     {'4', "4", ON_ALL, act_page, PAGE_PARITY, NULL, "page Parity"},
     {'5', "5", ON_ALL, act_page, PAGE_SITES, NULL, "page Sites"},
     {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_list, -1, NULL,
-	"up in a list; to a higher passing for the crosshair's sizes"},
+	"up in a list; crosshair to a coarser sieve"},
     {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_list, 1, NULL,
-	"down in a list; to a lower passing"},
+	"down in a list; crosshair to a finer sieve"},
     {'\n', "Enter", ON_FIT, act_bounds, 0, NULL,
 	"type bounds of the parameter Up and Down choose"},
     {'.', ".", ON_FIT, act_generation, 0, NULL,
@@ -84,6 +82,9 @@ const struct key KEYS[] = {
 	"open a sheet: a list of files, with a preview of each"},
     {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_cross, 0, NULL,
 	"crosshair on or off: reads the curves at a sieve"},
+    {'<', "<", ON_PREDICT, act_level, -5, NULL,
+	"sizes of the crosshair at a lower passing, by 5 %"},
+    {'>', ">", ON_PREDICT, act_level, 5, NULL, "at a higher passing"},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0, NULL,
 	"uncertainty band on or off, if known"},
     {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0, NULL,
@@ -100,7 +101,7 @@ const struct key KEYS[] = {
 	"pause or resume the calibration; once stopped: continue"},
     {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0, NULL,
 	"stop the calibration and keep the best"},
-    {'+', "+, =", ON_ALL | FIRST_ON_FIT, act_pace, 1, NULL,
+    {'+', "+", ON_ALL | FIRST_ON_FIT, act_pace, 1, NULL,
 	"more generations a second"},
     {'-', "-", ON_ALL | FIRST_ON_FIT, act_pace, -1, NULL,
 	"fewer generations a second"},
@@ -164,7 +165,8 @@ keys_code(const char *name, int *code)
 		const char *name;
 		int code;
 	} MORE[] = {{"Backspace", KEY_BACKSPACE}, {"Delete", KEY_DC},
-	    {"<-", KEY_LEFT}, {"->", KEY_RIGHT}};
+	    {"<-", KEY_LEFT}, {"->", KEY_RIGHT}, {"Tab", '\t'},
+	    {"Shift-Tab", KEY_BTAB}};
 	*code = (unsigned char)name[0];
 	if (name[0] != '\0' && name[1] == '\0')
 		return *code > ' ' && *code < 127;
@@ -260,17 +262,8 @@ keys_list(enum page page, const char *word, FILE *out)
 		    word, word);
 	if (word[0] == '\0')
 		fprintf(out,
-		    tr("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to "
-		       "%d "
-		       "are pages)\n"
-		       "  mouse           a click on the plot reads it there; "
-		       "on "
-		       "a "
-		       "row chooses it,\n"
-		       "                  again opens it; on a key's hint "
-		       "presses "
-		       "it; track: drag\n"),
-		    PAGES);
+		    tr("  mouse           click: read a plot, choose a row, "
+		       "open it, press a hint; drag: track\n"));
 }
 
 const struct key *
@@ -304,16 +297,13 @@ keys_manual(FILE *out)
 			fprintf(out, "Runs\n.Ic %s .\n", k->command);
 	}
 	fprintf(out,
-	    ".It digits, Enter\nType a speed; 1 to %d are pages, so that one "
-	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
 	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel over it or the plot moves it by 0.1 m/s.\n"
 	    "A click on the plot puts the crosshair on the nearest sieve and "
 	    "says what\nis drawn there, one on a row chooses it, a second one "
 	    "opens it.\nThe name of a page opens it; a hint in the last row is "
 	    "its key, and the row\nof the command begins one.\nOver a list or "
-	    "a text the wheel goes through it.\n.El\n",
-	    PAGES);
+	    "a text the wheel goes through it.\n.El\n");
 }
 
 void

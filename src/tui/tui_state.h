@@ -151,8 +151,6 @@ struct tui_ways {
  * owned: a frame beside the open screen begins with a copy. */
 struct ui {
 	enum page page;
-	/* Of which page the arrows move what it has; NULL: the slider. */
-	const struct page_ops *focus;
 	int tenths;  /* of the slider */
 	double feed; /* m/s of the run whose feed is taken; 0: the mean */
 	struct quantity quantity; /* above the track */
@@ -164,8 +162,10 @@ struct ui {
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
 	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
-	/* The cell of the cursor on the page Data, and the first one shown. */
+	/* The cell of the cursor on the page Data, whether it is shown, and the
+	 * first cell that is. */
 	struct {
+		bool on;
 		size_t row, at, top, left;
 	} cell;
 	size_t top[PAGES]; /* the first row shown of a page's list */

@@ -82,7 +82,7 @@ finish(struct tui *t)
 		tui_say(t, false,
 		    t->ui.page == PAGE_FIT
 			? N_("calibrated: %s, RMSE %.2f points, %zu "
-			     "generations; Tab, arrows: show them")
+			     "generations; Left, Right: show them")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations"),
 		    light_verdict(t->session, entry, NULL),

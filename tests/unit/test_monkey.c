@@ -248,7 +248,6 @@ walk(uint64_t seed)
 	assert_false(t.line.active || t.filter.active || t.ui.cross);
 	assert_null(t.viewer.text);
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
-	assert_null(t.ui.focus);
 	keymap_key(&t, 'q', false);
 	keymap_held(&t);
 	assert_true(t.leave);

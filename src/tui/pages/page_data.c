@@ -258,7 +258,7 @@ touch_cells(struct tui *t, const struct touched *touched)
 	int by = touched->kind == HIT_UP ? -1 : 1;
 	if (touched->kind == HIT_DRAG)
 		return false;
-	t->ui.focus = &page_data;
+	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
 		t->ui.cell.row =
 		    (size_t)pane_moved((int)t->ui.cell.row, by, h->n);
@@ -277,8 +277,8 @@ draw_cell(struct tui *t, const struct area *area, int row, int from,
     size_t column, size_t i)
 {
 	const struct sheet *h = &t->view.sheet;
-	bool here = t->ui.focus == &page_data && t->ui.cell.at == column &&
-		    t->ui.cell.row == i;
+	bool here =
+	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
 	bool doubtful = doubt_of(h, column, i) != NULL;
 	double x = cell_of(h, column, i);
 	char text[48];
@@ -426,7 +426,7 @@ cell_words(const struct tui *t)
 static int
 draw_said(const struct tui *t, const struct area *area, int row)
 {
-	bool here = t->ui.focus == &page_data;
+	bool here = t->ui.cell.on;
 	char *words = here ? cell_words(t) : state_words(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
@@ -516,7 +516,7 @@ draw(struct tui *t)
 /* ---- Keys ---- */
 
 static bool
-can_focus(const struct tui *t)
+has_cells(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	return entry != NULL && entry->site->n_run > 0;
@@ -543,9 +543,9 @@ move_sideways(struct tui *t, int amount)
 static bool
 takes_cells(struct tui *t)
 {
-	if (can_focus(t) && t->view.sheet.site != tui_entry(t)->site)
+	if (has_cells(t) && t->view.sheet.site != tui_entry(t)->site)
 		take_sheet(t, tui_entry(t)->site);
-	return can_focus(t);
+	return has_cells(t);
 }
 
 /* What is seen to be chosen is mended. */
@@ -555,9 +555,9 @@ act_mend(struct tui *t, const struct key *key)
 	(void)key;
 	if (!takes_cells(t))
 		return;
-	if (t->ui.focus == &page_data)
+	if (t->ui.cell.on)
 		mend(t);
-	t->ui.focus = &page_data;
+	t->ui.cell.on = true;
 }
 
 void
@@ -566,7 +566,7 @@ act_doubt(struct tui *t, const struct key *key)
 	(void)key;
 	if (!takes_cells(t))
 		return;
-	t->ui.focus = &page_data;
+	t->ui.cell.on = true;
 	next_doubt(t);
 }
 
@@ -574,17 +574,20 @@ static bool
 move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
-	bool here = t->ui.focus == &page_data;
-	if ((!here && key->act != act_list) || !takes_cells(t))
+	if (!takes_cells(t))
 		return false;
-	t->ui.focus = &page_data;
+	/* The first key shows where the cursor is. */
+	bool here = t->ui.cell.on;
+	t->ui.cell.on = true;
+	if (!here)
+		return true;
 	if (key->act == act_ends)
 		t->ui.cell.row =
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
-	else if (key->act == act_list && here)
+	else if (key->act == act_list)
 		t->ui.cell.row =
 		    (size_t)pane_moved((int)t->ui.cell.row, key->amount, h->n);
-	else if (key->act == act_move)
+	else
 		move_sideways(t, key->amount);
 	return true;
 }
@@ -595,5 +598,4 @@ const struct page_ops page_data = {.name = N_("Data"),
 	   "q quit  1-5 pages  : command"),
     .update = update,
     .draw = draw,
-    .can_focus = can_focus,
     .move = move};

@@ -259,7 +259,7 @@ draw_points(struct tui *t, const struct area *area, int row)
 		    area->row + row, area->column, 1, area->columns};
 		draw_point(t, area, row, k, figures);
 		rows_touch(t, line, k);
-		if (t->ui.focus == &page_parity && k == t->ui.point_at)
+		if (k == t->ui.point_at)
 			t->cursor = (struct cursor){line.row, line.column};
 	}
 }

@@ -58,18 +58,11 @@ draw(struct tui *t)
 	panel_draw(t);
 }
 
-static bool
-can_focus(const struct tui *t)
+void
+act_level(struct tui *t, const struct key *key)
 {
-	return t->ui.cross;
-}
-
-/* Up is a higher passing. */
-static void
-move_level(struct tui *t, int by)
-{
-	enum { POINTS = 5, LEAST = 5, MOST = 95 };
-	int to = t->ui.level - by * POINTS;
+	enum { LEAST = 5, MOST = 95 };
+	int to = t->ui.level + key->amount;
 	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
@@ -104,17 +97,10 @@ move(struct tui *t, const struct key *key)
 	size_t n = t->view.shown.product.n;
 	if (tui_entry(t) == NULL)
 		return start_move(t, key);
-	if (t->ui.focus != &page_predict)
+	if (!t->ui.cross || key->act != act_list)
 		return false;
-	if (key->act == act_ends)
-		t->ui.cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
-	else if (key->act == act_list)
-		move_level(t, key->amount);
-	else if (abs(key->amount) == STEP)
-		t->ui.cross_at =
-		    (size_t)pane_moved((int)t->ui.cross_at, -key->amount, n);
-	else
-		return false;
+	t->ui.cross_at =
+	    (size_t)pane_moved((int)t->ui.cross_at, key->amount, n);
 	return true;
 }
 
@@ -129,13 +115,11 @@ act_cross(struct tui *t, const struct key *key)
 		t->ui.cross_at = t->view.shown.product.n / 3;
 	if (t->ui.cross)
 		pages_go(t, PAGE_PREDICT);
-	t->ui.focus = t->ui.cross ? &page_predict : NULL;
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (t->ui.cross)
 		tui_say(t, false,
-		    "left and right: the sieve; up and down: the passing; Tab: "
-		    "the speed again");
+		    "crosshair: Up, Down: the sieve; < and >: the passing");
 }
 
 /* The nearest sieve by the ratio of sizes, as the axis has them. */
@@ -162,7 +146,6 @@ point(struct tui *t, enum plot_kind kind, double x, double y)
 	if (!t->ui.cross)
 		return;
 	pages_go(t, PAGE_PREDICT);
-	t->ui.focus = &page_predict;
 	cross_at(t, x / 1000);
 }
 
@@ -193,8 +176,8 @@ hints(const struct tui *t)
 	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "
 			  "quit  : command  d describe");
-	if (t->ui.focus == &page_predict)
-		return tr("<-/-> sieve  Up/Down passing  Tab speed  c no "
+	if (t->ui.cross)
+		return tr("<-/-> speed  Up/Down sieve  < > passing  c no "
 			  "crosshair  ? keys  q quit  : command");
 	if (undone)
 		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
@@ -222,7 +205,6 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .strip = true,
     .update = envelope_check_update,
     .draw = draw,
-    .can_focus = can_focus,
     .move = move,
     .point = point,
     .words = words};

@@ -544,8 +544,7 @@ draw(struct tui *t)
 		    area.row + row, area.column, 1, area.columns};
 		draw_row(t, &area, row, width, &t->view.row[i]);
 		rows_touch(t, line, i);
-		if (t->ui.focus == &page_sites &&
-		    t->view.row[i].entry == t->ui.site_at)
+		if (t->view.row[i].entry == t->ui.site_at)
 			t->cursor = (struct cursor){line.row, 0};
 	}
 	if (rows_count(t) == 0)
@@ -646,5 +645,4 @@ const struct page_ops page_sites = {.name = N_("Sites"),
     .hints_now = hints,
     .update = update,
     .draw = draw,
-    .takes_focus = true,
     .list = &LIST};

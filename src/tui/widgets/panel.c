@@ -169,7 +169,6 @@ touch_size(struct tui *t, const struct touched *touched)
 	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
 	       product->size[t->ui.cross_at + 1] >= mm)
 		t->ui.cross_at++;
-	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -254,7 +253,6 @@ touch_fraction(struct tui *t, const struct touched *touched)
 	       1000 * product->size[t->ui.cross_at] >
 		   near * FRACTION_MM[touched->item])
 		t->ui.cross_at++;
-	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -725,9 +723,6 @@ panel_row(struct tui *t)
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
 	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
-		if (t->ui.focus == &page_predict)
-			t->cursor =
-			    (struct cursor){area->row, t->layout.side.column};
 		bool narrow = area->columns < 34;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,

@@ -83,16 +83,13 @@ readout_draw(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->view.shown;
 	const struct site *site = tui_entry(t)->site;
-	bool focus = t->ui.focus == &page_predict,
-	     pin = t->view.pinned.site[0] != '\0';
+	bool pin = t->view.pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
-	if (focus)
-		t->cursor = (struct cursor){area->row, area->column};
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
 	    units_mm(p->product.size[t->ui.cross_at]));
-	screen_text(area, row++, 0, focus ? LOOK_REVERSE : LOOK_BOLD,
-	    "%-18s%4d %%", name, t->ui.level);
+	screen_text(
+	    area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name, t->ui.level);
 	draw_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];

@@ -104,7 +104,6 @@ touch_sieve(struct tui *t, const struct touched *touched)
 		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = touched->item;
-	t->ui.focus = &page_predict;
 	return true;
 }
 
