@@ -125,7 +125,7 @@ keys q
 keys : 'predict 99999' Enter
 want '^! ' "an error is told"
 keys '?'
-want 'speed down by 0.1' "the list of keys"
+want '^  Left Right  *the slider of the page ' "the list of keys"
 keys / 'by 5'
 want 'speed up by 5'
 cursor 5,23 'the word to find'
@@ -167,7 +167,7 @@ want 'calibrated: good' "and it comes to its end"
 keys : 'show params' Enter
 want 'e0_min  *1[0-2]\.' "within them"
 keys q
-keys End Left Left Left
+keys '=65' Enter End Left Left Left
 want 'generation 1 .*\]-' "the generations are gone through"
 keys Home
 want 'generation 1 \[1\]-' "to the first of them"
@@ -228,7 +228,7 @@ paste 'by 5
 '
 want '^/by 5  2 keys  Enter run it' "it is a word to find"
 keys Escape
-want 'speed down by 0\.1'
+want '^  Left Right '
 keys Escape
 want '\[74\.0\]'
 awk 'BEGIN { srand(5); printf ":"; for (i = 0; i < 20000; i++)
@@ -405,9 +405,9 @@ gesture 'site  *rock.*parameters' "also while a speed is typed" \
 	'0;65;1M' '0;65;1m'
 keys '?' / by
 press '65;40;10M'
-want '^/by  7 keys ' "the wheel types nothing into the word to find"
+want '^/by  6 keys ' "the wheel types nothing into the word to find"
 keys Escape
-want '^  Left, h '
+want '^  Left Right '
 keys q q
 want 'IT IS OVER'
 
@@ -433,7 +433,9 @@ keys : 'bounds alpha 0.4' Enter
 want ': bounds alpha 0\.4'
 grep -q '^bounds alpha 0.4$' .local/state/tipspeed/session*.tip
 result $? "what is typed there is kept also where a script opened it"
-keys q q
+keys q
+sleep 0.5
+keys q
 want 'IT IS OVER'
 rm -f .local/state/tipspeed/session*
 start 80 24 XDG_STATE_HOME=/dev/null

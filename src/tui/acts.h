@@ -31,14 +31,16 @@ struct key;
 typedef void key_way(struct tui *t, const struct key *key);
 
 /* code: as ncurses gives it; name: as shown, "Left, h" where h does the same.
- * act: does it, with the amount; command: what it runs, or NULL. */
+ * act: does it, with the amount; command: what it runs, or NULL.  brief: the
+ * same as `what` for a list that fits one screen; NULL: it goes with the key
+ * before it. */
 struct key {
 	int code;
 	const char *name;
 	unsigned where;
 	key_way *act;
 	int amount;
-	const char *command, *what;
+	const char *command, *what, *brief;
 };
 
 /* Amounts of act_move, and of act_ends. */

@@ -351,8 +351,10 @@ small_screens_say_all_or_that_they_cut(void **state)
 	assert_true(frame_has(stage, 12, ".."));
 	resize(stage, 24, 80);
 	assert_true(frame_has(stage, 24, "alpha="));
-	press(t, "1 ?");
+	press(t, "1 ? /");
 	resize(stage, 12, 40);
+	assert_non_null(strstr(row_of(stage, 2), "Shift-Left"));
+	press(t, "b y");
 	assert_non_null(strstr(row_of(stage, 2), " .."));
 }
 

@@ -135,7 +135,7 @@ hints_are_their_keys(void **state)
 	settle(stage);
 	click(stage, "? keys");
 	assert_true(t->viewer.keys);
-	click(stage, "Esc back");
+	click(stage, "^L");
 	assert_null(t->viewer.text);
 	click(stage, ": predict");
 	assert_true(t->line.active);
@@ -337,7 +337,7 @@ a_click_in_the_list_of_keys_runs_it(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	press(stage, "?");
-	click(stage, "crosshair on or off");
+	click(stage, "crosshair");
 	assert_true(t->ui.cross && t->viewer.text == NULL);
 }
 
