@@ -127,7 +127,7 @@ control_set_looks(struct tui *t)
 	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_forget(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
-		session_line(s, line, 0, "typed", 0, &next, &error);
+		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(page);
 	free(quantity);
 	free(line);
@@ -199,7 +199,7 @@ run(struct tui *t, const char *line)
 	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
 	bool ok =
-	    driver_line(&d, line, "typed", 0) == 0 || signals_noted() != 0;
+	    driver_line(&d, line, ERROR_TYPED, 0) == 0 || signals_noted() != 0;
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
 	follow_speed(t, line, ok);

@@ -160,7 +160,7 @@ view_predict(struct tui *t)
 	t->view.shown = (struct prediction){0};
 	if (!predict_step(s, t->ui.tenths / 10.0, tui_feed(t), line,
 		&t->view.shown, &error))
-		captured_error(t, &error, line, "typed");
+		captured_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
