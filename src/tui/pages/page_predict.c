@@ -118,8 +118,7 @@ act_cross(struct tui *t, const struct key *key)
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (t->ui.cross)
-		tui_say(t, false,
-		    "crosshair: Up, Down: the sieve; < and >: the passing");
+		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
 
 /* The nearest sieve by the ratio of sizes, as the axis has them. */

@@ -392,6 +392,31 @@ round_step(const struct axis *axis, int rows)
 	return ROUND[i] * ten;
 }
 
+/* A limit off the scale stands at the edge that is nearest to it. */
+static void
+draw_limit(struct tui *t, const struct axis *axis, const struct limit *limit)
+{
+	static const char *const ARROWS[][2] = {
+	    {"v", "^"}, {"\u25BC", "\u25B2"}};
+	const struct area *area = &t->layout.strip;
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	int row = row_of(axis, area, limit->value);
+	bool on = is_on(axis, limit->value);
+	char *name = on ? xstrdup(limit->name)
+			: xasprintf("%s%s %.6g",
+			      ARROWS[!ascii][limit->value > axis->high],
+			      limit->name, limit->value);
+	int wide = text_width(name) < 4 ? 4 : text_width(name);
+	if (on)
+		draw_label(t, row, LOOK_BOLD, limit->value);
+	screen_series(
+	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
+	hits_add_key(&t->hits,
+	    (struct area){area->row + row, area->columns - wide, 1, wide}, 't',
+	    false);
+	free(name);
+}
+
 /* Limits, then round values, in rows of their own. */
 static void
 draw_labels(struct tui *t, const struct axis *axis)
@@ -400,18 +425,9 @@ draw_labels(struct tui *t, const struct axis *axis)
 	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
 	bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
-	for (size_t i = 0; i < n; i++) {
-		int row = row_of(axis, area, limit[i].value);
-		if (!is_on(axis, limit[i].value))
-			continue;
-		draw_label(t, row, LOOK_BOLD, limit[i].value);
-		taken[row] = true;
-		screen_series(area, row, area->columns - 4, SERIES_OTHER,
-		    LOOK_BOLD, limit[i].name);
-		hits_add_key(&t->hits,
-		    (struct area){area->row + row, area->columns - 4, 1, 4},
-		    't', false);
-	}
+	for (size_t i = 0; i < n; i++)
+		if (is_on(axis, limit[i].value))
+			taken[row_of(axis, area, limit[i].value)] = true;
 	double step = round_step(axis, area->rows);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
@@ -420,6 +436,8 @@ draw_labels(struct tui *t, const struct axis *axis)
 			taken[row] = draw_label(
 			    t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
 	}
+	for (size_t i = 0; i < n; i++)
+		draw_limit(t, axis, &limit[i]);
 	free(taken);
 }
 
