@@ -47,7 +47,7 @@ enter() {
 		;;
 	list)
 		keys '?'
-		want 'speed down by 0.1'
+		want '^  Left Right '
 		;;
 	files)
 		keys o
@@ -135,7 +135,7 @@ want 'shell:$'
 keys 'stty brkint; stty -a >before' Enter
 keys "sh -c 'echo \$\$ >pid; exec \"\$TIPSPEED\" data/sites/tierp.csv -c tui'" Enter
 want 'f calibrates'
-keys - - f y
+keys - - f
 want 'generation [2-9] of 800'
 for how in '^Z' SIGTSTP; do
 	if [ $how = ^Z ]; then keys C-z; else kill -s TSTP "$(cat pid)"; fi

@@ -240,8 +240,6 @@ brief_line(const struct key *k)
 static char *
 line_of(const struct key *k)
 {
-	if (k->code == 0)
-		return xstrdup(tr(k->what));
 	return xasprintf("  %-15s %s%s", k->name, tr(k->what), tr(only_on(k)));
 }
 
@@ -261,37 +259,27 @@ is_listed(const struct key *k, enum page page)
 	return k->brief != NULL && k->where & (1U << page);
 }
 
-enum { LINES_MOST = ARRAY_LEN(KEYS) + 1 };
-
-/* The lines of the list: all that there are in brief, or those with a word
- * under headings, which have a code of 0.  Returns how many. */
+/* The keys of the list, the page's own first: all of the page in brief, or those
+ * with a word.  Returns how many. */
 static size_t
-list_lines(
-    enum page page, const char *word, const struct key *line[static LINES_MOST])
+list_keys(enum page page, const char *word,
+    const struct key *line[static ARRAY_LEN(KEYS)])
 {
-	static const struct key HEADS[] = {
-	    {.what = N_("On this page")}, {.what = N_("On all pages")}};
 	size_t n = 0;
-	for (size_t part = 0; part < ARRAY_LEN(HEADS); part++) {
-		bool all = word[0] == '\0';
-		size_t head = n;
-		if (!all)
-			line[n++] = &HEADS[part];
+	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
-			if (is_own(k, page) == (part == 0) &&
-			    (all ? is_listed(k, page) : has_word(k, word)))
+			if (is_own(k, page) == own &&
+			    (word[0] != '\0' ? has_word(k, word)
+					     : is_listed(k, page)))
 				line[n++] = k;
-		if (!all && n == head + 1)
-			n = head;
-	}
 	return n;
 }
 
 void
 keys_list(enum page page, const char *word, FILE *out)
 {
-	const struct key *line[LINES_MOST];
-	size_t n = list_lines(page, word, line);
+	const struct key *line[ARRAY_LEN(KEYS)];
+	size_t n = list_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
 		char *text =
 		    word[0] == '\0' ? brief_line(line[i]) : line_of(line[i]);
@@ -311,19 +299,15 @@ keys_list(enum page page, const char *word, FILE *out)
 const struct key *
 keys_nth(enum page page, const char *word, size_t n)
 {
-	const struct key *line[LINES_MOST];
-	size_t lines = list_lines(page, word, line);
-	return n < lines && line[n]->code != 0 ? line[n] : NULL;
+	const struct key *line[ARRAY_LEN(KEYS)];
+	return n < list_keys(page, word, line) ? line[n] : NULL;
 }
 
 size_t
 keys_count(enum page page, const char *word)
 {
-	const struct key *line[LINES_MOST];
-	size_t keys = 0, n = list_lines(page, word, line);
-	for (size_t i = 0; i < n; i++)
-		keys += line[i]->code != 0;
-	return keys;
+	const struct key *line[ARRAY_LEN(KEYS)];
+	return list_keys(page, word, line);
 }
 
 void

@@ -417,7 +417,8 @@ draw_limit(struct tui *t, const struct axis *axis, const struct limit *limit)
 	free(name);
 }
 
-/* Limits, then round values, in rows of their own. */
+/* Limits, then round values, in rows of their own.  One off the scale gives way
+ * to others. */
 static void
 draw_labels(struct tui *t, const struct axis *axis)
 {
@@ -425,9 +426,14 @@ draw_labels(struct tui *t, const struct axis *axis)
 	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
 	bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
-	for (size_t i = 0; i < n; i++)
-		if (is_on(axis, limit[i].value))
-			taken[row_of(axis, area, limit[i].value)] = true;
+	for (size_t i = 0; i < 2 * n; i++) {
+		const struct limit *l = &limit[i % n];
+		bool on = is_on(axis, l->value);
+		int row = row_of(axis, area, l->value);
+		if (on == (i < n) && !taken[row])
+			draw_limit(t, axis, l);
+		taken[row] = taken[row] || on;
+	}
 	double step = round_step(axis, area->rows);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
@@ -436,8 +442,6 @@ draw_labels(struct tui *t, const struct axis *axis)
 			taken[row] = draw_label(
 			    t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
 	}
-	for (size_t i = 0; i < n; i++)
-		draw_limit(t, axis, &limit[i]);
 	free(taken);
 }
 

@@ -207,22 +207,18 @@ find(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Of the list of keys the chosen one, past headings. */
+/* Of the list of keys the chosen one. */
 void
 viewer_scroll(struct tui *t, int by)
 {
 	struct viewer *v = &t->viewer;
-	int step = by < 0 ? -1 : 1;
 	if (!v->keys) {
 		v->top += by;
 		fit(t);
 		return;
 	}
-	v->at += by;
-	fit(t);
-	bool last = v->at + step < 0 || v->at + step >= v->lines;
-	if (keys_nth(t->ui.page, v->word.text, (size_t)v->at) == NULL)
-		v->at += last ? -step : step;
+	int keys = (int)keys_count(t->ui.page, v->word.text);
+	v->at = within(v->at + by, 0, keys - 1);
 	fit(t);
 }
 
@@ -354,7 +350,6 @@ draw_line(struct tui *t, int n)
 	struct area body = t->layout.body;
 	bool found = !v->keys && v->word.n > 0 && has_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
-	bool head = v->keys && line[0] != ' ';
 	if (v->keys && body.columns < NARROW)
 		squeeze(line);
 	if (rows < v->lines)
@@ -370,9 +365,9 @@ draw_line(struct tui *t, int n)
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_show(&shown, left);
 	screen_series(&body, n % rows - v->top, 0, SERIES_TEXT,
-	    n == v->at      ? LOOK_REVERSE
-	    : found || head ? LOOK_BOLD
-			    : LOOK_PLAIN,
+	    n == v->at ? LOOK_REVERSE
+	    : found    ? LOOK_BOLD
+		       : LOOK_PLAIN,
 	    shown);
 	free(line);
 	if (n == v->at)
