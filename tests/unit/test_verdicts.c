@@ -14,6 +14,7 @@
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 /* A full screen on the session of a desk. */
 struct stage {
@@ -32,7 +33,7 @@ stage_open(void **state)
 	struct display *was = screen_aside(24, 80, CHARSET_ASCII, 0);
 	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
 	canvas_free(screen_back(was));
-	control_predict(&stage->t);
+	view_predict(&stage->t);
 	*state = stage;
 	return 0;
 }
@@ -54,8 +55,7 @@ page(struct tui *t, int rows, int columns)
 	struct display *was = screen_aside(rows, columns, CHARSET_ASCII, 0);
 	char *text = NULL;
 	size_t n = 0;
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 	struct canvas *canvas = screen_back(was);
 	FILE *out = text_memory(&text, &n);
@@ -88,8 +88,7 @@ press(struct tui *t, const char *keys)
 {
 	while (*keys != '\0')
 		keymap_key(t, (int)text_next(&keys), false);
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 }
 
 /* The most wanted where there is little room; with more of it the bands, the
@@ -134,8 +133,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
 	t->ui.tenths = tui_range(t).least;
 	for (; t->ui.tenths <= tui_range(t).most; t->ui.tenths++) {
-		control_predict(t);
-		pages_update(t);
+		view_update(t);
 		const struct grading *g = envelope_check_now(t);
 		assert_non_null(g);
 		struct grading own;
@@ -218,13 +216,16 @@ rows_of_the_panel_can_be_touched(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	touch(t, "|   5.6");
-	assert_true(t->ui.cross && t->ui.focus != NULL);
-	assert_float_equal(t->shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
+	assert_true(t->ui.cross);
+	assert_float_equal(
+	    t->view.shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
 	touch(t, "| P80");
 	assert_int_equal(t->ui.level, 80);
-	assert_float_equal(t->shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
+	assert_float_equal(
+	    t->view.shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
 	touch(t, "| 0/2");
-	assert_float_equal(t->shown.product.size[t->ui.cross_at], 2e-3, 1e-9);
+	assert_float_equal(
+	    t->view.shown.product.size[t->ui.cross_at], 2e-3, 1e-9);
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
 	touch(t, "| 0/4.75 ASTM C33");
 	assert_non_null(strstr(t->viewer.text, "ASTM C33 fine aggregate"));
