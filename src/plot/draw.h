@@ -5,7 +5,7 @@
 
 #include "plot/chart.h"
 
-/* What is written around the axes; the foot goes with the legend. */
+/* The words around the axes; the foot goes with the legend. */
 enum { CHART_TITLE = 1, CHART_LEGEND = 2, CHART_NOTES = 4, CHART_ALL = 7 };
 
 /* The chart in exactly columns x rows cells, whatever they are.  Where room is
@@ -17,9 +17,9 @@ enum { CHART_TITLE = 1, CHART_LEGEND = 2, CHART_NOTES = 4, CHART_ALL = 7 };
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words);
 
-/* What is at a cell of that canvas: the chart there, the values of its axes,
- * and the nearest of its marks within a cell, or else the line drawn there:
- * `point` of it, the nearest.  series NULL: none. */
+/* The content of a cell of that canvas: the chart there, the values of its
+ * axes, and the nearest of its marks within a cell, or else the line drawn
+ * there: `point` of it, the nearest.  series NULL: none. */
 struct chart_found {
 	const struct chart *chart;
 	double x, y;
@@ -32,8 +32,7 @@ bool chart_find(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 
-/* What a legend has before the name of a series: its line and mark.  The caller
- * frees. */
+/* The sample of a series in a legend: its line and mark.  The caller frees. */
 char *chart_sample(const struct chart_series *series, enum charset charset);
 
 #endif

@@ -316,7 +316,7 @@ control_predict(struct tui *t)
 	if (t->request.tenths == t->ui.tenths &&
 	    t->request.feed_run == tui_feed(t))
 		return;
-	/* What a search had on its way is nothing to count from. */
+	/* Do not take differences from intermediate results of a search. */
 	if (!t->formed &&
 	    (t->clock - t->moved > PAUSE || t->reference.site[0] == '\0' ||
 		strcmp(t->reference.site, entry->key) != 0))
