@@ -11,7 +11,6 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
-#include "core/posterior/straight.h"
 #include "core/search/kernel.h"
 #include "core/model/product.h"
 
@@ -521,7 +520,16 @@ is_between(const struct posterior *p, double v, size_t *k)
 	return false;
 }
 
-/* D25, at a speed between two measured ones. */
+/* The weight of the straight line in a draw: draws next to one another, which
+ * may be in order, have others. */
+static double
+straight_weight(const struct posterior *p, size_t draw)
+{
+	size_t place = draw * 97 % DRAWS;
+	return p->straight * ((double)place + 0.5) / DRAWS;
+}
+
+/* At a speed between two measured ones (D25, straight.h). */
 static void
 straighten(struct ensemble *e, double v, size_t k)
 {
@@ -531,7 +539,7 @@ straighten(struct ensemble *e, double v, size_t k)
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
 	for (size_t d = 0; d < DRAWS; d++)
-		weight[d] = straight_weight(p->straight, d);
+		weight[d] = straight_weight(p, d);
 	rising_at(e, v);
 	for (size_t i = 0; i < e->n * DRAWS; i += DRAWS)
 		for (size_t d = 0; d < DRAWS; d++) {

@@ -23,12 +23,4 @@
 double straight_most(const struct posterior *p, const struct psd *feed,
     const double *sieve, size_t n);
 
-/* w of a draw: alike among draws next to one another, which may be in order. */
-static inline double
-straight_weight(double most, size_t draw)
-{
-	size_t place = draw * 97 % POSTERIOR_DRAWS;
-	return most * ((double)place + 0.5) / POSTERIOR_DRAWS;
-}
-
 #endif
