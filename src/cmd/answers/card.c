@@ -572,6 +572,29 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 	free(feed);
 }
 
+/* The lights stand in the rows.  Where none of them is green the least bad says
+ * why; programs are given the worst. */
+static void
+note_light(struct answer *r, const struct session *s, const struct question *q,
+    const struct card_row *row, size_t n, struct trust *worst)
+{
+	size_t best = 0;
+	for (size_t i = 1; i < n; i++)
+		best = row[i].light < row[best].light ? i : best;
+	answers_note_basis(s, r, q, 0, NULL, worst);
+	if (n > 0 && row[best].light != LIGHT_GREEN) {
+		char *said =
+		    light_said_at(s, q->entry, row[best].speed, q->feed);
+		answer_say(r,
+		    row[best].light == LIGHT_RED ? ANSWER_WARNING
+						 : ANSWER_REMARK,
+		    "%s", said);
+		free(said);
+	}
+	light_put(answer_fields(r), worst);
+	trust_free(worst);
+}
+
 static void
 rows_free(struct card_row *row, size_t n)
 {
@@ -606,7 +629,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	note_limits(r, all);
 	note_flow(r, all);
 	note_basis(r, s, all, dropped, page_has(&page, RANGE));
-	answers_show_basis(s, r, all->question, 0, false, light);
+	note_light(r, s, all->question, row, n, &light);
 	while (page.n > 0)
 		page_drop(&page, page.n - 1);
 	free(page.column);

@@ -256,6 +256,9 @@ is_unusual(const struct session *s, const struct entry *entry)
 	       !entry->has_fit;
 }
 
+/* Feeds that move the answer by less than it shows are not worth a word. */
+static const double FEEDS_TOLD = 0.0005;
+
 /* "8 times in 10", "with 95 % probability".  The caller frees. */
 static char *
 chance_words(double level)
@@ -264,6 +267,27 @@ chance_words(double level)
 	return fabs(tenths - round(tenths)) < 1e-9
 		   ? xasprintf(tr("%.0f times in 10"), tenths)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
+}
+
+double
+predict_feeds_move(const struct session *s, const struct question *q,
+    const struct prediction *at, size_t i)
+{
+	const struct site *site = q->entry->site;
+	double x = at->product.size[i], most = 0;
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	size_t n = site->individual_feeds && !other ? site->n_run : 0;
+	for (size_t run = 0; run < n; run++) {
+		struct question own = *q;
+		own.feed = run;
+		struct prediction p = forecast_product(s, &own, at->speed);
+		double passing = psd_at_sieve(&p.product, x);
+		if (isfinite(passing))
+			most =
+			    fmax(most, fabs(passing - at->product.passing[i]));
+		prediction_free(&p);
+	}
+	return most;
 }
 
 char *
@@ -285,6 +309,15 @@ predict_sure(const struct session *s, const struct question *q,
 	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
 	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
+	double most =
+	    q->feed == SITE_MEAN_FEED ? predict_feeds_move(s, q, p, i) : 0;
+	if (most >= FEEDS_TOLD) {
+		char *more = xasprintf(
+		    tr("%s; feeds as they varied move it by up to %.1f points"),
+		    words, 100 * most);
+		free(words);
+		words = more;
+	}
 	forecast_close(f);
 	free(chance);
 	return words;

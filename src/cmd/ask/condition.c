@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -30,9 +31,36 @@ conditions_free(struct condition_list *list)
 	*list = (struct condition_list){0};
 }
 
+/* "max 2/5" for "most 2/5": what find takes instead; NULL of other words.  The
+ * caller frees. */
+static char *
+extreme_of(const char *text)
+{
+	static const struct {
+		const char *word, *instead;
+	} WORDS[] = {{"most ", "max"}, {"best ", "max"}, {"highest ", "max"},
+	    {"maximum ", "max"}, {"least ", "min"}, {"lowest ", "min"},
+	    {"minimum ", "min"}};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
+		size_t n = strlen(WORDS[i].word);
+		if (strncasecmp(text, WORDS[i].word, n) == 0)
+			return xasprintf("%s %s", WORDS[i].instead, text + n);
+	}
+	return NULL;
+}
+
 static bool
 expected(const char *text, struct error *error)
 {
+	char *extreme = extreme_of(text);
+	if (extreme != NULL) {
+		error_set(error, ERROR_USAGE,
+		    "expected max or min, got '%s'\n"
+		    "write: find \"%s\"",
+		    text, extreme);
+		free(extreme);
+		return false;
+	}
 	return error_set(error, ERROR_USAGE,
 	    "expected a condition: a quantity, then <, > or = and a limit, got "
 	    "'%s'\n"
@@ -175,27 +203,38 @@ with_sign(const char *text)
 	return xstrdup(text);
 }
 
+/* A quantity and its limit with a blank between them; *name is the quantity. */
+static bool
+split_blank(const char *text, const struct fraction *fraction, char **name,
+    struct condition *c)
+{
+	struct error none = {0};
+	*name = xstrdup(text);
+	for (size_t n = strlen(text); n-- > 0;) {
+		if (text[n] != ' ')
+			continue;
+		(*name)[n] = '\0';
+		if (quantities_read(
+			*name, &fraction->partition, &c->quantity, &none) &&
+		    read_range(text + n, c, &none))
+			return true;
+	}
+	free(*name);
+	return false;
+}
+
 /* A quantity and a limit without a sign between them: which is meant nobody
- * knows. */
+ * knows.  A size alone, "2 mm 42", is taken for what passes it. */
 static bool
 no_sign(const char *text, const struct fraction *fraction, struct error *error)
 {
-	char *name = xstrdup(text);
 	struct condition c;
-	struct error none = {0};
-	bool found = false;
-	for (size_t n = strlen(text); n-- > 0 && !found;) {
-		if (text[n] != ' ')
-			continue;
-		name[n] = '\0';
-		found = quantities_read(
-			    name, &fraction->partition, &c.quantity, &none) &&
-			read_range(text + n, &c, &none);
-	}
-	if (!found) {
-		free(name);
+	char *name, *passing = xasprintf("passing %s", text);
+	bool found = split_blank(text, fraction, &name, &c) ||
+		     split_blank(passing, fraction, &name, &c);
+	free(passing);
+	if (!found)
 		return expected(text, error);
-	}
 	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
 	if (c.least != c.most)
 		xappend(&limit, "..%g", quantities_shown(&c.quantity, c.most));

@@ -116,14 +116,8 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "circulating load %.1f t/h%s, %.0f %% of the new feed",
 		    o->flow.circulating, band, 100 * o->flow.circulating / tph);
 	free(band);
-	answer_note(r,
-	    tr_n(
-		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu pass",
-		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu "
-		"passes",
-		o->flow.passes),
-	    tph, round((tph - o->flow.balance) * 1e6) / 1e6,
-	    fabs(o->flow.balance), o->flow.passes);
+	answer_note(r, "balance: %g t/h in, %g t/h out", tph,
+	    round((tph - o->flow.balance) * 1e6) / 1e6);
 	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
 	    o->flow.circulating, o->flow.balance, o->flow.passes);
 	answers_put_pair(f, "circulating_range_tph", range[0], range[1]);
@@ -516,6 +510,7 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 {
 	bool best = args_value(args, "best")->choice == 1;
 	struct flow_plan plan;
+	question_as_last(s, args, q);
 	if (!flow_plan_read(s, args, q, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);

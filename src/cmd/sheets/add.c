@@ -275,9 +275,12 @@ note_next(struct session *s)
 	const struct entry *entry = session_entry(s);
 	char *speeds = session_speeds(entry->site, ", ", NULL, true);
 	session_note(s,
-	    entry->has_params ? N_("  %s has products at %s m/s")
-			      : N_("  %s has products at %s m/s; no parameters "
-				   "yet: run 'calibrate'"),
+	    entry->has_fit ? N_("  %s has products at %s m/s; 'calibrate' "
+				"takes the new ones into account")
+	    : entry->has_params
+		? N_("  %s has products at %s m/s")
+		: N_("  %s has products at %s m/s; no parameters "
+		     "yet: run 'calibrate'"),
 	    entry->key, speeds);
 	free(speeds);
 }
