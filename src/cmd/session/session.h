@@ -29,7 +29,7 @@ struct hooks {
 	void (*begins)(const char *what);
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
-	/* Draws the full screen, see pictures.h; NULL: there is none. */
+	/* Draws the full screen, see plot.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
 	/* Is the full screen until it is left; returns an exit status.  NULL:
