@@ -115,7 +115,7 @@ want 'crosshair [0-9]' 'c is the crosshair'
 picture crosshair
 legible crosshair
 press f1
-want 'speed down by 0.1' 'F1 lists the keys'
+want 'Left Right ' 'F1 lists the keys'
 picture keys
 press q shift-semicolon p r e d tab
 want '^:predict' 'a command is completed'

@@ -42,12 +42,12 @@ enter() {
 	esac
 	case $1 in
 	calibrating)
-		keys - - f
+		keys - - f y
 		want 'generation [2-9] of 800'
 		;;
 	list)
 		keys '?'
-		want 'speed down by 0.1'
+		want '^  Left Right '
 		;;
 	files)
 		keys o

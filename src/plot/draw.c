@@ -187,7 +187,7 @@ flow_foot(struct layout *l, int row)
  * below one another; none on a canvas that is hardly wider.  The labels of a
  * strip change with its limits: they have room for "+0.5" at any. */
 static int
-gutter(const struct chart *chart, int columns)
+gutter(const struct chart *chart, int columns, unsigned words)
 {
 	enum { NARROW = 3, STRIP = 4 };
 	int wide = 0;
@@ -198,7 +198,8 @@ gutter(const struct chart *chart, int columns)
 			wide = label > wide ? label : wide;
 		}
 	}
-	return columns >= NARROW * (wide + 1) ? wide + 1 : 0;
+	bool narrow = columns < NARROW * (wide + 1);
+	return narrow || words & CHART_BARE ? 0 : wide + 1;
 }
 
 /* Rows that the labels of the x axis want, 1 or 2. */
@@ -214,11 +215,12 @@ label_rows(const struct layout *l)
 	return rows;
 }
 
-/* A strip has its title alone. */
+/* A strip has its title alone, bare data not even that. */
 static struct layout
 layout_strip(struct layout l)
 {
-	l.title = l.canvas->rows > 1 ? 0 : -1;
+	bool bare = l.words & CHART_BARE;
+	l.title = l.canvas->rows > 1 && !bare ? 0 : -1;
 	l.top = l.title + 1;
 	l.height = l.canvas->rows - l.top;
 	l.y_title = l.axis = l.labels = l.legend = l.foot = -1;
@@ -237,7 +239,7 @@ layout_make(const struct chart *chart, struct canvas *canvas, int left,
 	    .words = words};
 	l.left = left;
 	l.width = canvas->columns - l.left;
-	if (chart->strip > 0)
+	if (chart->strip > 0 || words & CHART_BARE)
 		return layout_strip(l);
 	int rows[PARTS] = {[Y_TITLE] = 1,
 	    [LEGEND] = flow_notes(&l, -1),
@@ -904,7 +906,7 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
     struct chart_found *found)
 {
 	int n = charts_of(chart), top = 0;
-	int left = gutter(chart, canvas->columns);
+	int left = gutter(chart, canvas->columns, words);
 	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
 	     c = c->below) {
 		int own = rows_of(c, canvas->rows - top, n--);
@@ -926,7 +928,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words)
 {
 	struct canvas *all = canvas_new(columns, rows);
-	int n = charts_of(chart), top = 0, left = gutter(chart, columns);
+	int n = charts_of(chart), top = 0, left = gutter(chart, columns, words);
 	all->theme = chart->theme;
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;

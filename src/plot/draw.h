@@ -5,8 +5,15 @@
 
 #include "plot/chart.h"
 
-/* The words around the axes; the foot goes with the legend. */
-enum { CHART_TITLE = 1, CHART_LEGEND = 2, CHART_NOTES = 4, CHART_ALL = 7 };
+/* What is written around the axes; the foot goes with the legend.  CHART_BARE:
+ * there are the data alone, in all cells. */
+enum {
+	CHART_TITLE = 1,
+	CHART_LEGEND = 2,
+	CHART_NOTES = 4,
+	CHART_ALL = 7,
+	CHART_BARE = 8
+};
 
 /* The chart in exactly columns x rows cells, whatever they are.  Where room is
  * short its parts go in this order: title of the y axis, notes and legend,

@@ -31,30 +31,32 @@ struct key;
 typedef void key_way(struct tui *t, const struct key *key);
 
 /* code: as ncurses gives it; name: as shown, "Left, h" where h does the same.
- * act: does it, with the amount; command: what it runs, or NULL. */
+ * act: does it, with the amount; command: what it runs, or NULL.  brief: the
+ * same as `what` for a list that fits one screen; NULL: it goes with the key
+ * before it. */
 struct key {
 	int code;
 	const char *name;
 	unsigned where;
 	key_way *act;
 	int amount;
-	const char *command, *what;
+	const char *command, *what, *brief;
 };
 
 /* Amounts of act_move, and of act_ends. */
 enum { STEP = 1, FAST = 10, FAR = 50 };
 enum { TO_LEAST = -1, TO_MOST = 1 };
 
-/* In what has the focus, else the slider: by the amount, to an end; up and
+/* In what the page has, else the slider: by the amount, to an end; up and
  * down. */
 key_way act_move, act_ends, act_list;
 
 /* The slider to a run (by -1 the slowest, 0 one in the middle, 1 the fastest),
  * or to the next limit of the goal, a run where there is none, or to its best
  * speed.  While these speeds are not known the key is kept. */
-key_way act_run_speed, act_limit, act_best;
+key_way act_speed, act_run_speed, act_limit, act_best;
 
-key_way act_page, act_focus, act_back, act_choose, act_filter;
+key_way act_page, act_back, act_choose, act_filter;
 
 /* Lines: the command of the key; the field of one, empty, with `save` or with
  * what is to be exported. */
@@ -65,7 +67,8 @@ key_way act_fit, act_hold, act_stop, act_pace;
 
 /* What is predicted and shown; act_goal opens a field with the quantity above
  * the track in it. */
-key_way act_correct, act_band, act_pin, act_cross, act_quantity, act_goal;
+key_way act_correct, act_band, act_pin, act_cross, act_level, act_quantity,
+    act_goal;
 
 /* Of pages. */
 key_way act_runs, act_numbers, act_picture, act_generation, act_bounds,

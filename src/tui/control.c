@@ -12,23 +12,20 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/lang/command.h"
-#include "cmd/ask/fit.h"
 #include "cmd/session/turn.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/pin.h"
-#include "cmd/answers/predict.h"
 #include "cmd/ask/quantity_words.h"
 #include "tui/widgets/response_strip.h"
 #include "tui/widgets/dialog.h"
 #include "cli/driver.h"
 #include "tui/folder.h"
-#include "tui/widgets/envelope_check.h"
 #include "tui/pane.h"
 #include "cli/ask.h"
 #include "cli/signals.h"
 #include "tui/captured.h"
+#include "tui/view.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 #include "tui/script_progress.h"
@@ -36,9 +33,6 @@
 
 /* session->hooks.confirm and `screen` have no argument to pass it by. */
 static struct tui *open;
-
-/* A slider that stood still for so long has paused, s. */
-static const double PAUSE = 0.7;
 
 /* No progress but what is drawn of it.  Signals are held on the screen, and are
  * let in between two steps. */
@@ -83,73 +77,18 @@ control_command(const char *line)
 	return command;
 }
 
-/* Of the site with that key. */
-static struct numbers
-numbers_of(const struct session *s, const char *key, const struct prediction *p)
-{
-	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
-	struct numbers n = {.speed = p->speed};
-	if (p->product.n == 0)
-		return n;
-	snprintf(n.site, sizeof n.site, "%s", key);
-	for (size_t i = 0; i < s->n_entry; i++) {
-		const struct site *site = s->entry[i].site;
-		if (strcmp(s->entry[i].key, key) == 0 &&
-		    p->feed_run < site->n_run && site->individual_feeds)
-			n.feed = site->run[p->feed_run].speed;
-	}
-	for (size_t i = 0; i < 3; i++)
-		n.size[i] = answers_size(p, i);
-	n.break_mm = answers_size(p, ANSWERS_BREAK);
-	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n.passing[i] = psd_covers(&p->product, sizes[i])
-				   ? 100 * psd_passing(&p->product, sizes[i])
-				   : NAN;
-	return n;
-}
-
-/* What the session has pinned. */
-static void
-look_at_pin(struct tui *t)
-{
-	const struct pin *pin = t->session->pin;
-	t->pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
-	t->pinned = numbers_of(
-	    t->session, pin != NULL ? pin->key : "", &t->pinned_whole);
-}
-
-static void
-forget(struct tui *t)
-{
-	prediction_free(&t->shown);
-	t->shown = (struct prediction){0};
-	t->current = (struct numbers){0};
-	t->request.tenths = 0;
-}
-
 /* What the session is like after any command. */
 void
 control_look(struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
 	t->session->wants_tui = false;
-	t->rows_at = 0;
-	t->n_row = 0;
-	tui_forget_parity(&t->parity);
-	t->revision++;
-	strip_look(t);
-	look_at_pin(t);
+	view_look(t);
 	tui_untouch(t);
-	if (isnan(session_known(s, "predict", "speed")))
-		forget(t);
 	if (t->ui.site_at >= s->n_entry)
 		t->ui.site_at = s->current;
-	if (t->ui.cross_at >= t->shown.product.n)
+	if (t->ui.cross_at >= t->view.shown.product.n)
 		t->ui.cross_at = 0;
-	t->holdout = entry != NULL && entry->has_fit
-			 ? 100 * fit_holdout_rmse(entry)
-			 : NAN;
 	tui_look_at(t, t->ui.generation);
 }
 
@@ -217,7 +156,6 @@ begin_job(struct tui *t, const char *line)
 	if (job->fits && !job->rounds->alone) {
 		t->ui.page = PAGE_SITES;
 		tui_untouch(t);
-		t->ui.focus = &page_sites;
 	}
 }
 
@@ -248,7 +186,7 @@ run(struct tui *t, const char *line)
 	struct session *s = t->session;
 	const struct choices was = s->set;
 	bool was_busy = session_busy(s);
-	char site[sizeof t->current.site] = "";
+	char site[sizeof t->view.current.site] = "";
 	if (tui_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
 	captured_forget(t);
@@ -267,13 +205,9 @@ run(struct tui *t, const char *line)
 	follow_speed(t, line, ok);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
-		t->request.tenths = 0;
 		t->ui.site_at = s->current;
 		t->ui.feed = 0;
 	}
-	/* Another answer is shown where other runs correct the model. */
-	if (s->set.correction != was.correction)
-		t->request.tenths = 0;
 	if (sets_looks(&was, &s->set) && strcmp(line, "undo") != 0 &&
 	    strcmp(line, "redo") != 0)
 		take_looks(t);
@@ -299,54 +233,6 @@ control_run(struct tui *t, const char *line)
 	return ok;
 }
 
-void
-control_predict(struct tui *t)
-{
-	struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
-	track_wished(t, false);
-	bool told = t->told;
-	t->told = false;
-	bool forming = entry != NULL && session_busy(s) &&
-		       s->job.entry == s->current &&
-		       calibration_status(s->job.calibration).generation > 0;
-	if (entry == NULL || (!entry->has_params && !forming))
-		return;
-	bool first = t->request.tenths == 0;
-	if (t->request.tenths == t->ui.tenths &&
-	    t->request.feed_run == tui_feed(t))
-		return;
-	/* Do not take differences from intermediate results of a search. */
-	if (!t->formed &&
-	    (t->clock - t->moved > PAUSE || t->reference.site[0] == '\0' ||
-		strcmp(t->reference.site, entry->key) != 0))
-		t->reference = t->current;
-	t->formed = forming;
-	if (!first)
-		t->moved = t->clock;
-	char *where = tui_where(t);
-	char *line = xasprintf("predict %s", where);
-	struct error error = {0};
-	prediction_free(&t->shown);
-	t->shown = (struct prediction){0};
-	if (!predict_step(
-		s, t->ui.tenths / 10.0, tui_feed(t), line, &t->shown, &error))
-		captured_error(t, &error, line, ERROR_TYPED);
-	if ((!first && !told) || t->command == NULL) {
-		free(t->command);
-		t->command = xstrdup(line);
-		t->failed = false;
-	}
-	if (!first && !told)
-		t->message[0] = '\0';
-	tui_keep_feed(t);
-	t->request.tenths = t->ui.tenths;
-	t->request.feed_run = tui_feed(t);
-	t->current = numbers_of(s, entry->key, &t->shown);
-	free(where);
-	free(line);
-}
-
 const struct tui *
 control_open(void)
 {
@@ -363,35 +249,11 @@ free_all(struct tui *t)
 	edit_end(&t->line);
 	viewer_close(t);
 	free(t->closed);
-	prediction_free(&t->shown);
 	free(t->command);
-	free(t->row);
-	strip_free(t->strip);
-	goals_clear(&t->goal);
-	tui_forget_sheet(&t->sheet);
-	tui_forget_parity(&t->parity);
 	folder_free(&t->picker.folder);
 	free(t->picker.preview);
-	envelope_check_free(t);
+	view_free(t);
 	hits_free(&t->hits);
-}
-
-/* The prediction at the slider, of which the session is not told. */
-static void
-form(struct tui *t)
-{
-	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
-	if (entry == NULL)
-		return;
-	struct params params = entry->params;
-	if (!answers_forming(s, entry, &params) && !entry->has_params)
-		return;
-	prediction_free(&t->shown);
-	const struct question q = {
-	    .entry = entry, .feed = tui_feed(t), .params = &params};
-	t->shown = forecast_product(s, &q, t->ui.tenths / 10.0);
-	t->current = numbers_of(s, entry->key, &t->shown);
 }
 
 /* What was said and typed. */
@@ -419,8 +281,7 @@ control_beside(void)
 	    .clock = open->clock,
 	    .started = open->started,
 	    .ran = open->ran,
-	    .strip = strip_new(),
-	    .reference = open->reference,
+	    .view = {.strip = strip_new(), .reference = open->view.reference},
 	    .mouse = open->mouse,
 	    .held = open->held,
 	    .job = open->job,
@@ -428,10 +289,10 @@ control_beside(void)
 	    .bad = open->bad};
 	copy_words(t);
 	control_look(t);
-	form(t);
+	view_form(t);
 	/* The crosshair's sieve is one of that prediction. */
 	t->ui.cross_at =
-	    open->ui.cross_at < t->shown.product.n ? open->ui.cross_at : 0;
+	    open->ui.cross_at < t->view.shown.product.n ? open->ui.cross_at : 0;
 	return t;
 }
 
@@ -498,8 +359,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 		.picture = PLOT_SEARCH,
 		.level = 50},
 	    .mouse = screen_mouse(true),
-	    .strip = strip_new(),
-	    .holdout = NAN,
+	    .view = {.strip = strip_new(), .holdout = NAN},
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
 	s->hooks.confirm = confirm;

@@ -4,6 +4,7 @@
 #define TIPSPEED_TUI_CONTROL_H
 
 #include "tui/tui_state.h"
+#include "tui/view.h"
 
 /* A full screen on a session, as it opens, and its end: what runs is stopped
  * and kept, and the session has its ways again. */
@@ -23,10 +24,6 @@ void control_drop(struct tui *t);
 /* Runs a line that a key composed, and shows it.  False with a message where
  * it failed. */
 bool control_run(struct tui *t, const char *line);
-
-/* Predicts at the slider's speed, where there is something to predict with and
- * it is not done already. */
-void control_predict(struct tui *t);
 
 /* Looks what the session is like after a command that was not run here. */
 void control_look(struct tui *t);

@@ -274,8 +274,9 @@ static void
 draw_speed(struct tui *t, const struct area *note)
 {
 	bool narrow = note->columns < 24;
-	int at = screen_text(note, 0, 0, LOOK_BOLD,
-	    narrow ? "%s" : N_("speed: %s"), t->speed.text);
+	int at =
+	    screen_text(note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"),
+		t->speed.text + (t->speed.text[0] == '='));
 	screen_text(note, 0, at, LOOK_BOLD,
 	    narrow ? N_("_ m/s, Enter") : N_("_ m/s (Enter)"));
 	t->cursor = (struct cursor){note->row, at};

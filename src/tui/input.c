@@ -28,6 +28,10 @@ take(struct tui *t, int code)
 	/* Controls, those beyond ASCII too. */
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
+	if (p->taken == 0 && !p->ended && code != ' ')
+		keymap_open_line(t);
+	if (code == ':' && t->line.active && t->line.n == 0)
+		return;
 	if (p->ended || p->taken >= MOST || !keymap_types(t, code)) {
 		p->left = p->left || code != ' ';
 		return;
@@ -42,8 +46,7 @@ input_end_paste(struct tui *t)
 	const struct paste *p = &t->paste;
 	if (p->left && p->taken == 0)
 		tui_say(t, false,
-		    "pasted text was ignored: press : first, then paste into "
-		    "the command line");
+		    "pasted text was ignored: Esc, then paste it as a command");
 	else if (p->left)
 		tui_say(t, false,
 		    "only part of the pasted text was used: the command line "
@@ -112,6 +115,12 @@ bool
 input_key(struct tui *t, int *code, bool *special)
 {
 	wint_t c = 0;
+	if (t->again.is) {
+		t->again.is = false;
+		*code = t->again.code;
+		*special = t->again.special;
+		return true;
+	}
 	while (signals_noted() == 0) {
 		int got = next(&c);
 		if (got == ERR && !more_waits())

@@ -28,6 +28,7 @@
 #include "tui/cmdline.h"
 #include "tui/widgets/viewer.h"
 #include "tui/watch.h"
+#include "tui/word.h"
 
 /* Whether what the page has takes a key that moves. */
 static bool
@@ -77,20 +78,16 @@ act_run_speed(struct tui *t, const struct key *key)
 }
 
 void
+act_speed(struct tui *t, const struct key *key)
+{
+	t->message[0] = '\0';
+	edit_letter(&t->speed, key->code, false, SPEED_LETTERS);
+}
+
+void
 act_page(struct tui *t, const struct key *key)
 {
 	pages_go(t, (enum page)key->amount);
-}
-
-/* Between the slider and what the page has. */
-void
-act_focus(struct tui *t, const struct key *key)
-{
-	(void)key;
-	bool can = pages_can_focus(t) && t->ui.focus == NULL;
-	t->ui.focus = can ? pages_open(t) : NULL;
-	/* What was said of the arrows holds no longer. */
-	tui_say(t, false, "%s", "");
 }
 
 /* Shows the field of a command with a name for a file proposed behind it. */
@@ -171,18 +168,47 @@ act_describe(struct tui *t, const struct key *key)
 	free(line);
 }
 
-/* Goes on to the next choice. */
+/* Goes on to the next choice, which changes the answer. */
 void
 act_correct(struct tui *t, const struct key *key)
 {
 	(void)key;
+	static const char *const SAID[] = {
+	    [CORRECTION_ALL] = N_("all runs correct the answer now: u takes it "
+				  "back"),
+	    [CORRECTION_TRAIN] = N_("only the training runs correct the answer "
+				    "now: u takes it back"),
+	    [CORRECTION_OFF] = N_("no run corrects the answer now, it is the "
+				  "model's: u takes it back")};
 	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
 	    [CORRECTION_TRAIN] = "off",
 	    [CORRECTION_OFF] = "all"};
 	char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
 	cmdline_run(t, line);
+	if (!t->failed && t->viewer.text == NULL)
+		tui_say(t, false, "%s", tr(SAID[t->session->set.correction]));
 	free(line);
+}
+
+/* What was calibrated, set or recalled is replaced only by who wants it. */
+static bool
+may_replace(struct tui *t)
+{
+	struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	if (!entry->has_params)
+		return true;
+	char *asks = xasprintf(entry->has_fit
+				   ? tr("%s is calibrated: calibrate it again?")
+				   : tr("%s has parameters: replace them by a "
+					"calibration?"),
+	    entry->key);
+	bool yes = s->hooks.confirm(s, asks);
+	free(asks);
+	if (!yes)
+		tui_say(t, false, "not calibrated: the parameters stay");
+	return yes;
 }
 
 static void
@@ -200,6 +226,8 @@ act_fit(struct tui *t, const struct key *key)
 		tui_say(t, true, TUI_NO_SITE);
 		return;
 	}
+	if (!may_replace(t))
+		return;
 	pages_go(t, PAGE_FIT);
 	calibrate(t, "calibrate");
 }
@@ -244,9 +272,9 @@ void
 act_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct numbers was = t->pinned;
+	const struct numbers was = t->view.pinned;
 	char *where = tui_where(t), *line = xasprintf("pin %s", where);
-	if (was.site[0] == '\0' && t->current.site[0] == '\0')
+	if (was.site[0] == '\0' && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
 		; /* it has said why */
@@ -263,7 +291,7 @@ act_pin(struct tui *t, const struct key *key)
 			     "is not saved")
 			: N_("pinned %s at %.1f m/s: go to another speed or "
 			     "site; e exports both"),
-		    t->pinned.site, t->pinned.speed);
+		    t->view.pinned.site, t->view.pinned.speed);
 	free(where);
 	free(line);
 }
@@ -275,9 +303,9 @@ act_band(struct tui *t, const struct key *key)
 	const struct entry *entry = tui_entry(t);
 	t->ui.band = !t->ui.band;
 	t->message[0] = '\0';
-	if (!t->ui.band || t->current.site[0] == '\0')
+	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
-	bool known = t->shown.low != NULL;
+	bool known = t->view.shown.low != NULL;
 	tui_say(t, false,
 	    known || (entry->has_fit && fit_too_few(&entry->fit))
 		? "%s%s"
@@ -334,8 +362,6 @@ act_back(struct tui *t, const struct key *key)
 		act_cross(t, key);
 	else if (predict && t->ui.runs)
 		t->ui.runs = false;
-	else if (t->ui.focus != NULL && !pages_open(t)->takes_focus)
-		t->ui.focus = NULL;
 	else if (!predict)
 		pages_go(t, PAGE_PREDICT);
 	else
@@ -416,9 +442,9 @@ text_key(struct tui *t, int code, bool special)
 	return took;
 }
 
-/* Digits of a speed; the first are pages, but after a 0. */
+/* Digits of a speed, behind the = that began it, or one that is no page. */
 static bool
-digit_key(struct tui *t, int code, bool special)
+speed_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->speed;
 	bool digit = code >= '0' && code <= '9',
@@ -431,11 +457,13 @@ digit_key(struct tui *t, int code, bool special)
 		return edit_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		struct slider_range range = tui_range(t);
-		if (!slider_read(range, y->text, &t->ui.tenths))
+		const char *number = y->text + (y->text[0] == '=');
+		if (*number != '\0' &&
+		    !slider_read(range, number, &t->ui.tenths))
 			tui_say(t, true,
 			    "expected a speed from %d to %d m/s, got %s; :set "
 			    "slider 20..120 shows others",
-			    range.least / 10, range.most / 10, y->text);
+			    range.least / 10, range.most / 10, number);
 	}
 	edit_begin(y, "");
 	return code == '\n' || code == '\r' || code == ESCAPE;
@@ -500,7 +528,8 @@ static bool
 page_key(struct tui *t, int code, bool special)
 {
 	const struct key *key = keys_find(code, t->ui.page);
-	(void)special;
+	if (word_begins(t, code, special, key))
+		return true;
 	act(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
 		tui_say(t, false, "this key has no function: ? lists the keys");
@@ -525,7 +554,7 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [TEXT] = text_key,
     [FILES] = picker_key,
     [FILTER] = rows_letter,
-    [SPEED] = digit_key,
+    [SPEED] = speed_key,
     [PAGE] = page_key};
 
 static enum mode
@@ -566,8 +595,31 @@ keymap_types(const struct tui *t, int code)
 }
 
 void
+keymap_open_line(struct tui *t)
+{
+	if (next_mode(t, ANSWER) == SPEED && t->speed.n == 0)
+		act_type(t, NULL);
+}
+
+void
+keymap_held(struct tui *t)
+{
+	act(t, word_held(t));
+}
+
+void
 keymap_key(struct tui *t, int code, bool special)
 {
+	if (word_goes_on(t, code, special))
+		return;
+	/* What the held key asks has this one for an answer. */
+	t->again.is = true;
+	t->again.code = code;
+	t->again.special = special;
+	keymap_held(t);
+	if (!t->again.is)
+		return;
+	t->again.is = false;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;
 		special = false;

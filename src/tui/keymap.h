@@ -12,6 +12,12 @@ void keymap_key(struct tui *t, int code, bool special);
 /* Whether a character is typed into what takes the keys now. */
 bool keymap_types(const struct tui *t, int code);
 
+/* Opens the line of a command where a page has the keys. */
+void keymap_open_line(struct tui *t);
+
+/* Does what the held key does, see word.h. */
+void keymap_held(struct tui *t);
+
 /* While an answer is waited for: what the mouse did, from the event ncurses
  * holds.  True where that is a key, which answers. */
 bool keymap_pointed(struct tui *t, int *code, bool *special);

@@ -17,115 +17,130 @@
 
 const struct key KEYS[] = {
     {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP, NULL,
-	"speed down by 0.1 m/s; or move what Tab chose to the left"},
+	"slider of the page to the left: speed by 0.1 m/s, generation, cell",
+	"the slider of the page"},
     {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move, STEP, NULL,
-	"speed up by 0.1 m/s; or move what Tab chose to the right"},
+	"slider of the page to the right", NULL},
     {KEY_SLEFT, "Shift-Left, H", ON_ALL | FIRST_ON_PREDICT, act_move, -FAST,
-	NULL, "speed down by 1 m/s; or ten generations"},
+	NULL, "speed down by 1 m/s; or ten generations",
+	"by 1 m/s, 10 generations"},
     {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT, act_move, FAST,
-	NULL, "speed up by 1 m/s; or ten generations"},
+	NULL, "speed up by 1 m/s; or ten generations", NULL},
     {KEY_NPAGE, "PgDn", ON_ALL | FIRST_ON_PREDICT, act_move, -FAR, NULL,
-	"speed down by 5 m/s; or fifty generations"},
+	"speed down by 5 m/s; or fifty generations",
+	"by 5 m/s, 50 generations"},
     {KEY_PPAGE, "PgUp", ON_ALL | FIRST_ON_PREDICT, act_move, FAR, NULL,
-	"speed up by 5 m/s; or fifty generations"},
+	"speed up by 5 m/s; or fifty generations", NULL},
     {KEY_HOME, "Home, g", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_LEAST, NULL,
-	"to the slow end of the track; to the first of a list"},
+	"to the slow end of the track; to the first of a list", "to its ends"},
     {KEY_END, "End, G", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_MOST, NULL,
-	"to the fast end of the track; to the last of a list"},
+	"to the fast end of the track; to the last of a list", NULL},
+    {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_speed, 0, NULL,
+	"type a speed: =72.5 Enter", "a speed: =72.5 Enter"},
     {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_run_speed, -1, NULL,
-	"to the slowest run"},
+	"to the slowest run", "slowest, fastest, middle"},
     {']', "]", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 1, NULL,
-	"to the fastest run"},
+	"to the fastest run", NULL},
     {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 0, NULL,
-	"to the middle of the runs"},
+	"to the middle of the runs", NULL},
     {'t', "t", ON_ALL, act_goal, 0, NULL,
-	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none"},
+	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none",
+	"goal"},
     {'n', "n", ON_ALL | AT_SPEED, act_limit, 1, NULL,
-	"to the next speed where the goal begins or ends, or run"},
-    {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, NULL, "to the one before"},
+	"to the next speed where the goal begins or ends, or run",
+	"its limits, or runs"},
+    {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, NULL, "to the one before",
+	NULL},
     {'N', "N", ON_ALL | AT_SPEED, act_best, 0, NULL,
-	"to the best speed of the goal"},
+	"to the best speed of the goal", "its best speed"},
     {'y', "y", ON_PREDICT, act_quantity, 1, NULL,
-	"next quantity above the track: P80, P50 .."},
-    {'Y', "Y", ON_PREDICT, act_quantity, -1, NULL, "the one before"},
-    {'\t', "Tab", ON_ALL, act_focus, 1, NULL,
-	"choose what arrows move: speed, crosshair, generation, list"},
-    {KEY_BTAB, "Shift-Tab", ON_ALL, act_focus, -1, NULL,
-	"choose the previous one"},
-    {'1', "1", ON_ALL, act_page, PAGE_PREDICT, NULL, "page Predict"},
-    {'2', "2", ON_ALL, act_page, PAGE_FIT, NULL, "page Fit"},
-    {'3', "3", ON_ALL, act_page, PAGE_DATA, NULL, "page Data"},
-    {'4', "4", ON_ALL, act_page, PAGE_PARITY, NULL, "page Parity"},
-    {'5', "5", ON_ALL, act_page, PAGE_SITES, NULL, "page Sites"},
+	"next quantity above the track: P80, P50 ..", "other quantity"},
+    {'Y', "Y", ON_PREDICT, act_quantity, -1, NULL, "the one before", NULL},
+    {'1', "1", ON_ALL, act_page, PAGE_PREDICT, NULL, "page Predict", "pages"},
+    {'2', "2", ON_ALL, act_page, PAGE_FIT, NULL, "page Fit", NULL},
+    {'3', "3", ON_ALL, act_page, PAGE_DATA, NULL, "page Data", NULL},
+    {'4', "4", ON_ALL, act_page, PAGE_PARITY, NULL, "page Parity", NULL},
+    {'5', "5", ON_ALL, act_page, PAGE_SITES, NULL, "page Sites", NULL},
     {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_list, -1, NULL,
-	"up in a list; to a higher passing for the crosshair's sizes"},
+	"up in a list; crosshair to a coarser sieve", "a row, the sieve read"},
     {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_list, 1, NULL,
-	"down in a list; to a lower passing"},
+	"down in a list; crosshair to a finer sieve", NULL},
     {'\n', "Enter", ON_FIT, act_bounds, 0, NULL,
-	"type bounds of the parameter Up and Down choose"},
+	"type bounds of the parameter Up and Down choose",
+	"bounds of the parameter"},
     {'.', ".", ON_FIT, act_generation, 0, NULL,
-	"one step of the search, then wait; or the next one"},
+	"one step of the search, then wait; or the next one", "one generation"},
     {'\n', "Enter", ON_PREDICT, act_numbers, 0, NULL,
-	"all numbers, also those of what is pinned"},
+	"all numbers, also those of what is pinned", "all numbers"},
     {'\n', "Enter", ON_PARITY | ON_SITES, act_choose, 0, NULL,
-	"open the chosen row: use a site"},
+	"open the chosen row: use a site", "use the site"},
     {'\n', "Enter", ON_DATA, act_mend, 0, NULL,
-	"mend the doubtful cell; u takes it back"},
+	"mend the doubtful cell; u takes it back", "mend the cell"},
     {'!', "!", ON_DATA, act_doubt, 0, NULL,
-	"to the next doubtful cell of the sheet"},
+	"to the next doubtful cell of the sheet", "next doubtful cell"},
     {'o', "o", ON_SITES, act_sort, 1, NULL,
-	"sort by the next column, or click a heading"},
-    {'O', "O", ON_SITES, act_sort, -1, NULL, "sort the other way round"},
+	"sort by the next column, or click a heading", "sort"},
+    {'O', "O", ON_SITES, act_sort, -1, NULL, "sort the other way round", NULL},
     {'/', "/", ON_ALL | FIRST_ON_LISTS, act_filter, 0, NULL,
-	"show the rows of a list that have a word; search a text"},
+	"show the rows of a list that have a word; search a text",
+	"find a word"},
     {ESCAPE, "Esc", ON_ALL, act_back, 0, NULL,
-	"one step back: from a word, the crosshair, a page; never quits"},
+	"one step back: from a word, the crosshair, a page; never quits",
+	"back"},
     {'o', "o", ON_ALL & ~ON_SITES, act_files, 0, NULL,
-	"open a sheet: a list of files, with a preview of each"},
+	"open a sheet: a list of files, with a preview of each",
+	"open a sheet"},
     {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_cross, 0, NULL,
-	"crosshair on or off: reads the curves at a sieve"},
+	"crosshair on or off: reads the curves at a sieve", "crosshair"},
+    {'<', "<", ON_PREDICT, act_level, -5, NULL,
+	"sizes of the crosshair at a passing 5 % lower", "its passing"},
+    {'>', ">", ON_PREDICT, act_level, 5, NULL, "at one 5 % higher", NULL},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0, NULL,
-	"uncertainty band on or off, if known"},
+	"uncertainty band on or off, if known", "band"},
     {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0, NULL,
-	"runs that correct the answer: all, the training runs, none"},
+	"runs that correct the answer: all, the training runs, none",
+	"runs that correct it"},
     {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_pin, 0, NULL,
-	"pin this prediction for comparison; again: unpin"},
+	"pin this prediction for comparison; again: unpin", "pin, unpin"},
     {'v', "v", ON_FIT, act_picture, 0, NULL,
-	"the next plot: search, curves, convergence, spread"},
+	"the next plot: search, curves, convergence, spread", "next plot"},
     {'r', "r", ON_PREDICT, act_runs, 0, NULL,
-	"all runs, measured and predicted; again: back"},
+	"all runs, measured and predicted; again: back", "all runs"},
     {'f', "f", ON_ALL | FIRST_ON_FIT | CHANGES, act_fit, 0, NULL,
-	"calibrate, or start again"},
+	"calibrate, or start again", "calibrate"},
     {' ', "Space", ON_ALL | FIRST_ON_FIT, act_hold, 0, NULL,
-	"pause or resume the calibration; once stopped: continue"},
+	"pause or resume the calibration; once stopped: continue",
+	"pause, continue"},
     {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0, NULL,
-	"stop the calibration and keep the best"},
-    {'+', "+, =", ON_ALL | FIRST_ON_FIT, act_pace, 1, NULL,
-	"more generations a second"},
-    {'-', "-", ON_ALL | FIRST_ON_FIT, act_pace, -1, NULL,
-	"fewer generations a second"},
-    {'d', "d", ON_ALL | AT_SPEED, act_describe, 0, "describe",
-	"describe the plot of the page in words"},
-    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0, NULL,
-	"export the prediction, a pinned one too: .xlsx, .csv, .svg"},
-    {':', ":", ON_ALL | AT_SPEED, act_type, 0, NULL,
-	"a command: find, spec, bounds ..; Tab completes, Up repeats"},
-    {'u', "u", ON_ALL | CHANGES, act_command, 0, "undo",
-	"undo the last change"},
-    {'U', "U", ON_ALL | CHANGES, act_command, 0, "redo", "redo it"},
-    {'w', "w", ON_ALL | AT_SPEED, act_save, 0, NULL,
-	"save the session as a script, under the name that is proposed"},
-    {'V', "V", ON_ALL, act_again, 0, NULL,
-	"show the last text again: an answer, a report"},
-    {KEY_F(1), "?, F1", ON_ALL, act_help, 0, NULL, "this list"},
-    {'M', "M", ON_ALL, act_mouse, 0, NULL,
-	"mouse on or off; Shift and drag selects text"},
-    {CONTROL('L'), "^L", ON_ALL, act_redraw, 0, NULL, "redraw"},
+	"stop the calibration and keep the best", "stop, keep the best"},
     {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop, 0, NULL,
-	"stop the calibration and keep the best"},
-    {SUSPEND, "^Z", ON_ALL, act_suspend, 0, NULL,
-	"to the shell; fg comes back"},
-    {'q', "q", ON_ALL, act_leave, 0, NULL, "quit full-screen mode"},
+	"stop the calibration and keep the best", NULL},
+    {'+', "+", ON_ALL | FIRST_ON_FIT, act_pace, 1, NULL,
+	"more generations a second", "faster, slower display"},
+    {'-', "-", ON_ALL | FIRST_ON_FIT, act_pace, -1, NULL,
+	"fewer generations a second", NULL},
+    {'d', "d", ON_ALL | AT_SPEED, act_describe, 0, "describe",
+	"describe the plot of the page in words", "plot in words"},
+    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0, NULL,
+	"export the prediction, a pinned one too: .xlsx, .csv, .svg", "export"},
+    {':', ":", ON_ALL | AT_SPEED, act_type, 0, NULL,
+	"a command: find, spec, bounds ..; Tab completes, Up repeats",
+	"command"},
+    {'u', "u", ON_ALL | CHANGES, act_command, 0, "undo", "undo the last change",
+	"undo, redo"},
+    {'U', "U", ON_ALL | CHANGES, act_command, 0, "redo", "redo it", NULL},
+    {'w', "w", ON_ALL | AT_SPEED, act_save, 0, NULL,
+	"save the session as a script, under the name that is proposed",
+	"save the session"},
+    {'V', "V", ON_ALL, act_again, 0, NULL,
+	"show the last text again: an answer, a report", "last text again"},
+    {KEY_F(1), "?, F1", ON_ALL, act_help, 0, NULL, "this list", "this list"},
+    {'M', "M", ON_ALL, act_mouse, 0, NULL,
+	"mouse on or off; Shift and drag selects text", "mouse"},
+    {CONTROL('L'), "^L", ON_ALL, act_redraw, 0, NULL, "redraw", "redraw"},
+    {SUSPEND, "^Z", ON_ALL, act_suspend, 0, NULL, "to the shell; fg comes back",
+	"to the shell"},
+    {'q', "q", ON_ALL, act_leave, 0, NULL, "quit full-screen mode", "quit"},
     {.code = 0}};
 
 /* Whether one of the names of a row, "Left, h", is this. */
@@ -164,7 +179,8 @@ keys_code(const char *name, int *code)
 		const char *name;
 		int code;
 	} MORE[] = {{"Backspace", KEY_BACKSPACE}, {"Delete", KEY_DC},
-	    {"<-", KEY_LEFT}, {"->", KEY_RIGHT}};
+	    {"<-", KEY_LEFT}, {"->", KEY_RIGHT}, {"Tab", '\t'},
+	    {"Shift-Tab", KEY_BTAB}};
 	*code = (unsigned char)name[0];
 	if (name[0] != '\0' && name[1] == '\0')
 		return *code > ' ' && *code < 127;
@@ -203,11 +219,27 @@ is_own(const struct key *k, enum page page)
 	return pages & (1U << page);
 }
 
+/* "  Up Down       a row": with the keys that go with it, as far as there is
+ * room. */
+static char *
+brief_line(const struct key *k)
+{
+	enum { ROOM = 13 };
+	char *names = xstrndup(k->name, strcspn(k->name, ","));
+	for (const struct key *next = k + 1;
+	     next->code != 0 && next->brief == NULL; next++) {
+		size_t n = strcspn(next->name, ",");
+		if (strlen(names) + 1 + n <= ROOM)
+			xappend(&names, " %.*s", (int)n, next->name);
+	}
+	char *line = xasprintf("  %-*s %s", ROOM, names, tr(k->brief));
+	free(names);
+	return line;
+}
+
 static char *
 line_of(const struct key *k)
 {
-	if (k->code == 0)
-		return xstrdup(tr(k->what));
 	return xasprintf("  %-15s %s%s", k->name, tr(k->what), tr(only_on(k)));
 }
 
@@ -220,35 +252,37 @@ has_word(const struct key *k, const char *word)
 	return has;
 }
 
-enum { LINES_MOST = ARRAY_LEN(KEYS) + 1 };
-
-/* The lines of the list, headings with a code of 0; returns how many. */
-static size_t
-list_lines(
-    enum page page, const char *word, const struct key *line[static LINES_MOST])
+/* In brief a key of other pages is left out. */
+static bool
+is_listed(const struct key *k, enum page page)
 {
-	static const struct key HEADS[] = {
-	    {.what = N_("On this page")}, {.what = N_("On all pages")}};
+	return k->brief != NULL && k->where & (1U << page);
+}
+
+/* The keys of the list, the page's own first: all of the page in brief, or
+ * those with a word.  Returns how many. */
+static size_t
+list_keys(enum page page, const char *word,
+    const struct key *line[static ARRAY_LEN(KEYS)])
+{
 	size_t n = 0;
-	for (size_t part = 0; part < ARRAY_LEN(HEADS); part++) {
-		size_t head = n++;
-		line[head] = &HEADS[part];
+	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
-			if (is_own(k, page) == (part == 0) && has_word(k, word))
+			if (is_own(k, page) == own &&
+			    (word[0] != '\0' ? has_word(k, word)
+					     : is_listed(k, page)))
 				line[n++] = k;
-		if (n == head + 1)
-			n = head;
-	}
 	return n;
 }
 
 void
 keys_list(enum page page, const char *word, FILE *out)
 {
-	const struct key *line[LINES_MOST];
-	size_t n = list_lines(page, word, line);
+	const struct key *line[ARRAY_LEN(KEYS)];
+	size_t n = list_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
-		char *text = line_of(line[i]);
+		char *text =
+		    word[0] == '\0' ? brief_line(line[i]) : line_of(line[i]);
 		fprintf(out, "%s\n", text);
 		free(text);
 	}
@@ -259,36 +293,21 @@ keys_list(enum page page, const char *word, FILE *out)
 		       "  :apropos %s\n"),
 		    word, word);
 	if (word[0] == '\0')
-		fprintf(out,
-		    tr("  digits, Enter   type a speed: 74, 9.1, 012.5 (1 to "
-		       "%d "
-		       "are pages)\n"
-		       "  mouse           a click on the plot reads it there; "
-		       "on "
-		       "a "
-		       "row chooses it,\n"
-		       "                  again opens it; on a key's hint "
-		       "presses "
-		       "it; track: drag\n"),
-		    PAGES);
+		fputs(tr("  mouse         click, wheel, drag\n"), out);
 }
 
 const struct key *
 keys_nth(enum page page, const char *word, size_t n)
 {
-	const struct key *line[LINES_MOST];
-	size_t lines = list_lines(page, word, line);
-	return n < lines && line[n]->code != 0 ? line[n] : NULL;
+	const struct key *line[ARRAY_LEN(KEYS)];
+	return n < list_keys(page, word, line) ? line[n] : NULL;
 }
 
 size_t
 keys_count(enum page page, const char *word)
 {
-	const struct key *line[LINES_MOST];
-	size_t keys = 0, n = list_lines(page, word, line);
-	for (size_t i = 0; i < n; i++)
-		keys += line[i]->code != 0;
-	return keys;
+	const struct key *line[ARRAY_LEN(KEYS)];
+	return list_keys(page, word, line);
 }
 
 void
@@ -304,21 +323,21 @@ keys_manual(FILE *out)
 			fprintf(out, "Runs\n.Ic %s .\n", k->command);
 	}
 	fprintf(out,
-	    ".It digits, Enter\nType a speed; 1 to %d are pages, so that one "
-	    "which begins with them\nis typed with a 0 before it: 012.5.\n"
 	    ".It mouse\nClick on the track or drag along it to set the "
 	    "speed;\nthe wheel over it or the plot moves it by 0.1 m/s.\n"
 	    "A click on the plot puts the crosshair on the nearest sieve and "
 	    "says what\nis drawn there, one on a row chooses it, a second one "
 	    "opens it.\nThe name of a page opens it; a hint in the last row is "
 	    "its key, and the row\nof the command begins one.\nOver a list or "
-	    "a text the wheel goes through it.\n.El\n",
-	    PAGES);
+	    "a text the wheel goes through it.\n.El\n");
 }
 
 void
 keys_texts(void (*print)(const char *text, FILE *out), FILE *out)
 {
-	for (const struct key *k = KEYS; k->code != 0; k++)
+	for (const struct key *k = KEYS; k->code != 0; k++) {
 		print(k->what, out);
+		if (k->brief != NULL)
+			print(k->brief, out);
+	}
 }

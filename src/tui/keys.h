@@ -21,8 +21,8 @@ const struct key *keys_find(int code, enum page page);
 bool keys_code(const char *name, int *code);
 
 /* For the ? page: a line for each key whose line has the word, without regard
- * to case; all for "".  The page's own come first, under a heading.  keys_nth:
- * the key of line n, or NULL; keys_count: how many keys there are. */
+ * to case, the page's own first; for "" all keys of the page, in brief.
+ * keys_nth: the key of line n, or NULL; keys_count: how many keys there are. */
 void keys_list(enum page page, const char *word, FILE *out);
 const struct key *keys_nth(enum page page, const char *word, size_t n);
 size_t keys_count(enum page page, const char *word);

@@ -16,27 +16,15 @@ pages_open(const struct tui *t)
 	return PAGE_OPS[t->ui.page];
 }
 
-bool
-pages_can_focus(const struct tui *t)
-{
-	const struct page_ops *ops = pages_open(t);
-	return ops->takes_focus || (ops->list != NULL && ops->list->n(t) > 0) ||
-	       (ops->can_focus != NULL && ops->can_focus(t));
-}
-
 void
 pages_go(struct tui *t, enum page page)
 {
 	if (t->ui.page != page) {
 		t->filter = (struct edit){0};
+		t->ui.cell.on = false;
 		tui_untouch(t);
 	}
 	t->ui.page = page;
-	const struct page_ops *ops = pages_open(t);
-	if (ops->takes_focus)
-		t->ui.focus = ops;
-	else if (t->ui.focus != ops || !pages_can_focus(t))
-		t->ui.focus = NULL;
 }
 
 void

@@ -143,10 +143,10 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	if (runs && entry->has_params)
 		column = draw_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
-	else if (!runs && t->current.site[0] != '\0') {
+	else if (!runs && t->view.current.site[0] != '\0') {
 		snprintf(text, sizeof text, tr("%s predicted%s"),
 		    ascii ? "#" : "\u2500",
-		    outlook_short(t->session, tui_entry(t), &t->shown));
+		    outlook_short(t->session, tui_entry(t), &t->view.shown));
 		column =
 		    draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
@@ -162,7 +162,7 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 		   : "\u2508",
 	    sample);
 	column = draw_name(t, column, SERIES_FEED, 0, text);
-	if (runs || t->current.site[0] == '\0')
+	if (runs || t->view.current.site[0] == '\0')
 		return;
 	column = draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));

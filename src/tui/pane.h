@@ -39,16 +39,11 @@ struct page_ops {
 	/* Draws its own caption of the track; false: the usual one. */
 	bool (*caption)(struct tui *t, const struct area *area);
 
-	/* Whether the arrows can move something of its own, so that Tab gives
-	 * it the focus; takes_focus: they always can, and do from the start. */
-	bool (*can_focus)(const struct tui *t);
-	bool takes_focus;
-
-	/* Its list: Tab and what moves in it give it the focus. */
+	/* Its list, which keys and mouse go through. */
 	const struct page_list *list;
 
 	/* What act_move, act_ends and act_list do to what it has; false: what
-	 * they do on all pages. */
+	 * they do to its list, else to the slider. */
 	bool (*move)(struct tui *t, const struct key *key);
 
 	/* A click on its plot, at values of the axes of that kind. */

@@ -16,6 +16,7 @@
 #include "tui/screen.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 /* Of the keys those that are not pressed yet, while there are any. */
 static char *keys_left;
@@ -30,8 +31,7 @@ press(struct tui *t, int code, bool special)
 	keymap_key(t, code, special);
 	t->clock++;
 	watch_pump(t);
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	if (!asks)
 		frame_draw(t);
 }
@@ -183,7 +183,7 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
 	control_begin(&t, s, &SCRIPT_WAYS);
-	control_predict(&t);
+	view_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
 		press(&t, '0' + request->page, false);

@@ -25,6 +25,8 @@
 #include "tui/tui_state.h"
 #include "cli/history.h"
 #include "tui/watch.h"
+#include "tui/word.h"
+#include "tui/view.h"
 
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
@@ -43,8 +45,8 @@ patience(const struct tui *t)
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
-		left = fmin(left, strip_wait(t));
-	return left > 0 ? left : 0;
+		left = fmin(left, fmin(strip_wait(t), word_wait(t)));
+	return left > 0 && !t->again.is ? left : 0;
 }
 
 /* A child process is stopped with us, as the shell waits for both. */
@@ -89,6 +91,8 @@ take_keys(struct tui *t)
 		keymap_key(t, code, special);
 		signals_let_in();
 	}
+	if (word_wait(t) <= 0)
+		keymap_held(t);
 	/* Its end does not come: keys are keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);
@@ -167,8 +171,7 @@ loop(struct tui *t)
 	while (!t->leave && !t->session->quit && signals_noted() == 0) {
 		t->clock = session_clock();
 		signals_watch_keys(true);
-		control_predict(t);
-		pages_update(t);
+		view_update(t);
 		show(t);
 		t->clock = session_clock();
 		take_keys(t);

@@ -114,9 +114,10 @@ char *
 tui_asks(const struct tui *t)
 {
 	char *where = tui_where(t);
-	char *line = t->pinned.site[0] != '\0' ? xasprintf("compare pinned %s",
-						     where + strlen("speed="))
-					       : xasprintf("predict %s", where);
+	char *line =
+	    t->view.pinned.site[0] != '\0'
+		? xasprintf("compare pinned %s", where + strlen("speed="))
+		: xasprintf("predict %s", where);
 	free(where);
 	return line;
 }

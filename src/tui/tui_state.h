@@ -151,8 +151,6 @@ struct tui_ways {
  * owned: a frame beside the open screen begins with a copy. */
 struct ui {
 	enum page page;
-	/* Of which page the arrows move what it has; NULL: the slider. */
-	const struct page_ops *focus;
 	int tenths;  /* of the slider */
 	double feed; /* m/s of the run whose feed is taken; 0: the mean */
 	struct quantity quantity; /* above the track */
@@ -164,8 +162,10 @@ struct ui {
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
 	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
-	/* The cell of the cursor on the page Data, and the first one shown. */
+	/* The cell of the cursor on the page Data, whether it is shown, and the
+	 * first cell that is. */
 	struct {
+		bool on;
 		size_t row, at, top, left;
 	} cell;
 	size_t top[PAGES]; /* the first row shown of a page's list */
@@ -175,31 +175,70 @@ struct ui {
 	bool sort_down;
 };
 
+/* All that a prediction follows from beside speed and feed: while it is the
+ * same, so are answers.  origin: a share in it. */
+struct basis {
+	const struct site *site;
+	struct origin *origin;
+	struct params params;
+	struct choices set;
+};
+
+/* What a prediction is of.  basis: counts those there were; generation: of a
+ * search under way, which has parameters of its own; tenths 0: of nothing. */
+struct view_key {
+	size_t basis, feed, generation;
+	int tenths;
+};
+
+/* What is shown and follows from the session and what is chosen, see view.h. */
+struct view {
+	struct basis basis;
+	size_t n_basis;
+	size_t revision; /* counts what may have changed the session */
+	struct view_key of;
+	double moved;            /* when the slider last was */
+	struct prediction shown; /* at the slider's speed; product.n 0: none */
+	bool formed;             /* it is of a search that was under way */
+	struct numbers current, reference, pinned; /* site "": none */
+	struct prediction
+	    pinned_whole;    /* whose numbers are in pinned, borrowed */
+	double holdout;      /* RMSE of the site in use, points, or NAN */
+	struct strip *strip; /* what is drawn there */
+	struct goal goal;    /* the one that is set, see goals.h */
+	struct envelope_check *envelope_check; /* owned, or NULL */
+	struct sheet sheet;                    /* of the Data page */
+	struct parity parity;                  /* of the Parity page */
+	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
+	size_t n_row;
+	int site_width[SITE_COLUMNS]; /* what the texts of each want */
+	int rows_at; /* tenths they are of; 0: of another session */
+};
+
+/* A letter that may begin a word, see word.h.  held: what it does as a key, and
+ * has not done yet; was: what was chosen before it. */
+struct word {
+	char letter;
+	double at;
+	const struct key *held;
+	struct ui was;
+};
+
 struct tui {
 	struct session *session;
 	const struct tui_ways *ways;
 	struct layout layout;
 	struct ui ui;
+	struct view view;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
-	double clock;   /* s; a step with every key where it is drawn aside */
-	double started; /* the search or its last part, by that clock */
-	double ran;     /* s of its parts before */
-	struct strip *strip; /* what is drawn there */
-	struct goal goal;    /* the one that is set, see goals.h */
+	double clock;    /* s; a step with every key where it is drawn aside */
+	double started;  /* the search or its last part, by that clock */
+	double ran;      /* s of its parts before */
 	bool goal_field; /* the line typed is that; fresh: as it was offered */
 	bool goal_fresh;
 	const struct key *wish; /* of its speeds, pressed before they are */
 	int wish_from;          /* known, and where the slider then stood */
-	struct {
-		int tenths; /* 0: not yet */
-		size_t feed_run;
-	} request;               /* what was last predicted */
-	double moved;            /* when the slider last was */
-	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	struct numbers current, reference, pinned; /* site "": none */
-	struct prediction
-	    pinned_whole; /* whose numbers are in pinned, borrowed */
 	bool mouse;
 	struct hits hits; /* of the frame shown */
 	struct {
@@ -208,26 +247,18 @@ struct tui {
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
 	const struct page_ops *shows; /* whose these are */
-	struct sheet sheet;           /* of the Data page */
-	struct parity parity;         /* of the Parity page */
-	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
-	size_t n_row;
-	int site_width[SITE_COLUMNS]; /* what the texts of each want */
-	int rows_at;     /* tenths they are of; 0: of another session */
-	size_t revision; /* counts what may have changed the session */
-	struct envelope_check *envelope_check; /* owned, or NULL */
-	char *under_way;                       /* line that is run, or NULL */
-	bool of_script;                        /* it is one of a script */
-	bool stopping;                         /* a key stops it */
-	double ran_from;   /* when it or its script began, s */
-	double drawn_at;   /* when that was last drawn */
+	char *under_way;              /* line that is run, or NULL */
+	bool of_script;               /* it is one of a script */
+	bool stopping;                /* a key stops it */
+	double ran_from;              /* when it or its script began, s */
+	double drawn_at;              /* when that was last drawn */
 	const char *begun; /* what takes a moment just now, or NULL */
 	bool held;         /* the calibration waits */
 	double due;        /* when the next generation is */
-	double holdout;    /* RMSE of the site in use, points, or NAN */
 	struct edit line;  /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* a word that rows of a list must have */
+	struct word word;
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;
@@ -240,7 +271,6 @@ struct tui {
 	bool bad;             /* the message is an error */
 	bool told;            /* it is of the command that moved the slider */
 	bool left_out;        /* the panel has more than it shows */
-	bool formed;          /* `now` is of a search that was under way */
 	const char *question; /* that waits for an answer, or NULL */
 	const struct inquiry *inquiry; /* likewise, for a line */
 	struct edit answer;            /* that line */
@@ -248,7 +278,8 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} pointed;  /* the key that the mouse pressed for an answer */
+	} pointed,  /* the key that the mouse pressed for an answer */
+	    again;  /* the key that is to be read next */
 	FILE *said; /* what commands print */
 	char *said_text;
 	size_t said_n;

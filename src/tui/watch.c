@@ -44,7 +44,6 @@ watch_keep(struct tui *t)
 	session_settle(s, true, &error);
 	t->ran = tui_searched(t);
 	t->held = false;
-	t->request.tenths = 0;
 	control_look(t);
 	const char *said =
 	    useless != NULL ? useless
@@ -85,7 +84,7 @@ finish(struct tui *t)
 		tui_say(t, false,
 		    t->ui.page == PAGE_FIT
 			? N_("calibrated: %s, RMSE %.2f points, %zu "
-			     "generations; Tab, arrows: show them")
+			     "generations; Left, Right: show them")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations"),
 		    light_verdict(t->session, entry, NULL),
@@ -141,7 +140,6 @@ watch_step(struct tui *t)
 	do
 		session_step(t->session);
 	while (session_busy(t->session) && is_drawing(t->session));
-	t->request.tenths = 0;
 	if (!session_busy(t->session))
 		finish_rounds(t, rounds);
 }
@@ -188,8 +186,6 @@ watch_pump(struct tui *t)
 		(!signals_waited_for() && session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / pace_now(t);
-	if (entry == s->current && rounds->at == NULL)
-		t->request.tenths = 0;
 	if (!session_busy(s))
 		finish_rounds(t, rounds);
 	else if (rounds->at == NULL && entry != s->job.entry)

@@ -627,6 +627,31 @@ fields_are_shaded_and_labelled(void **state)
 	chart_free(chart);
 }
 
+/* Where the ends of both axes are the middles of cells at the edge. */
+static void
+bare_data_have_all_cells(void **state)
+{
+	(void)state;
+	struct axis x = {.title = strdup("a"), .low = 0.5, .high = 4.5},
+		    y = axis_linear("b", 0, 2);
+	struct chart *chart = chart_new("title", "made up", x, y);
+	struct chart_series *s = chart_add(chart, SOLID, 4, "curve");
+	for (size_t i = 0; i < 4; i++) {
+		s->x[i] = (double)i + 1;
+		s->y[i] = i < 2 ? 0 : 2;
+	}
+	struct canvas *c = chart_draw(chart, 4, 2, CHARSET_ASCII, CHART_BARE);
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&text, &n);
+	canvas_print(c, 0, memory);
+	fclose(memory);
+	assert_string_equal(text, "  vv\nvv\n");
+	free(text);
+	canvas_free(c);
+	chart_free(chart);
+}
+
 int
 main(void)
 {
@@ -649,6 +674,7 @@ main(void)
 	    cmocka_unit_test(a_band_is_no_thicker_than_it_is),
 	    cmocka_unit_test(a_strip_lies_below_its_chart),
 	    cmocka_unit_test(values_are_read_off_straight_on_the_log),
-	    cmocka_unit_test(fields_are_shaded_and_labelled)};
+	    cmocka_unit_test(fields_are_shaded_and_labelled),
+	    cmocka_unit_test(bare_data_have_all_cells)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,6 +18,7 @@
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 static int
 stage_open(void **state)
@@ -37,8 +38,7 @@ press(struct tui *t, const char *name)
 	keymap_key(t, code, code > 255);
 	t->clock++;
 	watch_pump(t);
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 }
 

@@ -21,6 +21,7 @@
 #include "tui/script_terminal.h"
 #include "tui/tui_state.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 /* SplitMix64: the same walk from the same seed everywhere. */
 static uint64_t state_of;
@@ -185,8 +186,7 @@ go_on(struct tui *t)
 {
 	t->clock += (double)below(3) * 0.3;
 	watch_pump(t);
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 	t->leave = t->session->quit = t->session->wants_tui = false;
 }
@@ -248,8 +248,8 @@ walk(uint64_t seed)
 	assert_false(t.line.active || t.filter.active || t.ui.cross);
 	assert_null(t.viewer.text);
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
-	assert_null(t.ui.focus);
 	keymap_key(&t, 'q', false);
+	keymap_held(&t);
 	assert_true(t.leave);
 	control_end(&t);
 	canvas_free(screen_back(before));

@@ -18,6 +18,7 @@
 #include "tui/script_terminal.h"
 #include "tui/cmdline.h"
 #include "tui/watch.h"
+#include "tui/view.h"
 
 static int
 stage_open(void **state)
@@ -34,8 +35,7 @@ static void
 turn(struct tui *t)
 {
 	watch_pump(t);
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 }
 
@@ -49,8 +49,7 @@ press(struct tui *t, const char *names)
 		int code = 0;
 		assert_true(keys_code(name, &code));
 		keymap_key(t, code, code > 255);
-		control_predict(t);
-		pages_update(t);
+		view_update(t);
 		frame_draw(t);
 	}
 	free(copy);
@@ -180,9 +179,9 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 	assert_non_null(strstr(row_of(stage, 1), "rock^"));
 	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
 	/* Down goes down on the screen. */
-	t->ui.site_at = t->row[0].entry;
+	t->ui.site_at = t->view.row[0].entry;
 	press(t, "Down Down");
-	assert_int_equal(t->ui.site_at, t->row[2].entry);
+	assert_int_equal(t->ui.site_at, t->view.row[2].entry);
 }
 
 static void
@@ -193,7 +192,7 @@ a_name_is_cut_when_nothing_else_is_left(void **state)
 	const char *name = "a quarry with a name of fifty letters, no, of more";
 	free(t->session->entry[0].key);
 	t->session->entry[0].key = xstrdup(name);
-	t->rows_at = 0;
+	t->view.rows_at = 0;
 	press(t, "5");
 	assert_non_null(strstr(row_of(stage, 2), name));
 	assert_non_null(strstr(row_of(stage, 1), "light"));
@@ -217,9 +216,9 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	press(t, "3");
 	const char *row = row_of(stage, 9);
 	assert_non_null(strstr(row, "15.82!"));
-	assert_int_equal(t->sheet.doctor.n, 1);
+	assert_int_equal(t->view.sheet.doctor.n, 1);
 	press(t, "!");
-	assert_ptr_equal(t->ui.focus, &page_data);
+	assert_true(t->ui.cell.on);
 	assert_int_equal(t->ui.cell.row, 7);
 	assert_int_equal(t->ui.cell.at, 3);
 	bool said = false;
@@ -248,11 +247,10 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 	assert_null(strstr(row_of(stage, 1), "feed@69"));
 	const char *row = row_of(stage, t->cursor.row);
 	assert_non_null(strstr(row, "0.063"));
-	/* The slider again. */
-	int tenths = t->ui.tenths;
-	press(t, "Tab Left");
+	/* The slider is there by its number. */
+	press(t, "= 7 2 . 5 Enter");
 	assert_int_equal(t->ui.cell.at, 5);
-	assert_int_equal(t->ui.tenths, tenths - 1);
+	assert_int_equal(t->ui.tenths, 725);
 }
 
 /* ---- Parity ---- */
@@ -268,7 +266,7 @@ parity_has_the_statistics_of_validate(void **state)
 	desk_expect(stage->desk, "validate all");
 	control_look(t);
 	press(t, "4");
-	assert_int_equal(t->parity.n, 3);
+	assert_int_equal(t->view.parity.n, 3);
 	const struct session *s = t->session;
 	static const char *const PATHS[2][3] = {
 	    {"p20.rms_pct", "p50.rms_pct", "p80.rms_pct"},
@@ -276,11 +274,12 @@ parity_has_the_statistics_of_validate(void **state)
 		"corrected.p80.rms_pct"}};
 	for (size_t way = 0; way < 2; way++)
 		for (size_t i = 0; i < PSD_SIZES; i++)
-			assert_true(fabs(100 * t->parity.score[way][i].rms -
-					 session_known(s, "validate",
-					     PATHS[way][i])) < 1e-12);
+			assert_true(
+			    fabs(100 * t->view.parity.score[way][i].rms -
+				 session_known(s, "validate", PATHS[way][i])) <
+			    1e-12);
 	press(t, "Down Down");
-	const struct chart *chart = t->parity.chart;
+	const struct chart *chart = t->view.parity.chart;
 	struct chart_series **own = &chart->series[chart->n - 3];
 	assert_int_equal(t->ui.point_at, 2);
 	for (size_t i = 0; i < 3; i++) {
@@ -289,9 +288,9 @@ parity_has_the_statistics_of_validate(void **state)
 		assert_int_equal(own[i]->mark, of->mark);
 	}
 	/* A step of the slider compares nothing. */
-	const struct parity_point *was = t->parity.point;
-	press(t, "Tab Left");
-	assert_ptr_equal(t->parity.point, was);
+	const struct parity_point *was = t->view.parity.point;
+	press(t, "= 7 2 Enter");
+	assert_ptr_equal(t->view.parity.point, was);
 }
 
 /* Of one run each size has the mark that the legend says. */
@@ -307,7 +306,7 @@ one_run_has_a_mark_for_each_size(void **state)
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	control_look(t);
 	press(t, "4");
-	assert_int_equal(t->parity.n, 1);
+	assert_int_equal(t->view.parity.n, 1);
 	size_t n = 0;
 	for (int row = 2; row < 13; row++)
 		for (const char *c = row_of(stage, row), *end = c + PLOT;
@@ -352,8 +351,10 @@ small_screens_say_all_or_that_they_cut(void **state)
 	assert_true(frame_has(stage, 12, ".."));
 	resize(stage, 24, 80);
 	assert_true(frame_has(stage, 24, "alpha="));
-	press(t, "1 ?");
+	press(t, "1 ? /");
 	resize(stage, 12, 40);
+	assert_non_null(strstr(row_of(stage, 2), "Shift-Left"));
+	press(t, "b y");
 	assert_non_null(strstr(row_of(stage, 2), " .."));
 }
 

@@ -17,6 +17,7 @@
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
 #include "tui/tui_state.h"
+#include "tui/view.h"
 
 enum { ROWS = 30, COLUMNS = 100 };
 
@@ -25,8 +26,7 @@ settle(struct stage *stage)
 {
 	struct tui *t = &stage->t;
 	t->clock++;
-	control_predict(t);
-	pages_update(t);
+	view_update(t);
 	frame_draw(t);
 }
 
@@ -135,7 +135,7 @@ hints_are_their_keys(void **state)
 	settle(stage);
 	click(stage, "? keys");
 	assert_true(t->viewer.keys);
-	click(stage, "Esc back");
+	click(stage, "^L");
 	assert_null(t->viewer.text);
 	click(stage, ": predict");
 	assert_true(t->line.active);
@@ -166,7 +166,6 @@ a_row_is_chosen_and_opened(void **state)
 	press(stage, "Home Down Enter");
 	assert_string_equal(t->command, "use bro");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
-	assert_null(t->ui.focus);
 }
 
 static void
@@ -199,7 +198,7 @@ a_click_on_the_plot_reads_it(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	const struct psd *p = &t->shown.product;
+	const struct psd *p = &t->view.shown.product;
 	const struct area *plot = &t->layout.plot;
 	size_t read = 0, runs = 0, before = (size_t)-1;
 	for (int column = plot->column; column < plot->columns; column++) {
@@ -217,7 +216,7 @@ a_click_on_the_plot_reads_it(void **state)
 	}
 	assert_in_range(read, 8, p->n);
 	assert_in_range(runs, 1, plot->columns);
-	assert_true(t->ui.cross && t->ui.focus != NULL);
+	assert_true(t->ui.cross);
 }
 
 static void
@@ -239,12 +238,8 @@ escape_goes_back_one_step_and_never_quits(void **state)
 	press(stage, "Esc");
 	assert_true(t->ui.cross && t->viewer.text == NULL);
 	press(stage, "Esc");
-	assert_false(t->ui.cross || t->ui.focus != NULL);
-	press(stage, "2 Tab");
-	assert_non_null(t->ui.focus);
-	press(stage, "Esc");
-	assert_true(t->ui.focus == NULL && t->ui.page == PAGE_FIT);
-	press(stage, "Esc");
+	assert_false(t->ui.cross);
+	press(stage, "2 Esc");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	for (int i = 0; i < 3; i++) {
 		press(stage, "Esc");
@@ -342,7 +337,7 @@ a_click_in_the_list_of_keys_runs_it(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	press(stage, "?");
-	click(stage, "crosshair on or off");
+	click(stage, "crosshair");
 	assert_true(t->ui.cross && t->viewer.text == NULL);
 }
 
@@ -432,7 +427,7 @@ little_is_typed(void **state)
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
 			    : i == 3 ? strstr(t->line.text, ".xlsx") != NULL
 			    : i == 4 ? t->ui.band
-				     : t->pinned.site[0] != '\0';
+				     : t->view.pinned.site[0] != '\0';
 		if (!done)
 			fail_msg("%s: not done", ASKED[i].what);
 		press(stage, "Esc Esc Esc : use Space tierp Enter");

@@ -2,16 +2,16 @@
  * (validate_run), and sums their errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/comparison.h"
-#include "cmd/ask/answers.h"
-#include "cmd/fit/job.h"
-#include "cmd/fit/scores.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/xalloc.h"
 #include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/fit/job.h"
+#include "cmd/fit/scores.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/check/trust.h"

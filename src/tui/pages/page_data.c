@@ -60,7 +60,7 @@ cell_of(const struct sheet *h, size_t column, size_t row)
 static void
 head_text(const struct tui *t, size_t column, char text[static 48])
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	const struct run *run = &h->site->run[h->column[column].run];
 	bool feed = h->column[column].feed;
 	if (feed && !h->site->individual_feeds)
@@ -92,7 +92,7 @@ static void
 take_sheet(struct tui *t, const struct site *site)
 {
 	enum { LEAST = 9, GAP = 3 };
-	struct sheet *h = &t->sheet;
+	struct sheet *h = &t->view.sheet;
 	tui_forget_sheet(h);
 	h->site = site;
 	h->sieve = site_sieves(site, &h->n);
@@ -116,7 +116,7 @@ update(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
-	struct sheet *h = &t->sheet;
+	struct sheet *h = &t->view.sheet;
 	if (entry == NULL || entry->site->n_run == 0)
 		return;
 	if (entry->site != h->site)
@@ -171,7 +171,7 @@ doubt_of(const struct sheet *h, size_t column, size_t row)
 static void
 next_doubt(struct tui *t)
 {
-	struct sheet *h = &t->sheet;
+	struct sheet *h = &t->view.sheet;
 	size_t cells = h->n * h->n_column;
 	for (size_t i = 1; i <= cells; i++) {
 		size_t k = (t->ui.cell.at * h->n + t->ui.cell.row + i) % cells;
@@ -191,7 +191,7 @@ next_doubt(struct tui *t)
 static void
 mend(struct tui *t)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	const struct finding *f =
 	    h->n > 0 ? doubt_of(h, t->ui.cell.at, t->ui.cell.row) : NULL;
 	if (f == NULL) {
@@ -222,7 +222,7 @@ struct room {
 static bool
 has_prediction(const struct tui *t)
 {
-	return t->shown.product.n > 0;
+	return t->view.shown.product.n > 0;
 }
 
 /* Rows below the cells: what is said of the one under the cursor, and on a tall
@@ -232,7 +232,7 @@ enum { SAID = 3, SOURCE = 7 };
 static struct room
 room_for(const struct tui *t, const struct area *area)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	int rows = area->rows - 1 - (area->rows > 2 * SAID ? SAID : 0);
 	int columns =
 	    area->columns - SIEVES - (has_prediction(t) ? PREDICTED : 0);
@@ -254,11 +254,11 @@ first_of(size_t first, size_t at, size_t n, size_t room)
 static bool
 touch_cells(struct tui *t, const struct touched *touched)
 {
-	struct sheet *h = &t->sheet;
+	struct sheet *h = &t->view.sheet;
 	int by = touched->kind == HIT_UP ? -1 : 1;
 	if (touched->kind == HIT_DRAG)
 		return false;
-	t->ui.focus = &page_data;
+	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
 		t->ui.cell.row =
 		    (size_t)pane_moved((int)t->ui.cell.row, by, h->n);
@@ -276,9 +276,9 @@ static void
 draw_cell(struct tui *t, const struct area *area, int row, int from,
     size_t column, size_t i)
 {
-	const struct sheet *h = &t->sheet;
-	bool here = t->ui.focus == &page_data && t->ui.cell.at == column &&
-		    t->ui.cell.row == i;
+	const struct sheet *h = &t->view.sheet;
+	bool here =
+	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
 	bool doubtful = doubt_of(h, column, i) != NULL;
 	double x = cell_of(h, column, i);
 	char text[48];
@@ -304,7 +304,7 @@ static int
 draw_column(struct tui *t, const struct area *area, size_t rows, int from,
     size_t column)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	char text[48];
 	head_text(t, column, text);
 	bool trained = text[strlen(text) - 1] == '*';
@@ -321,8 +321,8 @@ static void
 draw_prediction(
     const struct tui *t, const struct area *area, size_t rows, int from)
 {
-	const struct sheet *h = &t->sheet;
-	const struct psd *psd = &t->shown.product;
+	const struct sheet *h = &t->view.sheet;
+	const struct psd *psd = &t->view.shown.product;
 	screen_text(area, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, tr("PRED"));
 	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
 	     i++) {
@@ -341,7 +341,7 @@ draw_prediction(
 static void
 draw_more(const struct tui *t, const struct area *area, struct room room)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	if (t->ui.cell.top > 0)
 		screen_text(area, 1, 0, LOOK_BOLD, "^");
 	if (t->ui.cell.top + room.rows < h->n)
@@ -354,7 +354,7 @@ draw_more(const struct tui *t, const struct area *area, struct room room)
 static int
 draw_cells(struct tui *t, const struct area *area, struct room room)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	int from = SIEVES;
 	screen_text(area, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
 	for (size_t i = t->ui.cell.top;
@@ -380,7 +380,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 static char *
 state_words(const struct tui *t)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	if (session_busy(t->session))
 		return xstrdup(
 		    tr("the cells are checked when the calibration ends"));
@@ -401,7 +401,7 @@ state_words(const struct tui *t)
 static char *
 cell_words(const struct tui *t)
 {
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	const struct sheet_column *c = &h->column[t->ui.cell.at];
 	const struct finding *f = doubt_of(h, t->ui.cell.at, t->ui.cell.row);
 	double x = cell_of(h, t->ui.cell.at, t->ui.cell.row);
@@ -426,9 +426,9 @@ cell_words(const struct tui *t)
 static int
 draw_said(const struct tui *t, const struct area *area, int row)
 {
-	bool here = t->ui.focus == &page_data;
+	bool here = t->ui.cell.on;
 	char *words = here ? cell_words(t) : state_words(t);
-	const struct sheet *h = &t->sheet;
+	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && doubt_of(h, t->ui.cell.at, t->ui.cell.row) != NULL;
 	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
@@ -441,7 +441,7 @@ draw_said(const struct tui *t, const struct area *area, int row)
 static void
 draw_source(const struct tui *t, const struct area *area, int row)
 {
-	const struct site *site = t->sheet.site;
+	const struct site *site = t->view.sheet.site;
 	const struct {
 		const char *what, *text;
 	} MORE[] = {{N_("machine"), site->machine},
@@ -488,7 +488,7 @@ draw(struct tui *t)
 {
 	const struct area area = pane_list_area(t);
 	const struct entry *entry = tui_entry(t);
-	struct sheet *h = &t->sheet;
+	struct sheet *h = &t->view.sheet;
 	if (entry == NULL || entry->site->n_run == 0) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
@@ -516,7 +516,7 @@ draw(struct tui *t)
 /* ---- Keys ---- */
 
 static bool
-can_focus(const struct tui *t)
+has_cells(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	return entry != NULL && entry->site->n_run > 0;
@@ -527,7 +527,7 @@ static void
 move_sideways(struct tui *t, int amount)
 {
 	enum { COLUMNS = 5 };
-	struct sheet *h = &t->sheet;
+	struct sheet *h = &t->view.sheet;
 	const struct area area = pane_list_area(t);
 	int rows = (int)room_for(t, &area).rows;
 	int columns = abs(amount) == STEP ? STEP : COLUMNS;
@@ -543,9 +543,9 @@ move_sideways(struct tui *t, int amount)
 static bool
 takes_cells(struct tui *t)
 {
-	if (can_focus(t) && t->sheet.site != tui_entry(t)->site)
+	if (has_cells(t) && t->view.sheet.site != tui_entry(t)->site)
 		take_sheet(t, tui_entry(t)->site);
-	return can_focus(t);
+	return has_cells(t);
 }
 
 /* What is seen to be chosen is mended. */
@@ -555,9 +555,9 @@ act_mend(struct tui *t, const struct key *key)
 	(void)key;
 	if (!takes_cells(t))
 		return;
-	if (t->ui.focus == &page_data)
+	if (t->ui.cell.on)
 		mend(t);
-	t->ui.focus = &page_data;
+	t->ui.cell.on = true;
 }
 
 void
@@ -566,25 +566,28 @@ act_doubt(struct tui *t, const struct key *key)
 	(void)key;
 	if (!takes_cells(t))
 		return;
-	t->ui.focus = &page_data;
+	t->ui.cell.on = true;
 	next_doubt(t);
 }
 
 static bool
 move(struct tui *t, const struct key *key)
 {
-	struct sheet *h = &t->sheet;
-	bool here = t->ui.focus == &page_data;
-	if ((!here && key->act != act_list) || !takes_cells(t))
+	struct sheet *h = &t->view.sheet;
+	if (!takes_cells(t))
 		return false;
-	t->ui.focus = &page_data;
+	/* The first key shows where the cursor is. */
+	bool here = t->ui.cell.on;
+	t->ui.cell.on = true;
+	if (!here)
+		return true;
 	if (key->act == act_ends)
 		t->ui.cell.row =
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
-	else if (key->act == act_list && here)
+	else if (key->act == act_list)
 		t->ui.cell.row =
 		    (size_t)pane_moved((int)t->ui.cell.row, key->amount, h->n);
-	else if (key->act == act_move)
+	else
 		move_sideways(t, key->amount);
 	return true;
 }
@@ -595,5 +598,4 @@ const struct page_ops page_data = {.name = N_("Data"),
 	   "q quit  1-5 pages  : command"),
     .update = update,
     .draw = draw,
-    .can_focus = can_focus,
     .move = move};

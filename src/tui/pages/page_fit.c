@@ -21,7 +21,6 @@ touch_scrubber(struct tui *t, const struct touched *touched)
 	size_t n = tui_steps(t);
 	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
 		return false;
-	t->ui.focus = &page_fit;
 	int last = touched->area.columns - 1, at = touched->column;
 	if (n == 0 || last < 1)
 		return true;
@@ -54,11 +53,8 @@ caption(struct tui *t, const struct area *area)
 	int length = (int)strlen(label);
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
-	bool focus = t->ui.focus == &page_fit;
-	screen_text(
-	    area, 0, column, focus ? LOOK_REVERSE : LOOK_BOLD, "%s", label);
-	if (focus)
-		t->cursor = (struct cursor){area->row, column + 1};
+	screen_text(area, 0, column, LOOK_REVERSE, "%s", label);
+	t->cursor = (struct cursor){area->row, column + 1};
 	return true;
 }
 
@@ -135,15 +131,9 @@ hints(const struct tui *t)
 					       "? keys  q quit  s stop, "
 					       "keep  +/- pace  v plot")
 	       : tui_past(t).n > 0
-		   ? tr("f fit again  . next generation  ? keys  q quit  Tab "
-			"generations  Down Enter bounds  v plot")
+		   ? tr("<-/-> generation  f fit again  ? keys  q quit  "
+			"Down Enter bounds  v plot")
 		   : tr("f fit  ? keys  q quit  +/- pace  : command");
-}
-
-static bool
-can_focus(const struct tui *t)
-{
-	return tui_past(t).n > 0;
 }
 
 static void
@@ -178,14 +168,14 @@ act_picture(struct tui *t, const struct key *key)
 	t->ui.picture = NEXT[t->ui.picture];
 }
 
-/* Arrows to the sides go through the generations where these have the focus,
- * up and down through the parameters. */
+/* Arrows to the sides go through the generations, up and down through the
+ * parameters. */
 static bool
 move(struct tui *t, const struct key *key)
 {
 	if (key->act == act_list)
 		search_side_choose(t, key->amount);
-	else if (t->ui.focus != &page_fit)
+	else if (tui_past(t).n == 0)
 		return false;
 	else if (key->act == act_ends)
 		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
@@ -214,6 +204,5 @@ const struct page_ops page_fit = {.name = N_("Fit"),
     .wide_side = 58,
     .draw = draw,
     .caption = caption,
-    .can_focus = can_focus,
     .move = move,
     .words = words};

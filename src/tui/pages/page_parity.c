@@ -26,7 +26,7 @@ static void
 compare(struct tui *t, const struct entry *entry)
 {
 	const struct session *s = t->session;
-	struct parity *y = &t->parity;
+	struct parity *y = &t->view.parity;
 	struct error error = {0};
 	if (!entry->has_params || !answers_known(s, entry, &error))
 		return;
@@ -51,7 +51,7 @@ compare(struct tui *t, const struct entry *entry)
 static void
 choose_points(struct tui *t)
 {
-	struct parity *y = &t->parity;
+	struct parity *y = &t->view.parity;
 	const struct validation *v = &y->point[t->ui.point_at].v;
 	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
 	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
@@ -77,7 +77,7 @@ add_chosen(struct chart *chart)
 static void
 finish(struct tui *t)
 {
-	struct parity *y = &t->parity;
+	struct parity *y = &t->view.parity;
 	struct plot_request request = plots_request(PLOT_PARITY);
 	const struct validation **v = xcalloc(y->n + 1, sizeof(*v));
 	for (size_t k = 0; k < y->n; k++)
@@ -101,7 +101,7 @@ static void
 update(struct tui *t)
 {
 	const struct session *s = t->session;
-	struct parity *y = &t->parity;
+	struct parity *y = &t->view.parity;
 	if (session_busy(s) || y->chart != NULL || y->error.text[0] != '\0')
 		return;
 	while (y->next < s->n_entry) {
@@ -201,8 +201,8 @@ figures_of(const struct tui *t, const struct area *area)
 	static const int SETS[] = {ALL, FIGURES, FEW};
 	enum { LEAST = 8 };
 	int most = 0;
-	for (size_t k = 0; k < t->parity.n; k++) {
-		size_t entry = t->parity.point[k].entry;
+	for (size_t k = 0; k < t->view.parity.n; k++) {
+		size_t entry = t->view.parity.point[k].entry;
 		int width = text_width(t->session->entry[entry].key);
 		most = width > most ? width : most;
 	}
@@ -216,7 +216,7 @@ static void
 draw_point(const struct tui *t, const struct area *area, int row, size_t k,
     int figures)
 {
-	const struct parity_point *p = &t->parity.point[k];
+	const struct parity_point *p = &t->view.parity.point[k];
 	const struct entry *e = &t->session->entry[p->entry];
 	const struct run *run = &e->site->run[p->v.run];
 	unsigned look = k == t->ui.point_at ? LOOK_REVERSE : LOOK_PLAIN;
@@ -242,7 +242,7 @@ draw_point(const struct tui *t, const struct area *area, int row, size_t k,
 static void
 draw_points(struct tui *t, const struct area *area, int row)
 {
-	struct parity *y = &t->parity;
+	struct parity *y = &t->view.parity;
 	size_t room = area->rows > row + 1 ? (size_t)(area->rows - row - 1) : 0;
 	int figures = figures_of(t, area), from = area->columns - figures;
 	if (room == 0)
@@ -259,7 +259,7 @@ draw_points(struct tui *t, const struct area *area, int row)
 		    area->row + row, area->column, 1, area->columns};
 		draw_point(t, area, row, k, figures);
 		rows_touch(t, line, k);
-		if (t->ui.focus == &page_parity && k == t->ui.point_at)
+		if (k == t->ui.point_at)
 			t->cursor = (struct cursor){line.row, line.column};
 	}
 }
@@ -268,7 +268,7 @@ draw_points(struct tui *t, const struct area *area, int row)
 static void
 draw_panel(struct tui *t, const struct area *area)
 {
-	const struct parity *y = &t->parity;
+	const struct parity *y = &t->view.parity;
 	size_t sites = 0;
 	for (size_t k = 0; k < y->n; k++)
 		sites += k == 0 || y->point[k].entry != y->point[k - 1].entry;
@@ -290,7 +290,7 @@ static void
 draw_line(const struct tui *t, const struct area *area)
 {
 	const struct validate_score *score =
-	    &t->parity.score[VALIDATE_MODEL][1];
+	    &t->view.parity.score[VALIDATE_MODEL][1];
 	char r2[16] = "-";
 	if (!isnan(score->r2))
 		snprintf(r2, sizeof r2, "%.3f", score->r2);
@@ -305,7 +305,7 @@ draw_chart(const struct tui *t, const struct area *area)
 						   : CHART_TITLE;
 	if (area->rows < 1 || area->columns < 1)
 		return;
-	struct canvas *canvas = chart_draw(t->parity.chart, area->columns,
+	struct canvas *canvas = chart_draw(t->view.parity.chart, area->columns,
 	    area->rows, screen_charset(), words);
 	screen_canvas(area, canvas);
 	canvas_free(canvas);
@@ -316,7 +316,7 @@ static void
 draw_none(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
-	const struct parity *y = &t->parity;
+	const struct parity *y = &t->view.parity;
 	char *words = session_busy(s)
 			  ? xstrdup(tr("compared when the calibration ends"))
 		      : y->error.text[0] != '\0'
@@ -333,7 +333,7 @@ draw(struct tui *t)
 {
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
 	struct area plot = pane_list_area(t), side = plot;
-	if (t->parity.chart == NULL || t->parity.n == 0) {
+	if (t->view.parity.chart == NULL || t->view.parity.n == 0) {
 		draw_none(t, &plot);
 		return;
 	}
@@ -356,7 +356,7 @@ draw(struct tui *t)
 static size_t
 count(const struct tui *t)
 {
-	return t->parity.chart != NULL ? t->parity.n : 0;
+	return t->view.parity.chart != NULL ? t->view.parity.n : 0;
 }
 
 static size_t

@@ -29,7 +29,7 @@ draw_runs(struct tui *t)
 static void
 draw(struct tui *t)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	struct plot_request request = plots_request(PLOT_PSD);
 	if (tui_entry(t) == NULL) {
 		start_draw(t);
@@ -44,11 +44,11 @@ draw(struct tui *t)
 	request.speed = t->ui.tenths / 10.0;
 	request.feed_speed = t->ui.feed;
 	request.band = t->ui.band;
-	if (p->product.n > 0 && t->request.tenths == t->ui.tenths)
+	if (p->product.n > 0 && t->view.of.tenths == t->ui.tenths)
 		request.made = p;
 	request.level = t->ui.level;
-	if (t->pinned.site[0] != '\0') {
-		request.beside = t->pinned.site;
+	if (t->view.pinned.site[0] != '\0') {
+		request.beside = t->view.pinned.site;
 		request.kept = &t->session->pin->p;
 	}
 	if (t->ui.cross && t->ui.cross_at < p->product.n)
@@ -58,18 +58,11 @@ draw(struct tui *t)
 	panel_draw(t);
 }
 
-static bool
-can_focus(const struct tui *t)
+void
+act_level(struct tui *t, const struct key *key)
 {
-	return t->ui.cross;
-}
-
-/* Up is a higher passing. */
-static void
-move_level(struct tui *t, int by)
-{
-	enum { POINTS = 5, LEAST = 5, MOST = 95 };
-	int to = t->ui.level - by * POINTS;
+	enum { LEAST = 5, MOST = 95 };
+	int to = t->ui.level + key->amount;
 	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
@@ -83,7 +76,7 @@ act_numbers(struct tui *t, const struct key *key)
 	}
 	(void)key;
 	char *line = tui_asks(t);
-	if (t->shown.product.n == 0)
+	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
 		cmdline_show(t, line);
@@ -101,20 +94,13 @@ static bool
 move(struct tui *t, const struct key *key)
 {
 	/* Sieves stand coarsest first, the plot finest first. */
-	size_t n = t->shown.product.n;
+	size_t n = t->view.shown.product.n;
 	if (tui_entry(t) == NULL)
 		return start_move(t, key);
-	if (t->ui.focus != &page_predict)
+	if (!t->ui.cross || key->act != act_list)
 		return false;
-	if (key->act == act_ends)
-		t->ui.cross_at = key->amount == TO_LEAST && n > 0 ? n - 1 : 0;
-	else if (key->act == act_list)
-		move_level(t, key->amount);
-	else if (abs(key->amount) == STEP)
-		t->ui.cross_at =
-		    (size_t)pane_moved((int)t->ui.cross_at, -key->amount, n);
-	else
-		return false;
+	t->ui.cross_at =
+	    (size_t)pane_moved((int)t->ui.cross_at, key->amount, n);
 	return true;
 }
 
@@ -123,26 +109,23 @@ void
 act_cross(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->ui.cross = !t->ui.cross && t->shown.product.n > 0;
+	t->ui.cross = !t->ui.cross && t->view.shown.product.n > 0;
 	t->ui.runs = t->ui.runs && !t->ui.cross;
 	if (t->ui.cross && t->ui.cross_at == 0)
-		t->ui.cross_at = t->shown.product.n / 3;
+		t->ui.cross_at = t->view.shown.product.n / 3;
 	if (t->ui.cross)
 		pages_go(t, PAGE_PREDICT);
-	t->ui.focus = t->ui.cross ? &page_predict : NULL;
-	if (t->shown.product.n == 0)
+	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (t->ui.cross)
-		tui_say(t, false,
-		    "left and right: the sieve; up and down: the passing; Tab: "
-		    "the speed again");
+		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
 
 /* The nearest sieve by the ratio of sizes, as the axis has them. */
 static void
 cross_at(struct tui *t, double size)
 {
-	const struct psd *psd = &t->shown.product;
+	const struct psd *psd = &t->view.shown.product;
 	size_t best = 0;
 	for (size_t i = 1; i < psd->n; i++)
 		if (fabs(log(psd->size[i] / size)) <
@@ -162,18 +145,17 @@ point(struct tui *t, enum plot_kind kind, double x, double y)
 	if (!t->ui.cross)
 		return;
 	pages_go(t, PAGE_PREDICT);
-	t->ui.focus = &page_predict;
 	cross_at(t, x / 1000);
 }
 
 static char *
 words(const struct tui *t)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
-	if (t->pinned.site[0] != '\0')
+	if (t->view.pinned.site[0] != '\0')
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");
@@ -193,8 +175,8 @@ hints(const struct tui *t)
 	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "
 			  "quit  : command  d describe");
-	if (t->ui.focus == &page_predict)
-		return tr("<-/-> sieve  Up/Down passing  Tab speed  c no "
+	if (t->ui.cross)
+		return tr("<-/-> speed  Up/Down sieve  < > passing  c no "
 			  "crosshair  ? keys  q quit  : command");
 	if (undone)
 		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
@@ -222,7 +204,6 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .strip = true,
     .update = envelope_check_update,
     .draw = draw,
-    .can_focus = can_focus,
     .move = move,
     .point = point,
     .words = words};

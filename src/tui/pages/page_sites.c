@@ -290,12 +290,12 @@ is_behind(
 static void
 sort_rows(struct tui *t)
 {
-	for (size_t i = 1; i < t->n_row; i++) {
-		struct site_row row = t->row[i];
+	for (size_t i = 1; i < t->view.n_row; i++) {
+		struct site_row row = t->view.row[i];
 		size_t k = i;
-		for (; k > 0 && is_behind(t, &t->row[k - 1], &row); k--)
-			t->row[k] = t->row[k - 1];
-		t->row[k] = row;
+		for (; k > 0 && is_behind(t, &t->view.row[k - 1], &row); k--)
+			t->view.row[k] = t->view.row[k - 1];
+		t->view.row[k] = row;
 	}
 }
 
@@ -305,16 +305,16 @@ measure(struct tui *t)
 {
 	for (int c = 0; c < COLUMNS; c++) {
 		int most = text_width(tr(TABLE[c].head)) + (c == NAME ? 2 : 0);
-		for (size_t i = 0; i < t->n_row; i++) {
+		for (size_t i = 0; i < t->view.n_row; i++) {
 			char text[128];
-			cell_text(
-			    t, &t->row[i], (enum column)c, text, sizeof text);
+			cell_text(t, &t->view.row[i], (enum column)c, text,
+			    sizeof text);
 			int width = text_width(text);
 			most = width > most ? width : most;
 		}
 		/* The light of a site under way is in other words. */
 		most = c == LIGHT ? TABLE[c].least : most + GAP;
-		t->site_width[c] = most;
+		t->view.site_width[c] = most;
 	}
 }
 
@@ -324,23 +324,23 @@ static void
 update(struct tui *t)
 {
 	const struct session *s = t->session;
-	bool other = t->rows_at == 0 || t->n_row != s->n_entry;
-	if (!other && t->rows_at == t->ui.tenths)
+	bool other = t->view.rows_at == 0 || t->view.n_row != s->n_entry;
+	if (!other && t->view.rows_at == t->ui.tenths)
 		return;
 	if (other) {
-		free(t->row);
-		t->n_row = s->n_entry;
-		t->row = xcalloc(t->n_row + 1, sizeof *t->row);
-		for (size_t i = 0; i < t->n_row; i++)
-			t->row[i] = row_of(s, i);
+		free(t->view.row);
+		t->view.n_row = s->n_entry;
+		t->view.row = xcalloc(t->view.n_row + 1, sizeof *t->view.row);
+		for (size_t i = 0; i < t->view.n_row; i++)
+			t->view.row[i] = row_of(s, i);
 	}
-	for (size_t i = 0; i < t->n_row; i++)
-		row_at(&t->row[i], t);
+	for (size_t i = 0; i < t->view.n_row; i++)
+		row_at(&t->view.row[i], t);
 	if (other)
 		measure(t);
 	if (other || t->ui.sort == P50 + 1)
 		sort_rows(t);
-	t->rows_at = t->ui.tenths;
+	t->view.rows_at = t->ui.tenths;
 }
 
 /* The place of the site under the cursor. */
@@ -348,7 +348,7 @@ static size_t
 place_of(const struct tui *t)
 {
 	size_t k = 0;
-	while (k + 1 < t->n_row && t->row[k].entry != t->ui.site_at)
+	while (k + 1 < t->view.n_row && t->view.row[k].entry != t->ui.site_at)
 		k++;
 	return k;
 }
@@ -364,7 +364,7 @@ share_out(const struct tui *t, int columns, int width[static COLUMNS])
 		int c = 0;
 		while (TABLE[c].rank != rank)
 			c++;
-		int wanted = t->site_width[c];
+		int wanted = t->view.site_width[c];
 		int least = TABLE[c].least < wanted ? TABLE[c].least : wanted;
 		if (columns < least)
 			return;
@@ -538,13 +538,13 @@ draw(struct tui *t)
 	int row = HEAD;
 	share_out(t, area.columns, width);
 	draw_row(t, &area, 0, width, NULL);
-	for (; i < t->n_row && row < area.rows; i = rows_next(t, i), row++) {
+	for (; i < t->view.n_row && row < area.rows;
+	     i = rows_next(t, i), row++) {
 		struct area line = {
 		    area.row + row, area.column, 1, area.columns};
-		draw_row(t, &area, row, width, &t->row[i]);
+		draw_row(t, &area, row, width, &t->view.row[i]);
 		rows_touch(t, line, i);
-		if (t->ui.focus == &page_sites &&
-		    t->row[i].entry == t->ui.site_at)
+		if (t->view.row[i].entry == t->ui.site_at)
 			t->cursor = (struct cursor){line.row, 0};
 	}
 	if (rows_count(t) == 0)
@@ -556,14 +556,14 @@ draw(struct tui *t)
 static size_t
 count(const struct tui *t)
 {
-	return t->n_row;
+	return t->view.n_row;
 }
 
 static void
 to_place(struct tui *t, size_t i)
 {
-	if (i < t->n_row)
-		t->ui.site_at = t->row[i].entry;
+	if (i < t->view.n_row)
+		t->ui.site_at = t->view.row[i].entry;
 }
 
 /* All columns, whether there is room for them or not. */
@@ -572,10 +572,12 @@ text(const struct tui *t, size_t i)
 {
 	char *line = xstrdup(""), cell[64];
 	for (int c = 0; c < COLUMNS; c++) {
-		cell_text(t, &t->row[i], (enum column)c, cell, sizeof cell);
+		cell_text(
+		    t, &t->view.row[i], (enum column)c, cell, sizeof cell);
 		xappend(&line, "%s ", cell);
 	}
-	xappend(&line, "%s", t->session->entry[t->row[i].entry].site->name);
+	xappend(
+	    &line, "%s", t->session->entry[t->view.row[i].entry].site->name);
 	return line;
 }
 
@@ -643,5 +645,4 @@ const struct page_ops page_sites = {.name = N_("Sites"),
     .hints_now = hints,
     .update = update,
     .draw = draw,
-    .takes_focus = true,
     .list = &LIST};

@@ -23,23 +23,23 @@ is_wanted(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	return entry != NULL && entry->has_params && t->session->spec != NULL &&
-	       !session_busy(t->session) && t->shown.product.n > 0;
+	       !session_busy(t->session) && t->view.shown.product.n > 0;
 }
 
 void
 envelope_check_free(struct tui *t)
 {
-	if (t->envelope_check != NULL && t->envelope_check->open)
-		grading_close(&t->envelope_check->grading);
-	free(t->envelope_check);
-	t->envelope_check = NULL;
+	if (t->view.envelope_check != NULL && t->view.envelope_check->open)
+		grading_close(&t->view.envelope_check->grading);
+	free(t->view.envelope_check);
+	t->view.envelope_check = NULL;
 }
 
 static bool
 is_current(const struct tui *t)
 {
-	const struct envelope_check *l = t->envelope_check;
-	return l != NULL && l->revision == t->revision &&
+	const struct envelope_check *l = t->view.envelope_check;
+	return l != NULL && l->revision == t->view.revision &&
 	       l->feed == tui_feed(t);
 }
 
@@ -51,25 +51,27 @@ envelope_check_update(struct tui *t)
 		envelope_check_free(t);
 	if (!is_wanted(t))
 		return;
-	if (t->envelope_check == NULL) {
-		t->envelope_check = xcalloc(1, sizeof *t->envelope_check);
-		t->envelope_check->revision = t->revision;
-		t->envelope_check->feed = tui_feed(t);
-		t->envelope_check->open = grading_in_use(t->session,
-		    tui_entry(t), t->envelope_check->feed,
-		    &t->envelope_check->grading, &error);
+	if (t->view.envelope_check == NULL) {
+		t->view.envelope_check =
+		    xcalloc(1, sizeof *t->view.envelope_check);
+		t->view.envelope_check->revision = t->view.revision;
+		t->view.envelope_check->feed = tui_feed(t);
+		t->view.envelope_check->open = grading_in_use(t->session,
+		    tui_entry(t), t->view.envelope_check->feed,
+		    &t->view.envelope_check->grading, &error);
 	}
-	if (t->envelope_check->open &&
-	    t->envelope_check->tenths != t->ui.tenths)
-		forecast_at(t->envelope_check->grading.conditions.forecast,
-		    t->shown.speed);
-	t->envelope_check->tenths = t->ui.tenths;
+	if (t->view.envelope_check->open &&
+	    t->view.envelope_check->tenths != t->ui.tenths)
+		forecast_at(t->view.envelope_check->grading.conditions.forecast,
+		    t->view.shown.speed);
+	t->view.envelope_check->tenths = t->ui.tenths;
 }
 
 const struct grading *
 envelope_check_now(const struct tui *t)
 {
-	bool now = is_wanted(t) && is_current(t) && t->envelope_check->open &&
-		   t->envelope_check->tenths == t->ui.tenths;
-	return now ? &t->envelope_check->grading : NULL;
+	bool now = is_wanted(t) && is_current(t) &&
+		   t->view.envelope_check->open &&
+		   t->view.envelope_check->tenths == t->ui.tenths;
+	return now ? &t->view.envelope_check->grading : NULL;
 }

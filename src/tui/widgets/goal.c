@@ -30,26 +30,26 @@ enum { MANY = 4 };
 bool
 goal_known(const struct tui *t)
 {
-	return goals_known(t->session, &t->goal);
+	return goals_known(t->session, &t->view.goal);
 }
 
 bool
 goal_pending(const struct tui *t)
 {
-	return goals_pending(t->session, &t->goal, tui_feed(t));
+	return goals_pending(t->session, &t->view.goal, tui_feed(t));
 }
 
 double
 goal_best(const struct tui *t)
 {
-	return goals_best(t->session, &t->goal, t->ui.tenths / 10.0);
+	return goals_best(t->session, &t->view.goal, t->ui.tenths / 10.0);
 }
 
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
-	return goals_words(
-	    t->session, tui_entry(t), &t->goal, t->ui.tenths / 10.0, length);
+	return goals_words(t->session, tui_entry(t), &t->view.goal,
+	    t->ui.tenths / 10.0, length);
 }
 
 static const struct psd *
@@ -61,7 +61,7 @@ feed_of(const struct tui *t)
 size_t
 goal_limits(const struct tui *t, double *speed, size_t most)
 {
-	const struct goal *g = &t->goal;
+	const struct goal *g = &t->view.goal;
 	size_t n = 0;
 	if (!goal_known(t))
 		return 0;
@@ -79,7 +79,7 @@ goal_limits(const struct tui *t, double *speed, size_t most)
 bool
 goal_holds(const struct tui *t, double from, double to, bool *certain)
 {
-	const struct goal *g = &t->goal;
+	const struct goal *g = &t->view.goal;
 	bool holds = false;
 	*certain = false;
 	if (!goal_known(t))
@@ -100,7 +100,8 @@ act_goal(struct tui *t, const struct key *key)
 	(void)key;
 	const struct entry *entry = tui_entry(t);
 	/* What a search has found so far is shown, too. */
-	if (entry == NULL || (!entry->has_params && t->shown.product.n == 0)) {
+	if (entry == NULL ||
+	    (!entry->has_params && t->view.shown.product.n == 0)) {
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
 	}
@@ -232,7 +233,7 @@ most_told(const struct condition_list *list)
 void
 goal_step(struct tui *t)
 {
-	struct goal *g = &t->goal;
+	struct goal *g = &t->view.goal;
 	bool pending = goal_pending(t);
 	goals_step(t->session, tui_entry(t), g, tui_feed(t));
 	if (!pending || !goal_known(t) ||

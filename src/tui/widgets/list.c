@@ -16,20 +16,6 @@ list_of(const struct tui *t)
 	return t->picker.on ? t->picker.rows : pages_open(t)->list;
 }
 
-/* What lies over the page needs no focus. */
-static bool
-has_focus(const struct tui *t)
-{
-	return t->picker.on || t->ui.focus == pages_open(t);
-}
-
-static void
-take_focus(struct tui *t)
-{
-	if (!t->picker.on)
-		t->ui.focus = pages_open(t);
-}
-
 static void
 go(struct tui *t, size_t i)
 {
@@ -155,8 +141,7 @@ touch_row(struct tui *t, const struct touched *touched)
 	if (touched->kind != HIT_PRESS || list_of(t) == NULL)
 		return false;
 	size_t at = list_of(t)->at(t);
-	bool again = has_focus(t) && at == touched->item;
-	take_focus(t);
+	bool again = at == touched->item;
 	go(t, touched->item);
 	if (again)
 		open_row(t);
@@ -185,9 +170,9 @@ rows_wheel(struct tui *t, struct area area)
 	hits_add(&t->hits, area, touch_wheel, 0);
 }
 
-/* What is the list's while the arrows move in it only. */
+/* Keys that move the slider where there is no list. */
 static bool
-focused_move(struct tui *t, const struct key *key)
+list_moves(struct tui *t, const struct key *key)
 {
 	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
@@ -213,8 +198,7 @@ rows_move(struct tui *t, const struct key *key)
 	if (!has_rows(t))
 		return false;
 	if (key->act != act_list)
-		return has_focus(t) && focused_move(t, key);
-	take_focus(t);
+		return list_moves(t, key);
 	move(t, key->amount);
 	return true;
 }
@@ -241,7 +225,6 @@ act_filter(struct tui *t, const struct key *key)
 		    "have");
 		return;
 	}
-	t->ui.focus = pages_open(t);
 	t->message[0] = '\0';
 	t->filter.active = true;
 }

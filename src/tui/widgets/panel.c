@@ -47,7 +47,7 @@ struct wish {
 static bool
 is_pinned(const struct tui *t)
 {
-	return t->pinned.site[0] != '\0';
+	return t->view.pinned.site[0] != '\0';
 }
 
 /* Not 0 as shown. */
@@ -110,8 +110,8 @@ static struct wish
 speed_wish(const struct panel *p)
 {
 	const struct tui *t = p->t;
-	bool other =
-	    is_pinned(t) && strcmp(t->pinned.site, t->current.site) != 0;
+	bool other = is_pinned(t) &&
+		     strcmp(t->view.pinned.site, t->view.current.site) != 0;
 	return (struct wish){1, other ? 2 : 1};
 }
 
@@ -121,8 +121,9 @@ is_changed(const struct panel *p)
 {
 	bool changed = false;
 	for (int i = 0; i < PSD_SIZES && p->was != NULL; i++)
-		changed |= isfinite(p->was->size[i]) &&
-			   is_seen(p->t->current.size[i] - p->was->size[i], 2);
+		changed |=
+		    isfinite(p->was->size[i]) &&
+		    is_seen(p->t->view.current.size[i] - p->was->size[i], 2);
 	return changed;
 }
 
@@ -130,19 +131,21 @@ static void
 draw_speed(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
-	const bool since = p->was != NULL && p->was->speed != t->current.speed;
+	const bool since =
+	    p->was != NULL && p->was->speed != t->view.current.speed;
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->current.speed);
+	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->view.current.speed);
 	if (is_pinned(t))
-		screen_text(
-		    area, 0, FROM, LOOK_DIM, "vs pinned %.1f", t->pinned.speed);
+		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.1f",
+		    t->view.pinned.speed);
 	else if (since)
 		screen_text(
 		    area, 0, FROM, LOOK_DIM, "since %.1f", p->was->speed);
 	else if (is_changed(p))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
-		screen_text(area, 1, 0, LOOK_DIM, "pinned: %s", t->pinned.site);
+		screen_text(
+		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
 static struct wish
@@ -156,17 +159,16 @@ three(const struct panel *p)
 static bool
 touch_size(struct tui *t, const struct touched *touched)
 {
-	const struct psd *product = &t->shown.product;
+	const struct psd *product = &t->view.shown.product;
 	if (touched->kind != HIT_PRESS || product->n == 0)
 		return false;
 	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
-	double mm = t->shown.size[touched->item];
+	double mm = t->view.shown.size[touched->item];
 	t->ui.cross = true;
 	t->ui.cross_at = 0;
 	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
 	       product->size[t->ui.cross_at + 1] >= mm)
 		t->ui.cross_at++;
-	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -176,13 +178,13 @@ draw_sizes(struct panel *p, const struct area *area)
 	static const char *const NAME[PSD_SIZES] = {"P20", "P50", "P80"};
 	struct tui *t = p->t;
 	for (int i = 0; i < PSD_SIZES; i++) {
-		const double *range = t->shown.range[i];
+		const double *range = t->view.shown.range[i];
 		draw_name(area, i, LOOK_BOLD, NAME[i]);
-		draw_size(area, i, LOOK_BOLD, t->current.size[i]);
+		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
-			draw_change(
-			    area, i, t->current.size[i], p->was->size[i], 2);
+			draw_change(area, i, t->view.current.size[i],
+			    p->was->size[i], 2);
 		hits_add(&t->hits,
 		    (struct area){
 			area->row + i, area->column, 1, area->columns},
@@ -201,20 +203,21 @@ static void
 draw_break(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
-	const double *range = t->shown.range[ANSWERS_BREAK];
+	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	draw_name(area, 0, 0, tr("break"));
-	draw_size(area, 0, LOOK_PLAIN, t->current.break_mm);
+	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
 	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (p->was != NULL)
-		draw_change(area, 0, t->current.break_mm, p->was->break_mm, 2);
+		draw_change(
+		    area, 0, t->view.current.break_mm, p->was->break_mm, 2);
 	if (area->rows > 1)
 		screen_text(area, 1, 0, 0,
 		    area->columns < WIDE
 			? N_("%4.0f J/kg: %.0f %% broken")
 			: N_("%4.0f J/kg: %.0f %% of the feed breaks"),
-		    t->shown.energy, 100 * t->shown.selected);
+		    t->view.shown.energy, 100 * t->view.shown.selected);
 }
 
 /* Sizes that sand is sold by, mm. */
@@ -225,7 +228,7 @@ count_fractions(const struct panel *p)
 {
 	int n = 0;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n += !isnan(p->t->current.passing[i]);
+		n += !isnan(p->t->view.current.passing[i]);
 	return n;
 }
 
@@ -240,7 +243,7 @@ fractions_wish(const struct panel *p)
 static bool
 touch_fraction(struct tui *t, const struct touched *touched)
 {
-	const struct psd *product = &t->shown.product;
+	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
 	if (touched->kind != HIT_PRESS || product->n == 0)
 		return false;
@@ -250,7 +253,6 @@ touch_fraction(struct tui *t, const struct touched *touched)
 	       1000 * product->size[t->ui.cross_at] >
 		   near * FRACTION_MM[touched->item])
 		t->ui.cross_at++;
-	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -260,12 +262,12 @@ draw_shares(struct panel *p, const struct area *area, int row,
     const char *const name[NUMBERS_FRACTIONS], double all, const char *unit)
 {
 	struct tui *t = p->t;
-	const struct prediction *shown = &t->shown;
+	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
 	low.passing = shown->low;
 	high.passing = shown->high;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS && row < area->rows; i++) {
-		double now = t->current.passing[i], part = all / 100;
+		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
 		draw_name(area, row, 0, name[i]);
@@ -494,7 +496,7 @@ static struct wish
 worth_wish(const struct panel *p)
 {
 	const struct entry *entry = tui_entry(p->t);
-	int n = entry->has_fit + isfinite(p->t->holdout);
+	int n = entry->has_fit + isfinite(p->t->view.holdout);
 	return (struct wish){n > 0, n};
 }
 
@@ -502,11 +504,11 @@ static void
 draw_worth(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
-	bool held = isfinite(t->holdout);
+	bool held = isfinite(t->view.holdout);
 	int row = 0;
 	if (held)
-		screen_text(
-		    area, row++, 0, 0, "hold-out RMSE %.1f points", t->holdout);
+		screen_text(area, row++, 0, 0, "hold-out RMSE %.1f points",
+		    t->view.holdout);
 	if (tui_entry(t)->has_fit && row < area->rows)
 		screen_text(area, row, 0, 0, "fit RMSE %.2f points",
 		    100 * tui_entry(t)->fit.rmse);
@@ -611,7 +613,7 @@ static void
 take_light(struct panel *p)
 {
 	const struct tui *t = p->t;
-	p->light = light_of(t->session, tui_entry(t), &t->shown);
+	p->light = light_of(t->session, tui_entry(t), &t->view.shown);
 	if (p->light.n == 0)
 		return;
 	size_t first = 0;
@@ -640,10 +642,10 @@ draw_nothing(const struct tui *t)
 		return;
 	row += 2;
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
-	    t->pinned.speed, t->pinned.site);
+	    t->view.pinned.speed, t->view.pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
-		draw_size(side, row + i, LOOK_PLAIN, t->pinned.size[i]);
+		draw_size(side, row + i, LOOK_PLAIN, t->view.pinned.size[i]);
 	}
 }
 
@@ -651,18 +653,18 @@ void
 panel_draw(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	t->left_out = side->rows == 0 && t->current.site[0] != '\0';
+	t->left_out = side->rows == 0 && t->view.current.site[0] != '\0';
 	if (side->rows == 0)
 		return;
 	screen_wall(side->row, t->layout.wall, side->rows);
-	if (t->current.site[0] == '\0') {
+	if (t->view.current.site[0] == '\0') {
 		draw_nothing(t);
 		return;
 	}
 	struct panel p = {.t = t,
-	    .was = is_pinned(t)                   ? &t->pinned
-		   : t->reference.site[0] != '\0' ? &t->reference
-						  : NULL};
+	    .was = is_pinned(t)                        ? &t->view.pinned
+		   : t->view.reference.site[0] != '\0' ? &t->view.reference
+						       : NULL};
 	take_tonnes(&p);
 	take_light(&p);
 	draw_blocks(&p);
@@ -675,9 +677,9 @@ panel_words(struct tui *t)
 	const struct grading *g = envelope_check_now(t);
 	char *words = xstrdup("");
 	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
-	    t->current.site[0] == '\0')
+	    t->view.current.site[0] == '\0')
 		return words;
-	struct trust light = light_of(t->session, tui_entry(t), &t->shown);
+	struct trust light = light_of(t->session, tui_entry(t), &t->view.shown);
 	xlist(&words, ", ", tr("trust %s"), tr(LIGHT_NAME[light.light]));
 	trust_free(&light);
 	if (g != NULL)
@@ -710,20 +712,17 @@ void
 panel_row(struct tui *t)
 {
 	const struct area *area = &t->layout.numbers;
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	char a[24], b[24], c[24], d[24];
 	/* The list of sites tells of the marked one, which may be another. */
 	if (area->rows == 0 ||
 	    (t->ui.page == PAGE_SITES && t->ui.site_at != t->session->current))
 		return;
-	if (t->current.site[0] == '\0')
+	if (t->view.current.site[0] == '\0')
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
 	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
-		if (t->ui.focus == &page_predict)
-			t->cursor =
-			    (struct cursor){area->row, t->layout.side.column};
 		bool narrow = area->columns < 34;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
@@ -734,18 +733,18 @@ panel_row(struct tui *t)
 		    narrow ? short_size(mm, a) : readout_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
-		    short_size(t->current.size[1], b),
-		    short_size(t->current.size[2], c));
+		    short_size(t->view.current.size[1], b),
+		    short_size(t->view.current.size[2], c));
 	else if (area->columns < 60)
 		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
-		    short_size(t->current.size[0], a),
-		    short_size(t->current.size[1], b),
-		    short_size(t->current.size[2], c));
+		    short_size(t->view.current.size[0], a),
+		    short_size(t->view.current.size[1], b),
+		    short_size(t->view.current.size[2], c));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readout_size(t->current.size[0], a),
-		    readout_size(t->current.size[1], b),
-		    readout_size(t->current.size[2], c),
-		    readout_size(t->current.break_mm, d));
+		    readout_size(t->view.current.size[0], a),
+		    readout_size(t->view.current.size[1], b),
+		    readout_size(t->view.current.size[2], c),
+		    readout_size(t->view.current.break_mm, d));
 }

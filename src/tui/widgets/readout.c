@@ -34,7 +34,7 @@ draw_reading(const struct tui *t, const struct area *area, int row,
     unsigned look, const char *name, const struct psd *psd,
     const struct psd *finer)
 {
-	double x = t->shown.product.size[t->ui.cross_at];
+	double x = t->view.shown.product.size[t->ui.cross_at];
 	char size[24] = "-";
 	double mm = 1000 * psd_size(finer, t->ui.level / 100.0);
 	if (isfinite(mm))
@@ -51,7 +51,7 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 static int
 draw_band(const struct tui *t, const struct area *area, int row)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	if (!t->ui.band || p->low == NULL)
 		return row;
 	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
@@ -73,28 +73,25 @@ int
 readout_rows(const struct tui *t)
 {
 	enum { OTHERS = 3, BAND = 2 };
-	if (!t->ui.cross || t->ui.cross_at >= t->shown.product.n)
+	if (!t->ui.cross || t->ui.cross_at >= t->view.shown.product.n)
 		return 0;
 	return OTHERS + (int)site_products(tui_entry(t)->site) +
-	       (t->ui.band && t->shown.low != NULL ? BAND : 0) +
-	       (t->pinned.site[0] != '\0');
+	       (t->ui.band && t->view.shown.low != NULL ? BAND : 0) +
+	       (t->view.pinned.site[0] != '\0');
 }
 
 void
 readout_draw(struct tui *t, const struct area *area)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	const struct site *site = tui_entry(t)->site;
-	bool focus = t->ui.focus == &page_predict,
-	     pin = t->pinned.site[0] != '\0';
+	bool pin = t->view.pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
-	if (focus)
-		t->cursor = (struct cursor){area->row, area->column};
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
 	    units_mm(p->product.size[t->ui.cross_at]));
-	screen_text(area, row++, 0, focus ? LOOK_REVERSE : LOOK_BOLD,
-	    "%-18s%4d %%", name, t->ui.level);
+	screen_text(
+	    area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name, t->ui.level);
 	draw_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -108,6 +105,6 @@ readout_draw(struct tui *t, const struct area *area)
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
 		draw_reading(t, area, row++, 0, "pinned",
-		    &t->pinned_whole.product, &t->pinned_whole.curve);
+		    &t->view.pinned_whole.product, &t->view.pinned_whole.curve);
 	draw_band(t, area, row);
 }

@@ -14,6 +14,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
+#include "plot/draw.h"
 #include "tui/acts.h"
 #include "tui/widgets/goal.h"
 #include "tui/screen.h"
@@ -24,20 +25,10 @@
 enum { POINTS = 41, IN_ONE_GO = 8 };
 static const double PAUSE = 0.05;
 
-/* What answers at all speeds follow from: while it is the same, so are they.
- * origin: a share in it. */
-struct basis {
-	const struct site *site;
-	struct origin *origin;
-	struct params params;
-	struct choices set;
-};
-
 /* value [n]: as people see it, with the ends of its band, NAN without one. */
 struct strip {
-	struct basis basis;
 	struct quantity of;
-	size_t feed, n;
+	size_t basis, feed, n;
 	double value[POINTS][3];
 };
 
@@ -50,35 +41,7 @@ strip_new(void)
 void
 strip_free(struct strip *a)
 {
-	origin_drop(a->basis.origin);
 	free(a);
-}
-
-void
-strip_look(struct tui *t)
-{
-	const struct entry *entry = tui_entry(t);
-	const struct choices *set = &t->session->set;
-	struct basis *b = &t->strip->basis;
-	if (entry != NULL && entry == session_fitting(t->session))
-		t->wish = NULL;
-	if (entry != NULL && b->site == entry->site &&
-	    b->origin == entry->origin &&
-	    memcmp(&b->params, &entry->params, sizeof b->params) == 0 &&
-	    settings_same(&b->set, set))
-		return;
-	origin_drop(b->origin);
-	*b = (struct basis){.set = *set};
-	if (entry != NULL) {
-		b->site = entry->site;
-		b->origin = entry->origin;
-		b->params = entry->params;
-	}
-	if (b->origin != NULL)
-		b->origin->holders++;
-	t->strip->n = 0;
-	goals_clear(&t->goal);
-	t->wish = NULL;
 }
 
 static struct quantity
@@ -134,12 +97,20 @@ has_curve(const struct tui *t)
 	       session_fitting(s) != entry;
 }
 
+/* Whether its points are those that are to be shown. */
+static bool
+is_of(const struct tui *t)
+{
+	const struct strip *a = t->view.strip;
+	return a->basis == t->view.n_basis && a->feed == tui_feed(t) &&
+	       quantity_same(&a->of, &t->ui.quantity);
+}
+
 static bool
 is_fresh(const struct tui *t)
 {
-	const struct strip *a = t->strip;
-	return a->n == POINTS && a->feed == tui_feed(t) &&
-	       quantity_same(&a->of, &t->ui.quantity);
+	const struct strip *a = t->view.strip;
+	return a->n == POINTS && is_of(t);
 }
 
 static double
@@ -154,9 +125,10 @@ speed_at(const struct tui *t, double share)
 static void
 work_out(struct tui *t)
 {
-	struct strip *a = t->strip;
-	if (a->feed != tui_feed(t) || !quantity_same(&a->of, &t->ui.quantity))
+	struct strip *a = t->view.strip;
+	if (!is_of(t))
 		a->n = 0;
+	a->basis = t->view.n_basis;
 	a->feed = tui_feed(t);
 	a->of = t->ui.quantity;
 	const struct question q = {.entry = tui_entry(t), .feed = a->feed};
@@ -179,7 +151,7 @@ strip_point(
 	if (!is_fresh(t) || i >= POINTS)
 		return false;
 	*speed = speed_at(t, (double)i / (POINTS - 1));
-	memcpy(value, t->strip->value[i], 3 * sizeof *value);
+	memcpy(value, t->view.strip->value[i], 3 * sizeof *value);
 	return true;
 }
 
@@ -190,7 +162,7 @@ strip_wait(const struct tui *t)
 		return INFINITY;
 	if (is_fresh(t) && !goal_pending(t))
 		return t->wish != NULL ? 0 : INFINITY;
-	return fmax(0, t->moved + PAUSE - session_clock());
+	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 
 /* What the heading has no room for on a narrow screen. */
@@ -199,7 +171,7 @@ step_goal(struct tui *t)
 {
 	bool pending = goal_pending(t);
 	goal_step(t);
-	if (!pending || goal_pending(t) || t->goal.missed == NULL ||
+	if (!pending || goal_pending(t) || t->view.goal.missed == NULL ||
 	    t->message[0] != '\0')
 		return;
 	char *words = goal_words(t, GOALS_FULL);
@@ -221,119 +193,13 @@ strip_update(struct tui *t)
 	while (t->aside && (!is_fresh(t) || goal_pending(t)));
 }
 
-/* Where it is drawn: cells of the area, with dots [across x down] in each, and
- * the values of its foot and its top. */
-struct cells {
-	struct area area;
-	int across, down;
-	enum charset charset;
-	double low, high;
-	unsigned char *dots, *series; /* [rows * columns] */
-};
-
-/* How many dots above the foot. */
-static int
-level_of(const struct cells *p, double value)
-{
-	double share = (value - p->low) / (p->high - p->low);
-	return (int)lround(share * (p->area.rows * p->down - 1));
-}
-
-static bool
-has_level(const struct cells *p, double value)
-{
-	return value >= p->low && value <= p->high;
-}
-
-/* The row of the area. */
-static int
-row_of(const struct cells *p, double value)
-{
-	return p->area.rows - 1 - level_of(p, value) / p->down;
-}
-
-static void
-put_dot(struct cells *p, int x, int level, enum series series)
-{
-	int column = x / p->across, row = p->area.rows - 1 - level / p->down;
-	if (column < 0 || column >= p->area.columns || row < 0 ||
-	    row >= p->area.rows)
-		return;
-	int down = p->down - 1 - level % p->down;
-	size_t at = (size_t)(row * p->area.columns + column);
-	/* Of a curve that falls steeply through a cell the last is shown. */
-	if (p->charset == CHARSET_ASCII)
-		p->dots[at] = 0;
-	p->dots[at] |=
-	    (unsigned char)(1U << (p->across * down + x % p->across));
-	p->series[at] = (unsigned char)series;
-}
-
-/* Its dots, or a character that stands as high. */
-static uint32_t
-code_of(const struct cells *p, unsigned dots)
-{
-	if (p->charset != CHARSET_ASCII)
-		return canvas_dots_code(p->charset, dots);
-	return dots & 1 ? '\'' : dots & 2 ? '-' : '.';
-}
-
-/* Where in the track a column of dots is, 0 to 1: the middle of a cell is where
- * the slider stands in it. */
 static double
-share_of(const struct cells *p, int x)
-{
-	double column = (x + 0.5) / p->across - 0.5;
-	double share = column / fmax(1, p->area.columns - 1);
-	return fmin(1, fmax(0, share));
-}
-
-static double
-value_at(const struct strip *a, double share, size_t which)
+value_at(const struct strip *a, double share)
 {
 	double at = share * (POINTS - 1);
 	size_t i = at < POINTS - 2 ? (size_t)at : POINTS - 2;
 	double part = at - (double)i;
-	return (1 - part) * a->value[i][which] + part * a->value[i + 1][which];
-}
-
-/* The edges are drawn where they are apart from the curve. */
-static void
-draw_edges(struct cells *p, const struct strip *a)
-{
-	for (int x = 0; x < p->area.columns * p->across; x += p->across)
-		for (size_t k = 1; k < 3; k++) {
-			double share = share_of(p, x);
-			double edge = value_at(a, share, k);
-			double value = value_at(a, share, 0);
-			if (isfinite(edge) && isfinite(value) &&
-			    abs(level_of(p, edge) - level_of(p, value)) > 1)
-				put_dot(p, x, level_of(p, edge), SERIES_BAND);
-		}
-}
-
-static void
-draw_curve(const struct tui *t, struct cells *p)
-{
-	const struct strip *a = t->strip;
-	const struct entry *entry = tui_entry(t);
-	int last = -1;
-	for (int x = 0; x < p->area.columns * p->across; x++) {
-		double share = share_of(p, x), value = value_at(a, share, 0);
-		if (!isfinite(value)) {
-			last = -1;
-			continue;
-		}
-		int to = level_of(p, value), from = last < 0 ? to : last;
-		last = to;
-		bool beyond = answers_extrapolates(entry, speed_at(t, share));
-		if (beyond && x / p->across % 2 == 1)
-			continue;
-		int step = to < from ? -1 : 1;
-		from += from != to ? step : 0;
-		for (int level = from; level != to + step; level += step)
-			put_dot(p, x, level, SERIES_PREDICTED);
-	}
+	return (1 - part) * a->value[i][0] + part * a->value[i + 1][0];
 }
 
 /* The limits of the goal on the quantity shown, as people see them: what each
@@ -347,7 +213,7 @@ enum { MOST_LIMITS = 8 };
 static size_t
 take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 {
-	const struct condition_list *list = &t->goal.list;
+	const struct condition_list *list = &t->view.goal.list;
 	size_t n = 0;
 	for (size_t i = 0; i < list->n && n + 2 <= MOST_LIMITS; i++) {
 		const struct condition *c = &list->at[i];
@@ -374,131 +240,214 @@ measured_at(const struct tui *t, size_t run)
 			      : NAN;
 }
 
+/* Moves the ends of an axis to the middle of the first and the last of n parts,
+ * as those of the track are. */
 static void
-hold(struct cells *p, double value)
+end_in_middles(struct axis *axis, int n)
+{
+	double more = (axis->high - axis->low) / (2 * fmax(1, n - 1));
+	axis->low -= more;
+	axis->high += more;
+}
+
+static void
+hold(struct axis *axis, double value)
 {
 	if (!isfinite(value))
 		return;
-	p->low = fmin(p->low, value);
-	p->high = fmax(p->high, value);
+	axis->low = fmin(axis->low, value);
+	axis->high = fmax(axis->high, value);
 }
 
 /* From the least to the most of all that is drawn; of limits those that are not
  * farther off than the curve is high.  False where there is nothing. */
 static bool
-scale(const struct tui *t, struct cells *p)
+scale(const struct tui *t, struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
 	size_t n = take_limits(t, limit);
-	p->low = INFINITY;
-	p->high = -INFINITY;
+	axis->low = INFINITY;
+	axis->high = -INFINITY;
 	for (size_t i = 0; i < POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			hold(p, t->strip->value[i][k]);
+			hold(axis, t->view.strip->value[i][k]);
 	for (size_t r = 0; r < tui_entry(t)->site->n_run; r++)
-		hold(p, measured_at(t, r));
-	if (!(p->low <= p->high))
+		hold(axis, measured_at(t, r));
+	if (!(axis->low <= axis->high))
 		return false;
-	double low = p->low, high = p->high, more = high - low;
+	double low = axis->low, high = axis->high, more = high - low;
 	for (size_t i = 0; i < n; i++)
 		if (limit[i].value >= low - more &&
 		    limit[i].value <= high + more)
-			hold(p, limit[i].value);
-	if (p->high - p->low < 1e-6 * fabs(p->high) + 1e-9) {
-		p->low -= 0.5;
-		p->high += 0.5;
+			hold(axis, limit[i].value);
+	if (axis->high - axis->low < 1e-6 * fabs(axis->high) + 1e-9) {
+		axis->low -= 0.5;
+		axis->high += 0.5;
 	}
 	return true;
 }
 
-/* In four columns, or not at all: a number cut at its end would be another. */
+/* A series at the speeds of the curve. */
+static struct chart_series *
+add_series(const struct tui *t, struct chart *chart, enum chart_line line)
+{
+	const struct chart_series look = {
+	    .series = SERIES_PREDICTED, .line = line, .ascii = '#'};
+	struct chart_series *s = chart_add(chart, look, POINTS, "%s", "");
+	for (size_t i = 0; i < POINTS; i++) {
+		s->x[i] = speed_at(t, (double)i / (POINTS - 1));
+		s->y[i] = NAN;
+	}
+	return s;
+}
+
+/* Where it is thicker than the line of the curve, among so many dots. */
 static void
+add_band(const struct tui *t, struct chart *chart, int dots)
+{
+	enum { THICK = 4 };
+	double least = THICK * (chart->y.high - chart->y.low) / dots;
+	struct chart_series *s = add_series(t, chart, CHART_MARKS);
+	chart_add_band(s);
+	for (size_t i = 0; i < POINTS; i++) {
+		const double *value = t->view.strip->value[i];
+		bool thick = value[2] - value[1] > least;
+		s->low[i] = thick ? value[1] : NAN;
+		s->high[i] = thick ? value[2] : NAN;
+	}
+}
+
+/* Whole at the speeds that were trained on, dashed from these to all others. */
+static void
+add_curve(const struct tui *t, struct chart *chart)
+{
+	struct chart_series *beyond = add_series(t, chart, CHART_DASHED),
+			    *within = add_series(t, chart, CHART_SOLID);
+	bool was = false;
+	for (size_t i = 0; i < POINTS; i++) {
+		double value = t->view.strip->value[i][0];
+		bool is = answers_extrapolates(tui_entry(t), within->x[i]);
+		if (!is)
+			within->y[i] = value;
+		if (is || was)
+			beyond->y[i] = value;
+		if (is && i > 0)
+			beyond->y[i - 1] = t->view.strip->value[i - 1][0];
+		was = is;
+	}
+}
+
+static bool
+is_on(const struct axis *axis, double value)
+{
+	return value >= axis->low && value <= axis->high;
+}
+
+static void
+add_limits(const struct tui *t, struct chart *chart)
+{
+	static const struct chart_series LOOK = {
+	    .series = SERIES_OTHER, .line = CHART_DOTTED, .ascii = '.'};
+	struct limit limit[MOST_LIMITS];
+	size_t n = take_limits(t, limit);
+	for (size_t i = 0; i < n; i++) {
+		if (!is_on(&chart->y, limit[i].value))
+			continue;
+		struct chart_series *s = chart_add(chart, LOOK, 2, "%s", "");
+		s->x[0] = chart->x.low;
+		s->x[1] = chart->x.high;
+		s->y[0] = s->y[1] = limit[i].value;
+	}
+}
+
+static int
+row_of(const struct axis *axis, const struct area *area, double value)
+{
+	return axis_place_of(1 - axis_share(axis, value), area->rows);
+}
+
+/* In four columns, or not at all: a number cut at its end would be another. */
+static bool
 draw_label(const struct tui *t, int row, unsigned look, double value)
 {
 	char text[32];
-	const struct area *area = &t->layout.strip;
-	snprintf(text, sizeof text, "%.6g", value);
-	int width = (int)strlen(text);
+	int width = snprintf(text, sizeof text, "%.6g", value);
 	if (width <= 4)
-		screen_text(
-		    area, row, width < 4 ? 3 - width : 0, look, "%s", text);
+		screen_text(&t->layout.strip, row, width < 4 ? 3 - width : 0,
+		    look, "%s", text);
+	return width <= 4;
 }
 
+/* The least of 1, 2, 5 times a power of ten that leaves nearly each value a
+ * row. */
+static double
+round_step(const struct axis *axis, int rows)
+{
+	static const double ROUND[] = {1, 2, 5, 10, 20, 50};
+	double span = axis->high - axis->low;
+	double ten = pow(10, floor(log10(span / rows)));
+	size_t i = 0;
+	while (span / (ROUND[i] * ten) > rows + 0.5)
+		i++;
+	return ROUND[i] * ten;
+}
+
+/* A limit off the scale stands at the edge that is nearest to it. */
 static void
-draw_limits(struct tui *t, struct cells *p)
+draw_limit(struct tui *t, const struct axis *axis, const struct limit *limit)
+{
+	static const char *const ARROWS[][2] = {
+	    {"v", "^"}, {"\u25BC", "\u25B2"}};
+	const struct area *area = &t->layout.strip;
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	int row = row_of(axis, area, limit->value);
+	bool on = is_on(axis, limit->value);
+	char *name = on ? xstrdup(limit->name)
+			: xasprintf("%s%s %.6g",
+			      ARROWS[!ascii][limit->value > axis->high],
+			      limit->name, limit->value);
+	int wide = text_width(name) < 4 ? 4 : text_width(name);
+	if (on)
+		draw_label(t, row, LOOK_BOLD, limit->value);
+	screen_series(
+	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
+	hits_add_key(&t->hits,
+	    (struct area){area->row + row, area->columns - wide, 1, wide}, 't',
+	    false);
+	free(name);
+}
+
+/* Limits, then round values, in rows of their own.  One off the scale gives way
+ * to others. */
+static void
+draw_labels(struct tui *t, const struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
 	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
-	for (size_t i = 0; i < n; i++) {
-		if (!has_level(p, limit[i].value))
-			continue;
-		int level = level_of(p, limit[i].value);
-		for (int x = 0; x < p->area.columns * p->across;
-		     x += 2 * p->across)
-			put_dot(p, x, level, SERIES_OTHER);
+	bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
+	for (size_t i = 0; i < 2 * n; i++) {
+		const struct limit *l = &limit[i % n];
+		bool on = is_on(axis, l->value);
+		int row = row_of(axis, area, l->value);
+		if (on == (i < n) && !taken[row])
+			draw_limit(t, axis, l);
+		taken[row] = taken[row] || on;
 	}
-	for (size_t i = 0; i < n && p->area.column > 0; i++) {
-		if (!has_level(p, limit[i].value))
-			continue;
-		int row = row_of(p, limit[i].value);
-		screen_series(area, row, area->columns - 4, SERIES_OTHER,
-		    LOOK_BOLD, limit[i].name);
-		hits_add_key(&t->hits,
-		    (struct area){area->row + row, area->columns - 4, 1, 4},
-		    't', false);
-	}
-}
-
-/* Round values in rows of their own, with those of the limits; the distance is
- * the least of 1, 2, 5 that leaves each a row. */
-static void
-draw_labels(const struct tui *t, const struct cells *p)
-{
-	struct limit limit[MOST_LIMITS];
-	size_t n = take_limits(t, limit);
-	if (p->area.column == 0)
-		return;
-	bool *taken = xcalloc((size_t)p->area.rows, sizeof *taken);
-	for (size_t i = 0; i < n; i++)
-		if (has_level(p, limit[i].value)) {
-			int row = row_of(p, limit[i].value);
-			draw_label(t, row, LOOK_BOLD, limit[i].value);
-			taken[row] = true;
-		}
-	static const double ROUND[] = {1, 2, 5};
-	double span = p->high - p->low, step = 0;
-	double ten = pow(10, floor(log10(span / p->area.rows)));
-	for (size_t i = 0; i < 6 && (step == 0 || span / step > p->area.rows);
-	     i++)
-		step = ROUND[i % 3] * ten * (i < 3 ? 1 : 10);
-	for (double v = ceil(p->low / step) * step; v <= p->high; v += step) {
-		int row = row_of(p, v);
-		if (row < 0 || row >= p->area.rows || taken[row])
-			continue;
-		draw_label(t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
-		taken[row] = true;
+	double step = round_step(axis, area->rows);
+	for (double v = ceil(axis->low / step) * step; v <= axis->high;
+	     v += step) {
+		int row = row_of(axis, area, v);
+		if (!taken[row])
+			taken[row] = draw_label(
+			    t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
 	}
 	free(taken);
 }
 
 static void
-draw_cells(const struct cells *p)
-{
-	for (int row = 0; row < p->area.rows; row++)
-		for (int c = 0; c < p->area.columns; c++) {
-			char text[5];
-			size_t at = (size_t)(row * p->area.columns + c);
-			if (p->dots[at] == 0)
-				continue;
-			canvas_utf8(code_of(p, p->dots[at]), text);
-			screen_series(&p->area, row, c,
-			    (enum series)p->series[at], LOOK_PLAIN, text);
-		}
-}
-
-static void
-draw_marks(const struct tui *t, const struct cells *p)
+draw_marks(
+    const struct tui *t, const struct area *area, const struct axis *axis)
 {
 	struct track_signs signs = track_signs();
 	struct slider_range range = tui_range(t);
@@ -509,19 +458,19 @@ draw_marks(const struct tui *t, const struct cells *p)
 		double value = measured_at(t, r);
 		if (isnan(value))
 			continue;
-		screen_series(&p->area, row_of(p, value),
+		screen_series(area, row_of(axis, area, value),
 		    slider_column(range,
 			slider_tenths(range, entry->site->run[r].speed),
-			p->area.columns),
+			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
-	double value = value_at(t->strip, share, 0);
+	double value = value_at(t->view.strip, share);
 	if (isfinite(value))
-		screen_series(&p->area, row_of(p, value),
-		    slider_column(range, t->ui.tenths, p->area.columns),
+		screen_series(area, row_of(axis, area, value),
+		    slider_column(range, t->ui.tenths, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
-		    p->charset == CHARSET_ASCII ? "O" : "\u25CE");
+		    screen_charset() == CHARSET_ASCII ? "O" : "\u25CE");
 }
 
 /* In words why there is no curve; nothing while it is being worked out. */
@@ -546,31 +495,31 @@ void
 strip_draw(struct tui *t)
 {
 	struct area area = t->layout.strip, track = layout_track(&t->layout);
-	enum { ASCII_DOWN = 3 };
-	enum charset charset = screen_charset();
-	struct cells p = {.area = area,
-	    .charset = charset,
-	    .across = canvas_dots_across(charset),
-	    .down = charset == CHARSET_ASCII ? ASCII_DOWN
-					     : canvas_dots_down(charset)};
+	struct axis x = {.low = speed_at(t, 0), .high = speed_at(t, 1)}, y = x;
 	if (area.rows == 0)
 		return;
-	p.area.column = track.column;
-	p.area.columns = track.columns;
-	hits_add(&t->hits, area, track_touch, 0);
-	if (!has_curve(t) || !is_fresh(t) || !scale(t, &p)) {
+	area.column = track.column;
+	area.columns = track.columns;
+	hits_add(&t->hits, t->layout.strip, track_touch, 0);
+	if (!has_curve(t) || !is_fresh(t) || !scale(t, &y)) {
 		draw_none(t);
 		return;
 	}
-	size_t cells = (size_t)(p.area.rows * p.area.columns);
-	p.dots = xcalloc(cells, 1);
-	p.series = xcalloc(cells, 1);
-	draw_edges(&p, t->strip);
-	draw_limits(t, &p);
-	draw_curve(t, &p);
-	draw_cells(&p);
-	draw_labels(t, &p);
-	draw_marks(t, &p);
-	free(p.dots);
-	free(p.series);
+	int dots = area.rows * canvas_dots_down(screen_charset());
+	end_in_middles(&x, area.columns);
+	end_in_middles(&y, dots);
+	x.title = xstrdup("");
+	y.title = xstrdup("");
+	struct chart *chart = chart_new("", "", x, y);
+	add_band(t, chart, dots);
+	add_limits(t, chart);
+	add_curve(t, chart);
+	struct canvas *canvas = chart_draw(
+	    chart, area.columns, area.rows, screen_charset(), CHART_BARE);
+	screen_canvas(&area, canvas);
+	if (area.column > 0)
+		draw_labels(t, &chart->y);
+	draw_marks(t, &area, &chart->y);
+	canvas_free(canvas);
+	chart_free(chart);
 }

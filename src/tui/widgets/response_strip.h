@@ -12,10 +12,6 @@ struct strip;
 struct strip *strip_new(void);
 void strip_free(struct strip *strip);
 
-/* After a command: what was worked out is forgotten where it follows from
- * something else now, and so is the goal's. */
-void strip_look(struct tui *t);
-
 /* The quantity that is shown first: P80. */
 struct quantity strip_usual(void);
 
@@ -31,9 +27,9 @@ bool strip_point(
 /* How long until there is such a part to work out, s; INFINITY: none. */
 double strip_wait(const struct tui *t);
 
-/* Draws it, when all is known: its band as two thin edges, with gaps where
- * speeds are extrapolated, limits on it as dotted lines, what was measured and
- * where the slider stands as marks. */
+/* Draws it, when all is known: dashed where speeds are extrapolated, its band
+ * as a shade, limits on it as dotted lines, what was measured and where the
+ * slider stands as marks. */
 void strip_draw(struct tui *t);
 
 #endif

@@ -25,23 +25,23 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 {
 	const struct site *site = tui_entry(t)->site;
 	const struct run *nearest = NULL;
-	if (t->pinned.site[0] != '\0') {
+	if (t->view.pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));
 		*series = SERIES_OTHER;
-		return &t->pinned_whole.product;
+		return &t->view.pinned_whole.product;
 	}
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
 		if (run->product.n > 0 &&
 		    (nearest == NULL ||
-			fabs(run->speed - t->current.speed) <
-			    fabs(nearest->speed - t->current.speed)))
+			fabs(run->speed - t->view.current.speed) <
+			    fabs(nearest->speed - t->view.current.speed)))
 			nearest = run;
 	}
 	if (nearest == NULL)
 		return NULL;
 	snprintf(name, 40,
-	    fabs(nearest->speed - t->current.speed) < 0.05
+	    fabs(nearest->speed - t->view.current.speed) < 0.05
 		? tr("vs %g measured")
 		: tr("vs %g m/s"),
 	    nearest->speed);
@@ -54,11 +54,11 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 static double
 difference(const struct tui *t, const struct psd *other, size_t i)
 {
-	double x = t->shown.product.size[i];
+	double x = t->view.shown.product.size[i];
 	if (other == NULL || !psd_covers(other, x))
 		return NAN;
 	double off =
-	    100 * (t->shown.product.passing[i] - psd_passing(other, x));
+	    100 * (t->view.shown.product.passing[i] - psd_passing(other, x));
 	/* Nothing is neither more nor less. */
 	return fabs(off) < 0.05 ? 0 : off;
 }
@@ -71,7 +71,7 @@ full_bar(const struct tui *t, const struct psd *other)
 	static const double FULL[] = {1.5, 3, 7, 15, 30, 70, 100};
 	double most = 0;
 	size_t at = 0;
-	for (size_t i = 0; i < t->shown.product.n; i++)
+	for (size_t i = 0; i < t->view.shown.product.n; i++)
 		most = fmax(most, fabs(difference(t, other, i)));
 	while (at + 1 < ARRAY_LEN(FULL) && FULL[at] < most)
 		at++;
@@ -101,11 +101,11 @@ draw_bar(const struct area *area, int row, double share)
 static bool
 touch_sieve(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS || touched->item >= t->shown.product.n)
+	if (touched->kind != HIT_PRESS ||
+	    touched->item >= t->view.shown.product.n)
 		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = touched->item;
-	t->ui.focus = &page_predict;
 	return true;
 }
 
@@ -113,7 +113,7 @@ static void
 draw_sieve(
     struct tui *t, const struct area *area, int row, size_t i, double off)
 {
-	const struct prediction *p = &t->shown;
+	const struct prediction *p = &t->view.shown;
 	unsigned look =
 	    t->ui.cross && t->ui.cross_at == i ? LOOK_BOLD : LOOK_PLAIN;
 	char sieve[24];
@@ -137,7 +137,7 @@ static size_t
 sieve_of(const struct tui *t, size_t r, size_t rows)
 {
 	const double all = 0.9995;
-	const struct psd *feed = &t->shown.feed;
+	const struct psd *feed = &t->view.shown.feed;
 	size_t first = 0, gaps = rows - 1;
 	if (rows >= feed->n || rows < 2)
 		return r;
@@ -151,7 +151,7 @@ sieve_of(const struct tui *t, size_t r, size_t rows)
 static size_t
 row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
 {
-	const struct psd *product = &t->shown.product;
+	const struct psd *product = &t->view.shown.product;
 	const double same = 1e-3;
 	size_t best = 0;
 	*sieve = 0;
@@ -171,13 +171,13 @@ row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
 int
 sieve_table_rows(const struct tui *t)
 {
-	return 1 + (int)t->shown.product.n;
+	return 1 + (int)t->view.shown.product.n;
 }
 
 void
 sieve_table_draw(struct tui *t, const struct area *area)
 {
-	size_t n = t->shown.product.n, rows = (size_t)area->rows - 1;
+	size_t n = t->view.shown.product.n, rows = (size_t)area->rows - 1;
 	char name[40] = "";
 	enum series series = SERIES_TEXT;
 	const struct psd *other = compared(t, name, &series);

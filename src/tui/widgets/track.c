@@ -68,8 +68,6 @@ track_touch(struct tui *t, const struct touched *touched)
 	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
 		return false;
 	struct area track = layout_track(&t->layout);
-	if (touched->kind == HIT_PRESS)
-		t->ui.focus = NULL;
 	t->ui.tenths = slider_at(tui_range(t),
 	    touched->area.column + touched->column - track.column,
 	    track.columns);
@@ -147,13 +145,13 @@ track_draw(struct tui *t)
 	bool *kept = window_ends(t, &track);
 	int at = slider_draw(
 	    text, track.columns, range, t->ui.tenths, mark, n, kept);
-	bool focus = t->ui.focus == NULL;
+	bool acts = t->ui.page == PAGE_PREDICT;
 	const char *close = strchr(text + at, ']');
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	for (int c = 0; c < track.columns; c++)
 		if (c < at || c >= at + length)
 			draw_cell(t, &track, c, text[c]);
-	screen_text(&track, 0, at, focus ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
+	screen_text(&track, 0, at, acts ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
 	    length, text + at);
 	if (track.column > 0) {
 		screen_text(&t->layout.track, 0, 0, 0, "%3d", range.least / 10);
@@ -238,8 +236,8 @@ say_signs(const struct tui *t, struct part *part)
 		say(part, xstrdup(""));
 		return;
 	}
-	bool beyond = t->shown.product.n > 0 &&
-		      answers_extrapolates(tui_entry(t), t->shown.speed);
+	bool beyond = t->view.shown.product.n > 0 &&
+		      answers_extrapolates(tui_entry(t), t->view.shown.speed);
 	char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
 	char *marks = xasprintf(

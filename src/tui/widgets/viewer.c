@@ -79,7 +79,7 @@ viewer_keys(struct tui *t)
 	t->viewer.keys = true;
 	t->viewer.word = word;
 	t->viewer.at = 0;
-	viewer_scroll(t, 1);
+	viewer_scroll(t, 0);
 }
 
 void
@@ -126,6 +126,19 @@ within(int x, int least, int most)
 	return x < least || most < least ? least : x > most ? most : x;
 }
 
+/* Rows of the list of keys: half of its lines stand beside the others where all
+ * have room so. */
+static int
+key_rows(const struct tui *t)
+{
+	enum { TWO = 76 };
+	const struct viewer *v = &t->viewer;
+	const struct area *body = &t->layout.body;
+	bool two = v->keys && v->word.n == 0 && body->columns >= TWO &&
+		   v->lines > body->rows && v->lines <= 2 * body->rows;
+	return two ? (v->lines + 1) / 2 : v->lines;
+}
+
 /* Scrolls as far as the body of the frame wants: the size may be another. */
 static void
 fit(struct tui *t)
@@ -136,7 +149,7 @@ fit(struct tui *t)
 		v->at = within(v->at, 0, v->lines - 1);
 		v->top = within(v->top, v->at - rows + 1, v->at);
 	}
-	v->top = within(v->top, 0, v->lines - rows);
+	v->top = within(v->top, 0, key_rows(t) - rows);
 	v->left = within(v->left, 0, v->columns - t->layout.body.columns);
 }
 
@@ -194,22 +207,18 @@ find(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Of the list of keys the chosen one, past headings. */
+/* Of the list of keys the chosen one. */
 void
 viewer_scroll(struct tui *t, int by)
 {
 	struct viewer *v = &t->viewer;
-	int step = by < 0 ? -1 : 1;
 	if (!v->keys) {
 		v->top += by;
 		fit(t);
 		return;
 	}
-	v->at += by;
-	fit(t);
-	bool last = v->at + step < 0 || v->at + step >= v->lines;
-	if (keys_nth(t->ui.page, v->word.text, (size_t)v->at) == NULL)
-		v->at += last ? -step : step;
+	int keys = (int)keys_count(t->ui.page, v->word.text);
+	v->at = within(v->at + by, 0, keys - 1);
 	fit(t);
 }
 
@@ -240,6 +249,8 @@ moves(struct tui *t, const struct key *key, int code)
 		viewer_scroll(t, key->amount);
 	else if (steps == STEP && !v->keys)
 		v->left += key->amount * (t->layout.body.columns + 1) / 2;
+	else if (steps == STEP && key_rows(t) < v->lines)
+		viewer_scroll(t, key->amount * key_rows(t));
 	else if (steps == FAR)
 		viewer_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
@@ -335,14 +346,17 @@ draw_line(struct tui *t, int n)
 	enum { NARROW = 60 };
 	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
-	const struct area *body = &t->layout.body;
+	const int rows = key_rows(t);
+	struct area body = t->layout.body;
 	bool found = !v->keys && v->word.n > 0 && has_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
-	bool head = v->keys && line[0] != ' ';
-	if (v->keys && body->columns < NARROW)
+	if (v->keys && body.columns < NARROW)
 		squeeze(line);
-	int room = body->columns - (int)strlen(MORE);
-	if (v->keys && strlen(line) > (size_t)body->columns && room > 0) {
+	if (rows < v->lines)
+		body.columns /= 2;
+	body.column = n / rows * body.columns;
+	int room = body.columns - (int)strlen(MORE);
+	if (v->keys && strlen(line) > (size_t)body.columns && room > 0) {
 		rest = xstrdup(line + room);
 		snprintf(line + room, sizeof MORE, "%s", MORE);
 	}
@@ -350,10 +364,10 @@ draw_line(struct tui *t, int n)
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_show(&shown, left);
-	screen_series(body, n - v->top, 0, SERIES_TEXT,
-	    n == v->at      ? LOOK_REVERSE
-	    : found || head ? LOOK_BOLD
-			    : LOOK_PLAIN,
+	screen_series(&body, n % rows - v->top, 0, SERIES_TEXT,
+	    n == v->at ? LOOK_REVERSE
+	    : found    ? LOOK_BOLD
+		       : LOOK_PLAIN,
 	    shown);
 	free(line);
 	if (n == v->at)
@@ -387,12 +401,29 @@ draw_word(struct tui *t)
 	return at;
 }
 
+/* What Enter does in the list of keys, where there is room for all of it. */
+static bool
+draw_what(struct tui *t)
+{
+	const struct viewer *v = &t->viewer;
+	const struct key *key =
+	    v->keys ? keys_nth(t->ui.page, v->word.text, (size_t)v->at) : NULL;
+	if (key == NULL)
+		return false;
+	char *words = xasprintf(tr("Enter: %s"), tr(key->what));
+	bool room = text_width(words) <= t->layout.hints.columns;
+	if (room)
+		pane_hints(t, LOOK_REVERSE, words);
+	free(words);
+	return room;
+}
+
 static void
 draw_hints(struct tui *t)
 {
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
-	bool below = v->lines - v->top > body->rows,
+	bool below = key_rows(t) - v->top > body->rows,
 	     aside = !v->keys && v->columns - v->left > body->columns;
 	char *hints = xasprintf("%s%s%s", below ? tr("Down more below  ") : "",
 	    aside ? tr("Right more right  ") : "",
@@ -410,19 +441,24 @@ viewer_draw(struct tui *t)
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
-	for (int row = 0; row < body->rows && row + v->top < v->lines; row++) {
-		int n = row + v->top;
+	const int rows = key_rows(t),
+		  columns = body->columns / (rows < v->lines ? 2 : 1);
+	for (int n = v->top; n < v->lines; n++) {
+		int row = n % (rows > 0 ? rows : 1) - v->top;
+		if (row >= body->rows)
+			continue;
 		char *cut = draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
 		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
 			hits_add_both(&t->hits,
-			    (struct area){body->row + row, body->column, 1,
-				body->columns},
+			    (struct area){body->row + row, n / rows * columns,
+				1, columns},
 			    touch_key, (size_t)n, '\n');
 	}
-	int at = v->at - v->top;
-	t->cursor = (struct cursor){
-	    body->row + (at > 0 && at < body->rows ? at : 0), 0};
+	int at = v->lines > 0 ? v->at % rows - v->top : 0;
+	t->cursor =
+	    (struct cursor){body->row + (at > 0 && at < body->rows ? at : 0),
+		v->at > 0 ? v->at / rows * columns : 0};
 	if ((v->word.active || v->word.n > 0) && t->layout.hints.rows > 0) {
 		int column = draw_word(t);
 		if (v->word.active)
@@ -430,7 +466,7 @@ viewer_draw(struct tui *t)
 			    (struct cursor){t->layout.hints.row, column};
 	} else if (rest != NULL)
 		screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
-	else
+	else if (!draw_what(t))
 		draw_hints(t);
 	free(rest);
 }

@@ -1,0 +1,214 @@
+/* What is predicted for the full screen, and when it has to be anew.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "cmd/answers/predict.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/fit.h"
+#include "cmd/ask/forecast.h"
+#include "cmd/ask/pin.h"
+#include "tui/captured.h"
+#include "tui/pages.h"
+#include "tui/widgets/envelope_check.h"
+#include "tui/widgets/response_strip.h"
+#include "tui/widgets/track.h"
+
+/* A slider that stood still for so long has paused, s. */
+static const double PAUSE = 0.7;
+
+/* Of the site with that key. */
+static struct numbers
+numbers_of(const struct session *s, const char *key, const struct prediction *p)
+{
+	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
+	struct numbers n = {.speed = p->speed};
+	if (p->product.n == 0)
+		return n;
+	snprintf(n.site, sizeof n.site, "%s", key);
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct site *site = s->entry[i].site;
+		if (strcmp(s->entry[i].key, key) == 0 &&
+		    p->feed_run < site->n_run && site->individual_feeds)
+			n.feed = site->run[p->feed_run].speed;
+	}
+	for (size_t i = 0; i < 3; i++)
+		n.size[i] = answers_size(p, i);
+	n.break_mm = answers_size(p, ANSWERS_BREAK);
+	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
+		n.passing[i] = psd_covers(&p->product, sizes[i])
+				   ? 100 * psd_passing(&p->product, sizes[i])
+				   : NAN;
+	return n;
+}
+
+/* What the session has pinned. */
+static void
+look_at_pin(struct tui *t)
+{
+	const struct pin *pin = t->session->pin;
+	t->view.pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
+	t->view.pinned = numbers_of(
+	    t->session, pin != NULL ? pin->key : "", &t->view.pinned_whole);
+}
+
+static void
+forget(struct tui *t)
+{
+	prediction_free(&t->view.shown);
+	t->view.shown = (struct prediction){0};
+	t->view.current = (struct numbers){0};
+	t->view.of = (struct view_key){0};
+}
+
+/* What was worked out for another one is forgotten. */
+static void
+look_at_basis(struct tui *t)
+{
+	struct basis *b = &t->view.basis;
+	const struct entry *entry = tui_entry(t);
+	const struct choices *set = &t->session->set;
+	if (entry != NULL && b->site == entry->site &&
+	    b->origin == entry->origin &&
+	    memcmp(&b->params, &entry->params, sizeof b->params) == 0 &&
+	    settings_same(&b->set, set))
+		return;
+	if (entry == NULL || b->site != entry->site)
+		t->view.of.tenths = 0;
+	origin_drop(b->origin);
+	*b = (struct basis){.set = *set};
+	if (entry != NULL) {
+		b->site = entry->site;
+		b->origin = entry->origin;
+		b->params = entry->params;
+	}
+	if (b->origin != NULL)
+		b->origin->holders++;
+	t->view.n_basis++;
+	goals_clear(&t->view.goal);
+	t->wish = NULL;
+}
+
+void
+view_look(struct tui *t)
+{
+	const struct entry *entry = tui_entry(t);
+	t->view.revision++;
+	t->view.rows_at = 0;
+	t->view.n_row = 0;
+	tui_forget_parity(&t->view.parity);
+	look_at_basis(t);
+	if (entry != NULL && entry == session_fitting(t->session))
+		t->wish = NULL;
+	look_at_pin(t);
+	if (isnan(session_known(t->session, "predict", "speed")))
+		forget(t);
+	t->view.holdout = entry != NULL && entry->has_fit
+			      ? 100 * fit_holdout_rmse(entry)
+			      : NAN;
+}
+
+static struct view_key
+key_now(const struct tui *t)
+{
+	const struct session *s = t->session;
+	bool searching = session_busy(s) && s->job.entry == s->current;
+	return (struct view_key){.basis = t->view.n_basis,
+	    .feed = tui_feed(t),
+	    .generation =
+		searching ? calibration_status(s->job.calibration).generation
+			  : 0,
+	    .tenths = t->ui.tenths};
+}
+
+void
+view_predict(struct tui *t)
+{
+	struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	track_wished(t, false);
+	bool told = t->told;
+	t->told = false;
+	if (entry == NULL)
+		return;
+	struct view_key was = t->view.of, key = key_now(t);
+	bool forming = key.generation > 0;
+	bool moved = was.tenths != key.tenths || was.feed != key.feed;
+	bool other = was.tenths == 0 || was.generation != key.generation,
+	     first = other || !moved;
+	if ((!entry->has_params && !forming) ||
+	    (!other && !moved && was.basis == key.basis))
+		return;
+	/* What a search had on its way is nothing to count from. */
+	if (!t->view.formed &&
+	    (t->clock - t->view.moved > PAUSE ||
+		t->view.reference.site[0] == '\0' ||
+		strcmp(t->view.reference.site, entry->key) != 0))
+		t->view.reference = t->view.current;
+	t->view.formed = forming;
+	if (!first)
+		t->view.moved = t->clock;
+	char *where = tui_where(t);
+	char *line = xasprintf("predict %s", where);
+	struct error error = {0};
+	prediction_free(&t->view.shown);
+	t->view.shown = (struct prediction){0};
+	if (!predict_step(s, t->ui.tenths / 10.0, tui_feed(t), line,
+		&t->view.shown, &error))
+		captured_error(t, &error, line, ERROR_TYPED);
+	if ((!first && !told) || t->command == NULL) {
+		free(t->command);
+		t->command = xstrdup(line);
+		t->failed = false;
+	}
+	if (!first && !told)
+		t->message[0] = '\0';
+	tui_keep_feed(t);
+	t->view.of = key_now(t);
+	t->view.current = numbers_of(s, entry->key, &t->view.shown);
+	free(where);
+	free(line);
+}
+
+/* The prediction at the slider, of which the session is not told. */
+void
+view_form(struct tui *t)
+{
+	const struct session *s = t->session;
+	const struct entry *entry = tui_entry(t);
+	if (entry == NULL)
+		return;
+	struct params params = entry->params;
+	if (!answers_forming(s, entry, &params) && !entry->has_params)
+		return;
+	prediction_free(&t->view.shown);
+	const struct question q = {
+	    .entry = entry, .feed = tui_feed(t), .params = &params};
+	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
+	t->view.current = numbers_of(s, entry->key, &t->view.shown);
+}
+
+void
+view_update(struct tui *t)
+{
+	view_predict(t);
+	pages_update(t);
+}
+
+void
+view_free(struct tui *t)
+{
+	prediction_free(&t->view.shown);
+	origin_drop(t->view.basis.origin);
+	free(t->view.row);
+	strip_free(t->view.strip);
+	goals_clear(&t->view.goal);
+	tui_forget_sheet(&t->view.sheet);
+	tui_forget_parity(&t->view.parity);
+	envelope_check_free(t);
+}

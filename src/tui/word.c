@@ -1,0 +1,71 @@
+/* Words that are typed where letters are keys.  A letter that does more than
+ * move waits for a moment: where the next one goes on with the name of a
+ * command neither is a key.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/word.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cmd/lang/command.h"
+
+/* Letters of a word come within it, s; single keys seldom do. */
+static const double GAP = 0.25;
+
+static bool
+is_letter(int code, bool special)
+{
+	return !special && code >= 'a' && code <= 'z';
+}
+
+static bool
+begins_command(const char *letters)
+{
+	char *names = command_candidates(letters);
+	bool begins = names[0] != '\0';
+	free(names);
+	return begins;
+}
+
+bool
+word_goes_on(struct tui *t, int code, bool special)
+{
+	struct word *w = &t->word;
+	const char both[] = {w->letter, (char)code, '\0'};
+	if (w->letter == '\0' || !is_letter(code, special) ||
+	    t->clock - w->at > GAP || !begins_command(both))
+		return false;
+	t->ui = w->was;
+	*w = (struct word){0};
+	t->message[0] = '\0';
+	edit_begin(&t->line, both);
+	return true;
+}
+
+bool
+word_begins(struct tui *t, int code, bool special, const struct key *key)
+{
+	struct word *w = &t->word;
+	*w = (struct word){0};
+	if (t->aside || !is_letter(code, special))
+		return false;
+	bool moves = key == NULL || key->act == act_move ||
+		     key->act == act_ends || key->act == act_list;
+	*w = (struct word){(char)code, t->clock, moves ? NULL : key, t->ui};
+	return !moves;
+}
+
+double
+word_wait(const struct tui *t)
+{
+	return t->word.held != NULL ? fmax(0, t->word.at + GAP - t->clock)
+				    : INFINITY;
+}
+
+const struct key *
+word_held(struct tui *t)
+{
+	const struct key *held = t->word.held;
+	t->word = (struct word){0};
+	return held;
+}
