@@ -203,7 +203,8 @@ with_sign(const char *text)
 	return xstrdup(text);
 }
 
-/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees. */
+/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees.
+ */
 static char *
 limit_last(const char *text)
 {
