@@ -150,6 +150,11 @@ void
 error_print(const struct error *e, FILE *out)
 {
 	char place[32] = "";
+	if (strcmp(e->file, ERROR_TYPED) == 0) {
+		print_line(xstrdup(e->text), isatty(fileno(out)) != 0, 4, out);
+		error_print_hint(e, out);
+		return;
+	}
 	show_place(e, place);
 	bool known = e->file[0] != '\0' || e->line > 0;
 	const char *sign = e->file[0] == '\0'               ? ""

@@ -21,6 +21,10 @@ enum error_kind {
 	ERROR_STOPPED = 130
 };
 
+/* The file of a line typed at a prompt, which everybody sees: its errors are
+ * shown without a place. */
+#define ERROR_TYPED "typed"
+
 /* A plain value: nothing to free.  line and column count from 1; 0: none.
  * in_grid: they are those of a cell in a workbook, shown as B5.
  * text: what was wanted and what was found; hint: the next step, or "". */

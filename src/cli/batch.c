@@ -75,7 +75,7 @@ batch_line(struct session *s, const char *line, int number, struct pager *pager)
 	struct driver d = plain_driver(s);
 	d.pager = pager;
 	d.interrupted = pager != NULL ? NULL : print_interrupted;
-	return driver_line(&d, line, "typed", number);
+	return driver_line(&d, line, ERROR_TYPED, number);
 }
 
 /* What a line says is kept, and shown only where it does not come to its end:
@@ -114,7 +114,7 @@ batch_quiet(struct session *s, const char *line, int number)
 	d.fail = print_after_said;
 	d.interrupted = NULL;
 	s->out = s->notes = q.to = text_memory(&q.said, &q.n);
-	int status = driver_line(&d, line, "typed", number);
+	int status = driver_line(&d, line, ERROR_TYPED, number);
 	s->out = out;
 	s->notes = notes;
 	if (status != 0)
@@ -197,7 +197,7 @@ batch_typed(struct session *s)
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {
-			script_too_long("typed", number, &error);
+			script_too_long(ERROR_TYPED, number, &error);
 			error_print(&error, stderr);
 		}
 		if (got != TEXT_LINE && signals_noted() != SIGINT)

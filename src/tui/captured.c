@@ -26,7 +26,7 @@ captured_error(
 {
 	char place[sizeof e->file + 32] = "";
 	(void)line, (void)name;
-	if (e->line > 0)
+	if (e->line > 0 && strcmp(e->file, ERROR_TYPED) != 0)
 		snprintf(place, sizeof place, "%s:%d:%d: ", e->file, e->line,
 		    e->column);
 	tui_say(t, true, "%s%s%s%s", place, e->text,

@@ -27,7 +27,8 @@ draw_screen(struct tui *t, const char *line)
 	struct error error = {0};
 	size_t next;
 	captured_forget(t);
-	bool ok = session_line(t->session, line, 0, "typed", 0, &next, &error);
+	bool ok =
+	    session_line(t->session, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(t->command);
 	t->command = xstrdup(line);
 	t->failed = !ok;
@@ -35,7 +36,7 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		captured_show(t);
 	else
-		captured_error(t, &error, line, "typed");
+		captured_error(t, &error, line, ERROR_TYPED);
 }
 
 /* What a shell command wrote stays until it is read. */

@@ -188,7 +188,7 @@ control_set_looks(struct tui *t)
 	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_forget(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
-		session_line(s, line, 0, "typed", 0, &next, &error);
+		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(page);
 	free(quantity);
 	free(line);
@@ -261,7 +261,7 @@ run(struct tui *t, const char *line)
 	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
 	bool ok =
-	    driver_line(&d, line, "typed", 0) == 0 || signals_noted() != 0;
+	    driver_line(&d, line, ERROR_TYPED, 0) == 0 || signals_noted() != 0;
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
 	follow_speed(t, line, ok);
@@ -331,7 +331,7 @@ control_predict(struct tui *t)
 	t->shown = (struct prediction){0};
 	if (!predict_step(
 		s, t->ui.tenths / 10.0, tui_feed(t), line, &t->shown, &error))
-		captured_error(t, &error, line, "typed");
+		captured_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);

@@ -294,6 +294,8 @@ note_speed(struct answer *r, const struct goal *goal,
 		free(range);
 		free(cut);
 	}
+	answers_note_rpm(
+	    r, goal->question->entry->site, f->found, f->range[0], f->range[1]);
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
 		if (v != f->found)
@@ -337,6 +339,7 @@ note_extreme(struct answer *r, const struct goal *goal,
 	answer_note(r, "%s at %.2f m/s: %s", most ? tr("largest") : tr("least"),
 	    v, words);
 	free(words);
+	answers_note_rpm(r, goal->question->entry->site, v, NAN, NAN);
 	struct wanted_limit binds = {SIZE_MAX, false};
 	for (size_t k = 0; k < f->n_inside; k++) {
 		const struct speed_range *in = &f->inside[k];
@@ -378,6 +381,14 @@ note_sure(
 }
 
 static void
+note_missed(
+    struct answer *r, const char *words, double points, const char *value)
+{
+	answer_note(r, "%s: missed by %.*f points, %s", words,
+	    conditions_digits(points), points, value);
+}
+
+static void
 note_other(struct answer *r, const struct goal *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
@@ -388,7 +399,7 @@ note_other(struct answer *r, const struct goal *goal, size_t i)
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
-		answer_note(r, "%s: missed by %.1f points, %s", words,
+		note_missed(r, words,
 		    -100 * wanted_margin(&goal->wanted, i).passing, value);
 	free(words);
 	free(value);

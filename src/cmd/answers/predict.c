@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fraction.h"
+#include "cmd/ask/question.h"
 #include "cmd/draw/plot.h"
 #include "cmd/draw/plots.h"
 #include "cmd/ask/screened.h"
@@ -248,6 +249,37 @@ note_only_check(
 	    100 * cut.rms, cut.n);
 }
 
+/* Sieves at which the products measured have less than their feeds by more than
+ * is shown, while the answer stands at the feed's passing: nothing that breaks
+ * the rock can bring it lower. */
+static void
+note_floor(
+    struct answer *r, const struct question *q, const struct prediction *p)
+{
+	const double shown = 5e-4;
+	const struct site *site = q->entry->site;
+	const struct psd *feed = question_feed(q);
+	char *list = xstrdup("");
+	for (size_t i = 0; i < p->product.n; i++) {
+		double x = p->product.size[i], fed = psd_at_sieve(feed, x);
+		double least = INFINITY;
+		for (size_t k = 0; k < site->n_run; k++)
+			least = fmin(
+			    least, psd_at_sieve(&site->run[k].product, x) -
+				       psd_at_sieve(&site->run[k].feed, x));
+		if (fed > 0 && fed < 1 && least < -shown &&
+		    p->product.passing[i] - fed < shown)
+			xlist(&list, ", ", "%g", units_mm(x));
+	}
+	if (list[0] != '\0' && !fraction_screens(&p->fraction))
+		answer_say(r, ANSWER_REMARK,
+		    "at %s mm the feed has more than measured products, which "
+		    "crushing cannot bring about: the answer is the feed's "
+		    "there; sample the feed again",
+		    list);
+	free(list);
+}
+
 /* Whether what corrects the model is worth a word. */
 static bool
 is_unusual(const struct session *s, const struct entry *entry)
@@ -255,6 +287,9 @@ is_unusual(const struct session *s, const struct entry *entry)
 	return outlook_correction(s, entry) != CORRECTION_ALL ||
 	       !entry->has_fit;
 }
+
+/* Feeds that move the answer by less than it shows are not worth a word. */
+static const double FEEDS_TOLD = 0.0005;
 
 /* "8 times in 10", "with 95 % probability".  The caller frees. */
 static char *
@@ -264,6 +299,27 @@ chance_words(double level)
 	return fabs(tenths - round(tenths)) < 1e-9
 		   ? xasprintf(tr("%.0f times in 10"), tenths)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
+}
+
+double
+predict_feeds_move(const struct session *s, const struct question *q,
+    const struct prediction *at, size_t i)
+{
+	const struct site *site = q->entry->site;
+	double x = at->product.size[i], most = 0;
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	size_t n = site->individual_feeds && !other ? site->n_run : 0;
+	for (size_t run = 0; run < n; run++) {
+		struct question own = *q;
+		own.feed = run;
+		struct prediction p = forecast_product(s, &own, at->speed);
+		double passing = psd_at_sieve(&p.product, x);
+		if (isfinite(passing))
+			most =
+			    fmax(most, fabs(passing - at->product.passing[i]));
+		prediction_free(&p);
+	}
+	return most;
 }
 
 char *
@@ -285,6 +341,15 @@ predict_sure(const struct session *s, const struct question *q,
 	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
 	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
+	double most =
+	    q->feed == SITE_MEAN_FEED ? predict_feeds_move(s, q, p, i) : 0;
+	if (most >= FEEDS_TOLD) {
+		char *more = xasprintf(
+		    tr("%s; feeds as they varied move it by up to %.1f points"),
+		    words, 100 * most);
+		free(words);
+		words = more;
+	}
 	forecast_close(f);
 	free(chance);
 	return words;
@@ -338,6 +403,7 @@ explained(const struct session *s, const struct question *q,
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
 		    r, params, site_feed(entry->site, p->feed_run), p);
+	note_floor(r, q, p);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == entry_loaded(entry))

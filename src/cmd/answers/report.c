@@ -236,7 +236,8 @@ append_window(char **words, const struct ask *ask)
 	    ask->wanted.from, ask->wanted.to);
 	if (isfinite(w->margin.passing))
 		xlist(words, "; ",
-		    tr("the nearest misses by %.1f points at %.1f m/s"),
+		    tr("the nearest misses by %.*f points at %.1f m/s"),
+		    conditions_digits(100 * w->margin.passing),
 		    -100 * w->margin.passing, w->best);
 }
 

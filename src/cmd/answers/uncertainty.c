@@ -9,6 +9,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/answers/advise.h"
+#include "cmd/answers/predict.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
@@ -158,29 +159,16 @@ draws_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* How far tomorrow's feed may be from the mean is another question, which the
- * answer of each feed that was sampled tells best. */
 static void
 note_feeds(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *at)
 {
-	const struct site *site = q->entry->site;
 	size_t i = answers_sieve(&at->product);
-	double x = at->product.size[i], most = 0;
-	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
-	for (size_t run = 0; run < site->n_run && !other; run++) {
-		struct question own = *q;
-		own.feed = run;
-		struct prediction p = forecast_product(s, &own, at->speed);
-		double P = psd_at_sieve(&p.product, x);
-		if (isfinite(P))
-			most = fmax(most, fabs(P - at->product.passing[i]));
-		prediction_free(&p);
-	}
+	double most = predict_feeds_move(s, q, at, i);
 	if (!(most > 0))
 		return;
 	answer_note(r, "feeds as they varied move 0/%g by up to %.1f points",
-	    units_mm(x), 100 * most);
+	    units_mm(at->product.size[i]), 100 * most);
 	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
 }
 
@@ -274,8 +262,7 @@ parts_answer(const struct session *s, const struct question *q,
 	answer_note(r, "%s", outlook_words(s, entry));
 	add_hyper(r, s, p);
 	note_strengths(r, p);
-	if (entry->site->individual_feeds)
-		note_feeds(r, s, q, at);
+	note_feeds(r, s, q, at);
 	note_speeds(r, s, q, at, speed_sd);
 	note_draws(r, p, outlook_evidence(s, entry));
 	note_next(r, s, q, at);

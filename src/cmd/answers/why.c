@@ -215,12 +215,10 @@ say_light(const struct subject *a)
 			: N_("Trust is amber"));
 	else if (e != NULL)
 		answer_note(a->answer,
-		    "Trust is green: the residuals are like sampling errors "
-		    "(RMSE %.2f points; %.1f times as large as usual, "
-		    "neighbours %+.1f sd alike), and %zu passings for %zu "
-		    "parameters would have shown more",
-		    100 * e->rmse, sqrt(e->size), e->alike, e->cells,
-		    e->parameters);
+		    "Trust is green: the residuals look like sampling errors: "
+		    "RMSE %.2f points, %.1f times the usual size, neighbouring "
+		    "sieves do not err alike; %zu passings for %zu parameters",
+		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
 	for (size_t i = 0; i < t.n; i++)
 		answer_note(a->answer, "  %s: %s",
 		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);

@@ -288,6 +288,23 @@ note_variant(struct answer *r, const struct entry *entry)
 		    units_mm(v->rotor));
 }
 
+void
+answers_note_rpm(struct answer *r, const struct site *site, double speed,
+    double low, double high)
+{
+	if (!(site->rotor > 0))
+		return;
+	if (isfinite(low) && isfinite(high))
+		answer_note(r,
+		    "that is %.0f rpm of the rotor of %g mm (%.0f "
+		    "to %.0f)",
+		    units_rpm(speed, site->rotor), units_mm(site->rotor),
+		    units_rpm(low, site->rotor), units_rpm(high, site->rotor));
+	else
+		answer_note(r, "that is %.0f rpm of the rotor of %g mm",
+		    units_rpm(speed, site->rotor), units_mm(site->rotor));
+}
+
 /* A speed beyond those that were measured, where the light does not say so. */
 static void
 note_beyond(struct answer *r, const struct entry *entry, double speed,

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -30,9 +31,34 @@ conditions_free(struct condition_list *list)
 	*list = (struct condition_list){0};
 }
 
+char *
+conditions_extreme(const char *text)
+{
+	static const struct {
+		const char *word, *instead;
+	} WORDS[] = {{"most ", "max"}, {"best ", "max"}, {"highest ", "max"},
+	    {"maximum ", "max"}, {"least ", "min"}, {"lowest ", "min"},
+	    {"minimum ", "min"}};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
+		size_t n = strlen(WORDS[i].word);
+		if (strncasecmp(text, WORDS[i].word, n) == 0)
+			return xasprintf("%s %s", WORDS[i].instead, text + n);
+	}
+	return NULL;
+}
+
 static bool
 expected(const char *text, struct error *error)
 {
+	char *extreme = conditions_extreme(text);
+	if (extreme != NULL) {
+		error_set(error, ERROR_USAGE,
+		    "expected max or min, got '%s'\n"
+		    "write: find \"%s\"",
+		    text, extreme);
+		free(extreme);
+		return false;
+	}
 	return error_set(error, ERROR_USAGE,
 	    "expected a condition: a quantity, then <, > or = and a limit, got "
 	    "'%s'\n"
@@ -175,27 +201,53 @@ with_sign(const char *text)
 	return xstrdup(text);
 }
 
+/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees. */
+static char *
+limit_last(const char *text)
+{
+	size_t n = strspn(text, "0123456789.");
+	const char *rest = text + n + strspn(text + n, " %");
+	return n > 0 && strncasecmp(rest, "passing ", 8) == 0
+		   ? xasprintf("%s %.*s", rest, (int)n, text)
+		   : NULL;
+}
+
+/* A quantity and its limit with a blank between them; *name is the quantity. */
+static bool
+split_blank(const char *text, const struct fraction *fraction, char **name,
+    struct condition *c)
+{
+	struct error none = {0};
+	*name = xstrdup(text);
+	for (size_t n = strlen(text); n-- > 0;) {
+		if (text[n] != ' ')
+			continue;
+		(*name)[n] = '\0';
+		if (quantities_read(
+			*name, &fraction->partition, &c->quantity, &none) &&
+		    read_range(text + n, c, &none))
+			return true;
+	}
+	free(*name);
+	return false;
+}
+
 /* A quantity and a limit without a sign between them: which is meant nobody
- * knows. */
+ * knows.  A size alone, "2 mm 42", is taken for what passes it. */
 static bool
 no_sign(const char *text, const struct fraction *fraction, struct error *error)
 {
-	char *name = xstrdup(text);
 	struct condition c;
-	struct error none = {0};
-	bool found = false;
-	for (size_t n = strlen(text); n-- > 0 && !found;) {
-		if (text[n] != ' ')
-			continue;
-		name[n] = '\0';
-		found = quantities_read(
-			    name, &fraction->partition, &c.quantity, &none) &&
-			read_range(text + n, &c, &none);
-	}
-	if (!found) {
-		free(name);
+	char *name, *passing = xasprintf("passing %s", text);
+	char *turned = limit_last(text);
+	bool found =
+	    split_blank(text, fraction, &name, &c) ||
+	    split_blank(passing, fraction, &name, &c) ||
+	    (turned != NULL && split_blank(turned, fraction, &name, &c));
+	free(passing);
+	free(turned);
+	if (!found)
 		return expected(text, error);
-	}
 	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
 	if (c.least != c.most)
 		xappend(&limit, "..%g", quantities_shown(&c.quantity, c.most));
@@ -553,6 +605,14 @@ note_ways(struct answer *r, const struct wanted *wanted,
 {
 	const struct wanted_limit limit[] = {found->low, found->high};
 	const double end[] = {wanted->from, wanted->to};
+	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
+	    limit[0].i != SIZE_MAX && found->best > end[0] + 1e-3 &&
+	    found->best < end[1] - 1e-3) {
+		char *words = conditions_limit(list, limit[0]);
+		answer_note(r, "what is in the way: %s", words);
+		free(words);
+		return;
+	}
 	for (size_t k = 0; k < 2; k++) {
 		if (fabs(found->best - end[k]) < 1e-3) {
 			answer_say(r, ANSWER_REMARK,
@@ -572,6 +632,12 @@ note_ways(struct answer *r, const struct wanted *wanted,
 	}
 }
 
+int
+conditions_digits(double points)
+{
+	return fabs(points) < 0.1 ? 2 : 1;
+}
+
 void
 conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
@@ -588,14 +654,16 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s: every speed misses "
-		    "%s alike, by %.1f points",
-		    wanted->from, wanted->to, what, words, misses);
+		    "%s alike, by %.*f points",
+		    wanted->from, wanted->to, what, words,
+		    conditions_digits(misses), misses);
 		free(words);
 	} else {
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
-		    "m/s, which misses by %.1f points",
-		    wanted->from, wanted->to, what, found->best, misses);
+		    "m/s, which misses by %.*f points",
+		    wanted->from, wanted->to, what, found->best,
+		    conditions_digits(misses), misses);
 		note_ways(r, wanted, list, found);
 	}
 }

@@ -87,6 +87,13 @@ char *conditions_speeds_words(const struct speed_search *found);
 /* A margin in widths of the band; NAN of a model alone. */
 double conditions_widths(const struct wanted *wanted, struct margin margin);
 
+/* "max 2/5" for "most 2/5": what find takes instead; NULL of other words.  The
+ * caller frees. */
+char *conditions_extreme(const char *text);
+
+/* Decimals for points that a limit is missed by, so that none reads 0.0. */
+int conditions_digits(double points);
+
 /* What stands in the way where no speed meets the conditions. */
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);

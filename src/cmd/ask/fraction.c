@@ -65,6 +65,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
 	c.missed = is_missed(&c);
+	c.off = !c.missed && !c.no_band && 2 * c.inside < c.n;
 	forecast_close(f);
 	free(asked);
 	return c;

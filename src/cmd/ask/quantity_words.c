@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/sitefile/sieve_size.h"
 #include "io/sitefile/units.h"
 
 static bool
@@ -26,11 +27,11 @@ static bool
 read_size(const char *text, double *m)
 {
 	char *word = xstrdup(text);
-	double mm;
+	double mm = sieve_names_mm(text, SIEVE_NONE);
 	if (text_ends(word, "mm"))
 		word[strlen(word) - 2] = '\0';
-	bool ok = text_typed_number(word, &mm) && mm >= SIZE_LEAST_MM &&
-		  mm <= SIZE_MOST_MM;
+	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&
+		  mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
 	free(word);
 	if (ok)
 		*m = mm / 1000;

@@ -313,7 +313,7 @@ routine_words(const struct routine *r)
 				 tr("back within the limits after a signal "
 				    "at cut %zu"),
 				 r->first + 1)
-			   : xstrdup(tr("the cuts are as predicted"));
+			   : xstrdup(tr("no drift is signalled"));
 	char *most = xasprintf(tr("most at %g mm (%+.1f points on average)"),
 	    units_mm(r->worst), 100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;

@@ -125,7 +125,7 @@ static void
 add_rmse(struct answer *r, const char *run, const double *rmse)
 {
 	answer_text(r, "%s", run);
-	answer_text(r, "RMSE, points");
+	answer_text(r, "RMSE points");
 	answer_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
@@ -140,7 +140,7 @@ add_sizes(struct answer *r, const struct compared *item, bool exact)
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		begin_row(r, item, exact);
 		answer_text(
-		    r, exact ? "P%.0f" : N_("P%.0f, mm"), 100 * PSD_PASSING[i]);
+		    r, exact ? "P%.0f" : N_("P%.0f mm"), 100 * PSD_PASSING[i]);
 		answer_cells(r, "%.3f", 1000 * v->measured[i]);
 		for (size_t way = 0; way < VALIDATE_WAYS; way++)
 			answer_cells(r, "%.3f", 1000 * v->size[way][i]);

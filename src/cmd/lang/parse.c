@@ -241,7 +241,8 @@ join_condition(const struct command *command, struct words *words)
 	size_t n = 1;
 	while (n < words->n && !is_option(command, words->text[n]))
 		n++;
-	if (n < 4 || strpbrk(words->text[1], " <>=") != NULL)
+	if (n < 3 || strpbrk(words->text[1], " <>=") != NULL ||
+	    (n == 3 && strpbrk(words->text[2], "<>=") != NULL))
 		return;
 	for (size_t i = 2; i < n; i++)
 		if (strchr(words->text[i], ' ') != NULL)

@@ -116,14 +116,8 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "circulating load %.1f t/h%s, %.0f %% of the new feed",
 		    o->flow.circulating, band, 100 * o->flow.circulating / tph);
 	free(band);
-	answer_note(r,
-	    tr_n(
-		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu pass",
-		"balance: %g t/h in, %g t/h out, %.0e t/h apart after %zu "
-		"passes",
-		o->flow.passes),
-	    tph, round((tph - o->flow.balance) * 1e6) / 1e6,
-	    fabs(o->flow.balance), o->flow.passes);
+	answer_note(r, "balance: %g t/h in, %g t/h out", tph,
+	    round((tph - o->flow.balance) * 1e6) / 1e6);
 	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
 	    o->flow.circulating, o->flow.balance, o->flow.passes);
 	answers_put_pair(f, "circulating_range_tph", range[0], range[1]);
@@ -144,7 +138,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 		range_tph(p, o, unit, 0, range);
 		if (all > rotor)
 			answer_note(r,
-			    "crusher at %g m/s: %.1f t/h, of which %.1f t/h "
+			    "crusher at %.4g m/s: %.1f t/h, of which %.1f t/h "
 			    "through the rotor and %.1f t/h past it (%s)",
 			    speed, all, rotor, all - rotor,
 			    !(unit->cascade > 0) ? tr("fitted bypass")
@@ -152,7 +146,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 					    : tr("cascade"));
 		else
 			answer_note(r,
-			    "crusher at %g m/s: %.1f t/h, all through the "
+			    "crusher at %.4g m/s: %.1f t/h, all through the "
 			    "rotor",
 			    speed, all);
 		fields_put(fields_object(list, NULL),
@@ -221,10 +215,11 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	}
 	char *band = quantities_band(range[0], range[1], 2);
 	answer_note(r,
-	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %g m/s")
+	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
-		? N_("earnings %.2f an hour%s at %g m/s, less the power")
-		: N_("earnings %.2f an hour%s at %g m/s, less the least power "
+		? N_("earnings %.2f an hour%s at %.4g m/s, less the power")
+		: N_("earnings %.2f an hour%s at %.4g m/s, less the least "
+		     "power "
 		     "there can be"),
 	    o->money, band, o->speed);
 	free(band);
@@ -316,12 +311,12 @@ note_gain(const struct plant *p, const struct outcome *best,
 	    "gain_high %g",
 	    usual->speed, usual->money, gain, range[0], range[1]);
 	if (isnan(range[0])) {
-		answer_note(r, "%.2f an hour more than at %g m/s, no band",
+		answer_note(r, "%.2f an hour more than at %.4g m/s, no band",
 		    gain, usual->speed);
 		return;
 	}
-	answer_note(r, "%.2f an hour more than at %g m/s (%.2f to %.2f)", gain,
-	    usual->speed, range[0], range[1]);
+	answer_note(r, "%.2f an hour more than at %.4g m/s (%.2f to %.2f)",
+	    gain, usual->speed, range[0], range[1]);
 	double own[2];
 	range_of(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
@@ -425,7 +420,7 @@ answer_flow(const struct plant *p, const struct outcome *o)
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
 	struct answer *r = answers_new(entry->site, "flow",
-	    "%g t/h at %g m/s%s%s", p->circuit->tph, o->speed,
+	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
 	    p->plan->from_file || back[0] != '\0' ? ", " : "",
 	    p->plan->from_file || back[0] != '\0' ? what : "");
 	fields_put(answer_fields(r),
@@ -516,6 +511,7 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 {
 	bool best = args_value(args, "best")->choice == 1;
 	struct flow_plan plan;
+	question_as_last(s, args, q);
 	if (!flow_plan_read(s, args, q, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);

@@ -70,11 +70,11 @@ keep_begin(struct session *s)
 		const struct tm *tm = localtime(&file[0].when);
 		strftime(day, sizeof day, " %H:%M", tm);
 		offer = xasprintf(
-		    n > 1 ? tr("your last session of %d %s%s was not saved "
-			       "(%s): 'restore last' brings it back, 'restore' "
-			       "lists those before it")
-			  : tr("your last session of %d %s%s was not saved "
-			       "(%s): 'restore last' brings it back"),
+		    n > 1 ? tr("'restore last' brings back your last session, "
+			       "of %d %s%s (%s); 'restore' lists those before "
+			       "it")
+			  : tr("'restore last' brings back your last session, "
+			       "of %d %s%s (%s)"),
 		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, file[0].about);
 	}
 	kept_files_free(file, n);

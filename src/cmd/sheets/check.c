@@ -426,8 +426,9 @@ check_site(
 	doctor_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
 		finding(r, entry, false, "site file",
-		    "provenance is not stated: add a line 'provenance,...' "
-		    "with the source of the data");
+		    "provenance is not stated: above the table, write "
+		    "provenance in a cell, and in the next where the data "
+		    "are from");
 	if (site_assumed_top(entry->site) > 0)
 		finding(r, entry, false, "feed",
 		    "all of it is assumed to pass %g mm: a coarser sieve would "

@@ -17,12 +17,12 @@ enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
  * number, such as "-"; a number, alone or before a unit, "97,5 %", "42 g"; too
  * little to tell, "<0.1". */
 enum cell_value {
-	VALUE_NONE,
-	VALUE_ABSENT,
-	VALUE_NUMBER,
-	VALUE_PERCENT,
-	VALUE_GRAMS,
-	VALUE_TRACE
+	AS_NONE,
+	AS_ABSENT,
+	AS_NUMBER,
+	AS_PERCENT,
+	AS_GRAMS,
+	AS_TRACE
 };
 
 /* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact

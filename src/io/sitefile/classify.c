@@ -513,12 +513,14 @@ static void
 find_speed(struct column *c, const struct surroundings *near)
 {
 	const struct head *said = &c->said;
+	bool told_rpm = said->rpm == 0 && !(near->speed > 0) && near->rpm > 0 &&
+			c->role == PRODUCT && !(bare_speed(said) > 0);
 	c->open = c->open || said->several;
 	if (said->speed > 0) {
 		c->speed = said->speed;
-	} else if (said->rpm > 0) {
-		c->rpm = said->rpm;
-		c->speed = head_mps(said->rpm, SPEED_RPM, near->rotor);
+	} else if (said->rpm > 0 || told_rpm) {
+		c->rpm = told_rpm ? near->rpm : said->rpm;
+		c->speed = head_mps(c->rpm, SPEED_RPM, near->rotor);
 		if (c->speed > 0)
 			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
 			    c->rpm, 1000 * near->rotor, c->speed);
@@ -528,7 +530,7 @@ find_speed(struct column *c, const struct surroundings *near)
 	} else if (near->speed > 0 && c->role == PRODUCT) {
 		c->speed = near->speed;
 	}
-	bool counted = said->rpm > 0 || said->unit == SPEED_FT_MIN;
+	bool counted = c->rpm > 0 || said->unit == SPEED_FT_MIN;
 	if (c->speed > SITE_FASTEST ||
 	    (counted && c->speed > 0 && c->speed < 20)) {
 		c->open = true;
@@ -553,7 +555,7 @@ find_role(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 	else if (role != 0)
 		c->open = true;
-	else if (speed || near->speed > 0)
+	else if (speed || near->speed > 0 || near->rpm > 0)
 		c->role = PRODUCT;
 	else if (context == WORD_FEED)
 		c->role = FEED;
@@ -582,7 +584,7 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	*filled = *numbers = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
 		struct cell cell = c->table->row[i].cell[c->at];
-		*filled += cell.value != VALUE_ABSENT;
+		*filled += cell.value != AS_ABSENT;
 		*numbers += isnan(cell.number) ? 0 : 1;
 	}
 	return *filled > 0 && *numbers * 2 < *filled;

@@ -17,7 +17,7 @@
  * counted: numbers alone in heads are no tip speeds.
  * strange: the title has words that may tell another machine or day. */
 struct surroundings {
-	double rotor, speed;
+	double rotor, speed, rpm;
 	uint64_t context;
 	bool told, strange, counted;
 	struct samples *samples;

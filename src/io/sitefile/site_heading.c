@@ -51,17 +51,41 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	return number_of(number_cell(sheet, cell, copy), value);
 }
 
+/* "840 mm" of "VSI 4, rotor 840 mm"; NULL where no number follows the word. */
+static char *
+after_rotor(char *text)
+{
+	for (char *p = text; *p != '\0';) {
+		size_t n = strcspn(p, " ,;:=");
+		char *word = xstrndup(p, n);
+		bool rotor = (vocabulary_text(word, NULL) & WORD_ROTOR) != 0;
+		free(word);
+		p += n + strspn(p + n, " ,;:=");
+		if (rotor && *p >= '0' && *p <= '9')
+			return p;
+	}
+	return NULL;
+}
+
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
 static bool
 take_rotor(struct site *site, const struct sheet *sheet, struct cell key,
     struct cell value)
 {
 	uint64_t means = vocabulary_text(key.text, NULL);
+	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
+		char *after = after_rotor(value.text);
+		if (after == NULL)
+			return false;
+		value.text = after;
+		means = WORD_ROTOR;
+	}
+	means |= vocabulary_text(value.text, NULL);
 	double number;
-	if ((means & WORD_ROTOR) == 0 || (means & WORD_SPEED) != 0 ||
+	if ((means & WORD_ROTOR) == 0 ||
+	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
 	    !first_number(sheet, value, &number))
 		return false;
-	means |= vocabulary_text(value.text, NULL);
 	double mm = number * (number < 10 ? 1000 : 1);
 	if ((means & WORD_INCH) != 0)
 		mm = 25.4 * number;
@@ -118,8 +142,18 @@ split_colon(struct cell *key, struct cell *value, char **left, char **right)
 	return value->text[0] != '\0' && key->text[0] != '\0';
 }
 
+/* "Stone: gabbro", a key with its value in one cell. */
+static bool
+is_pair(struct cell cell)
+{
+	const char *colon = strchr(cell.text, ':');
+	return colon != NULL && colon > cell.text && colon[1] == ' ' &&
+	       strspn(colon + 1, " ") < strlen(colon + 1);
+}
+
 /* The next key of a line from cell *at on, which moves after it and its value:
- * the cells up to an empty one, or two of them.  Returns how many there are. */
+ * the cells up to an empty one, two of them, or one that is a pair with another
+ * pair after it.  Returns how many there are. */
 static size_t
 next_pair(const struct row *row, size_t *at, struct cell *key,
     struct cell *value, struct cell *third)
@@ -131,6 +165,8 @@ next_pair(const struct row *row, size_t *at, struct cell *key,
 	for (; i < row->n && (row->cell[i].text[0] != '\0' || n == 1); i++) {
 		if (row->cell[i].text[0] == '\0')
 			continue;
+		if (n == 1 && is_pair(*key) && is_pair(row->cell[i]))
+			break;
 		struct cell *slot[] = {key, value, third};
 		if (n < 3)
 			*slot[n] = row->cell[i];
@@ -195,6 +231,8 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
 		take_value(site, k, sheet, value);
+		if (k == KEY_MACHINE && !(site->rotor > 0))
+			take_rotor(site, sheet, key, value);
 	} else {
 		bool taken = n > 1 && (take_rotor(site, sheet, key, value) ||
 					  take_speed(sheet, key, value, speed));
