@@ -1,5 +1,6 @@
 #!/bin/sh
-# What the program says of itself, counted by bench/counts on a few cases each.
+# What the program says of itself, counted by bench/counts on a few cases each,
+# and what another seed of the draws changes in it.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
@@ -14,4 +15,7 @@ count guess "$(often 38 360)"
 count params "$(often 2 60)"
 count power "$(often 200 2000)"
 count speeds "$(often 2 60)"
+bench/chance "${srcdir:-.}/data" "$(often 3 5)" tierp ossjo >"$dir/out"
+result $? "what chance leaves"
+remark "$dir/out"
 finish

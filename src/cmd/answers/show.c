@@ -14,6 +14,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/feed.h"
+#include "cmd/ask/question.h"
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
@@ -225,23 +226,23 @@ selection_rows(struct answer *r, const struct psd *feed, const double *S)
 }
 
 static bool
-show_selection(struct session *s, const struct args *args, struct error *error)
+answer_selection(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
 {
-	if (!answers_ready(s, error))
-		return false;
-	const struct entry *entry = session_entry(s);
-	double v = args_number(args, "speed", answers_usual(entry));
-	const struct psd *feed = site_feed(entry->site, SITE_MEAN_FEED);
-	struct prediction p = forecast_whole(s, entry, v, SITE_MEAN_FEED);
+	const struct entry *entry = q->entry;
+	const struct psd *feed = question_feed(q);
+	struct prediction p = forecast_whole(s, entry, q->speed, q->feed);
 	double *S = xdoubles(feed->n);
-	predict_selection(feed, &entry->params, s->set.model, v, S);
-	struct answer *r = answers_new(
-	    entry->site, "show", "selection function at %g m/s (Eq 3)", v);
+	(void)args;
+	(void)error;
+	predict_selection(feed, &entry->params, s->set.model, q->speed, S);
+	struct answer *r = answers_new(entry->site, "show",
+	    "selection function at %g m/s (Eq 3)", q->speed);
 	selection_rows(r, feed, S);
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r),
-	    "what %s speed %g selected_pct %g break_mm %g", "selection", v,
-	    100 * p.selected, 1000 * p.break_size);
+	    "what %s speed %g selected_pct %g break_mm %g", "selection",
+	    q->speed, 100 * p.selected, 1000 * p.break_size);
 	answer_note(r,
 	    "S: share of the size class that breaks; broken: share of the "
 	    "whole feed, %.1f %% in total",
@@ -249,10 +250,17 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	if (isfinite(p.break_size) && p.break_size > 0)
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
-	feed_note(r, entry->site, SITE_MEAN_FEED, NULL, 0);
+	feed_note(r, entry->site, q->feed, NULL, 0);
 	free(S);
 	prediction_free(&p);
 	return session_answer(s, r);
+}
+
+static bool
+show_selection(struct session *s, const struct args *args, struct error *error)
+{
+	return answers_ready(s, error) &&
+	       question_run(s, args, answer_selection, error);
 }
 
 /* A class is called by the sieve it lies on. */
@@ -361,7 +369,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 static const struct {
 	const char *name;
 	bool at_site;
-	bool at_speed; /* takes the option speed */
+	bool asked; /* takes the options speed and feed */
 	command_run *show;
 } WHAT[] = {
     {"site", true, false, show_site},
@@ -404,9 +412,13 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
 		return nothing_called(s, what, args, error);
-	if (args_value(args, "speed")->given && !WHAT[i].at_speed)
+	if (args_value(args, "speed")->given && !WHAT[i].asked)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",
+		    what);
+	if (args_value(args, "feed")->given && !WHAT[i].asked)
+		return error_set(error, ERROR_USAGE,
+		    "show %s: expected no feed=; it is the same with all feeds",
 		    what);
 	if (args_value(args, "every")->given && WHAT[i].show != cmd_history)
 		return error_set(error, ERROR_USAGE,

@@ -233,6 +233,7 @@ const struct command TABLE_DATA[] = {
 	    0, 1},
 	.flags = COMMAND_BESIDE,
 	.option = SHOW_OPTIONS,
+	.shared = {SHARED_FEED},
 	.text =
 	    "site: the site file, its source and contents; feed and product: "
 	    "the measured curves; params and bounds: like those commands; fit: "

@@ -78,6 +78,13 @@ discrepancy_pairs(enum isa isa, size_t n, const double hyper[static HYPERS],
 }
 
 void
+discrepancy_normals(
+    enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z)
+{
+	triangle_of(isa)->normals(key, next, n, z);
+}
+
+void
 discrepancy_factor_pairs(enum isa isa, const double *pair, size_t n, double *U)
 {
 	for (size_t i = 0; i < n; i++) {

@@ -10,6 +10,7 @@
 
 #include "core/numeric/elementary.h"
 #include "core/numeric/isa.h"
+#include "core/numeric/rng.h"
 
 /* D13 (Kennedy and O'Hagan 2001):
  *   measured = model + discrepancy + error of the sample
@@ -132,6 +133,10 @@ discrepancy_pair(size_t i, size_t j)
 void discrepancy_factor_pairs(
     enum isa isa, const double *pair, size_t n, double *U);
 
+/* Standard normal numbers of a stream from `next` on, z [n] out. */
+void discrepancy_normals(
+    enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z);
+
 /* A passing that was measured: ln of its size, in m, and t and h there. */
 struct cell {
 	size_t run;
@@ -179,6 +184,7 @@ struct triangle {
 	    const double hyper[static HYPERS], double *U);
 	void (*cholesky)(double *U, size_t n);
 	void (*forward)(const double *U, size_t n, double *d);
+	void (*normals)(struct rng_key key, uint32_t next, size_t n, double *z);
 };
 extern const struct triangle TRIANGLE_BASE, TRIANGLE_AVX2, TRIANGLE_AVX512;
 

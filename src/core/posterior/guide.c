@@ -6,40 +6,59 @@
 #include <math.h>
 #include <string.h>
 
-/* One generation's sums, about an origin that keeps their digits. */
-struct moments {
-	double of[GUIDE_MOST], cross[GUIDE_MOST][GUIDE_MOST];
-};
+#include "core/numeric/elementary.h"
+
+void
+guide_begin(struct guide *g, size_t size, const double *origin)
+{
+	*g = (struct guide){.size = size};
+	memcpy(g->origin, origin, size * sizeof *origin);
+}
 
 static void
-add_chain(const struct guide *g, const double *x, size_t size, double weight,
-    struct moments *sum)
+add_chain(
+    const struct guide *g, const double *x, double weight, struct moments *sum)
 {
 	double off[GUIDE_MOST];
-	for (size_t i = 0; i < size; i++) {
+	for (size_t i = 0; i < g->size; i++) {
 		off[i] = x[i] - g->origin[i];
-		sum->of[i] += weight * off[i];
+		sum->mean[i] += weight * off[i];
 		for (size_t j = 0; j <= i; j++)
 			sum->cross[i][j] += weight * off[i] * off[j];
 	}
 }
 
+/* Goes a part of the way to other moments. */
+static void
+approach(struct guide *g, double part, const struct moments *to)
+{
+	for (size_t i = 0; i < g->size; i++) {
+		g->of.mean[i] += part * (to->mean[i] - g->of.mean[i]);
+		for (size_t j = 0; j <= i; j++)
+			g->of.cross[i][j] +=
+			    part * (to->cross[i][j] - g->of.cross[i][j]);
+	}
+}
+
 void
-guide_add(struct guide *g, const double *const *x, size_t chains, size_t size,
-    double most)
+guide_add(struct guide *g, const double *const *x, size_t chains, double weight,
+    double keep)
 {
 	struct moments sum = {{0}, {{0}}};
-	if (g->n == 0)
-		memcpy(g->origin, x[0], size * sizeof **x);
+	g->n *= keep;
+	if (chains == 0)
+		return;
 	for (size_t c = 0; c < chains; c++)
-		add_chain(g, x[c], size, 1 / (double)chains, &sum);
-	g->n = fmin(g->n + 1, most);
-	for (size_t i = 0; i < size; i++) {
-		g->mean[i] += (sum.of[i] - g->mean[i]) / g->n;
-		for (size_t j = 0; j <= i; j++)
-			g->cross[i][j] +=
-			    (sum.cross[i][j] - g->cross[i][j]) / g->n;
-	}
+		add_chain(g, x[c], 1 / (double)chains, &sum);
+	g->n += weight;
+	approach(g, weight / g->n, &sum);
+}
+
+void
+guide_blend(struct guide *g, const struct guide *other, double generations)
+{
+	g->n += generations;
+	approach(g, generations / g->n, &other->of);
 }
 
 void
@@ -50,8 +69,8 @@ guide_factor(
 	part->n = 0;
 	for (size_t k = 0; k < n; k++) {
 		size_t i = at[k];
-		double mean = g->mean[i],
-		       variance = g->cross[i][i] - mean * mean;
+		double mean = g->of.mean[i],
+		       variance = g->of.cross[i][i] - mean * mean;
 		if (!(variance > 1e-16 * (1 + mean * mean)))
 			continue;
 		part->at[part->n] = i;
@@ -60,7 +79,8 @@ guide_factor(
 	for (size_t a = 0; a < part->n; a++)
 		for (size_t b = 0; b <= a; b++) {
 			size_t i = part->at[a], j = part->at[b];
-			double c = g->cross[i][j] - g->mean[i] * g->mean[j];
+			double c =
+			    g->of.cross[i][j] - g->of.mean[i] * g->of.mean[j];
 			double own = a == b ? more * c : c, rest = own;
 			for (size_t k = 0; k < b; k++)
 				rest -= part->L[a][k] * part->L[b][k];
@@ -69,17 +89,34 @@ guide_factor(
 		}
 }
 
-double
-guide_move(const struct guide_part *part, double share, const double *x,
-    double *y, struct rng_key key, uint32_t next)
+/* x seen along L. */
+static void
+look(const struct guide_part *part, const double *x, double *z)
 {
-	double z[GUIDE_MOST], more = 0;
 	for (size_t a = 0; a < part->n; a++) {
 		z[a] = x[part->at[a]] - part->mean[a];
 		for (size_t k = 0; k < a; k++)
 			z[a] -= part->L[a][k] * z[k];
 		z[a] /= part->L[a][a];
 	}
+}
+
+double
+guide_density(const struct guide_part *part, const double *x)
+{
+	double z[GUIDE_MOST], sum = 0;
+	look(part, x, z);
+	for (size_t a = 0; a < part->n; a++)
+		sum -= z[a] * z[a] / 2 + el_log(part->L[a][a]);
+	return sum;
+}
+
+double
+guide_move(const struct guide_part *part, double share, const double *x,
+    double *y, struct rng_key key, uint32_t next)
+{
+	double z[GUIDE_MOST], more = 0;
+	look(part, x, z);
 	for (size_t a = 0; a < part->n; a++, next += 2) {
 		if (rng_uniform(key, next) >= share)
 			continue;

@@ -8,18 +8,27 @@
 
 #include "core/numeric/rng.h"
 
-/* Mean and covariance of `size` coordinates over the generations added; earlier
- * ones count less. */
+/* Mean and covariance of `size` coordinates, about an origin that keeps their
+ * digits, over the n generations that it was told of. */
 enum { GUIDE_MOST = 24 };
-struct guide {
-	double n, origin[GUIDE_MOST];
+struct moments {
 	double mean[GUIDE_MOST], cross[GUIDE_MOST][GUIDE_MOST];
 };
+struct guide {
+	size_t size;
+	double n, origin[GUIDE_MOST];
+	struct moments of;
+};
+void guide_begin(struct guide *g, size_t size, const double *origin);
 
-/* Adds a generation: x [chains], each [size].  most: all generations together
- * count as at most so many. */
+/* Tells it of a generation: x [chains], each [size], which counts as `weight`
+ * of one.  keep: how much those before go on to count. */
 void guide_add(struct guide *g, const double *const *x, size_t chains,
-    size_t size, double most);
+    double weight, double keep);
+
+/* Adds what another knows, of the same origin, as so many generations. */
+void guide_blend(
+    struct guide *g, const struct guide *other, double generations);
 
 /* Some of the coordinates, those that vary, with the factor of their
  * covariance. */
@@ -36,5 +45,8 @@ void guide_factor(
  * ln N(x), which the acceptance of the move corrects for. */
 double guide_move(const struct guide_part *part, double share, const double *x,
     double *y, struct rng_key key, uint32_t next);
+
+/* ln N(x), but for the constant of all coordinates. */
+double guide_density(const struct guide_part *part, const double *x);
 
 #endif

@@ -17,6 +17,7 @@
 
 #include "base/pool.h"
 #include "base/xalloc.h"
+#include "core/posterior/coordinates.h"
 #include "core/posterior/covariance.h"
 #include "core/posterior/guide.h"
 #include "core/posterior/thin.h"
@@ -31,13 +32,14 @@ enum {
 	DRAWS_EACH = 2 * BATCHES,
 	HALF = CHAINS / 2,
 	PART = 16, /* of a half, for one thread at a time */
-	RUNG = 7,  /* generations */
-	WARM_UP = 130,
-	KEPT = 160,
-	RECENT = 5,      /* generations that the guide goes by, until warm */
-	HYPER_EVERY = 6, /* generations, one of the hyperparameters */
-	ALONG_EVERY = 4, /* one that goes along differences, once warm */
-	LEAP_EVERY = 10, /* one that leaps from valley to valley */
+	RUNG = 6,  /* generations */
+	WARM_UP = 112,
+	KEPT = 176,
+	RECENT = 5,       /* generations that the guide goes by, until warm */
+	HYPER_EVERY = 6,  /* generations, one of the hyperparameters; half as
+			  * often until warm */
+	ALONG_EVERY = 10, /* one that goes along differences, once warm */
+	LEAP_EVERY = 10,  /* one that leaps from valley to valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
 	NUMBERS = 64, /* random ones of a chain and generation */
@@ -51,12 +53,12 @@ static const double FIRST_RUNG = 0.02, RISE = 1.25;
 
 enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 
-/* x: coordinates of the parameters (params_of), from PARAMS_MOST on the
+/* x: coordinates of the parameters (coordinates.h), from PARAMS_MOST on the
  * hyperparameters' logarithms, from STRENGTHS on those of the strengths.
  * likelihood, prior: -ln, but for constants. */
 struct chain {
 	double x[COORDINATES];
-	double likelihood, prior;
+	double likelihood, prior, hyper_prior;
 	double volume; /* see bring_to_cells */
 	double more;   /* of a guided move, see guide_move */
 	double *U, *d; /* covariance_factor, simulated - measured */
@@ -70,10 +72,8 @@ struct sampler {
 	double rms;   /* of the fit's differences */
 	double noise; /* known, or 0 */
 	enum isa isa;
-	double middle; /* ln of the mean energy */
-	size_t held;   /* of the gauge: it stays 1 or -1 */
-	bool by_slope; /* coordinates of Eq 3, see params_of */
-	bool two;      /* the rock may have two strengths */
+	struct coordinates coordinates;
+	bool two; /* the rock may have two strengths */
 	size_t n_cell;
 	struct cell *cell;
 	double *measured; /* passings of the cells */
@@ -87,9 +87,13 @@ struct sampler {
 	size_t first; /* chain of the half that moves */
 	bool started; /* both halves */
 	bool hyper;   /* the hyperparameters move, not the parameters */
-	bool guided;  /* by the part of what the guide knows */
-	struct guide guide;
-	struct guide_part part;
+	bool guided;  /* by what the guides know */
+	/* Of chains of one strength and of two, and ln of how many are drawn
+	 * there; of all the hyperparameters. */
+	struct guide guide[2];
+	struct guide_part kind[2], hypers;
+	double log_share[2];
+	double told; /* generations that the guides go by */
 	/* Of the trials, in the order in which they are evaluated, first those
 	 * of two strengths: which they are, parameters, e0_min of the softer
 	 * rock and its share, and differences. */
@@ -98,94 +102,6 @@ struct sampler {
 	double *difference, *misfit;
 	size_t accepted, tried;
 };
-
-/* The parameters at coordinates x.  Of the gauge one is held, as only the
- * direction counts.
- *
- * Of Eq 3 the data tell the break size and how steeply S rises there, and much
- * less f_mat, e0_min and alpha, which compensate for each other along a bent
- * ridge.  So coordinates are
- *   ln x* = (ln e0_min - ln E) / alpha,  ln(f_mat alpha e0_min),  alpha
- * in which the ridge is nearly straight; or the three themselves, where one of
- * them is held fixed. */
-static void
-params_of(const struct sampler *s, const double *x, double *at)
-{
-	size_t f = s->of->strength;
-	memcpy(at, x, s->of->n * sizeof *at);
-	if (!s->by_slope)
-		return;
-	at[f + 1] = el_exp(s->middle + x[f + 2] * x[f]);
-	at[f] = el_exp(x[f + 1]) / (x[f + 2] * at[f + 1]);
-}
-
-static void
-coordinates_of(const struct sampler *s, const double *at, double *x)
-{
-	size_t f = s->of->strength;
-	memcpy(x, at, s->of->n * sizeof *x);
-	for (size_t j = 0; j < s->of->gauge; j++)
-		x[j] /= fabs(at[s->held]);
-	if (!s->by_slope)
-		return;
-	double alpha = fmax(at[f + 2], 1e-3), e0 = fmax(at[f + 1], 1e-6);
-	x[f] = (el_log(e0) - s->middle) / alpha;
-	x[f + 1] = el_log(fmax(at[f], 1e-6) * alpha * e0);
-	x[f + 2] = alpha;
-}
-
-/* Priors are uniform between the bounds, normal where the model says so, and
- * alike for all directions of the gauge: seen from the plane in which one is
- * held, directions far out are rarer than on a sphere. */
-static double
-prior_of(const struct sampler *s, const double *x)
-{
-	double sum = discrepancy_prior(x + PARAMS_MOST, s->noise), squares = 0;
-	for (size_t j = 0; j < s->of->n; j++) {
-		const struct param_info *info = &s->of->parameter[j];
-		double z =
-		    info->spread > 0 ? (x[j] - info->start) / info->spread : 0;
-		sum += z * z / 2;
-		squares += j < s->of->gauge ? x[j] * x[j] : 0;
-	}
-	for (size_t j = STRENGTHS; j < COORDINATES; j++)
-		sum += x[j] * x[j] / 2;
-	if (s->of->gauge > 0)
-		sum += (double)s->of->gauge / 2 * el_log(squares);
-	return s->by_slope ? sum - x[s->of->strength + 1] : sum;
-}
-
-static bool
-is_own_coordinate(const struct sampler *s, size_t j)
-{
-	size_t f = s->of->strength;
-	return j >= s->of->gauge && !(s->by_slope && (j == f || j == f + 1));
-}
-
-/* Brings coordinates that went over a bound back by as much as they did. */
-static void
-reflect(const struct sampler *s, double *x)
-{
-	for (size_t j = 0; j < s->of->n; j++) {
-		double lower = s->bounds.lower[j], upper = s->bounds.upper[j];
-		if (!is_own_coordinate(s, j))
-			continue;
-		if (x[j] < lower)
-			x[j] = 2 * lower - x[j];
-		if (x[j] > upper)
-			x[j] = 2 * upper - x[j];
-	}
-}
-
-static bool
-is_within(const struct sampler *s, const double *at)
-{
-	for (size_t j = s->of->gauge; j < s->of->n; j++)
-		if (!(at[j] >= s->bounds.lower[j] &&
-			at[j] <= s->bounds.upper[j]))
-			return false;
-	return true;
-}
 
 /* Differences of a trial d [n_cell], as simulated - measured, become what they
  * are with the h of the cells (make_cells) in place of the trial's own, so that
@@ -218,7 +134,6 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	struct chain *trial = &s->trial[i];
 	const struct chain *now = &s->chain[s->first + i];
 	size_t n = s->n_cell;
-	double at[PARAMS_MOST];
 	if (s->hyper) {
 		memcpy(trial->d, now->d, n * sizeof *now->d);
 		covariance_factor(
@@ -231,9 +146,11 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	trial->likelihood =
 	    trial->volume +
 	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
-	trial->prior = prior_of(s, trial->x);
-	params_of(s, trial->x, at);
-	if (!is_within(s, at) || !isfinite(trial->likelihood))
+	if (s->hyper)
+		trial->prior = now->prior;
+	trial->hyper_prior =
+	    discrepancy_prior(trial->x + PARAMS_MOST, s->noise);
+	if (!isfinite(trial->likelihood))
 		trial->prior = INFINITY;
 }
 
@@ -272,8 +189,11 @@ static void
 line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
 {
 	size_t e0 = s->of->strength + 1;
-	double at[PARAMS_MOST];
-	params_of(s, s->trial[i].x, at);
+	double at[PARAMS_MOST], *prior = &s->trial[i].prior;
+	const double *x = s->trial[i].x;
+	*prior = coordinates_params(&s->coordinates, x, at);
+	for (size_t j = STRENGTHS; j < COORDINATES; j++)
+		*prior += x[j] * x[j] / 2;
 	s->order[place] = i;
 	s->softer[place] = at[e0] * rock.softer;
 	s->share_softer[place] = strengths_softer(&rock);
@@ -286,7 +206,9 @@ static void
 evaluate(struct sampler *s)
 {
 	size_t two = 0, one = HALF;
-	for (size_t i = 0; i < HALF; i++) {
+	for (size_t i = 0; i < HALF && s->hyper; i++)
+		s->order[i] = i;
+	for (size_t i = 0; i < HALF && !s->hyper; i++) {
 		struct strengths rock = strengths_of(s, s->trial[i].x);
 		line_up(s, i, rock, rock.share > 0 ? two++ : --one);
 	}
@@ -317,27 +239,67 @@ propose(struct sampler *s, size_t i, struct rng_key key)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
 	for (size_t j = STRENGTHS; j < STRENGTHS + strengths; j++)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
-	reflect(s, x);
+	coordinates_reflect(&s->coordinates, x);
 }
 
-/* Where the chain goes of this index: some coordinates are drawn anew. */
+/* 1 where the rock has two strengths, else 0. */
+static size_t
+kind_of(const struct sampler *s, const double *x)
+{
+	return s->two && x[STRENGTHS] > 0;
+}
+
+/* ln of the density of what propose_guided draws from, but for a constant. */
+static double
+guided_density(const struct sampler *s, const double *x)
+{
+	size_t kind = kind_of(s, x);
+	double sum = s->log_share[kind] + guide_density(&s->kind[kind], x);
+	for (size_t j = STRENGTHS; j < COORDINATES && kind == 0; j++)
+		sum -= x[j] * x[j] / 2;
+	return kind == 0 ? sum + el_log(2) : sum;
+}
+
+/* Draws the coordinates of the strengths of a rock that has but one, of which
+ * nothing is known, from their prior; returns as guide_move. */
+static double
+draw_strength(double *x, struct rng_key key, uint32_t at)
+{
+	double more = 0;
+	for (size_t j = STRENGTHS; j < COORDINATES; j++) {
+		double anew = rng_normal(key, at++);
+		more += (x[j] * x[j] - anew * anew) / 2;
+		x[j] = j == STRENGTHS ? -fabs(anew) : anew;
+	}
+	return more;
+}
+
+/* Where the chain goes of this index: some coordinates are drawn anew.  Every
+ * other time they are half of the parameters; else all, and whether the rock
+ * has one strength or two: between these chains change hardly ever by small
+ * steps, and either has a mean and a covariance of its own. */
 static void
 propose_guided(struct sampler *s, size_t i, struct rng_key key)
 {
-	const double share = 0.3;
+	const double half = 0.5;
+	const double *now = s->chain[s->first + i].x;
 	struct chain *trial = &s->trial[i];
-	const struct chain *now = &s->chain[s->first + i];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 4);
-	memcpy(trial->x, now->x, sizeof trial->x);
-	trial->more = guide_move(
-	    &s->part, s->hyper ? 1 : share, now->x, trial->x, key, at);
-	for (size_t j = 0; j < s->of->n; j++)
-		if (is_own_coordinate(s, j) &&
-		    !(trial->x[j] >= s->bounds.lower[j] &&
-			trial->x[j] <= s->bounds.upper[j]))
-			trial->more = INFINITY;
-	if (trial->more == INFINITY)
-		memcpy(trial->x, now->x, sizeof trial->x);
+	bool all = s->hyper || s->generation % 2 == 0;
+	size_t kind = kind_of(s, now), to = kind;
+	if (all && !s->hyper && s->two)
+		to = el_log(rng_uniform(key, at)) < s->log_share[1];
+	memcpy(trial->x, now, sizeof trial->x);
+	trial->more = guide_move(s->hyper ? &s->hypers : &s->kind[to],
+	    all ? 1 : half, now, trial->x, key, at + 1);
+	if (!s->hyper && s->two && to == 0)
+		trial->more +=
+		    draw_strength(trial->x, key, at + 1 + 2 * COORDINATES);
+	if (kind_of(s, trial->x) != to)
+		trial->more = INFINITY;
+	else if (to != kind)
+		trial->more =
+		    guided_density(s, trial->x) - guided_density(s, now);
 }
 
 /* The coordinates that move, [COORDINATES] out. */
@@ -354,6 +316,29 @@ moving(const struct sampler *s, size_t *at)
 	return n;
 }
 
+/* Of few chains of a kind all tell more than they alone. */
+static void
+factor_guides(struct sampler *s)
+{
+	const double generations = 2, least = 0.05;
+	size_t at[COORDINATES], n = moving(s, at);
+	struct guide all = s->guide[0];
+	guide_blend(&all, &s->guide[1], s->guide[1].n);
+	if (s->hyper) {
+		guide_factor(&all, at, n, &s->hypers);
+		return;
+	}
+	for (size_t kind = 0; kind < 2; kind++) {
+		struct guide g = s->guide[kind];
+		double share = g.n / all.n;
+		guide_blend(&g, &all, generations);
+		guide_factor(&g, at,
+		    s->two && kind == 0 ? n - STRENGTHS_COORDINATES : n,
+		    &s->kind[kind]);
+		s->log_share[kind] = el_log((share + least) / (1 + 2 * least));
+	}
+}
+
 /* Of each generation's moves, which they are.  Along differences alone chains
  * forget where they were after 100 to 400 generations; so most are guided.  The
  * warm-up keeps to differences for parameters: a cloud of chains has no shape
@@ -361,13 +346,13 @@ moving(const struct sampler *s, size_t *at)
 static void
 choose_moves(struct sampler *s)
 {
-	size_t at[COORDINATES];
-	s->hyper = s->generation % HYPER_EVERY == HYPER_EVERY - 1;
+	size_t every = s->generation < WARM_UP ? 2 * HYPER_EVERY : HYPER_EVERY;
+	s->hyper = s->generation % every == every - 1;
 	s->guided = s->hyper || (s->generation >= WARM_UP &&
 				    s->generation % ALONG_EVERY != 0);
 	s->guided = s->guided && s->generation >= RUNG;
 	if (s->guided && s->first == 0)
-		guide_factor(&s->guide, at, moving(s, at), &s->part);
+		factor_guides(s);
 }
 
 static void
@@ -386,6 +371,7 @@ take(struct chain *chain, struct chain *trial, bool hyper)
 	chain->likelihood = trial->likelihood;
 	chain->prior = trial->prior;
 	chain->volume = trial->volume;
+	chain->hyper_prior = trial->hyper_prior;
 	swap(&chain->d, &trial->d);
 	if (hyper)
 		swap(&chain->U, &trial->U);
@@ -396,7 +382,8 @@ accept(struct sampler *s, size_t i, struct rng_key key)
 {
 	struct chain *now = &s->chain[s->first + i], *trial = &s->trial[i];
 	double rise = s->share * (trial->likelihood - now->likelihood) +
-		      trial->prior - now->prior + (s->guided ? trial->more : 0);
+		      trial->prior - now->prior + trial->hyper_prior -
+		      now->hyper_prior + (s->guided ? trial->more : 0);
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 3);
 	s->tried++;
 	if (!(el_log(rng_uniform(key, at)) < -rise))
@@ -448,7 +435,7 @@ scatter(const struct sampler *s, struct rng_key key, struct chain *c)
 	for (size_t j = s->of->gauge; j < s->of->n; j++)
 		p.at[j] =
 		    fmin(fmax(p.at[j], s->bounds.lower[j]), s->bounds.upper[j]);
-	coordinates_of(s, p.at, c->x);
+	coordinates_of(&s->coordinates, p.at, c->x);
 	for (size_t h = 0; h < HYPERS; h++)
 		c->x[PARAMS_MOST + h] =
 		    el_log(HYPER[h].median) +
@@ -485,6 +472,7 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 	to->likelihood = from->likelihood;
 	to->prior = from->prior;
 	to->volume = from->volume;
+	to->hyper_prior = from->hyper_prior;
 }
 
 /* Lets a larger share of the likelihood count, and draws the chains anew by how
@@ -630,15 +618,19 @@ knot_at(const struct posterior *p, double log_size)
 /* Random numbers of one draw: of two from the same chain one has the negative
  * ones of the other, so that their mean errs less. */
 struct noise {
+	enum isa isa;
 	struct rng_key key;
 	uint32_t next;
 	double sign;
 };
 
-static double
-normal(struct noise *noise)
+static void
+draw_normals(struct noise *noise, size_t n, double *z)
 {
-	return noise->sign * rng_normal(noise->key, noise->next++);
+	discrepancy_normals(noise->isa, noise->key, noise->next, n, z);
+	noise->next += (uint32_t)n;
+	for (size_t i = 0; i < n; i++)
+		z[i] *= noise->sign;
 }
 
 /* A Gaussian process at the knots, whose covariance has the factor U'. */
@@ -646,10 +638,9 @@ static void
 draw_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
-	for (size_t i = 0; i < n; i++) {
-		work[i] = normal(noise);
+	draw_normals(noise, n, work);
+	for (size_t i = 0; i < n; i++)
 		f[i] = 0;
-	}
 	for (size_t k = 0; k < n; k++)
 		for (size_t i = k; i < n; i++)
 			f[i] += U[k * n + i] * work[k];
@@ -702,12 +693,13 @@ made_up_differences(const struct sampler *s, const struct posterior *p,
 	size_t m = p->n_knot;
 	double *error = xdoubles(m), *work = xdoubles(m);
 	double term[DISCREPANCY_TERMS];
+	draw_normals(noise, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t k = knot_at(p, c->log_size);
 		if (i == 0 || c->run != s->cell[i - 1].run)
 			draw_process(shared, m, noise, error, work);
-		double sum = error[k] + draw->hyper[HYPER_OWN] * normal(noise);
+		double sum = error[k] + draw->hyper[HYPER_OWN] * d[i];
 		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 			sum += term[j] * process[j][k];
@@ -752,7 +744,7 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *room = xdoubles((DISCREPANCY_TERMS + 2) * m + s->n_cell);
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
-	params_of(s, chain->x, draw->params.at);
+	coordinates_params(&s->coordinates, chain->x, draw->params.at);
 	params_scale(&draw->params);
 	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
@@ -764,8 +756,9 @@ make_draw(const struct sampler *s, struct posterior *p,
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		draw_process(pairs.wide, m, &noise, process[j], work);
 	draw_process(pairs.shared, m, &noise, error, work);
+	draw_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
-		error[k] += draw->hyper[HYPER_OWN] * normal(&noise);
+		error[k] += draw->hyper[HYPER_OWN] * work[k];
 	made_up_differences(s, p, draw, process, pairs.shared, &noise, d);
 	bring_to_data(
 	    s, p, chain, pairs.f, draw->hyper[HYPER_SLOPE], process, d);
@@ -836,7 +829,8 @@ make_cells(struct sampler *s, const struct misfit *m, const double *d)
 			s->measured[k] = m->run[r].measured[i];
 			s->cell[k] = (struct cell){.run = r,
 			    .log_size = el_log(m->run[r].sieve[i]),
-			    .t = discrepancy_time(m->run[r].speed, s->middle),
+			    .t = discrepancy_time(
+				m->run[r].speed, s->coordinates.middle),
 			    .h = discrepancy_h(P)};
 		}
 }
@@ -873,18 +867,12 @@ measure_scheme(struct sampler *s, const double *d)
 		s->scheme[k] = d[k] - s->difference[k * HALF];
 }
 
-static bool
-is_free(const struct bounds *b, size_t j)
-{
-	return b->upper[j] > b->lower[j];
-}
-
 static struct sampler *
 sampler_new(struct misfit *m, const struct params *fit,
     const struct bounds *bounds, const struct posterior_options *o)
 {
 	struct sampler *s = xcalloc(1, sizeof *s);
-	double *d = xdoubles(m->n_residual);
+	double *d = xdoubles(m->n_residual), origin[COORDINATES] = {0};
 	size_t f = m->of->strength;
 	s->of = m->of;
 	s->fit = *fit;
@@ -892,12 +880,9 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->seed = o->seed;
 	s->noise = o->noise;
 	s->isa = isa_usable(o->isa);
-	s->middle = el_log(mean_energy(m));
-	s->two = is_free(bounds, f + 1);
-	s->by_slope = s->two && is_free(bounds, f) && is_free(bounds, f + 2);
-	for (size_t j = 1; j < s->of->gauge; j++)
-		if (fabs(fit->at[j]) > fabs(fit->at[s->held]))
-			s->held = j;
+	s->coordinates = coordinates_about(
+	    fit, bounds, &m->settings, el_log(mean_energy(m)));
+	s->two = bounds->upper[f + 1] > bounds->lower[f + 1];
 	s->sensitivity = sensitivity_of(m, fit, bounds, true, NULL);
 	double squares = misfit_differences(m, fit, d);
 	s->rms = fmax(sqrt(squares / (double)m->n_residual), 0.001);
@@ -906,6 +891,9 @@ sampler_new(struct misfit *m, const struct params *fit,
 	make_cells(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
 	make_room(s);
+	coordinates_of(&s->coordinates, fit->at, origin);
+	for (size_t kind = 0; kind < 2; kind++)
+		guide_begin(&s->guide[kind], COORDINATES, origin);
 	measure_scheme(s, d);
 	free(d);
 	return s;
@@ -1023,7 +1011,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	misfit_thin(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
-	p->middle = s->middle;
+	p->middle = s->coordinates.middle;
 	site_reach(site, &p->from, &p->to);
 	find_speeds(p, m);
 	make_knots(p, site, s);
@@ -1054,7 +1042,7 @@ draw_part(void *data, size_t part, unsigned thread)
 	size_t which = draws_due(s) - 1, first = which % 2 * CHAINS;
 	(void)thread;
 	for (size_t i = part * PART; i < (part + 1) * PART; i++) {
-		struct noise noise = {
+		struct noise noise = {s->isa,
 		    rng_key(s->seed, which / 2 * CHAINS + i, USE_DRAW), 0,
 		    first == 0 ? 1 : -1};
 		make_draw(
@@ -1091,13 +1079,21 @@ choose_draws(struct posterior_run *run)
 }
 
 static void
-tell_guide(struct sampler *s)
+tell_guides(struct sampler *s)
 {
-	const double *x[CHAINS];
-	for (size_t i = 0; i < CHAINS; i++)
-		x[i] = s->chain[i].x;
-	guide_add(&s->guide, x, CHAINS, COORDINATES,
-	    s->generation <= WARM_UP ? RECENT : KEPT);
+	double most = s->generation <= WARM_UP ? RECENT : KEPT;
+	double told = fmin(s->told + 1, most);
+	double keep = s->told > 0 ? (told - 1) / s->told : 0;
+	const double *x[2][CHAINS];
+	size_t n[2] = {0};
+	for (size_t i = 0; i < CHAINS; i++) {
+		size_t kind = kind_of(s, s->chain[i].x);
+		x[kind][n[kind]++] = s->chain[i].x;
+	}
+	for (size_t kind = 0; kind < 2; kind++)
+		guide_add(&s->guide[kind], x[kind], n[kind],
+		    (double)n[kind] / CHAINS, keep);
+	s->told = told;
 }
 
 bool
@@ -1114,7 +1110,7 @@ posterior_step(struct posterior_run *run)
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		climb(s, fmin(1, RISE * s->share));
-	tell_guide(s);
+	tell_guides(s);
 	if (s->generation <= WARM_UP) {
 		s->accepted = s->tried = 0;
 		return false;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/numeric/rng.h"
 #include "core/posterior/discrepancy.h"
 #include "core/search/lanes.h"
 
@@ -130,4 +131,18 @@ covariance(
 	}
 }
 
-const struct triangle TRIANGLE_NAME = {pairs, covariance, cholesky, forward};
+/* As rng_normal sums them, number by number. */
+static void
+normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
+{
+	for (size_t i = 0; i < n; i++)
+		z[i] = 0;
+	for (uint32_t j = 0; j < 12; j++)
+		for (uint32_t i = 0; i < (uint32_t)n; i++)
+			z[i] += rng_uniform(key, 12 * (next + i) + j);
+	for (size_t i = 0; i < n; i++)
+		z[i] -= 6;
+}
+
+const struct triangle TRIANGLE_NAME = {
+    pairs, covariance, cholesky, forward, normals};
