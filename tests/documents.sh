@@ -77,7 +77,7 @@ report_top '"passing 2 = 31..36" "passing 0.063 < 3"' &&
 	grep -q '<footer>.*: report "passing 2 = 31..36" "passing 0.063' top.html
 result $? "a report says first that its conditions are met, at their best speed"
 report_top '"passing 2 = 31..36" speed=84' &&
-	grep -q 'class="warning">Conditions: .*: at 84 m/s .*, missed' top.txt &&
+	grep -q 'class="warning">Conditions: .*: at 84.0 m/s .*, missed' top.txt &&
 	grep -q '; met at ' top.txt && report_top '"passing 2 > 95"' &&
 	grep -q 'class="warning">Conditions: .*no speed from 65 to 85' top.txt
 result $? "and that they are missed"

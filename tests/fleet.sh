@@ -160,12 +160,12 @@ result $? 'one of another calibration is refused'
 "$TIPSPEED" --store=part2.db -c 'load data/sites/tierp.csv' \
 	-c 'params set f_mat=2 e0_min=17 alpha=0.95' -c 'remember more' \
 	>>log 2>&1
-refuses 'is of none of the parts' $parts part1.db part2.db part3.db
+refuses 'belongs to none of the parts' $parts part1.db part2.db part3.db
 result $? 'one of no part is refused'
 refuses 'expected the parts that this store belongs to' part1.db
 result $? 'a store goes with its parts'
 
-# What cannot be compared is told at the end, and the answer stays.
+# What cannot be compared is listed at the end, and the answer stays.
 "$TIPSPEED" -c 'load data/sites/tierp.csv data/sites/bro.csv' \
 	-c 'calibrate population=400' -c 'use tierp' -c 'set model vogel' \
 	-c 'calibrate population=400' -c 'set model grunditz' \

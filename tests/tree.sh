@@ -173,6 +173,10 @@ for f in $(find src/*/ -name '*.[ch]'); do
 	head -n 12 "$f" | grep -q 'SPDX-License-Identifier' || echo "$f"
 done >"$tmp"
 none "every file opens with its duty and its licence"
+for f in $(of . '*.c'); do
+	! head -n 1 "$f" | grep -q 'SPDX' || echo "$f"
+done >"$tmp"
+none "a .c opens with what it does, before its licence"
 
 # A .c with a header of its name includes that first.
 for f in $(find src -name '*.c'); do
@@ -192,17 +196,46 @@ none "no marks left"
 
 # The guides name files and identifiers that there are; minimize_crash is an option of
 # the fuzzer, table3_text.c is made.
-guides='HACKING.md bench/README.md dem/README.md'
+guides="HACKING.md bench/README.md dem/README.md doc/architecture.md
+	doc/experiments.md $(echo doc/decisions/*.md)"
 grep -ohE '[a-z_0-9]+\.[ch]\b' $guides | sort -u | grep -vx table3_text.c |
 	while read -r f; do
 		find src tests bench tools dem -name "$f" | grep -q . || echo "$f"
 	done >"$tmp"
-grep -rohE '[A-Za-z]+(_[A-Za-z0-9]+)+' src tests tools bench data dem man Makefile.am \
+grep -ohE '[a-z0-9]+(/[a-z_0-9-]+)+\.(c|h|md|sh|tip)\b' $guides | sort -u |
+	while read -r f; do
+		[ -e "$f" ] || [ -e "src/$f" ] || [ -e "doc/$f" ] || echo "$f"
+	done >>"$tmp"
+grep -rohIE '[A-Za-z]+(_[A-Za-z0-9]+)+' src tests tools bench data dem man Makefile.am \
 	configure.ac .ci | sort -u >"$tmp.there"
 grep -ohE '\b[a-z]+(_[a-z0-9]+)+\b' $guides | grep -vx minimize_crash | sort -u |
 	comm -23 - "$tmp.there" >>"$tmp"
+grep -rohE 'doc(/[a-z-]+)+\.md' src README.md | sort -u | while read -r f; do
+	[ -e "$f" ] || echo "$f"
+done >>"$tmp"
 rm "$tmp.there"
 none "guides name files and identifiers that there are"
+
+# A name with a file behind it in brackets is a function that the file defines.
+for f in $guides; do
+	tr -s '\n\t ' ' ' <"$f" | grep -oE '`[a-z_0-9]+` \([a-z_0-9/]+\.[ch]\)' |
+		tr -d '`()' | while read -r name file; do
+		grep -qsE "(^|[ *])$name\(" $(find src -path "*/${file#src/}") </dev/null ||
+			echo "$f: $name is not in $file"
+	done
+done >"$tmp"
+none "guides name functions in the file that defines them"
+
+[ "$(wc -l <HACKING.md)" -le 200 ]
+result $? "HACKING.md has 200 lines at most"
+
+# Headers that comments name are there.
+grep -rhE '/\*|^[[:space:]]*\*' src --include='*.[ch]' | grep -oE '\b[a-z_]{4,}\.h\b' |
+	sort -u | grep -vx ctype.h |
+	while read -r f; do
+		find src tests/unit -name "$f" | grep -q . || echo "$f"
+	done >"$tmp"
+none "comments name headers that there are"
 
 # What the full screen exported by the way is soon committed by the way.
 git ls-files 2>/dev/null | grep -v / | grep -vxE '\.clang-format|\.gitignore|'\

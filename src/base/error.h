@@ -11,13 +11,13 @@
 /* The kinds are the program's exit codes; see tipspeed(1), EXIT STATUS. */
 enum error_kind {
 	ERROR_NONE = 0,
-	ERROR_CHECK = 1,   /* a check or an assertion said no */
+	ERROR_CHECK = 1,   /* a check found a fault, or an assertion failed */
 	ERROR_USAGE = 2,   /* a command that cannot be understood */
 	ERROR_DATA = 3,    /* a file whose contents are wrong */
 	ERROR_NUMERIC = 4, /* a computation without an answer */
 	ERROR_SYSTEM = 5,  /* a file or resource the system refused */
-	/* Nobody waits for it any more.  130 is that of INT; where another
-	 * signal came the driver has its own. */
+	/* The user no longer waits for it.  130 is the status after INT; after
+	 * another signal the driver returns that signal's. */
 	ERROR_STOPPED = 130
 };
 
@@ -26,8 +26,8 @@ enum error_kind {
 #define ERROR_TYPED "typed"
 
 /* A plain value: nothing to free.  line and column count from 1; 0: none.
- * in_grid: they are those of a cell in a workbook, shown as B5.
- * text: what was wanted and what was found; hint: the next step, or "". */
+ * in_grid: the place is a cell of a workbook, shown as B5.  text: what was
+ * expected and what was found; hint: the next step, or "". */
 struct error {
 	enum error_kind kind;
 	int line, column;
@@ -38,8 +38,8 @@ struct error {
 };
 
 /* Several faults of one file, in the order found; further ones are counted
- * only.  stop: whether nobody waits for the file any more; NULL: never.
- * stopped: it said so. */
+ * only.  stop: whether reading should end, as the user no longer waits; NULL:
+ * never.  stopped: it returned true. */
 struct error_list {
 	size_t n, more;
 	bool (*stop)(void);
@@ -64,8 +64,8 @@ bool error_say(struct error *e, enum error_kind kind, const char *file,
 /* Another place for an error already set. */
 void error_place(struct error *e, const char *file, int line, int column);
 
-/* The same for one of a file as a whole, which the text then names: a script is
- * where it is reported. */
+/* The same for an error about a file as a whole, which the text then names; the
+ * place becomes that in the script. */
 void error_told_at(struct error *e, const char *file, int line, int column);
 
 /* Another hint for an error already set.  Returns false. */
@@ -76,14 +76,14 @@ bool error_hint(struct error *e, const char *format, ...)
  * never NULL. */
 struct error *error_add(struct error_list *list);
 
-/* Whether whoever reads the file is to come to an end, which each loop over its
- * contents asks now and then.  Once true it stays so, and the list has a fault
- * of kind ERROR_STOPPED. */
+/* Whether reading should end; each loop over the contents of a file asks now
+ * and then.  Once true it stays true, and the list has a fault of kind
+ * ERROR_STOPPED. */
 bool error_stopped(struct error_list *list);
 
 /* "file:line:column: text", or in a workbook "file, B5: text", and, where there
- * is one, the hint below it.  A hint goes on after a margin where the screen
- * ends; the text, which programs may read, on a terminal only. */
+ * is one, the hint below it.  A hint is wrapped, with a margin; the text, which
+ * programs may read, is wrapped on a terminal only. */
 void error_print(const struct error *e, FILE *out);
 
 /* The hint alone. */

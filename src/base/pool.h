@@ -5,13 +5,13 @@
 
 #include <stddef.h>
 
-/* A few threads that sleep until there is work.  Whoever is free takes the next
+/* A few threads that sleep until there is work.  A free thread takes the next
  * piece, the caller too, and the caller waits only for pieces that were taken:
- * on a busy machine a thread that gets no processor holds nobody up. */
+ * on a busy machine a thread that gets no processor delays no other. */
 struct pool;
 
-/* threads >= 1, the caller among them.  A thread that cannot be started is done
- * without. */
+/* threads >= 1, the caller among them.  Where a thread cannot be started there
+ * is one less. */
 struct pool *pool_new(unsigned threads);
 void pool_free(struct pool *pool);
 
@@ -20,8 +20,8 @@ unsigned pool_threads(const struct pool *pool);
 
 /* Calls run(data, piece, thread) for each piece from 0 to n-1, n < 2^32 - 1,
  * each once and in any order; thread is below pool_threads and never in use
- * twice at a time. Returns when all are done. pool NULL: one after the other.
- * */
+ * twice at a time.  Returns when all are done.  pool NULL: one after the
+ * other. */
 void pool_run(struct pool *pool, size_t n,
     void (*run)(void *data, size_t piece, unsigned thread), void *data);
 

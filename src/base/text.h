@@ -12,8 +12,8 @@
  * the locale.  Spaces around it are allowed; hex, "inf" and "nan" are not. */
 bool text_number(const char *s, double *value);
 
-/* As people type it: also with a decimal comma, "11,2".  One before three
- * digits may part thousands, "1,640", and is refused, but for "0,063". */
+/* As people type it: also with a decimal comma, "11,2".  A comma before three
+ * digits may separate thousands, "1,640", and is refused, except in "0,063". */
 bool text_typed_number(const char *s, double *value);
 
 /* Whether what is at a place of s can only be a decimal comma. */
@@ -25,21 +25,22 @@ bool text_whole(const char *s, uint64_t *value);
 /* Shortest decimal form that reads back as the same double; buf of 32. */
 const char *text_exact(double value, char buf[static 32]);
 
-/* A number for a message that sets it against another: the same where that is
- * short, as what somebody has typed is; else, of what was worked out, as few
- * digits as keep the two apart, four at least. */
+/* A number for a message that compares it with another: as it is where that is
+ * short, as typed numbers are; else as few digits as distinguish the two, four
+ * at least. */
 const char *text_apart(double value, double other, char buf[static 32]);
 
 /* Without spaces at both ends, in place; returns a pointer into s. */
 char *text_trim(char *s);
 
-/* A copy in small letters with the accents of Latin letters taken off, so that
+/* A copy in lower case with the accents of Latin letters removed, so that
  * "Borlänge" is "borlange", however its dots are coded.  Other bytes stay.  The
  * caller frees. */
 char *text_fold(const char *s);
 
-/* text_fold, with every run of other than letters of any script, digits, points
- * and underscores turned into one '-'; empty where there are none. */
+/* text_fold, with every run of characters other than letters of any script,
+ * digits, points and underscores replaced by one '-'; empty where there are
+ * none. */
 char *text_slug(const char *s);
 
 /* n bytes without the quotes (") in them; two within quotes are one.  The
@@ -47,21 +48,21 @@ char *text_slug(const char *s);
 char *text_unquoted(const char *s, size_t n);
 
 /* Whether a spreadsheet may take a cell for a formula: one that begins with one
- * of = + - @ and is no number and no sign alone.  A sheet has such text after
- * an apostrophe, which its reader takes off; so text that begins with
- * apostrophes and then one of those gets one more. */
+ * of = + - @ and is no number and no sign alone.  In a sheet an apostrophe
+ * stands before such text, which the reader removes; text that begins with
+ * apostrophes and then such a character gets one more. */
 bool text_is_formula(const char *s);
 
-/* True when there is something before that end. */
+/* True when s ends so and has something before it. */
 bool text_ends(const char *s, const char *end);
 
-/* Same word but for case and accents. */
+/* Whether two words are the same apart from case and accents. */
 bool text_same(const char *a, const char *b);
 
-/* Whether it has the word somewhere, but for case and accents. */
+/* Whether the text contains the word, apart from case and accents. */
 bool text_has(const char *text, const char *word);
 
-/* Index of a word in a list with spaces between; false if it has none such. */
+/* Index of a word in a list separated by spaces; false if it is not there. */
 bool text_choice(const char *list, const char *word, size_t *index);
 
 /* Number of single-letter edits between a and b (Damerau-Levenshtein). */
@@ -78,9 +79,9 @@ size_t text_shared(const char *a, const char *b);
  * for marks that combine with the one before. */
 int text_columns(uint32_t code);
 
-/* Text may be somebody else's: a name, a sheet, a store.  What a terminal would
- * act on (controls of both kinds), what turns other text around or is not seen
- * (marks of direction, line separators, spaces without width), and what is no
+/* Text may come from others: a name, a sheet, a store.  What a terminal would
+ * act on (controls of both kinds), what reverses other text or is invisible
+ * (marks of direction, line separators, spaces without width), and what is not
  * text (bytes that are not UTF-8, U+FFFE, U+FFFF) is shown as \x1b, \u202e or
  * \U000e0001.  Whatever is printed for people comes through here, and what
  * comes out may stand in XML.
@@ -96,8 +97,8 @@ void text_put(const char *s, FILE *out);
 void text_put_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
-/* True where text_shown changes nothing; and for a character that it never
- * leaves. */
+/* text_is_plain: whether text_shown changes nothing.  text_is_hidden: whether
+ * it replaces the character. */
 bool text_is_plain(const char *s);
 bool text_is_hidden(uint32_t code);
 
@@ -128,7 +129,7 @@ FILE *text_memory(char **text, size_t *n);
 bool text_is_utf8(const char *s, size_t n);
 
 /* FNV-1a, 64 bits, of n bytes going on from h; start with TEXT_DIGEST_START.
- * Tells files apart that were changed by mistake; no protection from malice. */
+ * Detects files that were changed by mistake; no protection from malice. */
 uint64_t text_digest(uint64_t h, const void *bytes, size_t n);
 #define TEXT_DIGEST_START UINT64_C(0xcbf29ce484222325)
 

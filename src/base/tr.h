@@ -1,6 +1,5 @@
-/* Texts for people in their language, by gettext: the sources have them in
- * English, po/ has them in others.  What programs read, and what people type,
- * is in no catalogue.
+/* Translates texts for people by gettext: English in the sources, other
+ * languages in po/.  What programs read and what people type is not translated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_TR_H
 #define TIPSPEED_BASE_TR_H
@@ -17,7 +16,7 @@ bool tr_begin(const char *language);
 /* The text in that language; itself where the catalogue does not have it. */
 const char *tr(const char *text) __attribute__((format_arg(1)));
 
-/* The same of a text with a number of things: the form for n of them. */
+/* The same for a text with a number of things: the form for n. */
 const char *tr_n(const char *one, const char *several, unsigned long n)
     __attribute__((format_arg(1), format_arg(2)));
 

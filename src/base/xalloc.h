@@ -1,4 +1,4 @@
-/* Memory that is either there or ends the program.
+/* Allocation that never returns NULL: lack of memory ends the program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_XALLOC_H
 #define TIPSPEED_BASE_XALLOC_H
@@ -8,7 +8,7 @@
 
 #define ARRAY_LEN(a) (sizeof(a) / sizeof((a)[0]))
 
-/* What the program ends with where there is none: ERROR_SYSTEM. */
+/* Exit status without memory: ERROR_SYSTEM. */
 enum { XALLOC_STATUS = 5 };
 
 /* Zeroed memory for n objects of the given size; never NULL, free with free().
@@ -21,8 +21,8 @@ char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvasprintf(const char *format, va_list ap)
     __attribute__((format(printf, 1, 0)));
 
-/* Adds to the end of a text that one of these gave; to a list that is not
- * empty, after the separator. */
+/* Appends to a text that one of these returned; xlist puts the separator first
+ * where the list is not empty. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void xlist(char **list, const char *separator, const char *format, ...)
@@ -31,7 +31,7 @@ void xlist(char **list, const char *separator, const char *format, ...)
 /* Zeroed doubles whose address is a multiple of 64 bytes, for the kernels. */
 double *xdoubles(size_t n);
 
-/* What these do when there is none, for a library that says so. */
+/* Ends the program for lack of memory, for libraries that report it. */
 _Noreturn void xalloc_fail(void);
 
 #endif

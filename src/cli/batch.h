@@ -14,20 +14,20 @@ int batch_text(struct session *s, const char *text, const char *name, int line);
 int batch_stream(struct session *s, FILE *in, const char *name);
 int batch_file(struct session *s, const char *path);
 
-/* From now on lines are typed by somebody: the session is kept, and what was
- * kept of the last one is announced. */
+/* Tells the session that lines are typed from now on: it is autosaved, and the
+ * last autosaved one is announced. */
 void batch_attend(struct session *s);
 
 /* Lines typed at a terminal while results go elsewhere: an error is printed and
  * the next line read. */
 int batch_typed(struct session *s);
 
-/* Runs a typed line with its jobs.  An error is printed.  pager: what holds its
+/* Runs a typed line with its jobs.  An error is printed.  pager: holds its
  * results back at a prompt, or NULL. */
 int batch_line(
     struct session *s, const char *line, int number, struct pager *pager);
 
-/* The same, but what it says is shown only where it fails or is interrupted. */
+/* The same, but its output is shown only where it fails or is interrupted. */
 int batch_quiet(struct session *s, const char *line, int number);
 
 #endif

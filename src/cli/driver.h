@@ -6,17 +6,17 @@
 #include "cmd/session/session.h"
 #include "cli/pager.h"
 
-/* In what drivers differ: what they are given to show. */
+/* Callbacks that differ between drivers. */
 struct driver {
 	struct session *session;
 	struct pager *pager; /* holds results back at a prompt, or NULL */
 	void *of;            /* for `fail` */
-	/* Tells an error of that line of `name`; "" where there was no line. */
+	/* Reports an error of that line of `name`; "": there was no line. */
 	void (*fail)(void *of, const struct error *e, const char *line,
 	    const char *name);
-	/* Tells that a signal ended a line; NULL: one sees that. */
+	/* Reports that a signal ended a line; NULL: the user sees that. */
 	void (*interrupted)(const char *name, int number);
-	/* Tells of a line of a script before it is run; NULL: nobody waits. */
+	/* Called with a line of a script before it is run, or NULL. */
 	void (*begins)(void *of, const char *line);
 	/* Runs the job to its end; false when a signal came, with the job as it
 	 * was. */
@@ -25,13 +25,13 @@ struct driver {
 	bool watches;
 };
 
-/* Runs one line to its end; name and number: what its place is called, number 0
+/* Runs one line to its end; name and number: its place in messages; number 0
  * for a line typed on the full screen.  Returns 0, the status of the first
  * error, which was reported, or that of a signal. */
 int driver_line(
     const struct driver *d, const char *line, const char *name, int number);
 
-/* Runs the scripts that are open beyond `depth` of them. */
+/* Runs the open scripts to their ends, all but the outermost `depth`. */
 int driver_scripts(const struct driver *d, size_t depth);
 
 #endif

@@ -1,4 +1,4 @@
-/* The history's file is only ever appended to, a line a write.
+/* The file of typed lines, which is only ever appended to, a line a write.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/history.h"
 

@@ -5,9 +5,9 @@
 
 #include <stdbool.h>
 
-/* Reads the history into readline.  A history that cannot be read or kept gets
- * one remark on stderr, and the session does without.  Without a
- * file lines are held in memory only. */
+/* Reads the history into readline.  Where it cannot be read or kept, one remark
+ * goes to stderr, and lines are held in memory only, as they are without
+ * with_file. */
 void typed_open(bool with_file);
 
 /* Adds a line, in memory and at the end of the file, before it is run: whatever
@@ -17,7 +17,7 @@ void typed_add(const char *line);
 
 void typed_close(void);
 
-/* Between the two. */
+/* Whether it is open. */
 bool typed_is_open(void);
 
 #endif

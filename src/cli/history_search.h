@@ -1,10 +1,11 @@
-/* PgUp and PgDn: the history searched for what stands before the cursor.
+/* PgUp and PgDn: search the history for the text before the cursor.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_HISTORY_SEARCH_H
 #define TIPSPEED_CLI_HISTORY_SEARCH_H
 
-/* Puts searches of our own under readline's names, before the user's settings
- * are read; then under the keys that readline itself gave its own. */
+/* typed_search_names binds our searches to readline's names, before the user's
+ * settings are read; typed_search_keys, after them, to the keys that readline
+ * gave its own. */
 void typed_search_names(void);
 void typed_search_keys(void);
 

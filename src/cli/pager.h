@@ -8,8 +8,8 @@
 
 #include "cmd/session/session.h"
 
-/* What a line has to say, held back until it is known how tall it is.  The
- * session's results go to file, and with them its notes while they are held. */
+/* The output of a line, held back until its height is known.  The session's
+ * results go to file, and with them its notes while they are held. */
 struct pager {
 	struct session *session;
 	FILE *file, *out, *notes;
@@ -19,12 +19,12 @@ struct pager {
 
 void pager_open(struct pager *pager, struct session *s);
 
-/* Holds notes back, too, so that they stand beside their results.  Nothing for
- * NULL. */
+/* Holds notes back too, so that they stand beside their results.  Does nothing
+ * for NULL. */
 void pager_hold(struct pager *pager);
 
-/* Shows on standard output what is new, through a pager where it is tall, and
- * lets notes through again. */
+/* Shows the new output on standard output, through a pager where it is tall,
+ * and lets notes through again. */
 void pager_show(struct pager *pager);
 
 /* Gives the session back its streams. */

@@ -5,8 +5,8 @@
 
 #include "cmd/session/session.h"
 
-/* Runs the job to its end.  False when a signal came: then the job is as it
- * was, for session_pause. */
+/* Runs the job to its end.  False when a signal came: the job is then
+ * unchanged, for session_pause. */
 bool progress_run(struct session *s);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "cmd/session/session.h"
 
-/* Says what this is and runs the user's init file; before the files of the
- * command line are opened. */
+/* Prints a greeting and runs the user's init file; to be called before the
+ * files of the command line are opened. */
 void repl_begin(struct session *s);
 
 /* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
@@ -14,8 +14,8 @@ void repl_begin(struct session *s);
  * signals_catch must have been called. */
 int repl_run(struct session *s);
 
-/* The same instead of the full screen, where the session is to be heard.
- * At the prompt there is nothing to do. */
+/* The same instead of the full screen, with --linear.  Does nothing at the
+ * prompt. */
 int repl_for_screen(struct session *s);
 
 #endif

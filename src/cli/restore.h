@@ -1,18 +1,18 @@
-/* Puts the terminal right on every way out of the full screen and the prompt.
+/* Restores the terminal on every way out of the full screen and the prompt.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_RESTORE_H
 #define TIPSPEED_CLI_RESTORE_H
 
-/* Notes how the terminal is set, before the screen is opened. */
+/* Records the settings of the terminal, before the screen is opened. */
 void restore_note(void);
 
-/* Writes down what puts the terminal right, from what ncurses knows of it, and
- * from now on does so when a fault, a failed check or a signal that is not
- * caught ends the program (SEGV, ABRT, QUIT, ..), or memory runs out. SIGTERM,
- * SIGHUP and SIGINT leave by the usual way. */
+/* Prepares the bytes that restore the terminal, from what ncurses knows of it,
+ * and from now on writes them when a fault, a failed check or a signal that is
+ * not caught ends the program (SEGV, ABRT, QUIT, ..), or memory runs out.
+ * SIGTERM, SIGHUP and SIGINT end the program in the usual way. */
 void restore_screen(void);
 
-/* The same while readline has the terminal, as it is set now. bytes: to be
+/* The same while readline has the terminal, as it is set now.  bytes: to be
  * written then. */
 void restore_prompt(const char *bytes);
 

@@ -6,12 +6,12 @@
 #include <signal.h>
 #include <stdbool.h>
 
-/* From now on SIGINT, SIGTERM and SIGHUP are noted, and SIGUSR1 asks a
- * calibration for a line about itself. */
+/* From now on SIGINT, SIGTERM and SIGHUP are recorded, and SIGUSR1 makes a
+ * calibration print a line about its progress. */
 void signals_catch(void);
 
-/* Blocks the signals that are answered at a terminal: they come in only where a
- * loop waits; and lets all in again. */
+/* signals_hold blocks the signals that are handled at a terminal, so that they
+ * arrive only where a loop waits; signals_release unblocks them. */
 void signals_hold(void);
 void signals_release(void);
 
@@ -22,42 +22,43 @@ bool signals_wait(double seconds);
 /* The same while other signals are let in. */
 bool signals_wait_with(const sigset_t *mask, double seconds);
 
-/* Lets in those that are held. */
+/* Lets held signals arrive now. */
 void signals_let_in(void);
 
-/* While one has the terminal, ^Z, a continue and another size are noted for
- * signals_news, which returns as these bits what came since it was last
- * asked. */
+/* Between take and give, ^Z, a continue and a change of size are recorded
+ * for signals_news, which returns as these bits what arrived since the last
+ * call. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
 void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
 int signals_news(void);
 
-/* Whether ^Z is noted meanwhile, or stops the program with all that it runs. */
+/* Whether ^Z is recorded meanwhile, or stops the program with its child
+ * processes. */
 void signals_note_stop(bool note);
 
-/* Stops the program as ^Z does where it is not caught, and comes back when it
- * goes on; the terminal is the caller's. */
+/* Stops the program as ^Z does by default, and returns when it continues; the
+ * caller restores the terminal. */
 void signals_suspend(void);
 
-/* The signal noted, or 0.  SIGINT gives way to the others. */
+/* The signal recorded, or 0; others take precedence over SIGINT. */
 int signals_noted(void);
 
-/* True when the terminal or the system wants the program gone. */
+/* Whether the terminal or the system asked the program to end. */
 bool signals_ended(void);
 
-/* A SIGINT has been answered. */
+/* Forgets a SIGINT that was handled. */
 void signals_forget_interrupt(void);
 
-/* The exit status of a program that the noted signal ended, as shells count
- * it; 0 without one. */
+/* The exit status that shells give a program ended by the recorded signal; 0
+ * without one. */
 int signals_status(void);
 
-/* Whether SIGUSR1 came since this was last asked. */
+/* Whether SIGUSR1 arrived since the last call. */
 bool signals_asked(void);
 
-/* For session.stop, from any thread: a signal came or is held back; or, while
- * `keys` was the last that signals_watch_keys was told, a key was pressed. */
+/* For hooks.stop, from any thread: whether a signal arrived or is held; or,
+ * after signals_watch_keys(true), a key was pressed. */
 bool signals_waited_for(void);
 void signals_watch_keys(bool keys);
 

@@ -1,4 +1,5 @@
-/* The terminal, asked.
+/* What the terminal is: its size, colours and characters, and whether somebody
+ * types there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/terminal.h"
 

@@ -1,4 +1,4 @@
-/* What the terminal is and can do.
+/* The terminal and its abilities.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_TERMINAL_H
 #define TIPSPEED_CLI_TERMINAL_H
@@ -12,25 +12,26 @@ enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 /* Reads "auto", "always" or "never". */
 bool terminal_colour_word(const char *word, enum colour *colour);
 
-/* What --color said. */
+/* Sets the value of --color. */
 void terminal_choose(enum colour asked);
 
-/* Whether to use colour: as the first of --color, TIPSPEED_COLOR and NO_COLOR
- * says; else whether standard output is a terminal that has it. */
+/* Whether to use colour, by the first of --color, TIPSPEED_COLOR and NO_COLOR
+ * that decides; else whether standard output is a terminal with colour. */
 bool terminal_colour(void);
 
-/* Standard input and output are terminals: somebody sits there. */
+/* Whether standard input and output are terminals, so that a user is there. */
 bool terminal_attended(void);
 
-/* One that knows no escapes, or does not say what it is. */
+/* Whether it has no escape sequences, or no known type. */
 bool terminal_is_dumb(void);
 
-/* The locale's text is UTF-8; and the terminal has characters to draw with, of
- * braille and boxes. */
+/* Whether the locale's text is UTF-8; whether the terminal has braille and
+ * box-drawing characters. */
 bool terminal_is_utf8(void);
 bool terminal_draws(void);
 
-/* Of standard error; 24 by 80 where it does not say. */
+/* The size of the terminal of standard error; 24 by 80 where it is not
+ * known. */
 void terminal_size(int *rows, int *columns);
 
 /* The terminal that standard output is; all zero where it is none. */

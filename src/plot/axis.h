@@ -28,8 +28,8 @@ struct axis {
 
 /* A tick at every sieve of size [n], mm, in any order, repeated ones allowed;
  * its label is the number as given.  Ranks: the ends, then the doubling series
- * (0.063, 0.125 .. 16), then 5.6, 11.2 and the like, then any other.  At least
- * two sizes that differ are wanted; less is made a range around the one. */
+ * (0.063, 0.125 ..  16), then 5.6, 11.2 and the like, then any other.  At least
+ * two different sizes are expected; a single one becomes a range around it. */
 struct axis axis_sieves(const char *title, const double *size, size_t n);
 
 /* 0 to 100 %, with guides at 20, 50 and 80: where P20, P50, P80 are read. */
@@ -53,7 +53,7 @@ void axis_free(struct axis *axis);
 /* " mm" of the title "size, mm"; "" where it has no unit. */
 const char *axis_unit(const struct axis *axis);
 
-/* Where a value stands, 0 at low and 1 at high; never beyond. */
+/* The place of a value, 0 at low and 1 at high, clamped to these. */
 double axis_share(const struct axis *axis, double value);
 
 /* Which of n parts of equal size holds that share. */
@@ -61,10 +61,10 @@ int axis_place_of(double share, int n);
 
 enum { AXIS_DROPPED = -1 };
 
-/* Lays the labels of an axis across `columns`, which share it out evenly: by
- * rank, centred, a space between two, in
- * up to `rows` rows.  column, row [axis->n] out: where each label begins, row
- * AXIS_DROPPED of those without room.  Returns how many rows are used. */
+/* Places the labels of an axis across `columns`, equal parts of it: by rank,
+ * centred, a space between two, in up to `rows` rows.  column, row [axis->n]
+ * out: where each label begins, row AXIS_DROPPED of those without room.
+ * Returns how many rows are used. */
 int axis_place(
     const struct axis *axis, int columns, int rows, int *column, int *row);
 

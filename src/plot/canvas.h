@@ -9,8 +9,8 @@
 
 #include "plot/palette.h"
 
-/* What a line is drawn with: ASCII characters, quarters of a cell (2 x 2), or
- * braille dots (2 x 4). */
+/* The characters of a line: ASCII, quarters of a cell (2 x 2), or braille dots
+ * (2 x 4). */
 enum charset { CHARSET_ASCII, CHARSET_QUADRANTS, CHARSET_BRAILLE };
 
 enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4 };
@@ -36,7 +36,7 @@ void canvas_free(struct canvas *canvas);
 struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 
 /* Writes text as shown (base/text.h) from a cell to the right, cut at the edge;
- * what is off the canvas is left out. */
+ * text off the canvas is left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 

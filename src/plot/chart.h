@@ -1,4 +1,4 @@
-/* Charts: what is drawn, as plain data, apart from where it is drawn.
+/* Charts as plain data, independent of where they are drawn.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_CHART_H
 #define TIPSPEED_PLOT_CHART_H
@@ -10,8 +10,8 @@
 #include "plot/canvas.h"
 
 /* Dashes are counted along the path, so that a steep part looks like a flat
- * one; on a canvas from the column of each point, so that a curve that moves
- * somewhere keeps them elsewhere. */
+ * one; on a canvas from the column of each point, so that a curve that moves in
+ * one part keeps its dashes elsewhere. */
 enum chart_line {
 	CHART_MARKS, /* no line */
 	CHART_SOLID,
@@ -20,31 +20,30 @@ enum chart_line {
 	CHART_DOTTED
 };
 
-/* Whose a point is, where a chart has those of several sites.  label: what may
+/* The site of a point, where a chart has several sites.  label: text that may
  * be written beside it, or NULL. */
 struct chart_whose {
 	char *site, *about, *label;
 };
 
-/* What is drawn around a point instead of a mark: a field a unit wide and high,
- * filled as far as the value is from 0, at most 1, with its label; NAN: not at
- * all. */
+/* A field drawn around a point instead of a mark, a unit wide and high, filled
+ * in proportion to |value|, at most 1, with its label; NAN: none. */
 struct chart_field {
 	double value;
 	char *label;
 };
 
-/* One curve or set of points.  fine: its marks stand in parts of a cell, as
- * plot/marks.h has them; of several such none hides another everywhere.  x, y
- * [n] in the axes' units; a NAN in y lifts the pen.  low, high [n]: a shade
- * behind all lines, or both NULL. ascii: what a line is drawn with where there
- * are only ASCII characters; mark: an ASCII character at each point, 0: none.
- * bars: low..high are a bar at each point instead of a shade, y is not drawn;
- * long dashes make it a heavy one.  beside: drawn so many cells to the right of
- * x.  lifted: its marks stand out of bars, in reverse, with a gap on either
- * side.  named: labels of its points are written where there is room.  whose,
- * field [n]: or NULL.  finer: points of the same curve that chart_at_y reads
- * instead, owned; NULL: none. */
+/* One curve or set of points.  fine: its marks are drawn in parts of a cell
+ * (plot/marks.h), and several such series take turns in lying on top.  x, y [n]
+ * in the axes' units; a NAN in y lifts the pen.  low, high [n]: a shade behind
+ * all lines, or both NULL.  ascii: the character of a line where there are only
+ * ASCII characters; mark: an ASCII character at each point, 0: none.  bars:
+ * low..high are a bar at each point instead of a shade, y is not drawn; long
+ * dashes make it a heavy one.  beside: drawn so many cells to the right of x.
+ * lifted: its marks stand out of bars, in reverse, with a gap on either side.
+ * named: labels of its points are written where there is room.  whose, field
+ * [n]: or NULL.  finer: points of the same curve that chart_at_y reads instead,
+ * owned; NULL: none. */
 struct chart_series {
 	char *name;
 	enum series series;
@@ -67,12 +66,11 @@ struct chart_rule {
 	char *name;
 };
 
-/* strip: it is drawn in so many rows, without labels, below another one of the
- * same sizes, as its title says; 0: a chart of its own.  Later series lie on
- * top.  about: where the data are from, shown at the foot
- * after "data: "; note: lines below the legend; below: another chart that is
- * drawn below it, of the same x axis and other units, or NULL; chart_free frees
- * it too. */
+/* strip: the number of rows in which it is drawn, without labels, below another
+ * chart of the same sizes; 0: a chart of its own.  Later series lie on top.
+ * about: where the data are from, shown at the foot after "data: "; note: lines
+ * below the legend; below: another chart that is drawn below it, of the same x
+ * axis and other units, or NULL; chart_free frees it too. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
@@ -90,9 +88,9 @@ struct chart *chart_new(
     const char *title, const char *about, struct axis x, struct axis y);
 void chart_free(struct chart *chart);
 
-/* A series of n points at zero, to be filled in. `look` is what tells it from
- * others without colour: its line, its ascii, its mark; its data are ignored.
- * Borrowed: it stays where it is as others are added. */
+/* A series of n points at zero, to be filled in.  look: what distinguishes it
+ * without colour: line, ascii and mark; its data are ignored.  Borrowed; it
+ * does not move as others are added. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 

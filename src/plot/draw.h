@@ -5,8 +5,8 @@
 
 #include "plot/chart.h"
 
-/* What is written around the axes; the foot goes with the legend.  CHART_BARE:
- * there are the data alone, in all cells. */
+/* The words around the axes; the foot goes with the legend.  CHART_BARE: the
+ * data alone, in all cells. */
 enum {
 	CHART_TITLE = 1,
 	CHART_LEGEND = 2,
@@ -24,9 +24,9 @@ enum {
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words);
 
-/* What is at a cell of that canvas: the chart there, the values of its axes,
- * and the nearest of its marks within a cell, or else the line drawn there:
- * `point` of it, the nearest.  series NULL: none. */
+/* The content of a cell of that canvas: the chart there, the values of its
+ * axes, and the nearest of its marks within a cell, or else the line drawn
+ * there: `point` of it, the nearest.  series NULL: none. */
 struct chart_found {
 	const struct chart *chart;
 	double x, y;
@@ -39,8 +39,7 @@ bool chart_find(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 
-/* What a legend has before the name of a series: its line and mark.  The caller
- * frees. */
+/* The sample of a series in a legend: its line and mark.  The caller frees. */
 char *chart_sample(const struct chart_series *series, enum charset charset);
 
 #endif

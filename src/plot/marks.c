@@ -1,4 +1,4 @@
-/* The shapes of marks.
+/* A table of marks: as dots, quarters of a cell and polygons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/marks.h"
 

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-/* What stands for an ASCII character: dots, 3 x 3, bit 3 * row + column;
+/* The shape for an ASCII character: dots, 3 x 3, bit 3 * row + column;
  * quarters, 2 x 2; on paper a shape of so many sides, the first corner at that
  * part of a turn.  hollow: so that a line is seen to pass behind it. */
 struct mark {
@@ -16,7 +16,7 @@ struct mark {
 	bool hollow;
 };
 
-/* Of a character, NULL where there is none for it. */
+/* The mark of a character, or NULL. */
 const struct mark *mark_of(char code);
 
 /* Character i of the full ones, or of the hollow ones, which take turns. */

@@ -1,11 +1,12 @@
-/* The colours: what each means, everywhere it is shown.
+/* All colours, of the screen, the prompt and pictures, by their meaning.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_PALETTE_H
 #define TIPSPEED_PLOT_PALETTE_H
 
-/* What something drawn belongs to; decides its colour.  Runs of several speeds
- * take turns in the measured ones, each the same in every plot; quantities,
- * rocks, streams and what else is of no run take turns in those of kinds. */
+/* What a drawn thing belongs to, which decides its colour.  Runs of several
+ * speeds take turns in the measured ones, each the same in every plot;
+ * quantities, rocks, streams and others that are not runs take turns in the
+ * colours of kinds. */
 enum series {
 	SERIES_TEXT, /* axes, labels, legend */
 	SERIES_FEED, /* and what else lies behind */
@@ -28,8 +29,8 @@ enum series {
 	SERIES_COUNT
 };
 
-/* Colours that are seen on any ground; of high contrast on a dark or on a light
- * one, with nothing faint. */
+/* Colours for any background; with high contrast for a dark or a light one,
+ * without faint ones. */
 enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
 
 /* Depth of colour: 0 (none), 8, 16 or 256.  Number of the colour of a series in

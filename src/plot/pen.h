@@ -1,4 +1,4 @@
-/* What a picture is drawn with: a page in points, y downward from the top left.
+/* A pen draws a picture: on a page in points, y downward from the top left.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_PEN_H
 #define TIPSPEED_PLOT_PEN_H
@@ -7,7 +7,7 @@
 
 #include "plot/chart.h"
 
-/* How much is left of the colour of what is faint. */
+/* The opacity of what is faint. */
 #define PEN_FAINT 0.6
 
 /* Letters of one width, of the systems by their names: a browser's own
@@ -44,9 +44,8 @@ struct pen_bar {
 	bool round;
 };
 
-/* What is drawn on, and its colours as 0xRRGGBB.  corner: radius of its
- * corners, edge: the line around it where that is not 0. mono: all letters have
- * one width. */
+/* The paper and its colours, 0xRRGGBB.  corner: radius of its corners, edge:
+ * the line around it where that is not 0.  mono: all letters have one width. */
 struct pen_paper {
 	unsigned colour, edge, ink[SERIES_COUNT];
 	double corner;
@@ -55,11 +54,11 @@ struct pen_paper {
 
 /* path: through x, y [n].  bars: n straight ones, bar i from x, y [2 i] to the
  * next.  text: its base line begins, is centred or ends at x, y.  close: writes
- * what is left; false when that failed; frees the pen.
+ * the rest and frees the pen; false when writing failed.
  *
- * Of a PDF alone, which may have many pages: width: of a text, points; next:
- * begins another page; place: what follows is drawn from x, y of the page on,
- * so many times as large. */
+ * For PDF only, which may have many pages.  width: that of a text, points;
+ * next: begins another page; place: from now on draws relative to x, y of the
+ * page, scaled. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);

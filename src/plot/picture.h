@@ -14,15 +14,15 @@ enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF, PICTURE_INLINE };
 /* How wide a chart is drawn, points. */
 #define PICTURE_WIDTH 592.0
 
-/* The form that the end of a file's name asks for (".svg"); false where it asks
- * for none. */
+/* The form by the end of a file's name (".svg"); false where it is none of
+ * them. */
 bool picture_form_of(const char *path, enum picture_form *form);
 
 /* Whether this program can draw the form: it may have been built without cairo,
  * which png and pdf need. */
 bool picture_can(enum picture_form form);
 
-/* The forms it can, in words. */
+/* The forms that this program can draw, in words. */
 const char *picture_forms(void);
 
 /* Writes the chart with axes, legend, notes and, at the foot, where the data
@@ -31,7 +31,7 @@ const char *picture_forms(void);
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 
-/* Pages of a PDF, in points, for who lays them out himself: a pen, or NULL
+/* Pages of a PDF, in points, for callers that lay them out: a pen, or NULL
  * where this program was built without cairo.  picture_height: of a chart that
  * is PICTURE_WIDTH wide; picture_draw: draws it from the pen's place on. */
 struct pen *picture_pages(double width, double height, const char *title,
@@ -40,15 +40,15 @@ double picture_height(const struct chart *chart, const char *program);
 void picture_draw(
     const struct chart *chart, const char *program, struct pen *pen);
 
-/* Writes cells as a terminal with a dark ground shows them; lines, dots and
+/* Writes cells as a terminal with a dark background shows them; lines, dots and
  * blocks are shapes, so that they join whatever the font.  depth: how many
  * colours, 0, 8, 16 or 256; title and about: described so.  False when it
  * cannot be drawn or written. */
 bool picture_cells(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out);
 
-/* The same for who makes the page himself: what it is drawn on, its size in
- * points [2], and the cells. */
+/* The same for callers that make the page: the paper with its size in points
+ * [2], and the cells. */
 struct pen_paper picture_cells_paper(
     const struct canvas *canvas, int depth, double size[2]);
 void picture_cells_draw(

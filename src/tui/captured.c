@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One line goes to the message row, several to the viewer.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/captured.h"
 
 #include <stdio.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Gives a question without a speed that of the slider, runs it, and goes on
+ * with a search whose bounds it changed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/cmdline.h"
 
 #include <stdio.h>

@@ -259,8 +259,8 @@ is_listed(const struct key *k, enum page page)
 	return k->brief != NULL && k->where & (1U << page);
 }
 
-/* The keys of the list, the page's own first: all of the page in brief, or those
- * with a word.  Returns how many. */
+/* The keys of the list, the page's own first: all of the page in brief, or
+ * those with a word.  Returns how many. */
 static size_t
 list_keys(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])

@@ -33,8 +33,8 @@ struct display *screen_aside(
     int rows, int columns, enum charset charset, int depth);
 struct canvas *screen_back(struct display *was);
 
-/* Leaves out canvases, rules and walls of what is drawn aside, for who hears
- * it. */
+/* Leaves out canvases, rules and walls of what is drawn aside, for a screen
+ * reader. */
 void screen_only_text(bool on);
 
 /* The last one, which stays with the screen; NULL where there was none. */

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws over the page which command is at work, at most ten times a second, and
+ * has Esc interrupt it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/script_progress.h"
 
 #include <signal.h>

@@ -49,8 +49,7 @@ patience(const struct tui *t)
 	return left > 0 && !t->again.is ? left : 0;
 }
 
-/* Who is given the terminal is stopped with the program, as the shell waits for
- * both. */
+/* A child process is stopped with us, as the shell waits for both. */
 static void
 leave(void)
 {

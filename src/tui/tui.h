@@ -5,8 +5,8 @@
 
 #include "cmd/session/session.h"
 
-/* Opens the full screen until it is left.  Where the terminal cannot show it,
- * says so beside the results and comes back.  Returns the exit status: 0, or
+/* Runs the full screen until the user quits.  Where the terminal cannot show
+ * it, says so beside the results and returns.  Returns the exit status: 0, or
  * what a signal asks for, see signals_status. */
 int tui_run(struct session *s);
 

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Takes generations at the pace that was chosen, or by how much the last one
+ * gained, and ends with what the search found.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/watch.h"
 
 #include <stdlib.h>

@@ -59,6 +59,28 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
 	return ok;
 }
 
+/* Of the site's own sieves: what passes 2 mm or the one nearest to it, and the
+ * fines, or else what passes the finest. */
+static bool
+add_usual(struct asked *all, const struct psd *feed, struct error *error)
+{
+	size_t near = 0;
+	for (size_t i = 0; i < feed->n; i++)
+		if (fabs(log(feed->size[i] / 2e-3)) <
+		    fabs(log(feed->size[near] / 2e-3)))
+			near = i;
+	char *middle = xasprintf("passing %.12g", units_mm(feed->size[near]));
+	char *finest =
+	    psd_covers(feed, 6.3e-5)
+		? xstrdup("fines")
+		: xasprintf("passing %.12g", units_mm(feed->size[feed->n - 1]));
+	bool ok = add_list(all, middle, feed, error) &&
+		  add_list(all, finest, feed, error);
+	free(middle);
+	free(finest);
+	return ok;
+}
+
 static bool
 read_limits(struct session *s, struct asked *all, const struct args *args,
     const struct psd *feed, struct error *error)
@@ -127,8 +149,10 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
 	const struct psd *feed = site_feed(entry->site, run);
+	const struct value *of = args_value(args, "of");
 	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
-		  add_list(all, args_value(args, "of")->text, feed, error) &&
+		  (of->given ? add_list(all, of->text, feed, error)
+			     : add_usual(all, feed, error)) &&
 		  read_limits(s, all, args, feed, error) &&
 		  read_flow(s, all, args, error);
 	if (!ok)
@@ -309,6 +333,15 @@ page_sizes(struct page *page, const struct asked *all,
 	}
 }
 
+/* "amber", and "amber?" beyond the measured speeds.  The caller frees. */
+static char *
+light_cell(const struct asked *all, const struct card_row *row)
+{
+	bool beyond = answers_extrapolates(all->question->entry, row->speed);
+	return xasprintf(
+	    "%s%s", tr(LIGHT_NAME[row->light]), beyond ? "?" : "");
+}
+
 static struct page
 page_of(const struct asked *all, const struct card_row *row, size_t rows,
     double level)
@@ -334,7 +367,7 @@ page_of(const struct asked *all, const struct card_row *row, size_t rows,
 	}
 	c = page_column(&page, xstrdup(tr("light")), WORDS, NEEDED);
 	for (size_t k = 0; k < rows; k++)
-		page_cell(c, k, NAN, xstrdup(tr(LIGHT_NAME[row[k].light])));
+		page_cell(c, k, NAN, light_cell(all, &row[k]));
 	return page;
 }
 
@@ -566,21 +599,28 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
 	answer_note(r,
 	    "green: measurements at %s m/s answer for it; amber: the model "
-	    "alone, or a doubt; red: do not rely on it",
+	    "alone, or a doubt; red: do not rely on it; ?: beyond the measured "
+	    "speeds",
 	    speeds);
 	free(speeds);
 	free(feed);
 }
 
 /* The lights stand in the rows.  Where none of them is green the least bad says
- * why; programs are given the worst. */
+ * why, of measured speeds first; programs are given the worst. */
 static void
 note_light(struct answer *r, const struct session *s, const struct question *q,
     const struct card_row *row, size_t n, struct trust *worst)
 {
 	size_t best = 0;
-	for (size_t i = 1; i < n; i++)
-		best = row[i].light < row[best].light ? i : best;
+	for (size_t i = 1; i < n; i++) {
+		bool within = !answers_extrapolates(q->entry, row[i].speed);
+		bool better = row[i].light < row[best].light;
+		if (better ||
+		    (row[i].light == row[best].light && within &&
+			answers_extrapolates(q->entry, row[best].speed)))
+			best = i;
+	}
 	answers_note_basis(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
 		char *said =

@@ -294,6 +294,8 @@ note_speed(struct answer *r, const struct goal *goal,
 		free(range);
 		free(cut);
 	}
+	answers_note_rpm(
+	    r, goal->question->entry->site, f->found, f->range[0], f->range[1]);
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
 		if (v != f->found)
@@ -337,6 +339,7 @@ note_extreme(struct answer *r, const struct goal *goal,
 	answer_note(r, "%s at %.2f m/s: %s", most ? tr("largest") : tr("least"),
 	    v, words);
 	free(words);
+	answers_note_rpm(r, goal->question->entry->site, v, NAN, NAN);
 	struct wanted_limit binds = {SIZE_MAX, false};
 	for (size_t k = 0; k < f->n_inside; k++) {
 		const struct speed_range *in = &f->inside[k];
@@ -378,18 +381,26 @@ note_sure(
 }
 
 static void
+note_missed(
+    struct answer *r, const char *words, double points, const char *value)
+{
+	answer_note(r, "%s: missed by %.*f points, %s", words,
+	    conditions_digits(points), points, value);
+}
+
+static void
 note_other(struct answer *r, const struct goal *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
 	char *words = conditions_words(c), *value = value_words(goal, i);
+	double missed = -100 * wanted_margin(&goal->wanted, i).passing;
 	if (wanted_holds(&goal->wanted, i))
 		answer_note(r, "%s: met, %s", words, value);
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
-		answer_note(r, "%s: missed by %.1f points, %s", words,
-		    -100 * wanted_margin(&goal->wanted, i).passing, value);
+		note_missed(r, words, missed, value);
 	free(words);
 	free(value);
 }

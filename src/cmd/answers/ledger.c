@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The mass balance of an answer (core/answer/mass_balance.h) at two speeds,
+ * class by class: what stays, what leaves and what comes, for people and for
+ * programs.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/ledger.h"
 
 #include <math.h>

@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fraction.h"
+#include "cmd/ask/question.h"
 #include "cmd/draw/plot.h"
 #include "cmd/draw/plots.h"
 #include "cmd/ask/screened.h"
@@ -248,6 +249,37 @@ note_only_check(
 	    100 * cut.rms, cut.n);
 }
 
+/* Sieves at which the products measured have less than their feeds by more than
+ * is shown, while the answer stands at the feed's passing: nothing that breaks
+ * the rock can bring it lower. */
+static void
+note_floor(
+    struct answer *r, const struct question *q, const struct prediction *p)
+{
+	const double shown = 5e-4;
+	const struct site *site = q->entry->site;
+	const struct psd *feed = question_feed(q);
+	char *list = xstrdup("");
+	for (size_t i = 0; i < p->product.n; i++) {
+		double x = p->product.size[i], fed = psd_at_sieve(feed, x);
+		double least = INFINITY;
+		for (size_t k = 0; k < site->n_run; k++)
+			least = fmin(
+			    least, psd_at_sieve(&site->run[k].product, x) -
+				       psd_at_sieve(&site->run[k].feed, x));
+		if (fed > 0 && fed < 1 && least < -shown &&
+		    p->product.passing[i] - fed < shown)
+			xlist(&list, ", ", "%g", units_mm(x));
+	}
+	if (list[0] != '\0' && !fraction_screens(&p->fraction))
+		answer_say(r, ANSWER_REMARK,
+		    "at %s mm the feed has more than measured products, which "
+		    "crushing cannot bring about: the answer is the feed's "
+		    "there; sample the feed again",
+		    list);
+	free(list);
+}
+
 /* Whether what corrects the model is worth a word. */
 static bool
 is_unusual(const struct session *s, const struct entry *entry)
@@ -371,6 +403,7 @@ explained(const struct session *s, const struct question *q,
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
 		    r, params, site_feed(entry->site, p->feed_run), p);
+	note_floor(r, q, p);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == entry_loaded(entry))

@@ -204,13 +204,12 @@ put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
-	char number[32];
-	char *words = xasprintf(tr("Trust: %s. %s the answer at %s m/s%s"),
+	char *words = xasprintf(tr("Trust: %s. %s the answer at %.1f m/s%s"),
 	    tr(LIGHT_NAME[t.light]),
 	    t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
 	    : t.light == LIGHT_RED ? tr("Do not rely on")
 				   : tr("Take care with"),
-	    text_exact(ask->speed, number), t.n == 0 ? "." : ":");
+	    ask->speed, t.n == 0 ? "." : ":");
 	document_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
 		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
@@ -236,7 +235,8 @@ append_window(char **words, const struct ask *ask)
 	    ask->wanted.from, ask->wanted.to);
 	if (isfinite(w->margin.passing))
 		xlist(words, "; ",
-		    tr("the nearest misses by %.1f points at %.1f m/s"),
+		    tr("the nearest misses by %.*f points at %.1f m/s"),
+		    conditions_digits(100 * w->margin.passing),
 		    -100 * w->margin.passing, w->best);
 }
 
@@ -249,10 +249,10 @@ put_conditions(struct session *s, const struct ask *ask)
 	forecast_at(ask->wanted.forecast, ask->speed);
 	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
 	double share = wanted_certainty(&ask->wanted);
-	char number[32], *list = conditions_list_words(&ask->list);
+	char *list = conditions_list_words(&ask->list);
 	char *chance = conditions_chance(share, met);
-	char *words = xasprintf(tr("Conditions: %s: at %s m/s %s"), list,
-	    text_exact(ask->speed, number), chance);
+	char *words = xasprintf(
+	    tr("Conditions: %s: at %.1f m/s %s"), list, ask->speed, chance);
 	append_window(&words, ask);
 	document_say(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS

@@ -369,7 +369,7 @@ const struct command TABLE_ANSWERS[] = {
 	    "above them, and the best speed: the one at which they hold most "
 	    "surely, between the measured speeds where there is any there; "
 	    "of those that are as sure to 2 % the one with the largest "
-	    "margin. Margins are told as passings, in points: at the size "
+	    "margin. Margins are given as passings, in points: at the size "
 	    "that is the limit of a P, and a fineness modulus counts its "
 	    "distance for each of its sieves. To compare limits on different "
 	    "sieves they are counted in widths of the band. Moduli and "
@@ -535,7 +535,8 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "Wants > FILE.html, for a browser, or > FILE.pdf, for paper (A4). "
+	    "Write it with > FILE.html, for a browser, or > FILE.pdf, for "
+	    "paper (A4). "
 	    "The file holds what other commands answer: the light with its "
 	    "reasons, data, check and mends, the product with its band, other "
 	    "speeds, the window of the conditions, which are those of window, "

@@ -155,6 +155,9 @@ note_certain(struct answer *r, const struct session *s, const struct asking *a)
 	else if (w->n_inside > 0)
 		answer_note(r, "best %.1f m/s", w->best);
 	if (w->n_inside > 0)
+		answers_note_rpm(
+		    r, a->q->entry->site, w->best, w->sure[0], w->sure[1]);
+	if (w->n_inside > 0)
 		note_margin(r, a);
 	if (!drawn)
 		answer_note(r, "%s", outlook_why_none(s, a->q->entry));

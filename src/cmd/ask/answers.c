@@ -266,7 +266,7 @@ note_other_feed(struct answer *r, const struct entry *entry)
 		    units_mm(feed->size[feed->n - 1]));
 	if (entry->variant->rock[0] == '\0' && site->rock[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
-		    "the feed's rock is not stated, and taken to be the site's "
+		    "rock of the feed not stated; that of the site assumed "
 		    "(%s)",
 		    site->rock);
 	free(sieve);
@@ -283,9 +283,25 @@ note_variant(struct answer *r, const struct entry *entry)
 		note_other_feed(r, entry);
 	if (v->rotor > 0 && !(v->measured_rotor > 0))
 		answer_say(r, ANSWER_REMARK,
-		    "the rotor that was measured with is not stated, and taken "
-		    "to be of %g mm too",
+		    "measured rotor not stated; %g mm assumed",
 		    units_mm(v->rotor));
+}
+
+void
+answers_note_rpm(struct answer *r, const struct site *site, double speed,
+    double low, double high)
+{
+	if (!(site->rotor > 0))
+		return;
+	if (isfinite(low) && isfinite(high))
+		answer_note(r,
+		    "that is %.0f rpm of the rotor of %g mm (%.0f "
+		    "to %.0f)",
+		    units_rpm(speed, site->rotor), units_mm(site->rotor),
+		    units_rpm(low, site->rotor), units_rpm(high, site->rotor));
+	else
+		answer_note(r, "that is %.0f rpm of the rotor of %g mm",
+		    units_rpm(speed, site->rotor), units_mm(site->rotor));
 }
 
 /* A speed beyond those that were measured, where the light does not say so. */

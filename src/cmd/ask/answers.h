@@ -86,6 +86,11 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
  * frees. */
 char *answers_reach(const struct entry *entry, double slowest, double fastest);
 
+/* A speed and its range, or NANs, in revolutions where the site states the
+ * rotor. */
+void answers_note_rpm(struct answer *r, const struct site *site, double speed,
+    double low, double high);
+
 /* What an answer rests on, behind all else: which runs correct it and what low
  * and high are, where it shows a band; where the parameters are from, the feed,
  * the model, and the light, which is freed.  speed: 0, or the one that it is

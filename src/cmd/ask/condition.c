@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads conditions and lists of them, writes them for people and for programs,
+ * and asks for the speeds at which they hold.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition.h"
 
 #include <math.h>
@@ -31,10 +33,8 @@ conditions_free(struct condition_list *list)
 	*list = (struct condition_list){0};
 }
 
-/* "max 2/5" for "most 2/5": what find takes instead; NULL of other words.  The
- * caller frees. */
-static char *
-extreme_of(const char *text)
+char *
+conditions_extreme(const char *text)
 {
 	static const struct {
 		const char *word, *instead;
@@ -52,7 +52,7 @@ extreme_of(const char *text)
 static bool
 expected(const char *text, struct error *error)
 {
-	char *extreme = extreme_of(text);
+	char *extreme = conditions_extreme(text);
 	if (extreme != NULL) {
 		error_set(error, ERROR_USAGE,
 		    "expected max or min, got '%s'\n"
@@ -203,6 +203,17 @@ with_sign(const char *text)
 	return xstrdup(text);
 }
 
+/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees. */
+static char *
+limit_last(const char *text)
+{
+	size_t n = strspn(text, "0123456789.");
+	const char *rest = text + n + strspn(text + n, " %");
+	return n > 0 && strncasecmp(rest, "passing ", 8) == 0
+		   ? xasprintf("%s %.*s", rest, (int)n, text)
+		   : NULL;
+}
+
 /* A quantity and its limit with a blank between them; *name is the quantity. */
 static bool
 split_blank(const char *text, const struct fraction *fraction, char **name,
@@ -230,9 +241,13 @@ no_sign(const char *text, const struct fraction *fraction, struct error *error)
 {
 	struct condition c;
 	char *name, *passing = xasprintf("passing %s", text);
-	bool found = split_blank(text, fraction, &name, &c) ||
-		     split_blank(passing, fraction, &name, &c);
+	char *turned = limit_last(text);
+	bool found =
+	    split_blank(text, fraction, &name, &c) ||
+	    split_blank(passing, fraction, &name, &c) ||
+	    (turned != NULL && split_blank(turned, fraction, &name, &c));
 	free(passing);
+	free(turned);
 	if (!found)
 		return expected(text, error);
 	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
@@ -430,7 +445,7 @@ conditions_speeds(const struct session *s, const struct args *args,
 	*from = args_number(args, "from", *from);
 	*to = args_number(args, "to", *to);
 	return *from < *to || error_set(error, ERROR_USAGE,
-				  "expected from below to, got %g and %g m/s\n"
+				  "from= must be below to=, got %g and %g m/s\n"
 				  "write from=65 to=85",
 				  *from, *to);
 }
@@ -592,6 +607,14 @@ note_ways(struct answer *r, const struct wanted *wanted,
 {
 	const struct wanted_limit limit[] = {found->low, found->high};
 	const double end[] = {wanted->from, wanted->to};
+	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
+	    limit[0].i != SIZE_MAX && found->best > end[0] + 1e-3 &&
+	    found->best < end[1] - 1e-3) {
+		char *words = conditions_limit(list, limit[0]);
+		answer_note(r, "what is in the way: %s", words);
+		free(words);
+		return;
+	}
 	for (size_t k = 0; k < 2; k++) {
 		if (fabs(found->best - end[k]) < 1e-3) {
 			answer_say(r, ANSWER_REMARK,
@@ -603,12 +626,18 @@ note_ways(struct answer *r, const struct wanted *wanted,
 		} else if (limit[k].i != SIZE_MAX) {
 			char *words = conditions_limit(list, limit[k]);
 			answer_note(r,
-			    k == 0 ? N_("what binds slower: %s")
-				   : N_("what binds faster: %s"),
+			    k == 0 ? N_("limiting at lower speeds: %s")
+				   : N_("limiting at higher speeds: %s"),
 			    words);
 			free(words);
 		}
 	}
+}
+
+int
+conditions_digits(double points)
+{
+	return fabs(points) < 0.1 ? 2 : 1;
 }
 
 void
@@ -627,14 +656,16 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s: every speed misses "
-		    "%s alike, by %.1f points",
-		    wanted->from, wanted->to, what, words, misses);
+		    "%s alike, by %.*f points",
+		    wanted->from, wanted->to, what, words,
+		    conditions_digits(misses), misses);
 		free(words);
 	} else {
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
-		    "m/s, which misses by %.1f points",
-		    wanted->from, wanted->to, what, found->best, misses);
+		    "m/s, which misses by %.*f points",
+		    wanted->from, wanted->to, what, found->best,
+		    conditions_digits(misses), misses);
 		note_ways(r, wanted, list, found);
 	}
 }

@@ -17,9 +17,9 @@ struct condition_list {
 void conditions_add(struct condition_list *list, struct condition condition);
 void conditions_free(struct condition_list *list);
 
-/* Reads one: a quantity (quantities.h), then <, > or = and a number or, after
- * =, a range, or the words for these; of the fraction where it names none.  A
- * single number after = is both limits. */
+/* Reads one: a quantity (quantity_words.h), then <, > or = and a number or,
+ * after =, a range, or the words for these; of the fraction where it names
+ * none.  A single number after = is both limits. */
 bool conditions_read(const char *text, const struct fraction *fraction,
     struct condition *condition, struct error *error);
 
@@ -86,6 +86,13 @@ char *conditions_speeds_words(const struct speed_search *found);
 
 /* A margin in widths of the band; NAN of a model alone. */
 double conditions_widths(const struct wanted *wanted, struct margin margin);
+
+/* "max 2/5" for "most 2/5": what find takes instead; NULL of other words.  The
+ * caller frees. */
+char *conditions_extreme(const char *text);
+
+/* Decimals for points that a limit is missed by, so that none reads 0.0. */
+int conditions_digits(double points);
 
 /* What stands in the way where no speed meets the conditions. */
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,

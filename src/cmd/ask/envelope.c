@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Turns an envelope into conditions on a fraction, and judges each by the
+ * forecast at a speed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/envelope.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A cut against the band of a sample at its speed: how many sieves lie inside,
+ * RMSE, and the sieve that is farthest off.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/fraction.h"
 
 #include <math.h>
@@ -65,6 +67,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
 	c.missed = is_missed(&c);
+	c.off = !c.missed && !c.no_band && 2 * c.inside < c.n;
 	forecast_close(f);
 	free(asked);
 	return c;

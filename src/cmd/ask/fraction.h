@@ -8,10 +8,11 @@
 /* Over the sieves of a run's product that crushing can change, [n]: root mean
  * square of measured less predicted, and the largest of these with its sieve,
  * m.  inside: sieves within the band of one more sample; no_band: there is
- * none.  level: of it, 0..1.  missed: the prediction does not hold. */
+ * none.  level: of it, 0..1.  missed: the prediction does not hold; off: it does
+ * as far as careful samples repeat, though most sieves lie outside the band. */
 struct cut {
 	size_t n, inside;
-	bool no_band, missed;
+	bool no_band, missed, off;
 	double rms, worst, worst_sieve, level;
 };
 

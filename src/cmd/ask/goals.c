@@ -38,7 +38,11 @@ goals_clear(struct goal *g)
 bool
 goals_is_condition(const char *text)
 {
-	return text[strcspn(text, "<>=")] != '\0' || quantities_begins(text);
+	char *extreme = conditions_extreme(text);
+	bool is = extreme != NULL || text[strcspn(text, "<>=%")] != '\0' ||
+		  quantities_begins(text);
+	free(extreme);
+	return is;
 }
 
 static bool

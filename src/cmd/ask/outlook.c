@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws from the posterior when first asked, and keeps it with the calibration;
+ * chooses by the setting correction which runs inform an answer.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/outlook.h"
 
 #include <math.h>

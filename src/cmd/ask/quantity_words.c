@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads quantities as they are typed, writes them for people, keys and units,
+ * and checks that the feed covers them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/quantity_words.h"
 
 #include <math.h>
@@ -9,6 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/sitefile/sieve_size.h"
 #include "io/sitefile/units.h"
 
 static bool
@@ -26,11 +29,11 @@ static bool
 read_size(const char *text, double *m)
 {
 	char *word = xstrdup(text);
-	double mm;
+	double mm = sieve_names_mm(text, SIEVE_NONE);
 	if (text_ends(word, "mm"))
 		word[strlen(word) - 2] = '\0';
-	bool ok = text_typed_number(word, &mm) && mm >= SIZE_LEAST_MM &&
-		  mm <= SIZE_MOST_MM;
+	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&
+		  mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
 	free(word);
 	if (ok)
 		*m = mm / 1000;

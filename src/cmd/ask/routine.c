@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Orders the cuts by date, takes the residuals at the sieves that crushing can
+ * change, and follows them (drift_follow).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 
 #include <math.h>
@@ -313,7 +315,7 @@ routine_words(const struct routine *r)
 				 tr("back within the limits after a signal "
 				    "at cut %zu"),
 				 r->first + 1)
-			   : xstrdup(tr("the cuts are as predicted"));
+			   : xstrdup(tr("no drift is signalled"));
 	char *most = xasprintf(tr("most at %g mm (%+.1f points on average)"),
 	    units_mm(r->worst), 100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;

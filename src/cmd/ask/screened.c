@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A fraction of a measured product by the partition curve
+ * (core/psd/screening.h), and its share of the product.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/screened.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Gathers the facts about an entry, its calibration and the prediction, and has
+ * core (trust_judge) judge them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/trust_light.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solves the circuit (plant_at) at speeds across the range and draws the tonnes
+ * of each product.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/flow_chart.h"
 
 #include <math.h>

@@ -381,8 +381,8 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	return ok;
 }
 
-/* A row for who hears it: what is drawn with a sign again and again is left
- * out, and so is a row without anything else. */
+/* One row for a screen reader: a sign drawn again and again is left out, and so
+ * is a row without anything else. */
 static void
 print_heard(const struct canvas_cell *cell, int columns, FILE *out)
 {

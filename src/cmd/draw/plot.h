@@ -12,9 +12,9 @@
 /* A picture of the full screen.  columns, rows: 0: as the one that is open,
  * else 100 x 30.  page: from 1; 0: the one shown.  keys: names of keys, pressed
  * before; "": none.  charset and colours (0, 8, 16 or 256) are those of the
- * open one unless they are `asked`.  words: for who hears it: plots and lines
- * are left out, and `picture` is what describe calls the plot of the page, or
- * NULL; the caller frees it. */
+ * open one unless they are `asked`.  words: for a screen reader, plots and
+ * lines are left out, and `picture` is what describe calls the plot of the
+ * page, or NULL; the caller frees it. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Each curve less another, at its own points, on a scale of one of a few limits
+ * (1, 2, 5, 10 .. points).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_difference.h"
 
 #include <math.h>

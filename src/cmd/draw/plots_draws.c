@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Correlations of the parameters over the posterior's draws, as fields of a
+ * grid; the misfit along one parameter with the others held, beside the density
+ * of the draws.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_draws.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Each cut, EWMA and CUSUM (core/check/control_chart.h) as shares of their
+ * limits.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_drift.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Impacts a particle in half octaves of the energy, from the bins of core's
+ * spectrum.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_energy.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Least and most of each sieve as two series; a product's fraction by the same
+ * screens, taken from the curve of the whole.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_limits.h"
 
 #include <math.h>

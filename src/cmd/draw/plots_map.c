@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* f_mat against e0_min of Table 3, the store and the loaded sites, a series for
+ * each rock.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_map.h"
 
 #include <math.h>

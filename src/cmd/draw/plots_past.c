@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Takes generations, bounds and best from the running calibration, or from what
+ * one left.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_past.h"
 
 #include <math.h>

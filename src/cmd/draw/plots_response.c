@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Quantities, their bands, limits, measured values and the window at speeds
+ * across the range, a chart for each unit.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_response.h"
 
 #include <math.h>

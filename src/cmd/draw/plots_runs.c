@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Each feed once, each product with its prediction by the model alone, as many
+ * as a chart can tell apart.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_runs.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Residuals of candidates run by run, misfits over the generations, and the
+ * ranges of candidates and draws within the bounds.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_search.h"
 
 #include <math.h>

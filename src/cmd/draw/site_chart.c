@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The title from the site's name, the source below it, and a look for each run.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/site_chart.h"
 
 #include <stdarg.h>

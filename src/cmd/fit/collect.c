@@ -200,7 +200,7 @@ put_materials(struct session *s, const struct shelf *shelf,
 		if (!shelf->material[i].used)
 			ok = error_at(error, ERROR_DATA,
 			    shelf->material[i].path, 0, 0,
-			    "material '%s' is of none of the parts\n"
+			    "material '%s' belongs to none of the parts\n"
 			    "let each part begin with an empty store",
 			    shelf->material[i].stored->name);
 	ok = ok && store_put(s->store, item, n, replace, error);

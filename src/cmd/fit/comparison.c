@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Compares each run that was not trained on with all ways to predict it
+ * (validate_run), and sums their errors.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/comparison.h"
 
 #include <math.h>

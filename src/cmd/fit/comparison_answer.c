@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Tables of sieves and sizes for people and for programs, the cell that stands
+ * out, and a warning where a simpler way predicts better.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/comparison_answer.h"
 
 #include <math.h>

@@ -72,13 +72,20 @@ speeds_from(const struct routine *r, size_t from, size_t *n)
 	return list;
 }
 
+/* Cuts that tell little of a drift, and for how many nobody waits. */
+enum { FEW = 5, LATE = 50 };
+
 /* When to calibrate anew, and with what. */
 static void
 say_what_next(struct answer *a, const struct routine *r)
 {
 	size_t n;
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
-		answer_note(a, "no need to calibrate anew");
+		if (r->n < FEW)
+			answer_note(a,
+			    "fewer than %d cuts show only a large drift", FEW);
+		else
+			answer_note(a, "no need to calibrate anew");
 		return;
 	}
 	char *since = name_of(r, r->since), *first = name_of(r, r->first);
@@ -113,7 +120,7 @@ say_limits(struct answer *a, const struct routine *r)
 	    "standard deviations; by chance, without drift, once in about %.0f "
 	    "cuts",
 	    r->rule.h, quiet > 100 ? 10 * round(quiet / 10) : quiet);
-	if (isfinite(found))
+	if (found <= LATE)
 		answer_note(a,
 		    "of shifts by %.1f points, in the mean of the sieves, half "
 		    "are signalled after %g cuts at most",
@@ -127,9 +134,8 @@ say_limits(struct answer *a, const struct routine *r)
 	    quiet, isfinite(found) ? found : (double)NAN);
 	if (!r->drawn)
 		answer_say(a, ANSWER_WARNING,
-		    "limits are from 'set noise' alone: what is not known of "
-		    "the parameters comes on top of it, so that the charts "
-		    "signal more often");
+		    "limits are from 'set noise' alone: parameter uncertainty "
+		    "is not included: expect more false alarms");
 	if (!r->dated)
 		answer_say(a, ANSWER_REMARK,
 		    "not every cut has a date: they are in the order in which "
@@ -174,13 +180,13 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    r->n);
 	add_rows(a, r);
 	put_fields(a, r);
-	say_limits(a, r);
 	char *words = routine_words(r);
 	answer_say(a,
 	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN
 						   : ANSWER_WARNING,
 	    "%s", words);
 	say_what_next(a, r);
+	say_limits(a, r);
 	answers_show_basis_of_fit(s, a, entry, false);
 	free(words);
 	routine_free(r);

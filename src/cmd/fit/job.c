@@ -793,7 +793,8 @@ job_options(const struct session *s)
 }
 
 /* Of many sites nobody watches a search: the starts that its polish needs are
- * found by fewer candidates (HACKING has the count). */
+ * found by fewer candidates; doc/decisions/search-and-polish.md has the
+ * count. */
 enum { POPULATION_OF_MANY = 2500 };
 
 static struct calibrate_options

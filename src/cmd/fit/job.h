@@ -24,7 +24,7 @@ struct rounds {
 	bool (*draw)(struct session *s);
 	/* That is done. */
 	void (*take)(struct session *s);
-	/* All rounds have, or ^C ended them: answers, and owns `of`. */
+	/* Called after the last round or ^C: answers, and owns `of`. */
 	void (*end)(struct session *s, void *of);
 	void (*drop)(void *of); /* without an answer; `of` or NULL */
 	bool alone; /* one calibration, to be continued when stopped */

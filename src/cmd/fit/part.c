@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads "2/5" or the task number that a batch system sets, chooses the sites,
+ * and signs an answer by a digest (FNV-1a) of all loaded data and options.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/part.h"
 
 #include <inttypes.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* RMSE, bias and R2 of each size over all runs (validate_score), how often each
+ * way is the best, and the numbers of runs that parts hand on.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/scores.h"
 
 #include <stdlib.h>

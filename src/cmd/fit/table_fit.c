@@ -104,9 +104,8 @@ const struct command TABLE_FIT[] = {
 	    "relative errors of P20, P50 and P80 over all calibrated sites: "
 	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7). The "
 	    "sites share the threads; after 'set correction off' the corrected "
-	    "answer is not drawn, which takes most of the time. One that "
-	    "cannot be compared is told at the end, and the answer is of the "
-	    "others.",
+	    "answer is not drawn, which takes most of the time. A site that "
+	    "cannot be compared is listed at the end and excluded.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
 		   "validate sieves=on\nvalidate holdout=each",
 	.run = cmd_validate},

@@ -103,7 +103,7 @@ put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
 	}
 }
 
-/* What circulates, and what the sums are out by. */
+/* The circulating load and the mass balance. */
 static void
 note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 {
@@ -138,7 +138,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 		range_tph(p, o, unit, 0, range);
 		if (all > rotor)
 			answer_note(r,
-			    "crusher at %g m/s: %.1f t/h, of which %.1f t/h "
+			    "crusher at %.4g m/s: %.1f t/h, of which %.1f t/h "
 			    "through the rotor and %.1f t/h past it (%s)",
 			    speed, all, rotor, all - rotor,
 			    !(unit->cascade > 0) ? tr("fitted bypass")
@@ -146,7 +146,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 					    : tr("cascade"));
 		else
 			answer_note(r,
-			    "crusher at %g m/s: %.1f t/h, all through the "
+			    "crusher at %.4g m/s: %.1f t/h, all through the "
 			    "rotor",
 			    speed, all);
 		fields_put(fields_object(list, NULL),
@@ -215,10 +215,11 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	}
 	char *band = quantities_band(range[0], range[1], 2);
 	answer_note(r,
-	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %g m/s")
+	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
-		? N_("earnings %.2f an hour%s at %g m/s, less the power")
-		: N_("earnings %.2f an hour%s at %g m/s, less the least power "
+		? N_("earnings %.2f an hour%s at %.4g m/s, less the power")
+		: N_("earnings %.2f an hour%s at %.4g m/s, less the least "
+		     "power "
 		     "there can be"),
 	    o->money, band, o->speed);
 	free(band);
@@ -310,12 +311,12 @@ note_gain(const struct plant *p, const struct outcome *best,
 	    "gain_high %g",
 	    usual->speed, usual->money, gain, range[0], range[1]);
 	if (isnan(range[0])) {
-		answer_note(r, "%.2f an hour more than at %g m/s, no band",
+		answer_note(r, "%.2f an hour more than at %.4g m/s, no band",
 		    gain, usual->speed);
 		return;
 	}
-	answer_note(r, "%.2f an hour more than at %g m/s (%.2f to %.2f)", gain,
-	    usual->speed, range[0], range[1]);
+	answer_note(r, "%.2f an hour more than at %.4g m/s (%.2f to %.2f)",
+	    gain, usual->speed, range[0], range[1]);
 	double own[2];
 	range_of(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
@@ -419,7 +420,7 @@ answer_flow(const struct plant *p, const struct outcome *o)
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
 	struct answer *r = answers_new(entry->site, "flow",
-	    "%g t/h at %g m/s%s%s", p->circuit->tph, o->speed,
+	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
 	    p->plan->from_file || back[0] != '\0' ? ", " : "",
 	    p->plan->from_file || back[0] != '\0' ? what : "");
 	fields_put(answer_fields(r),
@@ -473,7 +474,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
 	if (reach[0] >= reach[1])
 		return error_set(error, ERROR_USAGE,
-		    "flow: expected from below to, got %g and %g m/s\n"
+		    "flow: from= must be below to=, got %g and %g m/s\n"
 		    "write: from=65 to=85",
 		    reach[0], reach[1]);
 	struct search search = search_best(p, reach[0], reach[1]);

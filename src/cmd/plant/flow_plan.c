@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Builds the circuit from options or from its file, and reads prices and
+ * readings of the motor, from options or from the notes of cuts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plant/flow_plan.h"
 
 #include <math.h>

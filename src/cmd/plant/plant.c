@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solves the circuit for the draws at a speed (circuit_flow), and adds power
+ * and earnings draw by draw.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plant/plant.h"
 
 #include <math.h>

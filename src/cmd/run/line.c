@@ -1,4 +1,4 @@
-/* The running of lines, and a session from its beginning to its end.
+/* Runs command lines; creates and destroys sessions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/line.h"
 

@@ -17,7 +17,7 @@
 
 struct keep {
 	struct kept *kept;
-	size_t saved;        /* state of the journal that would not be missed */
+	size_t saved;        /* state of the journal that counts as saved */
 	struct mark written; /* what is in the file */
 	char *restoring, *restored; /* file that is; that has been, or NULL */
 	struct error error; /* why it could not be kept; kind NONE: it is */

@@ -10,10 +10,10 @@
 #include "cmd/session/session.h"
 
 /* From now on each command that changes something has the session written to a
- * file in the user's folder, see kept.h, until it is saved.  What it is like
- * now would not be missed.  Nothing is kept with --safe and where the store is
- * to leave no trace.  Returns what to say of the last session, or NULL; the
- * caller frees. */
+ * file in the user's folder, see autosave_file.h, until it is saved.  Its
+ * current state counts as saved.  Nothing is kept with --safe and where the
+ * store is to leave no trace.  Returns what to say of the last session, or
+ * NULL; the caller frees. */
 char *keep_begin(struct session *s);
 
 /* A command is over; saved: a file of the user's has the session. */

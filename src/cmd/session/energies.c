@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads spectra, keeps them by file, and has Eq 3 take the impacts above the
+ * cut of one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/energies.h"
 
 #include <math.h>

@@ -15,23 +15,23 @@ struct hooks {
 	/* Clears progress off the line for a note or an answer; NULL: there is
 	 * none. */
 	void (*tidy)(void);
-	bool (*stop)(void); /* whether the user waits for what takes long to
-			       end; NULL: never */
-	/* Something that takes a moment begins: in a few words what; NULL:
-	 * nobody looks. */
+	bool (*stop)(void); /* whether a long computation should end, as the
+			       user waits; NULL: never */
+	/* Called before a computation that takes a moment, with a few words
+	 * for the user; NULL if not interactive. */
 	void (*begins)(const char *what);
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
 						where there is no terminal */
-	/* Draws the full screen, see pictures.h; NULL: there is none. */
+	/* Draws the full screen, see plot.h; NULL: there is none. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
-	/* Is the full screen until it is left; returns an exit status.  NULL:
-	 * none is opened. */
+	/* Runs the full screen until the user quits; returns an exit status.
+	 * NULL: it is not available. */
 	int (*run_screen)(struct session *);
-	/* Asks somebody who sits there; NULL: nobody does, nothing is asked. */
+	/* Asks the user yes or no; NULL if not interactive. */
 	bool (*confirm)(struct session *s, const char *question);
-	/* Asks somebody for a line about a sheet, which the caller frees; it
-	 * returns NULL when given up.  NULL: nobody is there. */
+	/* Asks the user for a line about a sheet.  The caller frees it; NULL
+	 * when the user gives up.  NULL if not interactive. */
 	char *(*question)(struct session *s, const struct inquiry *inquiry);
 };
 

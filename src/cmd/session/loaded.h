@@ -18,9 +18,9 @@
  * it searched in; and its site and training runs [n_run], from which follows,
  * when first asked for, what is known after it: posterior and evidence, by the
  * runs that inform them (enum correction), and the products of the last feed
- * that was asked for.  later: runs that came to a site after it, and the one
- * that it misses by most; alarm: what the charts of them say (drift.h).  Shared
- * by the entries, snapshots and origins that hold it. */
+ * that was asked for. later: runs that came to a site after it, and the one
+ * that it misses by most; alarm: the state of their charts (control_chart.h).
+ * Shared by the entries, snapshots and origins that hold it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
@@ -87,8 +87,8 @@ struct variant {
 	enum correction correction;
 };
 
-/* By which one of many sites is found: digests of its name as in keys, of its
- * path, and of the file there when it was loaded, 0 where there was none. */
+/* Lookup keys of a site: digests of its name as in keys, of its path, and of
+ * the file there when it was loaded, 0 where there was none. */
 struct mark_of {
 	uint64_t name, path, file;
 };

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Looks the end of a name up in a table of forms, and says why a form cannot be
+ * written.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/output.h"
 
 #include <stdlib.h>

@@ -18,7 +18,7 @@ struct rounds;
  * it: session_step until session_busy is false. */
 struct job {
 	const struct rounds *rounds; /* see job.h */
-	void *of;                    /* what they add up, theirs */
+	void *of;                    /* accumulator, owned by the job type */
 	void *found;                 /* what followed from a round, likewise */
 	struct calibration *calibration;
 	struct calibration *lowest; /* what a plain search is compared with, or
@@ -104,7 +104,7 @@ struct session {
 	struct energies **energies; /* every one there was */
 	struct choices *first; /* what the command line set; reset goes there */
 	struct journal *journal;
-	struct keep *keep; /* what is not saved, see keep.h; NULL: no matter */
+	struct keep *keep; /* autosave, see autosave.h; NULL: off */
 	struct undo *undo;
 	struct script *script;         /* scripts being read, innermost first */
 	size_t scripts;                /* how many */

@@ -230,7 +230,10 @@ note_check(struct session *s, size_t run)
 	struct cut cut = cut_compare(s, entry, run);
 	char *words = cut_words(&cut);
 	session_note(s,
-	    !cut.missed ? N_("  the prediction meets the cut at %g m/s%s: %s")
+	    cut.off
+		? N_("  the cut at %g m/s%s is off the prediction, though by "
+		     "no more than careful samples differ: %s")
+	    : !cut.missed ? N_("  the prediction meets the cut at %g m/s%s: %s")
 	    : entry->has_fit
 		? N_("  warning: the prediction misses the cut at %g m/s%s: "
 		     "%s; calibrate again with train=all")

@@ -443,7 +443,8 @@ ask_option(struct session *s, const struct site_ask *ask,
 			const char *value = strchr(ask->settle, '=') + 1;
 			bool top = strcmp(value, "SIZE") != 0 &&
 				   ASKS[i].question == NULL;
-			text = top ? xasprintf(tr("assume 100 %% passes %s mm"),
+			text = top ? xasprintf(tr("assume 100 %% passes %s mm, "
+						  "the next sieve up"),
 					 value)
 				   : xstrdup(tr(
 					 ASKS[i].question != NULL

@@ -1,4 +1,4 @@
-/* Questions about a sheet, for somebody who sits there, and what the answers
+/* Questions about a sheet, put to the user, and what the answers
  * mean.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SHEETS_ASK_USER_H

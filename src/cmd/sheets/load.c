@@ -567,7 +567,8 @@ find_feed(const struct site *site, const char *word, double speed, size_t *run,
 			xlist(&speeds, ", ", "%g", site->run[r].speed);
 	if (speed > 0 && !(site->run[site->n_run - 1].speed > 0))
 		error_set(error, ERROR_DATA,
-		    "%s: expected no speed, got %g m/s: its feed is of none\n"
+		    "%s: expected no speed, got %g m/s: its feed belongs to no "
+		    "speed\n"
 		    "leave out @%g",
 		    site->path, speed, speed);
 	else if (speed > 0 && !several)

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Loads a log, says what it holds, and takes the median of its rows about a
+ * time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/log.h"
 
 #include <inttypes.h>

@@ -370,15 +370,18 @@ add_name(void *data, const char *name)
 	xlist(data, ", ", "%s", name);
 }
 
-/* recall without a name: says which there are. */
-static bool
-no_name(const struct session *s, struct error *error)
+/* recall without a name: the one that there is, which the caller frees, or NULL
+ * and which there are. */
+static char *
+only_name(const struct session *s, struct error *error)
 {
 	char *names = xstrdup("");
 	if (!store_each(s->store, STORE_NAMES, add_name, &names, error)) {
 		free(names);
-		return false;
+		return NULL;
 	}
+	if (names[0] != '\0' && strchr(names, ',') == NULL)
+		return names;
 	if (names[0] != '\0')
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"
@@ -389,24 +392,26 @@ no_name(const struct session *s, struct error *error)
 		    "recall: expected a name, and nothing was remembered yet\n"
 		    "'store list' has the materials of Table 3");
 	free(names);
-	return false;
+	return NULL;
 }
 
 bool
 cmd_recall(struct session *s, const struct args *args, struct error *error)
 {
 	size_t index = s->current;
-	if (args->n_operand == 0)
-		return no_name(s, error);
 	if (args->n_operand > 1 &&
 	    !session_find(s, args->operand[1], &index, error))
 		return false;
+	char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
+					 : only_name(s, error);
 	struct stored_list list = {0};
 	const struct stored *m;
-	bool ok = find_material(s->store, args->operand[0], &list, &m, error) &&
+	bool ok = name != NULL &&
+		  find_material(s->store, name, &list, &m, error) &&
 		  check_recalled(s, args, m, error) &&
 		  take_recalled(s, m, index, error);
 	stored_list_free(&list);
+	free(name);
 	return ok;
 }
 

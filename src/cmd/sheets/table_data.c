@@ -35,7 +35,7 @@ static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
     {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
 	"order in dates of a log such as 5/3/2026, where they do not tell"},
     {"skip", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: files that cannot be read are told and left out, and a script "
+	"on: files that cannot be read are listed and left out, and a script "
 	"goes on"},
     {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
 	"refuse a file with other numbers; written by save"},
@@ -133,7 +133,7 @@ const struct command TABLE_DATA[] = {
 		"own are not read as sheets, and a file goes before a site of "
 		"the program's that has its name. The sites already loaded "
 		"stay where a sheet is refused, and of several files the "
-		"others are loaded: those with faults are told at the end, "
+		"others are loaded: those with faults are listed at the end, "
 		"where a script then stops unless skip=on. With as=log the "
 		"files are a plant's log for 'add': rows with date and time, "
 		"and columns whose heads tell rpm or m/s, kW and t/h; its "

@@ -1,4 +1,4 @@
-/* What one more sample would tell about an answer.
+/* By how much one more sample would narrow the band of an answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_ADVISE_H
 #define TIPSPEED_CORE_ANSWER_ADVISE_H
@@ -6,11 +6,11 @@
 #include <stddef.h>
 
 /* answer [POSTERIOR_DRAWS], none of them NAN; sample [n * POSTERIOR_DRAWS], row
- * by sieve: what that sample would be by each draw, with its errors
+ * by sieve: the sample that each draw predicts, with its errors
  * (ENSEMBLE_SAMPLE).  Returns the share of the answer's variance, 0..1, that
- * knowing the sample is expected to take away: R^2 of a regression on the
- * sample's principal components, adjusted for their number, as many as adjust
- * it most.  The band is then sqrt(1 - share) as wide. */
+ * knowing the sample is expected to remove: R^2 of a regression on the sample's
+ * principal components, adjusted for their number, which is chosen so that it
+ * is largest.  The band is then sqrt(1 - share) as wide. */
 double advise_share(const double *answer, const double *sample, size_t n);
 
 #endif

@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solves a circuit in steady state by successive substitution, for each draw:
+ * streams that close loops begin empty, and the units are computed in turn
+ * until they change no more.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/circuit.h"
 
 #include <math.h>
@@ -246,16 +249,24 @@ run_unit(struct solving *s, size_t u, size_t draw)
 }
 
 /* Returns after how many passes it is steady; 0: it is not.  Begins with what
- * the streams have. */
+ * the streams have.  A stream of next to nothing may go round between two
+ * values that rounding keeps apart: small changes that no longer shrink are
+ * steady, too. */
 static size_t
 solve(struct solving *s, size_t draw)
 {
-	const double steady = 1e-13;
+	enum { PATIENCE = 10 };
+	const double steady = 1e-13, small = 1e-9;
+	double least = INFINITY;
+	size_t since = 0;
 	for (size_t pass = 1; pass <= CIRCUIT_PASSES; pass++) {
 		double change = 0;
 		for (size_t k = s->walk.first; k < s->c->n_unit; k++)
 			change += run_unit(s, s->walk.order[k], draw);
-		if (change <= steady * s->c->tph)
+		since = change < least ? 0 : since + 1;
+		least = fmin(least, change);
+		if (change <= steady * s->c->tph ||
+		    (change <= small * s->c->tph && since >= PATIENCE))
 			return pass;
 	}
 	return 0;

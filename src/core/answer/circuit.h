@@ -24,7 +24,7 @@ enum { UNIT_STREAMS = 16, CIRCUIT_UNITS = 64 };
 
 /* in, out: indices of streams.  share [n_out]: of a split, 0..1, together 1.
  * cascade: share of what a crusher takes that by-passes the rotor (D14); speed:
- * its tip speed, m/s, 0: that which is asked.  opening: m.  price: of a
+ * its tip speed, m/s, 0: that of the question.  opening: m.  price: of a
  * stockpile, for each t.  name: "" where there is none. */
 struct unit {
 	enum unit_kind kind;
@@ -63,16 +63,16 @@ size_t circuit_use(const struct circuit *c, size_t stream);
 size_t circuit_unfed(const struct circuit *c);
 size_t circuit_trapped(const struct circuit *c);
 
-/* How often the streams are worked out anew at most. */
+/* The most passes over the streams. */
 enum { CIRCUIT_PASSES = 2000 };
 
 /* What flows in a circuit.  draws: 1 for a model alone.  tph [n_stream]: their
- * means, tph_draw [draws][n_stream]: of each.  mass [n_stream][classes]:
- * means.  back [n_stream]: whether it closes a loop, so that it circulates;
- * circulating: what does, t/h.  balance: feed less stockpiles, t/h, the
- * largest of all draws; passes: likewise.  open: a draw was not steady after
- * CIRCUIT_PASSES: then circulating is what circulated in it, and the rest is
- * worth nothing. */
+ * means, tph_draw [draws][n_stream]: of each.  mass [n_stream][classes]: means.
+ * back [n_stream]: whether it closes a loop, so that it circulates;
+ * circulating: what does, t/h.  balance: feed less stockpiles, t/h, the largest
+ * of all draws; passes: likewise.  open: a draw was not steady after
+ * CIRCUIT_PASSES: then circulating is that of this draw, and the rest is not
+ * valid. */
 struct flow {
 	bool open;
 	size_t n_stream, classes, draws, passes;
@@ -83,9 +83,9 @@ struct flow {
 
 /* feed [classes]: of a unit of the new feed, adds up to 1; transfer [n_unit]:
  * of crushers, all with as many draws.  By successive substitution: streams
- * that close loops begin empty, and all units are worked out in turn until
- * these streams change by less than 1e-13 of the feed.  As much as remains of
- * the change is what the balance is out by. */
+ * that close loops begin empty, and all units are computed in turn until these
+ * streams change by less than 1e-13 of the feed.  The remaining change is the
+ * mass-balance error. */
 struct flow circuit_flow(const struct circuit *c, const double *feed,
     const double *size, size_t classes, struct transfer *const *transfer);
 void flow_free(struct flow *flow);

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Transfer matrices: the products of the single size classes by ensembles or
+ * the model, and the discrepancy by the product of the whole feed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/crusher.h"
 
 #include <math.h>

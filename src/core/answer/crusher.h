@@ -1,4 +1,5 @@
-/* A crusher for any feed: what it makes of each size class, at a speed.
+/* The transfer matrix of a crusher: what it makes of each size class, at a
+ * speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_CRUSHER_H
 #define TIPSPEED_CORE_ANSWER_CRUSHER_H
@@ -16,22 +17,22 @@
 struct crusher;
 struct posterior;
 
-/* posterior: NULL for the model alone; else it must outlive the crusher.  What
- * the settings lead past the rotor is left to the circuit. */
+/* posterior: NULL for the model alone; else it must outlive the crusher.  The
+ * bypass of the settings is left to the circuit. */
 struct crusher *crusher_new(const double *size, size_t n,
     const struct params *p, struct model_settings settings,
     const struct posterior *posterior);
 void crusher_free(struct crusher *crusher);
 
 /* The feed of the question, with the sieves [n], m, coarsest first, at which a
- * prediction of its product is made: at those that are sizes of the crusher it
- * then makes that product of this feed, and of others one that differs from the
- * sum of the classes' as much, for each t. */
+ * prediction of its product is made: at the sieves that are sizes of the
+ * crusher this feed then gives exactly that product, and other feeds are
+ * corrected by the same difference, for each t. */
 void crusher_match(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
-/* What it does at tip speed v, m/s: once for each draw of the posterior, or
- * for the model alone once. */
+/* The transfer at tip speed v, m/s: one for each draw of the posterior, or a
+ * single one of the model alone. */
 struct transfer;
 struct transfer *crusher_at(struct crusher *crusher, double v);
 void transfer_free(struct transfer *t);

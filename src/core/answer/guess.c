@@ -1,4 +1,5 @@
-/* Nearest materials, their products, and what such guesses are worth.
+/* Orders materials by rock and top size, takes the median of their products,
+ * and finds the error of such guesses by leaving one site out at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/guess.h"
 

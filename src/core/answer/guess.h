@@ -10,10 +10,10 @@
 #include "core/psd/psd.h"
 #include "core/psd/site.h"
 
-/* A material to guess from, or what one is wanted for: then params are not
- * looked at.  rock: "" when not known; top_size m, 0 when not known.  settings:
- * those its parameters were found with.  law_open: its beta is none that was
- * found, as those of Table 3, which are not printed.  Text is borrowed. */
+/* A material to guess from, or the site that a guess is for, whose params are
+ * not read.  rock: "" when not known; top_size m, 0 when not known.  settings:
+ * those its parameters were found with.  law_open: its beta is not known, as in
+ * Table 3, which prints none.  Text is borrowed. */
 struct guess_material {
 	const char *site, *rock;
 	double top_size;
@@ -56,8 +56,8 @@ struct guess {
 	};
 };
 
-/* How many beta stand for one that is open, from coarse progeny to fine: 5 to
- * 67 % of what breaks is finer than a tenth of its parent (default: 14 %). */
+/* How many beta represent an unknown one, from coarse progeny to fine: 5 to 67
+ * % of what breaks is finer than a tenth of its parent (default: 14 %). */
 enum { GUESS_LAWS = 8 };
 
 /* The products of the feed of that run at tip speed v (m/s), with each of the
@@ -67,7 +67,7 @@ struct guess guess_product(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v);
 void guess_free(struct guess *guess);
 
-/* How far such guesses err: RMSE of passing, 0..1, over the sieves.  n: how
+/* The errors of such guesses: RMSE of passing, 0..1, over the sieves.  n: how
  * many were guessed; worst_at: index of the worst; feed: the median error of
  * the guess that product = feed; held: share of the passings that lie within
  * the band, where it has a width.  nearest: how many materials were used. */
@@ -84,10 +84,10 @@ struct guess_error {
 struct guess_error guess_leave_one_out(
     const struct guess_material *m, size_t n, size_t nearest, double v);
 
-/* Whether it helps to know the rock and the top size: the errors of using all
- * others and of the number of nearest ones with the smallest median error; true
- * where that is less than 0.8 of the former's.  A smaller gain is no more than
- * the best of so many numbers has by chance from 18 sites. */
+/* Whether rock and top size improve the guess: the errors of using all others
+ * and of the number of nearest ones with the smallest median error; true where
+ * that is less than 0.8 of the former's.  A smaller gain is no more than the
+ * best of so many numbers has by chance from 18 sites. */
 struct guess_choice {
 	struct guess_error all, few;
 	bool helps;

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sends each class of a feed alone through the model, Eq 2 being linear in the
+ * feed, and adds up where its mass goes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/mass_balance.h"
 
 #include <math.h>

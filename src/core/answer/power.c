@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Weighs a grid of exponents and factors by least squares on the readings, with
+ * the idle power a normal cut at 0 for each; draws at even steps of the
+ * weights.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/power.h"
 
 #include <math.h>

@@ -8,23 +8,24 @@
 
 enum { POWER_DRAWS = 256 };
 
-/* What a motor took: tip speed, m/s; kW; t/h through the rotor, 0: empty. */
+/* A reading of the motor: tip speed, m/s; kW; t/h through the rotor, 0:
+ * empty. */
 struct reading {
 	double speed, kw, tph;
 };
 
-/* What throwing alone takes, kW: Q v^2.  A rotor that brings a mass flow Q from
- * rest to the speed of its rim turns it with the torque Q v r (Euler); half of
- * that power leaves as kinetic energy, half is lost on the way out. */
+/* The power to accelerate the rock, kW: Q v^2.  A rotor that brings a mass flow
+ * Q from rest to the speed of its rim turns it with the torque Q v r (Euler);
+ * half of that power leaves as kinetic energy, half is lost on the way out. */
 double power_thrown(double speed, double tph);
 
-/* P = idle (v / at)^exponent + factor Q v^2: what is consistent with readings
- * that err by 2 % each, or by their scatter where that is more: idle from 0 up
- * and exponent from 1 (friction) to 3 (air) alike beforehand, factor from 1 up
- * to what leaves no idle.  Where no reading is of a loaded crusher the factor
- * is 1, which is the least there can be (least); where all take less than
- * Q v^2 no factor from 1 up fits, and the largest is taken (below).
- * at: mean speed of the readings.  rms: what these miss the mean by, kW. */
+/* P = idle (v / at)^exponent + factor Q v^2: draws consistent with readings
+ * that err by 2 % each, or by their scatter where that is more.  Uniform
+ * priors: idle from 0 up, exponent from 1 (friction) to 3 (air), factor from 1
+ * up to what leaves no idle.  least: no reading is of a loaded crusher, so that
+ * the factor is 1, its least; below: all readings are below Q v^2, so that no
+ * factor from 1 up fits and the largest is taken.  at: mean speed of the
+ * readings.  rms: their residuals about the mean, kW. */
 struct power {
 	size_t n;
 	bool least, below;
@@ -35,12 +36,12 @@ struct power {
 };
 struct power power_fit(const struct reading *reading, size_t n);
 
-/* Whether of readings with alike tonnages one with a clearly higher speed takes
- * less: no motor does so, and no estimate from them holds. */
+/* Whether of two readings with similar tonnages the one with a clearly higher
+ * speed has less power: no motor does so, and no estimate from them holds. */
 bool power_falls(const struct reading *reading, size_t n);
 
-/* Of a draw, taken round after round: what the motor takes, and of that what it
- * takes empty, kW. */
+/* The power of a draw, kW, and its idle part; draw may be any number, and is
+ * taken modulo POWER_DRAWS. */
 double power_at(const struct power *p, size_t draw, double speed, double tph);
 double power_idle(const struct power *p, size_t draw, double speed);
 

@@ -1,4 +1,5 @@
-/* One product with what can be read off it.
+/* The table of a product at a speed: passings, sizes, what breaks, and their
+ * bands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/predict.h"
 

@@ -45,8 +45,8 @@ void prediction_free(struct prediction *prediction);
  * first; passings 0.  psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
-/* What predict_table reads, of the whole product or of a fraction: [*n]
- * quantities, which the caller frees. */
+/* The quantities that predict_table reads, of the whole product or of a
+ * fraction, [*n]; the caller frees. */
 struct quantity *predict_asks(const struct site *site, const struct psd *feed,
     const struct fraction *fraction, size_t *n);
 
@@ -60,7 +60,7 @@ struct prediction predict_table(const struct site *site, size_t feed_run,
 struct prediction predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run);
 
-/* Leaves the answer and takes its band away. */
+/* Removes the band and keeps the answer. */
 void prediction_drop_band(struct prediction *p);
 
 /* Selection of each size class of a feed: the share of its mass that breaks.

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads quantities off the curve of the answer and of each draw, straight on
+ * log size between the sieves (D20).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/response.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* What is asked of the product of one feed, at any speed, with its band.
+/* Quantities of the product of one feed, at any speed, with their bands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_RESPONSE_H
 #define TIPSPEED_CORE_ANSWER_RESPONSE_H
@@ -19,8 +19,9 @@ struct response *response_new(const struct psd *feed, const double *size,
 void response_free(struct response *r);
 
 /* Moves to tip speed v, m/s: of the model alone (e NULL), or with the draws of
- * an ensemble of the same feed and sieves, borrowed until the next move.
- * of: what the draws and their bands are of, beside the answer's values. */
+ * an ensemble of the same feed and sieves, borrowed until the next move.  of:
+ * the part of the ensemble that draws and bands are read from; values are the
+ * answer's. */
 void response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
@@ -37,8 +38,8 @@ double response_break_size(const struct response *r);
 void response_break_band(
     const struct response *r, double level, double range[static 2]);
 
-/* What predict_table has of the model alone: the share of the feed that is
- * selected, and whether anything comes of it. */
+/* For predict_table, of the model alone: the share of the feed that is
+ * selected, and whether the product differs from the feed. */
 double response_selected(struct response *r);
 bool response_breaks(struct response *r);
 
@@ -46,14 +47,14 @@ bool response_breaks(struct response *r);
  * alone. */
 const double *response_draws(const struct response *r, size_t i);
 
-/* By how much it lies above a limit there, see quantity_over: of the answer; of
- * the draws, [POSTERIOR_DRAWS] out. */
+/* Its distance above a limit at that speed, see quantity_over: of the answer;
+ * of the draws, [POSTERIOR_DRAWS] out. */
 double response_over(struct response *r, size_t i, double limit);
 void response_overs(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
-/* The middle `level` of them, that of the answer widened to hold its value;
- * NAN of a model alone. */
+/* The middle `level` of the draws, for ENSEMBLE_ANSWER widened to hold the
+ * value; NAN of a model alone. */
 void response_band(
     const struct response *r, size_t i, double level, double range[static 2]);
 

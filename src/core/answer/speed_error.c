@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Propagates the errors of stated speeds through a straight line in v^2.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/speed_error.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* EWMA and self-starting CUSUM of innovations: values whitened by the Cholesky
+ * factor of their covariance under the draws (Hawkins and Olwell 1998).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/control_chart.h"
 
 #include <math.h>

@@ -8,11 +8,11 @@
 
 #include "core/posterior/posterior.h"
 
-/* What of a sample is followed: the mean of its residuals, measured less
- * predicted, over the sieves; and the rise of their straight line in ln size
- * from the finest to the coarsest sieve, less what that has in common with the
- * mean.  Both are known to be 0 but for a variance that follows from the
- * posterior. */
+/* The two numbers of a sample that are followed: the mean of its residuals,
+ * measured less predicted, over the sieves; and the rise of their straight line
+ * in ln size from the finest to the coarsest sieve, less what that has in
+ * common with the mean.  Both are known to be 0 but for a variance that follows
+ * from the posterior. */
 enum drift_component { DRIFT_LEVEL, DRIFT_TILT, DRIFT_COMPONENTS };
 
 /* k, h: allowance and limit of the CUSUM, in standard deviations; lambda,
@@ -44,10 +44,10 @@ enum drift_state {
 };
 
 /* One component after a sample.  value: passing, 0..1; truth, error: standard
- * deviations of it, by the draws and by the posterior's sampling; off: by how
- * many standard deviations it differs from what those before let expect;
- * score: the same where the size of the errors is learnt from those before,
- * too: standard normal where nothing drifts, and independent of the others.
+ * deviations of it, by the draws and by the posterior's sampling; off: its
+ * distance from what the earlier samples predict, in standard deviations;
+ * score: the same with the size of the errors estimated from the earlier
+ * samples too: standard normal without drift, and independent of the others.
  * down is positive. */
 struct drift_chart {
 	double value, truth, error, off, score, ewma, ewma_limit, up, down;
@@ -61,16 +61,16 @@ struct drift_point {
  * after which a chart stands beyond its limit, n where none does; *since: the
  * sample with which its CUSUM began to rise.
  *
- * What nobody knows of the truth is the same for all samples, so that their
- * values are correlated, and charts of them would signal more often than they
- * say.  What is off is the values less what those before let expect, over the
- * standard deviation that is left: L^-1 value, L the Cholesky factor of their
- * covariance.  How large the errors of cuts are the posterior knows roughly:
- * off over the root mean square of those before, to which the posterior adds
- * rule->cuts of 1, has Student's t, and the score is the normal number of the
- * same probability.  After a signal nothing more is learnt from what came after
- * `since`, lest the drift itself be expected.   Source: Hawkins 1987, Hawkins
- * and Olwell 1998, section 7 (self-starting CUSUM); Page 1954; Roberts 1959. */
+ * The unknown part of the truth is common to all samples, so that their values
+ * are correlated, and charts of them would signal more often than stated.
+ * `off` is the value less its prediction from the earlier ones, over the
+ * standard deviation that remains: L^-1 value, L the Cholesky factor of their
+ * covariance.  The posterior gives a rough size of the errors of cuts: off over
+ * the root mean square of those before, to which the posterior adds rule->cuts
+ * of 1, has Student's t, and the score is the normal number of the same
+ * probability.  After a signal, samples after `since` are not used to predict,
+ * lest the drift itself be predicted.   Source: Hawkins 1987, Hawkins and
+ * Olwell 1998, section 7 (self-starting CUSUM); Page 1954; Roberts 1959. */
 size_t drift_follow(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since);
 

@@ -1,4 +1,4 @@
-/* Mends: changes of a site that somebody takes because a sheet is wrong.
+/* Corrections of a site whose sheet is wrong, which the user chooses (mends).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_CORRECTION_H
 #define TIPSPEED_CORE_CHECK_CORRECTION_H
@@ -30,9 +30,10 @@ struct mend {
 	double size, value;
 };
 
-/* The site mended, with the mend in its provenance; or NULL with an error where
- * no site can be so: passings that rise on finer sieves, a feed of which not
- * all passes its coarsest sieve, a curve of less than two sieves. */
+/* The corrected site, with the mend in its provenance; or NULL with an error
+ * where the result would not be a site: passings that rise on finer sieves, a
+ * feed of which not all passes its coarsest sieve, a curve of less than two
+ * sieves. */
 struct site *mend_site(
     const struct site *site, const struct mend *mend, struct error *error);
 

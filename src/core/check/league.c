@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* AICc, and squared errors at held-out runs with their sampling error; ranks
+ * models by both (Burnham and Anderson 2002).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/league.h"
 
 #include <math.h>

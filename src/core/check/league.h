@@ -1,5 +1,5 @@
-/* What tells models apart that were calibrated on the same runs: Akaike's
- * criterion, and how far they miss runs that were held out.
+/* Compares models calibrated on the same runs: Akaike's criterion, and their
+ * errors at runs that were held out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_LEAGUE_H
 #define TIPSPEED_CORE_CHECK_LEAGUE_H
@@ -30,31 +30,31 @@ struct league_cell {
 	double log_size, measured, noise;
 };
 
-/* The root mean square over the runs of what was predicted, [n], errs in each;
- * NAN with no cell, or where one has no answer. */
+/* The root mean square, over the runs, of the RMSE of what was predicted, [n];
+ * NAN with no cell, or where one has no prediction. */
 double league_rmse(
     const struct league_cell *cell, size_t n, const double *predicted);
 
-/* By how much the squared errors of a exceed those of b, summed over all cells,
- * and what sampling error of the cells alone moves that: its standard error.
- * The error of a run's cells is partly shared along its curve, in the shares of
- * the priors of HYPER (D13). */
+/* The squared errors of a less those of b, summed over all cells, and the
+ * standard error of that sum by sampling error of the cells alone.  The error
+ * of a run's cells is partly shared along its curve, in the shares of the
+ * priors of HYPER (D13). */
 struct league_pair {
 	double difference, error;
 };
 struct league_pair league_compare(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
-/* Whether a errs more than b, by more than sampling explains: twice that
- * standard error, and 0.1 points of RMSE. */
+/* Whether a errs more than b by more than twice that standard error and 0.1
+ * points of RMSE. */
 bool league_errs_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
-/* A model as the league sees it: model is its index in BREAKAGES.  Out: where
- * it stands. */
+/* A model to be compared.  model: its index in BREAKAGES.  Out: where it
+ * stands. */
 enum league_standing {
 	LEAGUE_BEST,     /* the least AICc, or where there is none, error */
-	LEAGUE_POSSIBLE, /* not told from the best */
+	LEAGUE_POSSIBLE, /* not distinguishable from the best */
 	LEAGUE_OUT_AICC, /* ruled out by AICc, */
 	LEAGUE_OUT_ERROR /* or by its error at the runs held out */
 };

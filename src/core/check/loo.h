@@ -1,4 +1,4 @@
-/* Each passing of a sheet against what all the others say of it.
+/* Each passing of a sheet compared with its expectation by all others.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_LOO_H
 #define TIPSPEED_CORE_CHECK_LOO_H
@@ -15,10 +15,10 @@
  * an amplitude and a length, and errors of the sample, as in D13.
  * Products, without a posterior: likewise, with a second process that changes
  * with the speed, straight in energy, and one of the run's own.
- * Products, with one: what they differ from the fit by.  Its covariance is that
- * of D13 (discrepancy.h), that of the parameters, by the Jacobian at the fit
- * and the width of their bounds, so that the others alone set them; and that of
- * the feed's own errors, which the products answer to.
+ * Products, with one: their differences from the fit.  Its covariance is that
+ * of D13 (discrepancy.h); that of the parameters, by the Jacobian at the fit
+ * and the width of their bounds, so that the others alone determine them; and
+ * that of the feed's own errors, which the products follow.
  *
  * So a wrong passing of a feed shows in the feed and in all products of it.
  * Without a cell, whose shift in that vector is u, the others expect it lower
@@ -26,8 +26,7 @@
  *   shift = u' K^-1 y / u' K^-1 u    with variance  1 / u' K^-1 u
  * and z is their ratio (Rasmussen and Williams 2006, eq 5.12, where u has one
  * element).  Amplitudes, lengths and errors of K are those most probable
- * without the cell, or else one that is far off would make all seem uncertain.
- */
+ * without the cell; else one cell far off would make all seem uncertain. */
 struct leave_out;
 
 /* A cell of the sheet.  run: 0 of a feed that all share. */
@@ -62,7 +61,7 @@ struct leave_out_shift leave_out_worst(struct leave_out *l);
 /* That cell. */
 struct leave_out_shift leave_out_look(struct leave_out *l, size_t cell);
 
-/* Lets the cell be what it likes from now on. */
+/* Leaves the cell out from now on. */
 void leave_out_drop(struct leave_out *l, size_t cell);
 
 #endif

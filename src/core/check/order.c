@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Compares two products sieve by sieve.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/order.h"
 
 struct order

@@ -7,17 +7,17 @@
 
 #include "core/psd/psd.h"
 
-/* How far the slower run's product passes above the faster one's, passing
- * 0..1: at the sieve `at`, m, where by most, and in the mean of the sieves of
- * both. */
+/* By how much the slower run's product is finer than the faster one's, passing
+ * 0..1: most, at the sieve `at`, m; and in the mean of their common sieves. */
 struct order {
 	double most, at, mean;
 };
 struct order order_of(const struct psd *slow, const struct psd *fast);
 
-/* By so much that sampling may explain it, and by more, passing: one sieve that
- * far, or all in the mean.  Of 180 sheets with a noise of 1 point 29 fall by
- * more than the first somewhere, 3 are called wrong. */
+/* ORDER_NOTABLE: worth a remark, but sampling may explain it.  order_wrong:
+ * more than sampling explains, at one sieve or in the mean.  Of 180 sheets with
+ * a noise of 1 point 29 fall by more than the first somewhere, 3 are called
+ * wrong. */
 #define ORDER_NOTABLE 0.02
 bool order_wrong(const struct order *o);
 

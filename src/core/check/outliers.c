@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Tries the usual mistakes on columns (exchanged, moved, scaled, copied) and on
+ * cells (digits, by their leave-one-out expectations), and keeps the mends that
+ * make a sheet consistent.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/outliers.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* What is wrong with a sheet, and which mends would put it right.
+/* Finds wrong cells and columns of a sheet, and the mends that would correct
+ * them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_OUTLIERS_H
 #define TIPSPEED_CORE_CHECK_OUTLIERS_H
@@ -9,10 +10,10 @@
 #include "core/check/correction.h"
 #include "core/posterior/posterior.h"
 
-/* A mend that would make the sheet agree with itself.  It is only ever
- * proposed: whoever has the laboratory's sheet knows.
+/* A mend that would make the sheet consistent.  It is only proposed: the
+ * laboratory's sheet decides.
  *   measured, expected, sd  of a cell: as it is, and as all others say (see
- *                 leave_out.h), passing 0..1; NAN of columns
+ *                 loo.h), passing 0..1; NAN of columns
  *   surprise      of a cell after a calibration: how much more probable the
  *                 sheet is without it, as a logarithm; NAN
  *   off           of a column: how far it is from what others say, RMS before
@@ -25,8 +26,8 @@ struct finding {
 	double off[2], rmse[2];
 };
 
-/* unseen: the passings of the sheet, where they are more than DOCTOR_CELLS, so
- * that none was set against all others (a matrix of them); else 0. */
+/* unseen: the number of passings, where it is above DOCTOR_CELLS, so that none
+ * was compared with all others (their covariance is a matrix); else 0. */
 enum { DOCTOR_CELLS = 1000 };
 struct doctor {
 	size_t n;

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Collects the evidence of a fit, from residuals, draws and held-out runs, and
+ * compares it and the question with thresholds that bench/coverage found.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/trust.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
-/* How far an answer holds, as one light with its reasons.
+/* The trust in an answer, as one light with its reasons.
  *
- * A residual has two causes that its size and pattern do not tell apart: the
- * model is wrong for this plant, or the samples are biased.  So reasons name
+ * A residual has two causes that its size and pattern do not distinguish: the
+ * model is wrong for this plant, or the samples are biased.  So reasons state
  * what was seen and what follows from it, and not the cause.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_TRUST_H
@@ -24,24 +24,24 @@ extern const char *const LIGHT_NAME[3];
  * careful sample repeats to 0.005 or 0.01. */
 #define FIT_POOR 0.02
 
-/* Below this share of the null model's misfit taken away, the products cannot
- * be told from the feed. */
+/* Where the fit lowers the null model's misfit by less than this share, the
+ * products cannot be distinguished from the feed. */
 #define FIT_NOTHING 0.5
 
 /* Whether there is no band: the fit is poor, and two speeds or fewer inform it.
- * Two points lie on any line, so that nothing shows how what the model leaves
- * out bends between them. */
+ * Two points lie on any line, so that nothing shows how the discrepancy bends
+ * between them. */
 bool trust_without_band(double rmse, size_t speeds);
 
-/* What a fit shows of itself, whatever is asked of it.  It is worked out once a
- * fit.  use: the runs that inform the answer. */
+/* What a fit itself shows, independent of the question; computed once a fit.
+ * use: the runs that inform the answer. */
 struct evidence {
 	size_t cells, parameters; /* of the fit */
 	double rmse;              /* of the fit, passing 0..1 */
 	bool like_feed;           /* products do not differ from the feed */
-	/* Residuals at all runs used, but for what other parameters would take
-	 * away: mean square over that of usual sampling errors; correlation of
-	 * neighbours on a curve, in its standard deviations. */
+	/* Residuals at all runs used, less what a step of the parameters
+	 * explains: mean square over that of usual sampling errors; correlation
+	 * of neighbours on a curve, in its standard deviations. */
 	double size, alike;
 	/* NAN without a posterior.  discrepancy, sampling: medians of the
 	 * draws, passing 0..1; more: share of the draws in which the first is
@@ -70,20 +70,20 @@ struct evidence trust_evidence(const struct site *site, const bool *train,
     const bool *use, const struct fit *fit, const struct bounds *bounds,
     const struct posterior *posterior, double noise);
 
-/* What is asked, beside the fit.  All but speed may be 0 or NAN. */
+/* The question.  All but speed may be 0 or NAN. */
 struct trust_question {
 	double speed; /* m/s; 0: none, the fit is meant */
 	double width; /* of the band, mean over the sieves, passing 0..1 */
 	/* Of a feed that was not sampled here: the largest difference from the
 	 * nearest of those the fit was made with, passing 0..1. */
 	double feed;
-	/* A parameter on a bound, and what the answer would move by, were it
-	 * free to move on by its standard deviation. */
+	/* A parameter on a bound, and by how much the answer would move if the
+	 * parameter moved on by its standard deviation. */
 	const char *bound;
 	double bound_moves; /* passing 0..1 */
 };
 
-/* What a reason is about, which decides whether others need be said. */
+/* The subject of a reason, which decides whether others need to be stated. */
 enum trust_cause {
 	TRUST_FIT,
 	TRUST_DATA,
@@ -116,13 +116,13 @@ struct trust {
 void trust_add(
     struct trust *t, enum light light, enum trust_cause cause, char *text);
 
-/* Adds what evidence and question speak against. */
+/* Adds the reasons that evidence and question give. */
 void trust_judge(
     struct trust *t, const struct evidence *e, const struct trust_question *q);
 void trust_free(struct trust *t);
 
-/* What one standard deviation of a parameter moves the answers of an ensemble
- * by, at its speed and on n sizes: root mean square, passing 0..1. */
+/* The change of an ensemble's answers, at its speed and n sizes, for one
+ * standard deviation of a parameter: root mean square, passing 0..1. */
 double trust_moves(const struct posterior *p, struct ensemble *e, size_t n,
     const char *parameter);
 

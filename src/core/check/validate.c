@@ -1,4 +1,5 @@
-/* Hold-out runs, always beside null models.
+/* Compares predictions for held-out runs with their products, beside null
+ * models.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/validate.h"
 

@@ -10,11 +10,11 @@
 #include "core/posterior/posterior.h"
 #include "core/psd/site.h"
 
-/* Who predicts: the model, the answer that the training runs correct it to, and
- * the null models that anyone has without one: the
- * measured training products interpolated straight in v^2, the product at the
- * nearest training speed, and the feed itself.  In the order in which they are
- * shown; of two that are equally good the first wins. */
+/* The ways to predict: the model, the model corrected by the training runs, and
+ * null models, which need no model: the measured training products interpolated
+ * straight in v^2, the product at the nearest training speed, and the feed
+ * itself.  In the order in which they are shown; of two that are equally good
+ * the first wins. */
 enum validate_way {
 	VALIDATE_MODEL,
 	VALIDATE_CORRECTED,

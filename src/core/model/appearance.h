@@ -19,15 +19,15 @@ enum { APPEARANCE_PIECES = 4 };
  * D4: p is clipped at 0 and normalised, so that mass is kept.
  *
  * p is above 0 on n pieces lower[i]..upper[i], finest first.  total is the
- * integral over all; 0 means that p is 0 everywhere and a fragment keeps its
- * parent's size. */
+ * integral over all; 0 means that p is 0 everywhere and a particle that breaks
+ * keeps its size. */
 struct appearance {
 	double beta[4];
 	size_t n;
 	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
 	double total;
 	double log_lower[APPEARANCE_PIECES], log_upper[APPEARANCE_PIECES];
-	/* For appearance_parts: what they are at the piece's upper end, and at
+	/* For appearance_parts: their values at the piece's upper end, and at
 	 * its lower end less the primitive there. */
 	double full[APPEARANCE_PIECES][4], base[APPEARANCE_PIECES][4];
 	double whole[4]; /* at u = 1 */
@@ -39,8 +39,8 @@ struct appearance appearance_of(const double beta[static 4]);
 /* p(u), not normalised, clipped at 0.   Source: paper Eq 1. */
 double appearance_density(const double beta[static 4], double u);
 
-/* What p is a function of, for a parent and progeny of the sizes given, m:
- * their ratio, or one of the two in mm (departure D3). */
+/* The argument of p for a parent and progeny of the sizes given, m: their
+ * ratio, or one of the two in mm (departure D3). */
 double appearance_argument(
     enum appearance_form form, double parent, double daughter);
 

@@ -1,8 +1,7 @@
 /* A breakage model: which sizes break at a tip speed, and into what.
  *
- * One file a model, which ends in its row, and a line in breakage.c and in
- * breakage_all.h.  What anything else does with a model, it does through the
- * row.
+ * One file for each model, which ends in its row, and a line in breakage.c and
+ * in breakage_all.h.  All other code uses a model through its row only.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_BREAKAGE_H
 #define TIPSPEED_CORE_MODEL_BREAKAGE_H
@@ -16,11 +15,11 @@
 
 struct plan;
 
-/* What is wanted of candidates, each in its place: the misfit, and where
- * difference is not NULL the weighted differences simulated - measured, that of
- * cell i (see struct plan_target) at difference[i * stride].
- * Where softer is not NULL, a share of the rock has that e0_min instead of the
- * candidate's, which is no less (D16); share 0: all has the candidate's. */
+/* Results of the kernel, by candidate: the misfit, and where difference is not
+ * NULL the weighted differences simulated - measured, that of cell i (see
+ * struct plan_target) at difference[i * stride].  Where softer is not NULL, a
+ * share of the rock has that e0_min instead of the candidate's, which is at
+ * least as large (D16); share 0: all has the candidate's. */
 struct kernel_out {
 	double *misfit, *difference;
 	size_t stride;
@@ -34,15 +33,15 @@ typedef void kernel_block(const struct plan *plan, const double *const *theta,
     const uint32_t *index, bool smooth, double *scratch,
     const struct kernel_out *out);
 
-/* Which of the candidates first..first+KERNEL_LANES-1 belong together: a bin of
- * ln x* at the mean energy for each, plus KERNEL_BINS for the smooth ones,
- * whose S rises so slowly that fewer Gauss points do. */
+/* Sorts the candidates first..first+KERNEL_LANES-1: a bin of ln x* at the mean
+ * energy for each, plus KERNEL_BINS for the smooth ones, whose S rises so
+ * slowly that fewer Gauss points suffice. */
 enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
 typedef void kernel_bins(const struct plan *plan, const double *const *theta,
     size_t first, uint16_t *bin);
 
-/* Parameters at a tip speed, made ready by breaker_at: what a model works out
- * once for them lies in own. */
+/* Parameters at a tip speed, prepared by breaker_at.  own: what a model
+ * computes once for them. */
 struct breaker {
 	struct params p;
 	const struct breakage *model;
@@ -69,12 +68,13 @@ struct breakage {
 	bool bypass;     /* the last parameter is the bypass share (D14) */
 	bool forms;      /* Eq 1 may be a function of other sizes than u (D3) */
 
-	/* Works out what own holds; p, k, v and E are set. */
+	/* Computes own; p, k, v and E are set. */
 	void (*prepare)(struct breaker *b);
 	/* Selection S at ln x, x in m; d [n]: adds its derivatives, or NULL. */
 	double (*selection)(const struct breaker *b, double log_x, double *d);
-	/* ln x at which -ln(1 - S) is the exponent given, rising with it:
-	 * integrals of S end panels there.  Of 0: where S begins. */
+	/* ln x at which -ln(1 - S) has the value `exponent`; it rises with the
+	 * exponent, and integrals of S end panels there.  For 0: the break
+	 * size. */
 	double (*size_at)(const struct breaker *b, double exponent);
 	/* The smallest size that can break, m: 0 where every size does,
 	 * INFINITY where none does. */
@@ -90,7 +90,7 @@ struct breakage {
 	    const struct breaker *b, double u, double log_u, double log_x);
 	/* False where what breaks has no progeny: product = feed. */
 	bool (*breaks)(const struct breaker *b);
-	/* The product by a way of its own, see continuous_product; or NULL. */
+	/* A short-cut for the product, see continuous_product; or NULL. */
 	void (*product)(struct continuous *c, double *passing, double *d);
 	/* S and B as text with the numbers in them; the caller frees. */
 	char *(*selection_text)(const struct params *p, double k);
@@ -112,15 +112,15 @@ const char *breakage_names(void);
 /* Index of the model of that name, or breakage_count(). */
 size_t breakage_find(const char *name);
 
-/* Whether a model has all parameters of another, and others beside them that
- * change nothing at their start. */
+/* Whether a model has all parameters of another, and further ones that change
+ * nothing at their start. */
 bool breakage_extends(size_t wide, size_t narrow);
 
 /* Parameters of a model in one that extends it, the others at their start. */
 struct params breakage_widened(const struct params *p, size_t wide);
 
-/* The other way: parameters in the smallest model it extends in which they make
- * the same product, as all that this one lacks stands at its start. */
+/* The inverse: parameters in the smallest model that gives the same product, as
+ * all parameters that it lacks are at their start. */
 struct params breakage_narrowed(const struct params *p);
 
 /* Index of the widest model that has all parameters of another and lets the
@@ -134,7 +134,8 @@ const struct breakage *breakage_of(const struct params *p);
 /* Index of the parameter of that name, or the model's n. */
 size_t breakage_parameter(const struct breakage *model, const char *name);
 
-/* The value of a parameter by its name; NAN where the model has none such. */
+/* The value of a parameter by its name; NAN where the model does not have
+ * it. */
 double params_value(const struct params *p, const char *name);
 
 /* Every parameter at its start. */
@@ -150,7 +151,7 @@ double energy_specific(double v);
  * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does. */
 double params_break_size(const struct params *p, double v);
 
-/* The same with the impacts of the settings: of the strongest. */
+/* The same with the impacts of the settings: that of the strongest impact. */
 double params_break_size_by(
     const struct params *p, const struct model_settings *settings, double v);
 
@@ -195,8 +196,8 @@ void breaker_at(struct breaker *b, double v);
 	    .bypass = true,                                                    \
 	    __VA_ARGS__};
 
-/* The kernel's functions of a model, which breakage_all.h defines; what only
- * prints the tables has none. */
+/* The kernel's functions of a model, which breakage_all.h defines; a program
+ * that only prints the tables has none. */
 #ifdef TABLES_ONLY
 #define KERNELS(model) struct breakage
 #define KERNEL_ROW(model) \

@@ -1,4 +1,4 @@
-/* What grunditz-energy shares with grunditz-t10.
+/* The code that grunditz-energy shares with grunditz-t10.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_BREAKAGE_ENERGY_H
 #define TIPSPEED_CORE_MODEL_BREAKAGE_ENERGY_H
@@ -9,7 +9,7 @@
 #include "core/model/appearance.h"
 #include "core/model/breakage_grunditz.h"
 
-/* (E / E_ref)^-gamma, ready behind the appearance; and ln (E / E_ref). */
+/* own of the breaker: the appearance, (E / E_ref)^-gamma and ln (E / E_ref). */
 struct energy_own {
 	struct appearance appearance;
 	double exponent, log_ratio;
@@ -27,7 +27,7 @@ struct energy_own {
 
 const struct energy_own *energy_own(const struct breaker *b);
 
-/* See the fields of struct breakage so called. */
+/* See the fields of that name in struct breakage. */
 void energy_prepare(struct breaker *b);
 double energy_finer(const struct breaker *b, double log_u, double *d);
 double energy_density(

@@ -1,4 +1,4 @@
-/* What the paper's model shares with grunditz-energy.
+/* The code that the paper's model shares with grunditz-energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_BREAKAGE_GRUNDITZ_H
 #define TIPSPEED_CORE_MODEL_BREAKAGE_GRUNDITZ_H
@@ -20,7 +20,7 @@
 /* own of the breaker: the appearance of beta scaled to 1. */
 const struct appearance *grunditz_appearance(const struct breaker *b);
 
-/* See the fields of struct breakage so called. */
+/* See the fields of that name in struct breakage. */
 void grunditz_prepare(struct breaker *b);
 double grunditz_finer(const struct breaker *b, double log_u, double *d);
 bool grunditz_breaks(const struct breaker *b);

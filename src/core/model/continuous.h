@@ -6,13 +6,13 @@
 #include "core/model/breakage.h"
 #include "core/psd/psd.h"
 
-/* Panels end at so many values of the exponent of Eq 3 and, with a spectrum of
- * impacts, where each node of it begins to break and, of the weakest, at the
- * same values. */
+/* Panels end at STOPS values of the exponent of Eq 3 and, with a spectrum of
+ * impacts, at the break size of each node and at the same values of the
+ * weakest. */
 enum { STOPS = 5, STOPS_MOST = 2 * STOPS + IMPACTS_MOST, GAUSS = 8 };
 
-/* A point of the integrals over the feed: t = ln x, the mass dF that it stands
- * for, S there and its derivatives. */
+/* A point of the integrals over the feed: t = ln x, its mass dF, S there and
+ * its derivatives. */
 struct point {
 	double t, mass, S, dS[PARAMS_MOST];
 };
@@ -44,7 +44,7 @@ struct continuous *continuous_new(const struct psd *feed, const double *sieve,
 void continuous_free(struct continuous *c);
 
 /* See model_set, model_jacobian (d_passing may be NULL) and model_selected,
- * but for the bypass. */
+ * without the bypass. */
 void continuous_set(struct continuous *c, const struct params *p);
 void continuous_product(
     struct continuous *c, double v, double *passing, double *d_passing);

@@ -24,12 +24,12 @@ struct params {
 	};
 };
 
-/* Above these no value is taken, typed, read or as a bound: far outside what
- * any rock has, so that what lies there is a typing error.  Constants, because
- * Table 3 is read with them too. */
+/* Larger values are refused, typed, read or as a bound: no rock has them, so
+ * that they are typing errors.  Constants, because Table 3 is read with them
+ * too. */
 enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
-/* What there is to say of one parameter. */
+/* Description of one parameter. */
 struct param_info {
 	const char *name;    /* as typed */
 	const char *unit;    /* "-" where there is none */
@@ -40,7 +40,8 @@ struct param_info {
 	double spread; /* of a normal prior about start; 0: uniform in bounds */
 };
 
-/* Search bounds: one pair for each parameter. lower == upper holds it fixed. */
+/* Search bounds: one pair for each parameter.  lower == upper holds it
+ * fixed. */
 struct bounds {
 	double lower[PARAMS_MOST], upper[PARAMS_MOST];
 };
@@ -64,8 +65,8 @@ struct impacts {
 /* How products are computed.  breakage: of the calibrations to come; a product
  * takes that of its parameters.  k: number of impacts, 1 in the paper; it acts
  * only as a product with f_mat and is never fitted.  bypass: share of the feed
- * that goes by the rotor beside what the parameters say of it (D14): 0 but
- * where another machine is asked about, and never in a calibration. */
+ * that bypasses the rotor in addition to that of the parameters (D14): not 0
+ * only for a question about another machine, never in a calibration. */
 struct model_settings {
 	enum method method;
 	enum appearance_form appearance;

@@ -1,4 +1,4 @@
-/* One door to the two methods.
+/* Chooses the method, continuous or classes, and adds the bypass (D14).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/product.h"
 

@@ -10,8 +10,8 @@
 #include "core/psd/psd.h"
 
 /* A workspace that turns parameters into products of one feed on a fixed list
- * of sieves.  Set the parameters once, then ask for any speed; neither
- * fails, nor allocates but for the first time.
+ * of sieves.  Set the parameters once, then ask for any speed; neither fails,
+ * and only the first call allocates.
  *
  * Method `continuous`: with the feed straight on log size between its sieves,
  *   P(s) = F(s) + integral over x > s of S(x) B(s/x) dF(x)
@@ -50,8 +50,8 @@ void model_jacobian(
  * everywhere, so that product = feed. */
 bool model_breaks(struct model *model, double v);
 
-/* Mass fraction of the feed that is selected for breakage at v, 0..1; what goes
- * by the rotor is not. */
+/* Mass fraction of the feed that is selected for breakage at v, 0..1, without
+ * what bypasses the rotor. */
 double model_selected(struct model *model, double v);
 
 #endif

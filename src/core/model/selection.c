@@ -1,4 +1,4 @@
-/* Eq 3 the other way round, and in words.
+/* The inverse of Eq 3, the break size, and Eq 3 in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/selection.h"
 

@@ -1,5 +1,5 @@
-/* Selection (Eq 3): which fraction of each size breaks.  The search
- * has it for lanes, in kernel_body.h; test_kernel holds the two together.
+/* Selection (Eq 3): which fraction of each size breaks.  The search has it for
+ * lanes, in kernel_body.h; test_kernel compares the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_SELECTION_H
 #define TIPSPEED_CORE_MODEL_SELECTION_H
@@ -13,7 +13,7 @@
  *   S = 1 - exp(-f_mat k (x^alpha E - E0_min)), 0 where the bracket is negative
  * q f_mat, e0_min, alpha; k number of impacts, >= 0; E specific energy, J/kg;
  * log_x [n], ln of the sizes in m.  shape [4 * n] becomes S, in [0, 1], then
- * the derivatives by q, rows of n, in a loop that a compiler makes vectors of.
+ * the derivatives by q, rows of n, in a loop that compilers vectorise.
  * Cannot fail.   Source: paper Eq 3.
  * D1: the minus sign and the floor at 0 are missing in print.
  * D2: x is in metres; in millimetres S would be 1 for every class. */
@@ -46,8 +46,8 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
 }
 
 /* The same with a spectrum of impacts in place of the single one (D15), see
- * spectrum.h; of none, the same.  An impact of r E is one at E whose size
- * counts for more, so that the derivatives are those of the nodes. */
+ * spectrum.h; without one it is the single impact.  The derivatives are summed
+ * over the nodes. */
 static inline double
 selection_by(const struct impacts *impacts, const double q[static 3], double k,
     double E, double log_x, double *d)
@@ -83,14 +83,14 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 		    "size dependency of breakage", 0         \
 	}
 
-/* And what a model with them has in its own row, see breakage.h. */
+/* The members of a model's row that go with them, see breakage.h. */
 #define SELECTION_ROW                                            \
 	.selection = selection_of, .size_at = selection_size_at, \
 	.break_size = selection_break_size, .selection_text = selection_text
 
 double selection_of(const struct breaker *b, double log_x, double *d);
 
-/* -1000 or 1000 where no size of this world has the exponent. */
+/* -1000 or 1000 where no size has the exponent. */
 double selection_size_at(const struct breaker *b, double exponent);
 
 /* Where S begins.

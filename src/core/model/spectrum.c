@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Histograms of energies in bins of a sixteenth of an octave, and their
+ * reduction to twelve impacts of equal energy (D15).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/spectrum.h"
 
 #include <math.h>

@@ -8,8 +8,8 @@
 
 #include "core/model/params.h"
 
-/* Bins of energy, sixteen to an octave from 2^-10 J/kg up; what lies outside
- * is in the first or the last. */
+/* Bins of energy, sixteen to an octave from 2^-10 J/kg up; energies outside
+ * count in the first or the last. */
 enum { SPECTRUM_BINS = 512 };
 
 /* Impacts of a bin: their mass, kg, and that times their energy, J. */
@@ -25,8 +25,8 @@ struct spectrum_size {
 	struct spectrum_bin all[SPECTRUM_BINS], first[SPECTRUM_BINS];
 };
 
-/* counted: particles are known, so that impacts a particle are.  ordered: the
- * first impact of each is. */
+/* counted: the particles were counted, so that impacts a particle are known.
+ * ordered: the first impact of each particle is known. */
 struct spectrum {
 	double speed; /* rotor tip speed, m/s; NAN where it is not known */
 	bool counted, ordered;
@@ -38,8 +38,8 @@ struct spectrum *spectrum_new(void);
 void spectrum_free(struct spectrum *s);
 
 /* Adds an impact of a particle of that size (m, 0: not known) and mass (kg, or
- * any weight), of energy J/kg; so many particles, of that mass together; or to
- * the first impacts alone. */
+ * any weight), of energy J/kg.  spectrum_particles: `number` particles, of that
+ * mass together.  spectrum_first: to the first impacts alone. */
 void spectrum_impact(
     struct spectrum *s, double size, double mass, double energy, bool first);
 void spectrum_particles(

@@ -1,10 +1,11 @@
-/* D16.
+/* Rock of two strengths from two normal coordinates (D16).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/strengths.h"
 
 #include "core/numeric/elementary.h"
 
-/* Of the logarithm of harder over softer, see HACKING.md. */
+/* Of the logarithm of harder over softer, see
+ * doc/decisions/two-strengths.md. */
 static const double SPREAD = 0.4;
 
 struct strengths

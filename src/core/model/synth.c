@@ -1,4 +1,5 @@
-/* Reconstructed and synthetic sites.
+/* Synthetic sites: a feed by a power law, the product of the model, and normal
+ * errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/synth.h"
 

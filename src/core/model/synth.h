@@ -1,4 +1,4 @@
-/* Made-up runs from known parameters.
+/* Synthetic runs from known parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_SYNTH_H
 #define TIPSPEED_CORE_MODEL_SYNTH_H
@@ -8,7 +8,7 @@
 #include "core/model/params.h"
 #include "core/psd/site.h"
 
-/* What a made-up site is made from. */
+/* What a synthetic site is made from. */
 struct synth {
 	double top_size; /* m */
 	struct params params;

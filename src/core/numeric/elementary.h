@@ -2,8 +2,8 @@
  *
  * The C library's differ in the last bit between processors (it picks a variant
  * with fused multiply-add where there is one), and a genetic algorithm turns
- * one bit into another search.  These are plain double arithmetic without
- * branches, so that gcc turns a loop over lanes into vector code.
+ * one bit into another search.  These functions are plain double arithmetic
+ * without branches, so that gcc turns a loop over lanes into vector code.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 #define TIPSPEED_CORE_NUMERIC_ELEMENTARY_H

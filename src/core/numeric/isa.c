@@ -1,4 +1,4 @@
-/* What this processor can do.
+/* Asks the processor for its instruction sets.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/numeric/isa.h"
 

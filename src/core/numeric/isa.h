@@ -1,4 +1,4 @@
-/* Instruction sets of the parts compiled for several.
+/* Instruction sets, for the code that is compiled for several.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ISA_H
 #define TIPSPEED_CORE_NUMERIC_ISA_H

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cholesky factors of the covariance: of all cells, or of many by Woodbury's
+ * formula, with a block for each run (Rasmussen and Williams 2006, A.9).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/covariance.h"
 
 #include <math.h>

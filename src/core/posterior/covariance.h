@@ -1,5 +1,5 @@
-/* The covariance of what measured passings and the model differ by (D13),
- * factored: of few passings and of many.
+/* The covariance of the differences between measured passings and the model
+ * (D13), factored, for few passings and for many.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_COVARIANCE_H
 #define TIPSPEED_CORE_POSTERIOR_COVARIANCE_H
@@ -8,17 +8,17 @@
 
 #include "core/posterior/discrepancy.h"
 
-/* Up to COVARIANCE_FEW cells: one matrix of all.  More: runs have nothing in
- * common but the processes f of the discrepancy, whose values at the sizes of
- * the cells are few, whatever the number of runs.  With B the factors of these
- * values in the cells, K their covariance and E that of the samples' errors, a
- * block for each run, the covariance is
+/* Up to COVARIANCE_FEW cells: one matrix of all.  More: runs share only the
+ * processes f of the discrepancy, whose values at the sizes of the cells are
+ * few, whatever the number of runs.  With B the factors of these values in the
+ * cells, K their covariance and E that of the samples' errors, a block for each
+ * run, the covariance is
  *   C = B K B' + E,   K = L L',   A = 1 + L' B' E^-1 B L
  *   C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
  * (Rasmussen and Williams 2006, A.9): exact, in time and room proportional to
- * the runs.  Of more than COVARIANCE_SIZES different sizes the discrepancy and
- * the shared errors are taken at the nearest of so many, as far apart from one
- * another; the model is not. */
+ * the runs.  With more than COVARIANCE_SIZES different sizes the discrepancy
+ * and the shared errors, but not the model, are taken at the nearest of
+ * COVARIANCE_SIZES sizes that lie evenly. */
 enum { COVARIANCE_FEW = 96, COVARIANCE_SIZES = COVARIANCE_FEW / 3 };
 
 struct covariance;
@@ -28,15 +28,15 @@ struct covariance;
 struct covariance *covariance_new(enum isa isa, struct cell *cell, size_t n);
 void covariance_free(struct covariance *covariance);
 
-/* Numbers that a factor takes. */
+/* The number of doubles in a factor. */
 size_t covariance_room(const struct covariance *covariance);
 
 /* factor [room] out. */
 void covariance_factor(const struct covariance *covariance,
     const double log_hyper[static HYPERS], double *factor);
 
-/* -ln of the probability of the differences d [n], but for a constant; what
- * they hold after is of no use. */
+/* -ln of the probability of the differences d [n], up to a constant; d is
+ * overwritten. */
 double covariance_level(
     const struct covariance *covariance, const double *factor, double *d);
 

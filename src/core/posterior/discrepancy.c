@@ -1,4 +1,5 @@
-/* D13.
+/* Covariances and priors of the discrepancy and the errors of samples (D13,
+ * Kennedy and O'Hagan 2001), and the Cholesky factor of their sum.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/discrepancy.h"
 

@@ -1,4 +1,5 @@
-/* What a model leaves out, as a Gaussian process, and the errors of a sample.
+/* The discrepancy, what a model leaves out, as a Gaussian process, and the
+ * errors of a sample.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
 #define TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
@@ -50,8 +51,8 @@ enum { DISCREPANCY_TERMS = 3 };
 void discrepancy_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);
 
-/* h at a passing P, 0..1.  This and the next two are worked out for all draws
- * at all sizes: without calls a compiler makes vectors of them. */
+/* h at a passing P, 0..1.  This and the next two are computed for all draws at
+ * all sizes; inline, so that compilers vectorise them. */
 static inline double
 discrepancy_h(double P)
 {
@@ -75,7 +76,7 @@ discrepancy_answer(double P, double delta, double least)
 	return discrepancy_within(P + discrepancy_h(P) * delta, least);
 }
 
-/* -ln of the prior of the hyperparameters' logarithms, but for a constant.
+/* -ln of the prior of the hyperparameters' logarithms, up to a constant.
  * noise: known sigma_i, or 0. */
 double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
 
@@ -87,9 +88,9 @@ discrepancy_rho(double apart, double length)
 	return z * z > 80 ? 0 : el_exp(-z * z / 2);
 }
 
-/* Covariance of an f, and of the shared error of a sample, between sizes whose
- * logarithms lie so far apart.  The narrow part's length, and what no passing
- * is trusted to more than: its rounding. */
+/* DISCREPANCY_NARROW: length of the narrow part.  DISCREPANCY_ROUNDING: error
+ * of a passing by rounding.  The covariance of an f, and of the shared error of
+ * a sample, between sizes whose logarithms differ by `apart`. */
 #define DISCREPANCY_NARROW 0.25
 #define DISCREPANCY_ROUNDING 0.0005
 
@@ -108,9 +109,9 @@ discrepancy_shared(double apart, const double hyper[static HYPERS])
 	return shared * shared * discrepancy_rho(apart, hyper[HYPER_LENGTH]);
 }
 
-/* Both of them for pairs of sizes: f [n], which holds how far apart their
- * logarithms lie, becomes the first; error [n]: the second.  And the place of
- * two sizes among the pairs, by the larger of their numbers. */
+/* discrepancy_pairs: both for n pairs of sizes; f [n] in: the differences of
+ * their logarithms; f, error [n] out: the two covariances.  discrepancy_pair:
+ * the index of a pair of sizes, ordered by the larger of their numbers. */
 void discrepancy_pairs(enum isa isa, size_t n,
     const double hyper[static HYPERS], double *f, double *error);
 
@@ -121,8 +122,8 @@ discrepancy_pair(size_t i, size_t j)
 	return more * (more + 1) / 2 + less;
 }
 
-/* The factor U [n * n] of the covariance of n sizes, of whose pairs these are;
- * the diagonal a little more, as sizes may lie close together. */
+/* The factor U [n * n] of the covariance of n sizes, given their pairs; the
+ * diagonal is raised a little, as sizes may lie close together. */
 void discrepancy_factor_pairs(
     enum isa isa, const double *pair, size_t n, double *U);
 
@@ -133,30 +134,30 @@ struct cell {
 };
 
 /* Replaces the upper half of U [n * n], by rows, of a symmetric matrix by its
- * Cholesky factor L' (what stands below is lost), and solves L z = d and
- * L' x = z in place.  Plain loops, and not GSL's, whose last bits depend on its
- * version: a walk turns one bit into another walk. */
+ * Cholesky factor L' (what stands below is lost), and solves L z = d and L' x =
+ * z in place.  Plain loops instead of GSL's, whose last bits depend on its
+ * version: one bit changes a whole chain. */
 void discrepancy_cholesky(enum isa isa, double *U, size_t n);
 void discrepancy_forward(enum isa isa, const double *U, size_t n, double *d);
 void discrepancy_backward(const double *U, size_t n, double *z);
 
-/* The upper half of the covariance of what n measured passings and the model
- * differ by, U [n * n], and its factor. */
+/* The upper half of the covariance of the differences between n measured
+ * passings and the model, U [n * n], and its factor. */
 void discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U);
 void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U);
 
-/* -ln of the probability of the differences d [n], but for a constant; they are
- * replaced by L^-1 d. */
+/* -ln of the probability of the differences d [n], up to a constant; d becomes
+ * L^-1 d. */
 double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
 
 /* ---- For discrepancy.c, compiled for each instruction set ---- */
 
-/* n cells in columns.  size, run: their numbers; term: as discrepancy_terms
- * has them.  log_size: of the sizes; f, error: room for a number of each, and
- * pair for two of each pair of them; own: the variance of an independent error.
- */
+/* n cells in columns.  size, run: their numbers; term: as discrepancy_terms has
+ * them.  log_size: of the sizes; f, error: workspace, a double a size; pair:
+ * two workspaces of a double for each pair of sizes; own: the variance of an
+ * independent error. */
 struct cell_columns {
 	size_t n, sizes;
 	int64_t *size, *run;

@@ -1,4 +1,4 @@
-/* Draws of what is known after the data, see posterior.h.
+/* Draws from the posterior, see posterior.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_DRAWS_H
 #define TIPSPEED_CORE_POSTERIOR_DRAWS_H
@@ -9,9 +9,9 @@
 #include "core/model/params.h"
 #include "core/model/strengths.h"
 
-/* Of more than POSTERIOR_RUNS runs so many inform the draws, evenly from the
- * slowest to the fastest: with 80, chains settled where what the model leaves
- * out is large and its parameters are wrong, and bands held 30 %. */
+/* Of more runs, POSTERIOR_RUNS inform the draws, evenly from the slowest to the
+ * fastest: with 80, chains settled where the discrepancy is large and the
+ * parameters are wrong, and bands held 30 %. */
 enum { POSTERIOR_DRAWS = 256, POSTERIOR_RUNS = 40 };
 
 /* strengths: of the rock, where e0_min is its mean's (D16). */
@@ -22,8 +22,8 @@ struct posterior_draw {
 };
 
 /* settings: the model of the draws, which lets the appearance follow the energy
- * where there is such a one (D12).  fit, bounds: the optimum it was told and
- * what it keeps within, in that model. */
+ * where there is such a model (D12).  fit, bounds: the optimum that the chains
+ * began at and their bounds, in that model. */
 struct posterior {
 	struct model_settings settings;
 	struct params fit;
@@ -39,10 +39,10 @@ struct posterior {
 	 * one more sample, shared and independent together, over h. */
 	double *term[DISCREPANCY_TERMS], *error;
 	struct posterior_draw draw[POSTERIOR_DRAWS];
-	/* What shows that the chains converged.  ratio: Gelman and Rubin's R,
-	 * the largest of all coordinates, 1 at best; drift: how far the means
-	 * of the draws' two halves, taken at different times, lie apart, in
-	 * standard deviations, the largest; accepted: share of the moves. */
+	/* Diagnostics of convergence.  ratio: Gelman and Rubin's R, the largest
+	 * of all coordinates, 1 at best; drift: how far the means of the draws'
+	 * two halves, taken at different times, lie apart, in standard
+	 * deviations, the largest; accepted: share of the moves. */
 	double ratio, drift, accepted;
 };
 

@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Products of all draws by the search's kernel, corrected to the exact product
+ * at the fit, with the discrepancy added and kept from falling with the speed
+ * by pooling neighbours (Barlow and others 1972).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/ensemble.h"
 
 #include <math.h>
@@ -319,7 +322,7 @@ fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
 	}
 }
 
-/* Most who ask want none. */
+/* Computed lazily: few callers need it. */
 static void
 make_samples(struct ensemble *e)
 {

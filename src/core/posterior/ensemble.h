@@ -16,12 +16,12 @@ struct ensemble *ensemble_new(const struct posterior *posterior,
     const struct psd *feed, const double *size, size_t n);
 void ensemble_free(struct ensemble *e);
 
-/* Of another machine than the measured one: settings of the posterior's method
- * with its own k, which the strength of every draw follows, and a share of the
- * feed that goes by the rotor. */
+/* Sets another machine than the measured one: settings of the posterior's
+ * method with another k, in proportion to which the strength of every draw is
+ * scaled, and with a bypass. */
 void ensemble_machine(struct ensemble *e, struct model_settings settings);
 
-/* What a row of products is of: the model alone, so that rows differ by their
+/* The parts of an ensemble: products of the model alone, which differ by their
  * parameters; with the discrepancy, which is the answer; and with the error of
  * one more sample, which is what would be measured. */
 enum ensemble_part {
@@ -31,27 +31,26 @@ enum ensemble_part {
 	ENSEMBLE_PARTS
 };
 
-/* How many sizes it has. */
+/* The number of its sizes. */
 size_t ensemble_sizes(const struct ensemble *e);
 
-/* Moves to tip speed v, m/s; where it is already, for nothing. */
+/* Moves to tip speed v, m/s; costs nothing at the same speed. */
 void ensemble_at(struct ensemble *e, double v);
 
-/* The same for who wants model and differences only: that no passing falls with
- * the speed, and what goes by the rotor, is left out, and with it the work of
- * some sixty speeds once. */
+/* The same without D23 and the bypass, which saves the products of some sixty
+ * speeds: for callers that read the model or differences only. */
 void ensemble_draws_at(struct ensemble *e, double v);
 
 /* The products at that speed, [n * POSTERIOR_DRAWS] row by size, borrowed.
- * None is coarser than the feed, and each falls with the size, but for the
- * samples, which only fall. */
+ * None is coarser than the feed, but for samples, and each falls with the
+ * size. */
 const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
 /* What the model leaves out in a draw at that speed, over h, at the sizes, [n]
  * out: see discrepancy_answer. */
 void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 
-/* What it is of. */
+/* Its posterior. */
 const struct posterior *ensemble_posterior(const struct ensemble *e);
 
 /* The middle `level` of a row of products. */
@@ -65,15 +64,15 @@ void ensemble_mean(const struct ensemble *e, double *passing);
  * NAN counts as the least, and is an end where it is found there. */
 void ensemble_middle(double *value, double level, double *low, double *high);
 
-/* The same of values that stay in their order, widened to hold the answer where
- * that is no NAN. */
+/* The same without changing the order of the values, widened to hold the answer
+ * unless that is NAN. */
 void ensemble_range(
     const double *draw, double level, double answer, double range[static 2]);
 
-/* How far the draws' two halves, which were taken at different times, lie apart
- * at speed v: their means or the ends of their bands, whichever differ more,
- * over the width of the band; root mean square over the sizes at which it is
- * wider than what sheets are rounded to. */
+/* The difference between the two halves of the draws, taken at different times,
+ * at speed v: of their means or the ends of their bands, whichever is larger,
+ * over the width of the band; root mean square over the sizes at which the band
+ * is wider than the rounding of sheets. */
 double ensemble_halves(struct ensemble *e, double v);
 
 #endif

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Running mean and covariance of coordinates, their Cholesky factor, and normal
+ * moves in its basis.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/guide.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Standard deviations, correlations and break sizes of the draws, beside those
+ * of the prior.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/identify.h"
 
 #include <gsl/gsl_statistics_double.h>

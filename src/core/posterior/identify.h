@@ -1,4 +1,5 @@
-/* What data say of parameters, read off the draws of the posterior.
+/* Identifiability: which parameters the data determine, read off the draws of
+ * the posterior.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
 #define TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
@@ -6,8 +7,8 @@
 #include "core/model/params.h"
 #include "core/posterior/posterior.h"
 
-/* How far the data narrow a parameter, by the standard deviation of its draws
- * over that of its prior: determined below 0.1, poorly below 0.5. */
+/* By the standard deviation of a parameter's draws over that of its prior:
+ * determined below 0.1, poorly below 0.5. */
 enum identify_grade {
 	IDENTIFY_FIXED, /* held, by a bound or as what others are scaled to */
 	IDENTIFY_DETERMINED,

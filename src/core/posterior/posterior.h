@@ -1,5 +1,5 @@
-/* What is known after the data: draws of the parameters and of what the model
- * leaves out, as probable as model, measurements and priors make them.
+/* The posterior: draws of the parameters and of the discrepancy, given model,
+ * measurements and priors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_POSTERIOR_H
 #define TIPSPEED_CORE_POSTERIOR_POSTERIOR_H
@@ -26,13 +26,13 @@ struct posterior_options {
 
 /* p: the fit.  Feeds are smooth between their sieves (D18).  The same seed
  * gives the same bits with any number of threads and any instruction set.  NULL
- * where stop said so meanwhile; posterior_free. */
+ * where stop returned true meanwhile; posterior_free. */
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
 
-/* The same in steps of less than a millisecond, of many runs some ten, of which
- * the last says so and `stop` has no part in.  posterior_end frees it at any
- * time, and gives NULL before the last. */
+/* The same in steps of less than a millisecond, with many runs of some ten,
+ * without `stop`; posterior_step is true after the last.  posterior_end frees
+ * it at any time, and returns NULL before the last. */
 struct posterior_run;
 struct posterior_run *posterior_begin(const struct site *site,
     const struct params *p, const struct posterior_options *options);

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Refits all other parameters by the polish at each value of one; densities of
+ * draws by a Gaussian kernel (Silverman 1986).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/profile.h"
 
 #include <gsl/gsl_statistics_double.h>

@@ -7,9 +7,9 @@
 
 /* The lowest misfit, out [n], with parameter j held at each of x [n], rising,
  * and the others refitted within the bounds: polished from the fit outward,
- * each from its neighbour.  p: the fit.  Of a parameter in the gauge the
- * largest one is held too, and the others keep within its size (D4); of that
- * one itself all are alike. */
+ * each from its neighbour.  p: the fit.  For a parameter in the gauge the
+ * largest one is held too, and the others stay within its size (D4); the
+ * profile of the largest itself is flat. */
 void profile_misfit(struct misfit *m, const struct params *p,
     const struct bounds *bounds, size_t j, const double *x, size_t n,
     double *misfit);

@@ -7,7 +7,7 @@
 #include "core/posterior/discrepancy.h"
 #include "core/search/lanes.h"
 
-/* Columns are taken so many at a time, counted from the last. */
+/* TAKEN columns are worked on at a time, counted from the last. */
 enum { TAKEN = 8, VECTORS = TAKEN / LANES };
 
 /* TAKEN numbers of `to`, less p times those of each of the rows, in the order

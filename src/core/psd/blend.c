@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Adds feeds up by mass at the sieves of all of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/blend.h"
 
 #include <stdbool.h>

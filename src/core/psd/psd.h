@@ -28,18 +28,17 @@ void psd_free(struct psd *psd);
  * sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);
 
-/* The same curve with a point more at every half octave or so between sieves
- * that lie wider apart, on a smooth curve that rises where theirs do (Steffen's
- * monotone cubic on log size): as plants' curves have no corners (D18). */
+/* The same curve with further points at about every half octave between sieves
+ * that lie wider apart, on Steffen's monotone cubic in log size: curves of
+ * plants have no corners (D18). */
 struct psd psd_curve(const struct psd *psd);
 
-/* Sizes [n], m, coarsest first, and where neighbours lie more than a tenth
- * apart more between them (below a tenth of the coarsest, a seventh), as
- * closely as break sizes and corners of a product want them; passings 0.
- * psd_free. */
+/* Sizes [n], m, coarsest first, and further ones between neighbours more than a
+ * tenth apart (below a tenth of the coarsest, a seventh), close enough for
+ * break sizes and corners of a product; passings 0.  psd_free. */
 struct psd psd_refined(const double *size, size_t n);
 
-/* Whether both are the same to the last bit, and there is something. */
+/* Whether both are the same to the last bit and not empty. */
 bool psd_same(const struct psd *a, const struct psd *b);
 
 /* The passing measured at x, NAN where x is none of the sieves. */
@@ -49,7 +48,7 @@ double psd_at_sieve(const struct psd *psd, double x);
  * psd_size(psd, 0.8).  NAN where it lies outside the sieves. */
 double psd_size(const struct psd *psd, double passing);
 
-/* The sizes that sum a product up: P20, P50, P80, as passings. */
+/* The sizes that summarise a product, P20, P50 and P80, as passings. */
 enum { PSD_SIZES = 3 };
 extern const double PSD_PASSING[PSD_SIZES];
 

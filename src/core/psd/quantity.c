@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads passings, sizes, shares, fineness moduli and coefficients off a curve,
+ * and their distances from limits as passings.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/quantity.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* What is asked of a product: one number that is read off its curve.
+/* Quantities of a product: single numbers read off its curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PSD_QUANTITY_H
 #define TIPSPEED_CORE_PSD_QUANTITY_H
@@ -40,24 +40,27 @@ struct quantity {
 	size_t n_sieve;
 	const double *sieve; /* [n_sieve] m, coarsest first; not owned */
 	struct fraction fraction;
-	/* As it was called: a size 'D', or 0: P; a passing 'f': fines. */
+	/* As the user typed it: a size 'D', or 0 for P; a passing 'f' for
+	 * fines. */
 	char letter;
 };
 
-/* Whether two are the same number of a product. */
+/* Whether two are the same quantity. */
 bool quantity_same(const struct quantity *a, const struct quantity *b);
 
-/* Read off a curve, which is that of the fraction, `share` of
- * the product is.  NAN where the curve does not reach so far. */
+/* The value read off a curve, which is that of the fraction; share: of the
+ * product that is in the fraction.  NAN where the curve does not reach so
+ * far. */
 double quantity_read(
     const struct quantity *q, const struct psd *curve, double share);
 
-/* By how much the value read off that curve lies above a limit, in passing
- * 0..1, so that all limits compare: the difference of a passing, share or step;
- * what passes too little at the size that a limit of D or P is, or that a limit
- * of Cu or Cc makes of the other sizes; and of a modulus the difference for
- * each of its sieves.  Above 0 exactly where the value is above the limit; NAN
- * where the curve does not tell. */
+/* The distance of a value read off that curve above a limit, as a passing 0..1,
+ * so that all limits compare.  For a passing, share or step it is the
+ * difference; for D and P the missing passing at the size of the limit; for Cu
+ * and Cc the same at the size that the limit gives with the other sizes; for a
+ * modulus the difference divided by its number of sieves.  Positive exactly
+ * where the value is above the limit; NAN where the curve does not reach so
+ * far. */
 double quantity_over(const struct quantity *q, double limit, double value,
     const struct psd *curve);
 

@@ -1,4 +1,4 @@
-/* The feed that a question has where none is named: the mean of those sampled.
+/* The reference feed of a question: the mean of those sampled.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PSD_REFERENCE_H
 #define TIPSPEED_CORE_PSD_REFERENCE_H
@@ -7,11 +7,11 @@
 
 #include "core/psd/psd.h"
 
-/* The mean of feeds [n], each passing 1 at its coarsest sieve, of which those
- * that are the same count once (D19).  Its sieves are those of all of them; a
- * feed is read straight on log size between its own, and below its finest as
- * the others fall there on average, so that a short sheet does not cut the
- * fines of all.  psd_free. */
+/* The mean of feeds [n], each passing 1 at its coarsest sieve; identical ones
+ * count once (D19).  Its sieves are those of all of them; a feed is read
+ * straight on log size between its own sieves, and below its finest falls as
+ * the others do on average, so that a short sheet does not cut off the fines of
+ * all.  psd_free. */
 struct psd reference_mean(const struct psd *const *feed, size_t n);
 
 /* The largest difference in passing, 0..1, between any two of the feeds at a

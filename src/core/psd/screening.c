@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Whiten's efficiency curve, averaged over size classes by Gauss-Legendre
+ * quadrature (Napier-Munn et al. 1996, ch. 9).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/screening.h"
 
 #include <math.h>

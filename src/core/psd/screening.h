@@ -1,4 +1,4 @@
-/* Screens: which part of a product goes into a fraction such as 0/4.
+/* Screens: the part of a product that goes into a fraction such as 0/4.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PSD_SCREENING_H
 #define TIPSPEED_CORE_PSD_SCREENING_H
@@ -24,30 +24,30 @@ extern const struct partition PARTITION_IDEAL;
 double partition_oversize(
     const struct partition *partition, double opening, double d);
 
-/* What passes the screen `coarse` and stays on the screen `fine`, m; 0: there
- * is no such screen.  All zeros: the whole product. */
+/* The material that passes the screen `coarse` and stays on the screen `fine`,
+ * m; 0: no such screen.  All zeros: the whole product. */
 struct fraction {
 	double fine, coarse;
 	struct partition partition;
 };
 
-/* Whether it takes anything away. */
+/* Whether it removes anything. */
 bool fraction_screens(const struct fraction *fraction);
 
-/* What a screen sends to the oversize of each class between sizes [n] m,
- * coarsest first, of mass that is uniform in ln d: class i lies between i and
- * i + 1, the last is the pan, of half the finest size.  out [n], 0..1. */
+/* The share that a screen sends to the oversize of each class between sizes [n]
+ * m, coarsest first, of mass that is uniform in ln d: class i lies between i
+ * and i + 1, the last is the pan, of half the finest size.  out [n], 0..1. */
 void partition_classes(const struct partition *partition, double opening,
     const double *size, size_t n, double *out);
 
-/* What a fraction keeps of each of them, likewise. */
+/* The share that a fraction keeps of each class, likewise. */
 void fraction_classes(
     const struct fraction *fraction, const double *size, size_t n, double *out);
 
-/* The part of a product, of which so much of each class is kept [n]: its curve
- * is written to part, of the same n.  Returns the share of the product's mass,
- * where that is 0 the curve is 0.  What is above the coarsest size is kept as
- * the class below it. */
+/* The part of a product with the share `kept` [n] of each class: its curve is
+ * written to part, of the same n.  Returns the share of the product's mass;
+ * where that is 0 the curve is 0.  Mass above the coarsest size is kept as the
+ * class below it. */
 double screening_part(
     const struct psd *product, const double *kept, struct psd *part);
 

@@ -9,12 +9,12 @@
 
 #include "core/psd/psd.h"
 
-/* In place of the speed of a run: its feed is of another sheet and answers are
- * asked with it.  It is the last run of a copy (site_with_feed). */
+/* Instead of the speed of a run: its feed is that of another sheet, about which
+ * a question is asked.  It is the last run of a copy (site_with_feed). */
 #define SITE_OTHER_FEED (-1.0)
 
-/* In place of the index of a run whose feed is taken: the mean of those that
- * were sampled (D19). */
+/* Instead of the index of the run whose feed is taken: the mean of those
+ * sampled (D19). */
 #define SITE_MEAN_FEED SIZE_MAX
 
 /* One sampling at a rotor tip speed.  product.n is 0 where only the feed was
@@ -35,8 +35,8 @@ struct site_note {
 	char *key, *value;
 };
 
-/* Strings are never NULL; "" where the sheet says nothing.  run[] is in order
- * of rising speed, repeats at one speed in the order of the sheet.
+/* Strings are never NULL; "" where the sheet does not state it.  run[] is in
+ * order of rising speed, repeats at one speed in the order of the sheet.
  * individual_feeds: each run has a feed sample of its own; otherwise every run
  * holds a copy of the one feed. */
 struct site {
@@ -49,20 +49,21 @@ struct site {
 	struct run *run;
 	size_t n_note;
 	struct site_note *note;
-	/* What the reader of the sheet passed over: where ("line 9"), and what
-	 * and why; and the sieves that had names, "#4 = 4.75". */
+	/* What the reader left out: where ("line 9"), and what and why.  named:
+	 * sieves that had names, "#4 = 4.75". */
 	size_t n_left_out;
 	struct site_note *left_out;
 	char *named;
-	/* What its columns were taken for, and what of that the sheet does not
-	 * state; "" where it has the heads of tipspeed-site(5).  remark: on how
-	 * its file was read, or "". */
+	/* read_as: what its columns were read as; assumed: what of that the
+	 * sheet does not state; "" where it has the headings of
+	 * tipspeed-site(5).  remark: on how its file was read, or "". */
 	char *read_as, *assumed, *remark;
-	/* Of a copy that answers are asked of, what is taken instead of what
-	 * was sampled: where the feed is from, and all of it in words, "feed
+	/* In a copy for a question, what differs from what was sampled.
+	 * feed_from: where the feed is from; with: all of it in words, "feed
 	 * b.csv, cascade 10 %"; else "". */
 	char *feed_from, *with;
-	/* Likewise: sieves to show, m, coarsest first; n_shown 0: its own. */
+	/* In such a copy: sieves to show, m, coarsest first; n_shown 0: the
+	 * site's own. */
 	size_t n_shown;
 	double *shown;
 	char *path;      /* file it was read from, or "" */
@@ -73,11 +74,11 @@ struct site {
 struct site *site_new(size_t n_run);
 void site_free(struct site *site);
 
-/* Another one with copies of all it has. */
+/* A deep copy. */
 struct site *site_copy(const struct site *site);
 
-/* A copy with another feed as its last run, which has no product; `from` says
- * where it is from, of: what its sheet says of its data.  The digest stays. */
+/* A copy with another feed as its last run, which has no product; from: where
+ * the feed is from, of: the provenance in its sheet.  The digest stays. */
 struct site *site_with_feed(const struct site *site, const struct psd *feed,
     const char *from, const char *of);
 
@@ -92,8 +93,8 @@ struct site *site_with_cuts(
 /* Digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
 
-/* Works out what follows from the runs, digest and mean feed: whoever makes or
- * changes runs ends with it. */
+/* Computes what follows from the runs, digest and mean feed; to be called after
+ * runs were made or changed. */
 void site_settle(struct site *site);
 
 /* The feed of a run, or for SITE_MEAN_FEED the one that a question has where it
@@ -132,37 +133,37 @@ size_t site_run_nearest(const struct site *site, double speed);
 bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
-/* Tip speeds may be as fast as this, m/s: a rotor reaches half of it, single
- * particles shot at a plate all. */
+/* The fastest tip speed allowed, m/s: a rotor reaches half of it, single
+ * particles shot at a plate reach it. */
 enum { SITE_FASTEST = 400 };
 
-/* The speeds, m/s, that are looked at unless told otherwise: 65 to 85, which
- * are usual, and as many whole m/s more as the runs want.  Where all of these
- * are less than half or more than twice such speeds the machine is another, and
- * the speeds are about theirs: half their length more at both ends, a quarter
- * of the slowest at least.  site: or NULL. */
+/* The default range of speeds, m/s: 65 to 85, which are usual, widened by whole
+ * m/s to cover the runs.  Where all runs are below half or above twice such
+ * speeds the machine is another, and the range is that of the runs, widened at
+ * both ends by half its length, and by a quarter of the slowest at least.
+ * site: or NULL. */
 void site_reach(const struct site *site, double *from, double *to);
 
 /* The middle of the speeds measured, m/s; 74 where there is a feed only. */
 double site_middle(const struct site *site);
 
 /* What data of that provenance are: "reconstructed", "synthetic", "made up" or
- * "simulated", as it begins; "not stated" where it says that or is empty; in
- * all other words "measured", says who wrote them. */
+ * "simulated", as it begins; "not stated" where it says that or is empty;
+ * anything else counts as "measured". */
 const char *site_data_kind(const char *provenance);
 
-/* The key of the line of a sheet's heading that says what size, mm, all of the
- * feed was assumed to pass, as its coarsest sieve did not show it. */
+/* The key of the header line with the size, mm, that all of the feed was
+ * assumed to pass, as its coarsest sieve did not show it. */
 #define SITE_ASSUMED_TOP "assumed_top_mm"
 
 /* That size, mm; 0: nothing was assumed. */
 double site_assumed_top(const struct site *site);
 
-/* Whether they were never measured at a plant, as they say themselves. */
+/* Whether the data were never measured at a plant, by their provenance. */
 bool site_data_made_up(const char *provenance);
 
 /* The first clause of the provenance, which the caller frees; or a copy of
- * `none` where the sheet says nothing. */
+ * `none` where the sheet does not state it. */
 char *site_source(const struct site *site, const char *none);
 
 /* Adds that clause to a list "a; b" of several sites', each once. */

@@ -1,4 +1,5 @@
-/* Bends of curves, one beside the other.
+/* Distances of points from the line between their neighbours, on log size,
+ * compared between curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/smooth.h"
 

@@ -1,4 +1,4 @@
-/* How far a point of a curve lies off its neighbours.
+/* The distance of a point of a curve from its neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PSD_SMOOTH_H
 #define TIPSPEED_CORE_PSD_SMOOTH_H
@@ -14,11 +14,10 @@ double smooth_bend(const struct psd *psd, size_t i);
 /* The point of n curves that lies farthest off: it bends otherwise than the
  * other curves do at the same three sieves.  A true curve may bend by 10 points
  * and more (at its top size, at the break size), but curves of one crusher do
- * so together, and a slip of the pen stands alone.
- * off: its bend less the mean bend of the others, passing -1..1; 0 where no
- * point can be checked.  others: how many there were; with none off is the bend
- * itself.  Of two curves that differ from each other the one with the larger
- * bend is named. */
+ * so together, and a typing error stands alone.  off: its bend less the mean
+ * bend of the others, passing -1..1; 0 where no point can be checked.  others:
+ * how many there were; with none off is the bend itself.  Of two curves that
+ * differ from each other the one with the larger bend is named. */
 struct smooth_outlier {
 	size_t curve, sieve, others;
 	double off;

@@ -1,4 +1,4 @@
-/* What the kernel's variants share: the plan of one misfit.
+/* The plan of one misfit, prepared for the kernel: classes, sieves, nodes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_BATCH_PLAN_H
 #define TIPSPEED_CORE_SEARCH_BATCH_PLAN_H

@@ -13,10 +13,10 @@
 
 /* tolerance: the search ends when the median candidate's misfit is no more than
  * this share above the best one's; 0: never.  stall: it ends when the best has
- * not fallen by 0.1 % within this many generations; 0: never. Neither counts in
- * the first 25 generations, nor in those after other bounds. train, run_weight
- * [n_run] or NULL for the default (slowest and fastest, all weights 1); by_sd:
- * weigh sieves by the sheet's standard deviations. */
+ * not fallen by 0.1 % within this many generations; 0: never.  Neither applies
+ * in the first 25 generations, nor in the 25 after a change of the bounds.
+ * train, run_weight [n_run] or NULL for the default (slowest and fastest, all
+ * weights 1); by_sd: weigh sieves by the sheet's standard deviations. */
 struct calibrate_options {
 	uint64_t seed;
 	size_t population, generations, stall;
@@ -29,8 +29,8 @@ struct calibrate_options {
 	const bool *train;
 	const double *run_weight;
 	bool by_sd;
-	/* What a model that this one extends was calibrated to, on the same
-	 * runs: it is not calibrated again.  NULL: none. */
+	/* The fit of a model that this one extends, on the same runs, to start
+	 * from.  NULL: none. */
 	const struct params *start;
 	bool plain;         /* a textbook genetic algorithm, as in the paper */
 	bool (*stop)(void); /* or NULL; see calibration_step */
@@ -39,7 +39,7 @@ struct calibrate_options {
 /* Population, generations and bounds of the paper. */
 struct calibrate_options calibrate_options_default(void);
 
-/* The misfit that a calibration with these options brings down.  The site must
+/* The misfit that a calibration with these options minimises.  The site must
  * outlive it; misfit_free. */
 struct misfit *calibrate_misfit(
     const struct site *site, const struct calibrate_options *options);
@@ -48,17 +48,17 @@ struct misfit *calibrate_misfit(
 enum calibrate_state {
 	CALIBRATE_SEARCHING,
 	CALIBRATE_POLISHING,
-	CALIBRATE_TOLERANCE,   /* the population came together */
-	CALIBRATE_STALLED,     /* the best stood still */
+	CALIBRATE_TOLERANCE,   /* the population converged */
+	CALIBRATE_STALLED,     /* the best no longer improved */
 	CALIBRATE_GENERATIONS, /* all generations were used */
-	CALIBRATE_STOPPED      /* the caller said so */
+	CALIBRATE_STOPPED      /* by the caller */
 };
 
 /* Name for people and JSON: "tolerance", "stall", "generations", "stopped". */
 const char *calibrate_state_name(enum calibrate_state state);
 
-/* One search.  It never prints, waits, reads a clock or catches a signal; to
- * stop it is to stop calling, and the best so far is kept. */
+/* One calibration.  It never prints, waits, reads a clock or catches a signal.
+ * To stop it, stop calling; the best so far is kept. */
 struct calibration;
 
 /* The site must outlive it.  At least one training run must have a product with
@@ -67,16 +67,16 @@ struct calibration *calibration_new(
     const struct site *site, const struct calibrate_options *options);
 void calibration_free(struct calibration *c);
 
-/* One generation, or the polish of a few starts. Returns the state after it; to
- * call it after the end changes nothing.  Nor does it where options.stop says
- * on the way that somebody waits: the step is then to be made again. */
+/* One generation, or the polish of a few starts.  Returns the state after it; a
+ * call after the end changes nothing.  Where options.stop returns true on the
+ * way, the step changes nothing either and is to be made again. */
 enum calibrate_state calibration_step(struct calibration *c);
 
-/* Goes on within other bounds, from the present population (ga_set_box). What
- * is kept for the polish is brought to them, and a polish under way begins
- * again. Generations and history go on, the stop rules begin again. Only before
- * the end (asserted). What is found then depends on when: the fit's `edits`
- * says so. */
+/* Continues within other bounds, from the present population (ga_set_box).
+ * Starts kept for the polish are moved to the bounds, and a polish under way
+ * begins again.  Generations and history go on, the stop rules begin again.
+ * Only before the end (asserted).  What is found then depends on when: the
+ * fit's `edits` says so. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
 /* The sum of the squared weights of the passings compared: a misfit over it is
@@ -101,10 +101,9 @@ struct calibrate_status {
 
 struct calibrate_status calibration_status(const struct calibration *c);
 
-/* What is remembered of a generation.  p10, p90: middle 80 % of the values of
- * each parameter among the first few hundred candidates, a random sample; kept
- * [n_kept]: the parameters of the first of these, for whoever looks at the
- * generation (candidates.h). */
+/* The record of a generation.  p10, p90: middle 80 % of the values of each
+ * parameter among the first few hundred candidates, a random sample; kept
+ * [n_kept]: the parameters of the first of these, for candidates.h. */
 enum { CALIBRATE_KEPT = 64 };
 struct calibrate_generation {
 	double best, median;
@@ -118,7 +117,7 @@ struct calibrate_generation {
 const struct calibrate_generation *calibration_history(
     const struct calibration *c, size_t *n);
 
-/* A result with its origin: it never travels without. */
+/* The result of a calibration, with its origin. */
 struct fit {
 	struct params params; /* scaled, see params_scale (D4) */
 	double misfit;        /* on model_product, at the training runs */

@@ -1,4 +1,5 @@
-/* The candidates that a generation kept, evaluated once more.
+/* Evaluates the candidates that a generation kept once more, by the kernel, and
+ * takes their percentiles.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/candidates.h"
 

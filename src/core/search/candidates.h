@@ -1,4 +1,4 @@
-/* How far the candidates of one generation lie from what was measured.
+/* Residuals of the candidates of one generation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_CANDIDATES_H
 #define TIPSPEED_CORE_SEARCH_CANDIDATES_H
@@ -23,17 +23,17 @@ struct candidates {
 	double speed, break_size[3];
 };
 
-/* Works them out from the candidates that a generation kept; nothing of that is
- * done during the search.  settings, train [n_run]: of the search; best: on the
- * accurate product, the others on the search's scheme.  The caller frees with
- * candidates_clear. */
+/* Computes them from the candidates that a generation kept, when they are asked
+ * for and not during the search. settings, train [n_run]: of the search; best:
+ * on the accurate product, the others on the search's scheme.  The caller frees
+ * with candidates_clear. */
 struct candidates candidates_of(const struct site *site, const bool *train,
     struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);
 
-/* The cell that half of the candidates miss by most, in either direction;
- * there is one. */
+/* The cell with the largest median residual, in either direction; there is at
+ * least one. */
 const struct candidates_cell *candidates_worst(const struct candidates *c);
 
 /* The lowest and highest value of a parameter among the middle 80 % of the

@@ -1,4 +1,5 @@
-/* The genetic algorithm.  Its caller evaluates the candidates.
+/* A genetic algorithm by ask and tell: tournaments, blend crossover, mutation
+ * and elitism.  Its caller evaluates the candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/ga.h"
 

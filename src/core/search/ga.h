@@ -42,9 +42,9 @@ void ga_free(struct ga *ga);
  * bytes and readable up to the next multiple of 64.  Borrowed until ga_tell. */
 const double *const *ga_ask(struct ga *ga);
 
-/* The same with only from..to-1 sure to be there, for several threads at once
- * that each evaluate parts of their own.  from: a multiple of GA_PART; to: at
- * most the population. */
+/* The same with only candidates from..to-1 guaranteed, for several threads that
+ * each evaluate their own parts.  from: a multiple of GA_PART; to: at most the
+ * population. */
 enum { GA_PART = 8 };
 const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
 
@@ -52,10 +52,10 @@ const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
  * for: lower is better, INFINITY for a candidate without one. */
 void ga_tell(struct ga *ga, const double *misfit);
 
-/* Another box from the next generation on, whose candidates are made and
- * brought to its limits. Where the best ever told lies outside, so is it, and
- * its misfit is INFINITY until the next ga_tell. To draw half of them again
- * where the box has grown was tried: none came near the leaders. */
+/* Changes the box from the next generation on; its candidates are moved to the
+ * limits.  Where the best ever told lies outside, it is moved too, and its
+ * misfit is INFINITY until the next ga_tell.  Drawing half of them again where
+ * the box has grown was tried: none came near the best. */
 void ga_set_box(struct ga *ga, const double *lower, const double *upper);
 
 /* State after the last ga_tell, by value.  worst and median count infinite

@@ -1,4 +1,5 @@
-/* Breeding a generation, compiled once for each instruction set; used by ga.c.
+/* Crossover and mutation of a generation, compiled once for each instruction
+ * set; used by ga.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_GA_OPERATORS_H
 #define TIPSPEED_CORE_SEARCH_GA_OPERATORS_H
@@ -32,7 +33,7 @@ struct breed {
 	struct breed_keys keys;
 };
 
-/* Children first..first+BREED_BLOCK-1. */
+/* Makes the offspring first..first+BREED_BLOCK-1. */
 typedef void breed_block(const struct breed *b, size_t first);
 
 breed_block breed_block_base;

@@ -1,4 +1,4 @@
-/* Children from parents, LANES at a time.
+/* Offspring from parents, LANES at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/ga_operators.h"
 #include "core/search/lanes.h"

@@ -9,8 +9,8 @@
 #include "core/search/misfit.h"
 #include "core/search/batch_plan.h"
 
-/* A search evaluates millions of candidates, so this computes the misfit of
- * misfit.h on a coarser scheme, lanes being candidates:
+/* A search evaluates millions of candidates, so that this computes the misfit
+ * of misfit.h by a coarser scheme, with candidates as lanes:
  * - the feed is cut into classes of a quarter octave or less that end at every
  *   sieve; S is integrated on each from max(x*, lower edge) by two or three
  *   Gauss points, as mass and as first moment about the middle; where S is 1

@@ -1,4 +1,5 @@
-/* Eq 5.
+/* The misfit of Eq 5, weighted squared differences, on the exact product with
+ * its derivatives.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/misfit.h"
 

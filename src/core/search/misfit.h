@@ -11,8 +11,8 @@
 #include "core/model/product.h"
 #include "core/psd/site.h"
 
-/* One training run as the misfit sees it: the product's sieves that the feed
- * covers.  weight multiplies a difference before it is squared. */
+/* One training run: the product's sieves that the feed covers.  weight
+ * multiplies a difference before it is squared. */
 struct misfit_run {
 	size_t run; /* index into the site's runs */
 	double speed;
@@ -25,7 +25,7 @@ struct misfit_run {
 	double *weight;
 };
 
-/* The objective of a calibration, plain to read:
+/* The objective of a calibration:
  *   E = sum over training runs and product sieves of
  *       (weight (measured - simulated passing))^2
  * D6: the minus between the two squares in print would have no lower bound. */
@@ -55,8 +55,8 @@ void misfit_thin(struct misfit *m, size_t most);
  * feed passes, all of any product does, whatever the parameters. */
 size_t misfit_cells(const struct misfit *m);
 
-/* Whether somebody waits for what works on the misfit to end: it then discards
- * what is half done, which may be done again later.  For any thread. */
+/* Whether computations on the misfit should end, as the user waits: they then
+ * discard what is half done, which may be done again later.  For any thread. */
 bool misfit_stopped(const struct misfit *m);
 
 /* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */

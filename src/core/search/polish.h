@@ -1,4 +1,4 @@
-/* Polish: from a good candidate to the bottom of its valley.
+/* Polish: from a good candidate to the minimum near it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_POLISH_H
 #define TIPSPEED_CORE_SEARCH_POLISH_H
@@ -10,18 +10,18 @@
 
 struct polish;
 
-/* Room for polishing on this misfit, which must outlive it. */
+/* A workspace for polishing on this misfit, which must outlive it. */
 struct polish *polish_new(struct misfit *m);
 void polish_free(struct polish *polish);
 
 struct polish_result {
 	double misfit;
 	int evaluations; /* of the misfit, derivatives included */
-	bool converged;  /* at rest: begun anew, it gains less than 1e-11 */
+	bool converged;  /* at rest: started again, it gains less than 1e-11 */
 	bool stopped;    /* by the misfit, on the way */
 };
 
-/* What a polish has to be better than, or it is of no use. */
+/* The best result so far, which a polish has to improve on. */
 struct polish_rival {
 	double misfit;
 	double gains; /* as many times its last gain it may still gain */

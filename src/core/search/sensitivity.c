@@ -1,4 +1,5 @@
-/* The scaled Jacobian of a fit, taken apart.
+/* Singular values of the scaled Jacobian of a fit, by GSL, and the direction of
+ * least change.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/sensitivity.h"
 

@@ -1,4 +1,4 @@
-/* How strongly the products of a fit answer to its parameters.
+/* The sensitivity of the products of a fit to its parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_SENSITIVITY_H
 #define TIPSPEED_CORE_SEARCH_SENSITIVITY_H
@@ -35,9 +35,9 @@ struct sensitivity sensitivity_of(struct misfit *m, const struct params *p,
     const struct bounds *bounds, bool inward, double *basis);
 
 /* The direction in which the misfit rises least at a fitted point, to second
- * order. part [PARAMS_MOST]: how far each parameter goes along it, in shares of
- * its search range, for a rise of a tenth of the misfit; 0 for parameters that
- * are fixed or on a bound. reach: the longest of these steps. */
+ * order.  part [PARAMS_MOST]: how far each parameter goes along it, in shares
+ * of its search range, for a rise of a tenth of the misfit; 0 for parameters
+ * that are fixed or on a bound.  reach: the longest of these steps. */
 struct flat {
 	double part[PARAMS_MOST];
 	double reach;

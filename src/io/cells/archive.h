@@ -10,19 +10,19 @@
  * small file cannot fill the memory. */
 struct archive;
 
-/* bytes [n] are borrowed.  NULL where they are no zip archive, with *wrong in
- * words, which the caller frees. */
+/* bytes [n] are borrowed.  NULL where they are no zip archive, with the reason
+ * in *wrong, which the caller frees. */
 struct archive *archive_open(const char *bytes, size_t n, char **wrong);
 void archive_close(struct archive *archive);
 
-/* Whether there is a part of that name, but for upper and lower case. */
+/* Whether there is a part of that name, ignoring case. */
 bool archive_has(const struct archive *archive, const char *name);
 
-/* How many bytes its parts are unpacked, as the archive itself says. */
+/* The unpacked size of its parts in bytes, as the archive states it. */
 double archive_unpacked(const struct archive *archive);
 
-/* A part, *n bytes and a NUL, which the caller frees.  NULL, with *wrong in
- * words as above, where there is none or it is locked, damaged or too large. */
+/* A part, *n bytes and a NUL, which the caller frees.  NULL, with *wrong as
+ * above, where there is none or it is locked, damaged or too large. */
 char *archive_part(
     struct archive *archive, const char *name, size_t *n, char **wrong);
 

@@ -13,9 +13,8 @@ struct shown {
 	char unit[16];
 };
 
-/* The meaning of a format's code, as files have it in any language:
- * "0.0%", "yyyy\-mm\-dd", "0\" m/s\"".  Only what comes before the first ; is
- * looked at. */
+/* The meaning of a format's code, as files have it in any language: "0.0%",
+ * "yyyy\-mm\-dd", "0\" m/s\"".  Only the part before the first ; counts. */
 struct shown shown_code(const char *code);
 
 /* The same of a format that has a number only.  Source: ECMA-376 part 1,

@@ -5,10 +5,10 @@
 
 #include <stddef.h>
 
-/* Text of n bytes: of UTF-16 with a mark, or known by the zeros beside its
- * first two characters; of Windows-1252 where some byte is not UTF-8 and none
- * are a letter in it; else of UTF-8.  text: UTF-8 without a mark, never NULL.
- * wrong: NULL, or in words what is wrong at byte `bad` of text. */
+/* Text of n bytes.  UTF-16 is recognised by its mark, or by zeros beside its
+ * first two characters; Windows-1252 where some bytes are not UTF-8 and no
+ * character beyond ASCII is; else it is UTF-8. text: UTF-8 without a mark,
+ * never NULL. wrong: NULL, or the fault at byte `bad` of text. */
 enum encoding { ENCODING_UTF8, ENCODING_UTF16, ENCODING_1252 };
 struct decoded {
 	enum encoding encoding;

@@ -1,14 +1,13 @@
-/* The sheets of a workbook while they are read, whatever kind it is of.
+/* The sheets of a workbook while they are read, independent of its kind.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_CELLS_GRID_H
 #define TIPSPEED_IO_CELLS_GRID_H
 
 #include "io/cells/sheet.h"
 
-/* Of a workbook: the sheets with anything in them, and note: what else is to be
- * known ("sheet Log is not read: ..."), or "".  A sheet that is beyond the
- * limits of struct sheet is left out: a workbook may have a plant's log beside
- * its sieves. */
+/* The non-empty sheets of a workbook.  note: remarks for the user ("sheet Log
+ * is not read: ..."), or "".  A sheet that is beyond the limits of struct sheet
+ * is left out: a workbook may have a plant's log beside its sieves. */
 struct grid {
 	const char *path; /* borrowed, as is errors */
 	struct sheet_limits most;
@@ -26,16 +25,16 @@ struct grid {
 struct grid grid_new(
     const char *path, struct sheet_limits most, struct error_list *errors);
 
-/* What was not handed on. */
+/* Frees the sheets that were not taken over. */
 void grid_clear(struct grid *grid);
 
-/* A sheet begins, ends.  Nothing may be put in between two. */
+/* Begins and ends a sheet.  Nothing may be put between two sheets. */
 void grid_begin(struct grid *grid, const char *name);
 void grid_end(struct grid *grid);
 
-/* A cell of the sheet; line and column are set.  An empty one is nothing, of
- * which false tells.  Text becomes one line without spaces at its ends, its
- * letters composed; of more than 100 kB the sheet is left out. */
+/* A cell of the sheet; line and column are set.  False for an empty cell, which
+ * is ignored.  Text becomes one line without spaces at its ends, its letters
+ * composed; a sheet with more than 100 kB in a cell is left out. */
 bool grid_put_text(struct grid *grid, struct cell where, const char *text);
 
 /* A number as shown: unit "%" for one whose cell shows a hundred times as much,
@@ -48,16 +47,16 @@ bool grid_put_date(struct grid *grid, struct cell where, const char *text);
 bool grid_put_formula(
     struct grid *grid, struct cell where, const char *formula);
 
-/* The sheet has rows or columns that are not seen: they are read. */
+/* Notes that the sheet has hidden rows or columns, which are read. */
 void grid_hidden(struct grid *grid);
 
-/* One more thing to be known of the workbook; after 20 they are counted only,
- * which grid_notes adds when all are there. */
+/* Adds a remark on the workbook; after 20 they are only counted, and grid_notes
+ * adds the count in the end. */
 void grid_note(struct grid *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void grid_notes(struct grid *grid);
 
-/* The workbook has more sheets than these. */
+/* Notes that the workbook has more sheets than `most`. */
 void grid_more(struct grid *grid, int most);
 
 #endif

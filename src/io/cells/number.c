@@ -122,15 +122,15 @@ read_text(const struct sheet *sheet, const char *text, double *value)
 	return text_number(copy, value);
 }
 
-/* "97,5 %" of a share, "42 g" of a mass; VALUE_NONE where it is neither. */
+/* "97,5 %" of a share, "42 g" of a mass; AS_NONE where it is neither. */
 static enum cell_value
 read_unit(const struct sheet *sheet, const char *text, double *value)
 {
 	static const struct {
 		const char *unit;
 		enum cell_value value;
-	} UNITS[] = {{"%", VALUE_PERCENT}, {"g", VALUE_GRAMS},
-	    {"gr", VALUE_GRAMS}, {"gram", VALUE_GRAMS}};
+	} UNITS[] = {{"%", AS_PERCENT}, {"g", AS_GRAMS}, {"gr", AS_GRAMS},
+	    {"gram", AS_GRAMS}};
 	enum { MOST = 40 };
 	char copy[MOST];
 	size_t n = strlen(text);
@@ -143,9 +143,9 @@ read_unit(const struct sheet *sheet, const char *text, double *value)
 		if (text_ends(copy, "\xC2\xA0"))
 			copy[n - k - 2] = '\0';
 		return read_text(sheet, text_trim(copy), value) ? UNITS[i].value
-								: VALUE_NONE;
+								: AS_NONE;
 	}
-	return VALUE_NONE;
+	return AS_NONE;
 }
 
 static bool
@@ -165,20 +165,20 @@ static void
 find_value(const struct sheet *sheet, struct cell *cell)
 {
 	double number = NAN;
-	cell->value = VALUE_NONE;
+	cell->value = AS_NONE;
 	if (cell->kind == CELL_NUMBER) {
-		cell->value = VALUE_NUMBER;
+		cell->value = AS_NUMBER;
 		number = cell->number;
 	} else if (cell->kind == CELL_TEXT) {
 		bool less = cell->text[0] == '<';
 		if (read_text(sheet, cell->text + less, &number))
-			cell->value = less ? VALUE_TRACE : VALUE_NUMBER;
+			cell->value = less ? AS_TRACE : AS_NUMBER;
 		else if (is_absent(cell->text))
-			cell->value = VALUE_ABSENT;
+			cell->value = AS_ABSENT;
 		else
 			cell->value = read_unit(sheet, cell->text, &number);
 	}
-	bool has = cell->value >= VALUE_NUMBER && cell->value != VALUE_TRACE;
+	bool has = cell->value >= AS_NUMBER && cell->value != AS_TRACE;
 	cell->number = has ? number : (double)NAN;
 }
 
@@ -240,9 +240,9 @@ number_cell(const struct sheet *sheet, struct cell cell, char *text)
 bool
 number_of(struct cell cell, double *value)
 {
-	if (cell.value == VALUE_NUMBER)
+	if (cell.value == AS_NUMBER)
 		*value = cell.number;
-	return cell.value == VALUE_NUMBER;
+	return cell.value == AS_NUMBER;
 }
 
 /* What to do about a cell that is no number. */

@@ -5,19 +5,18 @@
 
 #include "io/cells/sheet.h"
 
-/* Decides for the whole sheet which sign is the decimal one, by those numbers
- * that leave no choice (80,5; 1.250,5), of which most count, and then what each
- * cell is as a number.  Where there are none, numbers such as 1,250 stay
- * open. */
+/* Decides the decimal sign for the whole sheet, by the majority of the
+ * unambiguous numbers (80,5; 1.250,5), and then the number in each cell.  Where
+ * there are none, numbers such as 1,250 stay open. */
 void number_decide(struct sheet *sheet);
 
-/* The same with a decimal sign that somebody states. */
+/* The same with a given decimal sign. */
 void number_decimal(struct sheet *sheet, char sign);
 
-/* Finds what each cell is as a number, with the decimal sign of the sheet. */
+/* Finds the number in each cell, with the decimal sign of the sheet. */
 void number_find(struct sheet *sheet);
 
-/* The cell with another text, in the place of its own. */
+/* The cell with another text instead of its own. */
 struct cell number_cell(
     const struct sheet *sheet, struct cell cell, char *text);
 
@@ -30,8 +29,8 @@ bool number_read(
 /* The same, but false without a fault. */
 bool number_of(struct cell cell, double *value);
 
-/* Whether it could have a decimal sign or thousands, and the sheet does not
- * tell which. */
+/* Whether its sign could be decimal or separate thousands, and the sheet leaves
+ * that open. */
 bool number_is_open(const struct sheet *sheet, struct cell cell);
 
 #endif

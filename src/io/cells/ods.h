@@ -6,7 +6,7 @@
 #include "io/cells/archive.h"
 #include "io/cells/grid.h"
 
-/* Reads all sheets that are not hidden.  NULL, or in words what is wrong with
+/* Reads all sheets that are not hidden.  Returns NULL, or what is wrong with
  * the workbook, which the caller frees. */
 char *ods_read(struct archive *archive, struct grid *grid);
 

@@ -104,7 +104,7 @@ sheet_cell(const struct row *row, size_t i)
 	return (struct cell){.text = nothing,
 	    .line = row->line,
 	    .column = row->end,
-	    .value = VALUE_ABSENT,
+	    .value = AS_ABSENT,
 	    .number = NAN};
 }
 

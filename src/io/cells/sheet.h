@@ -10,19 +10,18 @@
 
 #include "base/error.h"
 
-/* What a cell of a workbook holds; all cells of a text are CELL_TEXT. */
+/* The kind of a workbook's cell; all cells of a text file are CELL_TEXT. */
 enum cell_kind { CELL_TEXT, CELL_NUMBER, CELL_DATE };
 
-/* What number.c takes a cell for: words or a date; a sign that there is no
- * number, such as "-"; a number, alone or before a unit, "97,5 %", "42 g"; too
- * little to tell, "<0.1". */
+/* What number.c reads a cell as: words or a date; a sign for no number, such as
+ * "-"; a number, alone or before a unit, "97,5 %", "42 g"; a trace, "<0.1". */
 enum cell_value {
-	VALUE_NONE,
-	VALUE_ABSENT,
-	VALUE_NUMBER,
-	VALUE_PERCENT,
-	VALUE_GRAMS,
-	VALUE_TRACE
+	AS_NONE,
+	AS_ABSENT,
+	AS_NUMBER,
+	AS_PERCENT,
+	AS_GRAMS,
+	AS_TRACE
 };
 
 /* text: without spaces at both ends, never NULL; of CELL_NUMBER as text_exact
@@ -61,9 +60,9 @@ struct sheet_limits {
 };
 
 /* Blank lines are left out of row[], and lines that start with # are in
- * comment[] instead.  n_fault counts the faults told so far; lost: a line is
- * not in row[]; too_large: nor is what comes after it, so that the rest is not
- * worth looking at. */
+ * comment[] instead.  n_fault counts the faults reported so far; lost: a line
+ * is not in row[]; too_large: nor is what comes after it, so that the rest is
+ * not read. */
 struct sheet {
 	char *path;
 	char *name;       /* in a workbook; "" of a text */
@@ -83,15 +82,15 @@ struct sheet {
 };
 
 /* Splits a text of UTF-8 with LF, CRLF or CR line ends, within limits and at
- * most 256 cells a line, and takes it apart doing so; it must outlive the
- * sheet.  Faults are put into errors (never NULL): a line with wrong quotes
- * is left out, one beyond the limits ends the sheet. */
+ * most 256 cells a line.  The text is changed, and must outlive the sheet.
+ * Faults are put into errors (never NULL): a line with wrong quotes is left
+ * out, one beyond the limits ends the sheet. */
 struct sheet *sheet_new(const char *path, char *text, struct sheet_limits most,
     struct error_list *errors);
 void sheet_free(struct sheet *sheet);
 
-/* The same of a text that the program itself may have written, with as many
- * lines as there are, however long. */
+/* The same for a text that the program itself may have written, without limits
+ * on lines. */
 struct sheet *sheet_new_own(
     const char *path, char *text, struct error_list *errors);
 
@@ -128,7 +127,7 @@ int sheet_cut(const char *text);
 bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...) __attribute__((format(printf, 4, 5)));
 
-/* A cell as the reader takes it: in quotes where it has to be, and not as a
+/* Writes a cell so that it reads back: in quotes where needed, and not as a
  * formula. */
 void sheet_write_cell(const char *text, char separator, FILE *out);
 

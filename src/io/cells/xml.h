@@ -17,7 +17,7 @@ struct xml_events {
 	void (*text)(void *data, const char *text, size_t n);
 };
 
-/* Goes through a document of n bytes.  NULL, or in words what is wrong with it,
+/* Goes through a document of n bytes.  Returns NULL, or what is wrong with it,
  * which the caller frees: it is not well-formed, has elements within each other
  * more than 100 deep, with more than 1000 attributes or in a namespace of more
  * than 200 letters, or a document type, whose entities could stand for more

@@ -8,16 +8,16 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The value a command returns: what it rests on (a site and its provenance),
- * named fields, a table, and sentences.  Who makes one does not know how it
- * will be shown.  Table and markdown round numbers and show title, provenance
- * and sentences; csv and json are exact: csv has the table, with the shortest
- * number that reads back as the same, json the fields, %.17g, or the rows of
- * the table where there are none.  csv puts command, site and provenance into
- * columns of their own, so that a row never travels without saying where it is
- * from.  Where there is no table the sentences are the answer: people see them
- * with full stops, csv has a row for each, json a list.  A table wider than a
- * screen goes on in further blocks, each with the first column again. */
+/* The value a command returns: its site and provenance, named fields, a table,
+ * and sentences.  A command does not know how its answer will be shown.  Table
+ * and markdown round numbers and show title, provenance and sentences; csv and
+ * json are exact: csv has the table, with the shortest number that reads back
+ * as the same, json the fields, %.17g, or the rows of the table where there are
+ * none.  csv puts command, site and provenance into columns of their own, so
+ * that each row states where it is from.  Where there is no table the sentences
+ * are the answer: people see them with full stops, csv has a row for each, json
+ * a list.  A table wider than a screen goes on in further blocks, each with the
+ * first column again. */
 struct answer;
 
 /* The forms it is shown in, in the order of the enum.  exact: for programs.
@@ -59,11 +59,11 @@ void answer_columns(struct answer *answer, const char *format, ...)
 /* A column whose head may hold any sign. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
-/* A table for people may be so many columns wide; else it is 80. */
+/* The width of a table for people; 80 by default. */
 void answer_room(struct answer *answer, int columns);
 
-/* People see the table on its side where that is shorter: its first column as
- * the heads, a row for each of the others. */
+/* Shows people the transposed table where that is shorter: its first column as
+ * headings, a row for each of the others. */
 void answer_across(struct answer *answer);
 
 /* The columns and cells that follow are another table, which csv and json have
@@ -92,7 +92,7 @@ void answer_pair(struct answer *answer, const char *name, const char *format,
 /* What to show for the next NAN cells ("below 0.063 mm"); default "-". */
 void answer_missing(struct answer *answer, const char *words);
 
-/* How many rows are full. */
+/* The number of complete rows. */
 size_t answer_rows(const struct answer *answer);
 
 /* A sentence below the table: plain, of what was found; a remark on how to read
@@ -104,11 +104,11 @@ void answer_say(struct answer *answer, enum answer_grade grade,
 void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* What people are shown of it, borrowed: title, site and provenance or NULL, a
- * table row by row, that of programs where they have none, sentences.  A cell:
- * text is what they see; number is exact, NAN where it is missing, and they see
- * so many decimals of it, for -1 as many as needed; key: what programs see in
- * place of a text, or NULL. */
+/* The answer as people see it, borrowed: title, site and provenance or NULL, a
+ * table row by row (that for programs where there is no other), sentences.  A
+ * cell: text is what people see; number is exact, NAN where it is missing,
+ * shown with `decimals`, -1 for as many as needed; key: what programs see
+ * instead of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
 	double number;

@@ -6,17 +6,17 @@
 #include "base/error.h"
 #include "io/formats/answer.h"
 
-/* A workbook while it is put together.  The same results are the same bytes. */
+/* A workbook being written.  The same results give the same bytes. */
 struct book;
 
-/* NULL, with an error of kind ERROR_SYSTEM, where there is no room for a
- * temporary file, which has no name and goes with the program. */
+/* NULL, with an error of kind ERROR_SYSTEM, where no temporary file can be
+ * made; it has no name and disappears with the program. */
 struct book *book_new(struct error *error);
 void book_free(struct book *book); /* NULL is allowed */
 
-/* Adds a sheet with what people see of an answer: numbers as they are, shown
- * with the same decimals, and the passings of a table of sieves as curves.
- * Returns how many rows its table has. */
+/* Adds a sheet with an answer as people see it: numbers as they are, shown with
+ * the same decimals, and the passings of a table of sieves as curves.  Returns
+ * how many rows its table has. */
 size_t book_add(struct book *book, const struct answer *answer);
 
 /* Adds a sheet with the cells of a text, see sheet_new, remarks and all. */
@@ -25,7 +25,7 @@ void book_add_text(struct book *book, const char *name, const char *text);
 /* Another line of the last sheet, "About". */
 void book_about(struct book *book, const char *key, const char *value);
 
-/* How many sheets there are beside that; whether one is about a site. */
+/* The number of sheets without "About"; whether one is about a site. */
 size_t book_sheets(const struct book *book);
 bool book_has_site(const struct book *book);
 

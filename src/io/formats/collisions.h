@@ -9,13 +9,12 @@
 #include "base/error.h"
 #include "core/model/spectrum.h"
 
-/* How a file is to be read.  columns: names of its columns in order, with
- * commas between, in place of those it has; NULL: as it has them.  particles:
- * file with the radius or size of each id, or NULL.  unit: of a list without
- * heads, "J/kg" or "m/s"; NULL: not given.  speed, m/s: NAN where the file or
- * nobody says.  cut: J/kg, below which an impact is not a particle's first.
- * density kg/m3.  progress: called now and then with the rows so far; false
- * stops the reading; or NULL. */
+/* How to read a file.  columns: names of its columns in order, separated by
+ * commas, instead of its own; NULL: its own.  particles: file with the radius
+ * or size of each id, or NULL.  unit: of a list without heads, "J/kg" or "m/s";
+ * NULL: not given.  speed, m/s: NAN where it is not given.  cut: J/kg, below
+ * which an impact is not a particle's first.  density kg/m3.  progress: called
+ * now and then with the rows so far; false stops the reading; or NULL. */
 struct collisions_way {
 	const char *columns, *particles, *unit;
 	double speed, cut, density;
@@ -23,9 +22,9 @@ struct collisions_way {
 	void *data;
 };
 
-/* What a file held.  form: in words, a constant; about: what it says of itself,
- * "" for nothing; rows: of numbers; snapshots: of a dump, else 0; impacts: of
- * particles, after contacts were merged; unused: particles named that no
+/* The content of a file.  form: its kind in words, a constant; about: its own
+ * description, or ""; rows: of numbers; snapshots: of a dump, else 0; impacts:
+ * of particles, after contacts were merged; unused: particles named that no
  * contact has. */
 struct collisions {
 	struct spectrum *spectrum;

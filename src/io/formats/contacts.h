@@ -9,8 +9,8 @@
 
 enum { CONTACTS_ID_MOST = 20000000 };
 
-/* See collisions_read.  The spectrum is added to; the contacts of a snapshot
- * and the particles are kept. */
+/* See collisions_read.  Impacts are added to the spectrum; the contacts of a
+ * snapshot and the particles are kept. */
 struct contacts;
 
 /* cut J/kg: an impact below is not a particle's first; density kg/m3. */
@@ -28,7 +28,8 @@ void contacts_add(struct contacts *c, uint32_t id1, uint32_t id2,
  * over. */
 void contacts_snapshot(struct contacts *c);
 
-/* No more come.  Counts the particles and returns the impacts. */
+/* Ends the last snapshot, counts the particles and returns the number of
+ * impacts. */
 uint64_t contacts_end(struct contacts *c);
 
 #endif

@@ -1,4 +1,4 @@
-/* What a plant's own system logged: speed, power and feed rate over time.
+/* The log of a plant's control system: speed, power and feed rate over time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FORMATS_PLANT_LOG_H
 #define TIPSPEED_IO_FORMATS_PLANT_LOG_H
@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "io/cells/datetime.h"
 
-/* What a log tells of each time: rpm, tip speed in m/s, kW, t/h. */
+/* The columns of a log: rpm, tip speed in m/s, kW, t/h. */
 enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 
 extern const char *const LOG_UNITS[LOG_COLUMNS];
@@ -29,9 +29,9 @@ struct plant_log {
 	uint64_t digest;
 };
 
-/* What is to be read as one log: files [n], and what somebody says of them:
- * columns, "1=time, 3=rpm, 4=kW" or NULL; the sheet of a workbook, or NULL; the
- * decimal sign, or '\0'. */
+/* The files [n] to be read as one log, and options: columns, "1=time, 3=rpm,
+ * 4=kW" or NULL; the sheet of a workbook, or NULL; the decimal sign, or
+ * '\0'. */
 struct log_request {
 	size_t n;
 	const char *const *path;

@@ -8,9 +8,9 @@
 
 #include "base/error.h"
 
-/* A row of a part, a site or one of its runs: text [2] is its name and its
- * remark, or where its data are from; number what else it has, NAN where there
- * is none. */
+/* A row of a part, a site or one of its runs: text [2]: its name and its
+ * remark, or the source of its data; number: the other columns, NAN where
+ * empty. */
 enum { PART_NUMBERS = 23 };
 struct part_site {
 	size_t index; /* among all sites */

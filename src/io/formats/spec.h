@@ -19,9 +19,9 @@ struct spec {
 	double *size, *least, *most;
 };
 
-/* Of a workbook its first sheet.  NULL and all the faults of the sheet, each
- * with its line and column, in errors, a list that the caller has zeroed;
- * ERROR_SYSTEM when the file cannot be read. */
+/* Reads a sheet, of a workbook the first.  NULL and all the faults of the
+ * sheet, each with its line and column, in errors, a list that the caller has
+ * zeroed; ERROR_SYSTEM when the file cannot be read. */
 struct spec *spec_read(const char *path, struct error_list *errors);
 
 /* An empty one. */

@@ -28,11 +28,11 @@ struct standards {
 struct standards *standards_shipped(void);
 void standards_free(struct standards *standards);
 
-/* Marks in match [n] the envelopes that are meant by these words: of those that
- * have each word, or one that begins so, without case, the ones that have them
- * in full; of several of which one has the name that all begin with, that, if
- * the words have all of its own name or a number.
- * Returns how many. */
+/* Marks in match [n] the envelopes that the words name, and returns how many.
+ * A name matches that has each word, or one that begins with it, ignoring case;
+ * names that have the words in full come before others; of several, the one
+ * whose name the others begin with is chosen, if the words have all of its own
+ * name or a number. */
 size_t standards_match(
     const struct standards *standards, const char *words, bool *match);
 

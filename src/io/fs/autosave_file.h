@@ -17,15 +17,15 @@ struct kept;
 /* Makes nothing yet, and cannot fail. */
 struct kept *kept_new(void);
 
-/* Discards the file, which stays: what is written next goes into another. */
+/* Lets go of the file, which stays: the next write goes to another one. */
 void kept_leave(struct kept *kept);
 
 /* The same, and ends; NULL is allowed. */
 void kept_free(struct kept *kept);
 
-/* The file gets what `write` writes, whole or not at all.  It is made when
- * there is none yet, and of those that other programs left the oldest beyond a
- * few are removed.  False with an error of kind ERROR_SYSTEM. */
+/* Replaces the file by what `write` writes, whole or not at all.  The first
+ * call makes it, and removes the oldest files left by other programs beyond a
+ * few.  False with an error of kind ERROR_SYSTEM. */
 bool kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
     const void *data, struct error *error);
 

@@ -14,17 +14,16 @@
  * its own. */
 enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
 
-/* Puts n bytes in place of what path holds.  They are written to a new file in
+/* Replaces the content of path by n bytes.  They are written to a new file in
  * the same folder, which takes its name only when all of it is on the disk; a
- * symbolic link stays and the file that it points to is replaced.  What is no
- * regular file (/dev/null, a FIFO) is written to.  On failure false, an error
- * of kind ERROR_SYSTEM, and the old file untouched.  No signal but KILL leaves
- * the new file after; what KILL leaves, the next call in that folder removes.
- */
+ * symbolic link stays and the file that it points to is replaced.  Other than
+ * regular files (/dev/null, a FIFO) are written to.  On failure false, an error
+ * of kind ERROR_SYSTEM, and the old file untouched.  Only SIGKILL can leave the
+ * new file behind, which the next call in that folder removes. */
 bool file_replace(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 
-/* The same with what write prints, put together in memory first. */
+/* The same with the output of write, collected in memory first. */
 bool file_replace_by(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
@@ -36,7 +35,7 @@ bool file_append(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 
 /* False, with the same error as writing would give, where path is a folder or
- * may not be written: told before an hour's calibration and not after it. */
+ * may not be written: to be called before a long calibration. */
 bool file_may_write(const char *path, struct error *error);
 
 #endif

@@ -4,7 +4,7 @@
 #define TIPSPEED_IO_FS_SHIPPED_H
 
 /* The folder they are in, with its "/": data/sites/ in the tree, or where the
- * program was installed.  It need not be there.  The caller frees. */
+ * program was installed.  It may be missing.  The caller frees. */
 char *shipped_folder(void);
 
 /* The file of a site by its name alone ("tierp", "Gävle 4"); NULL where the

@@ -1,4 +1,4 @@
-/* The user's own files, where the XDG base directories have them.
+/* Paths of the user's own files, by the XDG base directories.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_XDG_H
 #define TIPSPEED_IO_FS_XDG_H
@@ -7,8 +7,8 @@
  * HOME given; NULL where neither is known.  The caller frees. */
 char *home_path(const char *variable, const char *folder, const char *name);
 
-/* Makes the folders a file is to stand in, for the user alone.  NULL, or the
- * folder that cannot be made, with errno; the caller frees. */
+/* Makes the folders of a file, for the user alone.  NULL, or the folder that
+ * cannot be made, with errno; the caller frees. */
 char *home_make_folders(const char *path);
 
 #endif

@@ -584,7 +584,7 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	*filled = *numbers = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
 		struct cell cell = c->table->row[i].cell[c->at];
-		*filled += cell.value != VALUE_ABSENT;
+		*filled += cell.value != AS_ABSENT;
 		*numbers += isnan(cell.number) ? 0 : 1;
 	}
 	return *filled > 0 && *numbers * 2 < *filled;

@@ -1,4 +1,4 @@
-/* The heading of a column: what its words and numbers say.
+/* The heading of a column: its words and numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_COLUMN_HEADER_H
 #define TIPSPEED_IO_SITEFILE_COLUMN_HEADER_H
@@ -17,11 +17,11 @@ enum speed_unit {
 };
 
 /* means: of all its words, see lexicon.h.  unknown: words without a meaning.
- * unit: of a speed, with or without a number.  speed: m/s, 0 where none is told
- * in a unit of speed; rpm: 0 likewise.  number: the first of n_number numbers
- * without any unit.  several: it tells two speeds.
- * spread: its speed stands in a cell at its left.  range: it has a range of
- * sizes, 0-4 mm or 53-D-63, which is the name of a sample. */
+ * unit: of a speed, with or without a number.  speed: m/s, 0 where none is
+ * stated in a unit of speed; rpm: 0 likewise.  number: the first of n_number
+ * numbers without a unit.  several: it has two speeds.  spread: its speed is in
+ * a cell at its left.  range: it has a range of sizes, 0-4 mm or 53-D-63, which
+ * is the name of a sample. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
 	uint64_t means;

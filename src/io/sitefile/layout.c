@@ -104,7 +104,7 @@ can_head(const struct cell *cell, const struct nature *n)
 				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
 				     WORD_PERCENT | WORD_PAN;
 	/* "n.d." is no diameter. */
-	if (cell->kind != CELL_TEXT || cell->value == VALUE_ABSENT ||
+	if (cell->kind != CELL_TEXT || cell->value == AS_ABSENT ||
 	    strpbrk(cell->text, "0123456789") != NULL ||
 	    text_same(cell->text, "top_size_mm"))
 		return false;
@@ -137,7 +137,7 @@ nature_of(const struct sheet *sheet, const struct cell *cell)
 	n.kind = sieve_size(sheet, *cell, none, &n.mm);
 	if (n.kind == SIEVE_IS_NONE)
 		n.kind = sieve_size(sheet, *cell, length, &n.mm);
-	if (cell->kind == CELL_TEXT && cell->value == VALUE_NUMBER)
+	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
 	n.means = vocabulary_text(cell->text, &unknown);
 	n.unknown = (unsigned)unknown;
@@ -711,7 +711,7 @@ fill_names(struct table *t)
 		for (size_t i = 0; i < t->n_row; i++) {
 			struct cell *own = &t->row[i].cell[0];
 			const struct cell *other = &t->row[i].cell[c];
-			if (own->value == VALUE_ABSENT &&
+			if (own->value == AS_ABSENT &&
 			    sieve_size(t->sheet, *other, none, &mm) !=
 				SIEVE_IS_NONE)
 				*own = *other;

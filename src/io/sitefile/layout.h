@@ -1,4 +1,4 @@
-/* Where the tables of sieves are on a sheet, whichever way they lie.
+/* Finds the tables of sieves on a sheet, in either orientation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_LAYOUT_H
 #define TIPSPEED_IO_SITEFILE_LAYOUT_H
@@ -40,9 +40,9 @@ struct layout {
 	struct cell beside; /* the first that is beside a table; or text NULL */
 };
 
-/* A part of a sheet: lines and columns from..to, each counted from 1; zeros are
+/* A part of a sheet: lines and columns from..to, each counted from 1; zeros for
  * all of it.  sieves [n_sieves]: the columns of sieves, or their lines, where
- * somebody says; phi: that they are in phi. */
+ * given; phi: they are in phi. */
 enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
 	int first_line, last_line, first_column, last_column;
@@ -50,14 +50,15 @@ struct layout_range {
 	bool phi;
 };
 
-/* Keeps a text as long as the table; returns it. */
+/* Takes a text over, to be freed with the table; returns it. */
 char *layout_keep(struct table *t, char *text);
 
-/* The words that head column c of a table, from the top.  The caller frees. */
+/* The headings of column c of a table, from the top, as one text.  The caller
+ * frees. */
 char *layout_head(const struct table *t, size_t c);
 
-/* Heads the columns by hand: text [n_text] for those with the numbers; others
- * are dropped. */
+/* Sets headings given by hand: text [n_text] for the columns with these
+ * numbers; other columns are dropped. */
 void layout_name(struct table *t, const size_t *number, const char *const *text,
     size_t n_text);
 

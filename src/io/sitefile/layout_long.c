@@ -43,7 +43,7 @@ is_numeric(const struct table *t, size_t c)
 	size_t numbers = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
 		struct cell cell = t->row[r].cell[c];
-		if (cell.value == VALUE_ABSENT)
+		if (cell.value == AS_ABSENT)
 			continue;
 		if (isnan(cell.number))
 			return false;
@@ -194,8 +194,8 @@ sample_numbers(const struct longer *l, size_t *n)
 			struct cell cell = t->row[l->lead[s]].cell[c];
 			if (l->use[c] != COUNT)
 				continue;
-			*to++ = cell.value == VALUE_NUMBER ? cell.number
-							   : (double)NAN;
+			*to++ =
+			    cell.value == AS_NUMBER ? cell.number : (double)NAN;
 		}
 	return number;
 }
@@ -276,7 +276,7 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	for (size_t c = 1; c < t->n_col; c++) {
 		struct cell cell = t->row[l->lead[sample]].cell[c];
 		double v;
-		if (l->use[c] != KEY || cell.value == VALUE_ABSENT)
+		if (l->use[c] != KEY || cell.value == AS_ABSENT)
 			continue;
 		bool number = number_of(cell, &v);
 		enum speed_unit unit = l->head[c].unit;
@@ -305,7 +305,7 @@ sample_name(const struct longer *l, size_t sample)
 	for (size_t c = 1; c < l->table->n_col; c++) {
 		struct cell cell = l->table->row[l->lead[sample]].cell[c];
 		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
-		    cell.value != VALUE_ABSENT)
+		    cell.value != AS_ABSENT)
 			xlist(&text, " ", "%s", cell.text);
 	}
 	return text;

@@ -8,10 +8,10 @@
 
 #include "io/sitefile/layout.h"
 
-/* Of a long table, which has a line for each sieve of each sample, makes one
- * with a column for each sample; leaves others as they are.  False, with a
- * fault, where there are too many samples.  told: the words of a head of sieves
- * given by hand, or 0. */
+/* Turns a long table, with a line for each sieve of each sample, into one with
+ * a column for each sample; leaves others as they are.  False, with a fault,
+ * where there are too many samples.  told: the words of a head of sieves given
+ * by hand, or 0. */
 bool layout_widen(struct table *t, uint64_t told);
 
 #endif

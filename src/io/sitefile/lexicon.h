@@ -1,4 +1,4 @@
-/* What the words of sieve sheets mean, in the languages of their plants.
+/* The meanings of words in sieve sheets, in several languages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_LEXICON_H
 #define TIPSPEED_IO_SITEFILE_LEXICON_H
@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What a word can mean; one may mean several, as a compound does. */
+/* Meanings of a word, as bits; a compound word has several. */
 #define WORD_FEED (UINT64_C(1) << 0)
 #define WORD_PRODUCT (UINT64_C(1) << 1)
 #define WORD_SD (UINT64_C(1) << 2)
@@ -50,7 +50,7 @@ uint64_t vocabulary_word(const char *word, size_t n);
  * none (NULL: not wanted). */
 uint64_t vocabulary_text(const char *text, size_t *unknown);
 
-/* What a line above the tables can tell by its first cell. */
+/* The keys of lines above the tables. */
 enum vocabulary_key {
 	KEY_SITE,
 	KEY_ROCK,

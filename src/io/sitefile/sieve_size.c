@@ -363,14 +363,14 @@ cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 	char *cut = strpbrk(first, signs ? "+-" : "/-");
 	if (cut == NULL && first > copy && sign != '-') {
 		*cell = number_cell(sheet, *cell, first);
-		return cell->value == VALUE_NUMBER;
+		return cell->value == AS_NUMBER;
 	}
 	if (cut == NULL || cut == first || cut[0] == sign)
 		return false;
 	*cut = '\0';
 	struct cell a = number_cell(sheet, *cell, text_trim(first)),
 		    b = number_cell(sheet, *cell, text_trim(cut + 1));
-	if (a.value != VALUE_NUMBER || b.value != VALUE_NUMBER ||
+	if (a.value != AS_NUMBER || b.value != AS_NUMBER ||
 	    a.number == b.number)
 		return false;
 	*cell = a.number < b.number ? a : b;
@@ -402,7 +402,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		return SIEVE_IS_NONE;
 	/* A number alone is a name only where the head says so. */
 	if (unit.series == SIEVE_NONE && cell.kind == CELL_TEXT &&
-	    cell.value == VALUE_NUMBER && cell.number > 0) {
+	    cell.value == AS_NUMBER && cell.number > 0) {
 		*mm = in_unit(cell.number, unit.mm);
 		return SIEVE_IS_SIZE;
 	}

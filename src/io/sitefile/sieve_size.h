@@ -19,15 +19,15 @@ enum sieve_series {
 	SIEVE_PHI /* -log2 of mm, and no names */
 };
 
-/* The series that the name itself tells; SIEVE_NONE where it is no name. */
+/* The series that the name itself states; SIEVE_NONE where it is no name. */
 enum sieve_series sieve_names_series(const char *text);
 
 /* The opening in mm of the sieve so named; 0 where the text is no name of a
  * sieve, and NAN where it has the form of one but there is no such sieve, or
- * where a mesh number does not say of which series it is.  Understood are the
- * numbers of ASTM E11 after #, No. or Nº, its inches, as 1/2 in, 1 1/2 inch or
- * 3/8", and mesh numbers with Tyler or BS.  head: the series of names that are
- * a number alone, which the head of their column tells. */
+ * where a mesh number does not state its series.  It understands the numbers of
+ * ASTM E11 after #, No.  or Nº, its inches, as 1/2 in, 1 1/2 inch or 3/8", and
+ * mesh numbers with Tyler or BS.  head: the series of names that are a number
+ * alone, from the heading of their column. */
 double sieve_names_mm(const char *text, enum sieve_series head);
 
 /* Whether it is a number of ASTM E11, of a sieve or not: not inches. */
@@ -45,24 +45,24 @@ double sieve_names_coarser(double mm, bool astm);
  * next coarser and the next finer one.  The caller frees. */
 char *sieve_names_nearest(const char *text);
 
-/* What the head of the sieves tells: mm in the unit of their numbers, 0 where
- * it tells none, and the series of their names. */
+/* The unit in the heading of sieves: mm in the unit of their numbers, 0 where
+ * it has none, and the series of their names. */
 struct sieve_unit {
 	double mm;
 	enum sieve_series series;
 };
 
-/* From 1 m to 1 um: what is beyond is no size in phi. */
+/* From 1 m to 1 um: numbers beyond are no sizes in phi. */
 enum { SIEVE_MOST_PHI = 10 };
 
 enum sieve_kind { SIEVE_IS_NONE, SIEVE_IS_PAN, SIEVE_IS_SIZE };
 
-/* The unit that the words of a head tell, see lexicon.h. */
+/* The unit in the words of a heading, see lexicon.h. */
 struct sieve_unit sieve_unit_of(uint64_t means);
 
 /* What a cell is, and of SIEVE_IS_SIZE its opening, mm to 9 decimals: NAN where
  * it has the form of a name that no sieve has.  Numbers without a unit are
- * taken for mm where the head tells none. */
+ * taken for mm where the heading has none. */
 enum sieve_kind sieve_size(const struct sheet *sheet, struct cell cell,
     struct sieve_unit unit, double *mm);
 

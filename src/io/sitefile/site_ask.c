@@ -618,16 +618,20 @@ open_top(
 	bool alone = t->sheet->errors->n == 0;
 	/* Of much that is coarser nobody knows how coarse. */
 	bool much = c->pct[at] < 90;
-	char p[32], mm[32];
+	char p[32];
 	char *settle =
 	    much ? xstrdup("top=SIZE") : xasprintf("top=%g", coarser);
-	snprintf(mm, sizeof mm, much ? "SIZE" : "%g", coarser);
+	char *passes = much
+			   ? xstrdup(tr("SIZE mm"))
+			   : xasprintf(tr("%g mm, the next sieve up"), coarser);
 	char *line = settled_line(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%g mm\n"
-	    "add the coarser sieves; or assume that 100 %% passes %s mm%s: %s",
-	    site_column_pct(c, at, 100, p), t->mm[at], mm, for_feed(q), line);
+	    "add the coarser sieves; or assume that 100 %% passes %s%s: %s",
+	    site_column_pct(c, at, 100, p), t->mm[at], passes, for_feed(q),
+	    line);
+	free(passes);
 	free(line);
 	if (alone)
 		ask->settle = settle;

@@ -1,4 +1,4 @@
-/* What is open in a sheet, how that is asked, and the answers.
+/* What a sheet leaves open, as questions, and their answers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_ASK_H
 #define TIPSPEED_IO_SITEFILE_SITE_ASK_H
@@ -21,7 +21,8 @@ struct names {
 bool names_read(struct names *names, const char *columns,
     struct layout_range *range, struct error *error);
 
-/* Heads a table by them; the meanings of what heads its sieves, 0: none. */
+/* Sets a table's headings by them; returns the meanings of that of its sieves,
+ * 0: none. */
 uint64_t names_apply(const struct names *names, struct table *t);
 void names_clear(struct names *names);
 
@@ -29,7 +30,7 @@ void names_clear(struct names *names);
 bool range_read(
     const char *text, struct layout_range *range, struct error *error);
 
-/* What could not be told.  number: a cell that could have a decimal sign or
+/* What is open.  number: a cell whose sign could be decimal or separate
  * thousands; text NULL: there is none. */
 struct open {
 	bool rotor, sieves;
@@ -47,8 +48,8 @@ bool open_ask(const struct open *open, const struct site_request *request,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask, struct error_list *errors);
 
-/* Asks what size all of a feed passes, of which a column tells no more than
- * what its coarsest sieve passes: a fault, in *ask where it is the only one. */
+/* Asks what size all of a feed passes, where its coarsest sieve passes less
+ * than 100 %: a fault, in *ask where it is the only one. */
 void open_top(const struct column *c, const struct site_request *request,
     struct site_ask *ask);
 

@@ -182,13 +182,13 @@ read_cells(struct column *c)
 {
 	struct table *t = c->table;
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
-	enum cell_value own = of_mass(c) ? VALUE_GRAMS : VALUE_PERCENT;
+	enum cell_value own = of_mass(c) ? AS_GRAMS : AS_PERCENT;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[c->at];
 		double v = 0;
 		c->pct[i] = NAN;
-		bool trace = cell.value == VALUE_TRACE;
-		if (cell.value == VALUE_ABSENT || (trace && !retained))
+		bool trace = cell.value == AS_TRACE;
+		if (cell.value == AS_ABSENT || (trace && !retained))
 			continue;
 		bool good = true;
 		if (cell.value == own)
@@ -240,7 +240,7 @@ read_foot(const struct column *c, double sum)
 		const struct row *row = &c->table->foot[i];
 		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
 		const struct cell *cell = &row->cell[c->at];
-		bool percent = cell->value == VALUE_PERCENT;
+		bool percent = cell->value == AS_PERCENT;
 		double v = percent ? (double)NAN : cell->number;
 		bool washing = (means & WORD_WASHED) != 0;
 		if (isnan(v)) {

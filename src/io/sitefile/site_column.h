@@ -1,4 +1,4 @@
-/* The columns of a sieve sheet: what they hold, their units, their checks.
+/* The columns of a sieve sheet: their roles, units and checks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_COLUMN_H
 #define TIPSPEED_IO_SITEFILE_SITE_COLUMN_H
@@ -14,8 +14,8 @@ enum role { FEED, PRODUCT, SD, NO_ROLE };
 enum unit_kind { PASSING, RETAINED, CUMULATIVE };
 enum unit_scale { OF_100, OF_1, OF_MASS };
 
-/* What the numbers of a column are.  suffix: as it follows the role in a head;
- * words: for people, and as columns= has them. */
+/* The quantity of a column's numbers.  suffix: as it follows the role in a
+ * heading; words: for people, and as columns= has them. */
 struct site_unit {
 	const char *suffix, *words;
 	enum unit_kind kind;
@@ -34,11 +34,11 @@ size_t site_unit_find(enum unit_kind kind, enum unit_scale scale);
 /* pct [n_row of the table]: passing in %, or standard deviation of passing in
  * percentage points; NAN where the cell is empty or at fault.  pan: what the
  * column has below the finest sieve, in its unit, or NAN.  faulty: a cell is at
- * fault, so that what is missing cannot be judged.  open: what it is was not to
- * be told; no_role: because it has no role; assumed: what was taken without
+ * fault, so that what is missing cannot be judged.  open: what it is is left
+ * open; no_role: because it has no role; assumed: what was assumed without
  * being stated, in lines, or NULL.  below: of a feed, 1 + the row of its
- * coarsest sieve where that passes less than all; top: the size, mm, that then
- * is assumed to; else 0. */
+ * coarsest sieve where that passes less than all; top: the size, mm, that is
+ * then assumed to pass all; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;
@@ -82,8 +82,8 @@ size_t site_column_count(const struct column *c);
 /* The number that the sheet has in a row, NAN where there is none. */
 double site_column_raw(const struct column *c, size_t row);
 
-/* The passing of a row, %, with the digits of the sheet; of what was weighed,
- * with as many as tell it from another value. */
+/* The passing of a row, %, with the digits of the sheet; of masses, with as
+ * many as distinguish it from `other`. */
 const char *site_column_pct(
     const struct column *c, size_t row, double other, char buf[static 32]);
 

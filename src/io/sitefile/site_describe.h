@@ -1,4 +1,4 @@
-/* What a site was made of, in the two lines that load prints.
+/* Describes how a site was read, in the two lines that load prints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_DESCRIBE_H
 #define TIPSPEED_IO_SITEFILE_SITE_DESCRIBE_H

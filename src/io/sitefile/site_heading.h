@@ -1,4 +1,4 @@
-/* The lines of a sheet that are no table: keys with their values, titles.
+/* The lines of a sheet outside its tables: keys with their values, titles.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_HEADING_H
 #define TIPSPEED_IO_SITEFILE_SITE_HEADING_H

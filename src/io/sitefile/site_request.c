@@ -1,4 +1,4 @@
-/* Frees questions.
+/* Frees the questions about a sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_request.h"
 

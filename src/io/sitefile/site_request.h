@@ -1,4 +1,4 @@
-/* What somebody wants read as a site, and what is to be asked about it.
+/* A request to read files as a site, and the questions that they leave open.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_REQUEST_H
 #define TIPSPEED_IO_SITEFILE_SITE_REQUEST_H
@@ -6,16 +6,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What is to be read as one site: files [n], with the tip speed of the samples
- * in each, m/s, where it was given (0: in the sheet); and what somebody says of
- * them, NULL or 0 where nothing.  columns: "1=sieve mm, 3=feed retained_g", by
- * number from 1 (lines where sieves go across); those not named are left out.
- * samples: "S01=feed, S02=@70", by name; those not named are left out.
- * top: mm, what all of a feed is assumed to pass whose coarsest sieve does not.
- * range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts: samples
- * of product to be added to a site, which need no feed; feed: the feed in it is
- * wanted, which is what a lone sample without a role then is.  text: NULL, or
- * what the one file would hold, which is then not read; path is its name. */
+/* The files [n] to be read as one site, with the tip speed of the samples in
+ * each, m/s, where given (0: in the sheet); and options, NULL or 0 where not
+ * given.  columns: "1=sieve mm, 3=feed retained_g", by number from 1 (lines
+ * where sieves go across); those not named are left out.  samples: "S01=feed,
+ * S02=@70", by name; those not named are left out.  top: mm, what all of a feed
+ * is assumed to pass whose coarsest sieve does not.  range: "A3:F20".  decimal:
+ * '.' or ','.  rotor: diameter, m.  parts: samples of product to be added to a
+ * site, which need no feed; feed: only the feed is read, and a single sample
+ * without a role is taken for it.  text: NULL, or the content of the one file,
+ * which is then not opened; path is its name. */
 struct site_request {
 	size_t n;
 	const char *const *path;
@@ -26,12 +26,11 @@ struct site_request {
 	bool parts, feed;
 };
 
-/* What could not be told: columns [n], with what each seems to be in the words
- * of columns=, and all of it as that option.  settle: the option that settles
- * it ("columns=\"1=sieve mm, ..\"", "rotor_mm=DIAMETER"); NULL: nothing was
- * open.  across: the numbers are those of lines; by_sample: columns are told by
- * their heads, which are names of samples, as samples= has them.  no_feed,
- * no_product: what the files lack. */
+/* What is open: columns [n], with what each seems to be, in the words of
+ * columns=.  settle: the option that settles it ("columns=\"1=sieve mm, ..\"",
+ * "rotor_mm=DIAMETER"); NULL: nothing was open.  across: the numbers are those
+ * of lines; by_sample: columns are identified by their headings, which are
+ * names of samples, for samples=.  no_feed, no_product: what the files lack. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {

@@ -7,7 +7,7 @@
 
 #include "io/sitefile/site_column.h"
 
-/* What the unit of the sieves was taken for. */
+/* How sure the unit of the sieves is. */
 enum sieve_certainty {
 	SIEVES_SAID,    /* the sheet tells it */
 	SIEVES_ASSUMED, /* mm or um, as the openings are those of sieves */
@@ -15,17 +15,18 @@ enum sieve_certainty {
 };
 
 /* Finds the unit of a table's sieves and puts its rows coarsest first.  told:
- * the unit in the words of a head given by hand, see lexicon.h, or 0. */
+ * the unit in the words of a heading given by hand, see lexicon.h, or 0. */
 enum sieve_certainty site_sieve_find(struct table *t, uint64_t told);
 
 /* The cell that heads the sieves, or the first of them. */
 struct cell site_sieve_head(const struct table *t);
 
-/* Tells sizes that are wrong, out of order or there twice. */
+/* Reports sizes that are wrong, out of order or repeated. */
 void site_sieve_check(struct table *t);
 
-/* The rows of a table which another one, with the same sieves, follows without
- * an empty line; n_row: none does.  again: the first row of that other one. */
+/* The number of rows before another table with the same sieves that follows
+ * without an empty line; n_row: none does.  again: the first row of that other
+ * one. */
 size_t site_sieve_end(const struct table *t, size_t *again);
 
 /* "mm", "um", "in", "Tyler mesh": of a table's sieves. */

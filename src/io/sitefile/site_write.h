@@ -11,10 +11,10 @@
 
 /* Writes the sheet: comma, decimal point, LF, no byte order mark; sizes in mm
  * to 9 decimals, passing and standard deviations in % to 12, a product that
- * passes 1 % or less everywhere as fractions.  A site that came
- * from site_read reads back with the same digest.  Sieves nearer than 1e-9 mm
- * are one row.  Returns how many rows of sieves there are.  Whether all was
- * written is for the caller to ask of out. */
+ * passes 1 % or less everywhere as fractions.  A site that came from site_read
+ * reads back with the same digest.  Sieves nearer than 1e-9 mm are one row.
+ * Returns how many rows of sieves there are.  The caller checks `out` for
+ * errors. */
 size_t site_write(const struct site *site, FILE *out);
 
 /* The same to a file, whole or not at all, see file.h. */

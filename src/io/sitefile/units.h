@@ -1,10 +1,9 @@
-/* Between SI inside and what people read: mm, per cent, revolutions.
+/* Converts between SI and what people read: mm, per cent, revolutions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_UNITS_H
 #define TIPSPEED_IO_SITEFILE_UNITS_H
 
-/* Sizes of sieves and of what goes into a crusher; what lies outside is a slip
- * of the pen. */
+/* Limits of sizes of sieves and feeds; others are typing errors. */
 #define SIZE_LEAST_MM 1e-6
 #define SIZE_MOST_MM 1e4
 

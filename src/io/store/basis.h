@@ -1,4 +1,4 @@
-/* What a calibration rests on, as the text that the store keeps of it.
+/* The runs and numbers that a calibration rests on, as text for the store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_STORE_BASIS_H
 #define TIPSPEED_IO_STORE_BASIS_H
@@ -24,8 +24,8 @@ char *basis_written(const struct basis *basis);
 
 /* The basis of a material, of which the fit takes what its fields have: where
  * it keeps one, else false without an error.  What was written reads back with
- * the same bits.  ERROR_DATA for what no calibration leaves, as a store may be
- * anybody's.  Clear it in any case. */
+ * the same bits.  ERROR_DATA for text that no calibration writes, as a store
+ * may come from others.  Clear it in any case. */
 bool basis_read(
     const struct stored *m, struct basis *basis, struct error *error);
 void basis_clear(struct basis *basis);

@@ -11,12 +11,12 @@
 #include "base/error.h"
 #include "core/model/breakage.h"
 
-/* One material.  Text is never NULL and "" where nothing is known; a number
- * is then NAN and a whole number -1.  feed_source: of a row such as Table 3
- * has, what the feeds were, "Individual", else NULL.  provenance: that of the
- * site's data, so that made-up data never pass for measured ones.  origin:
- * "fit", "hand" or, of Table 3, "table3".  rmse_pct, holdout_pct: points at
- * the training runs, and the largest at the others.  basis: see basis.h. */
+/* One material. Text is never NULL and "" where not known; a number is then NAN
+ * and a whole number -1.  feed_source: of a row of Table 3, its feeds,
+ * "Individual", else NULL.  provenance: that of the site's data, so that
+ * synthetic data are never taken for measured ones.  origin: "fit", "hand" or,
+ * of Table 3, "table3".  rmse_pct, holdout_pct: points at the training runs,
+ * and the largest at the others.  basis: see basis.h. */
 struct stored {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
@@ -55,7 +55,7 @@ struct field {
 enum { FIELD_COUNT = 25, FIELD_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
-/* A material of which nothing is known yet. */
+/* A material without any field known. */
 struct stored stored_new(void);
 void stored_free(struct stored *m);
 void stored_list_free(struct stored_list *list);
@@ -75,8 +75,8 @@ void stored_set_text(struct stored *m, const struct field *f, const char *text);
 void stored_set_number(struct stored *m, const struct field *f, double value);
 void stored_set_whole(struct stored *m, const struct field *f, int64_t value);
 
-/* Any field as text that reads back the same, "" where nothing is known.  The
- * caller frees. */
+/* Any field as text that reads back the same, "" where not known.  The caller
+ * frees. */
 char *stored_written(const struct stored *m, const struct field *f);
 
 /* Takes the model or the parameters from what stored_written wrote; the model
@@ -90,16 +90,16 @@ void stored_set_written(
 typedef void stored_take(void *data, const char *name, const char *text);
 void stored_each(const struct stored *m, stored_take *take, void *data);
 
-/* Digest of all that is known of m: tells a row damaged on the disk. */
+/* Digest of all known fields of m: detects a row damaged on the disk. */
 uint64_t stored_digest(const struct stored *m);
 
 /* Method, appearance and k as settings. */
 struct model_settings stored_settings(const struct stored *m);
 
-/* What a field is expected to be, "a number from 0 to 100 for alpha", which the
- * caller frees; of the parameters, the first of m that is not so.  What was
- * found instead; and whether that of m is so.  Holds for what is imported and
- * for rows of a file, which anybody may have made. */
+/* stored_wanted: what a field is expected to be, "a number from 0 to 100 for
+ * alpha", of the parameters for the first of m that is wrong; stored_found:
+ * what m has; the caller frees both.  stored_fits: whether m's is as expected.
+ * For imports and for rows of a file, which may come from others. */
 char *stored_wanted(const struct stored *m, const struct field *f);
 char *stored_found(const struct stored *m, const struct field *f);
 bool stored_fits(const struct stored *m, const struct field *f);

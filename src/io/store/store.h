@@ -41,16 +41,16 @@ extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
 /* Adds the user's own materials to the list, in the order of their names; none
  * where there is no file, and none is made.
  *
- * This and what follows fail with ERROR_SYSTEM where the system or another
- * program is in the way, and with ERROR_DATA where the file is damaged, is none
- * of tipspeed's or that of a newer one; the file is then as it was. */
+ * This and the following fail with ERROR_SYSTEM where the system refuses or
+ * another program holds the file, and with ERROR_DATA where the file is
+ * damaged, not tipspeed's or of a newer version; the file is then unchanged. */
 bool store_list(
     struct store *store, struct stored_list *list, struct error *error);
 
 /* Some of the user's own materials; of zeros: all.  most: only so many of those
- * nearest to rock ("": any) and top, the wanted top size, mm; else rock,
- * top_least and top_most, mm, are what they must have, first the number of
- * those to take, by their names, and apart takes every so many-th only. */
+ * nearest to rock ("": any) and top, the wanted top size, mm; else they must
+ * have rock and a size from top_least to top_most, mm; first: only the first so
+ * many by name; apart: only every so many-th. */
 struct store_query {
 	const char *name, *rock; /* without case and accents; NULL: any */
 	double top_least, top_most, top;
@@ -61,7 +61,7 @@ struct store_query {
 bool store_find(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error);
 
-/* How many the user has. */
+/* The number of the user's materials. */
 bool store_count(struct store *store, size_t *n, struct error *error);
 
 /* Calls take for each name, or once for each rock, that the user's materials

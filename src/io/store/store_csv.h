@@ -1,4 +1,4 @@
-/* Materials as a CSV sheet, to move them between stores and to keep safe.
+/* Materials as a CSV sheet, to move them between stores and for backups.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_STORE_STORE_CSV_H
 #define TIPSPEED_IO_STORE_STORE_CSV_H
@@ -9,8 +9,8 @@
 #include "io/store/material.h"
 
 /* Writes a line of column names and one for each material, numbers exact, to a
- * file that is there whole or not at all.  What was read from a sheet is
- * written as the same bytes. */
+ * file, whole or not at all.  A sheet that was read is written as the same
+ * bytes. */
 bool store_csv_save(
     const struct stored_list *list, const char *path, struct error *error);
 

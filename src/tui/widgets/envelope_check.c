@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Opens the envelope once for a state of the session, and moves its forecast
+ * with the slider.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/envelope_check.h"
 
 #include <math.h>

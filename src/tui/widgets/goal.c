@@ -1,4 +1,6 @@
-/* * SPDX-License-Identifier: GPL-3.0-or-later */
+/* Completes and reads what is typed as conditions, and writes the command that
+ * sets or clears the goal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/goal.h"
 
 #include <ctype.h>

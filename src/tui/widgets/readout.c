@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads each curve at the crosshair, and the size at its level from the finer
+ * curve.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/readout.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A row for each parameter with its bounds and the middle 80 % of candidates
+ * and draws, and the convergence below.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/search_side.h"
 
 #include <math.h>

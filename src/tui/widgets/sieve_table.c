@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A row for each sieve with passing, difference and a bar, as many as there is
+ * room for.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/sieve_table.h"
 
 #include <math.h>

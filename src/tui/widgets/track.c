@@ -1,4 +1,6 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cells from the window that the search found (speed_search.h), a heading that
+ * is shortened to the room, and the keys to its ends.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/track.h"
 
 #include <math.h>
