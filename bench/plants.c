@@ -12,7 +12,7 @@ enum { TABLE = PLANT_TABLE, CLASSES = 300 };
 const char *const LAW_NAME[LAWS] = {"Eqs 1-3", "finer with energy",
     "strongly finer, energies spread", "shared errors", "bypass", "feed drift",
     "t10", "two strengths", "few sieves", "five runs", "two runs",
-    "individual feeds"};
+    "individual feeds", "scatter of 2 points", "no law"};
 
 struct dice {
 	struct rng_key key;
@@ -108,9 +108,22 @@ feed_passing(const struct plant *p, const struct feed *feed, double x)
 	return P + feed->more[i] + t * (feed->more[i - 1] - feed->more[i]);
 }
 
+/* A curve of Rosin and Rammler that has nothing to do with what breaks: its
+ * size falls as a power of the speed.  Where the feed is finer it is the
+ * feed. */
+static double
+no_law(const struct plant *p, const struct feed *feed, double v, double s)
+{
+	double x63 = p->x63 * pow(v / 74, -p->finer);
+	double P = 1 - exp(-pow(s / x63, p->spread));
+	return fmax(P, feed_passing(p, feed, s));
+}
+
 static double
 product(const struct plant *p, const struct feed *feed, double v, double s)
 {
+	if (p->law == NO_LAW)
+		return no_law(p, feed, v, s);
 	static const double SPREAD[5] = {0.55, 0.8, 1, 1.2, 1.45};
 	double E = v * v / 2, P = feed_passing(p, feed, s);
 	size_t spread = p->law == STRONG ? 5 : 1;
@@ -208,6 +221,14 @@ plant_of(enum law law, uint64_t number)
 	if (law == MIXED) {
 		p.share = uniform(&d, 0.3, 0.7);
 		p.hard = uniform(&d, 1.4, 2);
+	}
+	if (law == SCATTER)
+		p.own = 0.02;
+	if (law == NO_LAW) {
+		p.feed_n = uniform(&d, 1.5, 4);
+		p.x63 = p.top * uniform(&d, 0.15, 0.5);
+		p.finer = uniform(&d, 0.3, 1.2);
+		p.spread = uniform(&d, 0.7, 1.3);
 	}
 	p.n_sieve = law == FEW ? ARRAY_LEN(FEW_SIEVES) : ARRAY_LEN(SIEVES);
 	for (size_t i = 0; i < p.n_sieve; i++)

@@ -24,6 +24,8 @@ enum law {
 	FIVE,
 	TWO,
 	INDIVIDUAL,
+	SCATTER,
+	NO_LAW,
 	LAWS
 };
 
@@ -34,8 +36,9 @@ struct plant {
 	double top, feed_n;    /* m */
 	double B[PLANT_TABLE]; /* over ln u, of the cubic */
 	double f_mat, e0, alpha, gamma, e_ref, bypass, share, hard;
-	double own, shared; /* errors, passing */
-	double feed_own;    /* of the feed as the sheet has it */
+	double x63, finer, spread; /* of a curve of no law, see plants.c */
+	double own, shared;        /* errors, passing */
+	double feed_own;           /* of the feed as the sheet has it */
 	size_t n_sieve, n_run;
 	double sieve[PLANT_SIEVES], speed[PLANT_RUNS]; /* m, m/s */
 	double run_n[PLANT_RUNS]; /* feed_n of what met the rotor in a run */

@@ -38,7 +38,6 @@ of() {
 # from one behind it, but for the pairs in `upward`, of which there are to be fewer.
 # Files that stand in no folder may include from all.
 upward='cmd/ask/blended.c cmd/sheets/load.h
-cmd/draw/flow_chart.h cmd/plant/plant.h
 cmd/session/sites.c cmd/fit/job.h'
 rooms() {
 	layer=$1

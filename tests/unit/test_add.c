@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/sheets/ask_user.h"
 #include "desk.h"
 #include "io/cells/datetime.h"

@@ -1,7 +1,6 @@
 /* Blends by mass, and feeds and machines that were not measured.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/blend.h"
-#include "core/psd/reference.h"
 
 #include <stdlib.h>
 
@@ -134,18 +133,18 @@ the_mean_of_feeds(void **state)
 	double pass_b[] = {1, 0.7, 0.4, 0.1, 0};
 	struct psd a = {3, size_a, pass_a}, b = {5, size_b, pass_b};
 	const struct psd *const feed[] = {&a, &b, &b};
-	struct psd mean = reference_mean(feed, 3);
+	struct psd mean = blend_mean(feed, 3);
 	double want[] = {1, 0.6, 0.3, 0.3 * 0.1 / 0.4, 0}, sieve;
 	assert_int_equal(mean.n, 5);
 	for (size_t i = 0; i < 5; i++) {
 		expect_near("sieve", mean.size[i], size_b[i], 0);
 		expect_near("passing", mean.passing[i], want[i], 1e-12);
 	}
-	expect_near("spread", reference_spread(feed, 3, &sieve), 0.2, 1e-12);
+	expect_near("spread", blend_spread(feed, 3, &sieve), 0.2, 1e-12);
 	psd_free(&mean);
-	mean = reference_mean(&feed[1], 2);
+	mean = blend_mean(&feed[1], 2);
 	assert_true(psd_same(&mean, &b));
-	expect_near("none", reference_spread(&feed[1], 2, &sieve), 0, 0);
+	expect_near("none", blend_spread(&feed[1], 2, &sieve), 0, 0);
 	psd_free(&mean);
 }
 
@@ -163,7 +162,7 @@ the_mean_is_a_feed(void **state)
 			feed[i] = made_any_feed(&draw);
 			all[i] = &feed[i];
 		}
-		struct psd mean = reference_mean(all, 3);
+		struct psd mean = blend_mean(all, 3);
 		for (size_t i = 0; i < mean.n; i++) {
 			double x = mean.size[i], least = 1, most = 0;
 			bool known = true;

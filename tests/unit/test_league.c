@@ -126,7 +126,13 @@ runs_held_out_count_more(void **state)
 	assert_int_equal(m[0].standing, LEAGUE_OUT_ERROR);
 	m[0].aicc = -220;
 	assert_false(league_rank(m, 2, cell, N));
-	assert_int_equal(m[1].standing, LEAGUE_POSSIBLE);
+	assert_int_equal(m[0].standing, LEAGUE_OUT_ERROR);
+	assert_int_equal(m[1].standing, LEAGUE_BEST);
+	/* Alike to 0.1 points, and AICc decides. */
+	m[0].rmse = m[1].rmse + 0.0009;
+	m[0].predicted = good;
+	league_rank(m, 2, cell, N);
+	assert_int_equal(m[0].standing, LEAGUE_BEST);
 	assert_true(league_errs_more(cell, N, bad, good));
 	assert_false(league_errs_more(cell, N, good, bad));
 	for (size_t i = 0; i < N; i++)

@@ -60,7 +60,7 @@ add_candidate(const struct site *site, struct advised *c, size_t n, double v)
 /* A repeat at each measured speed, the speed asked for and round ones; [*n],
  * which the caller frees. */
 static struct advised *
-candidates(
+advise_candidates(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
@@ -105,8 +105,8 @@ sieved(const struct session *s, const struct question *q, size_t *n)
 
 /* Sorts the candidates by what they leave of a width. */
 static void
-weigh(const struct session *s, const struct wanted *w, const double *answer,
-    double width, struct advised *c, size_t n)
+advise_weigh(const struct session *s, const struct wanted *w,
+    const double *answer, double width, struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
@@ -188,9 +188,9 @@ weighed(const struct session *s, const struct wanted *w, double *answer,
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;
-	struct advised *c =
-	    candidates(s, w->question->entry->site, w->question->speed, n);
-	weigh(s, w, answer, width, c, *n);
+	struct advised *c = advise_candidates(
+	    s, w->question->entry->site, w->question->speed, n);
+	advise_weigh(s, w, answer, width, c, *n);
 	return c;
 }
 

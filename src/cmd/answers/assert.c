@@ -44,7 +44,7 @@ look_up(const struct session *s, const char *word, double *value)
 }
 
 static bool
-side(const struct session *s, const char *word, double *value,
+assert_side(const struct session *s, const char *word, double *value,
     struct error *error)
 {
 	if (text_number(word, value))
@@ -77,7 +77,7 @@ side(const struct session *s, const char *word, double *value,
 
 /* 1 or 0; -1 where there is no such operator. */
 static int
-holds(const char *op, double a, double b, double within)
+assert_holds(const char *op, double a, double b, double within)
 {
 	if (strcmp(op, "=") == 0)
 		return fabs(a - b) <= within;
@@ -127,9 +127,10 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		    "assert: expected 'within NUMBER' after the comparison");
 	if (strcmp(word[1], "is") == 0)
 		return is_as_saved(s, word[0], word[2], error);
-	if (!side(s, word[0], &a, error) || !side(s, word[2], &b, error))
+	if (!assert_side(s, word[0], &a, error) ||
+	    !assert_side(s, word[2], &b, error))
 		return false;
-	int result = holds(word[1], a, b, within);
+	int result = assert_holds(word[1], a, b, within);
 	if (result < 0)
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected = < or > between two values, got '%s'",

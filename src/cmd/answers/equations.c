@@ -40,7 +40,7 @@ struct worked {
 
 /* Of Eq 3 the exponent without sign and floor, x in the unit it is given in. */
 static double
-exponent(const struct worked *w, double x, double speed)
+equations_exponent(const struct worked *w, double x, double speed)
 {
 	const struct params *p = w->p;
 	return p->f_mat * w->settings.k *
@@ -55,7 +55,7 @@ class_at(const struct worked *w, double speed, bool breaks)
 	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double x = sqrt(feed->size[i] * feed->size[i + 1]);
-		if ((exponent(w, x, speed) > 0) == breaks)
+		if ((equations_exponent(w, x, speed) > 0) == breaks)
 			return x;
 	}
 	return NAN;
@@ -68,7 +68,7 @@ say_sign(struct answer *r, const struct worked *w, double speed)
 	       fine = class_at(w, speed, false);
 	struct fields *o = fields_object(answer_fields(r), "d1");
 	if (!isnan(coarse)) {
-		double t = exponent(w, coarse, speed);
+		double t = equations_exponent(w, coarse, speed);
 		fields_put(o, "coarse_mm %g used_pct %g printed_pct %g",
 		    units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
 		answer_note(r,
@@ -77,7 +77,7 @@ say_sign(struct answer *r, const struct worked *w, double speed)
 		    speed, units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
 	}
 	if (!isnan(fine)) {
-		double t = exponent(w, fine, speed);
+		double t = equations_exponent(w, fine, speed);
 		fields_put(o, "fine_mm %g no_floor_pct %g", units_mm(fine),
 		    -100 * expm1(-t));
 		answer_note(r,
@@ -95,7 +95,7 @@ selected_mm(const struct worked *w, double speed)
 	double sum = 0;
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double mm = units_mm(sqrt(feed->size[i] * feed->size[i + 1]));
-		double t = exponent(w, mm, speed);
+		double t = equations_exponent(w, mm, speed);
 		sum += (feed->passing[i] - feed->passing[i + 1]) *
 		       (t > 0 ? -expm1(-t) : 0);
 	}

@@ -49,42 +49,37 @@ read_wanted(const struct args *args, const struct question *question, size_t *n,
 	return q;
 }
 
+/* A row, and an object of the list or for NULL none; model: with the model
+ * alone, for programs; people have not the room. */
 static void
-put_figure(
-    struct fields *list, const struct quantity *q, const struct figure *f)
-{
-	struct fields *o = fields_object(list, NULL);
-	char *key = quantities_key(q);
-	fields_put(o, "quantity %s value %g unit %s low %g high %g", key,
-	    quantities_shown(q, f->value), quantities_unit(q),
-	    quantities_shown(q, f->low), quantities_shown(q, f->high));
-	free(key);
-}
-
-/* model: with the model alone, for programs; people have not the room. */
-static void
-figure_row(struct answer *r, struct forecast *all, size_t i,
-    const struct quantity *q, bool model)
+add_figure(struct answer *r, struct fields *list, struct forecast *all,
+    size_t i, const struct quantity *q, bool model)
 {
 	struct figure f = forecast_figure(all, i);
+	double value = quantities_shown(q, f.value),
+	       low = quantities_shown(q, f.low),
+	       high = quantities_shown(q, f.high);
 	bool whole = quantities_decimals(q) == 1;
 	char *words = quantities_words(q), *key = quantities_key(q);
 	answer_name(r, key, words);
-	answer_cells(r, whole ? "%.1f" : "%.2f", quantities_shown(q, f.value));
-	answer_text(r, "%s", quantities_unit(q));
+	answer_cells(
+	    r, whole ? "%.1f %s" : "%.2f %s", value, quantities_unit(q));
 	if (forecast_draws(all, i) != NULL)
-		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
-		    quantities_shown(q, f.low), quantities_shown(q, f.high));
+		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f", low, high);
 	if (forecast_draws(all, i) != NULL && model)
 		answer_cells(
 		    r, "%g", quantities_shown(q, forecast_model(all, i)));
+	if (list != NULL)
+		fields_put(fields_object(list, NULL),
+		    "quantity %s value %g unit %s low %g high %g", key, value,
+		    quantities_unit(q), low, high);
 	free(words);
 	free(key);
 }
 
 static void
-figure_rows(struct answer *r, struct forecast *all, const struct quantity *q,
-    size_t n, bool model)
+figure_rows(struct answer *r, struct fields *list, struct forecast *all,
+    const struct quantity *q, size_t n, bool model)
 {
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	answer_columns(r, "quantity: figure, value, unit");
@@ -93,7 +88,7 @@ figure_rows(struct answer *r, struct forecast *all, const struct quantity *q,
 	if (band && model)
 		answer_column(r, "model", "model");
 	for (size_t i = 0; i < n; i++)
-		figure_row(r, all, i, &q[i], model);
+		add_figure(r, list, all, i, &q[i], model);
 }
 
 bool
@@ -111,16 +106,12 @@ cmd_figures(struct session *s, const struct args *args,
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	struct answer *r = answers_new(
 	    entry->site, "figures", "figures of the product at %g m/s", v);
-	figure_rows(r, all, q, n, false);
-	answer_for_programs(r);
-	figure_rows(r, all, q, n, true);
 	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
 	    answers_extrapolates(entry, v));
-	struct fields *list = fields_list(answer_fields(r), "figures");
-	for (size_t i = 0; i < n; i++) {
-		struct figure f = forecast_figure(all, i);
-		put_figure(list, &q[i], &f);
-	}
+	figure_rows(
+	    r, fields_list(answer_fields(r), "figures"), all, q, n, false);
+	answer_for_programs(r);
+	figure_rows(r, NULL, all, q, n, true);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	free(q);

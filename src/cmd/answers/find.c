@@ -218,7 +218,7 @@ goal_words(const struct goal *goal)
 }
 
 static double
-within(double speed)
+find_within(double speed)
 {
 	return speed > 0 && isfinite(speed) ? speed : NAN;
 }
@@ -247,8 +247,8 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 	    value_at(goal, goal->wanted.from), value_at(goal, goal->wanted.to),
 	    speed);
 	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
-	    within(f->range[0]), within(f->range[1]), within(f->cut[0]),
-	    within(f->cut[1]));
+	    find_within(f->range[0]), find_within(f->range[1]),
+	    find_within(f->cut[0]), find_within(f->cut[1]));
 	free(key);
 	free(wanted);
 }
@@ -486,7 +486,7 @@ put_found(
 	if (goal->wanted.n == 0)
 		return;
 	forecast_at(goal->wanted.forecast, isnan(v) ? f->best : v);
-	conditions_put(o, &goal->wanted, f);
+	conditions_rows(NULL, o, &goal->wanted, f);
 	fields_put(
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }

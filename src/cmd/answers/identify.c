@@ -52,7 +52,7 @@ find_speeds(struct findings *f, const struct site *site)
 }
 
 static struct findings
-find(const struct posterior *p, const struct site *site)
+identify_find(const struct posterior *p, const struct site *site)
 {
 	struct findings f = {.p = p, .of = BREAKAGES[p->settings.breakage]};
 	size_t threshold = breakage_parameter(f.of, "e0_min");
@@ -244,7 +244,7 @@ sentence(const struct findings *f)
 }
 
 static void
-put(struct fields *o, const struct findings *f, const char *text)
+identify_put(struct fields *o, const struct findings *f, const char *text)
 {
 	struct fields *list = fields_list(o, "break_size");
 	for (size_t i = 0; i < f->n_speed; i++)
@@ -282,12 +282,12 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 		    "nothing was drawn to identify parameters by (%s)\n"
 		    "run 'calibrate' first",
 		    outlook_why_none(s, entry));
-	struct findings f = find(p, entry->site);
+	struct findings f = identify_find(p, entry->site);
 	struct answer *r =
 	    answers_new(entry->site, "identify", "what the data determine");
 	char *text = sentence(&f);
 	add_rows(r, &f);
-	put(answer_fields(r), &f, text);
+	identify_put(answer_fields(r), &f, text);
 	say_ridges(r, &f);
 	say_open(r, &f);
 	answer_note(r,

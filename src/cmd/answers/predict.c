@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/ask/question.h"
 #include "cmd/draw/plot.h"
 #include "cmd/draw/plots.h"

@@ -13,7 +13,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/document/document.h"
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"

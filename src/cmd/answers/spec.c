@@ -197,7 +197,7 @@ note_verdict(struct answer *r, const struct grading *g, double v)
 
 /* The product at a speed beside the envelope named, or the one in use. */
 static bool
-compare(struct session *s, const struct args *args, struct question *q,
+spec_compare(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
@@ -238,5 +238,5 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);
 	return session_need_site(s, "spec", error) &&
-	       question_run(s, args, compare, error);
+	       question_run(s, args, spec_compare, error);
 }

@@ -464,9 +464,13 @@ const struct command TABLE_ANSWERS[] = {
 	    "parameters were free, AICc (lower is better) and the RMSE at the "
 	    "held-out runs, beside predictions that need no model. If no run "
 	    "is held out, each speed is held out in turn where there are three "
-	    "or more. Reports which models the data rule out and whether they "
-	    "can tell the models apart; see COMPARING MODELS in "
-	    "tipspeed-model(7). The fit in use stays. 'league all' does it for "
+	    "or more. The best is the one that errs least there; of those "
+	    "within 0.1 points, or where no run is held out, the one with the "
+	    "lowest AICc; what interpolation beats is not called best. Reports "
+	    "which models the data rule out, whether they can tell the models "
+	    "apart, and what the answer between measured speeds has of each; "
+	    "see COMPARING MODELS in tipspeed-model(7). The fit in use stays. "
+	    "'league all' does it for "
 	    "all loaded sites and adds up the results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},

@@ -42,7 +42,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 }
 
 static void
-look(struct session *s, struct asking *a, double from, double to)
+window_look(struct session *s, struct asking *a, double from, double to)
 {
 	a->wanted = conditions_ask(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
@@ -254,13 +254,12 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 	bool ok = conditions_speeds(s, args, entry->site, &from, &to, error) &&
 		  read_conditions(s, args, &a, error);
 	if (ok) {
-		look(s, &a, from, to);
+		window_look(s, &a, from, to);
 		struct answer *r =
 		    answers_new(entry->site, "window", "%s at %.1f m/s",
 			a.list.n > 1 ? tr("conditions") : tr("the condition"),
 			a.w->best);
-		conditions_rows(r, &a.wanted, a.w);
-		conditions_put(answer_fields(r), &a.wanted, a.w);
+		conditions_rows(r, answer_fields(r), &a.wanted, a.w);
 		if (a.w->n_inside > 0)
 			note_inside(r, &a);
 		else

@@ -50,7 +50,7 @@ conditions_extreme(const char *text)
 }
 
 static bool
-expected(const char *text, struct error *error)
+conditions_expected(const char *text, struct error *error)
 {
 	char *extreme = conditions_extreme(text);
 	if (extreme != NULL) {
@@ -71,7 +71,7 @@ expected(const char *text, struct error *error)
 
 /* What a limit may be: "0 to 100 %". */
 static bool
-beyond(const char *text, const struct quantity *q, double most,
+conditions_beyond(const char *text, const struct quantity *q, double most,
     struct error *error)
 {
 	const char *unit = quantities_unit(q);
@@ -111,7 +111,7 @@ read_limit(const char *text, const struct quantity *q, double *limit,
 				       : INFINITY;
 	bool ok = text_number(word, limit) || no_number(word, q, error);
 	if (ok && (*limit < 0 || *limit > most))
-		ok = beyond(word, q, most, error);
+		ok = conditions_beyond(word, q, most, error);
 	*limit /= one;
 	free(copy);
 	return ok;
@@ -203,7 +203,8 @@ with_sign(const char *text)
 	return xstrdup(text);
 }
 
-/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees. */
+/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees.
+ */
 static char *
 limit_last(const char *text)
 {
@@ -249,7 +250,7 @@ no_sign(const char *text, const struct fraction *fraction, struct error *error)
 	free(passing);
 	free(turned);
 	if (!found)
-		return expected(text, error);
+		return conditions_expected(text, error);
 	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
 	if (c.least != c.most)
 		xappend(&limit, "..%g", quantities_shown(&c.quantity, c.most));
@@ -268,7 +269,7 @@ read_signed(const char *text, const struct fraction *fraction,
 {
 	size_t n = strcspn(text, "<>=");
 	if (n == 0)
-		return expected(text, error);
+		return conditions_expected(text, error);
 	if (text[n] == '\0')
 		return no_sign(text, fraction, error);
 	char *name = xstrndup(text, n);
@@ -493,26 +494,6 @@ conditions_limit(const struct condition_list *list, struct wanted_limit limit)
 	return conditions_words(&one);
 }
 
-static void
-put_condition(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found, size_t i)
-{
-	const struct condition *c = &wanted->at[i];
-	const struct quantity *q = &c->quantity;
-	struct margin margin = wanted_margin(wanted, i);
-	struct figure f = forecast_figure(wanted->forecast, i);
-	char *key = quantities_key(q);
-	fields_put(o,
-	    "quantity %s unit %s min %g max %g value %g low %g high %g "
-	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, quantities_unit(q), quantities_shown(q, c->least),
-	    quantities_shown(q, c->most), quantities_shown(q, f.value),
-	    quantities_shown(q, f.low), quantities_shown(q, f.high),
-	    100 * margin.passing, conditions_widths(wanted, margin),
-	    found->alone[i][0], found->alone[i][1]);
-	free(key);
-}
-
 char *
 conditions_speeds_words(const struct speed_search *found)
 {
@@ -539,53 +520,57 @@ conditions_widths(const struct wanted *wanted, struct margin margin)
 		   : NAN;
 }
 
-void
-conditions_put(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found)
-{
-	struct fields *list = fields_list(o, "conditions");
-	for (size_t i = 0; i < wanted->n; i++)
-		put_condition(fields_object(list, NULL), wanted, found, i);
-}
-
+/* Of a condition a row, of an answer or for NULL of none, and fields. */
 static void
-condition_row(struct answer *r, const struct wanted *wanted,
+add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
-	const struct condition *c = &wanted->at[i];
-	const struct quantity *q = &c->quantity;
-	double margin = wanted_margin(wanted, i).passing;
+	const struct quantity *q = &wanted->at[i].quantity;
+	struct margin margin = wanted_margin(wanted, i);
 	struct figure f = forecast_figure(wanted->forecast, i);
-	char *words = quantities_words(q), *key = quantities_key(q);
+	const double limit[] = {quantities_shown(q, wanted->at[i].least),
+	    quantities_shown(q, wanted->at[i].most)};
+	const double value = quantities_shown(q, f.value),
+		     band[] = {quantities_shown(q, f.low),
+			 quantities_shown(q, f.high)},
+		     points = 100 * margin.passing, *alone = found->alone[i];
 	const char *unit = quantities_unit(q);
 	bool whole = quantities_decimals(q) == 1;
-	char *name =
-	    xasprintf("%s%s%s", words, unit[0] != '\0' ? ", " : "", unit);
-	answer_name(r, key, name);
-	answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f",
-	    quantities_shown(q, c->least), quantities_shown(q, c->most),
-	    quantities_shown(q, f.value));
-	if (forecast_draws(wanted->forecast, i) != NULL)
-		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
-		    quantities_shown(q, f.low), quantities_shown(q, f.high));
-	answer_cells(r, "%.1f %.1f %.1f", isinf(margin) ? NAN : 100 * margin,
-	    found->alone[i][0], found->alone[i][1]);
-	free(name);
+	char *words = quantities_words(q), *key = quantities_key(q);
+	fields_put(o,
+	    "quantity %s unit %s min %g max %g value %g low %g high %g "
+	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
+	    key, unit, limit[0], limit[1], value, band[0], band[1], points,
+	    conditions_widths(wanted, margin), alone[0], alone[1]);
+	if (unit[0] != '\0')
+		xappend(&words, ", %s", unit);
+	if (r != NULL) {
+		answer_name(r, key, words);
+		answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f", limit[0],
+		    limit[1], value);
+		if (forecast_draws(wanted->forecast, i) != NULL)
+			answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
+			    band[0], band[1]);
+		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
+	}
 	free(words);
 	free(key);
 }
 
 void
-conditions_rows(struct answer *r, const struct wanted *wanted,
+conditions_rows(struct answer *r, struct fields *o, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	answer_columns(r, "quantity: condition on, min, max, value");
-	if (forecast_draws(wanted->forecast, 0) != NULL)
-		answer_columns(r, "low, high");
-	answer_columns(r, "margin_pct: points, holds_from: from m/s, "
-			  "holds_to: to m/s");
+	struct fields *list = fields_list(o, "conditions");
+	if (r != NULL) {
+		answer_columns(r, "quantity: condition on, min, max, value");
+		if (forecast_draws(wanted->forecast, 0) != NULL)
+			answer_columns(r, "low, high");
+		answer_columns(r, "margin_pct: points, holds_from: from m/s, "
+				  "holds_to: to m/s");
+	}
 	for (size_t i = 0; i < wanted->n; i++)
-		condition_row(r, wanted, found, i);
+		add_condition(r, fields_object(list, NULL), wanted, found, i);
 }
 
 struct wanted

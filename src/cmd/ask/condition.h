@@ -65,14 +65,11 @@ char *conditions_list_words(const struct condition_list *list);
 char *conditions_limit(
     const struct condition_list *list, struct wanted_limit limit);
 
-/* Columns and a row for each condition: its limits, its value at the speed the
+/* Columns and a row for each condition, of an answer or for NULL of none, and
+ * objects of the list "conditions": its limits, its value at the speed the
  * forecast is at, with the band, the margin and where it alone holds. */
-void conditions_rows(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found);
-
-/* The same as objects of the list "conditions". */
-void conditions_put(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found);
+void conditions_rows(struct answer *r, struct fields *o,
+    const struct wanted *wanted, const struct speed_search *found);
 
 /* The list's quantities and the target's, or for NULL none, of a question, at
  * the speeds of site_reach; the list and the target must outlive it, whose

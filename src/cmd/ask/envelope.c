@@ -18,7 +18,7 @@
 #include "io/sitefile/units.h"
 
 static const struct spec *
-keep(struct session *s, struct spec *spec)
+grading_keep(struct session *s, struct spec *spec)
 {
 	s->specs = xrealloc(s->specs, s->n_spec + 1, sizeof(*s->specs));
 	return s->specs[s->n_spec++] = spec;
@@ -26,7 +26,7 @@ keep(struct session *s, struct spec *spec)
 
 /* The envelope of that name that the session has already. */
 static const struct spec *
-kept(const struct session *s, const char *name)
+grading_kept(const struct session *s, const char *name)
 {
 	for (size_t i = 0; i < s->n_spec; i++)
 		if (s->specs[i]->standard[0] != '\0' &&
@@ -40,11 +40,12 @@ shipped(struct session *s, const char *words, struct error *error)
 {
 	struct standards *all = standards_shipped();
 	const struct spec *found = standards_find(all, words, error);
-	const struct spec *same = found != NULL ? kept(s, found->name) : NULL;
+	const struct spec *same =
+	    found != NULL ? grading_kept(s, found->name) : NULL;
 	for (size_t i = 0; found != NULL && same == NULL && i < all->n; i++) {
 		if (all->spec[i] != found)
 			continue;
-		same = keep(s, all->spec[i]);
+		same = grading_keep(s, all->spec[i]);
 		all->spec[i] = NULL;
 	}
 	standards_free(all);
@@ -71,7 +72,7 @@ of_file(struct session *s, const char *path, struct error *error)
 	}
 	if (spec->note[0] != '\0')
 		session_note(s, "%s: %s", path, spec->note);
-	return keep(s, spec);
+	return grading_keep(s, spec);
 }
 
 const struct spec *
@@ -110,7 +111,7 @@ take_fraction(const struct args *args, const struct spec *spec,
 }
 
 static bool
-begins(const char *text, const char *start)
+grading_begins(const char *text, const char *start)
 {
 	return strncmp(text, start, strlen(start)) == 0;
 }
@@ -123,7 +124,7 @@ modulus_of(const struct spec *spec)
 	for (size_t i = 0; i < MODULI; i++)
 		if (spec->cut[0] <= 0 && spec->cut[1] > 0 &&
 		    spec->cut[1] < sand &&
-		    begins(spec->standard, MODULUS[i].name))
+		    grading_begins(spec->standard, MODULUS[i].name))
 			return &MODULUS[i];
 	return NULL;
 }
@@ -137,7 +138,7 @@ next_limit(const struct standards *all, const char *standard, const char *item,
 	for (size_t i = after != NULL ? (size_t)(after - all->limit) + 1 : 0;
 	     i < all->n_limit; i++)
 		if (strcmp(all->limit[i].standard, standard) == 0 &&
-		    begins(all->limit[i].item, item))
+		    grading_begins(all->limit[i].item, item))
 			return &all->limit[i];
 	return NULL;
 }
@@ -149,7 +150,7 @@ modulus_limit(const struct standards *all, const char *standard)
 {
 	const struct standard_limit *l = NULL;
 	while ((l = next_limit(all, standard, "FM ", l)) != NULL)
-		if (!begins(l->item, CATEGORY) && !isnan(l->least))
+		if (!grading_begins(l->item, CATEGORY) && !isnan(l->least))
 			return l;
 	return NULL;
 }
@@ -225,7 +226,8 @@ grading_value(const struct grading *g, size_t i)
 }
 
 static void
-ask(const struct session *s, const struct question *q, struct grading *g)
+grading_ask(
+    const struct session *s, const struct question *q, struct grading *g)
 {
 	const struct quantity more[] = {
 	    {.kind = QUANTITY_SHARE, .fraction = g->fraction},
@@ -251,7 +253,7 @@ open_limits(const struct session *s, const struct question *q,
 		    "sieves",
 		    g->spec->name);
 	}
-	ask(s, q, g);
+	grading_ask(s, q, g);
 	return true;
 }
 

@@ -219,7 +219,8 @@ find_binding(const struct session *s, const struct entry *entry, struct goal *g,
 
 /* What is set is read again: another feed may not tell of it. */
 static void
-begin(struct session *s, const struct site *site, struct goal *g, size_t feed)
+goals_begin(
+    struct session *s, const struct site *site, struct goal *g, size_t feed)
 {
 	struct error error = {0};
 	goals_clear(g);
@@ -245,7 +246,7 @@ goals_step(
 	if (!goals_pending(s, g, feed))
 		return;
 	if (g->found == NULL || g->feed != feed)
-		begin(s, entry->site, g, feed);
+		goals_begin(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
 	struct question q = {.entry = entry, .feed = feed};

@@ -32,7 +32,7 @@ moved_new(void)
 }
 
 static void
-clear(struct moved *m)
+moved_clear(struct moved *m)
 {
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
@@ -46,7 +46,7 @@ moved_free(struct moved *m)
 {
 	if (m == NULL)
 		return;
-	clear(m);
+	moved_clear(m);
 	free(m);
 }
 
@@ -98,7 +98,7 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 void
 moved_forget(struct moved *m)
 {
-	clear(m);
+	moved_clear(m);
 }
 
 static struct moved *
@@ -117,7 +117,7 @@ moved_of(const struct session *s, const struct entry *entry,
 	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
 	    model_settings_same(&m->settings, &settings))
 		return m;
-	clear(m);
+	moved_clear(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,

@@ -43,7 +43,7 @@ has_draws(const struct entry *entry)
 /* Begins to draw for a place of the history, or goes on: until all is drawn,
  * or `stop` says that somebody waits.  steps: at most so many, 0: all. */
 static void
-draw(const struct session *s, const struct entry *entry, const bool *use,
+draw_steps(const struct session *s, const struct entry *entry, const bool *use,
     size_t place, size_t steps)
 {
 	struct history *h = entry->origin->spread;
@@ -80,7 +80,7 @@ draw(const struct session *s, const struct entry *entry, const bool *use,
 
 /* The draws; NULL while they are not complete. */
 static const struct posterior *
-drawn(const struct session *s, const struct entry *entry,
+outlook_drawn(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
 	struct history *h = entry->origin->spread;
@@ -89,7 +89,7 @@ drawn(const struct session *s, const struct entry *entry,
 	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
 		history_redraw(h, s->set.noise, s->set.draw_seed);
 	if (h->posterior[place] == NULL)
-		draw(s, entry, use, place, steps);
+		draw_steps(s, entry, use, place, steps);
 	free(use);
 	return h->posterior[place];
 }
@@ -115,7 +115,7 @@ const struct posterior *
 outlook_posterior(const struct session *s, const struct entry *entry,
     enum correction correction)
 {
-	return has_draws(entry) ? drawn(s, entry, correction, 0) : NULL;
+	return has_draws(entry) ? outlook_drawn(s, entry, correction, 0) : NULL;
 }
 
 enum correction
@@ -139,7 +139,7 @@ outlook_draw(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
 	return !has_draws(entry) ||
-	       drawn(s, entry, informing(s, entry), STEPS) != NULL;
+	       outlook_drawn(s, entry, informing(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *

@@ -35,7 +35,7 @@ unpin(struct session *s, const char *word, struct error *error)
 
 /* Also what a calibration under way has found so far. */
 static bool
-keep(struct session *s, const struct args *args, struct question *q,
+pin_keep(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
@@ -71,5 +71,5 @@ cmd_pin(struct session *s, const struct args *args, struct error *error)
 {
 	return args->n_operand > 0 ? unpin(s, args->operand[0], error)
 				   : session_need_site(s, "pin", error) &&
-					 question_run(s, args, keep, error);
+					 question_run(s, args, pin_keep, error);
 }

@@ -15,7 +15,7 @@
 #include "io/sitefile/units.h"
 
 static bool
-expected(const char *text, struct error *error)
+quantities_expected(const char *text, struct error *error)
 {
 	return error_set(error, ERROR_USAGE,
 	    "expected a quantity, got '%s'\n"
@@ -101,7 +101,7 @@ read_kind(const char *text, struct quantity *q, struct error *error)
 	} else if ((rest = after(text, "passing")) != NULL) {
 		q->kind = QUANTITY_PASSING;
 		if (!read_size(rest, &q->x))
-			return expected(text, error);
+			return quantities_expected(text, error);
 	} else if ((rest = after(text, "fm")) != NULL) {
 		return read_modulus(rest, q, error);
 	} else if (strcasecmp(text, "cu") == 0) {
@@ -120,7 +120,7 @@ read_kind(const char *text, struct quantity *q, struct error *error)
 		q->letter = strchr("Dd", text[0]) != NULL ? 'D' : 0;
 		q->x = percent / 100;
 	} else {
-		return expected(text, error);
+		return quantities_expected(text, error);
 	}
 	return true;
 }
@@ -140,7 +140,7 @@ quantities_read(const char *text, const struct partition *partition,
 	}
 	ok = ok && read_kind(text_trim(word), q, error);
 	if (ok && of != NULL && q->kind == QUANTITY_SHARE)
-		ok = expected(text, error);
+		ok = quantities_expected(text, error);
 	q->fraction.partition = *partition;
 	free(copy);
 	return ok;

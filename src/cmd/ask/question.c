@@ -268,7 +268,7 @@ read_fraction(const struct session *s, const struct args *args,
 
 /* The question, of what was read for it or for another one. */
 static bool
-settle(const struct session *s, const struct entry *loaded,
+question_settle(const struct session *s, const struct entry *loaded,
     const struct args *args, const struct named *r, struct question *q,
     struct error *error)
 {
@@ -297,7 +297,7 @@ question_of(struct session *s, const struct entry *loaded,
 	return read_speed(args, loaded->site, r, error) &&
 	       read_feed(s, args, r, error) &&
 	       read_sieves(args, loaded->site, r, error) &&
-	       settle(s, loaded, args, r, q, error);
+	       question_settle(s, loaded, args, r, q, error);
 }
 
 bool
@@ -306,7 +306,7 @@ question_too(struct session *s, const struct entry *loaded,
     struct error *error)
 {
 	*q = (struct question){.entry = loaded};
-	return settle(s, loaded, args, like->named, q, error);
+	return question_settle(s, loaded, args, like->named, q, error);
 }
 
 bool

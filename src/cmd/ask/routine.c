@@ -9,7 +9,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/ask/outlook.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
@@ -160,7 +160,7 @@ residual(const struct routine_cut *c, size_t i)
 }
 
 static void
-follow(struct routine *r)
+follow_cuts(struct routine *r)
 {
 	struct drift_cut *cut = xcalloc(r->n, sizeof *cut);
 	double **residuals = xcalloc(r->n, sizeof(*residuals));
@@ -216,7 +216,8 @@ sum_up(struct routine *r)
 }
 
 static struct routine *
-refuse(struct routine *r, const struct entry *entry, struct error *error)
+routine_refuse(
+    struct routine *r, const struct entry *entry, struct error *error)
 {
 	if (r->n == 0)
 		error_set(error, ERROR_USAGE,
@@ -245,11 +246,11 @@ routine_follow(const struct session *s, const struct entry *entry,
 	r->rule = *rule;
 	find_cuts(r, entry);
 	if (r->n == 0)
-		return refuse(r, entry, error);
+		return routine_refuse(r, entry, error);
 	const struct posterior *p = outlook_unseen(s, entry, r->training_only);
 	r->drawn = p != NULL;
 	if (!r->drawn && !(s->set.noise > 0))
-		return refuse(r, entry, error);
+		return routine_refuse(r, entry, error);
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
 		const struct run *run = &entry->site->run[c->run];
@@ -260,7 +261,7 @@ routine_follow(const struct session *s, const struct entry *entry,
 			predict_alone(c, &run->feed, &entry->params,
 			    s->set.model, s->set.noise / 100);
 	}
-	follow(r);
+	follow_cuts(r);
 	sum_up(r);
 	return r;
 }
@@ -286,7 +287,7 @@ routine_free(struct routine *r)
 
 /* "four times running". */
 static char *
-times(size_t n)
+routine_times(size_t n)
 {
 	static const char *const WORDS[] = {"", N_("once"), N_("twice running"),
 	    N_("three times running"), N_("four times running"),
@@ -319,7 +320,7 @@ routine_words(const struct routine *r)
 	char *most = xasprintf(tr("most at %g mm (%+.1f points on average)"),
 	    units_mm(r->worst), 100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
-	char *count = times(r->running);
+	char *count = routine_times(r->running);
 	char *words =
 	    tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
 		       tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))

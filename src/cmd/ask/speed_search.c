@@ -595,7 +595,7 @@ find_roots(struct speed_search *s, const struct wanted *w)
 
 /* How far a speed is from those measured. */
 static double
-beyond(const struct wanted *w, double v)
+search_beyond(const struct wanted *w, double v)
 {
 	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
 }
@@ -608,7 +608,8 @@ choose_root(struct speed_search *s, const struct wanted *w)
 		const struct speed_root *r = &s->root[i];
 		bool better = best == NULL || r->holds > best->holds ||
 			      (r->holds == best->holds &&
-				  beyond(w, r->speed) < beyond(w, best->speed));
+				  search_beyond(w, r->speed) <
+				      search_beyond(w, best->speed));
 		best = better ? r : best;
 	}
 	s->found = best != NULL ? best->speed : NAN;

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/session/energies.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/forecast.h"
@@ -200,7 +200,7 @@ reach_of(const struct entry *entry)
 }
 
 static struct trust
-judge(const struct session *s, const struct entry *entry,
+light_judge(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
@@ -240,7 +240,7 @@ light_of(const struct session *s, const struct entry *entry,
 		    xstrdup(tr("a calibration is running: parameters change")));
 		return t;
 	}
-	return judge(s, entry, p, outlook_evidence(s, entry), true);
+	return light_judge(s, entry, p, outlook_evidence(s, entry), true);
 }
 
 void
@@ -347,6 +347,7 @@ light_verdict_undrawn(const struct session *s, const struct entry *entry)
 	const char *plain = plain_verdict(&entry->fit);
 	struct evidence e = outlook_undrawn(s, entry);
 	/* No cut was added since. */
-	return plain != NULL ? plain
-			     : light_name(judge(s, entry, NULL, &e, false));
+	return plain != NULL
+		   ? plain
+		   : light_name(light_judge(s, entry, NULL, &e, false));
 }

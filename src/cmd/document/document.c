@@ -49,7 +49,7 @@ document_out(struct document *d)
 }
 
 static void
-append(struct document *d, struct document_part part)
+document_append(struct document *d, struct document_part part)
 {
 	d->part = xrealloc(d->part, d->n + 1, sizeof *d->part);
 	d->part[d->n++] = part;
@@ -68,15 +68,16 @@ take_text(struct document *d)
 	while (from < n && d->text[from] == '\n')
 		from++;
 	if (n > from)
-		append(d, (struct document_part){.kind = DOCUMENT_TEXT,
-			      .text = xstrndup(d->text + from, n - from)});
+		document_append(
+		    d, (struct document_part){.kind = DOCUMENT_TEXT,
+			   .text = xstrndup(d->text + from, n - from)});
 }
 
 static void
-add(struct document *d, struct document_part part)
+document_add(struct document *d, struct document_part part)
 {
 	take_text(d);
-	append(d, part);
+	document_append(d, part);
 }
 
 void
@@ -89,8 +90,8 @@ document_title(struct document *d, const char *title)
 void
 document_heading(struct document *d, const char *text)
 {
-	add(d, (struct document_part){
-		   .kind = DOCUMENT_HEADING, .text = xstrdup(text)});
+	document_add(d, (struct document_part){
+			    .kind = DOCUMENT_HEADING, .text = xstrdup(text)});
 }
 
 void
@@ -99,31 +100,31 @@ document_say(
 {
 	va_list ap;
 	va_start(ap, format);
-	add(d, (struct document_part){
-		   .kind = kind, .text = xvasprintf(tr(format), ap)});
+	document_add(d, (struct document_part){
+			    .kind = kind, .text = xvasprintf(tr(format), ap)});
 	va_end(ap);
 }
 
 void
 document_light(struct document *d, enum light light, const char *words)
 {
-	add(d, (struct document_part){.kind = DOCUMENT_LIGHT,
-		   .light = light,
-		   .text = xstrdup(words)});
+	document_add(d, (struct document_part){.kind = DOCUMENT_LIGHT,
+			    .light = light,
+			    .text = xstrdup(words)});
 }
 
 size_t
 document_answer(struct document *d, const struct answer *answer)
 {
-	add(d, (struct document_part){
-		   .kind = DOCUMENT_ANSWER, .answer = answer_shown(answer)});
+	document_add(d, (struct document_part){.kind = DOCUMENT_ANSWER,
+			    .answer = answer_shown(answer)});
 	return answer_view(answer).n_row;
 }
 
 void
 document_picture(struct document *d, struct chart *chart)
 {
-	add(d,
+	document_add(d,
 	    (struct document_part){.kind = DOCUMENT_PICTURE, .chart = chart});
 }
 

@@ -54,7 +54,7 @@ static const char STYLE[] =
     "}\n";
 
 static void
-put(const char *before, const char *text, const char *after, FILE *out)
+html_put(const char *before, const char *text, const char *after, FILE *out)
 {
 	fputs(before, out);
 	text_put_xml(text, out);
@@ -95,7 +95,7 @@ put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	for (size_t i = 0; i < v->n_sentence; i++) {
 		const struct answer_sentence *said = &v->sentence[i];
 		if ((said->grade == ANSWER_WARNING) == warnings)
-			put(warnings ? "<p class=\"warning\">" : "<p>",
+			html_put(warnings ? "<p class=\"warning\">" : "<p>",
 			    said->text, "</p>\n", out);
 	}
 }
@@ -106,9 +106,10 @@ put_answer(const struct answer *answer, bool top, FILE *out)
 {
 	struct answer_view v = answer_view(answer);
 	if (v.title != NULL && !top)
-		put("<h3>", v.title, "</h3>\n", out);
+		html_put("<h3>", v.title, "</h3>\n", out);
 	if (v.provenance != NULL)
-		put("<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
+		html_put(
+		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
 	put_sentences(&v, true, out);
 	for (size_t from = 1; v.n_row > 0;) {
 		size_t to = document_block(&v, from);
@@ -126,7 +127,7 @@ put_lines(const char *text, FILE *out)
 	char *line;
 	fputs("<pre>", out);
 	while ((line = document_line(&text)) != NULL) {
-		put("", line, "\n", out);
+		html_put("", line, "\n", out);
 		free(line);
 	}
 	fputs("</pre>\n", out);
@@ -138,17 +139,17 @@ put_part(const struct document *d, size_t i, FILE *out)
 	const struct document_part *p = &d->part[i];
 	switch (p->kind) {
 	case DOCUMENT_HEADING:
-		put("<h2>", p->text, "</h2>\n", out);
+		html_put("<h2>", p->text, "</h2>\n", out);
 		break;
 	case DOCUMENT_WORDS:
-		put("<p>", p->text, "</p>\n", out);
+		html_put("<p>", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_WARNING:
-		put("<p class=\"warning\">", p->text, "</p>\n", out);
+		html_put("<p class=\"warning\">", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_LIGHT:
 		fprintf(out, "<p class=\"light %s\">", LIGHT_NAME[p->light]);
-		put("", p->text, "</p>\n", out);
+		html_put("", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_TEXT:
 		put_lines(p->text, out);
@@ -177,12 +178,12 @@ document_html(const struct document *d, size_t *n)
 	    "<meta http-equiv=\"Content-Security-Policy\" "
 	    "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
 	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n");
-	put("<title>", d->title, "</title>\n", out);
+	html_put("<title>", d->title, "</title>\n", out);
 	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
-	put("<h1>", d->title, "</h1>\n", out);
+	html_put("<h1>", d->title, "</h1>\n", out);
 	for (size_t i = 0; i < d->n; i++)
 		put_part(d, i, out);
-	put("<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
+	html_put("<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
 	fclose(out);
 	return text;
 }

@@ -242,7 +242,7 @@ word_width(struct press *p, const char *text, const struct pen_style *style)
 /* As wide as its numbers and the words of its head; a text is broken where the
  * page has not that much.  Returns how wide all are. */
 static double
-measure(struct press *p, struct grid *g, double most)
+pdf_measure(struct press *p, struct grid *g, double most)
 {
 	struct pen_style head = letters(p, g->size, true);
 	struct pen_style body = letters(p, g->size, false);
@@ -268,7 +268,7 @@ fit_grid(struct press *p, struct grid *g)
 {
 	double room = inner_width(p), most = room;
 	g->size = 8.5;
-	while (measure(p, g, most) > room && g->size > 4) {
+	while (pdf_measure(p, g, most) > room && g->size > 4) {
 		if (most > 0.25 * room) {
 			most *= 0.9;
 		} else {

@@ -716,7 +716,7 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 }
 
 static bool
-describe(struct session *s, const struct args *args, struct asked *a,
+plot_describe(struct session *s, const struct args *args, struct asked *a,
     struct error *error)
 {
 	struct chart *chart = asked_chart(s, args, a, error);
@@ -739,7 +739,7 @@ bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
 	struct asked a;
-	bool ok = describe(s, args, &a, error);
+	bool ok = plot_describe(s, args, &a, error);
 	asked_free(s, &a);
 	return ok;
 }

@@ -8,6 +8,11 @@
 /* Of that kind with nothing else asked for: NANs, ASCII, with a legend. */
 struct plot_request plots_request(enum plot_kind kind);
 
+/* The kinds that have a file of their own, plots_KIND.c; of draws profile and
+ * correlation. */
+plot_make plots_draws_profile, plots_draws_correlation, plots_drift,
+    plots_energy, plots_map, plots_response, plots_runs;
+
 /* The chart, or NULL with an error that says what is missing (no site, no
  * parameters, no history).  The caller frees with chart_free. */
 struct chart *plots_chart(

@@ -2,7 +2,7 @@
  * grid; the misfit along one parameter with the others held, beside the density
  * of the draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_draws.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +17,8 @@
 
 /* The draws of the site in use, or NULL with an error. */
 static const struct posterior *
-drawn(const struct session *s, const struct entry *entry, struct error *error)
+draws_drawn(
+    const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (!answers_known(s, entry, error))
 		return NULL;
@@ -88,7 +89,7 @@ plots_draws_correlation(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	size_t column[PARAMS_MOST];
-	const struct posterior *p = drawn(s, q->entry, error);
+	const struct posterior *p = draws_drawn(s, q->entry, error);
 	if (p == NULL)
 		return NULL;
 	size_t n = find_free(p, column);

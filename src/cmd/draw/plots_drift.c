@@ -1,7 +1,7 @@
 /* Each cut, EWMA and CUSUM (core/check/control_chart.h) as shares of their
  * limits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_drift.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -66,7 +66,7 @@ add_limits(struct chart *chart, double last)
 }
 
 static void
-say(struct chart *chart, const struct routine *r)
+drift_say(struct chart *chart, const struct routine *r)
 {
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
 	char *words = routine_words(r);
@@ -77,6 +77,7 @@ say(struct chart *chart, const struct routine *r)
 	free(words);
 }
 
+/* The control charts of the site in use, as `drift` has them. */
 struct chart *
 plots_drift(
     struct session *s, const struct plot_request *q, struct error *error)
@@ -117,7 +118,7 @@ plots_drift(
 	if (r->first < r->n)
 		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
 		    "began at about cut %zu", r->since + 1);
-	say(chart, r);
+	drift_say(chart, r);
 	routine_free(r);
 	return chart;
 }

@@ -1,7 +1,7 @@
 /* Impacts a particle in half octaves of the energy, from the bins of core's
  * spectrum.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_energy.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@ enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
 
 /* Impacts a particle, or share of the impacts in %, in each half octave. */
 static void
-fill(struct chart_series *series, const struct spectrum *s,
+energy_fill(struct chart_series *series, const struct spectrum *s,
     const struct spectrum_size *whole, bool first)
 {
 	double all = spectrum_above(whole, 0, false).mass;
@@ -43,7 +43,8 @@ highest(const struct chart *chart)
 }
 
 static void
-add(struct chart *chart, const struct energies *e, bool main, size_t place)
+energy_add(
+    struct chart *chart, const struct energies *e, bool main, size_t place)
 {
 	const struct spectrum *s = e->c.spectrum;
 	struct spectrum_size *whole = spectrum_whole(s);
@@ -53,29 +54,27 @@ add(struct chart *chart, const struct energies *e, bool main, size_t place)
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
-	fill(chart_add(chart, main ? look : site_chart_look(place), POINTS,
-		 "%s%s", e->name, speed),
+	energy_fill(chart_add(chart, main ? look : site_chart_look(place),
+			POINTS, "%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)
-		fill(chart_add(chart, of_first, POINTS, "first above %g J/kg",
-			 e->cut),
+		energy_fill(chart_add(chart, of_first, POINTS,
+				"first above %g J/kg", e->cut),
 		    s, whole, true);
 	free(speed);
 	free(whole);
 }
 
+/* How often particles are hit at which energy: those in use, the first impact
+ * of each apart, and all others that were loaded. */
 struct chart *
 plots_energy(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
-	const struct energies *e = s->energy;
-	if (e == NULL) {
-		error_set(error, ERROR_USAGE,
-		    "no collision energies are loaded\n"
-		    "load some: energy load FILE");
+	const struct energies *e = energies_last(s, error);
+	if (e == NULL)
 		return NULL;
-	}
 	const struct spectrum *of = e->c.spectrum;
 	double E = of->speed > 0 ? energy_specific(of->speed) : NAN;
 	struct chart *chart = chart_new(tr("collision energies"),
@@ -85,8 +84,8 @@ plots_energy(
 	for (size_t i = 0; i < s->n_energies; i++)
 		if (s->energies[i] != e &&
 		    s->energies[i]->c.spectrum->counted == of->counted)
-			add(chart, s->energies[i], false, i);
-	add(chart, e, true, 0);
+			energy_add(chart, s->energies[i], false, i);
+	energy_add(chart, e, true, 0);
 	axis_free(&chart->y);
 	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
 						"octave, -")

@@ -1,7 +1,7 @@
 /* f_mat against e0_min of Table 3, the store and the loaded sites, a series for
  * each rock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_map.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,7 +18,7 @@ enum { NAMED = 60 };
 
 /* Where a material stands; each string is taken. */
 static void
-put(struct chart_series *series, const struct params *p, char *name,
+map_put(struct chart_series *series, const struct params *p, char *name,
     char *label, char *about)
 {
 	size_t i = series->n++;
@@ -28,7 +28,7 @@ put(struct chart_series *series, const struct params *p, char *name,
 }
 
 static struct chart_series *
-add(struct chart *chart, struct chart_series look, size_t most, bool named,
+map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
     const char *name)
 {
 	struct chart_series *series = chart_add(chart, look, most, "%s", name);
@@ -44,12 +44,12 @@ add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
 {
 	struct chart_series look = site_chart_look(chart->n);
 	look.line = CHART_MARKS;
-	struct chart_series *series = add(chart, look, list->n,
+	struct chart_series *series = map_add(chart, look, list->n,
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
 		if (text_same(m->rock, rock))
-			put(series, &m->params, xstrdup(m->name),
+			map_put(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
 }
@@ -85,13 +85,13 @@ add_loaded(struct chart *chart, const struct session *s, bool bound)
 		if (!entry->has_params || at_bound(entry) != bound)
 			continue;
 		if (series == NULL)
-			series = add(chart,
+			series = map_add(chart,
 			    (struct chart_series){.series = SERIES_PREDICTED,
 				.mark = bound ? 'X' : '#'},
 			    s->n_entry, s->n_entry <= NAMED,
 			    bound ? tr("loaded, a parameter at its bound")
 				  : tr("loaded sites"));
-		put(series, &entry->params, xstrdup(entry->key),
+		map_put(series, &entry->params, xstrdup(entry->key),
 		    xstrdup(entry->site->name), site_source(entry->site, ""));
 	}
 }
@@ -146,6 +146,9 @@ reach(struct extent *e, const struct params *p)
 	e->high = fmax(e->high, params_value(p, "e0_min"));
 }
 
+/* The paper's figure 10: f_mat and e0_min of the materials of the store and of
+ * Table 3, by rock, and of all loaded sites that have parameters; of these a
+ * fit that has one at its bound is marked. */
 struct chart *
 plots_map(struct session *s, const struct plot_request *q, struct error *error)
 {

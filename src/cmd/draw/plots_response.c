@@ -1,7 +1,7 @@
 /* Quantities, their bands, limits, measured values and the window at speeds
  * across the range, a chart for each unit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_response.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -78,7 +78,7 @@ same_quantity(const struct quantity *a, const struct quantity *b)
 /* One that is there already is not drawn twice.  False where there are too
  * many. */
 static bool
-take(struct drawn *d, const struct quantity *q)
+response_take(struct drawn *d, const struct quantity *q)
 {
 	for (size_t i = 0; i < d->n; i++)
 		if (same_quantity(&d->q[i], q))
@@ -121,10 +121,11 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 	for (size_t i = 0; i < n && ok; i++)
 		ok = quantities_cut(&of[i], &d->fraction, error) &&
 		     quantities_covered(&of[i], feed, error) &&
-		     (take(d, &of[i]) || too_many(error));
+		     (response_take(d, &of[i]) || too_many(error));
 	free(of);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
-		ok = take(d, &d->limits.at[i].quantity) || too_many(error);
+		ok = response_take(d, &d->limits.at[i].quantity) ||
+		     too_many(error);
 	if (ok && d->n == 0)
 		take_usual(s, d);
 	return ok;
@@ -138,7 +139,7 @@ speed_at(const struct drawn *d, size_t k)
 
 /* Values as people see them. */
 static void
-look(struct session *s, struct drawn *d)
+response_look(struct session *s, struct drawn *d)
 {
 	const struct question q = {.entry = d->entry, .feed = d->feed};
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
@@ -389,6 +390,8 @@ make_charts(struct session *s, struct drawn *d)
 	return first;
 }
 
+/* With bands, what was measured, the training speeds, limits and where all of
+ * them hold; a chart for each unit, one below the other. */
 struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
@@ -401,7 +404,7 @@ plots_response(
 	d.feed = feed_at(entry->site, q->feed_speed);
 	settings_reach(&s->set, entry->site, &d.from, &d.to);
 	if (read_drawn(s, q->of, q->limits, &d, error)) {
-		look(s, &d);
+		response_look(s, &d);
 		chart = make_charts(s, &d);
 	}
 	free(d.value);

@@ -1,7 +1,7 @@
 /* Each feed once, each product with its prediction by the model alone, as many
  * as a chart can tell apart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_runs.h"
+#include "cmd/draw/plots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -127,7 +127,7 @@ add_further(struct chart *chart, const struct session *s,
 }
 
 static bool
-refuse(const struct plot_request *q, struct error *error)
+runs_refuse(const struct plot_request *q, struct error *error)
 {
 	const struct site *site = entry_loaded(q->entry)->site;
 	if (q->n_speed > FURTHER)
@@ -174,6 +174,10 @@ add_all(struct chart *chart, const struct session *s,
 	add_further(chart, s, q, params);
 }
 
+/* The paper's figure 7: each run's product as measured, solid, and as the model
+ * alone predicts it from the run's own feed, dashed; with `speeds` its figure
+ * 9, predictions at speeds that were not measured, from the feed that is asked
+ * about.  Without parameters what was measured alone. */
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
@@ -181,7 +185,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	struct params params;
 	struct error unknown = {0};
 	bool known = plots_past_params(s, q, &params, &unknown);
-	if (refuse(q, error))
+	if (runs_refuse(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->n_speed > 0)) {
 		*error = unknown;

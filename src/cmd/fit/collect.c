@@ -232,8 +232,8 @@ join_stores(struct session *s, const struct parts *parts,
 }
 
 static bool
-give(struct session *s, const struct parts *parts, const char *const *store,
-    size_t n_store, bool replace, struct error *error)
+collect_give(struct session *s, const struct parts *parts,
+    const char *const *store, size_t n_store, bool replace, struct error *error)
 {
 	size_t n;
 	const struct part_site **site = sorted(parts, &n);
@@ -266,7 +266,7 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 		    "expected the parts that this store belongs to, too\n"
 		    "write them with: calibrate all part=I/N > FILE.json");
 	ok = ok && parts_agree(&parts, error) &&
-	     give(s, &parts, store, n_store, replace, error);
+	     collect_give(s, &parts, store, n_store, replace, error);
 	parts_free(&parts);
 	return ok;
 }

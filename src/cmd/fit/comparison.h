@@ -59,12 +59,9 @@ void comparison_add(struct comparison *c, const struct predicted_by *by);
 /* Moves the runs of one behind those of the other, and frees it. */
 void comparison_take(struct comparison *c, struct comparison *from);
 
-/* Root mean square over the runs of what each way errs. */
-void comparison_rmse(
-    const struct comparison *c, double rmse[static VALIDATE_WAYS]);
-
-/* What a way predicts at the sieves compared, [v.n_sieve]; the caller frees. */
-double *comparison_passing(const struct compared *item, enum validate_way way);
+/* Fields, tables, and who predicts best, of runs of this site. */
+struct answer *comparison_answer(
+    const struct comparison *c, const struct site *site);
 
 /* Frees a struct comparison *; a job's too. */
 void comparison_drop(void *of);

@@ -405,7 +405,8 @@ enum { ROWS = 18 };
 /* The middle 80 % of the candidates in per cent of the bounds; 0 where a
  * parameter is held fixed. */
 static double
-spread(const struct history *h, const struct calibrate_generation *g, size_t j)
+fit_report_spread(
+    const struct history *h, const struct calibrate_generation *g, size_t j)
 {
 	double range = h->bounds.upper[j] - h->bounds.lower[j];
 	return range > 0 ? 100 * (g->p90[j] - g->p10[j]) / range : 0;
@@ -435,7 +436,7 @@ add_generation(struct answer *r, const struct history *h, size_t i, bool exact)
 			answer_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
 			    g->p90[j]);
 		} else {
-			answer_cells(r, "%.1f", spread(h, g, j));
+			answer_cells(r, "%.1f", fit_report_spread(h, g, j));
 		}
 	}
 }

@@ -56,7 +56,7 @@ together(const struct job *job)
 
 /* Begins with the round that job.entry and job.train say. */
 static void
-begin(struct session *s)
+job_begin(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct site *site = s->entry[job->entry].site;
@@ -92,7 +92,7 @@ job_start(struct session *s, const struct job *job)
 	s->job.fits = job->rounds->at == NULL;
 	bool any = job->rounds->next(s);
 	if (any)
-		begin(s);
+		job_begin(s);
 	else
 		job_free(&s->job);
 	return any;
@@ -445,7 +445,7 @@ next_or_end(struct session *s)
 {
 	s->job.rounds->take(s);
 	if (s->job.rounds->next(s))
-		begin(s);
+		job_begin(s);
 	else
 		end_rounds(s);
 }
@@ -514,7 +514,7 @@ look_ahead(struct session *s, struct ahead *ahead, size_t most)
 		if (n == most || !job->rounds->next(s))
 			break;
 		job->calibration = NULL;
-		begin(s);
+		job_begin(s);
 	} while (true);
 	free(job->train);
 	return n;

@@ -8,6 +8,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fit.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/fit/job.h"
 #include "cmd/fit/scores.h"
 #include "cmd/lang/table.h"
@@ -251,6 +252,10 @@ struct verdict {
 	double rmse[VALIDATE_WAYS];
 	bool can_tell, ranked;
 	enum validate_way winner;
+	/* The share of the straight line in the answer between measured speeds,
+	 * 0..1, of which the model in use has the rest; NAN: no draws. */
+	size_t in_use;
+	double straight;
 };
 
 static void
@@ -333,6 +338,7 @@ verdict_of(const struct ground *g, size_t n)
 		    breakage_extends(v.simplest, m))
 			v.simplest = m;
 	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
+	v.straight = NAN;
 	const double *least = v.predicted[v.best];
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 		v.rmse[way] = league_rmse(v.cell, v.n, v.null[way]);
@@ -349,12 +355,44 @@ static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
     [LEAGUE_OUT_AICC] = N_("out: AICc"),
     [LEAGUE_OUT_ERROR] = N_("out: hold-out")};
 
-/* Where it stands; without AICc and error none is the best. */
+/* Those who need no model and err least, where that is less than the best model
+ * errs; else VALIDATE_MODEL. */
+static enum validate_way
+ahead_of(const struct verdict *v)
+{
+	double least = v->model[v->best].rmse;
+	enum validate_way ahead = VALIDATE_MODEL;
+	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
+	     way++) {
+		if (!(v->rmse[way] < least))
+			continue;
+		least = v->rmse[way];
+		ahead = way;
+	}
+	return ahead;
+}
+
+/* Where it stands.  Without AICc and error none is the best, nor is one that
+ * errs more than those who need no model: beaten, where sampling does not
+ * explain it. */
 static const char *
 standing_of(const struct verdict *v, size_t m)
 {
 	enum league_standing standing = v->model[m].standing;
+	if (standing == LEAGUE_BEST && v->winner != VALIDATE_MODEL)
+		return tr("beaten");
+	if (standing == LEAGUE_BEST && ahead_of(v) != VALIDATE_MODEL)
+		standing = LEAGUE_POSSIBLE;
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
+}
+
+/* What the answer between measured speeds has of a model, per cent. */
+static double
+weight_of(const struct verdict *v, size_t m)
+{
+	return isnan(v->straight)
+		   ? NAN
+		   : 100 * (m == v->in_use ? 1 - v->straight : 0);
 }
 
 static void
@@ -364,10 +402,10 @@ put_verdict(struct fields *o, const struct verdict *v)
 	for (size_t m = 0; m < v->n_model; m++)
 		fields_put(fields_object(list, NULL),
 		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
-		    "parameters %zu cells %zu standing %s",
+		    "parameters %zu cells %zu standing %s weight_pct %g",
 		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
-		    v->misfit[m], v->parameters[m], v->cells,
-		    standing_of(v, m));
+		    v->misfit[m], v->parameters[m], v->cells, standing_of(v, m),
+		    weight_of(v, m));
 	scores_put_null(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", name_of_row(v->best));
@@ -376,25 +414,34 @@ put_verdict(struct fields *o, const struct verdict *v)
 		fields_put(o, "simplest %s", name_of_row(v->simplest));
 	if (v->winner != VALIDATE_MODEL)
 		fields_put(o, "beaten_by %s", SCORES_WAYS[v->winner].key);
+	if (!isnan(v->straight))
+		fields_put(o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
 /* The models, then those who need none; csv has the site in each row. */
 static void
 add_rows(struct answer *r, const struct verdict *v)
 {
-	double least = v->model[v->best].aicc;
+	bool weights = !isnan(v->straight);
 	answer_columns(r, "model, parameters: free, misfit, aicc: AICc, "
-			  "above_best: above, holdout_rmse_pct: hold-out, "
-			  "standing");
-	for (size_t m = 0; m < v->n_model; m++)
-		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s", name_of_row(m),
+			  "holdout_rmse_pct: hold-out, standing");
+	if (weights)
+		answer_columns(r, "weight_pct: share");
+	for (size_t m = 0; m < v->n_model; m++) {
+		answer_cells(r, "%s %g %.5f %.1f %.2f %s", name_of_row(m),
 		    (double)v->parameters[m], v->misfit[m], v->model[m].aicc,
-		    v->model[m].aicc - least, 100 * v->model[m].rmse,
-		    standing_of(v, m));
-	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		answer_cells(r, "%s %g %.5f %.1f %.1f %.2f %s",
-		    SCORES_WAYS[way].key, NAN, NAN, NAN, NAN,
-		    100 * v->rmse[way], tr("no model"));
+		    100 * v->model[m].rmse, standing_of(v, m));
+		if (weights)
+			answer_cells(r, "%.0f", weight_of(v, m));
+	}
+	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
+		answer_cells(r, "%s %g %.5f %.1f %.2f %s", SCORES_WAYS[way].key,
+		    NAN, NAN, NAN, 100 * v->rmse[way], tr("no model"));
+		if (weights)
+			answer_cells(r, "%.0f",
+			    way == VALIDATE_INTERPOLATION ? 100 * v->straight
+							  : 0.0);
+	}
 }
 
 /* "grunditz, vogel": those of the standings from..to but one. */
@@ -437,8 +484,8 @@ say_verdict(struct answer *r, const struct verdict *v)
 		answer_note(r, "ruled out: %s", out);
 	if (v->winner != VALIDATE_MODEL)
 		answer_say(r, ANSWER_WARNING,
-		    "%s predicts the held-out runs better than the best model, "
-		    "%s: RMSE %.2f against %.2f points",
+		    "no model is best: %s predicts the held-out runs better "
+		    "than the first of them, %s: RMSE %.2f against %.2f points",
 		    tr(SCORES_WAYS[v->winner].noun), best,
 		    100 * v->rmse[v->winner], 100 * v->model[v->best].rmse);
 	free(open);
@@ -449,6 +496,10 @@ say_verdict(struct answer *r, const struct verdict *v)
 static void
 note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
 {
+	if (v->n > 0)
+		answer_say(r, ANSWER_REMARK,
+		    "ranked by the hold-out error, of those within 0.1 points "
+		    "by AICc");
 	answer_say(r, ANSWER_REMARK,
 	    "ruled out: AICc more than 10 above the best and no smaller "
 	    "hold-out error; or a hold-out error larger by 0.1 points and "
@@ -499,10 +550,40 @@ note_in_use(struct answer *r, const struct session *s, const struct ground *g)
 	    name);
 }
 
+/* What the site's answers have of the models. */
+static void
+find_weights(
+    struct verdict *v, const struct session *s, const struct entry *entry)
+{
+	const struct posterior *p =
+	    outlook_correction(s, entry) == CORRECTION_OFF
+		? NULL
+		: outlook_unseen(s, entry, false);
+	if (p == NULL)
+		return;
+	v->in_use = entry->params.breakage;
+	v->straight = p->straight / 2;
+}
+
+/* The weights in words. */
+static void
+note_weights(struct answer *r, const struct verdict *v)
+{
+	if (isnan(v->straight))
+		return;
+	answer_say(r, ANSWER_REMARK,
+	    "share: in the answer between two measured speeds, of %s, "
+	    "corrected, %.0f %%, of the straight line %.0f %%; beyond them of "
+	    "%s all",
+	    name_of_row(v->in_use), weight_of(v, v->in_use), 100 * v->straight,
+	    name_of_row(v->in_use));
+}
+
 static struct answer *
 one_answer(const struct session *s, const struct ground *g)
 {
 	struct verdict v = verdict_of(g, 1);
+	find_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
 	add_rows(r, &v);
@@ -512,6 +593,7 @@ one_answer(const struct session *s, const struct ground *g)
 		    "all products are of one speed: this compares how models "
 		    "meet one curve, not what they make of the speed");
 	note_in_use(r, s, g);
+	note_weights(r, &v);
 	note_rule(r, &v, g->each, true);
 	put_verdict(answer_fields(r), &v);
 	if (g->each)
@@ -541,7 +623,10 @@ all_answer(const struct session *s, const struct league *l)
 		char *open = names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
-		answer_cells(r, "%s %.2f %.2f %s", name_of_row(v.best),
+		enum validate_way ahead = ahead_of(&v);
+		answer_cells(r, "%s %.2f %.2f %s",
+		    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
+					    : name_of_row(v.best),
 		    100 * v.model[v.best].rmse,
 		    100 * v.rmse[VALIDATE_INTERPOLATION],
 		    v.can_tell ? tr("yes") : tr("no"));

@@ -162,7 +162,7 @@ scores_answer(const struct scores *c)
 
 /* What a score needs of a run, in one order. */
 static void
-point(struct validation *v, double *number[static PART_NUMBERS])
+scores_point(struct validation *v, double *number[static PART_NUMBERS])
 {
 	_Static_assert(
 	    (int)PART_NUMBERS == PSD_SIZES + VALIDATE_WAYS * (1 + PSD_SIZES),
@@ -184,7 +184,7 @@ scores_put(struct fields *o, const struct scores *scores)
 		struct validation v = scores->item[k].v;
 		double *at[PART_NUMBERS], number[PART_NUMBERS];
 		struct fields *row = fields_object(list, NULL);
-		point(&v, at);
+		scores_point(&v, at);
 		for (size_t i = 0; i < PART_NUMBERS; i++)
 			number[i] = *at[i];
 		fields_put(row, "site %s source %s", scores->item[k].key,
@@ -200,7 +200,7 @@ scores_take(struct scores *scores, const struct part_site *site)
 	    .key = site->text[0],
 	    .source = site->text[1]};
 	double *at[PART_NUMBERS];
-	point(&item.v, at);
+	scores_point(&item.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
 		*at[i] = site->number[i];
 	scores_add(scores, &item);

@@ -9,7 +9,6 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/fit/comparison.h"
-#include "cmd/fit/comparison_answer.h"
 #include "cmd/ask/fit.h"
 #include "cmd/session/turn.h"
 #include "cmd/fit/job.h"

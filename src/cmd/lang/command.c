@@ -204,7 +204,7 @@ add_parameters(const struct breakage *model, struct command_option *row)
 
 /* The parameters of all models as options, made when first asked for. */
 static const struct command_option *
-parameters(size_t i)
+command_parameters(size_t i)
 {
 	static struct command_option row[OPTIONS + 1];
 	bool made = row[0].name != NULL;
@@ -217,7 +217,7 @@ const struct command_option *
 command_own_option(const struct command *command, size_t i)
 {
 	const struct command_option *o =
-	    command->flags & COMMAND_PARAMS ? parameters(i)
+	    command->flags & COMMAND_PARAMS ? command_parameters(i)
 	    : command->setting != NULL      ? &command->setting[i].option
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;

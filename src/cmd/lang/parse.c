@@ -377,8 +377,8 @@ hint_number(
 }
 
 static bool
-number(const struct command_option *option, const char *word, double *value,
-    struct error *error)
+parse_number(const struct command_option *option, const char *word,
+    double *value, struct error *error)
 {
 	/* In a list a comma stands between numbers. */
 	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
@@ -408,7 +408,7 @@ add_number(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	double v;
-	if (!number(option, word, &v, error))
+	if (!parse_number(option, word, &v, error))
 		return false;
 	value->list = xrealloc(value->list, value->n + 1, sizeof v);
 	value->list[value->n++] = v;
@@ -431,9 +431,10 @@ range(const struct command_option *option, char *word, char *dots,
 	struct command_option step_of = *option;
 	step_of.name = tr("the step");
 	step_of.least = 0.001;
-	bool ok = number(option, word, &from, error) &&
-		  number(option, dots + 2, &to, error) &&
-		  (colon == NULL || number(&step_of, colon + 1, &step, error));
+	bool ok =
+	    parse_number(option, word, &from, error) &&
+	    parse_number(option, dots + 2, &to, error) &&
+	    (colon == NULL || parse_number(&step_of, colon + 1, &step, error));
 	if (!ok)
 		return false;
 	double steps = floor((to - from) / step + 1e-9);
@@ -535,10 +536,11 @@ value_take(const struct command_option *option, const char *word,
 	value->text = word;
 	switch (option->kind) {
 	case VALUE_NUMBER:
-		return number(option, word, &value->number, error);
+		return parse_number(option, word, &value->number, error);
 	case VALUE_FEED:
 		if (value_number(word, option->unit, &value->number))
-			return number(option, word, &value->number, error);
+			return parse_number(
+			    option, word, &value->number, error);
 		return word[0] != '\0' || value_wanted(option, error);
 	case VALUE_NUMBERS:
 		return numbers(option, word, value, error);

@@ -175,7 +175,7 @@ note_others(struct answer *r, const struct session *s, const struct question *q)
  * within a quarter: k about 1, most energy in the first impact, and that near
  * v^2/2. */
 static void
-judge(struct answer *r, const struct question *q,
+energy_judge(struct answer *r, const struct question *q,
     const struct spectrum_size *whole)
 {
 	const double within = 0.8;
@@ -262,10 +262,8 @@ usable(const struct entry *entry)
 static bool
 energy_show(struct session *s, const struct args *args, struct error *error)
 {
-	if (s->energy == NULL)
-		return error_set(error, ERROR_USAGE,
-		    "no collision energies are loaded\n"
-		    "load some: energy load FILE");
+	if (energies_last(s, error) == NULL)
+		return false;
 	const struct spectrum *spectrum = s->energy->c.spectrum;
 	const struct value *speed = args_value(args, "speed");
 	struct question q = {.e = s->energy,
@@ -299,7 +297,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_below(&q, whole), q.scale * q.cut);
 	note_others(r, s, &q);
-	judge(r, &q, whole);
+	energy_judge(r, &q, whole);
 	note_site(r, &q);
 	note_basis(r, &q);
 	put_fields(r, &q, whole);
@@ -371,14 +369,9 @@ put_file(const void *data, FILE *out)
 static bool
 energy_write(struct session *s, const struct args *args, struct error *error)
 {
-	if (!one_file(args, error))
-		return false;
 	const char *path = args->operand[1];
-	if (s->energy == NULL)
-		return error_set(error, ERROR_USAGE,
-		    "no collision energies are loaded\n"
-		    "load some: energy load FILE");
-	if (!files_may_write(s, path, error) ||
+	if (!one_file(args, error) || energies_last(s, error) == NULL ||
+	    !files_may_write(s, path, error) ||
 	    !files_may_replace(s, path, error) ||
 	    !file_replace_by(path, FILE_SHARED, put_file, s->energy, error))
 		return false;
@@ -390,12 +383,15 @@ energy_write(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_energy(struct session *s, const struct args *args, struct error *error)
 {
+	static const struct {
+		const char *verb;
+		command_run *run;
+	} VERBS[] = {{"load", energy_load}, {"write", energy_write}};
 	if (args->n_operand == 0)
 		return energy_show(s, args, error);
-	if (strcmp(args->operand[0], "load") == 0)
-		return energy_load(s, args, error);
-	if (strcmp(args->operand[0], "write") == 0)
-		return energy_write(s, args, error);
+	for (size_t i = 0; i < ARRAY_LEN(VERBS); i++)
+		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
+			return VERBS[i].run(s, args, error);
 	return error_set(error, ERROR_USAGE,
 	    "expected load or write, got '%s'\n"
 	    "write energy load FILE, or energy alone to show them",

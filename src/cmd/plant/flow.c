@@ -9,13 +9,13 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
-#include "cmd/draw/flow_chart.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plot.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "cmd/draw/site_chart.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -383,7 +383,7 @@ feed_difference(
 /* The light of each crusher's speed; a feed that what comes back has changed is
  * judged as another feed would be. */
 static struct trust
-judge(const struct plant *p, const struct outcome *o)
+flow_judge(const struct plant *p, const struct outcome *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
@@ -440,7 +440,7 @@ answer_flow(const struct plant *p, const struct outcome *o)
 
 /* The rest of the answer, which it gives. */
 static bool
-finish(const struct plant *p, const struct outcome *o, struct answer *r)
+flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	const struct entry *entry = p->plan->question->entry;
 	put_streams(p, o, answer_fields(r));
@@ -453,7 +453,8 @@ finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	answers_show_basis(p->s, r, p->plan->question, 0, band, judge(p, o));
+	answers_show_basis(
+	    p->s, r, p->plan->question, 0, band, flow_judge(p, o));
 	if (!pictures_wanted(p->s) || p->s->document != NULL)
 		return session_answer(p->s, r);
 	session_keep(p->s, r);
@@ -464,20 +465,14 @@ static bool
 flow_best(const struct plant *p, const struct args *args, struct error *error)
 {
 	const struct entry *entry = p->plan->question->entry;
-	double reach[2];
-	settings_reach(&p->s->set, entry->site, &reach[0], &reach[1]);
-	reach[0] = args_number(args, "from", reach[0]);
-	reach[1] = args_number(args, "to", reach[1]);
+	double from, to;
 	if (!p->plan->priced)
 		return error_set(error, ERROR_USAGE,
 		    "best=on needs prices\n"
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
-	if (reach[0] >= reach[1])
-		return error_set(error, ERROR_USAGE,
-		    "flow: from= must be below to=, got %g and %g m/s\n"
-		    "write: from=65 to=85",
-		    reach[0], reach[1]);
-	struct search search = search_best(p, reach[0], reach[1]);
+	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
+		return false;
+	struct search search = search_best(p, from, to);
 	struct outcome usual = plant_at(p, p->plan->question->speed),
 		       best = plant_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
@@ -486,7 +481,7 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		note_best(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain(p, &best, &usual, r);
-		finish(p, &best, r);
+		flow_finish(p, &best, r);
 	}
 	flow_free(&usual.flow);
 	flow_free(&best.flow);
@@ -500,9 +495,89 @@ flow_at(const struct plant *p, double speed, struct error *error)
 	struct outcome o = plant_at(p, speed);
 	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
 	if (ok)
-		finish(p, &o, answer_flow(p, &o));
+		flow_finish(p, &o, answer_flow(p, &o));
 	flow_free(&o.flow);
 	return ok;
+}
+
+/* Each point solves the circuit for all draws. */
+enum { POINTS = 21 };
+
+/* The products, in the order of the table; circuits have the same at all
+ * speeds.  Returns how many. */
+static size_t
+add_products(struct chart *chart, const struct plant *p,
+    const struct outcome *o, const struct unit **unit)
+{
+	const struct circuit *c = p->circuit;
+	struct plant_line *line =
+	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
+	size_t n = plant_lines(p, o, line), products = 0;
+	for (size_t i = 0; i < n; i++) {
+		if (line[i].unit == NULL)
+			continue;
+		struct chart_series look = site_chart_look(products);
+		look.line = CHART_SOLID;
+		struct chart_series *s =
+		    chart_add(chart, look, POINTS, "%s", line[i].name);
+		if (o->flow.draws == DRAWS)
+			chart_add_band(s);
+		unit[products++] = line[i].unit;
+	}
+	free(line);
+	return products;
+}
+
+static void
+take_point(const struct plant *p, const struct outcome *o,
+    const struct unit *unit, struct chart_series *s, size_t k)
+{
+	double draw[DRAWS], range[2];
+	s->x[k] = o->speed;
+	s->y[k] = o->flow.open ? NAN : flow_into(&o->flow, unit);
+	if (s->low == NULL)
+		return;
+	s->low[k] = s->high[k] = s->y[k];
+	if (o->flow.draws < DRAWS || o->flow.open)
+		return;
+	for (size_t d = 0; d < DRAWS; d++)
+		draw[d] = flow_draw_into(&o->flow, unit, d);
+	ensemble_range(draw, p->level, s->y[k], range);
+	s->low[k] = range[0];
+	s->high[k] = range[1];
+}
+
+/* A line with its band for each product, t/h, at speeds from..to, m/s; a gap
+ * where the circuit has no steady state.  chart_free. */
+static struct chart *
+flow_chart(const struct plant *p, double from, double to)
+{
+	const struct circuit *c = p->circuit;
+	struct chart *chart = site_chart(p->plan->question->entry->site,
+	    axis_linear(tr("tip speed, m/s"), from, to),
+	    axis_linear("t/h", 0, c->tph), "products of %g t/h against speed",
+	    c->tph);
+	const struct unit **unit =
+	    xcalloc(c->n_stream + c->n_unit, sizeof *unit);
+	size_t n = 0;
+	for (size_t k = 0; k < POINTS; k++) {
+		double v = from + (to - from) * (double)k / (POINTS - 1);
+		struct outcome o = plant_at(p, v);
+		if (k == 0)
+			n = add_products(chart, p, &o, unit);
+		for (size_t i = 0; i < n; i++)
+			take_point(p, &o, unit[i], chart->series[i], k);
+		flow_free(&o.flow);
+	}
+	if (n > 0 && chart->series[0]->low != NULL)
+		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
+	/* That of the middle speed: further out it is as good at most. */
+	char *light = light_said_at(p->s, p->plan->question->entry,
+	    (from + to) / 2, p->plan->question->feed);
+	chart_note(chart, "%s", light);
+	free(light);
+	free(unit);
+	return chart;
 }
 
 bool

@@ -5,11 +5,466 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "base/text.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/session/files.h"
+#include "cmd/ask/quantity_words.h"
 #include "core/posterior/ensemble.h"
+#include "core/answer/predict.h"
+#include "io/formats/circuit_file.h"
+#include "io/sitefile/units.h"
+
+/* Each fraction may need two screens and two stockpiles. */
+enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };
+
+/* The next part of a list with commas between, trimmed, which the caller frees;
+ * NULL at its end. */
+static char *
+next_part(const char **at)
+{
+	if (**at == '\0')
+		return NULL;
+	size_t n = strcspn(*at, ",;");
+	char *copy = xstrndup(*at, n), *part = xstrdup(text_trim(copy));
+	free(copy);
+	*at += n + ((*at)[n] != '\0');
+	return part;
+}
+
+/* Fractions as asked, their edges, m, coarsest first, without 0. */
+struct cuts {
+	size_t n, n_edge;
+	struct fraction fraction[FRACTIONS];
+	double edge[EDGES];
+};
+
+static bool
+plant_overlap(const struct fraction *a, const struct fraction *b)
+{
+	return a->fine < b->coarse && b->fine < a->coarse;
+}
+
+static bool
+read_fractions(const char *text, struct cuts *c, struct error *error)
+{
+	char *part;
+	bool ok = true;
+	for (const char *at = text; ok && (part = next_part(&at)) != NULL;) {
+		struct fraction f = {0};
+		ok = quantities_fraction(part, &f, error);
+		for (size_t i = 0; ok && i < c->n; i++)
+			if (plant_overlap(&f, &c->fraction[i]))
+				ok = error_set(error, ERROR_USAGE,
+				    "fractions= has %s, which overlaps with "
+				    "another one\n"
+				    "write fractions that follow each other, "
+				    "such as 0/2,2/5,5/8",
+				    part);
+		if (ok && c->n == FRACTIONS)
+			ok = error_set(error, ERROR_USAGE,
+			    "expected at most %d fractions, got more\n"
+			    "leave some out: what is between is listed too",
+			    (int)FRACTIONS);
+		if (ok) {
+			c->fraction[c->n++] = f;
+			c->edge[c->n_edge++] = f.coarse;
+			if (f.fine > 0)
+				c->edge[c->n_edge++] = f.fine;
+		}
+		free(part);
+	}
+	if (ok && c->n == 0)
+		ok = error_set(error, ERROR_USAGE,
+		    "expected fractions, got none\n"
+		    "write fractions such as 0/2,2/5,5/8,8/11.2");
+	c->n_edge = psd_sort(c->edge, c->n_edge, 0);
+	return ok;
+}
+
+/* "2/5", of 0 above the coarsest screen "+11.2". */
+static char *
+edge_name(double fine, double coarse)
+{
+	if (!(coarse > 0))
+		return xasprintf("+%g", units_mm(fine));
+	struct fraction f = {.fine = fine, .coarse = coarse};
+	return quantities_fraction_words(&f);
+}
+
+/* Whether a list has that name; taken: counts the names found. */
+static bool
+is_listed(const char *list, const char *name, size_t *taken)
+{
+	char *part;
+	bool found = false;
+	for (const char *at = list; (part = next_part(&at)) != NULL;) {
+		found = found || strcmp(part, name) == 0;
+		free(part);
+	}
+	*taken += found;
+	return found;
+}
+
+static size_t
+count_parts(const char *list)
+{
+	size_t n = 0;
+	char *part;
+	for (const char *at = list; (part = next_part(&at)) != NULL; n++)
+		free(part);
+	return n;
+}
+
+static struct unit *
+one_in(struct circuit *c, enum unit_kind kind, const char *name, size_t in)
+{
+	struct unit *unit = circuit_unit(c, kind, name);
+	unit->n_in = 1;
+	unit->in[0] = in;
+	return unit;
+}
+
+/* A screen of the deck below `now`: its oversize has the fraction's name;
+ * returns it, and leaves the undersize in `now`. */
+static size_t
+add_screen(struct circuit *c, const struct args *args, double opening,
+    const char *name, bool last, size_t *now)
+{
+	struct unit *screen = one_in(c, UNIT_SCREEN, "", *now);
+	char *under =
+	    last ? edge_name(0, opening) : xasprintf("-%g", units_mm(opening));
+	screen->opening = opening;
+	screen->partition.sharpness = args_value(args, "sharpness")->number;
+	screen->partition.cut_size = args_value(args, "cut_size")->number / 100;
+	screen->n_out = 2;
+	screen->out[0] = circuit_stream(c, name);
+	screen->out[1] = *now = circuit_stream(c, under);
+	free(under);
+	return screen->out[0];
+}
+
+/* new + back -> crusher; returns the crusher. */
+static struct unit *
+add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
+{
+	struct unit *new = circuit_unit(c, UNIT_FEED, "");
+	new->n_out = 1;
+	new->out[0] = circuit_stream(c, "new feed");
+	struct unit *crusher = one_in(c, UNIT_CRUSHER, "", new->out[0]);
+	crusher->n_out = 1;
+	crusher->out[0] = *crushed = circuit_stream(c, "crushed");
+	crusher->cascade = args_value(args, "cascade")->number / 100;
+	return crusher;
+}
+
+/* The crusher and a deck of screens, whose oversize each is a fraction that
+ * goes back or to a stockpile. */
+static bool
+build(const struct args *args, const struct cuts *cuts, struct flow_plan *plan,
+    struct error *error)
+{
+	struct circuit *c = plan->circuit;
+	size_t taken = 0, now;
+	struct unit *crusher = add_crusher(c, args, &now);
+	for (size_t i = 0; i <= cuts->n_edge; i++) {
+		bool pan = i == cuts->n_edge;
+		char *name = edge_name(
+		    pan ? 0 : cuts->edge[i], i > 0 ? cuts->edge[i - 1] : 0);
+		size_t over = pan ? now
+				  : add_screen(c, args, cuts->edge[i], name,
+					i + 1 == cuts->n_edge, &now);
+		if (is_listed(plan->back, name, &taken) &&
+		    crusher->n_in < UNIT_STREAMS)
+			crusher->in[crusher->n_in++] = over;
+		else
+			one_in(c, UNIT_STOCKPILE, name, over);
+		free(name);
+	}
+	if (taken == count_parts(plan->back) && taken < UNIT_STREAMS)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "expected fractions of the list in recycle=, got '%s'\n"
+	    "write them as in fractions=, or +%g for what is coarser than all",
+	    plan->back, units_mm(cuts->edge[0]));
+}
+
+static bool
+read_options(
+    const struct args *args, struct flow_plan *plan, struct error *error)
+{
+	struct cuts cuts = {0};
+	if (!args_value(args, "tph")->given)
+		return error_set(error, ERROR_USAGE,
+		    "flow: expected tph, the new feed in t/h, got none\n"
+		    "write: flow tph=120 fractions=0/2,2/5,5/8,8/11.2");
+	plan->circuit = circuit_new();
+	const struct value *recycle = args_value(args, "recycle");
+	plan->back = xstrdup(recycle->given ? recycle->text : "");
+	return read_fractions(
+		   args_value(args, "fractions")->text, &cuts, error) &&
+	       build(args, &cuts, plan, error);
+}
+
+static bool
+read_file(struct session *s, const struct args *args, struct flow_plan *plan,
+    struct error *error)
+{
+	static const char *const OF_FILE[] = {
+	    "fractions", "recycle", "cascade", "sharpness", "cut_size"};
+	const char *path = args_value(args, "circuit")->text;
+	struct error_list errors = {.stop = s->hooks.stop};
+	for (size_t i = 0; i < ARRAY_LEN(OF_FILE); i++)
+		if (args_value(args, OF_FILE[i])->given)
+			return error_set(error, ERROR_USAGE,
+			    "%s= is given, but the circuit is that of a file\n"
+			    "say it in %s, see tipspeed-circuit(5)",
+			    OF_FILE[i], path);
+	files_reads(s, path);
+	plan->from_file = true;
+	plan->circuit = circuit_file_read(path, &errors);
+	if (plan->circuit == NULL)
+		return session_tell_faults(s, path, &errors, error);
+	if (plan->circuit->tph > 0 || args_value(args, "tph")->given)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "neither tph= nor the feed of %s says how much new feed there is\n"
+	    "write: flow circuit=%s tph=120",
+	    path, path);
+}
+
+/* Sizes in falling order without those that differ by rounding alone. */
+static size_t
+drop_twins(double *size, size_t n)
+{
+	const double alike = 1e-9;
+	size_t kept = 0;
+	n = psd_sort(size, n, 0);
+	for (size_t i = 0; i < n; i++)
+		if (kept == 0 || size[i] < size[kept - 1] * (1 - alike))
+			size[kept++] = size[i];
+	return kept;
+}
+
+/* The classes: sizes of the site, between them, and of the screens.  Of feeds
+ * with very many sieves only some of these, because the work grows with the
+ * third power of their number. */
+static void
+choose_sizes(const struct site *site, struct flow_plan *plan)
+{
+	enum { MOST = 120 };
+	const struct psd *feed = site_feed(site, plan->question->feed);
+	struct psd sieves = predict_sizes(site, feed);
+	struct psd all = psd_refined(sieves.size, sieves.n);
+	struct circuit *c = plan->circuit;
+	const struct psd *from = all.n <= MOST ? &all : feed;
+	size_t step = (from->n + MOST - 1) / MOST;
+	plan->size = xdoubles(from->n + c->n_unit + 2);
+	for (size_t i = 0; i < from->n; i += step)
+		plan->size[plan->n++] = from->size[i];
+	plan->size[plan->n++] = all.size[0];
+	plan->size[plan->n++] = from->size[from->n - 1];
+	for (size_t u = 0; u < c->n_unit; u++)
+		if (c->unit[u].kind == UNIT_SCREEN)
+			plan->size[plan->n++] =
+			    c->unit[u].opening * c->unit[u].partition.cut_size;
+	plan->n = drop_twins(plan->size, plan->n);
+	psd_free(&all);
+	psd_free(&sieves);
+}
+
+/* Screens finer than what is known of the feed. */
+static bool
+check_screens(
+    const struct site *site, const struct flow_plan *plan, struct error *error)
+{
+	const struct psd *feed = site_feed(site, plan->question->feed);
+	for (size_t u = 0; u < plan->circuit->n_unit; u++) {
+		const struct unit *unit = &plan->circuit->unit[u];
+		double cut = unit->opening * unit->partition.cut_size;
+		if (unit->kind == UNIT_SCREEN && !psd_covers(feed, cut))
+			return error_set(error, ERROR_USAGE,
+			    "a screen at %g mm cuts finer than the feed's "
+			    "finest sieve, %g mm\nuse sizes on or above that "
+			    "sieve",
+			    units_mm(cut), units_mm(feed->size[feed->n - 1]));
+	}
+	return true;
+}
+
+/* Gives every product of that name its price; priced [n_unit]: those that had
+ * theirs from the same list. */
+static bool
+set_price(struct circuit *c, const char *name, double price, bool *priced,
+    struct error *error)
+{
+	bool found = false;
+	for (size_t u = 0; u < c->n_unit; u++) {
+		if (c->unit[u].kind != UNIT_STOCKPILE ||
+		    strcmp(c->unit[u].name, name) != 0)
+			continue;
+		if (priced[u])
+			return error_set(error, ERROR_USAGE,
+			    "%s has two prices, %g and %g\n"
+			    "leave out one of them",
+			    name, c->unit[u].price, price);
+		c->unit[u].price = price;
+		priced[u] = found = true;
+	}
+	return found || error_set(error, ERROR_USAGE,
+			    "no product is called '%s'\n"
+			    "prices are those of what leaves the circuit: "
+			    "fractions that are not recycled, or stockpiles",
+			    name);
+}
+
+/* "0/2:12" */
+static bool
+read_price(
+    struct circuit *c, const char *part, bool *priced, struct error *error)
+{
+	char *name = xstrdup(part), *colon = strrchr(name, ':');
+	double price;
+	bool ok = colon != NULL && text_number(colon + 1, &price);
+	if (!ok)
+		error_set(error, ERROR_USAGE,
+		    "expected a fraction and its price per t, got '%s'\n"
+		    "write: prices=0/2:12,2/5:9",
+		    part);
+	if (colon != NULL)
+		*colon = '\0';
+	ok = ok && set_price(c, text_trim(name), price, priced, error);
+	free(name);
+	return ok;
+}
+
+static bool
+read_prices(
+    const struct args *args, struct flow_plan *plan, struct error *error)
+{
+	const struct value *prices = args_value(args, "prices");
+	bool *priced = xcalloc(plan->circuit->n_unit + 1, sizeof *priced);
+	char *part;
+	bool ok = true;
+	if (prices->given)
+		for (const char *at = prices->text;
+		     ok && (part = next_part(&at)) != NULL; free(part))
+			ok = read_price(plan->circuit, part, priced, error);
+	for (size_t u = 0; u < plan->circuit->n_unit; u++)
+		plan->priced =
+		    plan->priced || isfinite(plan->circuit->unit[u].price);
+	plan->kwh = args_value(args, "kwh")->number;
+	free(priced);
+	return ok;
+}
+
+static void
+add_reading(struct flow_plan *plan, struct reading reading)
+{
+	plan->reading =
+	    xrealloc(plan->reading, plan->n_reading + 1, sizeof *plan->reading);
+	plan->reading[plan->n_reading++] = reading;
+}
+
+/* "72:187:121", or "66:52:0" of an empty crusher. */
+static bool
+read_reading(struct flow_plan *plan, const char *part, struct error *error)
+{
+	double value[3];
+	char *copy = xstrdup(part), *at = copy;
+	bool ok = true;
+	for (size_t i = 0; i < 3; i++) {
+		char *colon = i < 2 && at != NULL ? strchr(at, ':') : NULL;
+		if (colon != NULL)
+			*colon = '\0';
+		ok = ok && at != NULL && text_number(at, &value[i]) &&
+		     (value[i] > 0 || (i == 2 && value[i] == 0));
+		at = colon != NULL ? colon + 1 : NULL;
+	}
+	free(copy);
+	if (!ok || value[0] > SITE_FASTEST)
+		return error_set(error, ERROR_USAGE,
+		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
+		    "write: power=72:187:121,79:221:118",
+		    part);
+	add_reading(plan, (struct reading){value[0], value[1], value[2]});
+	return true;
+}
+
+/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", as add writes it. */
+static void
+read_note(struct flow_plan *plan, const char *note)
+{
+	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
+	double value[3] = {NAN, NAN, NAN};
+	char *part;
+	for (const char *at = note; (part = next_part(&at)) != NULL; free(part))
+		for (size_t i = 0; i < 3; i++) {
+			if (!text_ends(part, UNITS[i]))
+				continue;
+			double v;
+			part[strlen(part) - strlen(UNITS[i])] = '\0';
+			if (text_number(part, &v) && v > 0)
+				value[i] = v;
+		}
+	if (isfinite(value[0] + value[1] + value[2]))
+		add_reading(
+		    plan, (struct reading){value[0], value[1], value[2]});
+}
+
+static bool
+read_power(const struct args *args, const struct site *site,
+    struct flow_plan *plan, struct error *error)
+{
+	const struct value *power = args_value(args, "power");
+	char *part;
+	bool ok = true;
+	if (power->given) {
+		for (const char *at = power->text;
+		     ok && (part = next_part(&at)) != NULL; free(part))
+			ok = read_reading(plan, part, error);
+		return ok;
+	}
+	for (size_t i = 0; i < site->n_note; i++)
+		if (strcmp(site->note[i].key, "cut") == 0)
+			read_note(plan, site->note[i].value);
+	plan->of_cuts = plan->n_reading > 0;
+	return true;
+}
+
+bool
+flow_plan_read(struct session *s, const struct args *args,
+    const struct question *q, struct flow_plan *plan, struct error *error)
+{
+	const struct site *site = q->entry->site;
+	*plan = (struct flow_plan){.question = q};
+	bool ok = args_value(args, "circuit")->given
+		      ? read_file(s, args, plan, error)
+		      : read_options(args, plan, error);
+	if (ok && args_value(args, "tph")->given)
+		plan->circuit->tph = args_value(args, "tph")->number;
+	ok = ok && check_screens(site, plan, error) &&
+	     read_prices(args, plan, error) &&
+	     read_power(args, site, plan, error);
+	if (ok)
+		choose_sizes(site, plan);
+	else
+		flow_plan_free(plan);
+	return ok;
+}
+
+void
+flow_plan_free(struct flow_plan *plan)
+{
+	circuit_free(plan->circuit);
+	free(plan->back);
+	free(plan->size);
+	free(plan->reading);
+	*plan = (struct flow_plan){0};
+}
 
 struct plant
 plant_new(struct session *s, const struct flow_plan *plan)

@@ -36,7 +36,7 @@ struct used {
 
 /* What a terminal would not show as it is, readline would write as it is. */
 static void
-put(struct work *w, const char *text, char append)
+complete_put(struct work *w, const char *text, char append)
 {
 	struct completion *c = w->result;
 	if (!text_is_plain(text))
@@ -49,7 +49,7 @@ static void
 offer(struct work *w, const char *text, char append)
 {
 	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
-		put(w, text, append);
+		complete_put(w, text, append);
 }
 
 /* The first word of a name, once where several have it. */
@@ -116,7 +116,7 @@ offer_sites(struct work *w)
 	for (size_t i = 0; i < w->session->n_entry; i++) {
 		const char *key = w->session->entry[i].key;
 		if (strncmp(key, folded, strlen(folded)) == 0)
-			put(w, key, ' ');
+			complete_put(w, key, ' ');
 	}
 	free(folded);
 }
@@ -143,7 +143,7 @@ put_material(void *data, const char *name)
 	struct work *w = data;
 	bool quotes = w->quoted || name[strcspn(name, " ;|<>")] != '\0';
 	char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
-	put(w, text, ' ');
+	complete_put(w, text, ' ');
 	free(text);
 }
 
@@ -175,7 +175,7 @@ offer_specs(struct work *w)
 		char *name = text_fold(all->spec[i]->name);
 		char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
 		if (strncmp(name, folded, strlen(folded)) == 0)
-			put(w, quoted, ' ');
+			complete_put(w, quoted, ' ');
 		free(quoted);
 		free(name);
 	}
@@ -193,7 +193,7 @@ put_file(struct work *w, const char *path)
 	/* The quote of a folder stays open for what is in it. */
 	char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
-	put(w, text, folder ? '\0' : ' ');
+	complete_put(w, text, folder ? '\0' : ' ');
 	free(text);
 }
 
@@ -244,7 +244,7 @@ offer_shipped(struct work *w)
 		if (text_ends(name, END) &&
 		    strncmp(name, typed, strlen(typed)) == 0) {
 			name[strlen(name) - strlen(END)] = '\0';
-			put(w, name, ' ');
+			complete_put(w, name, ' ');
 		}
 		free(name);
 	}
@@ -363,7 +363,7 @@ offer_arguments(
 
 /* Narrows the completion to what is after a character of the word. */
 static void
-narrow(struct work *w, const char *line, const char *behind)
+complete_narrow(struct work *w, const char *line, const char *behind)
 {
 	w->result->start = (size_t)(behind - line) + 1;
 	w->quoted = behind[1] == '"';
@@ -404,11 +404,11 @@ offer_behind(struct work *w, const struct words *words, const char *line)
 	    option_at(command, w->typed, &used, &named);
 	const char *word = line + w->result->start;
 	if (named)
-		narrow(w, line, strchr(word, '='));
+		complete_narrow(w, line, strchr(word, '='));
 	bool further =
 	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	if (further)
-		narrow(w, line, strrchr(word, ','));
+		complete_narrow(w, line, strrchr(word, ','));
 	if (named)
 		offer_values(w, o, further);
 	else

@@ -62,7 +62,7 @@ is_group(const char *name)
 }
 
 static bool
-holds(const char *text, const char *folded)
+info_holds(const char *text, const char *folded)
 {
 	char *here = text_fold(text);
 	bool found = strstr(here, folded) != NULL;
@@ -74,17 +74,19 @@ holds(const char *text, const char *folded)
 static bool
 tells_of(const struct command *c, const char *folded)
 {
-	bool found =
-	    holds(c->name, folded) || holds(c->brief, folded) ||
-	    holds(c->text, folded) ||
-	    (c->more != NULL && holds(c->more, folded)) ||
-	    (c->operands.usage != NULL && holds(c->operands.usage, folded)) ||
-	    (c->alias != NULL && holds(c->alias, folded));
+	bool found = info_holds(c->name, folded) ||
+		     info_holds(c->brief, folded) ||
+		     info_holds(c->text, folded) ||
+		     (c->more != NULL && info_holds(c->more, folded)) ||
+		     (c->operands.usage != NULL &&
+			 info_holds(c->operands.usage, folded)) ||
+		     (c->alias != NULL && info_holds(c->alias, folded));
 	const struct command_option *o;
 	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
-		found = holds(o->name, folded) || holds(o->brief, folded) ||
+		found = info_holds(o->name, folded) ||
+			info_holds(o->brief, folded) ||
 			(option_choices(o) != NULL &&
-			    holds(option_choices(o), folded));
+			    info_holds(option_choices(o), folded));
 	return found;
 }
 

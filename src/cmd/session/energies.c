@@ -14,6 +14,16 @@
 
 static const double CUT = 10, DENSITY = 2700;
 
+const struct energies *
+energies_last(const struct session *s, struct error *error)
+{
+	if (s->energy == NULL)
+		error_set(error, ERROR_USAGE,
+		    "no collision energies are loaded\n"
+		    "load some: energy load FILE");
+	return s->energy;
+}
+
 struct collisions_way
 energies_way(void)
 {

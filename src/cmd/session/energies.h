@@ -21,6 +21,10 @@ const struct energies *energies_read(struct session *s, const char *path,
 
 void energies_free(struct energies *e);
 
+/* Those read last; NULL, with an error, where there are none. */
+const struct energies *energies_last(
+    const struct session *s, struct error *error);
+
 /* A way with nothing given: cut 10 J/kg, 2700 kg/m3. */
 struct collisions_way energies_way(void);
 

@@ -27,6 +27,11 @@ const char *files_holder(const struct session *s, bool *saved);
 bool files_may_write(
     const struct session *s, const char *path, struct error *error);
 
+/* The same of a file that is there already only where the call says replace=on;
+ * else an error of kind ERROR_USAGE. */
+bool files_may_overwrite(const struct session *s, const struct args *args,
+    const char *path, struct error *error);
+
 /* True unless path holds something that the session did not write, and somebody
  * who is asked wants to keep it.  Scripts are not asked for. */
 bool files_may_replace(

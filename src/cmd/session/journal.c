@@ -34,7 +34,7 @@ journal_changed(struct session *s)
 }
 
 static void
-append(struct journal *j, char *line)
+journal_append(struct journal *j, char *line)
 {
 	j->line = xrealloc(j->line, j->n + 1, sizeof *j->line);
 	j->line[j->n++] = line;
@@ -63,7 +63,7 @@ journal_paste(struct session *s, struct tail *tail)
 		j->start = j->n + tail->to.start - tail->from.n;
 	j->state = tail->to.state;
 	for (size_t i = 0; i < tail->n; i++)
-		append(j, tail->line[i]);
+		journal_append(j, tail->line[i]);
 	free(tail->line);
 	*tail = (struct tail){0};
 }
@@ -120,7 +120,7 @@ journal_add(struct session *s, const char *latest, const char *line, ...)
 	drop_latest(j, latest);
 	va_list ap;
 	va_start(ap, line);
-	append(j, xvasprintf(line, ap));
+	journal_append(j, xvasprintf(line, ap));
 	va_end(ap);
 }
 
@@ -200,7 +200,7 @@ journal_check(
 	if (known)
 		free(line);
 	else
-		append(j, line);
+		journal_append(j, line);
 }
 
 /* The option of the call that the word gives, or NULL; file: whether its value

@@ -17,10 +17,134 @@
 #include "cmd/session/files.h"
 #include "cmd/document/html.h"
 #include "cmd/document/pdf.h"
-#include "cmd/session/output.h"
+#include "cmd/session/journal.h"
 #include "config.h"
 #include "io/formats/book.h"
 #include "io/fs/file.h"
+#include "io/formats/answer.h"
+#include "plot/picture.h"
+
+/* OUTPUT_ANSWERS: one after the other, in one of ANSWER_FORMATS; OUTPUT_HTML,
+ * OUTPUT_PDF: put together in a document. */
+enum output_kind {
+	OUTPUT_ANSWERS,
+	OUTPUT_BOOK,
+	OUTPUT_PICTURE,
+	OUTPUT_HTML,
+	OUTPUT_PDF
+};
+
+/* end: NULL for all other names, which get the format that is set.  drawn: of
+ * commands that draw, COMMAND_DRAWS, else of those that do not.  format: of
+ * OUTPUT_ANSWERS. */
+struct output {
+	const char *end;
+	enum output_kind kind;
+	bool drawn;
+	int format;
+};
+
+static const struct output OUTPUTS[] = {
+    {".csv", OUTPUT_ANSWERS, false, ANSWER_CSV},
+    {".json", OUTPUT_ANSWERS, false, ANSWER_JSON},
+    {".md", OUTPUT_ANSWERS, false, ANSWER_MARKDOWN},
+    {".xlsx", OUTPUT_BOOK, false, 0}, {".html", OUTPUT_HTML, false, 0},
+    {".svg", OUTPUT_PICTURE, true, 0}, {".png", OUTPUT_PICTURE, true, 0},
+    {".pdf", OUTPUT_PICTURE, true, 0}, {".pdf", OUTPUT_PDF, false, 0},
+    {NULL, OUTPUT_ANSWERS, false, -1}};
+
+/* Workbooks that a spreadsheet would call broken if they held text. */
+static const char *const OTHER_BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
+
+/* The form of the file that the words name, for a command. */
+static const struct output *
+output_of(const struct command *command, const struct words *words)
+{
+	bool draws = (command->flags & COMMAND_DRAWS) != 0;
+	const struct output *o = OUTPUTS;
+	for (; o->end != NULL; o++)
+		if (words->to != TO_PIPE && text_ends(words->target, o->end) &&
+		    (o->kind != OUTPUT_PICTURE || draws))
+			break;
+	return o;
+}
+
+/* A kind of workbook that is not written: the same line with one that is. */
+static bool
+no_book(const struct command *command, const struct words *words,
+    struct error *error)
+{
+	const char *target = words->target, *end = strrchr(target, '.');
+	char *line = xstrdup(command->name);
+	for (size_t i = 1; i < words->n; i++)
+		journal_word(&line, words->text[i]);
+	char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
+	xappend(&line, " >");
+	journal_word(&line, file);
+	error_set(error, ERROR_USAGE,
+	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
+	    target, line);
+	free(file);
+	free(line);
+	return false;
+}
+
+/* An image wants a command that draws. */
+static bool
+draws_none(
+    const struct command *command, const char *target, struct error *error)
+{
+	size_t kind;
+	if (text_choice(
+		command_find("plot")->operands.expect[0], command->name, &kind))
+		return error_set(error, ERROR_USAGE,
+		    "%s makes no image for %s\n"
+		    "use plot %s > %s",
+		    command->name, target, command->name, target);
+	return error_set(error, ERROR_USAGE,
+	    "%s makes no image for %s\n"
+	    "use predict or plot KIND",
+	    command->name, target);
+}
+
+/* What is one whole has no end that more could be added to. */
+static bool
+no_end(enum output_kind kind, const char *target, struct error *error)
+{
+	if (kind == OUTPUT_PICTURE)
+		return error_set(error, ERROR_USAGE,
+		    "an image cannot be appended to %s\n"
+		    "use > instead of >>",
+		    target);
+	return error_set(error, ERROR_USAGE,
+	    "results cannot be appended to a %s (%s)\n"
+	    "use > with a file for each command, or >> FILE.csv",
+	    kind == OUTPUT_BOOK ? tr("workbook") : tr("document"), target);
+}
+
+bool
+redirect_allowed(const struct command *command, const struct words *words,
+    struct error *error)
+{
+	enum picture_form form;
+	const char *target = words->target;
+	if (words->to == TO_PIPE)
+		return true;
+	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
+		if (text_ends(target, OTHER_BOOKS[i]))
+			return no_book(command, words, error);
+	bool image = picture_form_of(target, &form);
+	enum output_kind kind = output_of(command, words)->kind;
+	if (image && !picture_can(form))
+		return error_set(error, ERROR_USAGE,
+		    "this program draws %s, not %s\n> FILE.%s works",
+		    picture_forms(), strrchr(target, '.') + 1,
+		    kind == OUTPUT_PDF ? tr("html") : "svg");
+	if (image && kind == OUTPUT_ANSWERS)
+		return draws_none(command, target, error);
+	return words->to != TO_END || kind == OUTPUT_ANSWERS ||
+	       no_end(kind, target, error);
+}
 
 struct redirect {
 	enum target to;

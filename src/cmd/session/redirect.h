@@ -11,6 +11,11 @@
 
 struct redirect;
 
+/* Whether the command has results for the file that the words name; else an
+ * error with what to write instead. */
+bool redirect_allowed(const struct command *command, const struct words *words,
+    struct error *error);
+
 /* From now on the session's results are kept for the target of words, in the
  * form that a file's name asks for.  NULL, with an error of kind ERROR_SYSTEM,
  * where the file cannot be written. */

@@ -44,7 +44,7 @@ is_command(const char *line)
 
 /* How many commands there are to read; 0 where it can be read but once. */
 static size_t
-count(FILE *in)
+script_count(FILE *in)
 {
 	char *line = NULL;
 	size_t n = 0, room = 0, commands = 0;
@@ -79,7 +79,7 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "check the name (quote names with spaces), the folder and "
 		    "its permissions",
 		    path, why);
-	push(s, in, path)->at.of = count(in);
+	push(s, in, path)->at.of = script_count(in);
 	return true;
 }
 

@@ -114,7 +114,7 @@ mark_of(const struct site *site)
 }
 
 static void
-insert(struct session *s, struct site *site, size_t place)
+sites_insert(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {
 	    .mark = mark_of(site), .site = site, .key = new_key(s, site)};
@@ -158,7 +158,7 @@ session_add(struct session *s, struct site *site)
 		    s, "replaced %s, loaded earlier", s->entry[place].key);
 		session_drop(s, place);
 	}
-	insert(s, site, place);
+	sites_insert(s, site, place);
 }
 
 void

@@ -11,7 +11,6 @@
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
 #include "cmd/session/autosave.h"
-#include "cmd/session/output.h"
 #include "cmd/session/redirect.h"
 #include "cmd/session/undo.h"
 
@@ -94,7 +93,7 @@ invocation_begin(struct session *s, const struct args *args,
 	    .timed = s->set.timing,
 	    .running = true,
 	    .scripts = s->scripts};
-	if (words->to != TO_SCREEN && output_allowed(command, words, error))
+	if (words->to != TO_SCREEN && redirect_allowed(command, words, error))
 		t->redirect = redirect_open(s, command, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
 		error_place(error, place.file, place.line, t->column);

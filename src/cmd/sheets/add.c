@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/sheets/check.h"
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/turn.h"
 #include "cmd/sheets/load.h"

@@ -427,9 +427,8 @@ ask_option(struct session *s, const struct site_ask *ask,
 	    {"decimal=", N_("decimal sign, point or comma")},
 	    {"sheet=", N_("which sheet is to be read")},
 	    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
-	char wrong[WRONG] = "";
+	char wrong[WRONG] = "", *text = NULL;
 	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
-	char *text = NULL;
 	struct inquiry q = {.about = about,
 	    .ask = ask,
 	    .text = ask->settle,

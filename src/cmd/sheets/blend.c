@@ -8,7 +8,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/sheets/data.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/lang/parse.h"
@@ -148,10 +147,7 @@ give_product(
 	note_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		fields_numbers(
-		    answer_fields(r), "low_pct", p.low, p.product.n, units_pct);
-		fields_numbers(answer_fields(r), "high_pct", p.high,
-		    p.product.n, units_pct);
+		answer_put_columns(r, "low_pct high_pct");
 		answers_put_band(answer_fields(r), s, &p);
 	}
 	answers_show_basis_at(s, r, q, v, p.low != NULL);
@@ -160,7 +156,7 @@ give_product(
 }
 
 static void
-give(struct session *s, const struct args *args, const struct blended *b)
+blend_give(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
 	if (s->n_entry == 0) {
@@ -194,7 +190,7 @@ write_sheet(struct session *s, const struct args *args, const struct blended *b,
 	site->rock = xstrdup(b->rock);
 	site->provenance = xstrdup(b->of);
 	site->run[0].feed = psd_copy(&b->feed);
-	bool good = data_may_write(s, args, path, error) &&
+	bool good = files_may_overwrite(s, args, path, error) &&
 		    site_save(site, path, &rows, error);
 	if (good) {
 		files_wrote(s, path);
@@ -217,7 +213,7 @@ cmd_blend(struct session *s, const struct args *args, struct error *error)
 		good =
 		    !out->given || write_sheet(s, args, &b, out->text, error);
 		if (good)
-			give(s, args, &b);
+			blend_give(s, args, &b);
 	}
 	blended_clear(&b);
 	return good;

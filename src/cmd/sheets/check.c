@@ -84,7 +84,7 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 
 /* Where a finding is: "69 m/s"; of the feed of all runs, NULL: "feed". */
 static const char *
-place(const struct run *run, char buf[static 40])
+check_place(const struct run *run, char buf[static 40])
 {
 	if (run == NULL || !(run->speed > 0))
 		return tr("feed");
@@ -97,7 +97,7 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = find_coarser(run);
 	char buf[40];
-	const char *where = place(run, buf);
+	const char *where = check_place(run, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -253,7 +253,7 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 /* Adds the feeds of a site, or its products, to the n curves that there are,
  * with the run of each (NULL: of all).  Returns how many there are then. */
 static size_t
-gather(const struct site *site, bool feed, const struct psd **curve,
+check_gather(const struct site *site, bool feed, const struct psd **curve,
     const struct run **run, size_t n)
 {
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -291,12 +291,12 @@ check_gaps(struct answer *r, const struct entry *entry)
 	char buf[40];
 	const struct psd **curve = xcalloc(2 * site->n_run, sizeof(*curve));
 	const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
-	size_t feeds = gather(site, true, curve, run, 0);
-	size_t n = gather(site, false, curve, run, feeds);
+	size_t feeds = check_gather(site, true, curve, run, 0);
+	size_t n = check_gather(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
 		double x = find_gap(curve, n, i);
 		if (x > 0)
-			finding(r, entry, false, place(run[i], buf),
+			finding(r, entry, false, check_place(run[i], buf),
 			    i < feeds
 				? N_("the feed's cell at %g mm is empty, and "
 				     "no other in its row: if it was weighed "
@@ -326,8 +326,8 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 			continue;
 		char *words = mend_finding(entry->site, f);
 		finding(r, entry, false,
-		    place(shared ? NULL : &entry->site->run[m->run], buf), "%s",
-		    words);
+		    check_place(shared ? NULL : &entry->site->run[m->run], buf),
+		    "%s", words);
 		free(words);
 	}
 }
@@ -342,7 +342,7 @@ check_fit(struct answer *r, const struct entry *entry)
 		return;
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
-	finding(r, entry, false, place(run, buf),
+	finding(r, entry, false, check_place(run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),

@@ -1,7 +1,5 @@
 /* Sheets in and out.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/sheets/data.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -166,25 +164,12 @@ file_name(const struct entry *entry, const char *folder)
 	return path;
 }
 
-bool
-data_may_write(const struct session *s, const struct args *args,
-    const char *path, struct error *error)
-{
-	struct stat info;
-	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
-		return files_may_write(s, path, error);
-	return error_set(error, ERROR_USAGE,
-	    "%s already exists\n"
-	    "use replace=on to overwrite it",
-	    path);
-}
-
 static bool
 write_one(struct session *s, const struct args *args, const struct site *site,
     const char *path, struct error *error)
 {
 	size_t rows;
-	if (!data_may_write(s, args, path, error)) {
+	if (!files_may_overwrite(s, args, path, error)) {
 		if (error->kind == ERROR_USAGE)
 			error_hint(error,
 			    "use replace=on to overwrite it; write "

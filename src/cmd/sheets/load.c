@@ -344,7 +344,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 }
 
 static bool
-run(struct session *s, struct load *l, bool skip, struct error *error)
+load_run(struct session *s, struct load *l, bool skip, struct error *error)
 {
 	if (l->request.n == 1 && !skip)
 		return load_as_one(s, l, error);
@@ -472,7 +472,7 @@ load_files(
 	bool good =
 	    list_words(&list, n, word, error) &&
 	    load_init(&l, list.n, (const char *const *)list.word, error) &&
-	    run(s, &l, false, error);
+	    load_run(s, &l, false, error);
 	load_clear(&l);
 	listed_clear(&list);
 	return good;
@@ -655,7 +655,8 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	    load_init(&l, list.n, (const char *const *)list.word, error);
 	l.digest = digest->given ? digest->text : NULL;
 	take_options(&l, args);
-	good = good && run(s, &l, args_value(args, "skip")->choice == 1, error);
+	good = good &&
+	       load_run(s, &l, args_value(args, "skip")->choice == 1, error);
 	if (!good && args->n_operand == 1)
 		hint_remembered(s, args->operand[0], error);
 	load_clear(&l);

@@ -7,7 +7,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/sheets/data.h"
 #include "cmd/session/energies.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
@@ -260,7 +259,7 @@ may_save(const struct session *s, const struct args *args, const char *path,
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (again && (saved || args_value(args, "replace")->choice == 1))
 		return file_may_write(path, error);
-	return data_may_write(s, args, path, error);
+	return files_may_overwrite(s, args, path, error);
 }
 
 static bool
@@ -301,7 +300,7 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 /* Goes to another session.  A calibration that was stopped is kept only where
  * its site and the fit it left there stay. */
 static const char *
-go(struct session *s, const char *(*where)(struct session *))
+manage_go(struct session *s, const char *(*where)(struct session *))
 {
 	struct entry held = {0};
 	bool paused = s->job.calibration != NULL && s->job.paused;
@@ -325,7 +324,7 @@ bool
 cmd_undo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = go(s, undo_back);
+	const char *label = manage_go(s, undo_back);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");
 	session_note(s, "undone: %s", label);
@@ -336,7 +335,7 @@ bool
 cmd_redo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = go(s, undo_forth);
+	const char *label = manage_go(s, undo_forth);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
 	session_note(s, "redone: %s", label);

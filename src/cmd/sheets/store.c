@@ -10,19 +10,160 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/sheets/data.h"
 #include "cmd/sheets/load.h"
-#include "cmd/sheets/remembered.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/fit.h"
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/turn.h"
+#include "cmd/fit/job.h"
 #include "config.h"
 #include "io/cells/datetime.h"
 #include "io/store/store_csv.h"
 #include "io/sitefile/units.h"
+#include "io/store/basis.h"
+
+/* The basis of a calibrated site's fit as a material has it; the caller
+ * frees.  A fit is kept with its runs, and what follows from it is drawn anew:
+ * the draws are a function of runs, fit and seed. */
+static char *
+remembered_basis(const struct entry *entry)
+{
+	const struct history *h = entry->history;
+	const struct site *site = entry->site;
+	bool grown = h->site->digest != site->digest;
+	struct basis basis = {.fit = entry->fit,
+	    .bounds = h->bounds,
+	    .weight = h->weight,
+	    .train = h->train,
+	    .then = site_copy(h->site),
+	    .now = grown ? site_copy(site) : NULL};
+	char *text = basis_written(&basis);
+	basis.train = NULL;
+	basis_clear(&basis);
+	return text;
+}
+
+static bool
+same_curve(const struct psd *a, const struct psd *b)
+{
+	size_t size = a->n * sizeof *a->size;
+	return a->n == b->n && memcmp(a->size, b->size, size) == 0 &&
+	       memcmp(a->passing, b->passing, size) == 0;
+}
+
+/* The run's place in a site, or n_run. */
+static size_t
+place_in(const struct site *site, const struct run *run)
+{
+	size_t r = 0;
+	while (r < site->n_run &&
+	       (site->run[r].speed != run->speed ||
+		   !same_curve(&site->run[r].feed, &run->feed) ||
+		   !same_curve(&site->run[r].product, &run->product)))
+		r++;
+	return r;
+}
+
+static bool
+has_runs(const struct site *site, const struct site *of)
+{
+	for (size_t r = 0; r < of->n_run; r++)
+		if (place_in(site, &of->run[r]) == site->n_run)
+			return false;
+	return true;
+}
+
+static bool
+has_digest(const struct site *site, const struct stored *m)
+{
+	return strtoull(m->site_digest, NULL, 16) == site->digest;
+}
+
+/* The entry is as the calibration left it. */
+static void
+give_back(struct entry *entry, const struct basis *b, const struct stored *m,
+    struct history *h)
+{
+	entry->fit = b->fit;
+	entry->params = m->params;
+	entry->has_fit = entry->has_params = true;
+	free(entry->train);
+	entry->train = xcalloc(entry->site->n_run, sizeof *entry->train);
+	for (size_t r = 0; r < h->site->n_run; r++)
+		if (h->train[r])
+			entry->train[place_in(entry->site, &h->site->run[r])] =
+			    true;
+	snprintf(entry->options, sizeof entry->options, "%s", m->options);
+	history_drop(entry->history);
+	entry->history = h;
+	origin_drop(entry->origin);
+	entry->origin = origin_remembered(entry, m);
+}
+
+static void
+give_to_other(struct entry *entry, const struct stored *m, struct history *h)
+{
+	entry->params = m->params;
+	entry->has_params = true;
+	entry->has_fit = false;
+	origin_drop(entry->origin);
+	entry->origin = origin_stored(m);
+	entry->origin->spread = h;
+}
+
+/* What became of a material that was recalled. */
+enum remembered {
+	REMEMBERED_FAILED, /* with an error */
+	REMEMBERED_NONE,   /* it keeps no runs, or none are wanted */
+	REMEMBERED_OWN,    /* it is the site's calibration again */
+	REMEMBERED_OTHER   /* the site has the draws of another's */
+};
+
+/* Takes the calibration that a material rests on into the session: for the
+ * loaded site at *index, whose own it becomes where the site has its runs; or,
+ * where no site is loaded, with the site itself, at *index then.  What came to
+ * the site since is kept, whichever of the two has it. */
+static enum remembered
+remembered_take(struct session *s, const struct stored *m, size_t *index,
+    struct error *error)
+{
+	struct basis b;
+	error->kind = ERROR_NONE;
+	if (!basis_read(m, &b, error)) {
+		basis_clear(&b);
+		return error->kind == ERROR_NONE ? REMEMBERED_NONE
+						 : REMEMBERED_FAILED;
+	}
+	struct site *now = b.now != NULL ? b.now : b.then;
+	if (s->n_entry == 0) {
+		session_add(s, now);
+		*index = s->current;
+	} else {
+		session_keep_site(s, now);
+	}
+	if (now != b.then)
+		session_keep_site(s, b.then);
+	struct entry *entry = &s->entry[*index];
+	/* A site that was made here has more digits than its sheet. */
+	bool made = b.now == NULL && has_digest(entry->site, m);
+	struct history *h = history_new(
+	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
+	h->stop = s->hooks.stop;
+	bool own = has_runs(entry->site, h->site);
+	if (s->job.calibration != NULL && s->job.entry == *index)
+		session_let_go(s);
+	if (own && b.now != NULL && !has_runs(entry->site, b.now))
+		entry->site = b.now;
+	if (own)
+		give_back(entry, &b, m, h);
+	else
+		give_to_other(entry, m, h);
+	session_forget(s);
+	free(b.train);
+	return own ? REMEMBERED_OWN : REMEMBERED_OTHER;
+}
 
 /* "fit", "set by hand" or "Table 3". */
 static const char *
@@ -93,7 +234,7 @@ find_material(struct store *store, const char *name, struct stored_list *list,
 }
 
 static void
-set(char **text, char *value)
+store_set(char **text, char *value)
 {
 	char *trimmed = xstrdup(text_trim(value));
 	free(value);
@@ -104,7 +245,7 @@ set(char **text, char *value)
 static void
 set_copy(char **text, const char *value)
 {
-	set(text, xstrdup(value));
+	store_set(text, xstrdup(value));
 }
 
 /* What only a calibration has. */
@@ -112,7 +253,7 @@ static void
 take_fit(struct stored *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	set(&m->basis, remembered_basis(entry));
+	store_set(&m->basis, remembered_basis(entry));
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
@@ -132,14 +273,14 @@ take_origin(struct stored *m, const struct entry *entry)
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
 		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
-	set(&m->train_mps, speeds);
+	store_set(&m->train_mps, speeds);
 	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
-	set(&m->site_digest,
+	store_set(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
 	set_copy(&m->note, own ? "" : o->words);
 	if (own && site_assumed_top(entry->site) > 0)
-		set(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
-				  site_assumed_top(entry->site)));
+		store_set(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
+					site_assumed_top(entry->site)));
 }
 
 static struct stored
@@ -237,7 +378,7 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 		return false;
 	struct stored m = material_of(s, entry);
 	set_copy(&m.name, name);
-	set(&m.date, date->given ? xstrdup(date->text) : moment_today());
+	store_set(&m.date, date->given ? xstrdup(date->text) : moment_today());
 	if (note->given)
 		set_copy(&m.note, note->text);
 	stored_list_add(list, m);
@@ -473,7 +614,7 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct stored_list list = {0};
-	bool ok = data_may_write(s, args, path, error) &&
+	bool ok = files_may_overwrite(s, args, path, error) &&
 		  store_list(s->store, &list, error) &&
 		  store_csv_save(&list, path, error);
 	if (ok) {

@@ -35,7 +35,7 @@ struct form {
 };
 
 static void
-say(const struct form *f, const char *text)
+template_say(const struct form *f, const char *text)
 {
 	bool quote = strchr(text, f->separator) != NULL;
 	fprintf(
@@ -78,22 +78,24 @@ put_form(const struct form *f, const struct args *args)
 	const struct value *speeds = args_value(args, "speeds");
 	bool grams = args_value(args, "unit")->choice == 1;
 	const char *unit = grams ? "_retained_g" : "";
-	say(f, "fill in what you have and remove lines that you do not need; "
-	       "lines with # are remarks");
+	template_say(f,
+	    "fill in what you have and remove lines that you do not need; "
+	    "lines with # are remarks");
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++) {
 		char *text = xasprintf("%s: %s", KEYS[i][0], KEYS[i][1]);
-		say(f, text);
+		template_say(f, text);
 		free(text);
 	}
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
 		fprintf(f->sheet, "%s%c\n", KEYS[i][0], f->separator);
-	say(f, "feed: what goes in; product@69: what comes out at a tip speed "
-	       "of 69 m/s");
-	say(f, "tip speed in m/s = 3.1416 x rotor_mm x rpm / 60000");
+	template_say(f,
+	    "feed: what goes in; product@69: what comes out at a tip speed "
+	    "of 69 m/s");
+	template_say(f, "tip speed in m/s = 3.1416 x rotor_mm x rpm / 60000");
 	for (size_t i = 0; i < 3; i++)
 		if (WORDS[grams][i][0] != '\0')
-			say(f, WORDS[grams][i]);
-	say(f, "leave a cell empty where a sieve was not used");
+			template_say(f, WORDS[grams][i]);
+	template_say(f, "leave a cell empty where a sieve was not used");
 	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
 	for (size_t i = 0; i < speeds->n; i++) {
 		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);

@@ -84,8 +84,16 @@ league_compare(
 	return (struct league_pair){difference, 2 * sqrt(variance)};
 }
 
-/* Whether a model comes before another: by AICc, of those that have none by
- * what they err. */
+bool
+league_errs_more(
+    const struct league_cell *cell, size_t n, const double *a, const double *b)
+{
+	struct league_pair p = league_compare(cell, n, a, b);
+	return p.difference > ERRORS * p.error &&
+	       league_rmse(cell, n, a) > league_rmse(cell, n, b) + LEAST;
+}
+
+/* By AICc, of those that have none by what they err at runs held out. */
 static bool
 is_better(const struct league_model *a, const struct league_model *b)
 {
@@ -95,13 +103,22 @@ is_better(const struct league_model *a, const struct league_model *b)
 	return a->aicc < b->aicc;
 }
 
-bool
-league_errs_more(
-    const struct league_cell *cell, size_t n, const double *a, const double *b)
+/* Of the models that err least at the runs held out, alike to LEAST, the one
+ * that comes first by AICc; of all where no run was held out. */
+static struct league_model *
+find_best(struct league_model *model, size_t n)
 {
-	struct league_pair p = league_compare(cell, n, a, b);
-	return p.difference > ERRORS * p.error &&
-	       league_rmse(cell, n, a) > league_rmse(cell, n, b) + LEAST;
+	struct league_model *best = NULL;
+	double least = INFINITY;
+	for (size_t i = 0; i < n; i++)
+		least = fmin(least, model[i].rmse);
+	for (size_t i = 0; i < n; i++) {
+		bool errs =
+		    isfinite(least) && !(model[i].rmse <= least + LEAST);
+		if (!errs && (best == NULL || is_better(&model[i], best)))
+			best = &model[i];
+	}
+	return best;
 }
 
 /* Whether all models that remain extend the one with the fewest parameters. */
@@ -127,11 +144,8 @@ bool
 league_rank(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n)
 {
-	struct league_model *best = &model[0];
+	struct league_model *best = find_best(model, n_model);
 	bool agree = true;
-	for (size_t i = 1; i < n_model; i++)
-		if (is_better(&model[i], best))
-			best = &model[i];
 	for (size_t i = 0; i < n_model; i++) {
 		struct league_model *m = &model[i];
 		const double *p = m->predicted, *q = best->predicted;
@@ -141,7 +155,8 @@ league_rank(struct league_model *model, size_t n_model,
 		    : league_errs_more(cell, n, p, q)       ? LEAGUE_OUT_ERROR
 		    : m->aicc > best->aicc + FAR && !spared ? LEAGUE_OUT_AICC
 							    : LEAGUE_POSSIBLE;
-		agree = agree && !league_errs_more(cell, n, q, p);
+		agree = agree && !league_errs_more(cell, n, q, p) &&
+			!(best->aicc > m->aicc + FAR);
 	}
 	return agree && is_one_law(model, n_model);
 }

@@ -53,7 +53,7 @@ bool league_errs_more(
 /* A model to be compared.  model: its index in BREAKAGES.  Out: where it
  * stands. */
 enum league_standing {
-	LEAGUE_BEST,     /* the least AICc, or where there is none, error */
+	LEAGUE_BEST,     /* errs least where held out; of such the least AICc */
 	LEAGUE_POSSIBLE, /* not distinguishable from the best */
 	LEAGUE_OUT_AICC, /* ruled out by AICc, */
 	LEAGUE_OUT_ERROR /* or by its error at the runs held out */
@@ -67,12 +67,16 @@ struct league_model {
 };
 
 /* Ranks models [n_model] and returns whether the data can tell them apart.
+ * The best is the one that errs least at the cells held out; of those whose
+ * RMSE there is no more than 0.1 points above the least, and of all where no run
+ * was held out, the one with the least AICc.
  * Ruled out is one that errs more than the best at the cells held out; or whose
  * AICc is more than 10 above the best's, unless its RMSE there is smaller,
  * however little: AICc takes errors to be independent and of one size, which
  * those of sieves are not.  The data can tell the models apart where all that
- * remain are the simplest of them and such as extend it, and none errs less
- * than the best by more than sampling explains. */
+ * remain are the simplest of them and such as extend it, none errs less than
+ * the best by more than sampling explains, and none has an AICc that is by more
+ * than 10 below the best's. */
 bool league_rank(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n);
 

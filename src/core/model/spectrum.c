@@ -8,8 +8,23 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/numeric/elementary.h"
 
-static const double BINS_PER_OCTAVE = 16, FIRST_OCTAVE = -10;
+enum { BINS_PER_OCTAVE = 16, FIRST_OCTAVE = -10, SIZES_PER_OCTAVE = 4 };
+
+/* 2^(i/16): the C library's powers differ between machines in the last bit. */
+static const double ROOT[BINS_PER_OCTAVE] = {1, 1.0442737824274138,
+    1.0905077326652577, 1.1387886347566916, 1.189207115002721,
+    1.241857812073484, 1.2968395546510096, 1.3542555469368927,
+    1.4142135623730951, 1.4768261459394993, 1.5422108254079407,
+    1.6104903319492543, 1.681792830507429, 1.7562521603732995,
+    1.8340080864093424, 1.9152065613971474};
+
+static double
+octaves(double ratio)
+{
+	return el_log(ratio) / el_log(2);
+}
 
 struct spectrum *
 spectrum_new(void)
@@ -33,7 +48,8 @@ spectrum_free(struct spectrum *s)
 double
 spectrum_edge(size_t bin)
 {
-	return exp2(FIRST_OCTAVE + (double)bin / BINS_PER_OCTAVE);
+	int octave = (int)(bin / BINS_PER_OCTAVE) + FIRST_OCTAVE;
+	return ldexp(ROOT[bin % BINS_PER_OCTAVE], octave);
 }
 
 static size_t
@@ -41,14 +57,35 @@ bin_of(double energy)
 {
 	if (!(energy > spectrum_edge(0)))
 		return 0;
-	double at = (log2(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
-	return at < SPECTRUM_BINS ? (size_t)at : SPECTRUM_BINS - 1;
+	double at = (octaves(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
+	if (!(at < SPECTRUM_BINS))
+		return SPECTRUM_BINS - 1;
+	size_t bin = (size_t)fmax(at, 0);
+	while (energy < spectrum_edge(bin))
+		bin--;
+	while (bin + 1 < SPECTRUM_BINS && energy >= spectrum_edge(bin + 1))
+		bin++;
+	return bin;
+}
+
+/* To a quarter octave; 0 where no size is known. */
+static double
+rounded_size(double size)
+{
+	if (!isnormal(size))
+		return 0;
+	long steps = lround(SIZES_PER_OCTAVE * octaves(size));
+	long octave = (steps >= 0 ? steps : steps - (SIZES_PER_OCTAVE - 1)) /
+		      SIZES_PER_OCTAVE;
+	long step = steps - octave * SIZES_PER_OCTAVE;
+	return ldexp(
+	    ROOT[step * BINS_PER_OCTAVE / SIZES_PER_OCTAVE], (int)octave);
 }
 
 static struct spectrum_size *
 of_size(struct spectrum *s, double size)
 {
-	double rounded = size > 0 ? exp2(round(4 * log2(size)) / 4) : 0;
+	double rounded = rounded_size(size);
 	size_t i = 0;
 	while (i < s->n && s->size[i]->size > rounded)
 		i++;
@@ -120,8 +157,8 @@ spectrum_above(const struct spectrum_size *s, double cut, bool first)
 	for (size_t b = SPECTRUM_BINS; b-- > at;) {
 		double part = 1;
 		if (b == at && cut > spectrum_edge(at))
-			part =
-			    log2(spectrum_edge(at + 1) / cut) * BINS_PER_OCTAVE;
+			part = octaves(spectrum_edge(at + 1) / cut) *
+			       BINS_PER_OCTAVE;
 		part = fmax(part, 0);
 		add(&sum, part * bin[b].mass, part * bin[b].energy);
 	}
@@ -158,7 +195,7 @@ spectrum_impacts(const struct spectrum *s, double cut)
 		const struct spectrum_bin *bin = &whole->all[b];
 		double edge = spectrum_edge(b + 1);
 		bool cuts = cut > spectrum_edge(b) && cut < edge;
-		double part = cuts ? log2(edge / cut) * BINS_PER_OCTAVE : 1;
+		double part = cuts ? octaves(edge / cut) * BINS_PER_OCTAVE : 1;
 		add(&node, part * bin->mass, part * bin->energy);
 		done += part * bin->energy;
 		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;
@@ -188,12 +225,12 @@ spectrum_k(const struct spectrum *s, const struct spectrum_size *of, double E,
 		double e = scale * bin->energy / bin->mass - e0;
 		mass += bin->mass;
 		over += bin->mass * fmax(e, 0);
-		kept += bin->mass * exp(-f * fmax(e, 0));
+		kept += bin->mass * el_exp(-f * fmax(e, 0));
 	}
 	if (!(E > e0) || !(over > 0))
 		return NAN;
 	double n = s->counted && of->mass > 0 ? mass / of->mass : 1;
-	double exponent = f > 0 ? -log(kept / mass) / f : over / mass;
+	double exponent = f > 0 ? -el_log(kept / mass) / f : over / mass;
 	return n * exponent / (E - e0);
 }
 
@@ -215,7 +252,7 @@ spectrum_distance(
 	struct spectrum_size *of_a = spectrum_whole(a);
 	struct spectrum_size *of_b = spectrum_whole(b);
 	for (size_t i = 0; i < 200; i++) {
-		double r = least * pow(2 / least, (double)i / 199);
+		double r = least * el_pow(2 / least, (double)i / 199);
 		double d = share_above(of_a, a->speed,
 			       least * a->speed * a->speed / 2, r) -
 			   share_above(of_b, b->speed,

@@ -38,6 +38,14 @@ discrepancy_terms(double t, double slope, double term[static DISCREPANCY_TERMS])
 	term[2] = slope * (t * t - 1) * 0.3;
 }
 
+/* -ln of a t distribution with four degrees of freedom, but for a constant: a
+ * sigma_i above its median may be as large as the data show it. */
+static double
+long_tail(double z)
+{
+	return 2.5 * el_log(1 + z * z / 4);
+}
+
 double
 discrepancy_prior(const double log_hyper[static HYPERS], double noise)
 {
@@ -48,7 +56,8 @@ discrepancy_prior(const double log_hyper[static HYPERS], double noise)
 		double median = given ? noise : HYPER[i].median;
 		double z = (log_hyper[i] - el_log(median)) /
 			   (given ? known : HYPER[i].spread);
-		sum += z * z / 2;
+		sum += i == HYPER_OWN && !given && z > 0 ? long_tail(z)
+							 : z * z / 2;
 	}
 	return sum;
 }

@@ -17,7 +17,8 @@
  * measured speeds and 1 where the energy is e^0.135 times that there, as from
  * 74 to 79 m/s:
  *   h(P) (f_0(s) + c t f_1(s) + 0.3 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
- * P is the model's passing; the f are independent Gaussian processes with the
+ * P is midway between the passing of the model and the measured one, or the
+ * answer's; the f are independent Gaussian processes with the
  * covariance
  *   sigma_d^2 rho(ln s - ln s', l) + sigma_n^2 rho(ln s - ln s', 1/4)
  *   rho(z, l) = exp(-z^2 / 2 l^2)
@@ -68,12 +69,16 @@ discrepancy_within(double P, double least)
 	return P < 1 ? P : 1;
 }
 
-/* A model's passing P with the discrepancy over h, delta; at least `least`,
- * that of the feed or of the next finer size, and at most 1. */
+/* A model's passing P with the discrepancy over h, delta: A, which solves
+ *   A = P + h(m) delta,  m = (P + A) / 2
+ * so that a model which lets all pass, or nothing, can be corrected too; at
+ * least `least`, that of the feed or of the next finer size, and at most 1. */
 static inline double
 discrepancy_answer(double P, double delta, double least)
 {
-	return discrepancy_within(P + discrepancy_h(P) * delta, least);
+	double h = discrepancy_h(P), square = delta * delta;
+	double more = square * (1 - 2 * P) + delta * sqrt(square + h * h);
+	return discrepancy_within(P + more / (1 + square), least);
 }
 
 /* -ln of the prior of the hyperparameters' logarithms, up to a constant.

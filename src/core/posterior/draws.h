@@ -30,8 +30,11 @@ struct posterior {
 	struct bounds bounds;
 	size_t n_cell;
 	double middle;   /* ln of the mean energy, J/kg, where t is 0 */
-	double slowest;  /* of the runs that inform it, m/s */
 	double from, to; /* speeds that are looked at, see site_reach */
+	/* The speeds of the runs that inform it, m/s, slowest first, and the
+	 * largest weight of the straight line between two (straight.h). */
+	size_t n_speed;
+	double speed[POSTERIOR_RUNS], straight;
 	size_t n_knot;
 	double *knot; /* ln of sizes, coarsest first */
 	/* At the knots, [n_knot * POSTERIOR_DRAWS], a row of draws for each:

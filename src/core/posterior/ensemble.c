@@ -53,6 +53,9 @@ struct ensemble {
 	double *rising[RISING];
 	bool *moved[RISING];
 	size_t slowest, fastest;
+	/* Answers at the measured speeds, without the straight line, [n *
+	 * DRAWS] each, or NULL. */
+	double *measured[POSTERIOR_RUNS];
 	double more, bypass; /* k and bypass of another machine */
 };
 
@@ -184,6 +187,10 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 static void
 forget_rising(struct ensemble *e)
 {
+	for (size_t k = 0; k < POSTERIOR_RUNS; k++) {
+		free(e->measured[k]);
+		e->measured[k] = NULL;
+	}
 	for (size_t k = 0; k < RISING; k++) {
 		free(e->rising[k]);
 		free(e->moved[k]);
@@ -245,7 +252,7 @@ static double
 correction_left(const struct posterior *p, double v, double *at)
 {
 	struct breaker b;
-	*at = fmax(v, SLOW * p->slowest);
+	*at = fmax(v, SLOW * p->speed[0]);
 	if (v == *at)
 		return 1;
 	breaker_set(&b, &p->fit, &p->settings);
@@ -310,14 +317,13 @@ fill_row(const struct ensemble *e, size_t i, double *restrict model,
 static void
 fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
 {
-	const double *model = e->part[ENSEMBLE_MODEL] + i * DRAWS;
 	const double *answer = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
 	const double *error = e->of->error + e->knot[i] * DRAWS;
 	double share = e->share[i], rest = 1 - share;
 	for (size_t d = 0; d < DRAWS; d++) {
 		double err = share * error[d] + rest * error[d + DRAWS];
 		sample[d] = discrepancy_within(
-		    answer[d] + discrepancy_h(model[d]) * err,
+		    answer[d] + discrepancy_h(answer[d]) * err,
 		    sample[d + DRAWS]);
 	}
 }
@@ -483,16 +489,79 @@ keep_rising(struct ensemble *e, double v)
 	}
 }
 
-void
-ensemble_at(struct ensemble *e, double v)
+/* The answers as drawn, but that none falls with the speed. */
+static void
+rising_at(struct ensemble *e, double v)
 {
-	if (v == e->at)
-		return;
 	if (e->rising[SLOWEST] == NULL)
 		make_rising(e);
 	widen_rising(e, v);
 	ensemble_draws_at(e, v);
 	keep_rising(e, v);
+}
+
+/* Those at the measured speed of that number. */
+static const double *
+measured_at(struct ensemble *e, size_t k)
+{
+	size_t size = e->n * DRAWS;
+	if (e->measured[k] != NULL)
+		return e->measured[k];
+	rising_at(e, e->of->speed[k]);
+	e->measured[k] = xdoubles(size);
+	memcpy(e->measured[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
+	return e->measured[k];
+}
+
+/* Whether v lies between two measured speeds: number *k and the next. */
+static bool
+is_between(const struct posterior *p, double v, size_t *k)
+{
+	for (*k = 0; *k + 1 < p->n_speed; ++*k)
+		if (v > p->speed[*k] && v < p->speed[*k + 1])
+			return true;
+	return false;
+}
+
+/* The weight of the straight line in a draw: draws next to one another, which
+ * may be in order, have others. */
+static double
+straight_weight(const struct posterior *p, size_t draw)
+{
+	size_t place = draw * 97 % DRAWS;
+	return p->straight * ((double)place + 0.5) / DRAWS;
+}
+
+/* At a speed between two measured ones (D25, straight.h). */
+static void
+straighten(struct ensemble *e, double v, size_t k)
+{
+	const struct posterior *p = e->of;
+	const double *below = measured_at(e, k), *above = measured_at(e, k + 1);
+	double a = p->speed[k], b = p->speed[k + 1], weight[DRAWS];
+	double t = (v * v - a * a) / (b * b - a * a);
+	double *answer = e->part[ENSEMBLE_ANSWER];
+	for (size_t d = 0; d < DRAWS; d++)
+		weight[d] = straight_weight(p, d);
+	rising_at(e, v);
+	for (size_t i = 0; i < e->n * DRAWS; i += DRAWS)
+		for (size_t d = 0; d < DRAWS; d++) {
+			double from = below[i + d], to = above[i + d];
+			double line = from + t * (to - from);
+			answer[i + d] += weight[d] * (line - answer[i + d]);
+		}
+}
+
+void
+ensemble_at(struct ensemble *e, double v)
+{
+	size_t k;
+	if (v == e->at)
+		return;
+	if (is_between(e->of, v, &k))
+		straighten(e, v, k);
+	else
+		rising_at(e, v);
 	if (e->bypass > 0) {
 		make_samples(e);
 		add_bypass(e);

@@ -57,6 +57,7 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior;
+	double volume; /* see bring_to_cells */
 	double more;   /* of a guided move, see guide_move */
 	double *U, *d; /* covariance_factor, simulated - measured */
 };
@@ -75,6 +76,7 @@ struct sampler {
 	bool two;      /* the rock may have two strengths */
 	size_t n_cell;
 	struct cell *cell;
+	double *measured; /* passings of the cells */
 	struct covariance *covariance;
 	double *scheme; /* what the kernel's differences err by, at the fit */
 	struct kernel *kernel;
@@ -185,6 +187,29 @@ is_within(const struct sampler *s, const double *at)
 	return true;
 }
 
+/* Differences of a trial d [n_cell], as simulated - measured, become what they
+ * are with the h of the cells (make_cells) in place of the trial's own, so that
+ * one covariance serves all: what draws are corrected by (discrepancy_answer)
+ * is what is judged here.  Returns ln of what that makes a volume smaller. */
+static double
+bring_to_cells(const struct sampler *s, double *d)
+{
+	enum { AT_ONCE = 16 }; /* logarithms: their product is no overflow */
+	const double floor = 0.05;
+	double level = 0, product = 1;
+	for (size_t k = 0; k < s->n_cell; k++) {
+		double h = discrepancy_h(s->measured[k] + d[k] / 2);
+		double ratio = (h + floor) / (s->cell[k].h + floor);
+		d[k] /= ratio;
+		product *= ratio;
+		if (k % AT_ONCE == AT_ONCE - 1) {
+			level += el_log(product);
+			product = 1;
+		}
+	}
+	return level + el_log(product);
+}
+
 /* The trial at a place of the order. */
 static void
 evaluate_trial(struct sampler *s, size_t place, double *work)
@@ -201,8 +226,10 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
 		trial->d[k] = s->difference[k * HALF + place] + s->scheme[k];
+	trial->volume = s->hyper ? now->volume : bring_to_cells(s, trial->d);
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
+	    trial->volume +
 	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
 	trial->prior = prior_of(s, trial->x);
 	params_of(s, trial->x, at);
@@ -358,6 +385,7 @@ take(struct chain *chain, struct chain *trial, bool hyper)
 	memcpy(chain->x, trial->x, sizeof chain->x);
 	chain->likelihood = trial->likelihood;
 	chain->prior = trial->prior;
+	chain->volume = trial->volume;
 	swap(&chain->d, &trial->d);
 	if (hyper)
 		swap(&chain->U, &trial->U);
@@ -456,6 +484,7 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 	memcpy(to->d, from->d, s->n_cell * sizeof *to->d);
 	to->likelihood = from->likelihood;
 	to->prior = from->prior;
+	to->volume = from->volume;
 }
 
 /* Lets a larger share of the likelihood count, and draws the chains anew by how
@@ -800,9 +829,11 @@ make_cells(struct sampler *s, const struct misfit *m, const double *d)
 {
 	s->n_cell = m->n_residual;
 	s->cell = xcalloc(s->n_cell, sizeof *s->cell);
+	s->measured = xdoubles(s->n_cell);
 	for (size_t r = 0, k = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++, k++) {
 			double P = m->run[r].measured[i] + d[k] / 2;
+			s->measured[k] = m->run[r].measured[i];
 			s->cell[k] = (struct cell){.run = r,
 			    .log_size = el_log(m->run[r].sieve[i]),
 			    .t = discrepancy_time(m->run[r].speed, s->middle),
@@ -895,6 +926,7 @@ sampler_free(struct sampler *s)
 	pool_free(s->pool);
 	covariance_free(s->covariance);
 	free(s->cell);
+	free(s->measured);
 	free(s->difference);
 	free(s->misfit);
 	free(s->scheme);
@@ -957,6 +989,21 @@ free_processes(struct posterior *p)
 	free(p->error);
 }
 
+/* At a speed there may be repeats. */
+static void
+find_speeds(struct posterior *p, const struct misfit *m)
+{
+	for (double last = 0, next;; last = next) {
+		next = INFINITY;
+		for (size_t r = 0; r < m->n_run; r++)
+			if (m->run[r].speed > last)
+				next = fmin(next, m->run[r].speed);
+		if (isinf(next))
+			break;
+		p->speed[p->n_speed++] = next;
+	}
+}
+
 struct posterior_run *
 posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
@@ -977,10 +1024,8 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->middle;
-	p->slowest = INFINITY;
 	site_reach(site, &p->from, &p->to);
-	for (size_t r = 0; r < m->n_run; r++)
-		p->slowest = fmin(p->slowest, m->run[r].speed);
+	find_speeds(p, m);
 	make_knots(p, site, s);
 	make_processes(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
@@ -998,7 +1043,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 static size_t
 draws_due(const struct sampler *s)
 {
-	return (s->generation - WARM_UP) * DRAWS_EACH / KEPT;
+	return (size_t)(s->generation - WARM_UP) * DRAWS_EACH / KEPT;
 }
 
 static void
@@ -1080,6 +1125,7 @@ posterior_step(struct posterior_run *run)
 	if (s->generation < WARM_UP + KEPT)
 		return false;
 	choose_draws(run);
+	thin_look(run->thin, run->p);
 	find_convergence(run->p, s, run->sums);
 	return true;
 }

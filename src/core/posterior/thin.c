@@ -12,6 +12,7 @@
 
 #include "base/xalloc.h"
 #include "core/posterior/ensemble.h"
+#include "core/posterior/straight.h"
 
 /* Of each answer three features: itself, and on which side it is of either end
  * of the band, see feature. */
@@ -152,4 +153,10 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	free(list);
 	free(row);
 	free(by);
+}
+
+void
+thin_look(const struct thin *t, struct posterior *p)
+{
+	p->straight = straight_most(p, &t->feed, t->sieve, t->n_sieve);
 }

@@ -23,4 +23,8 @@ void thin_add(struct thin *t, const struct posterior *batch);
  * as many answers on either side of the ends of the usual band. */
 void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
+/* Sets what the straight line counts in the draws left (straight.h), of the
+ * same feed and sieves. */
+void thin_look(const struct thin *t, struct posterior *p);
+
 #endif

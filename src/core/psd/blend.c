@@ -1,11 +1,14 @@
-/* Adds feeds up by mass at the sieves of all of them.
+/* Several sieve curves made one, some of which may end before others.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/blend.h"
 
+#include <math.h>
 #include <stdbool.h>
-#include <string.h>
+#include <stdlib.h>
 
-/* The sieves of all, coarsest first, passings 0. */
+#include "base/xalloc.h"
+
+/* The sieves of all, coarsest first; passings 0. */
 static struct psd
 all_sieves(const struct psd *const *feed, size_t n)
 {
@@ -14,11 +17,9 @@ all_sieves(const struct psd *const *feed, size_t n)
 		room += feed[i]->n;
 	struct psd all = psd_new(room);
 	all.n = 0;
-	for (size_t i = 0; i < n; i++) {
-		memcpy(all.size + all.n, feed[i]->size,
-		    feed[i]->n * sizeof *all.size);
-		all.n += feed[i]->n;
-	}
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < feed[i]->n; k++)
+			all.size[all.n++] = feed[i]->size[k];
 	all.n = psd_sort(all.size, all.n, 0);
 	return all;
 }
@@ -43,4 +44,69 @@ blend_new(const struct psd *const *feed, const double *part, size_t n)
 	}
 	blend.n = known;
 	return blend;
+}
+
+/* Those of feeds [n] that are not the same as one before; returns how many. */
+static size_t
+distinct(const struct psd *const *feed, size_t n, const struct psd **out)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < n; i++) {
+		size_t k = 0;
+		while (k < kept && !psd_same(out[k], feed[i]))
+			k++;
+		if (k == kept && feed[i]->n > 0)
+			out[kept++] = feed[i];
+	}
+	return kept;
+}
+
+struct psd
+blend_mean(const struct psd *const *feed, size_t n)
+{
+	const struct psd **own = xcalloc(n, sizeof *own);
+	n = distinct(feed, n, own);
+	struct psd mean = all_sieves(own, n);
+	for (size_t k = 0; k < mean.n; k++) {
+		double x = mean.size[k], above = k > 0 ? mean.size[k - 1] : x;
+		double here = 0, before = 0;
+		size_t known = 0;
+		for (size_t i = 0; i < n; i++) {
+			if (!psd_covers(own[i], x))
+				continue;
+			known++;
+			here += psd_passing(own[i], x);
+			before += psd_passing(own[i], above);
+		}
+		/* Where one has ended the mean falls as the others do. */
+		mean.passing[k] = known == n ? here / (double)n
+				  : before > 0
+				      ? mean.passing[k - 1] * here / before
+				      : 0;
+	}
+	free(own);
+	return mean;
+}
+
+double
+blend_spread(const struct psd *const *feed, size_t n, double *sieve)
+{
+	struct psd all = all_sieves(feed, n);
+	double most = 0;
+	*sieve = 0;
+	for (size_t k = 0; k < all.n; k++) {
+		double x = all.size[k], least = 1, largest = 0;
+		for (size_t i = 0; i < n; i++) {
+			if (!psd_covers(feed[i], x))
+				continue;
+			least = fmin(least, psd_passing(feed[i], x));
+			largest = fmax(largest, psd_passing(feed[i], x));
+		}
+		if (largest - least <= most)
+			continue;
+		most = largest - least;
+		*sieve = x;
+	}
+	psd_free(&all);
+	return most;
 }

@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <gsl/gsl_interp.h>
-
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
 
@@ -65,22 +63,53 @@ half_octaves(double coarse, double fine)
 	return n < 1.5 ? 1 : (size_t)(n + 0.5);
 }
 
+/* The slope of the straight line from sieve i to the next, in ln of size. */
+static double
+chord(const double *x, const double *P, size_t i)
+{
+	return (P[i] - P[i + 1]) / (x[i] - x[i + 1]);
+}
+
+/* The slope of the smooth curve at sieve i: so small that it neither rises nor
+ * falls between two sieves where the lines beside it do not. */
+static double
+slope_at(const double *x, const double *P, size_t n, size_t i)
+{
+	if (i == 0 || i + 1 == n)
+		return chord(x, P, i == 0 ? 0 : i - 1);
+	double coarser = chord(x, P, i - 1), finer = chord(x, P, i);
+	double above = x[i - 1] - x[i], below = x[i] - x[i + 1];
+	double middle = (finer * above + coarser * below) / (below + above);
+	double sign = (finer < 0 ? -1 : 1) + (coarser < 0 ? -1 : 1);
+	return sign *
+	       fmin(fabs(finer), fmin(fabs(coarser), 0.5 * fabs(middle)));
+}
+
+/* The smooth curve at a size between sieves i and i + 1, of which `at` is ln.
+ * Source: Steffen, Astronomy and Astrophysics 239 (1990) 443. */
+static double
+between(const double *x, const double *P, size_t n, size_t i, double at)
+{
+	double h = x[i] - x[i + 1], d = at - x[i + 1];
+	double s = chord(x, P, i);
+	double fine = slope_at(x, P, n, i + 1), coarse = slope_at(x, P, n, i);
+	double a = (fine + coarse - 2 * s) / h / h;
+	double b = (3 * s - 2 * fine - coarse) / h;
+	return P[i + 1] + d * (fine + d * (b + d * a));
+}
+
 struct psd
 psd_curve(const struct psd *psd)
 {
 	size_t n = psd->n, points = n;
 	if (n < 3)
 		return psd_copy(psd);
-	double *x = xdoubles(n), *P = xdoubles(n); /* finest first */
-	for (size_t i = 0; i < n; i++) {
-		x[n - 1 - i] = el_log(psd->size[i]);
-		P[n - 1 - i] = psd->passing[i];
-	}
+	double *x = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		x[i] = el_log(psd->size[i]);
 	for (size_t i = 0; i + 1 < n; i++)
 		points += half_octaves(psd->size[i], psd->size[i + 1]) - 1;
 	struct psd curve = psd_new(points);
-	gsl_interp *smooth = gsl_interp_alloc(gsl_interp_steffen, n);
-	gsl_interp_init(smooth, x, P, n);
 	curve.n = 0;
 	for (size_t i = 0; i < n; i++) {
 		curve.size[curve.n] = psd->size[i];
@@ -90,16 +119,13 @@ psd_curve(const struct psd *psd)
 		size_t parts = half_octaves(psd->size[i], psd->size[i + 1]);
 		for (size_t j = 1; j < parts; j++) {
 			double share = (double)j / (double)parts;
-			double at = el_log(psd->size[i]);
-			at += share * (el_log(psd->size[i + 1]) - at);
+			double at = x[i] + share * (x[i + 1] - x[i]);
 			curve.size[curve.n] = el_exp(at);
 			curve.passing[curve.n++] =
-			    gsl_interp_eval(smooth, x, P, at, NULL);
+			    between(x, psd->passing, n, i, at);
 		}
 	}
-	gsl_interp_free(smooth);
 	free(x);
-	free(P);
 	return curve;
 }
 

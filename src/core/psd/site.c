@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/psd/reference.h"
+#include "core/psd/blend.h"
 
 struct site *
 site_new(size_t n_run)
@@ -313,7 +313,7 @@ site_settle(struct site *site)
 		return;
 	size_t n;
 	const struct psd **feed = sampled_feeds(site, &n);
-	site->mean_feed = reference_mean(feed, n);
+	site->mean_feed = blend_mean(feed, n);
 	free(feed);
 }
 
@@ -333,7 +333,7 @@ site_feeds_differ(const struct site *site, double *sieve)
 {
 	size_t n;
 	const struct psd **feed = sampled_feeds(site, &n);
-	double most = reference_spread(feed, n, sieve);
+	double most = blend_spread(feed, n, sieve);
 	free(feed);
 	return most;
 }

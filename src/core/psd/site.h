@@ -98,7 +98,7 @@ uint64_t site_digest(const struct site *site);
 void site_settle(struct site *site);
 
 /* The feed of a run, or for SITE_MEAN_FEED the one that a question has where it
- * names none: the mean of the distinct feeds that were sampled (reference.h),
+ * names none: the mean of the distinct feeds that were sampled (blend_mean),
  * or that of another sheet, where the site is a copy with one. */
 const struct psd *site_feed(const struct site *site, size_t run);
 

@@ -3,11 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/sensitivity.h"
 
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "core/numeric/svd.h"
 
 bool
 sensitivity_on_bound(const struct bounds *b, const struct params *p, size_t j)
@@ -37,36 +37,26 @@ find_movable(struct sensitivity *s, const struct params *p,
 	}
 }
 
-/* J [rows * width].  The decomposition wants no fewer rows than columns;
- * rows of 0 change nothing. */
+/* J [rows * width] */
 static void
 decompose(struct sensitivity *s, const double *J, size_t width, size_t rows,
     double *basis)
 {
 	size_t n = s->n;
-	gsl_matrix *A = gsl_matrix_calloc(rows > n ? rows : n, n);
-	gsl_matrix *V = gsl_matrix_alloc(n, n);
-	gsl_vector *sigma = gsl_vector_alloc(n), *work = gsl_vector_alloc(n);
-	for (size_t i = 0; i < rows; i++)
+	double *A = xdoubles(n * rows), V[PARAMS_MOST * PARAMS_MOST];
+	for (size_t c = 0; c < n; c++)
+		for (size_t i = 0; i < rows; i++)
+			A[c * rows + i] = J[i * width + s->column[c]] *
+					  s->range[s->column[c]];
+	svd_decompose(A, rows, n, V, s->sigma);
+	for (size_t i = 0; i < n; i++)
 		for (size_t c = 0; c < n; c++)
-			gsl_matrix_set(A, i, c,
-			    J[i * width + s->column[c]] *
-				s->range[s->column[c]]);
-	gsl_linalg_SV_decomp(A, V, sigma, work);
-	for (size_t i = 0; i < n; i++) {
-		s->sigma[i] = gsl_vector_get(sigma, i);
-		for (size_t c = 0; c < n; c++)
-			s->direction[i][c] = gsl_matrix_get(V, c, i);
-	}
+			s->direction[i][c] = V[i * n + c];
 	for (size_t i = 0; basis != NULL && i < rows; i++)
 		for (size_t c = 0; c < n; c++)
 			if (s->sigma[c] > 1e-9 * s->sigma[0])
-				basis[i * PARAMS_MOST + c] =
-				    gsl_matrix_get(A, i, c);
-	gsl_matrix_free(A);
-	gsl_matrix_free(V);
-	gsl_vector_free(sigma);
-	gsl_vector_free(work);
+				basis[i * PARAMS_MOST + c] = A[c * rows + i];
+	free(A);
 }
 
 struct sensitivity

@@ -1,7 +1,7 @@
 /* A cut against the band of a sample at its speed: how many sieves lie inside,
  * RMSE, and the sieve that is farthest off.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/ask/fraction.h"
+#include "cmd/ask/cut.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,15 +1,16 @@
 /* A belt cut beside what is predicted for it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_ASK_FRACTION_H
-#define TIPSPEED_CMD_ASK_FRACTION_H
+#ifndef TIPSPEED_CMD_ASK_CUT_H
+#define TIPSPEED_CMD_ASK_CUT_H
 
 #include "cmd/session/session.h"
 
 /* Over the sieves of a run's product that crushing can change, [n]: root mean
  * square of measured less predicted, and the largest of these with its sieve,
  * m.  inside: sieves within the band of one more sample; no_band: there is
- * none.  level: of it, 0..1.  missed: the prediction does not hold; off: it does
- * as far as careful samples repeat, though most sieves lie outside the band. */
+ * none.  level: of it, 0..1.  missed: the prediction does not hold; off: it
+ * does as far as careful samples repeat, though most sieves lie outside the
+ * band. */
 struct cut {
 	size_t n, inside;
 	bool no_band, missed, off;

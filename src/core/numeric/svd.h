@@ -1,0 +1,16 @@
+/* Singular values, with the same bits on every machine.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_NUMERIC_SVD_H
+#define TIPSPEED_CORE_NUMERIC_SVD_H
+
+#include <stddef.h>
+
+/* A = U diag(sigma) V^T.  A [n * rows] column by column, of any shape, in; U
+ * likewise out, its columns of length 1 at right angles, or 0 where sigma is 0.
+ * V [n * n] column by column out; of each of its columns the largest element is
+ * positive, the first of several.  sigma [n] out, the largest first.
+ * Method: one-sided Jacobi.  Source: Hestenes 1958; Golub and Van Loan, Matrix
+ * Computations, section 8.6.  Cannot fail. */
+void svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma);
+
+#endif
