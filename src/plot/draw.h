@@ -5,8 +5,8 @@
 
 #include "plot/chart.h"
 
-/* What is written around the axes; the foot goes with the legend.  CHART_BARE:
- * there are the data alone, in all cells. */
+/* The words around the axes; the foot goes with the legend.  CHART_BARE: the
+ * data alone, in all cells. */
 enum {
 	CHART_TITLE = 1,
 	CHART_LEGEND = 2,
