@@ -68,8 +68,8 @@ struct league_model {
 
 /* Ranks models [n_model] and returns whether the data can tell them apart.
  * The best is the one that errs least at the cells held out; of those whose
- * RMSE there is no more than 0.1 points above the least, and of all where no run
- * was held out, the one with the least AICc.
+ * RMSE there is no more than 0.1 points above the least, and of all where no
+ * run was held out, the one with the least AICc.
  * Ruled out is one that errs more than the best at the cells held out; or whose
  * AICc is more than 10 above the best's, unless its RMSE there is smaller,
  * however little: AICc takes errors to be independent and of one size, which
