@@ -37,11 +37,11 @@ result $? "one over an end of the measured speeds less than 1000 (most, and at: 
 steps "$(printf 'bt5.2\r')" $up
 [ "$(wc -l <steps)" -eq $each ] && [ "${most%% *}" -lt 900 ]
 result $? "with a goal and the band less than 900 (most, and at: $most)"
-# Between 69.2 and 69.3 the strip of differences goes from 10 to 5 points, and all in it is
+# Between 73.0 and 73.1 the strip of differences goes from 2 points to 1, and all in it is
 # drawn anew.
 steps "$(printf 'bxt5.2\r:spec use "ASTM C33"\rc\t')" $down
-scaled=$(grep -E ' 69.[23]$' steps | sort -n | tail -n 1)
-most=$(grep -Ev ' 69.[23]$' steps | grep -Ev " $at" | sort -n | tail -n 1)
+scaled=$(grep -E ' 73.[01]$' steps | sort -n | tail -n 1)
+most=$(grep -Ev ' 73.[01]$' steps | grep -Ev " $at" | sort -n | tail -n 1)
 [ "$(wc -l <steps)" -eq $each ] && [ "${most%% *}" -lt 900 ]
 result $? "with envelope, pin and crosshair less than 900 (most, and at: $most)"
 [ "${scaled%% *}" -lt 1000 ]

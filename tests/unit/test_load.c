@@ -243,7 +243,8 @@ a_coarser_sieve_is_assumed(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(YES); i++) {
 		assert_true(load_with(desk, SHORT, YES[i]));
 		assert_non_null(
-		    strstr(user.asked, "assume 100 % passes 22.4 mm [Y/n]"));
+		    strstr(user.asked, "assume 100 % passes 22.4 mm, the next "
+				       "sieve up [Y/n]"));
 		const struct psd *feed = &site_of(desk)->run[0].feed;
 		assert_near(feed->size[0], 22.4e-3, 1e-12);
 		assert_near(feed->passing[0], 1, 0);

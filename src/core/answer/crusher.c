@@ -129,7 +129,7 @@ take_class(struct transfer *t, size_t class, const double *P)
 }
 
 /* What the prediction has more than the sum of the classes, at all sizes:
- * straight on log size between the sieves. */
+ * straight on log size between the sieves, and no passing beyond theirs. */
 static void
 match_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
@@ -145,10 +145,14 @@ match_draw(const struct crusher *c, struct transfer *t, size_t d,
 	for (size_t i = 0; i + 1 < c->n_sieve; i++) {
 		size_t a = c->at[i], b = c->at[i + 1];
 		double width = el_log(c->size[a] / c->size[b]);
-		for (size_t k = a + 1; k < b; k++)
-			more[k] = more[b] +
-				  (more[a] - more[b]) *
-				      el_log(c->size[k] / c->size[b]) / width;
+		for (size_t k = a + 1; k < b; k++) {
+			double P_k = out[k] + more[b] +
+				     (more[a] - more[b]) *
+					 el_log(c->size[k] / c->size[b]) /
+					 width;
+			P_k = fmin(fmax(P_k, P[(i + 1) * apart]), P[i * apart]);
+			more[k] = P_k - out[k];
+		}
 	}
 }
 

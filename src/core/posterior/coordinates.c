@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Maps parameters to coordinates without bounds and back, with the logarithm of
+ * what that does to volumes: beta on a sphere, the others as shares, by the
+ * normal distribution, of what bounds leave them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/coordinates.h"
 
 #include <math.h>
