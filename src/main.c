@@ -67,7 +67,7 @@ take_language(const char *word, struct error *error)
 }
 
 static bool
-take_option(
+main_take_option(
     struct invocation *in, int option, const char *value, struct error *error)
 {
 	switch (option) {
@@ -157,7 +157,7 @@ read_command_line(
 		if (option == '?' || option == ':'
 			? !refuse_option(
 			      option, letters, argv[optind - 1], error)
-			: !take_option(in, option, optarg, error))
+			: !main_take_option(in, option, optarg, error))
 			return false;
 	in->first_file = optind;
 	return true;
@@ -220,7 +220,7 @@ run_actions(struct session *s, const struct invocation *in)
 }
 
 static int
-run(struct session *s, const struct invocation *in, int argc, char **argv)
+main_run(struct session *s, const struct invocation *in, int argc, char **argv)
 {
 	int status = 0;
 	bool prompt = in->n_action == 0 && terminal_attended();
@@ -308,7 +308,8 @@ main(int argc, char **argv)
 			usage_print(stdout);
 		if (in.version)
 			printf("tipspeed %s\n", PACKAGE_VERSION);
-		status = in.help || in.version ? 0 : run(s, &in, argc, argv);
+		status =
+		    in.help || in.version ? 0 : main_run(s, &in, argc, argv);
 		session_free(s);
 	}
 	free(in.action);

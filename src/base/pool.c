@@ -81,7 +81,7 @@ sleep_until_work(struct pool *pool)
 }
 
 static void *
-work(void *argument)
+pool_work(void *argument)
 {
 	const struct worker *worker = argument;
 	struct pool *pool = worker->pool;
@@ -136,8 +136,8 @@ pool_new(unsigned threads)
 	while (pool->threads < threads) {
 		unsigned i = pool->threads;
 		pool->worker[i] = (struct worker){pool, i};
-		if (pthread_create(
-			&pool->thread[i], NULL, work, &pool->worker[i]) != 0)
+		if (pthread_create(&pool->thread[i], NULL, pool_work,
+			&pool->worker[i]) != 0)
 			break;
 		pool->threads++;
 	}

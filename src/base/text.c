@@ -22,7 +22,7 @@ is_digit(char c)
 }
 
 static bool
-is_blank(char c)
+text_is_blank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
@@ -123,10 +123,10 @@ text_apart(double value, double other, char buf[static 32])
 char *
 text_trim(char *s)
 {
-	while (is_blank(*s))
+	while (text_is_blank(*s))
 		s++;
 	size_t n = strlen(s);
-	while (n > 0 && is_blank(s[n - 1]))
+	while (n > 0 && text_is_blank(s[n - 1]))
 		s[--n] = '\0';
 	return s;
 }

@@ -81,7 +81,7 @@ xasprintf(const char *format, ...)
 
 /* Takes what is added. */
 static void
-add(char **text, const char *separator, char *more)
+xalloc_add(char **text, const char *separator, char *more)
 {
 	size_t n = strlen(*text), gap = strlen(separator), m = strlen(more);
 	*text = xrealloc(*text, n + gap + m + 1, 1);
@@ -95,7 +95,7 @@ xappend(char **text, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add(text, "", xvasprintf(format, ap));
+	xalloc_add(text, "", xvasprintf(format, ap));
 	va_end(ap);
 }
 
@@ -104,7 +104,8 @@ xlist(char **list, const char *separator, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add(list, *list[0] != '\0' ? separator : "", xvasprintf(format, ap));
+	xalloc_add(
+	    list, *list[0] != '\0' ? separator : "", xvasprintf(format, ap));
 	va_end(ap);
 }
 

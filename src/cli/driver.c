@@ -13,7 +13,8 @@
 /* Ends what the line has under way after an error or an interruption; the
  * latter keeps the results so far. */
 static void
-give_up(const struct driver *d, int status, const char *line, const char *name)
+driver_give_up(
+    const struct driver *d, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
 	bool ok = status == 0 || signals_noted() != 0;
@@ -28,7 +29,7 @@ interrupt(
 {
 	pager_hold(d->pager);
 	session_pause(d->session);
-	give_up(d, 0, line, name);
+	driver_give_up(d, 0, line, name);
 	pager_show(d->pager);
 	if (d->interrupted != NULL)
 		d->interrupted(name, number);
@@ -62,7 +63,7 @@ go_through(const struct driver *d, size_t depth, const char *line,
 		status = s->hooks.run_screen(s);
 	}
 	if (status != 0 || s->quit)
-		give_up(d, status, line, name);
+		driver_give_up(d, status, line, name);
 	pager_show(d->pager);
 	return status;
 }

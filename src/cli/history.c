@@ -20,7 +20,7 @@ static char *path; /* NULL: it is not kept */
 static bool opened;
 
 static void
-give_up(const char *why)
+history_give_up(const char *why)
 {
 	fprintf(stderr, tr("the history cannot be saved: %s\n"), why);
 	free(path);
@@ -33,7 +33,7 @@ append(const char *bytes)
 	struct error error = {0};
 	if (path != NULL &&
 	    !file_append(path, FILE_PRIVATE, bytes, strlen(bytes), &error))
-		give_up(error.text);
+		history_give_up(error.text);
 }
 
 void
@@ -46,7 +46,7 @@ typed_open(bool with_file)
 		return;
 	path = home_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
-		give_up(tr("HOME is not set"));
+		history_give_up(tr("HOME is not set"));
 		return;
 	}
 	free(home_make_folders(path));

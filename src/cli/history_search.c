@@ -35,7 +35,7 @@ put_line(const char *line, int point)
 }
 
 static void
-begin(void)
+history_search_begin(void)
 {
 	free(at.wanted);
 	free(at.typed);
@@ -46,7 +46,7 @@ begin(void)
 
 /* Whether a line of the history is wanted; what stands there already is not. */
 static bool
-is_wanted(const char *line, bool anywhere)
+history_search_is_wanted(const char *line, bool anywhere)
 {
 	const char *found = strstr(line, at.wanted);
 	return found != NULL && (anywhere || found == line) &&
@@ -54,14 +54,15 @@ is_wanted(const char *line, bool anywhere)
 }
 
 static int
-search(bool on, bool anywhere, bool goes_on)
+history_search_search(bool on, bool anywhere, bool goes_on)
 {
 	if (!goes_on)
-		begin();
+		history_search_begin();
 	int step = on ? 1 : -1, place = at.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
 		const HIST_ENTRY *entry = history_get(history_base + place);
-		if (entry == NULL || !is_wanted(entry->line, anywhere))
+		if (entry == NULL ||
+		    !history_search_is_wanted(entry->line, anywhere))
 			continue;
 		at.place = place;
 		put_line(entry->line, (int)strlen(at.wanted));
@@ -80,7 +81,7 @@ static int go_back(int count, int key), go_on(int count, int key),
     look_back(int count, int key), look_on(int count, int key);
 
 static bool
-goes_on(void)
+history_search_goes_on(void)
 {
 	return rl_last_func == go_back || rl_last_func == go_on ||
 	       rl_last_func == look_back || rl_last_func == look_on;
@@ -91,14 +92,14 @@ static int
 go_back(int count, int key)
 {
 	(void)count, (void)key;
-	return search(false, false, goes_on());
+	return history_search_search(false, false, history_search_goes_on());
 }
 
 static int
 go_on(int count, int key)
 {
 	(void)count, (void)key;
-	return search(true, false, goes_on());
+	return history_search_search(true, false, history_search_goes_on());
 }
 
 /* Lines that have it anywhere. */
@@ -106,14 +107,14 @@ static int
 look_back(int count, int key)
 {
 	(void)count, (void)key;
-	return search(false, true, goes_on());
+	return history_search_search(false, true, history_search_goes_on());
 }
 
 static int
 look_on(int count, int key)
 {
 	(void)count, (void)key;
-	return search(true, true, goes_on());
+	return history_search_search(true, true, history_search_goes_on());
 }
 
 static const struct {

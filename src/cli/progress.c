@@ -132,7 +132,8 @@ pace_watched(const struct session *s)
 }
 
 static void
-watch(struct session *s, struct progress *p, const struct calibrate_status *st)
+progress_watch(
+    struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	size_t before = p->row;
 	if (st->state == CALIBRATE_SEARCHING)
@@ -149,7 +150,7 @@ progress(struct session *s, struct progress *p)
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (can_watch(s, p))
-		watch(s, p, &st);
+		progress_watch(s, p, &st);
 	else if (p->terminal)
 		progress_line(p, &st);
 	else
@@ -158,7 +159,7 @@ progress(struct session *s, struct progress *p)
 
 /* The answer to SIGUSR1. */
 static void
-answer(const struct session *s)
+progress_answer(const struct session *s)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	clear_line();
@@ -183,7 +184,7 @@ progress_run(struct session *s)
 	while (session_busy(s) && signals_noted() == 0) {
 		session_rounds(s);
 		if (session_busy(s) && signals_asked())
-			answer(s);
+			progress_answer(s);
 		progress(s, &p);
 	}
 	clear_line();

@@ -450,7 +450,7 @@ read_answer(const char *text)
 }
 
 static char *
-question(struct session *s, const struct inquiry *q)
+repl_question(struct session *s, const struct inquiry *q)
 {
 	return ask_with(s, q, read_answer);
 }
@@ -461,7 +461,7 @@ repl_run(struct session *s)
 	int number = 1;
 	set_up(s);
 	batch_attend(s);
-	s->hooks.question = question;
+	s->hooks.question = repl_question;
 	while (!s->quit && !signals_ended()) {
 		if (at.before[0] == '\0')
 			offer_next(s);

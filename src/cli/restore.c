@@ -79,7 +79,7 @@ restore_note(void)
 
 /* Adds bytes without the pauses old terminals were given. */
 static void
-add(const char *text)
+restore_add(const char *text)
 {
 	if (text == NULL || text == (const char *)-1)
 		return;
@@ -94,7 +94,7 @@ add(const char *text)
 }
 
 static void
-watch(void)
+restore_watch(void)
 {
 	static bool asked;
 	stack_t stack = {.ss_sp = at.stack, .ss_size = sizeof at.stack};
@@ -119,19 +119,19 @@ restore_screen(void)
 	at.n = 0;
 	at.full = true;
 	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
-		add(MOUSE_OFF);
+		restore_add(MOUSE_OFF);
 	const char *cup = tigetstr("cup");
 	if (strncmp(cup, "\033[", 2) == 0)
-		add("\033[?2004l");
-	add(tigetstr("rmkx"));
-	add(tigetstr("sgr0"));
-	add(tigetstr("cnorm"));
+		restore_add("\033[?2004l");
+	restore_add(tigetstr("rmkx"));
+	restore_add(tigetstr("sgr0"));
+	restore_add(tigetstr("cnorm"));
 	if (tigetstr("rmcup") != NULL)
-		add(tigetstr("rmcup"));
+		restore_add(tigetstr("rmcup"));
 	else
-		add(tparm(tigetstr("cup"), LINES - 1, 0));
-	add("\r\n");
-	watch();
+		restore_add(tparm(tigetstr("cup"), LINES - 1, 0));
+	restore_add("\r\n");
+	restore_watch();
 }
 
 void
@@ -140,8 +140,8 @@ restore_prompt(const char *bytes)
 	restore_note();
 	at.n = 0;
 	at.full = false;
-	add(bytes);
-	watch();
+	restore_add(bytes);
+	restore_watch();
 }
 
 void

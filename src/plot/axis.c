@@ -11,7 +11,7 @@
 
 /* Same size, but for how it was computed. */
 static bool
-near(double a, double b)
+axis_near(double a, double b)
 {
 	return fabs(a - b) <= 1e-6 * fabs(b);
 }
@@ -21,7 +21,7 @@ is_doubling(double size)
 {
 	static const double SERIES[] = {0.063, 0.125, 0.25, 0.5};
 	for (size_t i = 0; i < ARRAY_LEN(SERIES); i++)
-		if (near(size, SERIES[i]))
+		if (axis_near(size, SERIES[i]))
 			return true;
 	double power = log2(size);
 	return power >= -1e-6 && fabs(power - round(power)) < 1e-6;
@@ -29,7 +29,7 @@ is_doubling(double size)
 
 /* 5.6, 11.2, 22.4 and 2.8, 1.4. */
 static bool
-is_between(double size)
+axis_is_between(double size)
 {
 	double power = log2(size / 1.4);
 	return power > -0.5 && fabs(power - round(power)) < 1e-6;
@@ -45,7 +45,7 @@ axis_add(struct axis *axis, double at, const char *label, int rank)
 }
 
 static void
-add_number(struct axis *axis, double at, int rank)
+axis_add_number(struct axis *axis, double at, int rank)
 {
 	char label[24];
 	snprintf(label, sizeof label, "%g", at);
@@ -64,7 +64,7 @@ static bool
 has_tick(const struct axis *axis, double at)
 {
 	for (size_t i = 0; i < axis->n; i++)
-		if (near(axis->tick[i].at, at))
+		if (axis_near(axis->tick[i].at, at))
 			return true;
 	return false;
 }
@@ -75,12 +75,12 @@ axis_sieves(const char *title, const double *size, size_t n)
 	struct axis a = {.title = xstrdup(title), .log = true};
 	for (size_t i = 0; i < n; i++)
 		if (!has_tick(&a, size[i]))
-			add_number(&a, size[i],
-			    is_doubling(size[i])  ? 1
-			    : is_between(size[i]) ? 2
-						  : 3);
+			axis_add_number(&a, size[i],
+			    is_doubling(size[i])       ? 1
+			    : axis_is_between(size[i]) ? 2
+						       : 3);
 	if (a.n == 0)
-		add_number(&a, 1, 0);
+		axis_add_number(&a, 1, 0);
 	qsort(a.tick, a.n, sizeof *a.tick, compare_ticks);
 	a.tick[0].rank = a.tick[a.n - 1].rank = 0;
 	a.low = a.tick[0].at / (a.n > 1 ? 1 : 2);
@@ -95,7 +95,7 @@ axis_percent(const char *title)
 	struct axis a = {.title = xstrdup(title), .high = 100};
 	for (size_t i = 0; i < ARRAY_LEN(TICKS); i++) {
 		bool guide = i > 0 && i + 1 < ARRAY_LEN(TICKS);
-		add_number(&a, TICKS[i], guide ? 2 - (i == 2) : 0);
+		axis_add_number(&a, TICKS[i], guide ? 2 - (i == 2) : 0);
 		a.tick[i].guide = guide;
 	}
 	return a;
@@ -103,7 +103,7 @@ axis_percent(const char *title)
 
 /* 1, 2 or 5 times a power of ten that goes into range some four times. */
 static double
-round_step(double range)
+axis_round_step(double range)
 {
 	double power = pow(10, floor(log10(range / 4)));
 	double part = range / 4 / power;
@@ -118,13 +118,13 @@ axis_linear(const char *title, double low, double high)
 		low -= low == 0 ? 1 : fabs(low) / 10;
 		high += high == 0 ? 1 : fabs(high) / 10;
 	}
-	double step = round_step(high - low);
+	double step = axis_round_step(high - low);
 	a.low = floor(low / step + 1e-9) * step;
 	a.high = ceil(high / step - 1e-9) * step;
 	long n = lround((a.high - a.low) / step);
 	for (long i = 0; i <= n; i++) {
 		double at = a.low + (double)i * step;
-		add_number(&a, fabs(at) < step / 1000 ? 0 : at,
+		axis_add_number(&a, fabs(at) < step / 1000 ? 0 : at,
 		    i == 0 || i == n ? 0 : 1);
 	}
 	return a;
@@ -150,7 +150,7 @@ axis_log(const char *title, double low, double high)
 	while (step_at(last) < high * (1 - 1e-9))
 		last++;
 	for (int i = first; i <= last; i++)
-		add_number(&a, step_at(i),
+		axis_add_number(&a, step_at(i),
 		    i == first || i == last ? 0
 		    : i % 3 == 0            ? 1
 					    : 2);
@@ -176,9 +176,10 @@ axis_symlog(const char *title, double straight, double most)
 			if (at > most * 1.001)
 				break;
 			snprintf(label, sizeof label, "%+g", at);
-			axis_add(&a, at, label, near(at, most) ? 0 : rank);
+			axis_add(&a, at, label, axis_near(at, most) ? 0 : rank);
 			snprintf(label, sizeof label, "%+g", -at);
-			axis_add(&a, -at, label, near(at, most) ? 0 : rank);
+			axis_add(
+			    &a, -at, label, axis_near(at, most) ? 0 : rank);
 		}
 	return a;
 }
@@ -193,7 +194,7 @@ axis_free(struct axis *axis)
 /* Its distance on the axis.  On a symmetric one slopes meet where the straight
  * part ends. */
 static double
-distance(const struct axis *axis, double value)
+axis_distance(const struct axis *axis, double value)
 {
 	double part = value / axis->straight;
 	if (axis->log)
@@ -214,11 +215,11 @@ axis_unit(const struct axis *axis)
 double
 axis_share(const struct axis *axis, double value)
 {
-	double low = distance(axis, axis->low);
-	double high = distance(axis, axis->high);
+	double low = axis_distance(axis, axis->low);
+	double high = axis_distance(axis, axis->high);
 	if (axis->log && !(value > 0))
 		return 0;
-	double t = (distance(axis, value) - low) / (high - low);
+	double t = (axis_distance(axis, value) - low) / (high - low);
 	return fmin(fmax(t, 0), 1);
 }
 
@@ -232,7 +233,7 @@ axis_place_of(double share, int n)
 
 /* A row's cells from `from` on, with a space around them, are free. */
 static bool
-has_room(const char *taken, int columns, int from, int length)
+axis_has_room(const char *taken, int columns, int from, int length)
 {
 	for (int i = from - 1; i <= from + length; i++)
 		if (i >= 0 && i < columns && taken[i])
@@ -253,7 +254,7 @@ place_label(const struct axis_tick *tick, double share, int columns, int rows,
 		from = 0;
 	for (int r = 0; r < rows && length <= columns; r++) {
 		char *cells = taken + (size_t)r * (size_t)columns;
-		if (!has_room(cells, columns, from, length))
+		if (!axis_has_room(cells, columns, from, length))
 			continue;
 		memset(cells + from, 1, (size_t)length);
 		*column = from;

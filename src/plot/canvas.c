@@ -120,7 +120,7 @@ canvas_utf8(uint32_t code, char text[static 5])
 }
 
 static void
-print_row(const struct canvas *canvas, int row, int depth, FILE *out)
+canvas_print_row(const struct canvas *canvas, int row, int depth, FILE *out)
 {
 	int columns = canvas->columns;
 	const struct canvas_cell *cell = canvas->cell + row * columns;
@@ -148,7 +148,7 @@ void
 canvas_print(const struct canvas *canvas, int depth, FILE *out)
 {
 	for (int row = 0; row < canvas->rows; row++)
-		print_row(canvas, row, depth, out);
+		canvas_print_row(canvas, row, depth, out);
 }
 
 int

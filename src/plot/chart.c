@@ -138,7 +138,7 @@ chart_note(struct chart *chart, const char *format, ...)
 
 /* b at the place of `at` between a0 and a1, a straight or by its logarithm. */
 static double
-between(bool by_log, const double *a, const double *b, double at)
+chart_between(bool by_log, const double *a, const double *b, double at)
 {
 	if (a[0] == a[1])
 		return b[0];
@@ -149,7 +149,7 @@ between(bool by_log, const double *a, const double *b, double at)
 
 /* True when `at` lies between two neighbours, with a rounding of grace. */
 static bool
-holds(const double *a, double at)
+chart_holds(const double *a, double at)
 {
 	double grace = 1e-9 * fabs(at);
 	return at >= fmin(a[0], a[1]) - grace && at <= fmax(a[0], a[1]) + grace;
@@ -159,8 +159,8 @@ double
 chart_at(const struct chart *chart, const struct chart_series *series, double x)
 {
 	for (size_t i = 0; i + 1 < series->n; i++)
-		if (holds(series->x + i, x))
-			return between(
+		if (chart_holds(series->x + i, x))
+			return chart_between(
 			    chart->x.log, series->x + i, series->y + i, x);
 	return NAN;
 }
@@ -172,7 +172,7 @@ chart_at_y(
 	if (series->finer != NULL)
 		series = series->finer;
 	for (size_t i = 0; i + 1 < series->n; i++) {
-		if (!holds(series->y + i, y))
+		if (!chart_holds(series->y + i, y))
 			continue;
 		double x[2] = {series->x[i], series->x[i + 1]};
 		bool by_log = chart->x.log;
@@ -180,7 +180,7 @@ chart_at_y(
 			x[0] = log(x[0]);
 			x[1] = log(x[1]);
 		}
-		double at = between(chart->y.log, series->y + i, x, y);
+		double at = chart_between(chart->y.log, series->y + i, x, y);
 		return by_log ? exp(at) : at;
 	}
 	return NAN;

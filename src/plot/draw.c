@@ -228,7 +228,7 @@ layout_strip(struct layout l)
 }
 
 static struct layout
-layout_make(const struct chart *chart, struct canvas *canvas, int left,
+draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
     enum charset charset, unsigned words)
 {
 	enum { Y_TITLE, LEGEND, SECOND, FOOT, TITLE, LABELS, AXIS, PARTS };
@@ -285,7 +285,7 @@ put_code(struct layout *l, int column, int row, uint32_t code)
 /* The line left of the plot, with ticks; labels that would touch are left
  * out, those of low rank first. */
 static void
-draw_y_axis(struct layout *l)
+draw_chart_y_axis(struct layout *l)
 {
 	enum { RANKS = 3 };
 	const struct axis *a = &l->chart->y;
@@ -310,7 +310,7 @@ draw_y_axis(struct layout *l)
 }
 
 static void
-draw_x_axis(struct layout *l)
+draw_chart_x_axis(struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
 	bool ascii = l->charset == CHARSET_ASCII;
@@ -325,7 +325,7 @@ draw_x_axis(struct layout *l)
 }
 
 static void
-draw_labels(struct layout *l)
+draw_chart_labels(struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
 	int *column = xcalloc(a->n, sizeof *column);
@@ -392,9 +392,9 @@ draw_around(struct layout *l)
 {
 	draw_titles(l);
 	if (l->left > 0)
-		draw_y_axis(l);
-	draw_x_axis(l);
-	draw_labels(l);
+		draw_chart_y_axis(l);
+	draw_chart_x_axis(l);
+	draw_chart_labels(l);
 	if (l->legend >= 0)
 		flow_notes(l, l->legend);
 	if (l->foot >= 0)
@@ -422,8 +422,8 @@ is_inked(enum chart_line line, enum charset charset, int step)
 }
 
 static void
-put(struct brush *p, int column, int row, uint32_t code, enum series series,
-    unsigned attribute)
+draw_put(struct brush *p, int column, int row, uint32_t code,
+    enum series series, unsigned attribute)
 {
 	if (column < 0 || column >= p->at.width || row < 0 ||
 	    row >= p->at.height)
@@ -452,7 +452,7 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
 			    : canvas_dots_code(p->at.charset, all);
 	if (all == *dots && !set)
 		return;
-	put(p, column, row, code, s->series, 0);
+	draw_put(p, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
 
@@ -477,7 +477,7 @@ draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 }
 
 static void
-draw_line(struct brush *p, const struct chart_series *s)
+draw_chart_line(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i + 1 < s->n; i++)
 		if (isfinite(s->y[i]) && isfinite(s->y[i + 1]))
@@ -486,7 +486,7 @@ draw_line(struct brush *p, const struct chart_series *s)
 
 /* The shade of a field by its value, and the label where it has room. */
 static void
-draw_field(struct brush *p, const struct chart_series *s, size_t i)
+draw_chart_field(struct brush *p, const struct chart_series *s, size_t i)
 {
 	static const uint32_t SHADES[] = {' ', '.', ':', '#'},
 			      BLOCKS[] = {' ', 0x2591, 0x2592, 0x2593};
@@ -502,7 +502,7 @@ draw_field(struct brush *p, const struct chart_series *s, size_t i)
 	int foot = layout_row(&p->at, s->y[i] - 0.5, 1);
 	for (int row = top; row < foot || row == top; row++)
 		for (int column = left; column < right; column++)
-			put(p, column, row,
+			draw_put(p, column, row,
 			    p->at.charset == CHARSET_ASCII ? SHADES[shade]
 							   : BLOCKS[shade],
 			    s->series, 0);
@@ -516,7 +516,7 @@ draw_field(struct brush *p, const struct chart_series *s, size_t i)
 
 /* Of a point, with what it is drawn beside by. */
 static int
-column_of(const struct brush *p, const struct chart_series *s, size_t i)
+draw_column_of(const struct brush *p, const struct chart_series *s, size_t i)
 {
 	int column = layout_column(&p->at, s->x[i], 1) + s->beside;
 	int last = p->at.width - 1;
@@ -529,7 +529,7 @@ static void
 draw_small(struct brush *p, const struct chart_series *s, size_t i, int down)
 {
 	int row = layout_row(&p->at, s->y[i], down), high = down / 2;
-	int top = row % down - high / 2, x = 2 * column_of(p, s, i);
+	int top = row % down - high / 2, x = 2 * draw_column_of(p, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
 	for (int k = 0; k < 2 * high; k++)
 		put_dot(p, s, x + k % 2, row - row % down + top + k / 2, true);
@@ -555,7 +555,7 @@ draw_fine(struct brush *p, const struct chart_series *s,
 }
 
 static void
-draw_mark(struct brush *p, const struct chart_series *s, size_t i)
+draw_chart_mark(struct brush *p, const struct chart_series *s, size_t i)
 {
 	const struct mark *mark = mark_of(s->mark);
 	if (!isfinite(s->y[i]))
@@ -563,8 +563,9 @@ draw_mark(struct brush *p, const struct chart_series *s, size_t i)
 	if (s->fine && mark != NULL && p->at.charset != CHARSET_ASCII)
 		draw_fine(p, s, mark, i);
 	else
-		put(p, column_of(p, s, i), layout_row(&p->at, s->y[i], 1),
-		    (uint32_t)s->mark, s->series,
+		draw_put(p, draw_column_of(p, s, i),
+		    layout_row(&p->at, s->y[i], 1), (uint32_t)s->mark,
+		    s->series,
 		    (s->line == CHART_MARKS ? CELL_BOLD : 0) |
 			(s->lifted ? CELL_REVERSE : 0));
 }
@@ -583,22 +584,23 @@ clear_around(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->lifted; i++)
 		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
-			int column = column_of(p, s, i);
+			int column = draw_column_of(p, s, i);
 			int row = layout_row(&p->at, s->y[i], 1);
 			if (has_dots(p, column, row) &&
 			    has_dots(p, column, row + 2 * by))
-				put(p, column, row + by, ' ', SERIES_TEXT, 0);
+				draw_put(
+				    p, column, row + by, ' ', SERIES_TEXT, 0);
 		}
 }
 
 static void
-draw_marks(struct brush *p, const struct chart_series *s)
+draw_chart_marks(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
-		draw_field(p, s, i);
+		draw_chart_field(p, s, i);
 	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
 		if (!s->fine)
-			draw_mark(p, s, i);
+			draw_chart_mark(p, s, i);
 }
 
 /* A cell has one colour: series take turns in lying on top, point by point. */
@@ -616,13 +618,13 @@ draw_fine_marks(struct brush *p)
 			const struct chart_series *s =
 			    c->series[(point + turn) % c->n];
 			if (s->fine && point < s->n)
-				draw_mark(p, s, point);
+				draw_chart_mark(p, s, point);
 		}
 }
 
 /* A bar from low to high at each point, a dot wide or a cell. */
 static void
-draw_bars(struct brush *p, const struct chart_series *s)
+draw_chart_bars(struct brush *p, const struct chart_series *s)
 {
 	enum { DOTTED = 2 };
 	int across = canvas_dots_across(p->at.charset),
@@ -630,7 +632,7 @@ draw_bars(struct brush *p, const struct chart_series *s)
 	int wide = s->line == CHART_LONG ? across : 1;
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
-		int column = column_of(p, s, i);
+		int column = draw_column_of(p, s, i);
 		int foot = layout_row(&p->at, s->low[i], down);
 		int top = layout_row(&p->at, s->high[i], down);
 		for (int y = top; y <= foot; y += step)
@@ -650,7 +652,7 @@ edge_at(struct brush *p, const struct chart_series *s, double *edge, double x)
 
 /* The value in the middle of part i of n along an axis. */
 static double
-value_at(const struct axis *a, int i, int n)
+draw_value_at(const struct axis *a, int i, int n)
 {
 	double t = (i + 0.5) / n;
 	return a->log ? a->low * pow(a->high / a->low, t)
@@ -661,7 +663,7 @@ value_at(const struct axis *a, int i, int n)
 static double
 x_at(const struct brush *p, int i, int n)
 {
-	return value_at(&p->at.chart->x, i, n);
+	return draw_value_at(&p->at.chart->x, i, n);
 }
 
 /* Rows that the band fills from their foot to their top. */
@@ -673,13 +675,13 @@ fill_band(
 	double foot = p->at.height * (1 - axis_share(&p->at.chart->y, low));
 	uint32_t shade = p->at.charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int row = (int)ceil(top); row + 1 <= foot; row++)
-		put(p, column, row, shade, tint, CELL_DIM);
+		draw_put(p, column, row, shade, tint, CELL_DIM);
 }
 
 /* Behind the lines, and never thicker than it is: its edges in every second
  * dot, and the cells between them. */
 static void
-draw_band(struct brush *p, const struct chart_series *s)
+draw_chart_band(struct brush *p, const struct chart_series *s)
 {
 	enum { EVERY = 2 };
 	const struct chart_series edge = {.series = palette_tint(s->series)};
@@ -720,7 +722,7 @@ draw_guides(struct brush *p)
 						     : 0x00B7;
 		for (int column = every / 2; column < p->at.width && t->guide;
 		     column += every)
-			put(p, column, layout_row(&p->at, t->at, 1), code,
+			draw_put(p, column, layout_row(&p->at, t->at, 1), code,
 			    SERIES_TEXT, CELL_DIM);
 	}
 }
@@ -737,15 +739,15 @@ draw_rules(struct brush *p)
 		bool thin = r->series != SERIES_CROSSHAIR;
 		for (int row = 0; row < p->at.height;
 		     row += thin && p->at.height >= TALL ? 2 : 1)
-			put(p, column, row, rule_code(r->series, p->at.charset),
-			    r->series, 0);
+			draw_put(p, column, row,
+			    rule_code(r->series, p->at.charset), r->series, 0);
 	}
 }
 
 /* Whether cells of a row, and one on either side, are among the data and hold
  * nothing yet. */
 static bool
-is_blank(struct brush *p, int column, int row, int wide)
+draw_is_blank(struct brush *p, int column, int row, int wide)
 {
 	for (int c = column - 1; c <= column + wide; c++)
 		if (c < 0 || c >= p->at.width ||
@@ -757,52 +759,52 @@ is_blank(struct brush *p, int column, int row, int wide)
 
 /* Right of the mark, or left of it, or not at all. */
 static void
-draw_name(struct brush *p, const struct chart_series *s, size_t i)
+draw_chart_name(struct brush *p, const struct chart_series *s, size_t i)
 {
 	const char *label = s->whose[i].label;
 	if (label == NULL || !isfinite(s->y[i]))
 		return;
-	int wide = text_width(label), at = column_of(p, s, i);
+	int wide = text_width(label), at = draw_column_of(p, s, i);
 	int row = layout_row(&p->at, s->y[i], 1);
 	int right = at + 2, left = at - 1 - wide;
-	if (is_blank(p, right, row, wide))
+	if (draw_is_blank(p, right, row, wide))
 		canvas_text(p->at.canvas, p->at.left + right, p->at.top + row,
 		    label, s->series, 0);
-	else if (is_blank(p, left, row, wide))
+	else if (draw_is_blank(p, left, row, wide))
 		canvas_text(p->at.canvas, p->at.left + left, p->at.top + row,
 		    label, s->series, 0);
 }
 
 static void
-draw_names(struct brush *p)
+draw_chart_names(struct brush *p)
 {
 	for (size_t i = 0; i < p->at.chart->n; i++) {
 		const struct chart_series *s = p->at.chart->series[i];
 		for (size_t j = 0; j < s->n && s->named; j++)
-			draw_name(p, s, j);
+			draw_chart_name(p, s, j);
 	}
 }
 
 static void
-draw_data(struct brush *p)
+draw_chart_data(struct brush *p)
 {
 	const struct chart *c = p->at.chart;
 	for (size_t i = 0; i < c->n; i++)
 		if (!c->series[i]->bars)
-			draw_band(p, c->series[i]);
+			draw_chart_band(p, c->series[i]);
 	draw_guides(p);
 	draw_rules(p);
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
-			draw_bars(p, c->series[i]);
+			draw_chart_bars(p, c->series[i]);
 		else
-			draw_line(p, c->series[i]);
+			draw_chart_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		clear_around(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
-		draw_marks(p, c->series[i]);
+		draw_chart_marks(p, c->series[i]);
 	draw_fine_marks(p);
-	draw_names(p);
+	draw_chart_names(p);
 }
 
 static struct canvas *
@@ -811,10 +813,10 @@ draw_one(const struct chart *chart, int columns, int rows, int left,
 {
 	struct canvas *canvas = canvas_new(columns, rows);
 	struct brush p = {
-	    .at = layout_make(chart, canvas, left, charset, words)};
+	    .at = draw_layout_make(chart, canvas, left, charset, words)};
 	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
 	draw_around(&p.at);
-	draw_data(&p);
+	draw_chart_data(&p);
 	free(p.dots);
 	return canvas;
 }
@@ -843,7 +845,7 @@ find_mark(const struct layout *l, int column, int row, struct chart_found *f)
 
 /* The line in that row of a column, of several the one on top. */
 static void
-find_line(const struct layout *l, int row, struct chart_found *f)
+draw_find_line(const struct layout *l, int row, struct chart_found *f)
 {
 	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
 		const struct chart_series *of = l->chart->series[s];
@@ -863,17 +865,17 @@ find_line(const struct layout *l, int row, struct chart_found *f)
 }
 
 static bool
-find_in(const struct layout *l, int column, int row, struct chart_found *f)
+draw_find_in(const struct layout *l, int column, int row, struct chart_found *f)
 {
 	*f = (struct chart_found){.chart = l->chart};
 	column -= l->left;
 	row -= l->top;
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
 		return false;
-	f->x = value_at(&l->chart->x, column, l->width);
-	f->y = value_at(&l->chart->y, l->height - 1 - row, l->height);
+	f->x = draw_value_at(&l->chart->x, column, l->width);
+	f->y = draw_value_at(&l->chart->y, l->height - 1 - row, l->height);
 	find_mark(l, column, row, f);
-	find_line(l, row, f);
+	draw_find_line(l, row, f);
 	return true;
 }
 
@@ -889,7 +891,7 @@ charts_of(const struct chart *chart)
 /* Rows of a chart and of the n below it share what is left, but a strip has its
  * own, or none where its chart would become too low. */
 static int
-rows_of(const struct chart *chart, int left, int n)
+draw_rows_of(const struct chart *chart, int left, int n)
 {
 	enum { LEAST = 8 };
 	const struct chart *below = chart->below;
@@ -909,14 +911,15 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
 	int left = gutter(chart, canvas->columns, words);
 	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
 	     c = c->below) {
-		int own = rows_of(c, canvas->rows - top, n--);
+		int own = draw_rows_of(c, canvas->rows - top, n--);
 		if (row >= top + own) {
 			top += own;
 			continue;
 		}
 		struct canvas *one = canvas_new(canvas->columns, own);
-		struct layout l = layout_make(c, one, left, charset, words);
-		bool in = find_in(&l, column, row - top, found);
+		struct layout l =
+		    draw_layout_make(c, one, left, charset, words);
+		bool in = draw_find_in(&l, column, row - top, found);
 		canvas_free(one);
 		return in;
 	}
@@ -933,7 +936,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		int own = rows_of(c, rows - top, n--);
+		int own = draw_rows_of(c, rows - top, n--);
 		struct canvas *one =
 		    draw_one(c, columns, own, left, charset, words);
 		memcpy(all->cell + top * columns, one->cell,

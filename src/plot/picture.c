@@ -111,7 +111,7 @@ static const struct pen_stroke GUIDE = {
     SERIES_FEED, CHART_DOTTED, 0.3, PEN_OPEN};
 
 static void
-draw_x_axis(struct page *p)
+picture_draw_x_axis(struct page *p)
 {
 	enum { COLUMN = 5, LABEL = 8, ROWS = 2 };
 	static const double DIGIT = 5.1; /* its width; a column rounds it */
@@ -140,7 +140,7 @@ draw_x_axis(struct page *p)
 
 /* A label at y is not to touch one of those placed. */
 static bool
-is_free(const double *placed, size_t n, double y)
+picture_is_free(const double *placed, size_t n, double y)
 {
 	for (size_t i = 0; i < n; i++)
 		if (fabs(placed[i] - y) < 10)
@@ -149,7 +149,7 @@ is_free(const double *placed, size_t n, double y)
 }
 
 static void
-draw_y_axis(struct page *p)
+picture_draw_y_axis(struct page *p)
 {
 	enum { RANKS = 3, LABEL = 8 };
 	const struct axis *a = &p->chart->y;
@@ -164,7 +164,7 @@ draw_y_axis(struct page *p)
 			draw_rule(p, LEFT - 4, y, LEFT, y, THIN);
 			if (t->guide)
 				draw_rule(p, LEFT, y, LEFT + WIDTH, y, GUIDE);
-			if (!is_free(placed, n, y))
+			if (!picture_is_free(placed, n, y))
 				continue;
 			placed[n++] = y;
 			p->pen->text(p->pen, LEFT - 6, y + 3, t->label,
@@ -196,7 +196,8 @@ draw_shape(struct page *p, int sides, double start, enum pen_fill fill,
 
 /* Marks as shapes where there is one, else as the character. */
 static void
-draw_mark(struct page *p, const struct chart_series *s, double x, double y)
+picture_draw_mark(
+    struct page *p, const struct chart_series *s, double x, double y)
 {
 	const struct mark *fine = s->fine ? mark_of(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
@@ -220,7 +221,7 @@ draw_mark(struct page *p, const struct chart_series *s, double x, double y)
 }
 
 static void
-draw_band(struct page *p, const struct chart_series *s)
+picture_draw_band(struct page *p, const struct chart_series *s)
 {
 	if (s->low == NULL)
 		return;
@@ -239,7 +240,7 @@ draw_band(struct page *p, const struct chart_series *s)
 }
 
 static double
-beside(const struct chart_series *s)
+picture_beside(const struct chart_series *s)
 {
 	enum { CELL = 4 };
 	return CELL * s->beside;
@@ -258,7 +259,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 {
 	struct pen_stroke stroke = bar_stroke(s);
 	for (size_t i = 0; i < s->n; i++) {
-		double x = page_x(p, s->x[i]) + beside(s);
+		double x = page_x(p, s->x[i]) + picture_beside(s);
 		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
 		    stroke);
 	}
@@ -266,7 +267,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 
 /* From one lift of the pen to the next. */
 static void
-draw_line(struct page *p, const struct chart_series *s)
+picture_draw_line(struct page *p, const struct chart_series *s)
 {
 	double *x = xdoubles(s->n), *y = xdoubles(s->n);
 	struct pen_stroke stroke = {s->series, s->line, 1.2, PEN_OPEN};
@@ -297,7 +298,7 @@ rule_stroke(const struct chart_rule *rule)
 
 /* A square whose area is the value, none for NAN, and the label. */
 static void
-draw_field(struct page *p, const struct chart_series *s, size_t i)
+picture_draw_field(struct page *p, const struct chart_series *s, size_t i)
 {
 	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
 	double width = page_x(p, s->x[i] + 0.5) - page_x(p, s->x[i] - 0.5);
@@ -337,7 +338,7 @@ is_clear(const struct page *p, const struct taken *taken, struct box box)
 }
 
 static void
-take(struct taken *taken, struct box box)
+picture_take(struct taken *taken, struct box box)
 {
 	taken->box = xrealloc(taken->box, taken->n + 1, sizeof *taken->box);
 	taken->box[taken->n++] = box;
@@ -345,7 +346,7 @@ take(struct taken *taken, struct box box)
 
 /* Right of the mark, left of it, above or below; else not at all. */
 static void
-draw_name(
+picture_draw_name(
     struct page *p, const struct chart_series *s, size_t i, struct taken *taken)
 {
 	enum { LETTERS_HIGH = 7, APART = 5 };
@@ -362,7 +363,7 @@ draw_name(
 		    left[k], foot[k] - LETTERS_HIGH, left[k] + wide, foot[k]};
 		if (!is_clear(p, taken, box))
 			continue;
-		take(taken, box);
+		picture_take(taken, box);
 		p->pen->text(p->pen, left[k], foot[k], label,
 		    &(struct pen_style){
 			.size = LETTERS_HIGH, .series = s->series});
@@ -371,7 +372,7 @@ draw_name(
 }
 
 static void
-draw_names(struct page *p)
+picture_draw_names(struct page *p)
 {
 	const double half = 3;
 	const struct chart *c = p->chart;
@@ -381,19 +382,20 @@ draw_names(struct page *p)
 			double x = page_x(p, c->series[i]->x[j]),
 			       y = page_y(p, c->series[i]->y[j]);
 			if (c->series[i]->mark != 0)
-				take(&taken, (struct box){x - half, y - half,
-						 x + half, y + half});
+				picture_take(
+				    &taken, (struct box){x - half, y - half,
+						x + half, y + half});
 		}
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i]->n && c->series[i]->named;
 		     j++)
 			if (c->series[i]->whose[j].label != NULL)
-				draw_name(p, c->series[i], j, &taken);
+				picture_draw_name(p, c->series[i], j, &taken);
 	free(taken.box);
 }
 
 static bool
-has_names(const struct chart *c)
+picture_has_names(const struct chart *c)
 {
 	bool any = false;
 	for (size_t i = 0; i < c->n; i++)
@@ -402,13 +404,13 @@ has_names(const struct chart *c)
 }
 
 static void
-draw_data(struct page *p)
+picture_draw_data(struct page *p)
 {
 	const struct chart *c = p->chart;
 	double foot = p->top + p->height;
 	for (size_t i = 0; i < c->n; i++)
 		if (!c->series[i]->bars)
-			draw_band(p, c->series[i]);
+			picture_draw_band(p, c->series[i]);
 	for (size_t i = 0; i < c->n_rule; i++) {
 		double x = page_x(p, c->rule[i].x);
 		draw_rule(p, x, p->top, x, foot, rule_stroke(&c->rule[i]));
@@ -417,22 +419,23 @@ draw_data(struct page *p)
 		if (c->series[i]->bars)
 			draw_spans(p, c->series[i]);
 		else
-			draw_line(p, c->series[i]);
+			picture_draw_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i]->n; j++) {
 			const struct chart_series *s = c->series[i];
 			if (s->field != NULL)
-				draw_field(p, s, j);
+				picture_draw_field(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
-				draw_mark(p, s, page_x(p, s->x[j]) + beside(s),
+				picture_draw_mark(p, s,
+				    page_x(p, s->x[j]) + picture_beside(s),
 				    page_y(p, s->y[j]));
 		}
-	if (has_names(c))
-		draw_names(p);
+	if (picture_has_names(c))
+		picture_draw_names(p);
 }
 
 static void
-draw_legend(struct page *p)
+picture_draw_legend(struct page *p)
 {
 	const struct chart *c = p->chart;
 	double y = p->top + ROW / 2.0;
@@ -448,7 +451,7 @@ draw_legend(struct page *p)
 			draw_rule(p, LEGEND, y, LEGEND + SAMPLE, y,
 			    s != NULL && s->bars ? bar_stroke(s) : stroke);
 		if (s != NULL && s->mark != 0)
-			draw_mark(p, s, LEGEND + SAMPLE / 2.0, y);
+			picture_draw_mark(p, s, LEGEND + SAMPLE / 2.0, y);
 		p->pen->text(p->pen, LEGEND + SAMPLE + 5, y + 3,
 		    s != NULL ? s->name : r->name, &style);
 	}
@@ -485,19 +488,19 @@ draw_foot(struct page *p, char *text)
 }
 
 static void
-draw_page(struct page *p)
+picture_draw_page(struct page *p)
 {
 	double x[] = {LEFT, LEFT + WIDTH, LEFT + WIDTH, LEFT, LEFT};
 	double y[] = {
 	    p->top, p->top, p->top + p->height, p->top + p->height, p->top};
 	p->pen->text(p->pen, LEFT, p->top - 12, p->chart->title,
 	    &(struct pen_style){.size = 11, .bold = true});
-	draw_x_axis(p);
-	draw_y_axis(p);
-	draw_data(p);
+	picture_draw_x_axis(p);
+	picture_draw_y_axis(p);
+	picture_draw_data(p);
 	p->pen->path(p->pen, x, y, ARRAY_LEN(x), &THIN);
 	if (p->chart->strip == 0) /* its title says it all */
-		draw_legend(p);
+		picture_draw_legend(p);
 }
 
 static double
@@ -528,7 +531,7 @@ picture_draw(const struct chart *chart, const char *program, struct pen *pen)
 	char *foot = foot_text(chart, program);
 	for (p.chart = chart;; p.chart = p.chart->below) {
 		p.height = plot_height(p.chart);
-		draw_page(&p);
+		picture_draw_page(&p);
 		if (p.chart->below == NULL)
 			break;
 		p.top += p.height + BELOW + TOP;
@@ -623,7 +626,7 @@ quarters(uint32_t code)
 
 /* The shape of a character; n is 0 for one that is text. */
 static size_t
-shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
+picture_shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 {
 	/* Dots 1 to 8 of braille: column, row. */
 	static const unsigned char DOTS[BARS][2] = {
@@ -663,7 +666,7 @@ struct sheet {
 };
 
 static const struct canvas_cell *
-cell_at(const struct sheet *s, int column, int row)
+picture_cell_at(const struct sheet *s, int column, int row)
 {
 	return &s->canvas->cell[row * s->canvas->columns + column];
 }
@@ -676,14 +679,14 @@ is_faint(const struct sheet *s, const struct canvas_cell *cell)
 
 /* The places of bars are multiples of 3/4. */
 static bool
-is_same(double a, double b)
+picture_is_same(double a, double b)
 {
 	return fabs(a - b) < 0.1;
 }
 
 /* A level one that begins where the last one ends makes that longer. */
 static void
-gather(struct sheet *s, int column, int row, const struct bar *bar)
+picture_gather(struct sheet *s, int column, int row, const struct bar *bar)
 {
 	double left = MARGIN + CELL_WIDTH * column;
 	double top = MARGIN + CELL_HEIGHT * row;
@@ -691,8 +694,9 @@ gather(struct sheet *s, int column, int row, const struct bar *bar)
 	double y0 = top + bar->y0 * CELL_HEIGHT / 8;
 	size_t last = s->n > 0 ? 2 * s->n - 1 : 0;
 	bool joins = s->n > 0 && bar->y0 == bar->y1 && bar->x1 > bar->x0 &&
-		     is_same(s->x[last], x0) && is_same(s->y[last], y0) &&
-		     is_same(s->y[last - 1], y0);
+		     picture_is_same(s->x[last], x0) &&
+		     picture_is_same(s->y[last], y0) &&
+		     picture_is_same(s->y[last - 1], y0);
 	if (!joins) {
 		s->x[2 * s->n] = x0;
 		s->y[2 * s->n] = y0;
@@ -704,14 +708,15 @@ gather(struct sheet *s, int column, int row, const struct bar *bar)
 
 /* All bars of a kind and colour at once: a screen has thousands. */
 static void
-draw_bars(struct sheet *s, enum kind kind, enum series series, bool faint)
+picture_draw_bars(
+    struct sheet *s, enum kind kind, enum series series, bool faint)
 {
 	static const struct bar whole = {0, 4, 8, 4};
 	s->n = 0;
 	for (int row = 0; row < s->canvas->rows; row++)
 		for (int column = 0; column < s->canvas->columns; column++) {
 			const struct canvas_cell *cell =
-			    cell_at(s, column, row);
+			    picture_cell_at(s, column, row);
 			enum kind its;
 			struct bar bar[BARS];
 			if (cell->series != series ||
@@ -719,12 +724,12 @@ draw_bars(struct sheet *s, enum kind kind, enum series series, bool faint)
 				continue;
 			if (kind == GROUND) {
 				if (cell->attribute & CELL_REVERSE)
-					gather(s, column, row, &whole);
+					picture_gather(s, column, row, &whole);
 				continue;
 			}
-			size_t n = shape_of(cell->code, &its, bar);
+			size_t n = picture_shape_of(cell->code, &its, bar);
 			for (size_t i = 0; i < n && its == kind; i++)
-				gather(s, column, row, &bar[i]);
+				picture_gather(s, column, row, &bar[i]);
 		}
 	if (s->n > 0)
 		s->pen->bars(s->pen, s->x, s->y, s->n,
@@ -739,7 +744,7 @@ is_text(const struct canvas_cell *cell)
 	enum kind kind;
 	struct bar bar[BARS];
 	return cell->code > ' ' && cell->code != 0x2800 &&
-	       shape_of(cell->code, &kind, bar) == 0;
+	       picture_shape_of(cell->code, &kind, bar) == 0;
 }
 
 static bool
@@ -751,9 +756,9 @@ is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
-run_end(const struct sheet *s, int from, int row)
+picture_run_end(const struct sheet *s, int from, int row)
 {
-	const struct canvas_cell *cell = cell_at(s, 0, row);
+	const struct canvas_cell *cell = picture_cell_at(s, 0, row);
 	int end = from + 1;
 	for (int c = from + 1; c < s->canvas->columns; c++) {
 		bool wide = cell[c].code == 0;
@@ -771,12 +776,12 @@ draw_text(struct sheet *s, int row)
 {
 	char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
 	for (int c = 0, end; c < s->canvas->columns; c = end) {
-		const struct canvas_cell *cell = cell_at(s, c, row);
+		const struct canvas_cell *cell = picture_cell_at(s, c, row);
 		char *at = text, code[5];
 		end = c + 1;
 		if (!is_text(cell))
 			continue;
-		end = run_end(s, c, row);
+		end = picture_run_end(s, c, row);
 		for (int i = 0; i < end - c; i++)
 			if (cell[i].code != 0)
 				at =
@@ -828,8 +833,8 @@ picture_cells_draw(const struct canvas *canvas, int depth, struct pen *pen)
 	for (int kind = 0; kind < KINDS; kind++)
 		for (int i = 0; i < SERIES_COUNT; i++)
 			for (int faint = 0; faint < 2 && has[i]; faint++)
-				draw_bars(&s, (enum kind)kind, (enum series)i,
-				    faint == 1);
+				picture_draw_bars(&s, (enum kind)kind,
+				    (enum series)i, faint == 1);
 	for (int row = 0; row < canvas->rows; row++)
 		draw_text(&s, row);
 	free(s.x);

@@ -37,7 +37,7 @@ static struct tui *open;
 /* No progress but what is drawn of it.  Signals are held on the screen, and are
  * let in between two steps. */
 static bool
-work(struct session *s)
+control_work(struct session *s)
 {
 	while (session_busy(s) && signals_noted() == 0) {
 		session_step(s);
@@ -51,7 +51,7 @@ work(struct session *s)
  * threads of a search ask too, and draw nothing.  A search that was begun here
  * asks when the screen has been left, too. */
 static bool
-stops(void)
+control_stops(void)
 {
 	if (open != NULL && !session_busy(open->session))
 		script_progress_draw(open);
@@ -161,7 +161,7 @@ begin_job(struct tui *t, const char *line)
 
 /* The slider to the speed that a line has answered for, if it can go there. */
 static void
-follow_speed(struct tui *t, const char *line, bool ok)
+control_follow_speed(struct tui *t, const char *line, bool ok)
 {
 	struct slider_range range = tui_range(t);
 	double said = session_known(t->session, "predict find", "speed");
@@ -181,7 +181,7 @@ follow_speed(struct tui *t, const char *line, bool ok)
 }
 
 static bool
-run(struct tui *t, const char *line)
+control_run_line(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
 	const struct choices was = s->set;
@@ -194,7 +194,7 @@ run(struct tui *t, const char *line)
 	    .of = t,
 	    .fail = captured_error,
 	    .begins = script_progress_begins,
-	    .work = work,
+	    .work = control_work,
 	    .watches = true};
 	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
@@ -202,7 +202,7 @@ run(struct tui *t, const char *line)
 	    driver_line(&d, line, ERROR_TYPED, 0) == 0 || signals_noted() != 0;
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
-	follow_speed(t, line, ok);
+	control_follow_speed(t, line, ok);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
 		t->ui.site_at = s->current;
@@ -226,7 +226,7 @@ control_run(struct tui *t, const char *line)
 	free(t->command);
 	t->command = xstrdup(line);
 	t->message[0] = '\0';
-	bool ok = run(t, line);
+	bool ok = control_run_line(t, line);
 	t->failed = !ok;
 	if (!ok)
 		viewer_message(t);
@@ -317,7 +317,7 @@ confirm(struct session *s, const char *question)
 }
 
 static char *
-question(struct session *s, const struct inquiry *q)
+control_question(struct session *s, const struct inquiry *q)
 {
 	bool away = open->ways->is_away != NULL && open->ways->is_away();
 	return away ? ask_question(s, q) : dialogue_ask(open, q);
@@ -325,7 +325,7 @@ question(struct session *s, const struct inquiry *q)
 
 /* At the end of a search, before there is a result to draw. */
 static void
-begins(const char *what)
+control_begins(const char *what)
 {
 	if (open->ways->show == NULL || open->ui.page != PAGE_FIT ||
 	    !session_busy(open->session) || open->begun != NULL)
@@ -363,12 +363,12 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
 	s->hooks.confirm = confirm;
-	s->hooks.question = question;
+	s->hooks.question = control_question;
 	s->prompt = true;
 	s->typed_at = s->scripts;
 	s->hooks.show_page = NULL;
-	s->hooks.begins = begins;
-	s->hooks.stop = stops;
+	s->hooks.begins = control_begins;
+	s->hooks.stop = control_stops;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
 	t->said = text_memory(&t->said_text, &t->said_n);

@@ -36,7 +36,7 @@ is_script(const char *name)
 }
 
 static bool
-is_sheet(const char *name)
+folder_is_sheet(const char *name)
 {
 	static const char *const ENDS[] = {
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
@@ -49,7 +49,7 @@ is_sheet(const char *name)
 }
 
 static int
-compare(const void *a, const void *b)
+folder_compare(const void *a, const void *b)
 {
 	const struct folder_item *x = a, *y = b;
 	return x->kind != y->kind ? (x->kind > y->kind) - (x->kind < y->kind)
@@ -57,7 +57,7 @@ compare(const void *a, const void *b)
 }
 
 static void
-add(struct folder *folder, enum folder_kind kind, const char *name)
+folder_add(struct folder *folder, enum folder_kind kind, const char *name)
 {
 	folder->item =
 	    xrealloc(folder->item, folder->n + 1, sizeof *folder->item);
@@ -76,20 +76,21 @@ add_entry(struct folder *folder, const char *name)
 	char *path = xasprintf("%s%s", folder->path, name);
 	bool known = stat(path, &about) == 0;
 	char *command =
-	    known && is_sheet(name) ? results_command_in(path) : NULL;
+	    known && folder_is_sheet(name) ? results_command_in(path) : NULL;
 	free(path);
 	if (known && S_ISDIR(about.st_mode)) {
-		add(folder, FOLDER_BELOW, name);
+		folder_add(folder, FOLDER_BELOW, name);
 	} else if (command != NULL) {
-		add(folder, FOLDER_RESULTS, name);
+		folder_add(folder, FOLDER_RESULTS, name);
 		folder->item[folder->n - 1].about =
 		    xasprintf(tr("results of %s"), command);
 	} else if (known && S_ISREG(about.st_mode) && is_script(name)) {
-		add(folder, FOLDER_SESSION, name);
+		folder_add(folder, FOLDER_SESSION, name);
 		folder->item[folder->n - 1].about =
 		    xstrdup(tr("a saved session"));
 	} else if (known && S_ISREG(about.st_mode)) {
-		add(folder, is_sheet(name) ? FOLDER_SHEET : FOLDER_OTHER, name);
+		folder_add(folder,
+		    folder_is_sheet(name) ? FOLDER_SHEET : FOLDER_OTHER, name);
 	}
 	free(command);
 }
@@ -101,7 +102,7 @@ folder_list(struct folder *folder, const char *path)
 	DIR *dir = opendir(path[0] != '\0' ? path : ".");
 	if (dir == NULL)
 		folder->why = strerror(errno);
-	add(folder, FOLDER_ABOVE, "..");
+	folder_add(folder, FOLDER_ABOVE, "..");
 	if (dir == NULL)
 		return;
 	for (struct dirent *e; !folder->more && (e = readdir(dir)) != NULL;) {
@@ -109,7 +110,7 @@ folder_list(struct folder *folder, const char *path)
 		folder->more = folder->n >= MOST_ITEMS;
 	}
 	closedir(dir);
-	qsort(folder->item, folder->n, sizeof *folder->item, compare);
+	qsort(folder->item, folder->n, sizeof *folder->item, folder_compare);
 }
 
 /* "Granite, 11.2 mm, 69 74 79 m/s"; NULL where it is no site. */
@@ -182,7 +183,7 @@ add_made(struct folder *folder)
 		for (size_t k = 0; k < folder->n && !again; k++)
 			again = strcmp(folder->item[k].name, name) == 0;
 		if (!again) {
-			add(folder, FOLDER_SHEET, name);
+			folder_add(folder, FOLDER_SHEET, name);
 			struct folder_item *item = &folder->item[folder->n - 1];
 			item->about = xasprintf(
 			    "%-16s %5.4g mm", row->rock, row->top_size_mm);
@@ -262,7 +263,7 @@ folder_command(const struct folder_item *item, bool anew)
 }
 
 static void
-say(FILE *out, const char *what, const char *text)
+folder_say(FILE *out, const char *what, const char *text)
 {
 	if (text[0] != '\0')
 		fprintf(out, "%s%s\n", what, text);
@@ -286,13 +287,13 @@ say_site(const struct site *site, FILE *out)
 	if (n > 0)
 		fprintf(out, tr("%zu sieves, %g to %g mm\n"), n,
 		    units_mm(sieve[n - 1]), units_mm(sieve[0]));
-	say(out, tr("read: "), site->read_as);
-	say(out, tr("likely, not stated: "), site->assumed);
-	say(out, "", site->remark);
+	folder_say(out, tr("read: "), site->read_as);
+	folder_say(out, tr("likely, not stated: "), site->assumed);
+	folder_say(out, "", site->remark);
 	for (size_t i = 0; i < site->n_left_out; i++)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
-	say(out, tr("data: "), site->provenance);
+	folder_say(out, tr("data: "), site->provenance);
 	free(sieve);
 	free(speeds);
 	free(label);
@@ -310,7 +311,7 @@ say_faults(
 		if (e->line > 0)
 			fprintf(out, tr("line %zu: "), (size_t)e->line);
 		fprintf(out, "%s\n", e->text);
-		say(out, "", e->hint);
+		folder_say(out, "", e->hint);
 	}
 	if (errors->n > MOST)
 		fprintf(out, tr("and %zu more\n"), errors->n - MOST);

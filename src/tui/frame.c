@@ -115,7 +115,7 @@ draw_command(struct tui *t, const struct area *area)
 /* One too long for its row goes on in the row of hints, or begins in that of
  * the command where there are none.  Returns whether it takes the hints. */
 static bool
-draw_message(const struct tui *t, const struct area *row)
+frame_draw_message(const struct tui *t, const struct area *row)
 {
 	struct area area = *row;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
@@ -244,7 +244,7 @@ filters(const struct tui *t)
 }
 
 static void
-draw_hints(struct tui *t)
+frame_draw_hints(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
 	if (t->line.active && t->goal_field)
@@ -271,7 +271,7 @@ draw_hints(struct tui *t)
 
 /* A speed being typed. */
 static void
-draw_speed(struct tui *t, const struct area *note)
+frame_draw_speed(struct tui *t, const struct area *note)
 {
 	bool narrow = note->columns < 24;
 	int at =
@@ -298,14 +298,14 @@ draw_note(struct tui *t, const struct area *note)
 {
 	const struct layout *l = &t->layout;
 	if (t->speed.text[0] != '\0') {
-		draw_speed(t, note);
+		frame_draw_speed(t, note);
 	} else if (t->line.active && t->line.offers != NULL) {
 		draw_offers(t, note);
 	} else if (filters(t) && l->hints.rows == 0) {
 		screen_clear(note);
 		draw_filter(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
-		return draw_message(t, note);
+		return frame_draw_message(t, note);
 	} else if (note == &l->status || tells_state(t)) {
 		draw_state(t, note);
 	}
@@ -338,7 +338,7 @@ draw_lower(struct tui *t)
 	if (note == line && typing && offers)
 		draw_offers(t, &l->hints);
 	else if ((note == line && typing) || !draw_note(t, note))
-		draw_hints(t);
+		frame_draw_hints(t);
 }
 
 /* Over the last rows of whatever the screen shows, at any size. */
@@ -366,7 +366,7 @@ draw_question(struct tui *t, int rows, int columns)
 }
 
 static void
-draw_page(struct tui *t)
+frame_draw_page(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
 	const struct area *caption = &t->layout.caption;
@@ -382,7 +382,7 @@ draw_page(struct tui *t)
 
 /* Over the track, what is drawn about it, and the plot. */
 static bool
-touch_wheel(struct tui *t, const struct touched *touched)
+frame_touch_wheel(struct tui *t, const struct touched *touched)
 {
 	int by = touched->kind == HIT_UP ? 1 : -1;
 	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
@@ -422,7 +422,7 @@ add_wheel(struct tui *t, bool viewing)
 	if (viewing)
 		hits_add(hits, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
-		hits_add(hits, over[i], touch_wheel, 0);
+		hits_add(hits, over[i], frame_touch_wheel, 0);
 	if (!viewing && rows_here(t))
 		rows_wheel(t, l->body);
 }
@@ -453,7 +453,7 @@ frame_draw(struct tui *t)
 	else if (list)
 		picker_draw(t);
 	else
-		draw_page(t);
+		frame_draw_page(t);
 	if (t->question != NULL && !viewing)
 		draw_question(t, rows, columns);
 	if (t->inquiry != NULL)

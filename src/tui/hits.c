@@ -20,7 +20,7 @@ hits_free(struct hits *hits)
 }
 
 static void
-add(struct hits *hits, struct hit touch)
+hits_add_area(struct hits *hits, struct hit touch)
 {
 	if (touch.area.rows < 1 || touch.area.columns < 1)
 		return;
@@ -31,20 +31,22 @@ add(struct hits *hits, struct hit touch)
 void
 hits_add(struct hits *hits, struct area area, hit_way *way, size_t item)
 {
-	add(hits, (struct hit){.area = area, .way = way, .item = item});
+	hits_add_area(
+	    hits, (struct hit){.area = area, .way = way, .item = item});
 }
 
 void
 hits_add_key(struct hits *hits, struct area area, int code, bool special)
 {
-	add(hits, (struct hit){.area = area, .code = code, .special = special});
+	hits_add_area(
+	    hits, (struct hit){.area = area, .code = code, .special = special});
 }
 
 void
 hits_add_both(
     struct hits *hits, struct area area, hit_way *way, size_t item, int code)
 {
-	add(hits,
+	hits_add_area(hits,
 	    (struct hit){.area = area, .way = way, .item = item, .code = code});
 }
 

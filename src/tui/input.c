@@ -18,7 +18,7 @@
 enum { MOST = 2000 };
 
 static void
-take(struct tui *t, int code)
+input_take(struct tui *t, int code)
 {
 	struct paste *p = &t->paste;
 	bool ends = code == '\n' || code == '\r';
@@ -64,7 +64,7 @@ input_paste(struct tui *t, int code, bool special)
 	else if (special && code == SCREEN_PASTED)
 		input_end_paste(t);
 	else if (!special)
-		take(t, code);
+		input_take(t, code);
 	return true;
 }
 

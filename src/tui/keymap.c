@@ -92,7 +92,7 @@ act_page(struct tui *t, const struct key *key)
 
 /* Shows the field of a command with a name for a file proposed behind it. */
 static void
-propose(struct tui *t, const char *line, char *name)
+keymap_propose(struct tui *t, const char *line, char *name)
 {
 	t->message[0] = '\0';
 	edit_propose(&t->line, line, name);
@@ -113,7 +113,7 @@ act_save(struct tui *t, const struct key *key)
 	bool saved;
 	const char *holder = files_holder(t->session, &saved);
 	if (holder != NULL) {
-		propose(t, "save ",
+		keymap_propose(t, "save ",
 		    xasprintf("\"%s\"%s", holder, saved ? "" : " replace=on"));
 		return;
 	}
@@ -123,7 +123,7 @@ act_save(struct tui *t, const struct key *key)
 		name = xasprintf("%s-%d.tip", slug, i);
 	}
 	free(slug);
-	propose(t, "save ", name);
+	keymap_propose(t, "save ", name);
 }
 
 /* "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal sign. */
@@ -138,7 +138,8 @@ act_export(struct tui *t, const struct key *key)
 	}
 	char *line = tui_asks(t), *slug = slug_of(t);
 	xappend(&line, " > ");
-	propose(t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
+	keymap_propose(
+	    t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
 	free(slug);
 	free(line);
 }

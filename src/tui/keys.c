@@ -244,7 +244,7 @@ line_of(const struct key *k)
 }
 
 static bool
-has_word(const struct key *k, const char *word)
+keys_has_word(const struct key *k, const char *word)
 {
 	char *line = line_of(k);
 	bool has = text_has(line, word);
@@ -254,7 +254,7 @@ has_word(const struct key *k, const char *word)
 
 /* In brief a key of other pages is left out. */
 static bool
-is_listed(const struct key *k, enum page page)
+keys_is_listed(const struct key *k, enum page page)
 {
 	return k->brief != NULL && k->where & (1U << page);
 }
@@ -262,15 +262,15 @@ is_listed(const struct key *k, enum page page)
 /* The keys of the list, the page's own first: all of the page in brief, or
  * those with a word.  Returns how many. */
 static size_t
-list_keys(enum page page, const char *word,
+keys_list_keys(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])
 {
 	size_t n = 0;
 	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
 			if (is_own(k, page) == own &&
-			    (word[0] != '\0' ? has_word(k, word)
-					     : is_listed(k, page)))
+			    (word[0] != '\0' ? keys_has_word(k, word)
+					     : keys_is_listed(k, page)))
 				line[n++] = k;
 	return n;
 }
@@ -279,7 +279,7 @@ void
 keys_list(enum page page, const char *word, FILE *out)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	size_t n = list_keys(page, word, line);
+	size_t n = keys_list_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
 		char *text =
 		    word[0] == '\0' ? brief_line(line[i]) : line_of(line[i]);
@@ -300,14 +300,14 @@ const struct key *
 keys_nth(enum page page, const char *word, size_t n)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	return n < list_keys(page, word, line) ? line[n] : NULL;
+	return n < keys_list_keys(page, word, line) ? line[n] : NULL;
 }
 
 size_t
 keys_count(enum page page, const char *word)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	return list_keys(page, word, line);
+	return keys_list_keys(page, word, line);
 }
 
 void

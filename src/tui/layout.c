@@ -44,7 +44,7 @@ enum { FOR_GAP = 100 };
 /* So many rows at the bottom of what is left: with the rows of the screen they
  * become more. */
 static struct area
-take_rows(struct area *left, int rows, int least, int every)
+layout_take_rows(struct area *left, int rows, int least, int every)
 {
 	struct area area = *left;
 	area.rows = 3 + (rows - least) / every;
@@ -94,7 +94,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 			*bottom[i].area = take_bottom(left);
 	enum { EVERY = 10 };
 	if (ask.strip && rows >= FOR_STRIP)
-		l.strip = take_rows(left, rows, FOR_STRIP, EVERY);
+		l.strip = layout_take_rows(left, rows, FOR_STRIP, EVERY);
 	if (rows >= FOR_CAPTION)
 		l.caption = take_bottom(left);
 	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
@@ -105,8 +105,8 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		l.legend = take_bottom(left);
 	split_body(&l, rows, ask.side_columns);
 	if (ask.differences && rows >= FOR_DIFFERENCES) {
-		l.differences =
-		    take_rows(&l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);
+		l.differences = layout_take_rows(
+		    &l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);
 		l.differences.row = l.plot.row + l.plot.rows;
 	}
 	return l;

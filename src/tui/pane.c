@@ -72,8 +72,8 @@ pane_plot(
 /* A curve's name after those to its left, where there is room for all of it.
  * Returns the column after. */
 static int
-draw_name(const struct tui *t, int column, enum series series, unsigned look,
-    const char *text)
+pane_draw_name(const struct tui *t, int column, enum series series,
+    unsigned look, const char *text)
 {
 	const struct area *area = &t->layout.legend;
 	int from = column > 0 ? column + 2 : 0;
@@ -84,21 +84,23 @@ draw_name(const struct tui *t, int column, enum series series, unsigned look,
 
 /* Of an envelope in use, and the fraction that it is for. */
 static void
-draw_limits(const struct tui *t, int column, bool ascii)
+pane_draw_limits(const struct tui *t, int column, bool ascii)
 {
 	char text[40], *words = plots_limits_words(t->session);
 	snprintf(text, sizeof text, "%s %s", ascii ? "@" : "\u2501", words);
 	if (t->session->spec != NULL)
-		column = draw_name(t, column, SERIES_TEXT, 0, tr("T L limits"));
+		column =
+		    pane_draw_name(t, column, SERIES_TEXT, 0, tr("T L limits"));
 	if (words[0] != '\0')
-		draw_name(t, column, SERIES_PREDICTED, 0, text);
+		pane_draw_name(t, column, SERIES_PREDICTED, 0, text);
 	free(words);
 }
 
 /* What was measured: each run's mark, whether any is moved to the feed, and how
  * many have none. */
 static int
-draw_runs(const struct tui *t, int column, const struct entry *entry, bool may)
+pane_draw_runs(
+    const struct tui *t, int column, const struct entry *entry, bool may)
 {
 	const struct site *site = entry->site;
 	char text[64];
@@ -114,15 +116,16 @@ draw_runs(const struct tui *t, int column, const struct entry *entry, bool may)
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    site->run[r].speed, held_out ? tr(" held out") : "");
 		free(sample);
-		column = draw_name(t, column, look.series, LOOK_BOLD, text);
+		column =
+		    pane_draw_name(t, column, look.series, LOOK_BOLD, text);
 		moved = moved || (may && tui_moved(t, r));
 	}
 	if (moved)
-		column = draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
+		column = pane_draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
 	if (site_chart_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
 		    site_chart_left_out(site));
-		column = draw_name(t, column, SERIES_TEXT, 0, text);
+		column = pane_draw_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
 }
@@ -130,7 +133,7 @@ draw_runs(const struct tui *t, int column, const struct entry *entry, bool may)
 /* One row, where the plot's own legend would leave the plot little room; the
  * runs are those of plots_psd. */
 static void
-draw_legend(const struct tui *t, const struct plot_request *request)
+pane_draw_legend(const struct tui *t, const struct plot_request *request)
 {
 	const struct entry *entry = tui_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
@@ -141,19 +144,19 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	const struct site *site = entry->site;
 	bool runs = request->kind == PLOT_RUNS;
 	if (runs && entry->has_params)
-		column = draw_name(t, column, SERIES_TEXT, 0,
+		column = pane_draw_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
 	else if (!runs && t->view.current.site[0] != '\0') {
 		snprintf(text, sizeof text, tr("%s predicted%s"),
 		    ascii ? "#" : "\u2500",
 		    outlook_short(t->session, tui_entry(t), &t->view.shown));
-		column =
-		    draw_name(t, column, SERIES_PREDICTED, LOOK_BOLD, text);
+		column = pane_draw_name(
+		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
 	if (request->kept != NULL)
-		column = draw_name(t, column, SERIES_OTHER, 0,
+		column = pane_draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
-	column = draw_runs(t, column, entry, !runs);
+	column = pane_draw_runs(t, column, entry, !runs);
 	if (site->individual_feeds && t->ui.feed > 0 && !runs)
 		snprintf(sample, sizeof sample, " %g", t->ui.feed);
 	snprintf(text, sizeof text, tr("%s feed%s"),
@@ -161,12 +164,12 @@ draw_legend(const struct tui *t, const struct plot_request *request)
 	    : runs ? "\u2500"
 		   : "\u2508",
 	    sample);
-	column = draw_name(t, column, SERIES_FEED, 0, text);
+	column = pane_draw_name(t, column, SERIES_FEED, 0, text);
 	if (runs || t->view.current.site[0] == '\0')
 		return;
-	column = draw_name(t, column, SERIES_BREAK, 0,
+	column = pane_draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));
-	draw_limits(t, column, ascii);
+	pane_draw_limits(t, column, ascii);
 }
 
 void
@@ -182,7 +185,7 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 		request->words |= CHART_LEGEND | (notes ? CHART_NOTES : 0);
 		plot.rows += t->layout.legend.rows;
 	} else if (t->layout.legend.rows > 0)
-		draw_legend(t, request);
+		pane_draw_legend(t, request);
 	pane_plot(t, request, &plot);
 }
 
@@ -240,7 +243,7 @@ pane_touch_hints(struct tui *t, int row, int column, const char *hints)
 
 /* Each key, the first word of its hint, stands out of what it does. */
 static void
-draw_hints(const struct area *area, unsigned look, const char *hints)
+pane_draw_hints(const struct area *area, unsigned look, const char *hints)
 {
 	int column = 0;
 	screen_text(area, 0, 0, look, "%s", hints);
@@ -264,7 +267,7 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 	char text[128];
 	snprintf(text, sizeof text, "%s", tr(hints));
 	pane_cut(text, area->columns);
-	draw_hints(area, look, text);
+	pane_draw_hints(area, look, text);
 	if (area->rows > 0)
 		pane_touch_hints(t, area->row, area->column, text);
 }

@@ -293,7 +293,8 @@ screen_begin(int *rows, int *columns)
 }
 
 static void
-put_cell(int row, int column, uint32_t code, unsigned look, enum series series)
+screen_put_cell(
+    int row, int column, uint32_t code, unsigned look, enum series series)
 {
 	if (row < 0 || row >= is.rows || column < 0 || column >= is.columns)
 		return;
@@ -364,8 +365,8 @@ screen_rule(const struct area *area)
 	bool lines = is.charset != CHARSET_ASCII;
 	for (int c = 0; c < area->columns && area->rows > 0 && !is.only_text;
 	     c++)
-		put_cell(area->row, area->column + c, lines ? 0x2500 : '-',
-		    LOOK_DIM, SERIES_TEXT);
+		screen_put_cell(area->row, area->column + c,
+		    lines ? 0x2500 : '-', LOOK_DIM, SERIES_TEXT);
 }
 
 void
@@ -373,7 +374,7 @@ screen_wall(int row, int column, int rows)
 {
 	bool lines = is.charset != CHARSET_ASCII;
 	for (int r = 0; r < rows && !is.only_text; r++)
-		put_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
+		screen_put_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
 		    SERIES_TEXT);
 }
 
@@ -387,7 +388,7 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 			const struct canvas_cell *at =
 			    &canvas->cell[r * canvas->columns + c];
 			if (at->code != 0)
-				put_cell(area->row + r, area->column + c,
+				screen_put_cell(area->row + r, area->column + c,
 				    at->code, at->attribute,
 				    (enum series)at->series);
 		}
@@ -430,7 +431,7 @@ show_cell(int row, int column, const struct canvas_cell *from)
 }
 
 static bool
-is_same(const struct canvas_cell *a, const struct canvas_cell *b)
+screen_is_same(const struct canvas_cell *a, const struct canvas_cell *b)
 {
 	return a->code == b->code && a->series == b->series &&
 	       a->attribute == b->attribute;
@@ -438,7 +439,7 @@ is_same(const struct canvas_cell *a, const struct canvas_cell *b)
 
 /* Hands over a cell; the right half of a wide letter comes with its left. */
 static void
-put(int row, int column)
+screen_put(int row, int column)
 {
 	static const struct canvas_cell BLANK = {' ', SERIES_TEXT, LOOK_PLAIN};
 	const struct canvas_cell *at = canvas_at(is.frame, column, row);
@@ -462,8 +463,8 @@ screen_show(int row, int column)
 		for (int c = 0; c < is.columns; c++) {
 			int i = r * is.columns + c;
 			if (was == NULL ||
-			    !is_same(&is.frame->cell[i], &was->cell[i]))
-				put(r, c);
+			    !screen_is_same(&is.frame->cell[i], &was->cell[i]))
+				screen_put(r, c);
 		}
 	move(row < is.rows ? row : is.rows - 1,
 	    column < is.columns ? column : is.columns - 1);

@@ -36,7 +36,7 @@ under_way_words(const struct tui *t)
 /* In the midst of a script no page can be drawn: what it would show changes
  * with every command. */
 static void
-draw(struct tui *t, bool begins)
+script_progress_draw_lines(struct tui *t, bool begins)
 {
 	/* s; what is over by then is not shown */
 	const double often = 0.1, patience = t->of_script ? often : 0.3;
@@ -77,13 +77,13 @@ script_progress_begins(void *of, const char *line)
 	t->under_way = at.of > 0
 			   ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
 			   : xstrdup(line);
-	draw(t, true);
+	script_progress_draw_lines(t, true);
 }
 
 void
 script_progress_draw(struct tui *t)
 {
-	draw(t, false);
+	script_progress_draw_lines(t, false);
 }
 
 void

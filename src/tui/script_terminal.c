@@ -39,7 +39,7 @@ press(struct tui *t, int code, bool special)
 /* The next of the keys answers; without one the picture is that of the
  * question. */
 static bool
-answer(struct tui *t, int *code, bool *special)
+script_terminal_answer(struct tui *t, int *code, bool *special)
 {
 	*special = false;
 	frame_draw(t);
@@ -60,7 +60,7 @@ answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-const struct tui_ways SCRIPT_WAYS = {.answer = answer};
+const struct tui_ways SCRIPT_WAYS = {.answer = script_terminal_answer};
 
 /* A word that is typed: a speed, or into a line. */
 static bool

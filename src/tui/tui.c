@@ -136,7 +136,7 @@ is_away(void)
 
 /* False at a signal. */
 static bool
-answer(struct tui *t, int *code, bool *special)
+tui_answer(struct tui *t, int *code, bool *special)
 {
 	bool done = false;
 	while (!done && signals_noted() == 0) {
@@ -205,7 +205,7 @@ int
 tui_run(struct session *s)
 {
 	static const struct tui_ways WAYS = {
-	    answer, frame_draw, leave, come_back, is_away, stopped};
+	    tui_answer, frame_draw, leave, come_back, is_away, stopped};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();

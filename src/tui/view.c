@@ -24,7 +24,8 @@ static const double PAUSE = 0.7;
 
 /* Of the site with that key. */
 static struct numbers
-numbers_of(const struct session *s, const char *key, const struct prediction *p)
+view_numbers_of(
+    const struct session *s, const char *key, const struct prediction *p)
 {
 	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
 	struct numbers n = {.speed = p->speed};
@@ -53,7 +54,7 @@ look_at_pin(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
 	t->view.pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
-	t->view.pinned = numbers_of(
+	t->view.pinned = view_numbers_of(
 	    t->session, pin != NULL ? pin->key : "", &t->view.pinned_whole);
 }
 
@@ -170,7 +171,7 @@ view_predict(struct tui *t)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
 	t->view.of = key_now(t);
-	t->view.current = numbers_of(s, entry->key, &t->view.shown);
+	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
 	free(where);
 	free(line);
 }
@@ -190,7 +191,7 @@ view_form(struct tui *t)
 	const struct question q = {
 	    .entry = entry, .feed = tui_feed(t), .params = &params};
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
-	t->view.current = numbers_of(s, entry->key, &t->view.shown);
+	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
 }
 
 void

@@ -72,7 +72,7 @@ finish_all(struct tui *t)
 
 /* The calibration has come to its end. */
 static void
-finish(struct tui *t)
+watch_finish(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
@@ -97,7 +97,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 {
 	struct error error = {0};
 	if (rounds->at == NULL) {
-		(rounds->alone ? finish : finish_all)(t);
+		(rounds->alone ? watch_finish : finish_all)(t);
 		return;
 	}
 	t->held = false;

@@ -13,7 +13,7 @@
 static const double GAP = 0.25;
 
 static bool
-is_letter(int code, bool special)
+word_is_letter(int code, bool special)
 {
 	return !special && code >= 'a' && code <= 'z';
 }
@@ -32,7 +32,7 @@ word_goes_on(struct tui *t, int code, bool special)
 {
 	struct word *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
-	if (w->letter == '\0' || !is_letter(code, special) ||
+	if (w->letter == '\0' || !word_is_letter(code, special) ||
 	    t->clock - w->at > GAP || !begins_command(both))
 		return false;
 	t->ui = w->was;
@@ -47,7 +47,7 @@ word_begins(struct tui *t, int code, bool special, const struct key *key)
 {
 	struct word *w = &t->word;
 	*w = (struct word){0};
-	if (t->aside || !is_letter(code, special))
+	if (t->aside || !word_is_letter(code, special))
 		return false;
 	bool moves = key == NULL || key->act == act_move ||
 		     key->act == act_ends || key->act == act_list;

@@ -154,8 +154,8 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 }
 
 static void
-note_best(struct answer *r, const struct session *s, const struct wanted *w,
-    const struct advised *best, double width)
+advise_note_best(struct answer *r, const struct session *s,
+    const struct wanted *w, const struct advised *best, double width)
 {
 	double level = 100 * settings_level(&s->set);
 	double less = 100 * (1 - best->width / width);
@@ -239,7 +239,7 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 	    w->question->speed, ends[0], ends[1], width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
-	note_best(r, s, w, &c[0], width);
+	advise_note_best(r, s, w, &c[0], width);
 	note_feed(r, s, w);
 	free(c);
 	return r;

@@ -23,7 +23,7 @@ const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
 
 /* A name, or any field as COMMAND.FIELD.  False where the word is neither. */
 static bool
-look_up(const struct session *s, const char *word, double *value)
+assert_look_up(const struct session *s, const char *word, double *value)
 {
 	const char *point = strchr(word, '.');
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
@@ -49,7 +49,7 @@ assert_side(const struct session *s, const char *word, double *value,
 {
 	if (text_number(word, value))
 		return true;
-	if (!look_up(s, word, value))
+	if (!assert_look_up(s, word, value))
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected a number or a name, got '%s'\n"
 		    "use one of p20 p50 p80 break speed extrapolated inside "

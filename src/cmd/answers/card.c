@@ -193,7 +193,7 @@ work_out_flow(const struct asked *all, struct card_row *row)
 
 /* Where the feed does not tell a size at this speed nothing stands. */
 static void
-work_out(struct session *s, struct asked *all, double speed,
+card_work_out(struct session *s, struct asked *all, double speed,
     struct card_row *row, struct trust *worst)
 {
 	enum { P80 = 2 };
@@ -338,8 +338,7 @@ static char *
 light_cell(const struct asked *all, const struct card_row *row)
 {
 	bool beyond = answers_extrapolates(all->question->entry, row->speed);
-	return xasprintf(
-	    "%s%s", tr(LIGHT_NAME[row->light]), beyond ? "?" : "");
+	return xasprintf("%s%s", tr(LIGHT_NAME[row->light]), beyond ? "?" : "");
 }
 
 static struct page
@@ -485,8 +484,8 @@ add_keys(struct answer *r, const struct asked *all, bool rpm)
 
 /* For programs, met is what is the more likely. */
 static void
-add_row(struct answer *r, const struct asked *all, const struct card_row *row,
-    bool rpm)
+card_add_row(struct answer *r, const struct asked *all,
+    const struct card_row *row, bool rpm)
 {
 	answer_cells(r, "%g", row->speed);
 	if (rpm)
@@ -656,14 +655,14 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	struct trust light = light_of(s, entry, NULL);
 	struct card_row *row = xcalloc(n, sizeof *row);
 	for (size_t i = 0; i < n; i++)
-		work_out(s, all, speed[i], &row[i], &light);
+		card_work_out(s, all, speed[i], &row[i], &light);
 	struct page page = page_of(all, row, n, 100 * settings_level(&s->set));
 	char *dropped = page_fit(&page, r);
 	add_page(r, &page);
 	answer_for_programs(r);
 	add_keys(r, all, rpm);
 	for (size_t i = 0; i < n; i++)
-		add_row(r, all, &row[i], rpm);
+		card_add_row(r, all, &row[i], rpm);
 	fields_put(answer_fields(r), "date %s machine %s model %s", today,
 	    entry->site->machine, breakage_of(&entry->params)->name);
 	note_limits(r, all);

@@ -144,7 +144,7 @@ claim_opposite(struct answer *r, const struct shown *c)
 
 /* The row of Table 3 that is called as the site is, or NULL. */
 static const struct stored *
-row_of(const struct shown *c, const struct entry *entry)
+claims_row_of(const struct shown *c, const struct entry *entry)
 {
 	char *name = xasprintf("table3/%s", entry->key);
 	const struct stored *m = stored_find(&c->paper, name);
@@ -169,7 +169,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 	size_t n = 0, well = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct site *site = c->fit[i]->site;
-		const struct stored *m = row_of(c, c->fit[i]);
+		const struct stored *m = claims_row_of(c, c->fit[i]);
 		for (size_t k = 0; m != NULL && k < ARRAY_LEN(SPEED); k++) {
 			struct prediction p = predict(site, &c->fit[i]->params,
 					      c->settings, SPEED[k],

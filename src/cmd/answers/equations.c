@@ -249,7 +249,7 @@ find_runs(struct worked *w)
 /* With the numbers of the site in use, where it has parameters of the paper's
  * model. */
 static void
-work_out(struct answer *r, const struct session *s)
+equations_work_out(struct answer *r, const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -293,7 +293,7 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 		    EQUATIONS[i].printed, EQUATIONS[i].used);
 	answer_put_rows(r, "equations");
 	fields_put(answer_fields(r), "what %s", "equations");
-	work_out(r, s);
+	equations_work_out(r, s);
 	answer_note(r, "'man model' lists the departures D1, D2 ..");
 	return session_answer(s, r);
 }

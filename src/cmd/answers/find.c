@@ -191,7 +191,7 @@ shown(const struct goal *goal, double value)
 }
 
 static double
-value_at(const struct goal *goal, double v)
+find_value_at(const struct goal *goal, double v)
 {
 	struct forecast *f = goal->wanted.forecast;
 	forecast_at(f, v);
@@ -242,10 +242,11 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    wanted,
-	    value ? shown(goal, goal->target.least) : value_at(goal, speed),
+	    value ? shown(goal, goal->target.least)
+		  : find_value_at(goal, speed),
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
-	    value_at(goal, goal->wanted.from), value_at(goal, goal->wanted.to),
-	    speed);
+	    find_value_at(goal, goal->wanted.from),
+	    find_value_at(goal, goal->wanted.to), speed);
 	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    find_within(f->range[0]), find_within(f->range[1]),
 	    find_within(f->cut[0]), find_within(f->cut[1]));
@@ -279,7 +280,7 @@ range_words(const struct goal *goal, const double range[2])
 /* The speed found with its range, and that in which a belt cut may show the
  * value. */
 static void
-note_speed(struct answer *r, const struct goal *goal,
+find_note_speed(struct answer *r, const struct goal *goal,
     const struct speed_search *f, const char *words)
 {
 	if (isnan(f->range[0])) {
@@ -437,7 +438,8 @@ note_unreached(struct answer *r, const struct goal *goal, const char *words)
 	bool size = q->kind == QUANTITY_SIZE;
 	bool falls = (size || q->kind == QUANTITY_PASSING) &&
 		     !fraction_screens(&q->fraction);
-	double high = value_at(goal, c->to), low = value_at(goal, c->from);
+	double high = find_value_at(goal, c->to),
+	       low = find_value_at(goal, c->from);
 	double over = forecast_over(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
 	if (falls)
@@ -468,7 +470,7 @@ note_finding(struct answer *r, const struct goal *goal,
 	else if (!found)
 		conditions_note_missed(r, &goal->wanted, &goal->others, f);
 	else if (goal->kind == GOAL_VALUE)
-		note_speed(r, goal, f, words);
+		find_note_speed(r, goal, f, words);
 	else
 		note_extreme(r, goal, f, v);
 	if (found && goal->wanted.n > 0)

@@ -385,7 +385,8 @@ note_error(struct answer *r, const struct basis *b)
 /* Which material meets the site's one product best, beside the product of all:
  * its parameters can be taken, where a median of products has none. */
 static void
-note_best(struct answer *r, const struct site *site, const struct basis *b)
+guess_note_best(
+    struct answer *r, const struct site *site, const struct basis *b)
 {
 	if (site_products(site) != 1)
 		return;
@@ -423,7 +424,7 @@ give_guess(struct session *s, const struct site *site, const struct basis *b,
 	struct answer *r = guess_table(site, guess);
 	note_sizes(r, guess);
 	note_materials(r, b);
-	note_best(r, site, b);
+	guess_note_best(r, site, b);
 	note_reach(r, b, guess->speed);
 	note_error(r, b);
 	put_guess(r, b, guess);

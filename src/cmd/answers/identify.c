@@ -36,7 +36,7 @@ struct findings {
 };
 
 static void
-find_speeds(struct findings *f, const struct site *site)
+identify_find_speeds(struct findings *f, const struct site *site)
 {
 	f->finest = INFINITY;
 	f->speed = xdoubles(site->n_run);
@@ -56,7 +56,7 @@ identify_find(const struct posterior *p, const struct site *site)
 {
 	struct findings f = {.p = p, .of = BREAKAGES[p->settings.breakage]};
 	size_t threshold = breakage_parameter(f.of, "e0_min");
-	find_speeds(&f, site);
+	identify_find_speeds(&f, site);
 	f.at = xcalloc(f.n_speed + 1, sizeof *f.at);
 	for (size_t i = 0; i < f.n_speed; i++)
 		f.at[i] = identify_break(p, f.speed[i], f.finest);
@@ -77,7 +77,7 @@ grade_of_break(const struct findings *f, size_t i)
 }
 
 static void
-add_rows(struct answer *r, const struct findings *f)
+identify_add_rows(struct answer *r, const struct findings *f)
 {
 	answer_columns(
 	    r, "what: , mean, sd, share_pct: %% of prior, unit, grade: ");
@@ -286,7 +286,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	struct answer *r =
 	    answers_new(entry->site, "identify", "what the data determine");
 	char *text = sentence(&f);
-	add_rows(r, &f);
+	identify_add_rows(r, &f);
 	identify_put(answer_fields(r), &f, text);
 	say_ridges(r, &f);
 	say_open(r, &f);

@@ -122,7 +122,8 @@ interpolated(const struct session *s, const struct entry *entry,
  * product there, from run [*first] on; with another feed or machine none
  * has. */
 static size_t
-measured_at(const struct site *site, double speed, const struct run **first)
+predict_measured_at(
+    const struct site *site, double speed, const struct run **first)
 {
 	size_t from = site_run_at(site, speed), n = 0;
 	*first = &site->run[from];
@@ -152,12 +153,13 @@ measured_parts(const struct session *s, const struct entry *entry,
 /* A row a sieve; between: NULL for none; model: with it and the speed in
  * columns of their own, for files, or NULL; alone: with the model alone. */
 static void
-add_rows(struct answer *r, const struct session *s, const struct entry *entry,
-    const struct params *params, const struct prediction *p,
-    const double *between, const char *model, bool alone)
+predict_add_rows(struct answer *r, const struct session *s,
+    const struct entry *entry, const struct params *params,
+    const struct prediction *p, const double *between, const char *model,
+    bool alone)
 {
 	const struct run *run;
-	size_t n = measured_at(entry->site, p->speed, &run);
+	size_t n = predict_measured_at(entry->site, p->speed, &run);
 	struct psd *part = measured_parts(s, entry, params, run, n, p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
@@ -219,9 +221,9 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	/* One who hears a table wants a sieve's numbers in a line. */
 	if (!s->linear)
 		answer_across(r);
-	add_rows(r, s, entry, params, p, between, NULL, detail);
+	predict_add_rows(r, s, entry, params, p, between, NULL, detail);
 	answer_for_programs(r);
-	add_rows(r, s, entry, params, p, between, model, true);
+	predict_add_rows(r, s, entry, params, p, between, model, true);
 	return r;
 }
 

@@ -265,7 +265,7 @@ put_conditions(struct session *s, const struct ask *ask)
 
 /* What is asked for first: the answer, and how sure it is. */
 static void
-put_answer(struct session *s, const struct ask *ask)
+report_put_answer(struct session *s, const struct ask *ask)
 {
 	const struct question *q = ask->q;
 	if (!is_met(s, ask, NEED_PARAMS))
@@ -299,7 +299,7 @@ put_missing(struct session *s, const struct ask *ask)
 }
 
 static void
-put_script(struct session *s, const struct ask *ask)
+report_put_script(struct session *s, const struct ask *ask)
 {
 	struct error error = {0};
 	char number[32];
@@ -329,7 +329,7 @@ compose(struct session *s, const struct ask *ask)
 	char *today = moment_today();
 	char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_title(s->document, title);
-	put_answer(s, ask);
+	report_put_answer(s, ask);
 	put_conditions(s, ask);
 	if (is_met(s, ask, NEED_PARAMS))
 		put_light(s, ask);
@@ -337,7 +337,7 @@ compose(struct session *s, const struct ask *ask)
 		put_missing(s, ask);
 	put_data(s->document, site);
 	put_sections(s, ask);
-	put_script(s, ask);
+	report_put_script(s, ask);
 	free(title);
 	free(today);
 	free(label);

@@ -65,7 +65,7 @@ next_sieve(const struct psd *const *curve, size_t n, double below)
 }
 
 static void
-add_curve(struct answer *r, const struct run *run, bool feed)
+show_add_curve(struct answer *r, const struct run *run, bool feed)
 {
 	const char *key = feed ? N_("feed") : N_("product");
 	char *at = xasprintf("@%g%s", run->speed, run->repeat);
@@ -92,7 +92,7 @@ add_columns(struct answer *r, const struct site *site, bool feed,
 		if (shared)
 			answer_columns(r, "feed: feed");
 		else
-			add_curve(r, run, feed);
+			show_add_curve(r, run, feed);
 		curve[n++] = feed ? &run->feed : &run->product;
 	}
 	return n;

@@ -77,7 +77,7 @@ limit_words(const struct standard_limit *l)
 }
 
 static void
-add_limits(struct answer *r, const struct standards *all)
+spec_add_limits(struct answer *r, const struct standards *all)
 {
 	answer_columns(r, "limit, is");
 	for (size_t i = 0; i < all->n_limit; i++) {
@@ -102,7 +102,7 @@ list_limits(struct session *s, const struct standards *all)
 {
 	struct answer *r = answer_new("spec");
 	answer_title(r, "limits of standards that are not on a passing");
-	add_limits(r, all);
+	spec_add_limits(r, all);
 	answer_say(r, ANSWER_REMARK,
 	    "second-hand copies: check them against your own. Those on a "
 	    "fineness modulus and between two sieves are checked by 'spec'; "

@@ -97,7 +97,7 @@ no_number(const char *text, const struct quantity *q, struct error *error)
 
 /* A number, which the quantity's unit may follow, in the unit of core. */
 static bool
-read_limit(const char *text, const struct quantity *q, double *limit,
+condition_read_limit(const char *text, const struct quantity *q, double *limit,
     struct error *error)
 {
 	char *copy = xstrdup(text), *word = text_trim(copy);
@@ -141,13 +141,15 @@ read_range(const char *text, struct condition *c, struct error *error)
 	size_t length;
 	const char *sign = range_sign(text, &length);
 	if (sign == NULL) {
-		bool ok = read_limit(text, &c->quantity, &c->least, error);
+		bool ok =
+		    condition_read_limit(text, &c->quantity, &c->least, error);
 		c->most = c->least;
 		return ok;
 	}
 	char *low = xstrndup(text, (size_t)(sign - text));
-	bool ok = read_limit(low, &c->quantity, &c->least, error) &&
-		  read_limit(sign + length, &c->quantity, &c->most, error);
+	bool ok =
+	    condition_read_limit(low, &c->quantity, &c->least, error) &&
+	    condition_read_limit(sign + length, &c->quantity, &c->most, error);
 	free(low);
 	if (!ok || c->least <= c->most)
 		return ok;
@@ -284,7 +286,7 @@ read_signed(const char *text, const struct fraction *fraction,
 	c->least = c->most = NAN;
 	if (text[n] == '=')
 		return read_range(limit, c, error);
-	return read_limit(
+	return condition_read_limit(
 	    limit, &c->quantity, text[n] == '<' ? &c->most : &c->least, error);
 }
 

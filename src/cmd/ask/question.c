@@ -137,7 +137,7 @@ given(const struct args *args, const char *name)
 }
 
 static double
-number_of(const struct args *args, const char *name)
+question_number_of(const struct args *args, const char *name)
 {
 	const struct value *value = given(args, name);
 	return value != NULL ? value->number : 0;
@@ -149,9 +149,9 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
     struct error *error)
 {
 	struct scenario *w = &r->scenario;
-	w->rotor = number_of(args, "rotor_mm") / 1000;
-	w->rpm = number_of(args, "rpm");
-	r->speed = number_of(args, "speed");
+	w->rotor = question_number_of(args, "rotor_mm") / 1000;
+	w->rpm = question_number_of(args, "rpm");
+	r->speed = question_number_of(args, "speed");
 	if (!(w->rpm > 0))
 		return true;
 	double diameter = w->rotor > 0 ? w->rotor : site->rotor;
@@ -288,12 +288,12 @@ question_of(struct session *s, const struct entry *loaded,
 	struct named *r = xcalloc(1, sizeof *r);
 	const struct value *correction = given(args, "correction");
 	*q = (struct question){.entry = loaded, .named = r};
-	r->scenario =
-	    (struct scenario){.bypass = number_of(args, "cascade") / 100,
-		.k = number_of(args, "k"),
-		.correction = correction != NULL
-				  ? (enum correction)correction->choice
-				  : s->set.correction};
+	r->scenario = (struct scenario){
+	    .bypass = question_number_of(args, "cascade") / 100,
+	    .k = question_number_of(args, "k"),
+	    .correction = correction != NULL
+			      ? (enum correction)correction->choice
+			      : s->set.correction};
 	return read_speed(args, loaded->site, r, error) &&
 	       read_feed(s, args, r, error) &&
 	       read_sieves(args, loaded->site, r, error) &&

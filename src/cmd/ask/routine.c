@@ -61,7 +61,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 
 /* The place of a run's note among the site's, which is that of its adding. */
 static size_t
-place_of(const struct site *site, const struct routine_cut *c)
+routine_place_of(const struct site *site, const struct routine_cut *c)
 {
 	const char *note = cut_heading(site, c->run);
 	size_t i = 0;
@@ -80,7 +80,8 @@ sort_cuts(struct routine *r, const struct site *site)
 	for (size_t i = 1; i < r->n; i++)
 		for (size_t j = i; j > 0; j--) {
 			struct routine_cut *a = &r->cut[j - 1], *b = a + 1;
-			size_t one = place_of(site, a), two = place_of(site, b);
+			size_t one = routine_place_of(site, a),
+			       two = routine_place_of(site, b);
 			bool later = r->dated && a->time != b->time
 					 ? a->time > b->time
 					 : one > two;

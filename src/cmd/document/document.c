@@ -58,7 +58,7 @@ document_append(struct document *d, struct document_part part)
 /* What was printed stands before what comes now.  Empty lines at both ends are
  * there for a terminal. */
 static void
-take_text(struct document *d)
+document_take_text(struct document *d)
 {
 	fflush(d->out);
 	size_t n = d->n_text, from = d->taken;
@@ -76,7 +76,7 @@ take_text(struct document *d)
 static void
 document_add(struct document *d, struct document_part part)
 {
-	take_text(d);
+	document_take_text(d);
 	document_append(d, part);
 }
 
@@ -131,7 +131,7 @@ document_picture(struct document *d, struct chart *chart)
 bool
 document_end(struct document *d)
 {
-	take_text(d);
+	document_take_text(d);
 	for (size_t i = 0; i < d->n && d->title == NULL; i++) {
 		const struct document_part *p = &d->part[i];
 		const char *title = p->answer != NULL

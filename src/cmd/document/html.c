@@ -62,7 +62,7 @@ html_put(const char *before, const char *text, const char *after, FILE *out)
 }
 
 static void
-put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
+html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 {
 	bool head = row == 0;
 	const char *text = head
@@ -83,14 +83,14 @@ put_block(const struct answer_view *v, size_t from, size_t to, FILE *out)
 	for (size_t row = 0; row <= v->n_row; row++) {
 		fputs("<tr>", out);
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
-			put_cell(v, row, c, out);
+			html_put_cell(v, row, c, out);
 		fputs(row == 0 ? "</tr></thead>\n<tbody>\n" : "</tr>\n", out);
 	}
 	fputs("</tbody></table></div>\n", out);
 }
 
 static void
-put_sentences(const struct answer_view *v, bool warnings, FILE *out)
+html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 {
 	for (size_t i = 0; i < v->n_sentence; i++) {
 		const struct answer_sentence *said = &v->sentence[i];
@@ -102,7 +102,7 @@ put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 
 /* top: its title is the document's. */
 static void
-put_answer(const struct answer *answer, bool top, FILE *out)
+html_put_answer(const struct answer *answer, bool top, FILE *out)
 {
 	struct answer_view v = answer_view(answer);
 	if (v.title != NULL && !top)
@@ -110,7 +110,7 @@ put_answer(const struct answer *answer, bool top, FILE *out)
 	if (v.provenance != NULL)
 		html_put(
 		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
-	put_sentences(&v, true, out);
+	html_put_sentences(&v, true, out);
 	for (size_t from = 1; v.n_row > 0;) {
 		size_t to = document_block(&v, from);
 		put_block(&v, from, to, out);
@@ -118,7 +118,7 @@ put_answer(const struct answer *answer, bool top, FILE *out)
 		if (from >= v.n_column)
 			break;
 	}
-	put_sentences(&v, false, out);
+	html_put_sentences(&v, false, out);
 }
 
 static void
@@ -155,7 +155,7 @@ put_part(const struct document *d, size_t i, FILE *out)
 		put_lines(p->text, out);
 		break;
 	case DOCUMENT_ANSWER:
-		put_answer(p->answer, i == d->titled_by, out);
+		html_put_answer(p->answer, i == d->titled_by, out);
 		break;
 	case DOCUMENT_PICTURE:
 		fputs("<figure>\n", out);

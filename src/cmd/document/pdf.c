@@ -56,7 +56,7 @@ inner_width(const struct press *p)
 
 /* From the margin to an end. */
 static void
-draw_line(struct press *p, double end, double y, double width)
+pdf_draw_line(struct press *p, double end, double y, double width)
 {
 	double x[] = {MARGIN, end}, at[] = {y, y};
 	p->pen->path(p->pen, x, at, 2,
@@ -68,7 +68,7 @@ draw_foot(struct press *p)
 {
 	struct pen_style style = {.size = 8};
 	double y = p->height - FOOT;
-	draw_line(p, p->width - MARGIN, y - 10, 0.4);
+	pdf_draw_line(p, p->width - MARGIN, y - 10, 0.4);
 	p->pen->text(p->pen, MARGIN, y, p->document->made_by, &style);
 	style.anchor = PEN_END;
 	char *number =
@@ -88,7 +88,7 @@ next_page(struct press *p)
 
 /* Room for what is so high; true where that began a page. */
 static bool
-make_room(struct press *p, double height)
+pdf_make_room(struct press *p, double height)
 {
 	if (p->y + height <= p->height - FOOT - 16 || p->y <= MARGIN)
 		return false;
@@ -168,7 +168,7 @@ put_words(struct press *p, const char *text, const struct pen_style *style)
 	double line = LINE * style->size;
 	struct lines lines = break_lines(p, text, inner_width(p), style);
 	for (size_t i = 0; i < lines.n; i++) {
-		make_room(p, line);
+		pdf_make_room(p, line);
 		p->y += line;
 		p->pen->text(
 		    p->pen, MARGIN, p->y - 0.25 * line, lines.line[i], style);
@@ -189,7 +189,7 @@ put_light(struct press *p, const struct document_part *part)
 	    break_lines(p, part->text, inner_width(p) - 4 * PAD, &style);
 	double height = (double)lines.n * LINE * style.size + 2 * PAD;
 	skip(p, 4);
-	make_room(p, height);
+	pdf_make_room(p, height);
 	double x[] = {left, right, right, left, left};
 	double y[] = {p->y, p->y, p->y + height, p->y + height, p->y};
 	double bar[] = {left, left + PAD, left + PAD, left};
@@ -280,7 +280,7 @@ fit_grid(struct press *p, struct grid *g)
 
 /* A row, 0 the heads. */
 static void
-put_row(struct press *p, const struct grid *g, size_t row)
+pdf_put_row(struct press *p, const struct grid *g, size_t row)
 {
 	struct pen_style style = letters(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
@@ -296,7 +296,7 @@ put_row(struct press *p, const struct grid *g, size_t row)
 		most = cell[i].n > most ? cell[i].n : most;
 	}
 	for (size_t k = 0; k < most; k++, x = MARGIN) {
-		make_room(p, line);
+		pdf_make_room(p, line);
 		p->y += line;
 		for (size_t i = 0; i < g->n; i++) {
 			bool right = document_is_number(g->view, g->column[i]);
@@ -331,18 +331,18 @@ put_grid(struct press *p, struct grid *g)
 {
 	double line = LINE * g->size * p->layout.scale;
 	fit_grid(p, g);
-	make_room(p, 5 * line);
+	pdf_make_room(p, 5 * line);
 	for (size_t row = 0; row <= g->view->n_row; row++) {
-		bool again = row > 0 && make_room(p, line);
+		bool again = row > 0 && pdf_make_room(p, line);
 		if (again)
-			put_row(p, g, 0);
+			pdf_put_row(p, g, 0);
 		if (again || row == 1) {
-			draw_line(p, rule_end(p, g), p->y, 0.7);
+			pdf_draw_line(p, rule_end(p, g), p->y, 0.7);
 			skip(p, 1.5);
 		}
-		put_row(p, g, row);
+		pdf_put_row(p, g, row);
 	}
-	draw_line(p, rule_end(p, g), p->y + 1, 0.3);
+	pdf_draw_line(p, rule_end(p, g), p->y + 1, 0.3);
 	skip(p, 5);
 }
 
@@ -369,7 +369,7 @@ put_table(struct press *p, const struct answer_view *v)
 }
 
 static void
-put_sentences(struct press *p, const struct answer_view *v, bool warnings)
+pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 {
 	struct pen_style style = letters(p, 9, warnings);
 	for (size_t i = 0; i < v->n_sentence; i++)
@@ -390,14 +390,14 @@ kept_height(const struct press *p, const struct answer_view *v)
 }
 
 static void
-put_answer(struct press *p, const struct answer *answer, bool top)
+pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 {
 	struct answer_view v = answer_view(answer);
 	struct pen_style title = letters(p, 9.5, true);
 	struct pen_style about = letters(p, 8, false);
 	about.series = SERIES_FEED;
 	skip(p, 6);
-	make_room(p, kept_height(p, &v));
+	pdf_make_room(p, kept_height(p, &v));
 	if (v.title != NULL && !top)
 		put_words(p, v.title, &title);
 	if (v.provenance != NULL) {
@@ -405,10 +405,10 @@ put_answer(struct press *p, const struct answer *answer, bool top)
 		put_words(p, text, &about);
 		free(text);
 	}
-	put_sentences(p, &v, true);
+	pdf_put_sentences(p, &v, true);
 	skip(p, 3);
 	put_table(p, &v);
-	put_sentences(p, &v, false);
+	pdf_put_sentences(p, &v, false);
 }
 
 static void
@@ -418,7 +418,7 @@ put_picture(struct press *p, const struct chart *chart)
 	double scale = fmin(p->layout.scale, inner_width(p) / PICTURE_WIDTH);
 	double height = scale * picture_height(chart, PROGRAM);
 	skip(p, 6);
-	make_room(p, height);
+	pdf_make_room(p, height);
 	p->pen->place(p->pen, MARGIN, p->y, scale);
 	picture_draw(chart, PROGRAM, p->pen);
 	p->pen->place(p->pen, 0, 0, 1);
@@ -439,9 +439,9 @@ put_heading(struct press *p, size_t i)
 		kept = kept_height(p, &v);
 	}
 	skip(p, 14);
-	make_room(p, OWN * p->layout.scale + kept);
+	pdf_make_room(p, OWN * p->layout.scale + kept);
 	put_words(p, d->part[i].text, &style);
-	draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
+	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
 	skip(p, 3);
 }
 
@@ -466,7 +466,7 @@ put_part(struct press *p, size_t i)
 		put_lines(p, part->text);
 		break;
 	case DOCUMENT_ANSWER:
-		put_answer(p, part->answer, i == p->document->titled_by);
+		pdf_put_answer(p, part->answer, i == p->document->titled_by);
 		break;
 	case DOCUMENT_PICTURE:
 		put_picture(p, part->chart);

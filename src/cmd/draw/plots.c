@@ -76,7 +76,7 @@ static const struct chart_series PART = {
 
 /* Takes the name. */
 static void
-add_curve(struct curves *c, const struct psd *psd, char *name,
+plots_add_curve(struct curves *c, const struct psd *psd, char *name,
     struct chart_series look)
 {
 	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
@@ -93,7 +93,7 @@ static void
 add_product(struct curves *c, const struct prediction *p, char *name,
     struct chart_series look)
 {
-	add_curve(c, &p->product, name, look);
+	plots_add_curve(c, &p->product, name, look);
 	c->item[c->n - 1].finer = p->curve.n > 0 ? &p->curve : NULL;
 }
 
@@ -184,7 +184,7 @@ add_measured(struct curves *c, const struct session *s,
 			part = xcalloc(1, sizeof *part);
 			*part = screened_measured(product, fraction);
 		}
-		add_curve(c, part != NULL ? part : product,
+		plots_add_curve(c, part != NULL ? part : product,
 		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
 			site->run[i].repeat),
 		    site_chart_run(site, i, !entry->train[i]));
@@ -463,7 +463,7 @@ static void
 add_feed(struct curves *c, const struct site *site, size_t run)
 {
 	bool one = run < site->n_run && site->individual_feeds;
-	add_curve(c, site_feed(site, run),
+	plots_add_curve(c, site_feed(site, run),
 	    one ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
 		      site->run[run].repeat)
 		: xstrdup(tr("feed")),
@@ -582,7 +582,7 @@ sweep_chart(
 		return NULL;
 	}
 	size_t feed = feed_at(site, q->feed_speed);
-	add_curve(&c, site_feed(site, feed), xstrdup(tr("feed")), FEED);
+	plots_add_curve(&c, site_feed(site, feed), xstrdup(tr("feed")), FEED);
 	double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
@@ -858,7 +858,7 @@ selection_chart(
 		return NULL;
 	const struct psd *feed = site_feed(site, feed_at(site, q->feed_speed));
 	struct curves c = {0};
-	add_curve(&c, feed, xstrdup(""), FEED);
+	plots_add_curve(&c, feed, xstrdup(""), FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c),
 	    axis_percent(tr("share that breaks S(x), %")),
 	    "selection function (Eq 3)");

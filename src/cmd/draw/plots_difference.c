@@ -81,18 +81,18 @@ short_name(const struct chart_series *s)
 	       (s->name[strcspn(s->name, ",(")] == '(');
 }
 
-/* What is shown, whatever the numbers: "points; line: less pin; marks: measured
- * 74 m/s less this prediction", which may be of another speed. */
+/* What is shown, whatever the numbers: "points; line: this less pin; marks:
+ * measured 74 m/s less this", the prediction, which may be of another speed. */
 static char *
 title_of(const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
 	if (other != NULL)
-		xlist(&title, "; ", tr("line: less %s"),
+		xlist(&title, "; ", tr("line: this less %s"),
 		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
 							: tr("the other"));
 	if (measured != NULL)
-		xlist(&title, "; ", tr("marks: %.*s less this prediction"),
+		xlist(&title, "; ", tr("marks: %.*s less this"),
 		    short_name(measured), measured->name);
 	return title;
 }

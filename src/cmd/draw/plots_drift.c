@@ -52,7 +52,7 @@ share(const struct drift_point *p, const struct drift_rule *rule, enum shown i)
 }
 
 static void
-add_limits(struct chart *chart, double last)
+drift_add_limits(struct chart *chart, double last)
 {
 	struct chart_series *limit = chart_add(chart,
 	    (struct chart_series){
@@ -105,7 +105,7 @@ plots_drift(
 	struct chart *chart = site_chart(entry->site, x,
 	    axis_linear(tr("share of the limit, -"), low, high),
 	    "routine cuts against their predictions");
-	add_limits(chart, last);
+	drift_add_limits(chart, last);
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 		struct chart_series *series = chart_add(
 		    chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));

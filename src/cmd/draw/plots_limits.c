@@ -37,7 +37,7 @@ plots_limits_words(const struct session *s)
 
 /* One of the two limits, where there are any that the axis has. */
 static void
-add_limits(struct chart *chart, const struct spec *spec, bool least)
+limits_add_limits(struct chart *chart, const struct spec *spec, bool least)
 {
 	const double *limit = least ? spec->least : spec->most;
 	size_t n = 0;
@@ -67,8 +67,8 @@ plots_limits_add(struct chart *chart, const struct session *s, bool notes)
 	const struct spec *spec = s->spec;
 	if (spec == NULL)
 		return;
-	add_limits(chart, spec, false);
-	add_limits(chart, spec, true);
+	limits_add_limits(chart, spec, false);
+	limits_add_limits(chart, spec, true);
 	char *cut = plots_limits_words(s);
 	const char *source =
 	    spec->source[0] != '\0' ? spec->source : spec->name;

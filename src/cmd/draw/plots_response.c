@@ -132,7 +132,7 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 }
 
 static double
-speed_at(const struct drawn *d, size_t k)
+response_speed_at(const struct drawn *d, size_t k)
 {
 	return d->from + (d->to - d->from) * (double)k / (POINTS - 1);
 }
@@ -145,7 +145,7 @@ response_look(struct session *s, struct drawn *d)
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
 	for (size_t k = 0; k < POINTS; k++) {
-		forecast_at(f, speed_at(d, k));
+		forecast_at(f, response_speed_at(d, k));
 		for (size_t i = 0; i < d->n; i++) {
 			double *value = d->value[i * POINTS + k];
 			struct figure at = forecast_figure(f, i);
@@ -182,7 +182,7 @@ add_line(struct chart *chart, const struct drawn *d, size_t i)
 	if (band)
 		chart_add_band(line);
 	for (size_t k = 0; k < POINTS; k++) {
-		line->x[k] = speed_at(d, k);
+		line->x[k] = response_speed_at(d, k);
 		line->y[k] = value[k][0];
 		if (!band)
 			continue;
@@ -222,7 +222,7 @@ add_measured(struct chart *chart, const struct session *s,
 
 /* Level lines at the limits on a quantity. */
 static void
-add_limits(struct chart *chart, const struct drawn *d, size_t i)
+response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 {
 	struct chart_series look = site_chart_look(i);
 	look.line = CHART_DOTTED;
@@ -339,7 +339,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
 			add_line(chart, d, i);
 			add_measured(chart, s, d->entry, d, i);
-			add_limits(chart, d, i);
+			response_add_limits(chart, d, i);
 		}
 	chart->y = around(chart, title);
 	add_reach(chart, d->entry);

@@ -22,8 +22,8 @@ enum { FURTHER = sizeof MARKS - 1 };
 
 /* Takes the name. */
 static void
-add_curve(struct chart *chart, const struct psd *psd, struct chart_series look,
-    char *name)
+runs_add_curve(struct chart *chart, const struct psd *psd,
+    struct chart_series look, char *name)
 {
 	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
 	for (size_t i = 0; i < psd->n; i++) {
@@ -56,7 +56,7 @@ add_feeds(struct chart *chart, const struct site *site)
 		if (has_drawn_feed(site, i))
 			continue;
 		const struct run *r = &site->run[i];
-		add_curve(chart, &r->feed,
+		runs_add_curve(chart, &r->feed,
 		    (struct chart_series){.series = SERIES_FEED,
 			.line = LINES[kind],
 			.ascii = ASCII[kind]},
@@ -75,7 +75,7 @@ add_predicted(struct chart *chart, const struct session *s,
 {
 	struct prediction p = predict(
 	    entry->site, params, outlook_settings(s, entry), speed, feed);
-	add_curve(chart, &p.product, look,
+	runs_add_curve(chart, &p.product, look,
 	    xasprintf(tr("predicted %g m/s%s"), speed, repeat));
 	prediction_free(&p);
 }
@@ -96,7 +96,7 @@ add_run(struct chart *chart, const struct session *s, const struct entry *entry,
 	    .ascii = ASCII[run % (sizeof ASCII - 1)]};
 	look.line = CHART_SOLID;
 	look.ascii = '-';
-	add_curve(chart, &r->product, look,
+	runs_add_curve(chart, &r->product, look,
 	    xasprintf(held_out ? tr("measured %g m/s%s (held out)")
 			       : tr("measured %g m/s%s"),
 		r->speed, r->repeat));

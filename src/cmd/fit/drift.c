@@ -21,7 +21,7 @@ larger(const struct drift_chart *c)
 }
 
 static void
-add_rows(struct answer *a, const struct routine *r)
+drift_add_rows(struct answer *a, const struct routine *r)
 {
 	answer_columns(a,
 	    "cut, date, speed: m/s, mean_points: mean, worst_points: most, "
@@ -47,7 +47,7 @@ add_rows(struct answer *a, const struct routine *r)
 
 /* "5 (2026-05-18)". */
 static char *
-name_of(const struct routine *r, size_t cut)
+drift_name_of(const struct routine *r, size_t cut)
 {
 	const char *when = r->cut[cut].when;
 	return when[0] != '\0' ? xasprintf("%zu (%s)", cut + 1, when)
@@ -88,7 +88,8 @@ say_what_next(struct answer *a, const struct routine *r)
 			answer_note(a, "no need to calibrate anew");
 		return;
 	}
-	char *since = name_of(r, r->since), *first = name_of(r, r->first);
+	char *since = drift_name_of(r, r->since),
+	     *first = drift_name_of(r, r->first);
 	char *speeds = speeds_from(r, r->since, &n);
 	answer_note(a,
 	    "it began at about cut %s and was signalled after cut %s", since,
@@ -147,7 +148,7 @@ say_limits(struct answer *a, const struct routine *r)
 }
 
 static void
-put_fields(struct answer *a, const struct routine *r)
+drift_put_fields(struct answer *a, const struct routine *r)
 {
 	struct fields *o = answer_fields(a);
 	enum drift_state state = r->point[r->n - 1].state;
@@ -178,8 +179,8 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    tr_n("%zu routine cut against their predictions",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
-	add_rows(a, r);
-	put_fields(a, r);
+	drift_add_rows(a, r);
+	drift_put_fields(a, r);
 	char *words = routine_words(r);
 	answer_say(a,
 	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN

@@ -83,7 +83,8 @@ explain_nothing(struct answer *r, const struct entry *entry)
 
 /* The range of a parameter: that of its bounds, of the gauge's scaled to 1. */
 static double
-range_of(const struct fit *fit, const struct bounds *bounds, size_t j)
+fit_report_range_of(
+    const struct fit *fit, const struct bounds *bounds, size_t j)
 {
 	return j < breakage_of(&fit->params)->gauge
 		   ? 2
@@ -98,8 +99,9 @@ step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 	const struct breakage *of = breakage_of(&fit->params);
 	bool fits = true;
 	for (size_t j = of->gauge; j < of->n; j++) {
-		double x = fit->params.at[j] +
-			   sign * fit->flat.part[j] * range_of(fit, bounds, j);
+		double x =
+		    fit->params.at[j] + sign * fit->flat.part[j] *
+					    fit_report_range_of(fit, bounds, j);
 		if (fit_is_flat(fit, j))
 			fits = fits && x >= bounds->lower[j] &&
 			       x <= bounds->upper[j];
@@ -150,7 +152,7 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 			xlist(&list, ", ", tr("%s by %+.2g"),
 			    of->parameter[j].name,
 			    (ahead ? 1 : -1) * fit->flat.part[j] *
-				range_of(fit, bounds, j));
+				fit_report_range_of(fit, bounds, j));
 		n++;
 	}
 	if (silent)

@@ -254,7 +254,7 @@ draw_fit(struct session *s)
 
 /* draw: with what its draws tell. */
 static void
-take_fit(struct session *s, bool draw)
+job_take_fit(struct session *s, bool draw)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
@@ -324,7 +324,7 @@ next_alone(struct session *s)
 static void
 take_alone(struct session *s)
 {
-	take_fit(s, true);
+	job_take_fit(s, true);
 	give_fit(s);
 }
 
@@ -404,7 +404,7 @@ static void
 take_every(struct session *s)
 {
 	struct every *every = s->job.of;
-	take_fit(s, false);
+	job_take_fit(s, false);
 	tell_end(s);
 	every->index =
 	    xrealloc(every->index, every->n + 1, sizeof *every->index);
@@ -837,8 +837,8 @@ check_all(const struct args *args, struct error *error)
 
 /* The runs to train on, and what each counts. */
 static bool
-choose_runs(const struct site *site, const struct args *args, struct job *job,
-    struct error *error)
+job_choose_runs(const struct site *site, const struct args *args,
+    struct job *job, struct error *error)
 {
 	bool by_sd = args_value(args, "weights")->choice == 1;
 	job->train = xcalloc(site->n_run, sizeof *job->train);
@@ -868,7 +868,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
 	    !part_choose(args, all, &part, error) ||
 	    !(all ? check_all(args, error)
-		  : choose_runs(site, args, &job, error))) {
+		  : job_choose_runs(site, args, &job, error))) {
 		job_free(&job);
 		return false;
 	}

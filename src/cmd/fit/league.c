@@ -82,7 +82,7 @@ league_drop(void *of)
 
 /* Default bounds, and those that were set of parameters with the same name. */
 static struct bounds
-bounds_of(const struct session *s, size_t model)
+league_bounds_of(const struct session *s, size_t model)
 {
 	struct bounds b = bounds_default(model);
 	const struct breakage *set = BREAKAGES[s->set.model.breakage];
@@ -113,7 +113,7 @@ begin_model(struct session *s)
 	o->settings.breakage = (unsigned)breakage_of_row(l->model);
 	o->settings.impacts =
 	    energies ? s->set.model.impacts : (struct impacts){.n = 0};
-	o->bounds = bounds_of(s, breakage_of_row(l->model));
+	o->bounds = league_bounds_of(s, breakage_of_row(l->model));
 	o->start = from != NULL ? &from->params : NULL;
 	return true;
 }
@@ -420,7 +420,7 @@ put_verdict(struct fields *o, const struct verdict *v)
 
 /* The models, then those who need none; csv has the site in each row. */
 static void
-add_rows(struct answer *r, const struct verdict *v)
+league_add_rows(struct answer *r, const struct verdict *v)
 {
 	bool weights = !isnan(v->straight);
 	answer_columns(r, "model, parameters: free, misfit, aicc: AICc, "
@@ -446,7 +446,7 @@ add_rows(struct answer *r, const struct verdict *v)
 
 /* "grunditz, vogel": those of the standings from..to but one. */
 static char *
-names_of(
+league_names_of(
     const struct verdict *v, enum league_standing from, enum league_standing to)
 {
 	char *list = xstrdup("");
@@ -459,8 +459,8 @@ names_of(
 static void
 say_verdict(struct answer *r, const struct verdict *v)
 {
-	char *open = names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
-	char *out = names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
+	char *open = league_names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+	char *out = league_names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
 	const char *best = name_of_row(v->best);
 	if (v->can_tell)
 		answer_note(r,
@@ -586,7 +586,7 @@ one_answer(const struct session *s, const struct ground *g)
 	find_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
-	add_rows(r, &v);
+	league_add_rows(r, &v);
 	say_verdict(r, &v);
 	if (is_one_speed(g->site))
 		answer_say(r, ANSWER_WARNING,
@@ -620,7 +620,8 @@ all_answer(const struct session *s, const struct league *l)
 		const struct ground *g = i < l->n ? &l->ground[i] : NULL;
 		struct verdict v =
 		    g != NULL ? verdict_of(g, 1) : verdict_of(l->ground, l->n);
-		char *open = names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+		char *open =
+		    league_names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
 		enum validate_way ahead = ahead_of(&v);

@@ -157,7 +157,7 @@ part_options(const struct session *s, const struct calibrate_options *o,
 
 /* Of the names and numbers of all loaded sites, in their order. */
 static uint64_t
-digest_of(const struct session *s)
+part_digest_of(const struct session *s)
 {
 	uint64_t digest = 0xcbf29ce484222325;
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -176,7 +176,7 @@ part_sign(struct answer *answer, const struct session *s,
 {
 	char digest[17];
 	struct fields *o = fields_object(answer_fields(answer), "part");
-	snprintf(digest, sizeof digest, "%016" PRIx64, digest_of(s));
+	snprintf(digest, sizeof digest, "%016" PRIx64, part_digest_of(s));
 	fields_put(o,
 	    "number %zu of %zu loaded %zu sites %s version %s "
 	    "options %s",

@@ -267,7 +267,7 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 
 /* The next speed to hold out, of a site that has enough. */
 static bool
-next_speed(struct session *s)
+validate_next_speed(struct session *s)
 {
 	struct comparison *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
@@ -289,7 +289,7 @@ next_speed(struct session *s)
 
 /* Compares the runs at the speed held out with what the others have found. */
 static void *
-follow_speed(const struct session *s, const struct round *round)
+validate_follow_speed(const struct session *s, const struct round *round)
 {
 	const struct comparison *c = s->job.of;
 	const struct site *site = s->entry[round->entry].site;
@@ -318,7 +318,7 @@ follow_speed(const struct session *s, const struct round *round)
 }
 
 static void
-take_speed(struct session *s)
+validate_take_speed(struct session *s)
 {
 	struct comparison *c = s->job.of, *found = s->job.found;
 	if (c->all)
@@ -346,9 +346,9 @@ end_speeds(struct session *s, void *of)
 	comparison_drop(c);
 }
 
-static const struct rounds EACH = {next_speed, NULL, take_speed, end_speeds,
-    comparison_drop, false, at_speed,
-    N_("stopped before all speeds were predicted"), follow_speed};
+static const struct rounds EACH = {validate_next_speed, NULL,
+    validate_take_speed, end_speeds, comparison_drop, false, at_speed,
+    N_("stopped before all speeds were predicted"), validate_follow_speed};
 
 /* Sites of the part without enough speeds, where there are no others in it
  * though other parts have them: that is a part, too. */

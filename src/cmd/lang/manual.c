@@ -73,7 +73,7 @@ print_option(const struct command_option *o, FILE *out)
 }
 
 static void
-print_options(const struct command *c, FILE *out)
+manual_print_options(const struct command *c, FILE *out)
 {
 	const struct command_option *o = command_own_option(c, 0);
 	char *shared = command_shared(c);
@@ -92,7 +92,7 @@ print_options(const struct command *c, FILE *out)
 }
 
 static void
-print_shared(FILE *out)
+manual_print_shared(FILE *out)
 {
 	const struct command_option *o;
 	fputs(".Ss Options of many commands\n"
@@ -138,7 +138,7 @@ manual_commands(FILE *out)
 {
 	const char *group = "";
 	print_contents(out);
-	print_shared(out);
+	manual_print_shared(out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		const char *its = command_group(c);
 		if (strcmp(group, its) != 0) {
@@ -160,7 +160,7 @@ manual_commands(FILE *out)
 		print_brief(c, out);
 		print_text(c->text, out);
 		print_text(c->more != NULL ? c->more : "", out);
-		print_options(c, out);
+		manual_print_options(c, out);
 		fputs(".Bd -literal -offset indent\n", out);
 		usage_example(c, "tipspeed> ", out);
 		fputs(".Ed\n", out);

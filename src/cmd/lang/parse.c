@@ -16,7 +16,7 @@
 /* Goes on from the last place asked for, so that a long line costs no more than
  * its length. */
 static int
-column_of(const char *line, struct words *words, size_t offset)
+parse_column_of(const char *line, struct words *words, size_t offset)
 {
 	const char *p = line + words->reached;
 	for (; p < line + offset; words->reached_column++)
@@ -79,7 +79,7 @@ open_quote(struct place place, int column, struct error *error)
 }
 
 static size_t
-skip_blanks(const char *line, size_t i)
+parse_skip_blanks(const char *line, size_t i)
 {
 	while (isspace((unsigned char)line[i]))
 		i++;
@@ -105,8 +105,8 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 {
 	bool append = line[*at + 1] == '>';
 	words->to = append ? TO_END : TO_FILE;
-	*at = skip_blanks(line, *at + (append ? 2 : 1));
-	int column = column_of(line, words, *at);
+	*at = parse_skip_blanks(line, *at + (append ? 2 : 1));
+	int column = parse_column_of(line, words, *at);
 	if (!take_word(line, at, false, &words->target))
 		return open_quote(place, column, error);
 	if (words->target[0] == '\0')
@@ -115,11 +115,11 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 		    "expected a file name after %s\n"
 		    "write: predict 74 > product.csv",
 		    append ? ">>" : ">");
-	*at = skip_blanks(line, *at);
+	*at = parse_skip_blanks(line, *at);
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
 	return error_at(error, ERROR_USAGE, place.file, place.line,
-	    column_of(line, words, *at),
+	    parse_column_of(line, words, *at),
 	    "expected nothing after the file '%s'\n"
 	    "quote a name with spaces: > \"my file.csv\"; use one > or | in a "
 	    "command",
@@ -131,7 +131,7 @@ take_redirection(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	char sign = line[*at];
-	words->to_column = column_of(line, words, *at);
+	words->to_column = parse_column_of(line, words, *at);
 	if (words->n == 0)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column, "expected a command before %c", sign);
@@ -204,7 +204,7 @@ static bool
 add_word(const char *line, size_t *at, struct place place, bool verbatim,
     struct words *words, struct error *error)
 {
-	int column = column_of(line, words, *at);
+	int column = parse_column_of(line, words, *at);
 	if (words->n == OPERANDS)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    column, "more than %d words", (int)OPERANDS);
@@ -262,7 +262,7 @@ bool
 words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
 {
-	size_t i = skip_blanks(line, from), begin = i, end = i;
+	size_t i = parse_skip_blanks(line, from), begin = i, end = i;
 	words->n = 0;
 	words->typed = NULL;
 	words->to = TO_SCREEN;
@@ -280,7 +280,7 @@ words_split(const char *line, size_t from, struct place place,
 		if (!ok)
 			return false;
 		end = words->to == TO_SCREEN ? i : end;
-		i = skip_blanks(line, i);
+		i = parse_skip_blanks(line, i);
 	}
 	const struct command *command =
 	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
@@ -288,7 +288,7 @@ words_split(const char *line, size_t from, struct place place,
 		join_condition(command, words);
 	words->typed = xstrndup(line + begin, end - begin);
 	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
-	column_of(line, words, words->next);
+	parse_column_of(line, words, words->next);
 	return true;
 }
 
@@ -305,7 +305,7 @@ words_free(struct words *words)
 
 /* Cuts a unit off the end of a number: "74m/s", "11.2 mm". */
 static void
-cut_unit(char *text, const char *unit)
+parse_cut_unit(char *text, const char *unit)
 {
 	if (unit[0] != '\0' && text_ends(text, unit))
 		text[strlen(text) - strlen(unit)] = '\0';
@@ -315,7 +315,7 @@ bool
 value_number(const char *word, const char *unit, double *value)
 {
 	char *text = xstrdup(word);
-	cut_unit(text, unit);
+	parse_cut_unit(text, unit);
 	bool ok = text_typed_number(text, value);
 	free(text);
 	return ok;
@@ -357,7 +357,7 @@ hint_number(
 	char *comma = strchr(copy, ',');
 	char *dash = copy[0] != '\0' ? strchr(copy + 1, '-') : NULL;
 	double low, high;
-	cut_unit(copy, option->unit);
+	parse_cut_unit(copy, option->unit);
 	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
 		error_hint(error, "%s", tr(TURNS));
 	} else if (comma != NULL) {
@@ -404,7 +404,7 @@ parse_number(const struct command_option *option, const char *word,
 }
 
 static bool
-add_number(const struct command_option *option, const char *word,
+parse_add_number(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	double v;
@@ -471,7 +471,7 @@ numbers(const struct command_option *option, const char *word,
 			char *comma = strchr(part, ',');
 			if (comma != NULL)
 				*comma = '\0';
-			ok = add_number(option, part, value, error);
+			ok = parse_add_number(option, part, value, error);
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
@@ -595,7 +595,8 @@ new_option(const struct args *args, const char *name, struct error *error)
 }
 
 static bool
-take_value(size_t i, const char *word, struct args *args, struct error *error)
+parse_take_value(
+    size_t i, const char *word, struct args *args, struct error *error)
 {
 	args->value[i].given = true;
 	return value_take(
@@ -626,7 +627,7 @@ take_argument(const char *word, struct args *args, struct error *error)
 		i = args->value[bare].given ? OPTIONS : bare;
 	}
 	if (i < OPTIONS)
-		return take_value(i, word, args, error);
+		return parse_take_value(i, word, args, error);
 	args->operand[args->n_operand++] = word;
 	return true;
 }
@@ -647,7 +648,7 @@ take_pair(
     const char *name, const char *word, struct args *args, struct error *error)
 {
 	size_t i = new_option(args, name, error);
-	return i < OPTIONS && take_value(i, word, args, error);
+	return i < OPTIONS && parse_take_value(i, word, args, error);
 }
 
 static bool

@@ -143,7 +143,7 @@ usage_example(const struct command *c, const char *margin, FILE *out)
 
 /* Those that are told once, by name. */
 static void
-print_shared(const struct command *c, FILE *out)
+usage_print_shared(const struct command *c, FILE *out)
 {
 	char *names = command_shared(c);
 	char *line = xasprintf(tr("also takes %s: help options"), names);
@@ -181,7 +181,7 @@ usage_command(const struct command *c, FILE *out)
 	free(usage);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));
-	print_shared(c, out);
+	usage_print_shared(c, out);
 	fputc('\n', out);
 	text_wrap(tr(c->text), 2, 78, out);
 	if (c->more != NULL)
@@ -196,7 +196,7 @@ usage_command(const struct command *c, FILE *out)
 }
 
 static void
-print_options(FILE *out)
+usage_print_options(FILE *out)
 {
 	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
 		char letter[3] = {o->code < 256 ? '-' : '\0',
@@ -235,7 +235,7 @@ usage_print(FILE *out)
 	       "then runs the commands\nof -c and -f in order. Without -c and "
 	       "-f, commands come from standard input.\n\n"),
 	    out);
-	print_options(out);
+	usage_print_options(out);
 	fputs(tr("\ncommands\n"), out);
 	usage_list(NULL, out);
 	print_words(N_("environment"), USAGE_ENVIRONMENT, out);

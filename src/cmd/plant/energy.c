@@ -69,7 +69,7 @@ share_below(const struct question *q, const struct spectrum_size *of)
 }
 
 static void
-add_row(struct answer *r, const struct question *q,
+energy_add_row(struct answer *r, const struct question *q,
     const struct spectrum_size *of, double size)
 {
 	struct spectrum_bin above = spectrum_above(of, q->cut, false);
@@ -86,7 +86,7 @@ add_row(struct answer *r, const struct question *q,
 }
 
 static void
-add_rows(struct answer *r, const struct question *q,
+energy_add_rows(struct answer *r, const struct question *q,
     const struct spectrum_size *whole)
 {
 	answer_columns(r,
@@ -94,15 +94,15 @@ add_rows(struct answer *r, const struct question *q,
 	    "the cut, mean_j_kg: mean J/kg, mean_ratio: of v^2/2, "
 	    "first_pct: in the first %%, k");
 	for (size_t i = 0; i < q->spectrum->n && q->spectrum->n > 1; i++)
-		add_row(r, q, q->spectrum->size[i],
+		energy_add_row(r, q, q->spectrum->size[i],
 		    units_mm(q->spectrum->size[i]->size));
-	add_row(r, q, whole, NAN);
+	energy_add_row(r, q, whole, NAN);
 }
 
 /* The bins in use, for programs: energies at their middle, shares of the
  * impacts by mass. */
 static void
-put_fields(struct answer *r, const struct question *q,
+energy_put_fields(struct answer *r, const struct question *q,
     const struct spectrum_size *whole)
 {
 	double *e = xdoubles(SPECTRUM_BINS), *share = xdoubles(SPECTRUM_BINS);
@@ -291,7 +291,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 			     "not known"),
 	    s->energy->name, q.scale * q.cut);
 	answer_sites(r, "", s->energy->c.about);
-	add_rows(r, &q, whole);
+	energy_add_rows(r, &q, whole);
 	answer_note(r,
 	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
 	    (unsigned long long)s->energy->c.impacts,
@@ -300,7 +300,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	energy_judge(r, &q, whole);
 	note_site(r, &q);
 	note_basis(r, &q);
-	put_fields(r, &q, whole);
+	energy_put_fields(r, &q, whole);
 	free(whole);
 	return session_answer(s, r);
 }
@@ -316,7 +316,7 @@ one_file(const struct args *args, struct error *error)
 }
 
 static void
-take_note(struct energies *e, const char *note)
+energy_take_note(struct energies *e, const char *note)
 {
 	if (note == NULL)
 		return;
@@ -325,7 +325,8 @@ take_note(struct energies *e, const char *note)
 }
 
 static bool
-energy_load(struct session *s, const struct args *args, struct error *error)
+energy_load_file(
+    struct session *s, const struct args *args, struct error *error)
 {
 	struct collisions_way way = energies_way();
 	const struct value *unit = args_value(args, "unit");
@@ -347,7 +348,7 @@ energy_load(struct session *s, const struct args *args, struct error *error)
 	if (!read)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
-	take_note(e, args_value(args, "note")->text);
+	energy_take_note(e, args_value(args, "note")->text);
 	s->energy = e;
 	session_note(s,
 	    e->c.spectrum->speed > 0
@@ -360,7 +361,7 @@ energy_load(struct session *s, const struct args *args, struct error *error)
 }
 
 static void
-put_file(const void *data, FILE *out)
+energy_put_file(const void *data, FILE *out)
 {
 	const struct energies *e = data;
 	collisions_write(&e->c, e->name, out);
@@ -373,7 +374,8 @@ energy_write(struct session *s, const struct args *args, struct error *error)
 	if (!one_file(args, error) || energies_last(s, error) == NULL ||
 	    !files_may_write(s, path, error) ||
 	    !files_may_replace(s, path, error) ||
-	    !file_replace_by(path, FILE_SHARED, put_file, s->energy, error))
+	    !file_replace_by(
+		path, FILE_SHARED, energy_put_file, s->energy, error))
 		return false;
 	files_wrote(s, path);
 	session_note(s, "wrote %s", path);
@@ -386,7 +388,7 @@ cmd_energy(struct session *s, const struct args *args, struct error *error)
 	static const struct {
 		const char *verb;
 		command_run *run;
-	} VERBS[] = {{"load", energy_load}, {"write", energy_write}};
+	} VERBS[] = {{"load", energy_load_file}, {"write", energy_write}};
 	if (args->n_operand == 0)
 		return energy_show(s, args, error);
 	for (size_t i = 0; i < ARRAY_LEN(VERBS); i++)

@@ -24,8 +24,8 @@ enum { DRAWS = POSTERIOR_DRAWS };
 /* The middle of values of draws, widened to hold the answer; NAN of a model
  * alone. */
 static void
-range_of(const struct plant *p, const struct outcome *o, const double *draw,
-    double answer, double range[static 2])
+flow_range_of(const struct plant *p, const struct outcome *o,
+    const double *draw, double answer, double range[static 2])
 {
 	range[0] = range[1] = NAN;
 	if (o->flow.draws == DRAWS)
@@ -42,7 +42,7 @@ range_tph(const struct plant *p, const struct outcome *o,
 		draw[d] = unit != NULL
 			      ? flow_draw_into(&o->flow, unit, d)
 			      : o->flow.tph_draw[d * o->flow.n_stream + stream];
-	range_of(p, o, draw,
+	flow_range_of(p, o, draw,
 	    unit != NULL ? flow_into(&o->flow, unit) : o->flow.tph[stream],
 	    range);
 }
@@ -109,7 +109,8 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	double range[2], tph = p->circuit->tph;
 	struct fields *f = answer_fields(r);
-	range_of(p, o, o->flow.circulating_draw, o->flow.circulating, range);
+	flow_range_of(
+	    p, o, o->flow.circulating_draw, o->flow.circulating, range);
 	char *band = quantities_band(range[0], range[1], 1);
 	if (o->flow.circulating > 0)
 		answer_note(r,
@@ -207,7 +208,7 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	if (!p->plan->priced)
 		return;
 	char *none = xstrdup("");
-	range_of(p, o, o->money_draw, o->money, range);
+	flow_range_of(p, o, o->money_draw, o->money, range);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind == UNIT_STOCKPILE && isnan(unit->price))
@@ -243,7 +244,7 @@ struct search {
 };
 
 static void
-look_at(struct search *search, const struct plant *p, double speed)
+flow_look_at(struct search *search, const struct plant *p, double speed)
 {
 	struct outcome o = plant_at(p, speed);
 	size_t i = search->n++;
@@ -258,20 +259,20 @@ look_at(struct search *search, const struct plant *p, double speed)
 
 /* Over all speeds, then in tenths of a step about the best. */
 static struct search
-search_best(const struct plant *p, double from, double to)
+flow_search_best(const struct plant *p, double from, double to)
 {
 	struct search s = {.from = from,
 	    .to = to,
 	    .step = (to - from) / COARSE,
 	    .draw = xcalloc(LOOKED_AT, sizeof *s.draw)};
 	for (int i = 0; i <= COARSE; i++)
-		look_at(&s, p, i < COARSE ? from + i * s.step : to);
+		flow_look_at(&s, p, i < COARSE ? from + i * s.step : to);
 	double middle = s.speed[s.best];
 	for (int i = -FINE / 2; i <= FINE / 2 && isfinite(s.money[s.best]);
 	     i++) {
 		double speed = middle + i * s.step / FINE;
 		if (i != 0 && speed >= from && speed <= to)
-			look_at(&s, p, speed);
+			flow_look_at(&s, p, speed);
 	}
 	return s;
 }
@@ -305,7 +306,7 @@ note_gain(const struct plant *p, const struct outcome *best,
 	double draw[DRAWS], gain = best->money - usual->money, range[2];
 	for (size_t d = 0; d < best->flow.draws; d++)
 		draw[d] = best->money_draw[d] - usual->money_draw[d];
-	range_of(p, best, draw, gain, range);
+	flow_range_of(p, best, draw, gain, range);
 	fields_put(answer_fields(r),
 	    "compared_speed %g compared_earnings %g gain %g gain_low %g "
 	    "gain_high %g",
@@ -318,7 +319,7 @@ note_gain(const struct plant *p, const struct outcome *best,
 	answer_note(r, "%.2f an hour more than at %.4g m/s (%.2f to %.2f)",
 	    gain, usual->speed, range[0], range[1]);
 	double own[2];
-	range_of(p, best, best->money_draw, best->money, own);
+	flow_range_of(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
 		answer_say(r, ANSWER_WARNING,
 		    "the gain is not certain: the speed may as well lose");
@@ -331,7 +332,7 @@ note_gain(const struct plant *p, const struct outcome *best,
 }
 
 static void
-note_best(const struct plant *p, const struct search *s,
+flow_note_best(const struct plant *p, const struct search *s,
     const struct outcome *best, struct answer *r)
 {
 	double range[2], v = s->speed[s->best];
@@ -472,13 +473,13 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
 	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
 		return false;
-	struct search search = search_best(p, from, to);
+	struct search search = flow_search_best(p, from, to);
 	struct outcome usual = plant_at(p, p->plan->question->speed),
 		       best = plant_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
 	if (ok) {
 		struct answer *r = answer_flow(p, &best);
-		note_best(p, &search, &best, r);
+		flow_note_best(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain(p, &best, &usual, r);
 		flow_finish(p, &best, r);

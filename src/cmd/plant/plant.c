@@ -97,7 +97,7 @@ edge_name(double fine, double coarse)
 
 /* Whether a list has that name; taken: counts the names found. */
 static bool
-is_listed(const char *list, const char *name, size_t *taken)
+plant_is_listed(const char *list, const char *name, size_t *taken)
 {
 	char *part;
 	bool found = false;
@@ -177,7 +177,7 @@ build(const struct args *args, const struct cuts *cuts, struct flow_plan *plan,
 		size_t over = pan ? now
 				  : add_screen(c, args, cuts->edge[i], name,
 					i + 1 == cuts->n_edge, &now);
-		if (is_listed(plan->back, name, &taken) &&
+		if (plant_is_listed(plan->back, name, &taken) &&
 		    crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
@@ -210,8 +210,8 @@ read_options(
 }
 
 static bool
-read_file(struct session *s, const struct args *args, struct flow_plan *plan,
-    struct error *error)
+plant_read_file(struct session *s, const struct args *args,
+    struct flow_plan *plan, struct error *error)
 {
 	static const char *const OF_FILE[] = {
 	    "fractions", "recycle", "cascade", "sharpness", "cut_size"};
@@ -238,7 +238,7 @@ read_file(struct session *s, const struct args *args, struct flow_plan *plan,
 
 /* Sizes in falling order without those that differ by rounding alone. */
 static size_t
-drop_twins(double *size, size_t n)
+plant_drop_twins(double *size, size_t n)
 {
 	const double alike = 1e-9;
 	size_t kept = 0;
@@ -271,7 +271,7 @@ choose_sizes(const struct site *site, struct flow_plan *plan)
 		if (c->unit[u].kind == UNIT_SCREEN)
 			plan->size[plan->n++] =
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
-	plan->n = drop_twins(plan->size, plan->n);
+	plan->n = plant_drop_twins(plan->size, plan->n);
 	psd_free(&all);
 	psd_free(&sieves);
 }
@@ -442,7 +442,7 @@ flow_plan_read(struct session *s, const struct args *args,
 	const struct site *site = q->entry->site;
 	*plan = (struct flow_plan){.question = q};
 	bool ok = args_value(args, "circuit")->given
-		      ? read_file(s, args, plan, error)
+		      ? plant_read_file(s, args, plan, error)
 		      : read_options(args, plan, error);
 	if (ok && args_value(args, "tph")->given)
 		plan->circuit->tph = args_value(args, "tph")->number;

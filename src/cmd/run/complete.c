@@ -184,7 +184,7 @@ offer_specs(struct work *w)
 }
 
 static void
-put_file(struct work *w, const char *path)
+complete_put_file(struct work *w, const char *path)
 {
 	struct stat status;
 	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
@@ -220,7 +220,7 @@ offer_files(struct work *w)
 			continue;
 		char *path =
 		    xasprintf("%.*s%s", (int)head, w->typed, e->d_name);
-		put_file(w, path);
+		complete_put_file(w, path);
 		free(path);
 	}
 	closedir(dir);

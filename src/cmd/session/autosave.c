@@ -31,7 +31,7 @@ is_missed(const struct session *s)
 }
 
 static void
-put_script(const void *data, FILE *out)
+autosave_put_script(const void *data, FILE *out)
 {
 	const struct session *s = data;
 	struct mark now = journal_mark(s);
@@ -95,7 +95,7 @@ write_it(struct session *s)
 	else if (is_missed(s)) {
 		k->error = (struct error){0};
 		if (!journal_can_be_saved(s, &k->error) ||
-		    !kept_write(k->kept, put_script, s, &k->error))
+		    !kept_write(k->kept, autosave_put_script, s, &k->error))
 			return;
 	}
 	k->written = now;

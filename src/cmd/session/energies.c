@@ -54,7 +54,7 @@ on_the_way(void *data, uint64_t rows)
 }
 
 static char *
-name_of(const char *path)
+energies_name_of(const char *path)
 {
 	const char *slash = strrchr(path, '/');
 	char *name = xstrdup(slash != NULL ? slash + 1 : path);
@@ -81,7 +81,7 @@ energies_read(struct session *s, const char *path,
 		return NULL;
 	}
 	struct energies *e = xcalloc(1, sizeof *e);
-	*e = (struct energies){.name = name_of(path),
+	*e = (struct energies){.name = energies_name_of(path),
 	    .path = xstrdup(path),
 	    .cut = way->cut,
 	    .c = c};

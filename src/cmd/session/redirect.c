@@ -109,7 +109,7 @@ draws_none(
 
 /* What is one whole has no end that more could be added to. */
 static bool
-no_end(enum output_kind kind, const char *target, struct error *error)
+redirect_no_end(enum output_kind kind, const char *target, struct error *error)
 {
 	if (kind == OUTPUT_PICTURE)
 		return error_set(error, ERROR_USAGE,
@@ -143,7 +143,7 @@ redirect_allowed(const struct command *command, const struct words *words,
 	if (image && kind == OUTPUT_ANSWERS)
 		return draws_none(command, target, error);
 	return words->to != TO_END || kind == OUTPUT_ANSWERS ||
-	       no_end(kind, target, error);
+	       redirect_no_end(kind, target, error);
 }
 
 struct redirect {

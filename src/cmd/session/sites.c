@@ -15,7 +15,7 @@
 #include "io/sitefile/units.h"
 
 static uint64_t
-digest_of(const char *text)
+sites_digest_of(const char *text)
 {
 	return text_digest(TEXT_DIGEST_START, text, strlen(text));
 }
@@ -55,7 +55,7 @@ new_key(struct session *s, const struct site *site)
 {
 	char *slug = name_slug(site->name), *key = xstrdup(slug);
 	bool shared = false;
-	uint64_t name = digest_of(slug);
+	uint64_t name = sites_digest_of(slug);
 	size_t n = strlen(slug);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
@@ -102,11 +102,12 @@ digest_of_file(const struct stat *file)
 }
 
 static struct mark_of
-mark_of(const struct site *site)
+sites_mark_of(const struct site *site)
 {
 	struct stat file;
 	char *slug = name_slug(site->name);
-	struct mark_of mark = {digest_of(slug), digest_of(site->path), 0};
+	struct mark_of mark = {
+	    sites_digest_of(slug), sites_digest_of(site->path), 0};
 	if (stat(site->path, &file) == 0)
 		mark.file = digest_of_file(&file);
 	free(slug);
@@ -117,7 +118,7 @@ static void
 sites_insert(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {
-	    .mark = mark_of(site), .site = site, .key = new_key(s, site)};
+	    .mark = sites_mark_of(site), .site = site, .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_default_train(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
@@ -139,7 +140,8 @@ former(const struct session *s, const struct site *site)
 	struct stat file, other;
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
-	struct mark_of own = {0, digest_of(site->path), digest_of_file(&file)};
+	struct mark_of own = {
+	    0, sites_digest_of(site->path), digest_of_file(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
 		if ((s->entry[i].mark.path == own.path ||
 			s->entry[i].mark.file == own.file) &&
@@ -265,7 +267,7 @@ answers(const struct entry *entry, const char *wanted)
 
 /* "gavle/4, gavle/11.2"; of those that answer, or of all. */
 static char *
-list_keys(const struct session *s, const char *wanted)
+sites_list_keys(const struct session *s, const char *wanted)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < s->n_entry; i++)
@@ -292,7 +294,7 @@ session_find(
 		*index = last;
 		return true;
 	}
-	char *keys = list_keys(s, best > 0 ? name : NULL);
+	char *keys = sites_list_keys(s, best > 0 ? name : NULL);
 	error_set(error, ERROR_USAGE,
 	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
 	    : keys[0] != '\0'

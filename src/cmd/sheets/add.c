@@ -41,7 +41,7 @@ origins_clear(struct origins *o)
 
 /* A date that can be read in one way. */
 static bool
-read_date(const struct value *date, double *day, struct error *error)
+add_read_date(const struct value *date, double *day, struct error *error)
 {
 	struct moment m;
 	*day = NAN;
@@ -63,7 +63,7 @@ read_date(const struct value *date, double *day, struct error *error)
 
 /* The time after @, with the day of date= where it has none. */
 static bool
-read_time(const char *text, double day, double *time, struct error *error)
+add_read_time(const char *text, double day, double *time, struct error *error)
 {
 	struct moment m;
 	if (!moment_read(text, &m) || !m.has_time)
@@ -92,7 +92,7 @@ read_time(const char *text, double day, double *time, struct error *error)
 
 /* The @ before a speed or a time; NULL where the word is a name. */
 static const char *
-speed_at(const char *word)
+add_speed_at(const char *word)
 {
 	struct moment m;
 	const char *at = strrchr(word, '@');
@@ -103,10 +103,10 @@ speed_at(const char *word)
 
 /* "cut.csv@2026-05-03T10:15" by the log as "cut.csv@64.2". */
 static bool
-look_up(struct session *s, const struct args *args, const char *word,
+add_look_up(struct session *s, const struct args *args, const char *word,
     double day, double rotor, struct cut_origin *o, struct error *error)
 {
-	const char *at = speed_at(word);
+	const char *at = add_speed_at(word);
 	size_t n = at != NULL ? (size_t)(at - word) : strlen(word), from = n;
 	double time = NAN;
 	while (from > 0 && word[from - 1] != '/')
@@ -120,7 +120,7 @@ look_up(struct session *s, const struct args *args, const char *word,
 	if (at == NULL || head_read(at).speed > 0)
 		return true;
 	double window = 60 * args_value(args, "window")->number;
-	if (!read_time(at + 1, day, &time, error) ||
+	if (!add_read_time(at + 1, day, &time, error) ||
 	    !log_at(s, time, window / 2, rotor, &o->logged, error))
 		return false;
 	free(o->word);
@@ -162,7 +162,7 @@ note_of(const struct site *cuts, size_t run, const struct cut_origin *o)
 
 /* The file that a cut is from: the only one, or that of its speed. */
 static const struct cut_origin *
-origin_of(const struct origins *all, double speed)
+add_origin_of(const struct origins *all, double speed)
 {
 	const struct cut_origin *found = all->n == 1 ? &all->file[0] : NULL;
 	for (size_t i = 0; i < all->n && found == NULL; i++) {
@@ -325,7 +325,7 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 	}
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		double v = cuts->run[order[k]].speed;
-		char *note = note_of(cuts, order[k], origin_of(all, v));
+		char *note = note_of(cuts, order[k], add_origin_of(all, v));
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 		free(note);
@@ -371,11 +371,11 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	const char **word = xcalloc(args->n_operand, sizeof(*word));
-	bool good = read_date(args_value(args, "date"), &day, error);
+	bool good = add_read_date(args_value(args, "date"), &day, error);
 	if (rotor_mm->given)
 		rotor = rotor_mm->number / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
-		good = look_up(s, args, args->operand[i], day, rotor,
+		good = add_look_up(s, args, args->operand[i], day, rotor,
 		    &all.file[all.n++], error);
 		word[i] = all.file[i].word;
 	}

@@ -74,7 +74,7 @@ fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 
 /* Adds a cell of a table, cut to its width or filled up to it. */
 static void
-add_cell(char **line, const char *text, int width, bool right)
+ask_user_add_cell(char **line, const char *text, int width, bool right)
 {
 	int own = text_width(text);
 	if (right || own <= width) {
@@ -110,7 +110,7 @@ inquiry_row(const struct inquiry *q, size_t row, int columns)
 	char *line = xstrdup(open ? "? " : "  ");
 	for (int i = 0; i < CELLS; i++) {
 		xappend(&line, "%s", i > 0 ? gap : "");
-		add_cell(&line, cell[i], width[i], i == 0);
+		ask_user_add_cell(&line, cell[i], width[i], i == 0);
 	}
 	size_t n = strlen(line);
 	while (n > 0 && line[n - 1] == ' ')
@@ -120,7 +120,7 @@ inquiry_row(const struct inquiry *q, size_t row, int columns)
 
 /* Whether an offered text is that of the sieves. */
 static bool
-is_sieve(const struct site_ask_column *c)
+ask_user_is_sieve(const struct site_ask_column *c)
 {
 	return strncmp(c->guess, "sieve", 5) == 0;
 }
@@ -144,8 +144,9 @@ with_role(const struct site_ask_column *c, const char *role)
 static char *
 offered_role(const struct site_ask_column *c)
 {
-	return is_sieve(c) ? xstrdup("product")
-			   : xstrndup(c->guess, strcspn(c->guess, "@ "));
+	return ask_user_is_sieve(c)
+		   ? xstrdup("product")
+		   : xstrndup(c->guess, strcspn(c->guess, "@ "));
 }
 
 /* A speed by itself: of what the column seems to be; a feed has none. */
@@ -250,7 +251,7 @@ read_answer(const struct site_ask_column *c, const char *answer,
 		       "column out"));
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
-	else if (is_sieve(c))
+	else if (ask_user_is_sieve(c))
 		text = sieve_answer(c, said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
@@ -271,7 +272,8 @@ read_answer(const struct site_ask_column *c, const char *answer,
 /* Asks about one column until the answer can be taken; false: given up.  The
  * words, or NULL to leave it out, then stand in the table. */
 static bool
-ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
+ask_user_ask_column(
+    struct session *s, struct inquiry *q, struct site_ask_column *c)
 {
 	char wrong[WRONG] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
@@ -284,8 +286,9 @@ ask_column(struct session *s, struct inquiry *q, struct site_ask_column *c)
 	bool good, rest;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
-	q->hint = is_sieve(c) ? tr("or: mm, um, in, phi, tyler, bs, astm")
-		  : speed     ? tr("or: 1350 rpm, feed; - leaves it out")
+	q->hint = ask_user_is_sieve(c)
+		      ? tr("or: mm, um, in, phi, tyler, bs, astm")
+		  : speed ? tr("or: 1350 rpm, feed; - leaves it out")
 			  : tr("or: feed, product@69, retained_g; - leaves it "
 			       "out");
 	q->wrong = wrong;
@@ -329,7 +332,7 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
 		if (c->open)
-			good = ask_column(s, &q, c);
+			good = ask_user_ask_column(s, &q, c);
 		if (good && strcmp(c->guess, ".") == 0)
 			break;
 		if (!good || strcmp(c->guess, "-") == 0)
@@ -348,7 +351,7 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 }
 
 static bool
-take_rotor(const char *said, struct inquired *into, char *wrong)
+ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
 {
 	double mm;
 	bool good = text_typed_number(said, &mm) && mm >= LEAST_ROTOR_MM &&
@@ -404,29 +407,34 @@ take_place(const char *settle, const char *said, struct inquired *into)
 }
 
 static bool
-take_option(const char *settle, const char *said, struct inquired *into,
-    bool *given_up, char *wrong)
+ask_user_take_option(const char *settle, const char *said,
+    struct inquired *into, bool *given_up, char *wrong)
 {
 	if (strncmp(settle, "top=", 4) == 0)
 		return take_top(settle, said, into, given_up, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
-		return take_rotor(said, into, wrong);
+		return ask_user_take_rotor(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
 		return take_decimal(said, into, wrong);
 	return take_place(settle, said, into);
 }
+
+/* What an option that settles a question asks for. */
+static const struct {
+	const char *option, *question;
+} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
+    {"decimal=", N_("decimal sign, point or comma")},
+    {"sheet=", N_("which sheet is to be read")},
+    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
+static const char PASSES[] =
+    N_("assume 100 %% passes %s mm, the next sieve up"),
+		  SIZE[] = N_("size in mm that all of the feed passes, or n");
 
 /* One answer for an option of its own. */
 static bool
 ask_option(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
-	static const struct {
-		const char *option, *question;
-	} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
-	    {"decimal=", N_("decimal sign, point or comma")},
-	    {"sheet=", N_("which sheet is to be read")},
-	    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
 	char wrong[WRONG] = "", *text = NULL;
 	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
@@ -442,14 +450,10 @@ ask_option(struct session *s, const struct site_ask *ask,
 			const char *value = strchr(ask->settle, '=') + 1;
 			bool top = strcmp(value, "SIZE") != 0 &&
 				   ASKS[i].question == NULL;
-			text = top ? xasprintf(tr("assume 100 %% passes %s mm, "
-						  "the next sieve up"),
-					 value)
-				   : xstrdup(tr(
-					 ASKS[i].question != NULL
-					     ? ASKS[i].question
-					     : N_("size in mm that all of the "
-						  "feed passes, or n")));
+			text = top ? xasprintf(tr(PASSES), value)
+				   : xstrdup(tr(ASKS[i].question != NULL
+						    ? ASKS[i].question
+						    : SIZE));
 			q.text = text;
 			q.offered = top                                 ? "Y/n"
 				    : i < 2 || ASKS[i].question == NULL ? ""
@@ -460,8 +464,9 @@ ask_option(struct session *s, const struct site_ask *ask,
 		char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		wrong[0] = '\0';
-		good = !given_up && take_option(ask->settle, text_trim(answer),
-					said, &given_up, wrong);
+		good =
+		    !given_up && ask_user_take_option(ask->settle,
+				     text_trim(answer), said, &given_up, wrong);
 		free(answer);
 		q.first = false;
 	}

@@ -20,7 +20,7 @@
 
 /* "a.csv=60", with a per cent sign or without. */
 static bool
-read_part(
+blend_read_part(
     struct session *s, const char *word, struct blended *b, struct error *error)
 {
 	const char *equals = strrchr(word, '=');
@@ -41,8 +41,8 @@ read_part(
 
 /* A row a sieve: each feed, the blend and, where there is one, its product. */
 static void
-add_rows(struct answer *r, const struct blended *b, const struct psd *sieves,
-    const struct prediction *p)
+blend_add_rows(struct answer *r, const struct blended *b,
+    const struct psd *sieves, const struct prediction *p)
 {
 	answer_columns(r, "sieve_mm: sieve mm");
 	for (size_t i = 0; i < b->n; i++) {
@@ -122,7 +122,7 @@ give_feed(struct session *s, const struct blended *b, const char *why_not)
 	struct answer *r = answer_new("blend");
 	answer_title(r, "blend of %s", b->words);
 	answer_site(r, "blend", b->of);
-	add_rows(r, b, &b->feed, NULL);
+	blend_add_rows(r, b, &b->feed, NULL);
 	note_parts(r, b);
 	note_finest(r, b);
 	answer_note(r, "no product is predicted: %s", why_not);
@@ -141,7 +141,7 @@ give_product(
 	struct prediction p = forecast_whole(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
-	add_rows(r, b, &p.product, &p);
+	blend_add_rows(r, b, &p.product, &p);
 	put_parts(answer_fields(r), b);
 	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);
 	note_parts(r, b);
@@ -206,7 +206,7 @@ cmd_blend(struct session *s, const struct args *args, struct error *error)
 	struct blended b = {0};
 	bool good = true;
 	for (size_t i = 0; good && i < args->n_operand; i++)
-		good = read_part(s, args->operand[i], &b, error);
+		good = blend_read_part(s, args->operand[i], &b, error);
 	if (good) {
 		const struct value *out = args_value(args, "out");
 		blended_mix(&b);

@@ -156,7 +156,7 @@ check_copies(struct answer *r, const struct entry *entry)
 
 /* Repeats that differ by more than two samples from one belt do. */
 static void
-check_repeats(struct answer *r, const struct entry *entry)
+check_site_repeats(struct answer *r, const struct entry *entry)
 {
 	const double far = 0.05;
 	const struct site *site = entry->site;
@@ -206,7 +206,7 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 
 /* Each run against those at the next lower speed. */
 static bool
-check_order(struct answer *r, const struct entry *entry)
+check_site_order(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	bool ok = true;
@@ -405,8 +405,8 @@ check_site(
 	check_counts(r, read, entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
-	ok = check_order(r, entry) && ok;
-	check_repeats(r, entry);
+	ok = check_site_order(r, entry) && ok;
+	check_site_repeats(r, entry);
 	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_wide(r, entry);

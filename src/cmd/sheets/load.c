@@ -139,7 +139,7 @@ note_loaded(struct session *s, const struct site *site)
 
 /* Puts one answer instead of another. */
 static void
-take_text(char **slot, const char **request, char *text)
+load_take_text(char **slot, const char **request, char *text)
 {
 	if (text == NULL)
 		return;
@@ -156,10 +156,10 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 	if (ask->settle == NULL || errors->n == 0)
 		return false;
 	bool good = inquire(s, ask, &errors->item[0], &said);
-	take_text(&l->columns, &l->request.columns, said.columns);
-	take_text(&l->samples, &l->request.samples, said.samples);
-	take_text(&l->sheet, &l->request.sheet, said.sheet);
-	take_text(&l->range, &l->request.range, said.range);
+	load_take_text(&l->columns, &l->request.columns, said.columns);
+	load_take_text(&l->samples, &l->request.samples, said.samples);
+	load_take_text(&l->sheet, &l->request.sheet, said.sheet);
+	load_take_text(&l->range, &l->request.range, said.range);
 	if (said.decimal != '\0')
 		l->request.decimal = said.decimal;
 	if (said.rotor > 0)
@@ -171,7 +171,8 @@ ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
 
 /* Everything of a request as a line that reads the same sheets again. */
 static void
-write_journal(struct session *s, const struct load *l, const struct site *site)
+load_write_journal(
+    struct session *s, const struct load *l, const struct site *site)
 {
 	char number[32];
 	char *line =
@@ -219,7 +220,7 @@ read_site(struct session *s, struct load *l, struct error *error)
 }
 
 static bool
-take_site(
+load_take_site(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
 	if (!session_take(s, site, l->digest, error))
@@ -227,7 +228,7 @@ take_site(
 	const struct entry *entry = session_entry(s);
 	note_loaded(s, entry->site);
 	check_warn_coarser(s, entry->site);
-	write_journal(s, l, entry->site);
+	load_write_journal(s, l, entry->site);
 	return true;
 }
 
@@ -237,7 +238,7 @@ load_as_one(struct session *s, struct load *l, struct error *error)
 	for (size_t i = 0; i < l->request.n; i++)
 		files_reads(s, l->path[i]);
 	struct site *site = read_site(s, l, error);
-	return site != NULL && take_site(s, l, site, error);
+	return site != NULL && load_take_site(s, l, site, error);
 }
 
 /* What a file alone lacks of a site. */
@@ -380,7 +381,7 @@ listed_clear(struct listed *list)
 
 /* A quote in a name could not be typed, nor saved. */
 static bool
-is_sheet(const char *name)
+load_is_sheet(const char *name)
 {
 	static const char *const ENDS[] = {
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
@@ -393,7 +394,7 @@ is_sheet(const char *name)
 }
 
 static int
-by_name(const void *a, const void *b)
+load_by_name(const void *a, const void *b)
 {
 	return strcmp(*(char *const *)a, *(char *const *)b);
 }
@@ -427,12 +428,12 @@ list_folder(
 	while (end > 1 && path[end - 1] == '/')
 		end--;
 	for (struct dirent *e; (e = readdir(dir)) != NULL;)
-		if (is_sheet(e->d_name))
+		if (load_is_sheet(e->d_name))
 			listed_add(list,
 			    xasprintf("%.*s/%s", (int)end, path, e->d_name));
 	if (list->n > before)
 		qsort(&list->word[before], list->n - before,
-		    sizeof(*list->word), by_name);
+		    sizeof(*list->word), load_by_name);
 	leave_out_results(list, before);
 	return list->n > before ||
 	       error_at(error, ERROR_DATA, path, 0, 0,

@@ -92,7 +92,7 @@ note_log(struct session *s, const struct plant_log *log)
 }
 
 static void
-write_journal(struct session *s, const struct args *args,
+log_write_journal(struct session *s, const struct args *args,
     const struct log_request *q, const struct plant_log *log)
 {
 	struct site digest = {.digest = log->digest};
@@ -190,7 +190,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		session_note(s, "replaced the log loaded earlier");
 	s->log = log;
 	note_log(s, log);
-	write_journal(s, args, &q, log);
+	log_write_journal(s, args, &q, log);
 	return true;
 }
 
@@ -206,7 +206,7 @@ speed_of(const struct plant_log *log, const struct log_window *w, double rotor)
 
 /* How the speed was found, and whether it held. */
 static void
-note_speed(struct session *s, const struct plant_log *log, double time,
+log_note_speed(struct session *s, const struct plant_log *log, double time,
     double within, double rotor, const struct log_window *w)
 {
 	const double steady = 0.02;
@@ -291,7 +291,7 @@ log_at(struct session *s, double time, double within, double rotor,
 		free(at);
 		return false;
 	}
-	note_speed(s, log, time, within, rotor, &w);
+	log_note_speed(s, log, time, within, rotor, &w);
 	*found = (struct logged){v, w.median[LOG_POWER], w.median[LOG_RATE]};
 	return true;
 }

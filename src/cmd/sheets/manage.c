@@ -241,7 +241,7 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 }
 
 static void
-put_script(const void *data, FILE *out)
+manage_put_script(const void *data, FILE *out)
 {
 	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
 	    PACKAGE_VERSION);
@@ -268,7 +268,7 @@ save_as(struct session *s, const struct args *args, const char *path,
 {
 	if (!may_save(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
-	    !file_replace_by(path, FILE_SHARED, put_script, s, error))
+	    !file_replace_by(path, FILE_SHARED, manage_put_script, s, error))
 		return false;
 	files_holds(s, path, true);
 	invocation_saved(s);

@@ -150,7 +150,7 @@ put_one(struct answer *r, struct fields *list, const struct entry *entry,
 
 /* A number that another list of mends, or of another site, has not. */
 static double
-mark_of(const struct entry *entry, const struct doctor *d)
+mend_mark_of(const struct entry *entry, const struct doctor *d)
 {
 	uint64_t h = TEXT_DIGEST_START;
 	h = text_digest(h, &entry->site->digest, sizeof entry->site->digest);
@@ -168,7 +168,7 @@ mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
 	struct fields *list = fields_list(answer_fields(r), "mends");
 	for (size_t i = 0; i < d->n; i++)
 		put_one(r, list, entry, &d->finding[i], i + 1);
-	fields_put(answer_fields(r), ".mark %g", mark_of(entry, d));
+	fields_put(answer_fields(r), ".mark %g", mend_mark_of(entry, d));
 	if (d->n > 0)
 		answer_note(r,
 		    "'mend N' takes one, once the laboratory's sheet says so; "
@@ -192,7 +192,7 @@ find_numbered(
 	struct doctor d = mend_look(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;
-	if (isnan(known) || known != mark_of(entry, &d))
+	if (isnan(known) || known != mend_mark_of(entry, &d))
 		error_set(error, ERROR_USAGE,
 		    isnan(known)
 			? N_("there is no list of mends that %s could be of\n"
@@ -275,8 +275,8 @@ no_column(const struct site *site, const char *name, struct error *error)
 }
 
 static bool
-find_told(const struct site *site, const struct args *args, struct mend *mend,
-    struct error *error)
+mend_find_told(const struct site *site, const struct args *args,
+    struct mend *mend, struct error *error)
 {
 	const char *name = args->operand[0];
 	const struct value *with = args_value(args, "with");
@@ -321,7 +321,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	const char *word = args->operand[0];
 	bool found = is_number(word)
 			 ? find_numbered(s, word, &mend, error)
-			 : find_told(entry->site, args, &mend, error);
+			 : mend_find_told(entry->site, args, &mend, error);
 	struct site *site = found ? mend_site(entry->site, &mend, error) : NULL;
 	if (site == NULL)
 		return false;

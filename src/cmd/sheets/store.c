@@ -83,8 +83,8 @@ has_digest(const struct site *site, const struct stored *m)
 
 /* The entry is as the calibration left it. */
 static void
-give_back(struct entry *entry, const struct basis *b, const struct stored *m,
-    struct history *h)
+store_give_back(struct entry *entry, const struct basis *b,
+    const struct stored *m, struct history *h)
 {
 	entry->fit = b->fit;
 	entry->params = m->params;
@@ -157,7 +157,7 @@ remembered_take(struct session *s, const struct stored *m, size_t *index,
 	if (own && b.now != NULL && !has_runs(entry->site, b.now))
 		entry->site = b.now;
 	if (own)
-		give_back(entry, &b, m, h);
+		store_give_back(entry, &b, m, h);
 	else
 		give_to_other(entry, m, h);
 	session_forget(s);
@@ -167,7 +167,7 @@ remembered_take(struct session *s, const struct stored *m, size_t *index,
 
 /* "fit", "set by hand" or "Table 3". */
 static const char *
-origin_of(const struct stored *m)
+store_origin_of(const struct stored *m)
 {
 	return stored_is_table3(m)             ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
@@ -250,7 +250,7 @@ set_copy(char **text, const char *value)
 
 /* What only a calibration has. */
 static void
-take_fit(struct stored *m, const struct entry *entry)
+store_take_fit(struct stored *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	store_set(&m->basis, remembered_basis(entry));
@@ -302,7 +302,7 @@ material_of(const struct session *s, const struct entry *entry)
 	m.k = settings->k;
 	m.params = entry->params;
 	if (entry->has_fit)
-		take_fit(&m, entry);
+		store_take_fit(&m, entry);
 	return m;
 }
 
@@ -353,9 +353,9 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 		const struct stored *m = &item[i];
 		if (strstr(about, m->provenance) == NULL)
 			xlist(&about, "; ", "%s", m->provenance);
-		answer_cells(r, "%s %s %s %.2f %.2f %s", m->name, origin_of(m),
-		    site_data_kind(m->provenance), m->rmse_pct, m->holdout_pct,
-		    m->date);
+		answer_cells(r, "%s %s %s %.2f %.2f %s", m->name,
+		    store_origin_of(m), site_data_kind(m->provenance),
+		    m->rmse_pct, m->holdout_pct, m->date);
 	}
 	if (n == 1)
 		answer_site(r, item->site, item->provenance);
@@ -425,7 +425,8 @@ note_parameters(
 {
 	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
-	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"), origin_of(m));
+	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"),
+	    store_origin_of(m));
 	const struct origin *o = entry->origin;
 	char *details = origin_details(o);
 	session_note(s,
@@ -506,7 +507,7 @@ take_recalled(struct session *s, const struct stored *m, size_t index,
 
 /* Adds a name to a list. */
 static void
-add_name(void *data, const char *name)
+store_add_name(void *data, const char *name)
 {
 	xlist(data, ", ", "%s", name);
 }
@@ -517,7 +518,7 @@ static char *
 only_name(const struct session *s, struct error *error)
 {
 	char *names = xstrdup("");
-	if (!store_each(s->store, STORE_NAMES, add_name, &names, error)) {
+	if (!store_each(s->store, STORE_NAMES, store_add_name, &names, error)) {
 		free(names);
 		return NULL;
 	}
@@ -578,7 +579,8 @@ give_forgotten(struct session *s, const struct stored *m)
 {
 	struct answer *r = answer_new("forget");
 	char *line = bring_back(m);
-	answer_title(r, "forgot %s: %s of %s", m->name, origin_of(m), m->site);
+	answer_title(
+	    r, "forgot %s: %s of %s", m->name, store_origin_of(m), m->site);
 	answer_site(r, m->site, m->provenance);
 	answer_columns(r, "again: to bring its parameters back");
 	answer_cells(r, "%s", line);
@@ -661,7 +663,7 @@ has_size(const struct stored *m, double top_mm)
 enum { ALL, TABLE3, OWN };
 
 static bool
-is_wanted(const struct stored *m, const struct args *args)
+store_is_wanted(const struct stored *m, const struct args *args)
 {
 	const struct value *rock = args_value(args, "rock");
 	const struct value *top = args_value(args, "top");
@@ -672,12 +674,12 @@ is_wanted(const struct stored *m, const struct args *args)
 }
 
 static void
-add_row(struct answer *r, const struct stored *m)
+store_add_row(struct answer *r, const struct stored *m)
 {
 	answer_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
 	    m->top_size_mm, params_value(&m->params, "f_mat"),
 	    params_value(&m->params, "e0_min"),
-	    params_value(&m->params, "alpha"), origin_of(m),
+	    params_value(&m->params, "alpha"), store_origin_of(m),
 	    site_data_kind(m->provenance));
 }
 
@@ -745,9 +747,9 @@ list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 	if (models)
 		answer_columns(r, "model: model");
 	for (size_t i = 0; i < list->n; i++) {
-		if (!is_wanted(&list->item[i], args))
+		if (!store_is_wanted(&list->item[i], args))
 			continue;
-		add_row(r, &list->item[i]);
+		store_add_row(r, &list->item[i]);
 		if (models)
 			answer_cells(
 			    r, "%s", breakage_of(&list->item[i].params)->name);
@@ -779,7 +781,7 @@ table3_answer(const struct session *s, const struct args *args,
 	answer_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
 			  "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
-		if (is_wanted(&paper->item[i], args)) {
+		if (store_is_wanted(&paper->item[i], args)) {
 			add_printed(r, &paper->item[i]);
 			++*n;
 		}
@@ -787,8 +789,8 @@ table3_answer(const struct session *s, const struct args *args,
 	answer_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
 			  "origin, data, site, feed_source");
 	for (size_t i = 0; i < paper->n; i++)
-		if (is_wanted(&paper->item[i], args)) {
-			add_row(r, &paper->item[i]);
+		if (store_is_wanted(&paper->item[i], args)) {
+			store_add_row(r, &paper->item[i]);
 			answer_cells(r, "%s %s", paper->item[i].site,
 			    paper->item[i].feed_source);
 		}
@@ -829,7 +831,7 @@ show_list(struct session *s, const struct args *args, struct error *error)
 
 /* The runs are for recall, and not to be read. */
 static void
-add_field(void *data, const char *name, const char *text)
+store_add_field(void *data, const char *name, const char *text)
 {
 	if (strcmp(name, "basis") == 0)
 		text = text[0] != '\0' ? tr("kept, with its runs") : "";
@@ -840,10 +842,10 @@ static void
 show_one(struct session *s, const struct stored *m)
 {
 	struct answer *r = answer_new("materials");
-	answer_title(r, "%s: %s", m->name, origin_of(m));
+	answer_title(r, "%s: %s", m->name, store_origin_of(m));
 	answer_site(r, m->site, m->provenance);
 	answer_columns(r, "field, value");
-	stored_each(m, add_field, r);
+	stored_each(m, store_add_field, r);
 	session_answer(s, r);
 }
 

@@ -43,7 +43,7 @@ template_say(const struct form *f, const char *text)
 }
 
 static void
-put_number(const struct form *f, double value)
+template_put_number(const struct form *f, double value)
 {
 	char text[32];
 	text_exact(value, text);
@@ -56,14 +56,15 @@ put_number(const struct form *f, double value)
 /* A row for each sieve, with as many empty cells as there are columns.  Returns
  * how many. */
 static size_t
-put_rows(const struct form *f, const struct value *sieves, size_t columns)
+template_put_rows(
+    const struct form *f, const struct value *sieves, size_t columns)
 {
 	size_t n = sieves->given ? sieves->n : ARRAY_LEN(SIEVES);
 	double *mm = xdoubles(n);
 	memcpy(mm, sieves->given ? sieves->list : SIEVES, n * sizeof *mm);
 	n = psd_sort(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
-		put_number(f, mm[i]);
+		template_put_number(f, mm[i]);
 		for (size_t c = 0; c < columns; c++)
 			fputc(f->separator, f->sheet);
 		fputc('\n', f->sheet);
@@ -99,10 +100,11 @@ put_form(const struct form *f, const struct args *args)
 	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
 	for (size_t i = 0; i < speeds->n; i++) {
 		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);
-		put_number(f, speeds->list[i]);
+		template_put_number(f, speeds->list[i]);
 	}
 	fputc('\n', f->sheet);
-	size_t rows = put_rows(f, args_value(args, "sieves"), speeds->n + 1);
+	size_t rows =
+	    template_put_rows(f, args_value(args, "sieves"), speeds->n + 1);
 	if (!grams)
 		return rows;
 	fputs("pan", f->sheet);

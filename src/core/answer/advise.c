@@ -28,7 +28,7 @@ centred(const double *row, size_t n)
 }
 
 static double
-dot(const double *a, const double *b)
+advise_dot(const double *a, const double *b)
 {
 	double sum = 0;
 	for (size_t d = 0; d < N; d++)
@@ -41,12 +41,12 @@ advise_share(const double *answer, const double *sample, size_t n)
 {
 	double *U = centred(sample, n), *y = centred(answer, 1);
 	double *V = xdoubles(n * n), *sigma = xdoubles(n);
-	double all = dot(y, y), known = 0, best = 0;
+	double all = advise_dot(y, y), known = 0, best = 0;
 	svd_decompose(U, N, n, V, sigma);
 	for (size_t k = 0; k < n && k < MOST && all > 0; k++) {
 		if (sigma[k] <= 1e-9 * sigma[0])
 			break;
-		double along = dot(U + k * N, y);
+		double along = advise_dot(U + k * N, y);
 		known += along * along / all;
 		double spare = N - 2 - (double)k;
 		best = fmax(best, 1 - (1 - known) * (N - 1) / spare);

@@ -175,7 +175,7 @@ struct solving {
 };
 
 static double
-total(const double *mass, size_t n)
+circuit_total(const double *mass, size_t n)
 {
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
@@ -185,8 +185,8 @@ total(const double *mass, size_t n)
 
 /* Replaces a stream; returns what it changed by. */
 static double
-put(struct solving *s, size_t stream, const double *mass, const double *share,
-    double of)
+circuit_put(struct solving *s, size_t stream, const double *mass,
+    const double *share, double of)
 {
 	double *to = s->mass + stream * s->classes, change = 0;
 	for (size_t i = 0; i < s->classes; i++) {
@@ -202,10 +202,10 @@ static double
 put_screen(struct solving *s, const struct unit *unit, size_t u)
 {
 	const double *over = s->over + u * s->classes;
-	double change = put(s, unit->out[0], s->in, over, 1);
+	double change = circuit_put(s, unit->out[0], s->in, over, 1);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] = s->in[i] - s->in[i] * over[i];
-	return change + put(s, unit->out[1], s->out, NULL, 1);
+	return change + circuit_put(s, unit->out[1], s->out, NULL, 1);
 }
 
 static double
@@ -216,7 +216,7 @@ put_crusher(struct solving *s, const struct unit *unit, size_t u, size_t draw)
 	transfer_product(s->transfer[u], draw, s->rotor, s->out);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] += s->in[i] * unit->cascade;
-	return put(s, unit->out[0], s->out, NULL, 1);
+	return circuit_put(s, unit->out[0], s->out, NULL, 1);
 }
 
 /* Works one unit out; returns how much streams that close loops changed. */
@@ -231,15 +231,15 @@ run_unit(struct solving *s, size_t u, size_t draw)
 			s->in[i] += s->mass[unit->in[k] * s->classes + i];
 	switch (unit->kind) {
 	case UNIT_FEED:
-		return put(s, unit->out[0], s->feed, NULL, s->c->tph);
+		return circuit_put(s, unit->out[0], s->feed, NULL, s->c->tph);
 	case UNIT_CRUSHER:
 		return put_crusher(s, unit, u, draw);
 	case UNIT_SCREEN:
 		return put_screen(s, unit, u);
 	case UNIT_SPLIT:
 		for (size_t k = 0; k < unit->n_out; k++)
-			change +=
-			    put(s, unit->out[k], s->in, NULL, unit->share[k]);
+			change += circuit_put(
+			    s, unit->out[k], s->in, NULL, unit->share[k]);
 		return change;
 	case UNIT_STOCKPILE:
 	case UNIT_KINDS:
@@ -253,7 +253,7 @@ run_unit(struct solving *s, size_t u, size_t draw)
  * values that rounding keeps apart: small changes that no longer shrink are
  * steady, too. */
 static size_t
-solve(struct solving *s, size_t draw)
+circuit_solve(struct solving *s, size_t draw)
 {
 	enum { PATIENCE = 10 };
 	const double steady = 1e-13, small = 1e-9;
@@ -281,7 +281,7 @@ keep(struct flow *flow, const struct solving *s, size_t draw, size_t passes)
 	       *tph = flow->tph_draw + draw * flow->n_stream;
 	for (size_t i = 0; i < flow->n_stream; i++) {
 		size_t to = circuit_use(s->c, i);
-		tph[i] = total(s->mass + i * n, n);
+		tph[i] = circuit_total(s->mass + i * n, n);
 		flow->tph[i] += tph[i] / (double)flow->draws;
 		if (flow->back[i])
 			flow->circulating_draw[draw] += tph[i];
@@ -350,7 +350,7 @@ circuit_flow(const struct circuit *c, const double *feed, const double *size,
 	/* The first that is not steady says enough: the others would take as
 	 * long. */
 	for (size_t d = 0; d < flow.draws && !flow.open; d++)
-		keep(&flow, &s, d, solve(&s, d));
+		keep(&flow, &s, d, circuit_solve(&s, d));
 	solving_free(&s);
 	return flow;
 }

@@ -93,7 +93,7 @@ guess_nearest(const struct guess_material *m, size_t n,
 /* The value at that place, 1 for the first, among v [n], rising; between two,
  * straight, and where one has no end it is that. */
 static double
-value_at(const double *v, size_t n, double place)
+guess_value_at(const double *v, size_t n, double place)
 {
 	double at = fmin(fmax(place - 1, 0), (double)(n - 1));
 	size_t i = (size_t)at;
@@ -103,12 +103,13 @@ value_at(const double *v, size_t n, double place)
 
 /* Sorts v, which has no NAN. */
 static struct guess_range
-range_of(double *v, size_t n)
+guess_range_of(double *v, size_t n)
 {
 	double places = (double)n + 1;
 	gsl_sort(v, 1, n);
-	return (struct guess_range){value_at(v, n, 0.5 * places),
-	    value_at(v, n, 0.1 * places), value_at(v, n, 0.9 * places)};
+	return (struct guess_range){guess_value_at(v, n, 0.5 * places),
+	    guess_value_at(v, n, 0.1 * places),
+	    guess_value_at(v, n, 0.9 * places)};
 }
 
 /* A size that lies outside the sieves is finer than they are, as some sieve
@@ -122,7 +123,7 @@ range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
 		v[i] = psd_size(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
-	struct guess_range range = range_of(v, n);
+	struct guess_range range = guess_range_of(v, n);
 	free(v);
 	range.middle = psd_size(median, passing);
 	range.low = isfinite(range.low) ? range.low : NAN;
@@ -139,7 +140,7 @@ median_curve(const struct prediction *p, size_t n)
 	for (size_t s = 0; s < median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].curve.passing[s];
-		median.passing[s] = range_of(v, n).middle;
+		median.passing[s] = guess_range_of(v, n).middle;
 	}
 	free(v);
 	return median;
@@ -157,14 +158,14 @@ spread(struct guess *guess, const struct prediction *p, size_t n)
 	for (size_t s = 0; s < guess->median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].product.passing[s];
-		struct guess_range range = range_of(v, n);
+		struct guess_range range = guess_range_of(v, n);
 		guess->median.passing[s] = range.middle;
 		guess->low.passing[s] = range.low;
 		guess->high.passing[s] = range.high;
 	}
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
-	guess->break_size = range_of(v, n);
+	guess->break_size = guess_range_of(v, n);
 	free(v);
 }
 
@@ -333,8 +334,8 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 		error[out.n++] = trial.error;
 	}
 	if (out.n > 0) {
-		out.median = range_of(error, out.n).middle;
-		out.feed = range_of(feed, out.n).middle;
+		out.median = guess_range_of(error, out.n).middle;
+		out.feed = guess_range_of(feed, out.n).middle;
 		out.held = cells > 0 ? (double)held / (double)cells : NAN;
 	}
 	free(leave_out);

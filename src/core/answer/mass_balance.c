@@ -28,7 +28,8 @@ follow(const struct psd *feed, const struct params *p,
 }
 
 static void
-enter(struct ledger *l, size_t class, double selected, const double *product)
+mass_balance_enter(
+    struct ledger *l, size_t class, double selected, const double *product)
 {
 	double feed = l->feed[class], stays = feed * product[class];
 	l->unbroken[class] = feed * fmax(1 - selected, 0);
@@ -58,7 +59,7 @@ ledger_new(const struct psd *feed, const struct params *p,
 		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
 		l.feed[i] = feed->passing[i] - finer;
 		follow(feed, p, settings, v, i, product);
-		enter(&l, i, S[i], product);
+		mass_balance_enter(&l, i, S[i], product);
 	}
 	for (size_t i = 0; i < n; i++)
 		l.product[i] = l.unbroken[i] + l.within[i] + l.arrived[i];

@@ -69,7 +69,7 @@ put_range(struct power *p, const struct reading *reading, double range[2])
 /* weight [TRIED] out: what the readings leave of each trial, over all that its
  * idle can be, in shares. */
 static void
-weigh(const struct power *p, struct trial *t, double *weight)
+power_weigh(const struct power *p, struct trial *t, double *weight)
 {
 	double least = INFINITY, sum = 0;
 	for (size_t k = 0; k < TRIED; k++)
@@ -89,7 +89,7 @@ weigh(const struct power *p, struct trial *t, double *weight)
 /* Draws at even steps of the weights, with the idle at the places of a golden
  * section within what it can be: the same at each call. */
 static void
-put_draws(struct power *p, const struct trial *t, const double *weight)
+power_put_draws(struct power *p, const struct trial *t, const double *weight)
 {
 	const double golden = 0.6180339887498949;
 	double until = weight[0];
@@ -118,8 +118,8 @@ fit_draws(struct power *p, const struct reading *reading)
 		t[k].factor = range[0] + f * (range[1] - range[0]);
 		fit_idle(&t[k], p, reading);
 	}
-	weigh(p, t, weight);
-	put_draws(p, t, weight);
+	power_weigh(p, t, weight);
+	power_put_draws(p, t, weight);
 }
 
 struct power

@@ -61,7 +61,7 @@ all_sizes(const struct psd *feed, const double *size, size_t *n,
 
 /* Where the sizes of the product lie among the sieves. */
 static void
-place(struct response *r, const double *sieve, size_t n)
+response_place(struct response *r, const double *sieve, size_t n)
 {
 	for (size_t k = 0, i = 0; k < r->product.n; k++) {
 		double x = r->product.size[k];
@@ -136,7 +136,7 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	model_set(r->model, p);
 	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
-	place(r, size, n_sieve);
+	response_place(r, size, n_sieve);
 	r->curve = psd_copy(&r->product);
 	r->alone = psd_copy(&r->product);
 	for (size_t i = 0; i < n_asked; i++) {
@@ -198,7 +198,7 @@ take_draw(const struct response *r, size_t d, struct psd *curve)
 
 /* The same of one size, for all draws. */
 static void
-take_row(const struct response *r, size_t k, double *draw)
+response_take_row(const struct response *r, size_t k, double *draw)
 {
 	const double *P = ensemble_products(r->ensemble, r->of);
 	const double *above = P + r->above[k] * DRAWS, *below = above + DRAWS;
@@ -239,14 +239,14 @@ answer_at(struct response *r, double v)
 }
 
 static void
-read_draws(struct response *r)
+response_read_draws(struct response *r)
 {
 	bool curves = false;
 	for (size_t i = 0; i < r->n; i++) {
 		if (r->draw[i] == NULL)
 			r->draw[i] = xdoubles(DRAWS);
 		if (r->row[i] < r->product.n)
-			take_row(r, r->row[i], r->draw[i]);
+			response_take_row(r, r->row[i], r->draw[i]);
 		else
 			curves = true;
 	}
@@ -266,7 +266,7 @@ response_at(
 	r->of = of;
 	answer_at(r, v);
 	if (e != NULL)
-		read_draws(r);
+		response_read_draws(r);
 }
 
 double

@@ -55,7 +55,7 @@ drift_error(const struct posterior *p, const double *size,
 }
 
 static double
-dot(const double *a, const double *b, size_t n)
+control_chart_dot(const double *a, const double *b, size_t n)
 {
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
@@ -70,7 +70,7 @@ struct weighed {
 };
 
 static void
-put_draws(const struct drift_cut *c, struct weighed *w)
+control_chart_put_draws(const struct drift_cut *c, struct weighed *w)
 {
 	double mean = 0;
 	for (size_t d = 0; d < c->n_draw; d++) {
@@ -87,17 +87,18 @@ put_draws(const struct drift_cut *c, struct weighed *w)
 static double
 shared_covariance(const struct weighed *a, const struct weighed *b, size_t n)
 {
-	return n > 0 ? dot(a->draw, b->draw, n) / (double)n : 0;
+	return n > 0 ? control_chart_dot(a->draw, b->draw, n) / (double)n : 0;
 }
 
 /* Of two components of one sample. */
 static double
-covariance(
+control_chart_covariance(
     const struct drift_cut *c, const struct weighed *a, const struct weighed *b)
 {
 	double sum = shared_covariance(a, b, c->n_draw);
 	for (size_t i = 0; i < c->n; i++)
-		sum += a->weight[i] * dot(b->weight, c->error + i * c->n, c->n);
+		sum += a->weight[i] *
+		       control_chart_dot(b->weight, c->error + i * c->n, c->n);
 	return sum;
 }
 
@@ -119,7 +120,8 @@ put_tilt(const struct drift_cut *c, double *weight)
 }
 
 static void
-weigh(const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
+control_chart_weigh(
+    const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
 {
 	struct weighed *level = &w[DRIFT_LEVEL], *tilt = &w[DRIFT_TILT];
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
@@ -129,20 +131,21 @@ weigh(const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
 	put_tilt(c, tilt->weight);
-	put_draws(c, level);
-	put_draws(c, tilt);
-	double share = covariance(c, level, tilt) / covariance(c, level, level);
+	control_chart_put_draws(c, level);
+	control_chart_put_draws(c, tilt);
+	double share = control_chart_covariance(c, level, tilt) /
+		       control_chart_covariance(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
-	put_draws(c, tilt);
+	control_chart_put_draws(c, tilt);
 }
 
 /* The upper half of the covariance of a component's values [n * n], and its
  * factor; w [n * DRIFT_COMPONENTS]. */
 static double *
-factor(const struct drift_cut *cut, const struct weighed *w, size_t n,
-    size_t component)
+control_chart_factor(const struct drift_cut *cut, const struct weighed *w,
+    size_t n, size_t component)
 {
 	double *U = xdoubles(n * n);
 	for (size_t i = 0; i < n; i++) {
@@ -151,7 +154,7 @@ factor(const struct drift_cut *cut, const struct weighed *w, size_t n,
 			U[j * n + i] = shared_covariance(a,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
-		double own = covariance(&cut[i], a, a);
+		double own = control_chart_covariance(&cut[i], a, a);
 		/* What has no weight is 0, of any variance. */
 		U[i * n + i] = own > 0 ? own : 1;
 	}
@@ -162,7 +165,7 @@ factor(const struct drift_cut *cut, const struct weighed *w, size_t n,
 /* Moves the charts of a component on by its score, the n-th.  Returns -1, 0 or
  * 1: where it stands beyond a limit. */
 static int
-move(struct drift_chart *c, const struct drift_rule *r, size_t n)
+control_chart_move(struct drift_chart *c, const struct drift_rule *r, size_t n)
 {
 	double share = r->lambda / (2 - r->lambda) *
 		       -expm1(2 * (double)n * log1p(-r->lambda));
@@ -237,32 +240,34 @@ drift_follow(const struct drift_cut *cut, size_t n,
 	double *U[DRIFT_COMPONENTS];
 	size_t first = n;
 	for (size_t i = 0; i < n; i++)
-		weigh(&cut[i], &w[i * DRIFT_COMPONENTS]);
+		control_chart_weigh(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		U[k] = factor(cut, w, n, k);
+		U[k] = control_chart_factor(cut, w, n, k);
 	*since = n;
 	for (size_t i = 0; i < n; i++) {
 		int side[DRIFT_COMPONENTS];
 		for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
 			struct drift_chart *c = &point[i].chart[k];
-			*c = i > 0 ? point[i - 1].chart[k]
-				   : (struct drift_chart){0};
-			c->value = dot(w[i * DRIFT_COMPONENTS + k].weight,
-			    cut[i].residual, cut[i].n);
-			size_t known = i < *since ? i : *since;
 			const struct weighed *own =
 			    &w[i * DRIFT_COMPONENTS + k];
+			*c = i > 0 ? point[i - 1].chart[k]
+				   : (struct drift_chart){0};
+			c->value = control_chart_dot(
+			    own->weight, cut[i].residual, cut[i].n);
+			size_t known = i < *since ? i : *since;
 			double truth =
 			    shared_covariance(own, own, cut[i].n_draw);
 			c->truth = sqrt(truth);
-			c->error = sqrt(covariance(&cut[i], own, own) - truth);
+			c->error =
+			    sqrt(control_chart_covariance(&cut[i], own, own) -
+				 truth);
 			c->off = off_of(U[k], n, i, known, k, point);
 			double squares = 0;
 			for (size_t j = 0; j < known; j++)
 				squares += point[j].chart[k].off *
 					   point[j].chart[k].off;
 			c->score = score_of(rule, c->off, known, squares);
-			side[k] = move(c, rule, i + 1);
+			side[k] = control_chart_move(c, rule, i + 1);
 		}
 		point[i].state = state_of(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
@@ -295,7 +300,8 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 				size_t at = n * DRIFT_COMPONENTS + k;
 				chart[k].score = rng_normal(key, (uint32_t)at) +
 						 (k == DRIFT_LEVEL ? shift : 0);
-				if (move(&chart[k], rule, n + 1) != 0)
+				if (control_chart_move(
+					&chart[k], rule, n + 1) != 0)
 					signal = true;
 			}
 			n++;
@@ -325,7 +331,7 @@ follow_level(struct level *l, const struct drift_rule *r, double value)
 	l->mean += share * (value - l->mean);
 	l->variance *= 1 - share;
 	l->squares += l->chart.off * l->chart.off;
-	return move(&l->chart, r, ++l->known) != 0;
+	return control_chart_move(&l->chart, r, ++l->known) != 0;
 }
 
 /* A sequence: `quiet` samples, then such that are moved; the place of its first

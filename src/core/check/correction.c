@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 
 static struct psd *
-column(const struct site *site, const struct mend *m)
+correction_column(const struct site *site, const struct mend *m)
 {
 	struct run *run = &site->run[m->run];
 	return m->feed ? &run->feed : &run->product;
@@ -19,7 +19,7 @@ column(const struct site *site, const struct mend *m)
 
 /* Index of the mend's sieve, or n: to what sheets write of sizes. */
 static size_t
-sieve_of(const struct psd *psd, double size)
+correction_sieve_of(const struct psd *psd, double size)
 {
 	size_t i = 0;
 	while (i < psd->n && fabs(psd->size[i] / size - 1) > 1e-6)
@@ -59,7 +59,7 @@ mend_find_column(
 
 /* Percent to as many digits as were written. */
 static char *
-percent(double passing)
+correction_percent(double passing)
 {
 	return xasprintf("%.6g", 100 * passing);
 }
@@ -67,10 +67,10 @@ percent(double passing)
 static char *
 words_of_cell(const struct site *site, const struct mend *m, const char *name)
 {
-	const struct psd *psd = column(site, m);
-	size_t i = sieve_of(psd, m->size);
-	char *was = percent(i < psd->n ? psd->passing[i] : NAN);
-	char *now = percent(m->value);
+	const struct psd *psd = correction_column(site, m);
+	size_t i = correction_sieve_of(psd, m->size);
+	char *was = correction_percent(i < psd->n ? psd->passing[i] : NAN);
+	char *now = correction_percent(m->value);
 	char *words =
 	    xasprintf(tr("%s at %g mm: %s %s%s"), name, 1000 * m->size, was,
 		m->kind == MEND_READ ? tr("read as ") : tr("left out"),
@@ -129,7 +129,7 @@ drop_cell(struct run *run, struct psd *psd, size_t i)
 }
 
 static void
-exchange(struct psd *a, struct psd *b)
+correction_exchange(struct psd *a, struct psd *b)
 {
 	struct psd was = *a;
 	*a = *b;
@@ -159,7 +159,7 @@ static void
 change_column(const struct site *from, struct run *run, const struct mend *m)
 {
 	struct psd *psd = m->feed ? &run->feed : &run->product;
-	size_t i = sieve_of(psd, m->size);
+	size_t i = correction_sieve_of(psd, m->size);
 	switch (m->kind) {
 	case MEND_READ:
 		psd->passing[i] = m->value;
@@ -192,7 +192,7 @@ static void
 swap_feed(struct site *site, size_t at)
 {
 	struct run *run = &site->run[at];
-	exchange(&run->feed, &run->product);
+	correction_exchange(&run->feed, &run->product);
 	forget_sd(run);
 	for (size_t r = 0; r < site->n_run && !site->individual_feeds; r++) {
 		if (r == at)
@@ -203,7 +203,7 @@ swap_feed(struct site *site, size_t at)
 }
 
 static void
-drop_run(struct site *site, size_t at)
+correction_drop_run(struct site *site, size_t at)
 {
 	struct run *run = &site->run[at];
 	psd_free(&run->feed);
@@ -215,7 +215,7 @@ drop_run(struct site *site, size_t at)
 
 /* Sieves fall, passings do not rise, and all of a feed passes its coarsest. */
 static bool
-is_curve(const struct psd *psd, bool feed)
+correction_is_curve(const struct psd *psd, bool feed)
 {
 	bool ok = psd->n >= 2 && (!feed || psd->passing[0] == 1);
 	for (size_t i = 0; i < psd->n; i++)
@@ -230,9 +230,9 @@ is_site(const struct site *site)
 {
 	bool ok = site->n_run > 0;
 	for (size_t r = 0; r < site->n_run; r++)
-		ok = ok && is_curve(&site->run[r].feed, true) &&
+		ok = ok && correction_is_curve(&site->run[r].feed, true) &&
 		     (site->run[r].product.n == 0 ||
-			 is_curve(&site->run[r].product, false));
+			 correction_is_curve(&site->run[r].product, false));
 	return ok;
 }
 
@@ -263,12 +263,12 @@ change(struct site *site, const struct site *from, const struct mend *m)
 	if (m->kind == MEND_SWAP) {
 		swap_feed(site, m->run);
 	} else if (m->kind == MEND_WITH) {
-		exchange(
+		correction_exchange(
 		    &site->run[m->run].product, &site->run[m->other].product);
 		forget_sd(&site->run[m->run]);
 		forget_sd(&site->run[m->other]);
 	} else if (m->kind == MEND_DROP) {
-		drop_run(site, m->run);
+		correction_drop_run(site, m->run);
 	} else {
 		for (size_t r = 0; r < site->n_run; r++)
 			if (all || r == m->run)
@@ -279,9 +279,9 @@ change(struct site *site, const struct site *from, const struct mend *m)
 struct site *
 mend_site(const struct site *from, const struct mend *mend, struct error *error)
 {
-	const struct psd *psd = column(from, mend);
+	const struct psd *psd = correction_column(from, mend);
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
-	if (cell && sieve_of(psd, mend->size) == psd->n) {
+	if (cell && correction_sieve_of(psd, mend->size) == psd->n) {
 		error_set(error, ERROR_USAGE,
 		    "the column has no sieve of %g mm\n"
 		    "use a sieve of its own: see 'show product', 'show feed'",

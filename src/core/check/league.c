@@ -36,7 +36,7 @@ league_parameters(const struct fit *fit, const struct bounds *bounds)
 
 /* The cell after those of the same run. */
 static size_t
-run_end(const struct league_cell *cell, size_t n, size_t from)
+league_run_end(const struct league_cell *cell, size_t n, size_t from)
 {
 	size_t to = from;
 	while (to < n && cell[to].run == cell[from].run)
@@ -50,7 +50,7 @@ league_rmse(const struct league_cell *cell, size_t n, const double *predicted)
 	double sum = 0, runs = 0;
 	for (size_t from = 0, to; from < n; from = to, runs++) {
 		double squares = 0;
-		to = run_end(cell, n, from);
+		to = league_run_end(cell, n, from);
 		for (size_t i = from; i < to; i++)
 			squares += pow(predicted[i] - cell[i].measured, 2);
 		sum += squares / (double)(to - from);

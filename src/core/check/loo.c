@@ -71,7 +71,7 @@ struct leave_out {
 };
 
 static const struct psd *
-curve_of(const struct leave_out *l, const struct leave_out_cell *c)
+loo_curve_of(const struct leave_out *l, const struct leave_out_cell *c)
 {
 	const struct run *run = &l->site->run[c->run];
 	return c->feed ? &run->feed : &run->product;
@@ -146,7 +146,7 @@ level_of(struct block *b, double noise)
 /* The most probable hyperparameters, from where they are: a step up or down
  * each, and shorter ones when none helps. */
 static void
-search(struct block *b, double noise)
+loo_search(struct block *b, double noise)
 {
 	const double last = 0.06;
 	size_t hypers = b->smooth ? SMOOTHS : HYPERS;
@@ -314,7 +314,7 @@ static double
 searched_level(struct leave_out *l)
 {
 	for (size_t k = 0; k < BLOCKS; k++)
-		search(&l->block[k], l->noise);
+		loo_search(&l->block[k], l->noise);
 	return l->block[PRODUCTS].level + l->block[FEEDS].level;
 }
 
@@ -388,7 +388,7 @@ is_smooth_cell(double P)
 }
 
 static void
-add_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
+loo_add_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
 {
 	struct leave_out_cell c = {feed, run, sieve};
 	l->of = xrealloc(l->of, l->n + 1, sizeof *l->of);
@@ -405,7 +405,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL ? i < covered
 					      : is_smooth_cell(psd->passing[i]))
-				add_cell(l, false, r, i);
+				loo_add_cell(l, false, r, i);
 	}
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -414,7 +414,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 			break;
 		for (size_t i = 0; i < psd->n; i++)
 			if (is_smooth_cell(psd->passing[i]))
-				add_cell(l, true, r, i);
+				loo_add_cell(l, true, r, i);
 	}
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }
@@ -440,7 +440,7 @@ fill_smooth(struct leave_out *l, struct block *b, bool feed)
 	for (size_t i = 0; i < b->n; i++) {
 		size_t c = b->first + i;
 		double P = l->passing[c], v = l->site->run[l->of[c].run].speed;
-		double x = curve_of(l, &l->of[c])->size[l->of[c].sieve];
+		double x = loo_curve_of(l, &l->of[c])->size[l->of[c].sieve];
 		b->cell[i] = (struct cell){.run = l->of[c].run,
 		    .log_size = el_log(x),
 		    .t = feed ? 0 : discrepancy_time(v, middle),
@@ -607,7 +607,8 @@ leave_out_new(
 	l->cross = xdoubles(l->block[FEEDS].n * l->block[PRODUCTS].n);
 	l->dropped = xcalloc(l->n + 1, sizeof *l->dropped);
 	for (size_t i = 0; i < l->n; i++)
-		l->passing[i] = curve_of(l, &l->of[i])->passing[l->of[i].sieve];
+		l->passing[i] =
+		    loo_curve_of(l, &l->of[i])->passing[l->of[i].sieve];
 	fill_smooth(l, &l->block[FEEDS], true);
 	if (posterior == NULL) {
 		fill_smooth(l, &l->block[PRODUCTS], false);

@@ -30,7 +30,7 @@ static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 enum { CELLS = 3 };
 
 static struct finding *
-add(struct doctor *d, struct mend mend)
+outliers_add(struct doctor *d, struct mend mend)
 {
 	d->finding = xrealloc(d->finding, d->n + 1, sizeof *d->finding);
 	struct finding *f = &d->finding[d->n++];
@@ -96,7 +96,7 @@ find_swapped_feeds(struct doctor *d, const struct site *site)
 		if (other != NULL &&
 		    (site->individual_feeds || all_finer(other))) {
 			double most;
-			struct finding *f = add(d, m);
+			struct finding *f = outliers_add(d, m);
 			const struct run *now = &other->run[r];
 			f->off[0] = above(&run->feed, &run->product, &most);
 			f->off[1] =
@@ -169,7 +169,7 @@ find_exchanged(struct doctor *d, const struct site *site)
 		}
 	if (best.kind != MEND_WITH)
 		return;
-	struct finding *f = add(d, best);
+	struct finding *f = outliers_add(d, best);
 	f->off[0] = before;
 	f->off[1] = least;
 }
@@ -192,7 +192,7 @@ line_at(const struct line *l, double e)
 /* RMS distance of a run's product from the line through the other products,
  * NAN with less than two others: of two curves nobody knows which is wrong. */
 static double
-distance(const struct site *site, size_t at)
+outliers_distance(const struct site *site, size_t at)
 {
 	const struct run *run = &site->run[at];
 	double squares = 0, n = 0;
@@ -230,12 +230,13 @@ find_moved(struct doctor *d, const struct site *site)
 	double off[2] = {0, 0};
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
 		struct mend m = {.run = i / 2};
-		double before = distance(site, m.run);
+		double before = outliers_distance(site, m.run);
 		m.kind = i % 2 == 0 ? MEND_UP : MEND_DOWN;
 		if (!(before > far))
 			continue;
 		struct site *other = mend_site(site, &m, NULL);
-		double after = other != NULL ? distance(other, m.run) : NAN;
+		double after =
+		    other != NULL ? outliers_distance(other, m.run) : NAN;
 		site_free(other);
 		if (!(after < share * before) || after / before >= best)
 			continue;
@@ -245,7 +246,7 @@ find_moved(struct doctor *d, const struct site *site)
 		off[1] = after;
 	}
 	if (mend.kind != MEND_READ)
-		memcpy(add(d, mend)->off, off, sizeof off);
+		memcpy(outliers_add(d, mend)->off, off, sizeof off);
 }
 
 /* How far off the run is that fits the others least, after a mend. */
@@ -256,7 +257,7 @@ roughness(const struct site *site, const struct mend *m)
 	double most = 0;
 	for (size_t r = 0; other != NULL && r < other->n_run; r++)
 		if (other->run[r].product.n > 0)
-			most = fmax(most, distance(other, r));
+			most = fmax(most, outliers_distance(other, r));
 	site_free(other);
 	return most;
 }
@@ -292,7 +293,7 @@ find_scaled(struct doctor *d, const struct site *site)
 			m.value = m.feed ? 1 / factor : factor;
 		} else
 			continue;
-		add(d, m);
+		outliers_add(d, m);
 		if (m.feed && !site->individual_feeds)
 			return;
 	}
@@ -305,7 +306,7 @@ find_copies(struct doctor *d, const struct site *site)
 		for (size_t k = 0; k < i; k++)
 			if (psd_same(
 				&site->run[k].product, &site->run[i].product)) {
-				add(d,
+				outliers_add(d,
 				    (struct mend){.kind = MEND_DROP, .run = i});
 				break;
 			}
@@ -314,7 +315,7 @@ find_copies(struct doctor *d, const struct site *site)
 /* ---- Cells ---- */
 
 static const struct psd *
-curve_of(const struct site *site, const struct mend *m)
+outliers_curve_of(const struct site *site, const struct mend *m)
 {
 	const struct run *run = &site->run[m->run];
 	return m->feed ? &run->feed : &run->product;
@@ -343,7 +344,7 @@ consider(struct finding *f, double passing)
 /* The digits of a passing in percent, "691", and how many stand before the
  * point; 0 where it was worked out and not typed. */
 static size_t
-digits_of(double passing, char digits[static 16], size_t *point)
+outliers_digits_of(double passing, char digits[static 16], size_t *point)
 {
 	double hundredths = passing * 1e4;
 	size_t n = 0;
@@ -379,7 +380,7 @@ static void
 consider_digits(struct finding *f)
 {
 	char digits[16], other[16];
-	size_t point, n = digits_of(f->measured, digits, &point);
+	size_t point, n = outliers_digits_of(f->measured, digits, &point);
 	for (size_t i = 0; i + 1 < n; i++) {
 		memcpy(other, digits, sizeof other);
 		other[i] = digits[i + 1];
@@ -399,14 +400,14 @@ consider_digits(struct finding *f)
 
 /* A cell's mend: the reading, where the site can be read with it, or none. */
 static void
-add_cell(struct doctor *d, const struct site *site,
+outliers_add_cell(struct doctor *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
 {
 	struct mend m = {
 	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
-	const struct psd *psd = curve_of(site, &m);
+	const struct psd *psd = outliers_curve_of(site, &m);
 	m.size = psd->size[cell->sieve];
-	struct finding *f = add(d, m);
+	struct finding *f = outliers_add(d, m);
 	f->measured = psd->passing[cell->sieve];
 	f->expected = s->expected;
 	f->sd = s->sd;
@@ -477,7 +478,7 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 	if (!tell)
 		return false;
 	struct mend m = {.feed = c.feed, .run = c.run};
-	m.size = curve_of(site, &m)->size[c.sieve];
+	m.size = outliers_curve_of(site, &m)->size[c.sieve];
 	refit(p, site, m);
 	l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
@@ -488,7 +489,7 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 	found[n] = s.cell;
 	if (!(fabs(s.expected - passing_of(site, &c)) > WORTH))
 		return false;
-	add_cell(d, site, &c, &s);
+	outliers_add_cell(d, site, &c, &s);
 	d->finding[d->n - 1].surprise = gain;
 	return true;
 }
@@ -507,7 +508,7 @@ find_surprising(struct doctor *d, const struct site *site,
 
 /* The curves of the feeds, or the products, with their runs. */
 static size_t
-gather(
+outliers_gather(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
 {
 	size_t n = 0;
@@ -535,7 +536,7 @@ add_bent(struct doctor *d, const struct site *site, double noise,
 			s = leave_out_look(l, i);
 	}
 	leave_out_free(l);
-	add_cell(d, site, &cell, &s);
+	outliers_add_cell(d, site, &cell, &s);
 }
 
 static void
@@ -543,7 +544,7 @@ find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
 {
 	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	size_t *run = xcalloc(site->n_run, sizeof *run);
-	size_t n = gather(site, feed, curve, run);
+	size_t n = outliers_gather(site, feed, curve, run);
 	struct smooth_outlier o = smooth_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
@@ -573,7 +574,8 @@ rmse_of(const struct site *site, const struct posterior *p)
 }
 
 static void
-measure(struct doctor *d, const struct site *site, const struct posterior *p)
+outliers_measure(
+    struct doctor *d, const struct site *site, const struct posterior *p)
 {
 	for (size_t i = 0; i < d->n && p != NULL; i++) {
 		struct finding *f = &d->finding[i];
@@ -635,7 +637,7 @@ doctor_look(
 		find_bent(&d, site, false, noise);
 	}
 	keep_possible(&d, site);
-	measure(&d, site, posterior);
+	outliers_measure(&d, site, posterior);
 	return d;
 }
 

@@ -102,14 +102,14 @@ share_broken(const struct misfit *m, const struct params *p)
 }
 
 static double
-median(double *value)
+trust_median(double *value)
 {
 	return gsl_stats_median(value, 1, POSTERIOR_DRAWS);
 }
 
 static void
-read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
-    double finest)
+trust_read_draws(struct evidence *e, const struct posterior *p,
+    const struct fit *fit, double finest)
 {
 	enum { N = POSTERIOR_DRAWS };
 	double off[N], error[N], finer[N];
@@ -131,8 +131,8 @@ read_draws(struct evidence *e, const struct posterior *p, const struct fit *fit,
 	}
 	e->finer = gsl_stats_mean(finer, 1, N);
 	e->finer_sd = gsl_stats_sd(finer, 1, N);
-	e->discrepancy = median(off);
-	e->sampling = median(error);
+	e->discrepancy = trust_median(off);
+	e->sampling = trust_median(error);
 }
 
 /* At the slowest and the fastest speed measured and midway. */
@@ -167,7 +167,7 @@ find_holdout(struct evidence *e, const struct site *site, const bool *train,
 }
 
 static void
-find_speeds(struct evidence *e, const struct misfit *m)
+trust_find_speeds(struct evidence *e, const struct misfit *m)
 {
 	e->slowest = INFINITY;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -260,14 +260,14 @@ trust_evidence(const struct site *site, const bool *train, const bool *use,
 	double *sieve = site_sieves(site, &n);
 	misfit_differences(m, &fit->params, d);
 	weigh_residuals(&e, m, d, take_steps(m, fit, bounds, d), noise);
-	find_speeds(&e, m);
+	trust_find_speeds(&e, m);
 	find_holdout(&e, site, train, fit);
 	find_against(&e, site, use, fit);
 	e.all_break = !isnan(params_value(&fit->params, "e0_min")) &&
 		      params_break_size_by(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
-		read_draws(&e, posterior, fit, sieve[n - 1]);
+		trust_read_draws(&e, posterior, fit, sieve[n - 1]);
 		e.halves = halves_apart(&e, posterior, site, sieve, n);
 	}
 	free(sieve);

@@ -21,7 +21,8 @@ counts(const struct site *site, const bool *train, size_t r)
 /* The training speed next to a speed and not above it, or above it; NAN where
  * there is none. */
 static double
-next_speed(const struct site *site, const bool *train, double speed, bool above)
+validate_speed_after(
+    const struct site *site, const bool *train, double speed, bool above)
 {
 	double next = NAN;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -36,25 +37,26 @@ next_speed(const struct site *site, const bool *train, double speed, bool above)
 static double
 nearest_speed(const struct site *site, const bool *train, double speed)
 {
-	double below = next_speed(site, train, speed, false);
-	double above = next_speed(site, train, speed, true);
+	double below = validate_speed_after(site, train, speed, false);
+	double above = validate_speed_after(site, train, speed, true);
 	return above - speed < speed - below || isnan(below) ? above : below;
 }
 
 /* The two training speeds that interpolation goes through; of one alone it is
  * the first, and NAN the second. */
 static void
-find_line(const struct site *site, const bool *train, double speed,
+validate_find_line(const struct site *site, const bool *train, double speed,
     double line[static 2])
 {
-	line[0] = next_speed(site, train, speed, false);
-	line[1] = next_speed(site, train, speed, true);
+	line[0] = validate_speed_after(site, train, speed, false);
+	line[1] = validate_speed_after(site, train, speed, true);
 	if (isnan(line[0])) {
 		line[0] = line[1];
-		line[1] = next_speed(site, train, line[0], true);
+		line[1] = validate_speed_after(site, train, line[0], true);
 	} else if (isnan(line[1])) {
 		line[1] = line[0];
-		line[0] = next_speed(site, train, nextafter(line[1], 0), false);
+		line[0] = validate_speed_after(
+		    site, train, nextafter(line[1], 0), false);
 	}
 	if (isnan(line[0])) {
 		line[0] = line[1];
@@ -84,7 +86,7 @@ validate_interpolation(
     const struct site *site, const bool *train, double speed, double x)
 {
 	double line[2];
-	find_line(site, train, speed, line);
+	validate_find_line(site, train, speed, line);
 	double a = mean_passing(site, train, line[0], x);
 	double b = mean_passing(site, train, line[1], x);
 	double E_a = energy_specific(line[0]), E_b = energy_specific(line[1]);
@@ -173,7 +175,7 @@ validate_run(const struct site *site, size_t run, const bool *train,
 	    .n_sieve = n,
 	    .n_left_out = at->product.n - n,
 	    .nearest = nearest_speed(site, train, at->speed)};
-	find_line(site, train, at->speed, v.line);
+	validate_find_line(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
 	double *passing = xdoubles(n);

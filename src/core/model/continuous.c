@@ -118,7 +118,7 @@ stop_at_impacts(struct continuous *c)
 }
 
 static void
-go_to(struct continuous *c, double v)
+continuous_go_to(struct continuous *c, double v)
 {
 	breaker_at(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
@@ -158,7 +158,7 @@ static const double NODE_STEP = 0.025;
 
 /* B at the nodes: at each point and sieve it would take ten times as long. */
 static void
-tabulate(struct continuous *c, bool gradient)
+continuous_tabulate(struct continuous *c, bool gradient)
 {
 	const struct breaker *b = &c->b;
 	size_t n = b->model->n;
@@ -186,7 +186,7 @@ tabulate(struct continuous *c, bool gradient)
 
 /* Column k of the table between its nodes, by the weights of four rows. */
 static inline double
-column(const struct continuous *c, const double *first,
+continuous_column(const struct continuous *c, const double *first,
     const double weight[static 4], size_t k)
 {
 	size_t width = 1 + c->n_moved;
@@ -222,7 +222,7 @@ broken_below(const struct continuous *c, double log_s, double *row)
 		if (p->t <= log_s)
 			continue;
 		const double *first = nodes_at(c, p->t - log_s, weight);
-		double B = column(c, first, weight, 0);
+		double B = continuous_column(c, first, weight, 0);
 		sum += p->mass * p->S * B;
 		if (row == NULL)
 			continue;
@@ -230,7 +230,8 @@ broken_below(const struct continuous *c, double log_s, double *row)
 			row[j] += p->mass * p->dS[j] * B;
 		for (size_t k = 0; k < c->n_moved; k++)
 			row[c->moved[k]] +=
-			    p->mass * p->S * column(c, first, weight, 1 + k);
+			    p->mass * p->S *
+			    continuous_column(c, first, weight, 1 + k);
 	}
 	return sum;
 }
@@ -254,7 +255,7 @@ void
 continuous_product(
     struct continuous *c, double v, double *passing, double *d_passing)
 {
-	go_to(c, v);
+	continuous_go_to(c, v);
 	size_t n = c->b.model->n;
 	if (d_passing != NULL)
 		memset(d_passing, 0, c->n_sieve * n * sizeof *d_passing);
@@ -263,7 +264,7 @@ continuous_product(
 		return;
 	}
 	make_points(c, d_passing != NULL);
-	tabulate(c, d_passing != NULL);
+	continuous_tabulate(c, d_passing != NULL);
 	bool breaks = c->b.model->breaks(&c->b);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		double *row = d_passing != NULL ? d_passing + i * n : NULL;
@@ -279,7 +280,7 @@ double
 continuous_selected(struct continuous *c, double v)
 {
 	double sum = 0;
-	go_to(c, v);
+	continuous_go_to(c, v);
 	make_points(c, false);
 	for (size_t i = 0; i < c->n_point; i++)
 		sum += c->point[i].mass * c->point[i].S;

@@ -66,7 +66,8 @@ model_set(struct model *model, const struct params *p)
  * is left by the settings.  The derivatives of what is crushed, with the
  * bypass's own, [n_sieve * model's n]; or NULL. */
 static void
-add_bypass(const struct model *model, double *passing, double *d_passing)
+product_add_bypass(
+    const struct model *model, double *passing, double *d_passing)
 {
 	const struct breakage *of = breakage_of(&model->p);
 	if (!of->bypass && model->bypass == 0)
@@ -93,7 +94,7 @@ model_product(struct model *model, double v, double *passing)
 		classes_product(model->classes, v, passing);
 	else
 		continuous_product(model->continuous, v, passing, NULL);
-	add_bypass(model, passing, NULL);
+	product_add_bypass(model, passing, NULL);
 }
 
 /* A step small beside the parameter, or beside the scale of its kind. */
@@ -136,7 +137,7 @@ model_jacobian(
 	} else {
 		continuous_product(model->continuous, v, passing, d_passing);
 	}
-	add_bypass(model, passing, d_passing);
+	product_add_bypass(model, passing, d_passing);
 }
 
 bool

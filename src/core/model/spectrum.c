@@ -99,7 +99,7 @@ of_size(struct spectrum *s, double size)
 }
 
 static void
-add(struct spectrum_bin *to, double mass, double energy)
+spectrum_add(struct spectrum_bin *to, double mass, double energy)
 {
 	to->mass += mass;
 	to->energy += energy;
@@ -111,16 +111,16 @@ spectrum_impact(
 {
 	struct spectrum_size *of = of_size(s, size);
 	size_t bin = bin_of(energy);
-	add(&of->all[bin], mass, mass * energy);
+	spectrum_add(&of->all[bin], mass, mass * energy);
 	if (first)
-		add(&of->first[bin], mass, mass * energy);
+		spectrum_add(&of->first[bin], mass, mass * energy);
 }
 
 void
 spectrum_first(struct spectrum *s, double size, double mass, double energy)
 {
 	struct spectrum_size *of = of_size(s, size);
-	add(&of->first[bin_of(energy)], mass, mass * energy);
+	spectrum_add(&of->first[bin_of(energy)], mass, mass * energy);
 }
 
 void
@@ -140,8 +140,9 @@ spectrum_whole(const struct spectrum *s)
 		whole->particles += of->particles;
 		whole->mass += of->mass;
 		for (size_t b = 0; b < SPECTRUM_BINS; b++) {
-			add(&whole->all[b], of->all[b].mass, of->all[b].energy);
-			add(&whole->first[b], of->first[b].mass,
+			spectrum_add(
+			    &whole->all[b], of->all[b].mass, of->all[b].energy);
+			spectrum_add(&whole->first[b], of->first[b].mass,
 			    of->first[b].energy);
 		}
 	}
@@ -160,7 +161,7 @@ spectrum_above(const struct spectrum_size *s, double cut, bool first)
 			part = octaves(spectrum_edge(at + 1) / cut) *
 			       BINS_PER_OCTAVE;
 		part = fmax(part, 0);
-		add(&sum, part * bin[b].mass, part * bin[b].energy);
+		spectrum_add(&sum, part * bin[b].mass, part * bin[b].energy);
 	}
 	return sum;
 }
@@ -196,7 +197,7 @@ spectrum_impacts(const struct spectrum *s, double cut)
 		double edge = spectrum_edge(b + 1);
 		bool cuts = cut > spectrum_edge(b) && cut < edge;
 		double part = cuts ? octaves(edge / cut) * BINS_PER_OCTAVE : 1;
-		add(&node, part * bin->mass, part * bin->energy);
+		spectrum_add(&node, part * bin->mass, part * bin->energy);
 		done += part * bin->energy;
 		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;
 		bool last = b + 1 == SPECTRUM_BINS;

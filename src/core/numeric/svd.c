@@ -15,7 +15,7 @@ static const double NOTHING = 1e-17;
 enum { SWEEPS_MOST = 60 };
 
 static double
-dot(const double *a, const double *b, size_t n)
+svd_dot(const double *a, const double *b, size_t n)
 {
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
@@ -35,10 +35,11 @@ rotate(double *a, double *b, size_t n, double c, double s)
 
 /* Brings two columns to right angles; false: they were. */
 static bool
-straighten(double *a, double *b, size_t rows, double *va, double *vb, size_t n,
-    double least)
+svd_straighten(double *a, double *b, size_t rows, double *va, double *vb,
+    size_t n, double least)
 {
-	double aa = dot(a, a, rows), bb = dot(b, b, rows), ab = dot(a, b, rows);
+	double aa = svd_dot(a, a, rows), bb = svd_dot(b, b, rows),
+	       ab = svd_dot(a, b, rows);
 	double rounding = (double)rows * DBL_EPSILON;
 	bool straight = fabs(ab) <= rounding * sqrt(aa) * sqrt(bb);
 	if (straight || aa <= least || bb <= least)
@@ -53,7 +54,7 @@ straighten(double *a, double *b, size_t rows, double *va, double *vb, size_t n,
 }
 
 static void
-exchange(double *a, double *b, size_t n)
+svd_exchange(double *a, double *b, size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
 		double x = a[i];
@@ -64,7 +65,7 @@ exchange(double *a, double *b, size_t n)
 
 /* Divides a column by its length and gives its direction a sign. */
 static void
-scale(double *u, size_t rows, double *v, size_t n, double sigma)
+svd_scale(double *u, size_t rows, double *v, size_t n, double sigma)
 {
 	size_t most = 0;
 	for (size_t i = 1; i < n; i++)
@@ -80,7 +81,7 @@ scale(double *u, size_t rows, double *v, size_t n, double sigma)
 void
 svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 {
-	double least = NOTHING * NOTHING * dot(A, A, rows * n);
+	double least = NOTHING * NOTHING * svd_dot(A, A, rows * n);
 	bool turned = true;
 	for (size_t i = 0; i < n * n; i++)
 		V[i] = i % (n + 1) == 0;
@@ -88,21 +89,22 @@ svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 		turned = false;
 		for (size_t a = 0; a + 1 < n; a++)
 			for (size_t b = a + 1; b < n; b++)
-				turned |= straighten(A + a * rows, A + b * rows,
-				    rows, V + a * n, V + b * n, n, least);
+				turned |=
+				    svd_straighten(A + a * rows, A + b * rows,
+					rows, V + a * n, V + b * n, n, least);
 	}
 	for (size_t c = 0; c < n; c++)
-		sigma[c] = sqrt(dot(A + c * rows, A + c * rows, rows));
+		sigma[c] = sqrt(svd_dot(A + c * rows, A + c * rows, rows));
 	for (size_t c = 0; c < n; c++) {
 		size_t most = c;
 		for (size_t d = c + 1; d < n; d++)
 			if (sigma[d] > sigma[most])
 				most = d;
-		exchange(sigma + c, sigma + most, 1);
+		svd_exchange(sigma + c, sigma + most, 1);
 		if (most != c) {
-			exchange(A + c * rows, A + most * rows, rows);
-			exchange(V + c * n, V + most * n, n);
+			svd_exchange(A + c * rows, A + most * rows, rows);
+			svd_exchange(V + c * n, V + most * n, n);
 		}
-		scale(A + c * rows, rows, V + c * n, n, sigma[c]);
+		svd_scale(A + c * rows, rows, V + c * n, n, sigma[c]);
 	}
 }

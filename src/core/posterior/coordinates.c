@@ -43,7 +43,7 @@ inside(double share)
 
 /* The number of a share: Newton's steps on a cubic that rises everywhere. */
 static double
-number_of(double share)
+coordinates_number_of(double share)
 {
 	share = inside(share);
 	double rise = el_log(share / (1 - share)), x = rise / LINEAR;
@@ -54,7 +54,7 @@ number_of(double share)
 }
 
 static bool
-is_free(const struct bounds *b, size_t j)
+coordinates_is_free(const struct bounds *b, size_t j)
 {
 	return b->upper[j] > b->lower[j];
 }
@@ -74,8 +74,9 @@ coordinates_about(const struct params *fit, const struct bounds *bounds,
 	    .most = el_log(bounds->upper[f + 1]) - middle};
 	double squares = 0;
 	c.largest = c.most / bounds->upper[f + 2];
-	c.by_slope = is_free(bounds, f) && is_free(bounds, f + 1) &&
-		     is_free(bounds, f + 2) && c.largest < 0;
+	c.by_slope = coordinates_is_free(bounds, f) &&
+		     coordinates_is_free(bounds, f + 1) &&
+		     coordinates_is_free(bounds, f + 2) && c.largest < 0;
 	for (size_t j = 0; j < of->gauge; j++) {
 		squares += fit->at[j] * fit->at[j];
 		if (fabs(fit->at[j]) > fabs(fit->at[c.held]))
@@ -90,7 +91,7 @@ coordinates_about(const struct params *fit, const struct bounds *bounds,
 /* The reflection that exchanges the pole and the axis of the one held, of
  * [gauge] numbers in place. */
 static void
-turn(const struct coordinates *c, double *w)
+coordinates_turn(const struct coordinates *c, double *w)
 {
 	double product = 0, squares = 0, normal[PARAMS_MOST];
 	for (size_t j = 0; j < c->of->gauge; j++) {
@@ -129,7 +130,7 @@ gauge_at(const struct coordinates *c, const double *x, double *at)
 	for (size_t j = 0; j < c->of->gauge; j++)
 		at[j] = j == c->held ? c->sign * (1 - squares) / (1 + squares)
 				     : x[j] / (1 + squares);
-	turn(c, at);
+	coordinates_turn(c, at);
 	if (!(c->sign * at[c->held] > 0) || !has_daughters(c, at))
 		return INFINITY;
 	return (double)(c->of->gauge - 1) * el_log(1 + squares);
@@ -143,7 +144,7 @@ gauge_of(const struct coordinates *c, const double *at, double *x)
 		squares += at[j] * at[j];
 	for (size_t j = 0; j < c->of->gauge; j++)
 		x[j] = at[j] / sqrt(squares);
-	turn(c, x);
+	coordinates_turn(c, x);
 	double along = c->sign * x[c->held];
 	for (size_t j = 0; j < c->of->gauge; j++)
 		x[j] *= 2 / (1 + fmax(along, 0));
@@ -165,7 +166,7 @@ alpha_within(
  *   d e0_min = alpha e0_min d ln x*  where alpha stays,
  *   d ln x* = ln x* d ln(share of x). */
 static double
-slope_at(const struct coordinates *c, const double *x, double *at)
+coordinates_slope_at(const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
 	double share = share_of(x[f]), log_break = c->largest / share, low,
@@ -194,10 +195,10 @@ slope_of(const struct coordinates *c, const double *at, double *x)
 	double log_break = (el_log(e0) - c->middle) / alpha;
 	double hard = inside((at[f] - c->bounds.lower[f]) /
 			     (c->bounds.upper[f] - c->bounds.lower[f]));
-	x[f] = number_of(c->largest / log_break);
+	x[f] = coordinates_number_of(c->largest / log_break);
 	alpha_within(c, c->largest / share_of(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
-	x[f + 2] = number_of((alpha - low) / (high - low));
+	x[f + 2] = coordinates_number_of((alpha - low) / (high - low));
 }
 
 static bool
@@ -224,7 +225,7 @@ coordinates_params(const struct coordinates *c, const double *x, double *at)
 	}
 	if (c->of->gauge > 0)
 		sum += gauge_at(c, x, at);
-	return c->by_slope ? sum + slope_at(c, x, at) : sum;
+	return c->by_slope ? sum + coordinates_slope_at(c, x, at) : sum;
 }
 
 void

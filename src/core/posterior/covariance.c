@@ -30,7 +30,7 @@ struct covariance {
 
 /* Gives each cell the number of its size.  False where there are too many. */
 static bool
-number_sizes(struct covariance *c)
+covariance_number_sizes(struct covariance *c)
 {
 	c->sizes = 0;
 	for (size_t i = 0; i < c->n; i++) {
@@ -92,10 +92,10 @@ covariance_new(enum isa isa, struct cell *cell, size_t n)
 	if (!c->many)
 		return c;
 	c->size = xcalloc(n, sizeof *c->size);
-	if (!number_sizes(c)) {
+	if (!covariance_number_sizes(c)) {
 		move_sizes(cell, n);
 		memcpy(c->cell, cell, n * sizeof *cell);
-		number_sizes(c);
+		covariance_number_sizes(c);
 	}
 	find_blocks(c);
 	return c;

@@ -120,7 +120,7 @@ discrepancy_backward(const double *U, size_t n, double *z)
 /* Of each cell the number of its size, cells with the same have the same; there
  * are as many as returned. */
 static size_t
-number_sizes(const struct cell *cell, size_t n, int64_t *size)
+discrepancy_number_sizes(const struct cell *cell, size_t n, int64_t *size)
 {
 	size_t sizes = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -154,7 +154,7 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 		c.term[k] = column + (4 + k) * n;
 	c.pair[0] = column + (4 + DISCREPANCY_TERMS) * n;
 	c.pair[1] = c.pair[0] + pairs;
-	c.sizes = number_sizes(cell, n, c.size);
+	c.sizes = discrepancy_number_sizes(cell, n, c.size);
 	for (size_t i = 0; i < n; i++) {
 		c.run[i] = (int64_t)cell[i].run;
 		c.h[i] = cell[i].h;

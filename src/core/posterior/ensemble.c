@@ -296,7 +296,7 @@ ensemble_delta(const struct ensemble *e, size_t d, double *delta)
 
 /* Row i of model and answer; that of the next finer size is made. */
 static void
-fill_row(const struct ensemble *e, size_t i, double *restrict model,
+ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
     double *restrict answer)
 {
 	const double *P = e->product + i * ALL;
@@ -341,7 +341,7 @@ make_samples(struct ensemble *e)
 
 /* What met the rotor, with what went by. */
 static void
-add_bypass(struct ensemble *e)
+ensemble_add_bypass(struct ensemble *e)
 {
 	for (size_t k = 0; k < ENSEMBLE_PARTS; k++)
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
@@ -362,7 +362,7 @@ ensemble_draws_at(struct ensemble *e, double v)
 	model_product(e->exact, v, e->fit);
 	fill_knots(e, v);
 	for (size_t i = e->n; i-- > 0;)
-		fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
+		ensemble_fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 	e->sampled = false;
 }
@@ -502,7 +502,7 @@ rising_at(struct ensemble *e, double v)
 
 /* Those at the measured speed of that number. */
 static const double *
-measured_at(struct ensemble *e, size_t k)
+ensemble_measured_at(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
 	if (e->measured[k] != NULL)
@@ -515,7 +515,7 @@ measured_at(struct ensemble *e, size_t k)
 
 /* Whether v lies between two measured speeds: number *k and the next. */
 static bool
-is_between(const struct posterior *p, double v, size_t *k)
+ensemble_is_between(const struct posterior *p, double v, size_t *k)
 {
 	for (*k = 0; *k + 1 < p->n_speed; ++*k)
 		if (v > p->speed[*k] && v < p->speed[*k + 1])
@@ -534,10 +534,11 @@ straight_weight(const struct posterior *p, size_t draw)
 
 /* At a speed between two measured ones (D25, straight.h). */
 static void
-straighten(struct ensemble *e, double v, size_t k)
+ensemble_straighten(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
-	const double *below = measured_at(e, k), *above = measured_at(e, k + 1);
+	const double *below = ensemble_measured_at(e, k),
+		     *above = ensemble_measured_at(e, k + 1);
 	double a = p->speed[k], b = p->speed[k + 1], weight[DRAWS];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
@@ -558,13 +559,13 @@ ensemble_at(struct ensemble *e, double v)
 	size_t k;
 	if (v == e->at)
 		return;
-	if (is_between(e->of, v, &k))
-		straighten(e, v, k);
+	if (ensemble_is_between(e->of, v, &k))
+		ensemble_straighten(e, v, k);
 	else
 		rising_at(e, v);
 	if (e->bypass > 0) {
 		make_samples(e);
-		add_bypass(e);
+		ensemble_add_bypass(e);
 	}
 	e->at = v;
 }

@@ -91,7 +91,7 @@ guide_factor(
 
 /* x seen along L. */
 static void
-look(const struct guide_part *part, const double *x, double *z)
+guide_look(const struct guide_part *part, const double *x, double *z)
 {
 	for (size_t a = 0; a < part->n; a++) {
 		z[a] = x[part->at[a]] - part->mean[a];
@@ -105,7 +105,7 @@ double
 guide_density(const struct guide_part *part, const double *x)
 {
 	double z[GUIDE_MOST], sum = 0;
-	look(part, x, z);
+	guide_look(part, x, z);
 	for (size_t a = 0; a < part->n; a++)
 		sum -= z[a] * z[a] / 2 + el_log(part->L[a][a]);
 	return sum;
@@ -116,7 +116,7 @@ guide_move(const struct guide_part *part, double share, const double *x,
     double *y, struct rng_key key, uint32_t next)
 {
 	double z[GUIDE_MOST], more = 0;
-	look(part, x, z);
+	guide_look(part, x, z);
 	for (size_t a = 0; a < part->n; a++, next += 2) {
 		if (rng_uniform(key, next) >= share)
 			continue;

@@ -186,7 +186,8 @@ strengths_of(const struct sampler *s, const double *x)
 
 /* Puts trial i into a place of the order. */
 static void
-line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
+posterior_line_up(
+    struct sampler *s, size_t i, struct strengths rock, size_t place)
 {
 	size_t e0 = s->of->strength + 1;
 	double at[PARAMS_MOST], *prior = &s->trial[i].prior;
@@ -203,14 +204,14 @@ line_up(struct sampler *s, size_t i, struct strengths rock, size_t place)
 }
 
 static void
-evaluate(struct sampler *s)
+posterior_evaluate(struct sampler *s)
 {
 	size_t two = 0, one = HALF;
 	for (size_t i = 0; i < HALF && s->hyper; i++)
 		s->order[i] = i;
 	for (size_t i = 0; i < HALF && !s->hyper; i++) {
 		struct strengths rock = strengths_of(s, s->trial[i].x);
-		line_up(s, i, rock, rock.share > 0 ? two++ : --one);
+		posterior_line_up(s, i, rock, rock.share > 0 ? two++ : --one);
 	}
 	pool_run(s->pool, HALF / PART, evaluate_part, s);
 }
@@ -218,7 +219,7 @@ evaluate(struct sampler *s)
 /* Where the chain goes of this index: along the difference of two of the other
  * half. */
 static void
-propose(struct sampler *s, size_t i, struct rng_key key)
+posterior_propose(struct sampler *s, size_t i, struct rng_key key)
 {
 	const struct chain *other = &s->chain[s->first == 0 ? HALF : 0];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS);
@@ -244,7 +245,7 @@ propose(struct sampler *s, size_t i, struct rng_key key)
 
 /* 1 where the rock has two strengths, else 0. */
 static size_t
-kind_of(const struct sampler *s, const double *x)
+posterior_kind_of(const struct sampler *s, const double *x)
 {
 	return s->two && x[STRENGTHS] > 0;
 }
@@ -253,7 +254,7 @@ kind_of(const struct sampler *s, const double *x)
 static double
 guided_density(const struct sampler *s, const double *x)
 {
-	size_t kind = kind_of(s, x);
+	size_t kind = posterior_kind_of(s, x);
 	double sum = s->log_share[kind] + guide_density(&s->kind[kind], x);
 	for (size_t j = STRENGTHS; j < COORDINATES && kind == 0; j++)
 		sum -= x[j] * x[j] / 2;
@@ -286,7 +287,7 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	struct chain *trial = &s->trial[i];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 4);
 	bool all = s->hyper || s->generation % 2 == 0;
-	size_t kind = kind_of(s, now), to = kind;
+	size_t kind = posterior_kind_of(s, now), to = kind;
 	if (all && !s->hyper && s->two)
 		to = el_log(rng_uniform(key, at)) < s->log_share[1];
 	memcpy(trial->x, now, sizeof trial->x);
@@ -295,7 +296,7 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	if (!s->hyper && s->two && to == 0)
 		trial->more +=
 		    draw_strength(trial->x, key, at + 1 + 2 * COORDINATES);
-	if (kind_of(s, trial->x) != to)
+	if (posterior_kind_of(s, trial->x) != to)
 		trial->more = INFINITY;
 	else if (to != kind)
 		trial->more =
@@ -365,7 +366,7 @@ swap(double **a, double **b)
 
 /* Takes the trial as the chain's next state. */
 static void
-take(struct chain *chain, struct chain *trial, bool hyper)
+posterior_take(struct chain *chain, struct chain *trial, bool hyper)
 {
 	memcpy(chain->x, trial->x, sizeof chain->x);
 	chain->likelihood = trial->likelihood;
@@ -389,12 +390,12 @@ accept(struct sampler *s, size_t i, struct rng_key key)
 	if (!(el_log(rng_uniform(key, at)) < -rise))
 		return;
 	s->accepted++;
-	take(now, trial, s->hyper);
+	posterior_take(now, trial, s->hyper);
 }
 
 /* On to the other half; true when both have had their turn. */
 static bool
-turn(struct sampler *s)
+posterior_turn(struct sampler *s)
 {
 	s->first = HALF - s->first;
 	return s->first == 0;
@@ -407,11 +408,11 @@ move_half(struct sampler *s)
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
 	choose_moves(s);
 	for (size_t i = 0; i < HALF; i++)
-		(s->guided ? propose_guided : propose)(s, i, key);
-	evaluate(s);
+		(s->guided ? propose_guided : posterior_propose)(s, i, key);
+	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept(s, i, key);
-	if (!turn(s))
+	if (!posterior_turn(s))
 		return false;
 	s->generation++;
 	return true;
@@ -456,10 +457,10 @@ start_half(struct sampler *s)
 		scatter(s, rng_key(s->seed, s->first + i, USE_START), c);
 		memcpy(s->trial[i].x, c->x, sizeof c->x);
 	}
-	evaluate(s);
+	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
-		take(&s->chain[s->first + i], &s->trial[i], false);
-	s->started = turn(s);
+		posterior_take(&s->chain[s->first + i], &s->trial[i], false);
+	s->started = posterior_turn(s);
 }
 
 static void
@@ -784,8 +785,8 @@ mean_energy(const struct misfit *m)
 /* The fit and its bounds in the model with gamma that holds its own, if there
  * is one and Eq 1 is not taken in another form (D3). */
 static struct params
-widen(const struct params *p, double energy, struct model_settings *settings,
-    struct bounds *bounds)
+posterior_widen(const struct params *p, double energy,
+    struct model_settings *settings, struct bounds *bounds)
 {
 	const struct breakage *own = breakage_of(p);
 	size_t wide = settings->appearance == APPEARANCE_RATIO
@@ -836,7 +837,7 @@ make_cells(struct sampler *s, const struct misfit *m, const double *d)
 }
 
 static void
-make_room(struct sampler *s)
+posterior_make_room(struct sampler *s)
 {
 	size_t n = s->n_cell;
 	for (size_t j = 0; j < s->of->n; j++)
@@ -890,7 +891,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->pool = pool_new(o->threads);
 	make_cells(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
-	make_room(s);
+	posterior_make_room(s);
 	coordinates_of(&s->coordinates, fit->at, origin);
 	for (size_t kind = 0; kind < 2; kind++)
 		guide_begin(&s->guide[kind], COORDINATES, origin);
@@ -944,7 +945,7 @@ with_smooth_feeds(const struct site *site)
 
 /* Those of the runs that inform the draws, [n_run], which the caller frees. */
 static bool *
-choose_runs(const struct site *site, const bool *use)
+posterior_choose_runs(const struct site *site, const bool *use)
 {
 	size_t n = 0, at = 0, next = 0;
 	bool *taken = xcalloc(site->n_run, sizeof *taken);
@@ -979,7 +980,7 @@ free_processes(struct posterior *p)
 
 /* At a speed there may be repeats. */
 static void
-find_speeds(struct posterior *p, const struct misfit *m)
+posterior_find_speeds(struct posterior *p, const struct misfit *m)
 {
 	for (double last = 0, next;; last = next) {
 		next = INFINITY;
@@ -999,10 +1000,10 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	struct site *site = with_smooth_feeds(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
-	bool *use = choose_runs(site, o->use);
+	bool *use = posterior_choose_runs(site, o->use);
 	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
-	p->fit = widen(fit, mean_energy(m), &p->settings, &bounds);
+	p->fit = posterior_widen(fit, mean_energy(m), &p->settings, &bounds);
 	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, use, NULL, false, p->settings);
@@ -1013,7 +1014,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	p->n_cell = s->n_cell;
 	p->middle = s->coordinates.middle;
 	site_reach(site, &p->from, &p->to);
-	find_speeds(p, m);
+	posterior_find_speeds(p, m);
 	make_knots(p, site, s);
 	make_processes(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
@@ -1087,7 +1088,7 @@ tell_guides(struct sampler *s)
 	const double *x[2][CHAINS];
 	size_t n[2] = {0};
 	for (size_t i = 0; i < CHAINS; i++) {
-		size_t kind = kind_of(s, s->chain[i].x);
+		size_t kind = posterior_kind_of(s, s->chain[i].x);
 		x[kind][n[kind]++] = s->chain[i].x;
 	}
 	for (size_t kind = 0; kind < 2; kind++)

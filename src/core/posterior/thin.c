@@ -128,7 +128,7 @@ halve(const double *row, size_t width, size_t *list, size_t n)
 /* The first and the second half of the candidates, each from the coarsest to
  * the finest, so that pairs are alike. */
 static void
-line_up(const double *by, size_t n, size_t *list)
+thin_line_up(const double *by, size_t n, size_t *list)
 {
 	size_t half = n / 2;
 	gsl_sort_index(list, by, 1, half);
@@ -146,7 +146,7 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	for (size_t k = 0; k < answers; k++)
 		put_features(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);
-	line_up(by, n, list);
+	thin_line_up(by, n, list);
 	for (; n > POSTERIOR_DRAWS; n /= 2)
 		halve(row, width, list, n);
 	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);

@@ -73,7 +73,7 @@ chord(const double *x, const double *P, size_t i)
 /* The slope of the smooth curve at sieve i: so small that it neither rises nor
  * falls between two sieves where the lines beside it do not. */
 static double
-slope_at(const double *x, const double *P, size_t n, size_t i)
+psd_slope_at(const double *x, const double *P, size_t n, size_t i)
 {
 	if (i == 0 || i + 1 == n)
 		return chord(x, P, i == 0 ? 0 : i - 1);
@@ -88,11 +88,12 @@ slope_at(const double *x, const double *P, size_t n, size_t i)
 /* The smooth curve at a size between sieves i and i + 1, of which `at` is ln.
  * Source: Steffen, Astronomy and Astrophysics 239 (1990) 443. */
 static double
-between(const double *x, const double *P, size_t n, size_t i, double at)
+psd_between(const double *x, const double *P, size_t n, size_t i, double at)
 {
 	double h = x[i] - x[i + 1], d = at - x[i + 1];
 	double s = chord(x, P, i);
-	double fine = slope_at(x, P, n, i + 1), coarse = slope_at(x, P, n, i);
+	double fine = psd_slope_at(x, P, n, i + 1),
+	       coarse = psd_slope_at(x, P, n, i);
 	double a = (fine + coarse - 2 * s) / h / h;
 	double b = (3 * s - 2 * fine - coarse) / h;
 	return P[i + 1] + d * (fine + d * (b + d * a));
@@ -122,7 +123,7 @@ psd_curve(const struct psd *psd)
 			double at = x[i] + share * (x[i + 1] - x[i]);
 			curve.size[curve.n] = el_exp(at);
 			curve.passing[curve.n++] =
-			    between(x, psd->passing, n, i, at);
+			    psd_between(x, psd->passing, n, i, at);
 		}
 	}
 	free(x);

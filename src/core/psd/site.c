@@ -188,7 +188,7 @@ number_repeats(struct site *site)
 
 /* Takes the run out of the site. */
 static void
-drop_run(struct site *site, size_t r, size_t *from)
+site_drop_run(struct site *site, size_t r, size_t *from)
 {
 	run_clear(&site->run[r]);
 	size_t after = --site->n_run - r;
@@ -286,7 +286,7 @@ site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
 	}
 	/* The feed of any speed is in the runs now. */
 	if (to->n_run > 1 && !(to->run[0].speed > 0))
-		drop_run(to, 0, from);
+		site_drop_run(to, 0, from);
 	number_repeats(to);
 	site_settle(to);
 	return to;

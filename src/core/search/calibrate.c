@@ -259,7 +259,7 @@ batches(const struct calibration *c)
 
 /* The best candidate of the search so far. */
 static struct params
-search_best(const struct calibration *c)
+calibrate_search_best(const struct calibration *c)
 {
 	struct params p = {.breakage = c->options.settings.breakage};
 	memcpy(p.at, ga_best(c->ga), c->misfit->of->n * sizeof *p.at);
@@ -315,7 +315,7 @@ end_phase(struct calibration *c)
 static void
 end_search(struct calibration *c, enum calibrate_state why)
 {
-	struct params found = search_best(c);
+	struct params found = calibrate_search_best(c);
 	double misfit = misfit_at(c->misfit, &found);
 	c->stop = why;
 	if (!(c->best_misfit < misfit)) {
@@ -338,8 +338,9 @@ remember(struct calibration *c, const struct ga_status *s)
 		    xrealloc(c->history, c->history_room, sizeof *c->history);
 	}
 	struct calibrate_generation *g = &c->history[c->n_history++];
-	*g = (struct calibrate_generation){
-	    .best = s->best, .median = s->median, .params = search_best(c)};
+	*g = (struct calibrate_generation){.best = s->best,
+	    .median = s->median,
+	    .params = calibrate_search_best(c)};
 	const double *const *told = ga_told(c->ga);
 	size_t elite = c->elite, n = c->options.population - elite;
 	g->n_kept = n < CALIBRATE_KEPT ? n : CALIBRATE_KEPT;
@@ -429,7 +430,7 @@ perturbed(const struct calibration *c, size_t number)
  * the others evenly between their bounds, on a log scale if these are above
  * 0. */
 static double
-place(const struct calibration *c, size_t j, size_t number)
+calibrate_place(const struct calibration *c, size_t j, size_t number)
 {
 	static const double SHARE[PLACES] = {
 	    -1, -0.1, -0.01, 0, 0.001, 0.003, 0.03, 0.3};
@@ -448,7 +449,7 @@ place(const struct calibration *c, size_t j, size_t number)
  * feed, nor the narrow valleys of little ultra-fines (beta1 just above 0).
  * False when there are no more. */
 static bool
-hold(const struct calibration *c, size_t number, struct worker *w)
+calibrate_hold(const struct calibration *c, size_t number, struct worker *w)
 {
 	size_t j = 0, gauge = c->misfit->of->gauge;
 	w->first = c->box;
@@ -460,7 +461,7 @@ hold(const struct calibration *c, size_t number, struct worker *w)
 			break;
 	if (j == c->misfit->of->n)
 		return false;
-	w->p.at[j] = place(c, j, number % PLACES);
+	w->p.at[j] = calibrate_place(c, j, number % PLACES);
 	w->first.lower[j] = w->first.upper[j] = w->p.at[j];
 	return true;
 }
@@ -535,7 +536,7 @@ polish_batch(struct calibration *c)
 	double before = c->best_misfit;
 	for (size_t i = 0; i < n; i++) {
 		struct worker *w = &c->worker[i];
-		w->holds = perturbing && hold(c, c->fruitless + i, w);
+		w->holds = perturbing && calibrate_hold(c, c->fruitless + i, w);
 		if (!perturbing)
 			w->p = c->start[c->done + i];
 		else if (!w->holds)
@@ -595,7 +596,7 @@ static struct params
 best_of(const struct calibration *c, double searched)
 {
 	bool search = c->state == CALIBRATE_SEARCHING;
-	return search && !(c->best_misfit < searched) ? search_best(c)
+	return search && !(c->best_misfit < searched) ? calibrate_search_best(c)
 						      : c->best;
 }
 

@@ -33,7 +33,7 @@ kept(const struct calibrate_generation *g, size_t i)
 
 /* Their differences, [m->n_residual][MOST], as the search has them. */
 static void
-evaluate(const struct misfit *m, enum isa isa,
+candidates_evaluate(const struct misfit *m, enum isa isa,
     const struct calibrate_generation *g, double *difference)
 {
 	struct kernel *kernel = kernel_new(m, isa, 1);
@@ -82,7 +82,7 @@ candidates_of(const struct site *site, const bool *train,
 	    .cell = xcalloc(m->n_residual + 1, sizeof *c.cell)};
 	double *difference = xdoubles(m->n_residual * MOST);
 	double *of_best = xdoubles(m->n_residual);
-	evaluate(m, isa, g, difference);
+	candidates_evaluate(m, isa, g, difference);
 	misfit_differences(m, best, of_best);
 	size_t k = 0;
 	for (size_t r = 0; r < m->n_run; r++)

@@ -249,7 +249,7 @@ sort_pass(const struct ga *ga, int shift, const uint32_t *from, uint32_t *to)
  * bits that resolve the better half, and candidates of equal keys stay in the
  * order of their index. */
 static void
-rank(struct ga *ga, uint64_t best, uint64_t typical)
+ga_rank(struct ga *ga, uint64_t best, uint64_t typical)
 {
 	const uint64_t most = (1u << 2 * DIGIT) - 1;
 	int shift = 0;
@@ -277,7 +277,7 @@ take_status(struct ga *ga)
 	}
 	double least = ga->misfit[best];
 	double typical = last_median > least ? last_median : worst;
-	rank(ga, bits_of(least), bits_of(typical));
+	ga_rank(ga, bits_of(least), bits_of(typical));
 	s->worst = worst;
 	s->median = ga->misfit[ga->rank[n / 2]];
 	if (least < s->best || s->generation == 0) {

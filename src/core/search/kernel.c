@@ -63,8 +63,8 @@ fill_block(struct queue *q)
  * block whose lanes break the same sizes skips the rest at once.  The order
  * changes no bit of any misfit. */
 static void
-line_up(const struct kernel *kernel, const double *const *theta, size_t from,
-    size_t to, struct queue *q)
+kernel_line_up(const struct kernel *kernel, const double *const *theta,
+    size_t from, size_t to, struct queue *q)
 {
 	uint16_t bin[KERNEL_PART];
 	uint32_t place[2 * KERNEL_BINS + 1] = {0};
@@ -94,7 +94,7 @@ kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
 {
 	struct queue q;
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
-	line_up(kernel, theta, from, to, &q);
+	kernel_line_up(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
 		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_stiff,
 		    kernel->scratch[thread], out);

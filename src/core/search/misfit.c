@@ -39,7 +39,7 @@ misfit_default_train(const struct site *site, bool *train)
 }
 
 static void
-fill_run(
+misfit_fill_run(
     struct misfit_run *to, const struct run *run, double run_weight, bool by_sd)
 {
 	to->speed = run->speed;
@@ -73,7 +73,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 			continue;
 		struct misfit_run *run = &m->run[m->n_run];
 		double weight = run_weight != NULL ? run_weight[r] : 1;
-		fill_run(run, &site->run[r], weight, by_sd);
+		misfit_fill_run(run, &site->run[r], weight, by_sd);
 		run->run = r;
 		m->model[m->n_run++] =
 		    model_new(&run->feed, run->sieve, run->n, settings);

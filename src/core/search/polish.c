@@ -150,7 +150,7 @@ damped_triangle(
 
 /* The step of all parameters whose free ones x solve R x = z [n_free]. */
 static void
-solve(const struct polish *s, const size_t *column, size_t n_free,
+polish_solve(const struct polish *s, const size_t *column, size_t n_free,
     const double *z, double step[PARAMS_MOST])
 {
 	double x[PARAMS_MOST];
@@ -173,7 +173,7 @@ damped_step(struct polish *s, const size_t *column, size_t n_free,
 	damped_triangle(s, column, n_free, damping);
 	for (size_t c = 0; c < n_free; c++)
 		z[c] = s->A[c][n_free];
-	solve(s, column, n_free, z, step);
+	polish_solve(s, column, n_free, z, step);
 }
 
 static struct params
@@ -191,7 +191,7 @@ moved(const struct params *p, const double step[PARAMS_MOST],
 
 /* Whether a bound lies in the way of the step. */
 static bool
-is_cut(const struct params *p, const double step[PARAMS_MOST],
+polish_is_cut(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds)
 {
 	for (size_t j = 0; j < breakage_of(p)->n; j++)
@@ -257,7 +257,7 @@ try(struct descent *d, const struct params *q)
 
 /* Goes on from q, tried last. */
 static void
-take(struct descent *d, const struct params *q, double trial)
+polish_take(struct descent *d, const struct params *q, double trial)
 {
 	struct polish *s = d->s;
 	double *r = s->r, *J = s->J;
@@ -292,7 +292,7 @@ descend_damped(struct descent *d, int evaluations)
 		struct params q = moved(d->p, step, d->bounds);
 		double trial = try(d, &q);
 		if (trial < d->result.misfit) {
-			take(d, &q, trial);
+			polish_take(d, &q, trial);
 			damping = fmax(damping / 5, least_damping);
 			grow = 2;
 		} else {
@@ -367,9 +367,9 @@ move_along(struct descent *d, const struct secant *q, struct move *m)
 		double there = 0;
 		for (size_t c = 0; c < q->n; c++)
 			m->z[c] = t * way[c];
-		solve(d->s, q->column, q->n, m->z, step);
+		polish_solve(d->s, q->column, q->n, m->z, step);
 		struct params p = moved(d->p, step, d->bounds);
-		m->cut = is_cut(d->p, step, d->bounds);
+		m->cut = polish_is_cut(d->p, step, d->bounds);
 		double trial = try(d, &p);
 		gradient(d->s, q, d->s->r_try, d->s->J_try, m->g);
 		for (size_t c = 0; c < q->n; c++)
@@ -379,7 +379,7 @@ move_along(struct descent *d, const struct secant *q, struct move *m)
 		} else if (!m->cut && there < 0.9 * slope) {
 			low = t;
 		} else {
-			take(d, &p, trial);
+			polish_take(d, &p, trial);
 			return true;
 		}
 		t = isinf(high) ? 2 * low : (low + high) / 2;

@@ -47,7 +47,7 @@ bring_to_bounds(const struct bounds *b, struct params *p)
 /* All move but those on a bound and, as only the direction of the gauge counts,
  * the largest of it. */
 static void
-find_columns(struct newton *w, const struct params *p)
+settle_find_columns(struct newton *w, const struct params *p)
 {
 	const struct breakage *of = breakage_of(p);
 	size_t largest = 0;
@@ -125,7 +125,7 @@ find_curvature(struct newton *w, const struct params *p)
 /* Makes of H its Cholesky factor, below and on the diagonal.  False where it
  * has none, as where a direction is open. */
 static bool
-factor(struct newton *w)
+settle_factor(struct newton *w)
 {
 	const double open = 1e-13; /* of what stands on the diagonal */
 	for (size_t c = 0; c < w->n; c++) {
@@ -144,7 +144,7 @@ factor(struct newton *w)
 
 /* x = H^-1 x. */
 static void
-solve(const struct newton *w, double *x)
+settle_solve(const struct newton *w, double *x)
 {
 	for (size_t c = 0; c < w->n; c++) {
 		for (size_t k = 0; k < c; k++)
@@ -165,11 +165,11 @@ descend(struct newton *w, struct params *p)
 	double g[PARAMS_MOST], before = INFINITY;
 	double misfit = find_gradient(w, p, g);
 	find_curvature(w, p);
-	if (!isfinite(misfit) || !factor(w))
+	if (!isfinite(misfit) || !settle_factor(w))
 		return false;
 	for (int i = 0; i < STEPS; i++) {
 		double most = 0;
-		solve(w, g);
+		settle_solve(w, g);
 		for (size_t c = 0; c < w->n; c++) {
 			size_t j = w->column[c];
 			p->at[j] -= g[c] * w->range[j];
@@ -214,7 +214,7 @@ settle(struct misfit *m, const struct bounds *bounds, struct params *p)
 	w.J_beside = w.J + rows * width;
 	struct params near = *p;
 	bring_to_bounds(bounds, &near);
-	find_columns(&w, &near);
+	settle_find_columns(&w, &near);
 	bool found = w.n > 0 && rows >= w.n && descend(&w, &near);
 	struct params q = coarse(&w, &near);
 	found = found && descend(&w, &q) &&

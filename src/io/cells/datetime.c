@@ -110,7 +110,7 @@ read_local(const char **p, int first, char sign, struct moment *m)
 
 /* A date at *p, which moves after it. */
 static bool
-read_date(const char **p, struct moment *m)
+datetime_read_date(const char **p, struct moment *m)
 {
 	size_t n;
 	int first = digits(p, 4, &n);
@@ -179,7 +179,7 @@ read_zone(const char *p, struct moment *m)
 
 /* A time of day, to the end of the text; point: "10.15" is one, too. */
 static bool
-read_time(const char *p, bool point, struct moment *m)
+datetime_read_time(const char *p, bool point, struct moment *m)
 {
 	size_t n;
 	int hour = digits(&p, 2, &n), minute, second = 0;
@@ -216,15 +216,16 @@ moment_read(const char *text, struct moment *m)
 	const char *all = text_trim(folded), *p = all;
 	struct moment none = {.plain = false};
 	*m = none;
-	m->has_date = read_date(&p, m);
+	m->has_date = datetime_read_date(&p, m);
 	bool good = m->has_date;
 	if (good && *p != '\0') {
 		size_t gap = strspn(p, "t, ");
 		p += gap;
-		good = gap > 0 && (*p == '\0' || read_time(p, true, m));
+		good =
+		    gap > 0 && (*p == '\0' || datetime_read_time(p, true, m));
 	} else if (!good) {
 		*m = none;
-		good = read_time(all, false, m);
+		good = datetime_read_time(all, false, m);
 	}
 	free(folded);
 	return good;

@@ -40,7 +40,7 @@ utf8_length(const char *bytes, size_t n, size_t i)
 }
 
 static char *
-put(char *to, uint32_t code)
+encoding_put(char *to, uint32_t code)
 {
 	return to + utf8proc_encode_char(
 			(utf8proc_int32_t)code, (utf8proc_uint8_t *)to);
@@ -60,7 +60,7 @@ decode_1252(const char *bytes, size_t n)
 			       "of neither");
 			d.bad = (size_t)(to - d.text);
 		}
-		to = put(to, none ? 0xFFFD : code);
+		to = encoding_put(to, none ? 0xFFFD : code);
 	}
 	d.n = (size_t)(to - d.text);
 	return d;
@@ -125,7 +125,7 @@ decode_16(const char *bytes, size_t n, bool big)
 			d.wrong = tr("expected text, got damaged UTF-16");
 			break;
 		}
-		to = put(to, code);
+		to = encoding_put(to, code);
 	}
 	d.n = d.bad = (size_t)(to - d.text);
 	return d;

@@ -106,7 +106,7 @@ grid_end(struct grid *g)
 
 /* Takes the text of the cell; false where it is empty. */
 static bool
-put(struct grid *g, struct cell cell)
+grid_put(struct grid *g, struct cell cell)
 {
 	bool filled = cell.text[0] != '\0';
 	g->bytes += strlen(cell.text);
@@ -145,12 +145,12 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 	where.text = xstrdup(said);
 	where.kind = CELL_TEXT;
 	free(line);
-	return put(g, where);
+	return grid_put(g, where);
 }
 
 /* A hundred times 0.975 is 97.5, and not what the last bit makes of it. */
 static double
-percent(double value)
+grid_percent(double value)
 {
 	char text[32];
 	double v = 100 * value;
@@ -165,10 +165,10 @@ grid_put_number(
 {
 	char text[32];
 	where.kind = CELL_NUMBER;
-	where.number = strcmp(unit, "%") == 0 ? percent(value) : value;
+	where.number = strcmp(unit, "%") == 0 ? grid_percent(value) : value;
 	where.text = xasprintf("%s%s%s", text_exact(where.number, text),
 	    unit[0] != '\0' ? " " : "", unit);
-	return put(g, where);
+	return grid_put(g, where);
 }
 
 bool
@@ -176,7 +176,7 @@ grid_put_date(struct grid *g, struct cell where, const char *text)
 {
 	where.text = xstrdup(text);
 	where.kind = CELL_DATE;
-	return put(g, where);
+	return grid_put(g, where);
 }
 
 bool

@@ -106,7 +106,7 @@ drop_groups(char *s, char sign)
 
 /* A text as a number; false where it is none. */
 static bool
-read_text(const struct sheet *sheet, const char *text, double *value)
+number_read_text(const struct sheet *sheet, const char *text, double *value)
 {
 	char copy[LONGEST];
 	if (!join_thousands(text, copy))
@@ -142,8 +142,9 @@ read_unit(const struct sheet *sheet, const char *text, double *value)
 		copy[n - k] = '\0';
 		if (text_ends(copy, "\xC2\xA0"))
 			copy[n - k - 2] = '\0';
-		return read_text(sheet, text_trim(copy), value) ? UNITS[i].value
-								: AS_NONE;
+		return number_read_text(sheet, text_trim(copy), value)
+			   ? UNITS[i].value
+			   : AS_NONE;
 	}
 	return AS_NONE;
 }
@@ -171,7 +172,7 @@ find_value(const struct sheet *sheet, struct cell *cell)
 		number = cell->number;
 	} else if (cell->kind == CELL_TEXT) {
 		bool less = cell->text[0] == '<';
-		if (read_text(sheet, cell->text + less, &number))
+		if (number_read_text(sheet, cell->text + less, &number))
 			cell->value = less ? AS_TRACE : AS_NUMBER;
 		else if (is_absent(cell->text))
 			cell->value = AS_ABSENT;

@@ -71,7 +71,8 @@ is_hidden(const struct reading *r, const char *style)
 }
 
 static void
-begin_style(struct reading *r, const char *name, const char *const *attribute)
+ods_begin_style(
+    struct reading *r, const char *name, const char *const *attribute)
 {
 	enum { MOST_STYLES = 1000 };
 	const char *family = xml_attribute(attribute, "style:1.0 family");
@@ -117,7 +118,7 @@ note_hidden(struct reading *r, const char *const *attribute)
 }
 
 static void
-begin_cell(struct reading *r, const char *const *attribute)
+ods_begin_cell(struct reading *r, const char *const *attribute)
 {
 	static const struct {
 		const char *type, *value;
@@ -166,7 +167,7 @@ begin_in_cell(struct reading *r, const char *name, const char *const *attribute)
 }
 
 static void
-on_begin(void *data, const char *name, const char *const *attribute)
+ods_on_begin(void *data, const char *name, const char *const *attribute)
 {
 	struct reading *r = data;
 	bool cell = strcmp(name, "table-cell") == 0 ||
@@ -180,7 +181,7 @@ on_begin(void *data, const char *name, const char *const *attribute)
 		begin_table(r, attribute);
 	} else if (r->table == 0) {
 		r->skip = strcmp(name, "tracked-changes") == 0;
-		begin_style(r, name, attribute);
+		ods_begin_style(r, name, attribute);
 	} else if (strcmp(name, "table-row") == 0) {
 		note_hidden(r, attribute);
 		r->at.column = 1;
@@ -190,14 +191,14 @@ on_begin(void *data, const char *name, const char *const *attribute)
 		note_hidden(r, attribute);
 	} else if (cell) {
 		r->cell = 1;
-		begin_cell(r, attribute);
+		ods_begin_cell(r, attribute);
 	} else if (strcmp(name, "shapes") == 0 || strcmp(name, "forms") == 0) {
 		r->skip = 1;
 	}
 }
 
 static void
-on_text(void *data, const char *text, size_t n)
+ods_on_text(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->cell > 0 && r->paragraph > 0 && r->skip == 0)
@@ -335,7 +336,7 @@ end_row(struct reading *r)
 }
 
 static void
-on_end(void *data, const char *name)
+ods_on_end(void *data, const char *name)
 {
 	struct reading *r = data;
 	bool cell = strcmp(name, "table-cell") == 0 ||
@@ -359,7 +360,8 @@ on_end(void *data, const char *name)
 char *
 ods_read(struct archive *archive, struct grid *grid)
 {
-	static const struct xml_events EVENTS = {on_begin, on_end, on_text};
+	static const struct xml_events EVENTS = {
+	    ods_on_begin, ods_on_end, ods_on_text};
 	size_t n;
 	char *wrong = NULL;
 	char *bytes = archive_part(archive, "content.xml", &n, &wrong);

@@ -32,7 +32,7 @@ later(const struct error *a, const struct error *b)
 
 /* Where the next fault goes, among those of the same file. */
 static struct error *
-place(struct sheet *sheet, const struct error *e)
+sheet_place(struct sheet *sheet, const struct error *e)
 {
 	struct error_list *list = sheet->errors;
 	struct error *slot = error_add(list);
@@ -58,7 +58,7 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	e.in_grid = sheet->name[0] != '\0';
 	free(file);
 	va_end(ap);
-	*place(sheet, &e) = e;
+	*sheet_place(sheet, &e) = e;
 	return false;
 }
 
@@ -124,7 +124,7 @@ step(struct cursor *c)
 }
 
 static void
-skip_blanks(struct cursor *c, char separator)
+sheet_skip_blanks(struct cursor *c, char separator)
 {
 	while ((*c->p == ' ' || *c->p == '\t') && *c->p != separator)
 		step(c);
@@ -158,7 +158,7 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 		    "the quote is not closed at the end of the line\n"
 		    "close it on the same line; write a quote inside a cell as "
 		    "\"\"");
-	skip_blanks(c, sheet->separator);
+	sheet_skip_blanks(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
 		if (quoted || *c->p == '"') {
 			start.column = c->column;
@@ -176,7 +176,7 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 
 /* The cell from its first character to before end. */
 static void
-add_cell(struct row *row, const struct cursor *from, const char *end)
+sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 {
 	char *text = text_unquoted(from->p, (size_t)(end - from->p));
 	const char *said = text_trim(text);
@@ -195,11 +195,11 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 {
 	struct cursor c = {text, 1};
 	while (row->n_all < MOST_CELLS) {
-		skip_blanks(&c, sheet->separator);
+		sheet_skip_blanks(&c, sheet->separator);
 		struct cursor from = c;
 		if (!skip_cell(sheet, &c, row->line))
 			return false;
-		add_cell(row, &from, c.p);
+		sheet_add_cell(row, &from, c.p);
 		row->end = c.column;
 		if (*c.p == '\0')
 			return true;
@@ -222,7 +222,7 @@ free_row(struct row *row)
 
 /* For one more row. */
 static void
-make_room(struct sheet *sheet)
+sheet_make_room(struct sheet *sheet)
 {
 	if (sheet->n_row < sheet->room)
 		return;
@@ -240,7 +240,7 @@ most_cells(const struct sheet *sheet)
 /* Rows without a word are left out.  False: the limits say that this is no
  * sheet. */
 static bool
-add_row(struct sheet *sheet, const char *line, int number)
+sheet_add_row(struct sheet *sheet, const char *line, int number)
 {
 	struct cell start = {.line = number, .column = 1};
 	if (strlen(line) > sheet->most_line ||
@@ -252,7 +252,7 @@ add_row(struct sheet *sheet, const char *line, int number)
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
-	make_room(sheet);
+	sheet_make_room(sheet);
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
 	bool good = split_line(sheet, line, row);
@@ -282,7 +282,7 @@ add_line(struct sheet *sheet, const char *line, int number)
 	if (number == 1 && strncmp(first, "sep=", 4) == 0)
 		return true;
 	if (*first != '#')
-		return add_row(sheet, line, number);
+		return sheet_add_row(sheet, line, number);
 	size_t n = sheet->n_comment++;
 	/* Twice the room at each power of two: there may be millions. */
 	if ((n & (n - 1)) == 0)
@@ -300,9 +300,9 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	memmove(&sheet->comment[i], &sheet->comment[i + 1],
 	    (--sheet->n_comment - i) * sizeof comment);
 	if (comment.row.cell == NULL)
-		add_row(sheet, comment.text, comment.line);
+		sheet_add_row(sheet, comment.text, comment.line);
 	else if (sheet->n_row < sheet->most.rows) {
-		make_room(sheet);
+		sheet_make_room(sheet);
 		sheet->row[sheet->n_row++] = comment.row;
 	} else
 		free_row(&comment.row);
@@ -423,8 +423,8 @@ find_separator(const char *text, struct error_list *errors)
 }
 
 static struct sheet *
-split(const char *path, char *text, struct sheet_limits most, size_t most_line,
-    struct error_list *errors)
+sheet_split(const char *path, char *text, struct sheet_limits most,
+    size_t most_line, struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
@@ -441,7 +441,7 @@ struct sheet *
 sheet_new(const char *path, char *text, struct sheet_limits most,
     struct error_list *errors)
 {
-	return split(path, text, most, MOST_LINE, errors);
+	return sheet_split(path, text, most, MOST_LINE, errors);
 }
 
 struct sheet *
@@ -451,7 +451,7 @@ sheet_new_own(const char *path, char *text, struct error_list *errors)
 	for (const char *p = text; *p != '\0'; p++)
 		lines += *p == '\n' || *p == '\r';
 	struct sheet_limits most = {.rows = lines};
-	return split(path, text, most, length, errors);
+	return sheet_split(path, text, most, length, errors);
 }
 
 struct sheet *
@@ -497,10 +497,10 @@ sheet_has_room(const struct sheet *sheet, struct cell cell)
 
 /* The row of a line, a new one in its place where there is none yet. */
 static struct row *
-row_at(struct sheet *sheet, int line)
+sheet_row_at(struct sheet *sheet, int line)
 {
 	size_t n = rows_to(sheet, line);
-	make_room(sheet);
+	sheet_make_room(sheet);
 	struct row *row = &sheet->row[n];
 	if (n > 0 && row[-1].line == line)
 		return &row[-1];
@@ -512,7 +512,7 @@ row_at(struct sheet *sheet, int line)
 void
 sheet_put(struct sheet *sheet, struct cell cell)
 {
-	struct row *row = row_at(sheet, cell.line);
+	struct row *row = sheet_row_at(sheet, cell.line);
 	size_t at = (size_t)cell.column - 1;
 	if (row->n_all <= at)
 		row->cell = xrealloc(row->cell, at + 1, sizeof *row->cell);

@@ -35,7 +35,7 @@ read_workbook(const char *path, const char *bytes, size_t n,
 }
 
 static bool
-read_text(const char *path, const char *bytes, size_t n,
+source_read_plain(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)
 {
 	const char *note;
@@ -54,17 +54,18 @@ read_text(const char *path, const char *bytes, size_t n,
 }
 
 static bool
-read_rows(const char *path, struct sheet_limits most, struct error_list *errors,
-    struct source *source)
+source_read_rows(const char *path, struct sheet_limits most,
+    struct error_list *errors, struct source *source)
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
 	char *bytes = textfile_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	bool good = workbook_is(bytes, n)
-			? read_workbook(path, bytes, n, most, errors, source)
-			: read_text(path, bytes, n, most, errors, source);
+	bool good =
+	    workbook_is(bytes, n)
+		? read_workbook(path, bytes, n, most, errors, source)
+		: source_read_plain(path, bytes, n, most, errors, source);
 	free(bytes);
 	return good;
 }
@@ -72,7 +73,7 @@ read_rows(const char *path, struct sheet_limits most, struct error_list *errors,
 bool
 source_read(const char *path, struct error_list *errors, struct source *source)
 {
-	return read_rows(path, SITE, errors, source);
+	return source_read_rows(path, SITE, errors, source);
 }
 
 bool
@@ -80,14 +81,15 @@ source_read_text(const char *path, const char *text, struct error_list *errors,
     struct source *source)
 {
 	*source = (struct source){.note = xstrdup("")};
-	return read_text(path, text, strlen(text), SITE, errors, source);
+	return source_read_plain(
+	    path, text, strlen(text), SITE, errors, source);
 }
 
 bool
 source_read_log(
     const char *path, struct error_list *errors, struct source *source)
 {
-	return read_rows(path, LOG, errors, source);
+	return source_read_rows(path, LOG, errors, source);
 }
 
 void

@@ -36,7 +36,7 @@ struct place {
 };
 
 static struct place
-place_of(const char *text, size_t offset)
+textfile_place_of(const char *text, size_t offset)
 {
 	struct place place = {1, 1};
 	for (size_t i = 0; i < offset; i++) {
@@ -52,7 +52,7 @@ place_of(const char *text, size_t offset)
 }
 
 static bool
-is_blank(const char *bytes, size_t n)
+textfile_is_blank(const char *bytes, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
 		if (memchr(" \t\r\n", bytes[i], 4) == NULL)
@@ -75,7 +75,7 @@ static char *
 refuse_text(const char *path, const char *text, size_t bad, const char *what,
     struct error_list *errors)
 {
-	struct place at = place_of(text, bad);
+	struct place at = textfile_place_of(text, bad);
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
 	    "%s\n"
 	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
@@ -99,7 +99,7 @@ textfile_text(const char *path, const char *bytes, size_t n, const char **note,
 		    "expected text, got a binary file", errors);
 	else if (d.wrong != NULL)
 		refuse_text(path, d.text, d.bad, d.wrong, errors);
-	else if (is_blank(d.text, d.n))
+	else if (textfile_is_blank(d.text, d.n))
 		error_at(error_add(errors), ERROR_DATA, path, 1, 1,
 		    "expected a site file, got an empty file\n"
 		    "see tipspeed-site(5) for what a site file contains");
@@ -116,7 +116,7 @@ textfile_text(const char *path, const char *bytes, size_t n, const char **note,
 /* Reads to the end, or until it is too much, in growing pieces, because a pipe
  * does not know its size.  NULL with errno set when the system refuses. */
 static char *
-load(FILE *file, size_t most, size_t *n)
+textfile_load(FILE *file, size_t most, size_t *n)
 {
 	char *bytes = NULL;
 	*n = 0;
@@ -209,7 +209,7 @@ read_bytes(const char *path, size_t most, size_t *n, struct error_list *errors)
 	if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) &&
 	    about.st_size > (off_t)most)
 		refuse_size(path, (double)about.st_size, most, errors);
-	else if ((bytes = load(file, most, n)) == NULL)
+	else if ((bytes = textfile_load(file, most, n)) == NULL)
 		refuse_system(path, strerror(errno), errors);
 	fclose(file);
 	if (bytes == NULL || *n <= most)

@@ -14,7 +14,7 @@
 static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
 
 static bool
-begins(const char *bytes, size_t n, const char *with)
+workbook_begins(const char *bytes, size_t n, const char *with)
 {
 	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
 }
@@ -23,12 +23,14 @@ begins(const char *bytes, size_t n, const char *with)
 bool
 workbook_is(const char *bytes, size_t n)
 {
-	return begins(bytes, n, "PK\3\4") || begins(bytes, n, "PK\5\6") ||
-	       begins(bytes, n, "PK\7\x8") || begins(bytes, n, OLE);
+	return workbook_begins(bytes, n, "PK\3\4") ||
+	       workbook_begins(bytes, n, "PK\5\6") ||
+	       workbook_begins(bytes, n, "PK\7\x8") ||
+	       workbook_begins(bytes, n, OLE);
 }
 
 static bool
-refuse(const struct grid *grid, const char *what, const char *step)
+workbook_refuse(const struct grid *grid, const char *what, const char *step)
 {
 	return error_at(error_add(grid->errors), ERROR_DATA, grid->path, 0, 0,
 	    "%s\n"
@@ -64,9 +66,9 @@ refuse_other(struct archive *archive, const struct grid *grid)
 				     "document of Word")}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
 		if (archive_has(archive, NAMES[i][0]))
-			return refuse(grid, NAMES[i][1],
+			return workbook_refuse(grid, NAMES[i][1],
 			    tr("save the spreadsheet as .xlsx, or as CSV"));
-	return refuse(grid,
+	return workbook_refuse(grid,
 	    tr("expected a workbook or text, got a zip archive"),
 	    tr("unpack it, or save the spreadsheet as .xlsx, .ods or CSV"));
 }
@@ -76,7 +78,8 @@ refuse_damaged(const struct grid *grid, const char *wrong)
 {
 	char *what =
 	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
-	refuse(grid, what, tr("open and save it in a spreadsheet program"));
+	workbook_refuse(
+	    grid, what, tr("open and save it in a spreadsheet program"));
 	free(what);
 	return false;
 }
@@ -95,7 +98,7 @@ read_archive(struct archive *archive, struct grid *grid)
 	if (!xlsx && !is_ods(archive))
 		return refuse_other(archive, grid);
 	if (!xlsx && is_locked(archive))
-		return refuse(grid,
+		return workbook_refuse(grid,
 		    tr("expected a workbook without a password, got one with "
 		       "it"),
 		    tr("save it without a password"));
@@ -104,10 +107,11 @@ read_archive(struct archive *archive, struct grid *grid)
 	if (wrong != NULL)
 		refuse_damaged(grid, wrong);
 	else if (grid->n == 0 && grid->note[0] != '\0')
-		refuse(grid, tr("expected a sheet with sieves, got none"),
-		    grid->note);
+		workbook_refuse(grid,
+		    tr("expected a sheet with sieves, got none"), grid->note);
 	else if (grid->n == 0)
-		refuse(grid, tr("expected a site file, got an empty workbook"),
+		workbook_refuse(grid,
+		    tr("expected a site file, got an empty workbook"),
 		    tr("see tipspeed-site(5) for what a site file contains"));
 	bool good = wrong == NULL && grid->n > 0;
 	free(wrong);
@@ -118,8 +122,8 @@ bool
 workbook_read(const char *bytes, size_t n, struct grid *grid)
 {
 	char *wrong = NULL;
-	if (begins(bytes, n, OLE))
-		return refuse(grid,
+	if (workbook_begins(bytes, n, OLE))
+		return workbook_refuse(grid,
 		    tr("expected .xlsx, .ods or text, got an old .xls or a "
 		       "workbook with a password"),
 		    tr("save it as .xlsx without a password"));

@@ -45,8 +45,8 @@ struct book {
 
 /* Goes through a part of the archive. */
 static char *
-read_part(struct book *b, const char *name, const struct xml_events *events,
-    void *data)
+xlsx_read_part(struct book *b, const char *name,
+    const struct xml_events *events, void *data)
 {
 	size_t n;
 	char *wrong = NULL;
@@ -62,7 +62,7 @@ read_part(struct book *b, const char *name, const struct xml_events *events,
 }
 
 static void
-no_end(void *data, const char *name)
+xlsx_no_end(void *data, const char *name)
 {
 	(void)data;
 	(void)name;
@@ -167,7 +167,7 @@ shown_of(const struct book *b, unsigned id)
 }
 
 static void
-begin_style(void *data, const char *name, const char *const *attribute)
+xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	unsigned id = (unsigned)xml_whole(attribute, "numFmtId", 0);
@@ -224,7 +224,7 @@ read_place(const char *ref, struct cell *at)
 }
 
 static void
-begin_cell(struct reading *r, const char *const *attribute)
+xlsx_begin_cell(struct reading *r, const char *const *attribute)
 {
 	const char *place = xml_attribute(attribute, "r");
 	const char *type = xml_attribute(attribute, "t");
@@ -259,7 +259,7 @@ begin_in_sheet(void *data, const char *name, const char *const *attribute)
 	if (strcmp(name, "row") == 0)
 		begin_row(r, attribute);
 	else if (strcmp(name, "c") == 0)
-		begin_cell(r, attribute);
+		xlsx_begin_cell(r, attribute);
 	else if (strcmp(name, "col") == 0 && is_true(attribute, "hidden"))
 		grid_hidden(r->book->grid);
 	else if (!r->in_cell)
@@ -288,7 +288,7 @@ text_in_sheet(void *data, const char *text, size_t n)
 
 /* Excel writes a carriage return as _x000D_, and _ before an x as _x005F_. */
 static void
-put_text(struct reading *r, const char *text)
+xlsx_put_text(struct reading *r, const char *text)
 {
 	char *copy = xstrdup(text), *to = copy;
 	for (const char *p = text; *p != '\0';) {
@@ -309,7 +309,7 @@ put_text(struct reading *r, const char *text)
 }
 
 static void
-put_number(struct reading *r)
+xlsx_put_number(struct reading *r)
 {
 	const struct book *b = r->book;
 	double value;
@@ -317,7 +317,7 @@ put_number(struct reading *r)
 	struct shown shown =
 	    r->style < b->n_style ? b->style[r->style] : shown_builtin(0);
 	if (!text_number(r->value.text, &value))
-		put_text(r, r->value.text);
+		xlsx_put_text(r, r->value.text);
 	else if (shown.kind != SHOWN_NUMBER &&
 		 shown_date(value, b->from_1904, shown.kind, date))
 		grid_put_date(b->grid, r->at, date);
@@ -331,7 +331,7 @@ put_shared(struct reading *r)
 	const struct book *b = r->book;
 	uint64_t i;
 	if (text_whole(r->value.text, &i) && i < b->n_start)
-		put_text(r, b->string.text + b->start[i]);
+		xlsx_put_text(r, b->string.text + b->start[i]);
 	else if (r->wrong == NULL)
 		r->wrong = xasprintf(
 		    "row %d has a text that is not there", r->at.line);
@@ -348,7 +348,7 @@ put_iso(struct reading *r)
 }
 
 static void
-put_cell(struct reading *r)
+xlsx_put_cell(struct reading *r)
 {
 	bool is_text =
 	    strcmp(r->type, "str") == 0 || strcmp(r->type, "inlineStr") == 0;
@@ -360,13 +360,14 @@ put_cell(struct reading *r)
 	else if (strcmp(r->type, "s") == 0)
 		put_shared(r);
 	else if (strcmp(r->type, "b") == 0)
-		put_text(r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
+		xlsx_put_text(
+		    r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
 	else if (strcmp(r->type, "d") == 0)
 		put_iso(r);
 	else if (strcmp(r->type, "n") == 0)
-		put_number(r);
+		xlsx_put_number(r);
 	else
-		put_text(r, r->value.text);
+		xlsx_put_text(r, r->value.text);
 }
 
 static void
@@ -379,17 +380,17 @@ end_in_sheet(void *data, const char *name)
 		return;
 	r->in_cell = false;
 	if (r->at.line > 0 && r->at.column > 0)
-		put_cell(r);
+		xlsx_put_cell(r);
 }
 
 static char *
-read_sheet(struct book *b, const struct tab *tab)
+xlsx_read_sheet(struct book *b, const struct tab *tab)
 {
 	static const struct xml_events EVENTS = {
 	    begin_in_sheet, end_in_sheet, text_in_sheet};
 	struct reading r = {.book = b};
 	grid_begin(b->grid, tab->name);
-	char *wrong = read_part(b, tab->part, &EVENTS, &r);
+	char *wrong = xlsx_read_part(b, tab->part, &EVENTS, &r);
 	free(r.value.text);
 	free(r.formula.text);
 	if (wrong == NULL && r.wrong != NULL)
@@ -410,7 +411,7 @@ read_sheets(struct book *b)
 			grid_note(b->grid, "sheet %s is hidden and not read",
 			    tab->name);
 		else if (tab->part != NULL)
-			wrong = read_sheet(b, tab);
+			wrong = xlsx_read_sheet(b, tab);
 	}
 	return wrong;
 }
@@ -419,25 +420,27 @@ read_sheets(struct book *b)
 static char *
 read_if_there(struct book *b, const char *name, const struct xml_events *events)
 {
-	return archive_has(b->archive, name) ? read_part(b, name, events, b)
-					     : NULL;
+	return archive_has(b->archive, name)
+		   ? xlsx_read_part(b, name, events, b)
+		   : NULL;
 }
 
 char *
 xlsx_read(struct archive *archive, struct grid *grid)
 {
 	static const struct xml_events WORKBOOK = {
-	    begin_workbook, no_end, NULL};
+	    begin_workbook, xlsx_no_end, NULL};
 	static const struct xml_events RELATIONS = {
-	    begin_relations, no_end, NULL};
+	    begin_relations, xlsx_no_end, NULL};
 	static const struct xml_events STRINGS = {
 	    begin_string, end_string, text_string};
-	static const struct xml_events STYLES = {begin_style, end_style, NULL};
+	static const struct xml_events STYLES = {
+	    xlsx_begin_style, end_style, NULL};
 	struct book b = {.archive = archive, .grid = grid};
-	char *wrong = read_part(&b, "xl/workbook.xml", &WORKBOOK, &b);
+	char *wrong = xlsx_read_part(&b, "xl/workbook.xml", &WORKBOOK, &b);
 	if (wrong == NULL)
-		wrong =
-		    read_part(&b, "xl/_rels/workbook.xml.rels", &RELATIONS, &b);
+		wrong = xlsx_read_part(
+		    &b, "xl/_rels/workbook.xml.rels", &RELATIONS, &b);
 	if (wrong == NULL)
 		wrong = read_if_there(&b, "xl/sharedStrings.xml", &STRINGS);
 	if (wrong == NULL)

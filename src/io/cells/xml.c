@@ -32,7 +32,7 @@ struct reading {
 };
 
 static void
-give_up(struct reading *r, const char *wrong)
+xml_give_up(struct reading *r, const char *wrong)
 {
 	r->wrong = wrong;
 	XML_StopParser(r->parser, XML_FALSE);
@@ -42,7 +42,7 @@ static void
 notice_stop(struct reading *r)
 {
 	if (r->wrong == NULL && ++r->n % OFTEN == 0 && error_stopped(r->errors))
-		give_up(r, tr("interrupted"));
+		xml_give_up(r, tr("interrupted"));
 }
 
 /* A namespace is copied into each name that is in it, which for a million of
@@ -61,8 +61,9 @@ on_names(void *data, const XML_Char *name, const XML_Char **attribute)
 		    (strncmp(attribute[0], NAMESPACE, strlen(NAMESPACE)) == 0 &&
 			strlen(attribute[1]) > MOST_NAME);
 	if (many && r->wrong == NULL)
-		give_up(r, tr("an element has more names than a spreadsheet "
-			      "program writes"));
+		xml_give_up(
+		    r, tr("an element has more names than a spreadsheet "
+			  "program writes"));
 	notice_stop(r);
 }
 
@@ -74,11 +75,12 @@ local(const char *name)
 }
 
 static void XMLCALL
-on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
+xml_on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
 {
 	struct reading *r = data;
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
-		give_up(r, tr("its elements are too deep within each other"));
+		xml_give_up(
+		    r, tr("its elements are too deep within each other"));
 	notice_stop(r);
 	if (r->wrong == NULL)
 		r->events->begin(
@@ -86,7 +88,7 @@ on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
 }
 
 static void XMLCALL
-on_end(void *data, const XML_Char *name)
+xml_on_end(void *data, const XML_Char *name)
 {
 	struct reading *r = data;
 	r->depth--;
@@ -95,7 +97,7 @@ on_end(void *data, const XML_Char *name)
 }
 
 static void XMLCALL
-on_text(void *data, const XML_Char *text, int n)
+xml_on_text(void *data, const XML_Char *text, int n)
 {
 	struct reading *r = data;
 	if (r->wrong == NULL)
@@ -110,7 +112,7 @@ on_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	(void)system;
 	(void)public;
 	(void)internal;
-	give_up(data, tr("it has a document type"));
+	xml_give_up(data, tr("it has a document type"));
 }
 
 /* In words what is wrong, or NULL. */
@@ -145,10 +147,10 @@ xml_read(const char *bytes, size_t n, const struct xml_events *events,
 		return wrong;
 	free(wrong); /* and told again, with what else there is */
 	XML_Parser parser = XML_ParserCreateNS(NULL, ' ');
-	XML_SetEndElementHandler(parser, on_end);
+	XML_SetEndElementHandler(parser, xml_on_end);
 	if (events->text != NULL)
-		XML_SetCharacterDataHandler(parser, on_text);
-	return parse(&r, parser, on_begin, bytes, n);
+		XML_SetCharacterDataHandler(parser, xml_on_text);
+	return parse(&r, parser, xml_on_begin, bytes, n);
 }
 
 const char *

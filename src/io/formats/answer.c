@@ -193,7 +193,7 @@ answer_columns(struct answer *a, const char *format, ...)
 }
 
 static void
-add_cell(struct answer *a, struct answer_cell cell)
+answer_add_cell(struct answer *a, struct answer_cell cell)
 {
 	struct table *t = a->filled;
 	bool full = (t->n_cell & (t->n_cell - 1)) == 0; /* 0, 1, 2, 4, .. */
@@ -206,12 +206,12 @@ add_cell(struct answer *a, struct answer_cell cell)
 static void
 add_text(struct answer *a, char *text)
 {
-	add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
+	answer_add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
 /* decimals -1: as many digits as needed; sign: + too. */
 static void
-add_number(struct answer *a, double value, int decimals, bool sign)
+answer_add_number(struct answer *a, double value, int decimals, bool sign)
 {
 	char *text;
 	if (!isfinite(value))
@@ -224,7 +224,8 @@ add_number(struct answer *a, double value, int decimals, bool sign)
 	if ((text[0] == '-' || text[0] == '+') &&
 	    strpbrk(text, "123456789") == NULL && isfinite(value))
 		memmove(text, text + 1, strlen(text));
-	add_cell(a, (struct answer_cell){false, value, decimals, text, NULL});
+	answer_add_cell(
+	    a, (struct answer_cell){false, value, decimals, text, NULL});
 }
 
 void
@@ -239,7 +240,7 @@ answer_cells(struct answer *a, const char *format, ...)
 		if (p[1] == 's')
 			add_text(a, xstrdup(va_arg(ap, char *)));
 		else
-			add_number(a, va_arg(ap, double),
+			answer_add_number(a, va_arg(ap, double),
 			    p[1] == '.' ? atoi(p + 2) : -1, sign);
 	}
 	va_end(ap);
@@ -257,8 +258,8 @@ answer_text(struct answer *a, const char *format, ...)
 void
 answer_name(struct answer *a, const char *key, const char *head)
 {
-	add_cell(a, (struct answer_cell){
-			true, NAN, -1, xstrdup(tr(head)), xstrdup(key)});
+	answer_add_cell(a, (struct answer_cell){
+			       true, NAN, -1, xstrdup(tr(head)), xstrdup(key)});
 }
 
 void
@@ -279,7 +280,7 @@ answer_missing(struct answer *a, const char *words)
 }
 
 static size_t
-rows_of(const struct table *t)
+answer_rows_of(const struct table *t)
 {
 	return t->n_column > 0 ? t->n_cell / t->n_column : 0;
 }
@@ -287,7 +288,7 @@ rows_of(const struct table *t)
 size_t
 answer_rows(const struct answer *a)
 {
-	return rows_of(a->filled);
+	return answer_rows_of(a->filled);
 }
 
 /* Takes the text. */
@@ -325,7 +326,7 @@ answer_fields(struct answer *a)
 
 /* key: NULL in a list. */
 static struct field *
-add_field(struct fields *fields, const char *key, enum kind kind)
+answer_add_field(struct fields *fields, const char *key, enum kind kind)
 {
 	fields->item =
 	    xrealloc(fields->item, fields->n + 1, sizeof *fields->item);
@@ -345,7 +346,7 @@ static void
 add_value(
     struct fields *fields, const char *key, const char *conversion, va_list *ap)
 {
-	struct field *f = add_field(fields, key, NUMBER);
+	struct field *f = answer_add_field(fields, key, NUMBER);
 	switch (conversion[1]) {
 	case 's':
 		f->kind = TEXT;
@@ -388,19 +389,19 @@ fields_put(struct fields *fields, const char *format, ...)
 void
 fields_number(struct fields *fields, const char *key, double value)
 {
-	add_field(fields, key, NUMBER)->number = value;
+	answer_add_field(fields, key, NUMBER)->number = value;
 }
 
 struct fields *
 fields_object(struct fields *fields, const char *key)
 {
-	return add_field(fields, key, OBJECT)->inner;
+	return answer_add_field(fields, key, OBJECT)->inner;
 }
 
 struct fields *
 fields_list(struct fields *fields, const char *key)
 {
-	return add_field(fields, key, LIST)->inner;
+	return answer_add_field(fields, key, LIST)->inner;
 }
 
 void
@@ -419,17 +420,17 @@ add_cell_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
 {
 	if (cell->is_text)
-		add_field(fields, key, TEXT)->text =
+		answer_add_field(fields, key, TEXT)->text =
 		    xstrdup(cell->key != NULL ? cell->key : cell->text);
 	else
 		fields_number(fields, key, cell->number);
 }
 
 static void
-add_rows(struct fields *fields, const char *key, const struct table *t)
+answer_add_rows(struct fields *fields, const char *key, const struct table *t)
 {
 	struct fields *list = fields_list(fields, key);
-	for (size_t row = 0; row < rows_of(t); row++) {
+	for (size_t row = 0; row < answer_rows_of(t); row++) {
 		struct fields *object = fields_object(list, NULL);
 		for (size_t c = 0; c < t->n_column; c++)
 			add_cell_field(
@@ -440,7 +441,7 @@ add_rows(struct fields *fields, const char *key, const struct table *t)
 void
 answer_put_rows(struct answer *a, const char *key)
 {
-	add_rows(&a->fields, key, a->filled);
+	answer_add_rows(&a->fields, key, a->filled);
 }
 
 void
@@ -465,7 +466,7 @@ answer_has_fields(const struct answer *a)
 
 /* What a list has counts under the list's own name. */
 static void
-look_up(const struct fields *fields, const char *path, double *value)
+answer_look_up(const struct fields *fields, const char *path, double *value)
 {
 	size_t n = strcspn(path, ".");
 	for (size_t i = 0; i < fields->n; i++) {
@@ -477,7 +478,7 @@ look_up(const struct fields *fields, const char *path, double *value)
 		if (f->key != NULL)
 			rest += n + (path[n] == '.');
 		if (f->inner != NULL)
-			look_up(f->inner, rest, value);
+			answer_look_up(f->inner, rest, value);
 		else if (*rest == '\0')
 			*value = fmax(*value, f->number);
 	}
@@ -491,7 +492,7 @@ answer_number(const struct answer *a, const char *path)
 		value = 0;
 	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
 		value += a->sentence[i].grade == ANSWER_WARNING;
-	look_up(&a->fields, path, &value);
+	answer_look_up(&a->fields, path, &value);
 	return value;
 }
 
@@ -510,7 +511,7 @@ answer_view(const struct answer *a)
 	    .site = a->site,
 	    .provenance = a->provenance,
 	    .n_column = t->n_column,
-	    .n_row = rows_of(t),
+	    .n_row = answer_rows_of(t),
 	    .n_sentence = a->n_sentence,
 	    .head = t->head,
 	    .cell = t->cell,
@@ -576,7 +577,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	const char separator = semicolon ? ';' : ',';
 	const struct table *t = for_programs(a);
 	bool told = is_told(a);
-	size_t rows = told ? a->n_sentence : rows_of(t);
+	size_t rows = told ? a->n_sentence : answer_rows_of(t);
 	if (t->n_column == 0 && !told)
 		return 0;
 	fputs(tr("command"), out);
@@ -615,7 +616,7 @@ text_json(const char *text)
 	return string;
 }
 
-static void put_fields(json_t *o, const struct fields *fields);
+static void answer_put_fields(json_t *o, const struct fields *fields);
 
 static json_t *
 field_json(const struct field *f)
@@ -631,7 +632,7 @@ field_json(const struct field *f)
 	case OBJECT:
 	case LIST:
 		inner = f->kind == LIST ? json_array() : json_object();
-		put_fields(inner, f->inner);
+		answer_put_fields(inner, f->inner);
 		return inner;
 	default:
 		return isfinite(f->number) ? json_real(f->number) : json_null();
@@ -639,7 +640,7 @@ field_json(const struct field *f)
 }
 
 static void
-put_fields(json_t *o, const struct fields *fields)
+answer_put_fields(json_t *o, const struct fields *fields)
 {
 	for (size_t i = 0; i < fields->n; i++) {
 		const struct field *f = &fields->item[i];
@@ -660,22 +661,22 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 	json_object_set_new(o, "command", json_string(a->command));
 	if (a->site != NULL && !a->names_sites)
 		json_object_set_new(o, "site", text_json(a->site));
-	put_fields(o, &a->fields);
+	answer_put_fields(o, &a->fields);
 	if (is_told(a)) {
 		struct fields *list = fields_list(&more, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
 			fields_put(list, "%s", a->sentence[i].text);
 	} else if (a->fields.n == 0) {
-		add_rows(&more, "rows", t);
+		answer_add_rows(&more, "rows", t);
 	}
 	if (a->provenance != NULL)
 		fields_put(&more, "provenance %s", a->provenance);
-	put_fields(o, &more);
+	answer_put_fields(o, &more);
 	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
 	json_decref(o);
 	free_fields(&more);
-	return rows_of(t);
+	return answer_rows_of(t);
 }
 
 /* How a table is set, found once for all rows: width and number [n_column].
@@ -691,7 +692,7 @@ struct form {
 static bool
 is_number_column(const struct table *t, size_t column)
 {
-	for (size_t row = 0; row < rows_of(t); row++)
+	for (size_t row = 0; row < answer_rows_of(t); row++)
 		if (t->cell[row * t->n_column + column].is_text)
 			return false;
 	return true;
@@ -701,7 +702,7 @@ static int
 column_width(const struct table *t, size_t column)
 {
 	int width = text_width(t->head[column]);
-	for (size_t row = 0; row < rows_of(t); row++) {
+	for (size_t row = 0; row < answer_rows_of(t); row++) {
 		int w = text_width(t->cell[row * t->n_column + column].text);
 		width = w > width ? w : width;
 	}
@@ -801,8 +802,8 @@ wrapped_from(const struct table *t, const struct form *f, struct block b)
 }
 
 static void
-print_row(const struct table *t, const struct form *f, size_t row, bool head,
-    struct block block, const char *between, FILE *out)
+answer_print_row(const struct table *t, const struct form *f, size_t row,
+    bool head, struct block block, const char *between, FILE *out)
 {
 	int indent = between[1] != '|' ? wrapped_from(t, f, block) : 0;
 	for (size_t c = 0; c < block.to; c = c == 0 ? block.from : c + 1) {
@@ -827,7 +828,7 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	char *line = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&line, &n);
-	print_row(
+	answer_print_row(
 	    t, f, row - 1, row == 0, block, f->gap == 1 ? " " : "  ", memory);
 	fclose(memory);
 	while (n > 0 && line[n - 1] == ' ')
@@ -838,8 +839,8 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 
 /* The sentences that are warnings, or those that are none. */
 static void
-put_sentences(char *(*way)(const char *), const struct answer *a, bool warnings,
-    struct answer *copy)
+answer_put_sentences(char *(*way)(const char *), const struct answer *a,
+    bool warnings, struct answer *copy)
 {
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		const struct answer_sentence *said = &a->sentence[i];
@@ -875,13 +876,14 @@ put_in(char *(*way)(const char *), const struct answer *a)
 		free(head);
 	}
 	for (size_t i = 0; i < from->n_cell; i++)
-		add_cell(copy, (struct answer_cell){from->cell[i].is_text,
-				   from->cell[i].number, from->cell[i].decimals,
-				   way(from->cell[i].text), NULL});
+		answer_add_cell(
+		    copy, (struct answer_cell){from->cell[i].is_text,
+			      from->cell[i].number, from->cell[i].decimals,
+			      way(from->cell[i].text), NULL});
 	copy->room = a->room;
 	copy->across = a->across;
-	put_sentences(way, a, true, copy);
-	put_sentences(way, a, false, copy);
+	answer_put_sentences(way, a, true, copy);
+	answer_put_sentences(way, a, false, copy);
 	return copy;
 }
 
@@ -893,11 +895,11 @@ answer_shown(const struct answer *a)
 
 /* Makes the first column the heads, and the heads the first column. */
 static void
-turn(struct answer *a)
+answer_turn(struct answer *a)
 {
 	struct table from = a->table[0];
 	a->table[0] = (struct table){0};
-	size_t rows = rows_of(&from);
+	size_t rows = answer_rows_of(&from);
 	answer_column(a, from.key[0], from.head[0]);
 	for (size_t row = 0; row < rows; row++)
 		answer_column(
@@ -908,7 +910,7 @@ turn(struct answer *a)
 			struct answer_cell cell =
 			    from.cell[row * from.n_column + c];
 			cell.text = xstrdup(cell.text);
-			add_cell(a, cell);
+			answer_add_cell(a, cell);
 		}
 	}
 	free_table(&from);
@@ -920,14 +922,14 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	(void)semicolon;
 	struct answer *a = answer_shown(answer);
 	const struct table *t = &a->table[0];
-	bool turned = a->across && rows_of(t) > t->n_column;
+	bool turned = a->across && answer_rows_of(t) > t->n_column;
 	if (turned)
-		turn(a);
+		answer_turn(a);
 	if (a->title != NULL)
 		fprintf(out, "%s\n", a->title);
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
-	size_t rows = rows_of(t), from = 1;
+	size_t rows = answer_rows_of(t), from = 1;
 	struct form f = form_of(t, a->room);
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
@@ -993,9 +995,9 @@ static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
 	struct form f = form_of(t, SCREEN);
-	for (size_t row = 0; row <= rows_of(t); row++) {
+	for (size_t row = 0; row <= answer_rows_of(t); row++) {
 		fputs("| ", out);
-		print_row(t, &f, row - 1, row == 0,
+		answer_print_row(t, &f, row - 1, row == 0,
 		    (struct block){1, t->n_column}, " | ", out);
 		fputs(" |\n", out);
 		if (row > 0)
@@ -1022,7 +1024,7 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 	for (size_t i = 0; i < a->n_sentence; i++)
 		fprintf(out, "\n%s\n", a->sentence[i].text);
 	fputc('\n', out);
-	size_t rows = rows_of(t);
+	size_t rows = answer_rows_of(t);
 	answer_free(a);
 	return rows;
 }

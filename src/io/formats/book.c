@@ -149,7 +149,7 @@ add_page(struct book *b, const char *name)
 
 /* As text in any case, also where it begins with =. */
 static void
-put_text(const struct page *p, lxw_col_t column, const char *text,
+book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
@@ -167,14 +167,14 @@ put_text(const struct page *p, lxw_col_t column, const char *text,
 
 /* Text of a column of sieves: there are also rows such as "P80 mm" in it. */
 static bool
-is_sieve(const char *head, const struct answer_cell *cell, double *value)
+book_is_sieve(const char *head, const struct answer_cell *cell, double *value)
 {
 	return strncmp(head, "sieve", 5) == 0 && cell->is_text &&
 	       text_number(cell->text, value);
 }
 
 static void
-put_cell(struct book *b, const struct page *p, lxw_col_t column,
+book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
     const char *head, const struct answer_cell *cell)
 {
 	double value = cell->number;
@@ -183,11 +183,12 @@ put_cell(struct book *b, const struct page *p, lxw_col_t column,
 	/* 93.6 as in csv, and not 93.59999999999999. */
 	if (!cell->is_text && isfinite(value))
 		text_number(text_exact(value, text), &value);
-	if (is_sieve(head, cell, &value) || (!cell->is_text && isfinite(value)))
+	if (book_is_sieve(head, cell, &value) ||
+	    (!cell->is_text && isfinite(value)))
 		worksheet_write_number(p->sheet, p->row, column, value,
 		    fixed ? b->number[cell->decimals] : NULL);
 	else if (strcmp(cell->text, "-") != 0)
-		put_text(p, column, cell->text, NULL);
+		book_put_text(p, column, cell->text, NULL);
 }
 
 /* As wide as its numbers; text of the last column may go on to the right. */
@@ -215,7 +216,7 @@ sieve_rows(const struct answer_view *v)
 	for (; n < v->n_row; n++) {
 		const struct answer_cell *cell = &v->cell[n * v->n_column];
 		mm = cell->number;
-		if (!is_sieve(v->head[0], cell, &mm) &&
+		if (!book_is_sieve(v->head[0], cell, &mm) &&
 		    !(!cell->is_text && mm > 0))
 			break;
 	}
@@ -224,7 +225,7 @@ sieve_rows(const struct answer_view *v)
 
 /* Whether a column is a curve: numbers from 0 to 100 that are no difference. */
 static bool
-is_curve(const struct answer_view *v, size_t rows, size_t column)
+book_is_curve(const struct answer_view *v, size_t rows, size_t column)
 {
 	static const char *const OTHERS[] = {
 	    "differ", "error", "outside", "points", "sd", "share"};
@@ -249,7 +250,7 @@ set_sizes(lxw_chart *chart, const struct answer_view *v, size_t rows)
 	for (size_t i = 0; i < rows; i++) {
 		const struct answer_cell *cell = &v->cell[i * v->n_column];
 		mm = cell->number;
-		is_sieve(v->head[0], cell, &mm);
+		book_is_sieve(v->head[0], cell, &mm);
 		least = fmin(least, mm);
 		most = fmax(most, mm);
 	}
@@ -269,13 +270,13 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 	size_t rows = sieve_rows(v), curves = 0;
 	lxw_row_t from = p->row + 1, to = p->row + (lxw_row_t)rows;
 	for (size_t c = 1; rows > 1 && c < v->n_column; c++)
-		curves += is_curve(v, rows, c);
+		curves += book_is_curve(v, rows, c);
 	if (curves == 0)
 		return;
 	lxw_chart *chart = workbook_add_chart(
 	    b->workbook, LXW_CHART_SCATTER_STRAIGHT_WITH_MARKERS);
 	for (size_t c = 1; c < v->n_column; c++) {
-		if (!is_curve(v, rows, c))
+		if (!book_is_curve(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
 		char *name = text_shown(v->head[c]);
@@ -300,7 +301,7 @@ static void
 put_table(struct book *b, struct page *p, const struct answer_view *v)
 {
 	for (size_t c = 0; c < v->n_column; c++) {
-		put_text(p, (lxw_col_t)c, v->head[c], b->head);
+		book_put_text(p, (lxw_col_t)c, v->head[c], b->head);
 		set_width(p, v, (lxw_col_t)c);
 	}
 	worksheet_freeze_panes(p->sheet, p->row + 1, 1);
@@ -308,7 +309,7 @@ put_table(struct book *b, struct page *p, const struct answer_view *v)
 	p->row++;
 	for (size_t i = 0; i < v->n_row; i++, p->row++)
 		for (size_t c = 0; c < v->n_column; c++)
-			put_cell(b, p, (lxw_col_t)c, v->head[c],
+			book_put_cell(b, p, (lxw_col_t)c, v->head[c],
 			    &v->cell[i * v->n_column + c]);
 	p->row++;
 }
@@ -326,7 +327,7 @@ light_of(const struct book *b, const char *text)
 }
 
 static void
-put_sentences(
+book_put_sentences(
     struct book *b, struct page *p, const struct answer_view *v, bool warnings)
 {
 	for (size_t i = 0; i < v->n_sentence; i++) {
@@ -337,7 +338,7 @@ put_sentences(
 		char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
 		lxw_format *light = light_of(b, said->text);
-		put_text(p, 0, text,
+		book_put_text(p, 0, text,
 		    light != NULL ? light
 		    : warning     ? b->warning
 				  : NULL);
@@ -352,21 +353,21 @@ book_add(struct book *b, const struct answer *answer)
 	struct answer_view v = answer_view(answer);
 	struct page p = add_page(b, answer_command(answer));
 	if (v.title != NULL) {
-		put_text(&p, 0, v.title, b->title);
+		book_put_text(&p, 0, v.title, b->title);
 		p.row++;
 	}
 	if (v.provenance != NULL && v.provenance[0] != '\0') {
 		char *data = xasprintf("data: %.*s",
 		    (int)strcspn(v.provenance, ";"), v.provenance);
-		put_text(&p, 0, data, b->remark);
+		book_put_text(&p, 0, data, b->remark);
 		free(data);
 		p.row++;
 	}
 	p.row += p.row > 0;
 	if (v.n_column > 0)
 		put_table(b, &p, &v);
-	put_sentences(b, &p, &v, true);
-	put_sentences(b, &p, &v, false);
+	book_put_sentences(b, &p, &v, true);
+	book_put_sentences(b, &p, &v, false);
 	b->has_site = b->has_site || v.site != NULL;
 	return v.n_column > 0 ? v.n_row : v.n_sentence;
 }
@@ -374,7 +375,7 @@ book_add(struct book *b, const struct answer *answer)
 /* A row of a text; heads of columns, which are more than a key and a value, are
  * bold. */
 static void
-put_row(struct book *b, struct page *p, const struct row *row)
+book_put_row(struct book *b, struct page *p, const struct row *row)
 {
 	double value;
 	bool head = row->n > 2 && !number_of(row->cell[0], &value);
@@ -385,7 +386,7 @@ put_row(struct book *b, struct page *p, const struct row *row)
 			worksheet_write_number(
 			    p->sheet, p->row, column, value, NULL);
 		else
-			put_text(p, column, row->cell[c].text,
+			book_put_text(p, column, row->cell[c].text,
 			    head ? b->head : NULL);
 	}
 	if (head)
@@ -404,12 +405,12 @@ book_add_text(struct book *b, const char *name, const char *text)
 	number_find(sheet);
 	struct page p = add_page(b, name);
 	for (size_t i = 0; i < sheet->n_row; i++)
-		put_row(b, &p, &sheet->row[i]);
+		book_put_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
 		const char *said = sheet->comment[i].text;
 		char *plain = text_unquoted(said, strlen(said));
 		p.row = (lxw_row_t)sheet->comment[i].line - 1;
-		put_text(&p, 0, plain, b->remark);
+		book_put_text(&p, 0, plain, b->remark);
 		free(plain);
 	}
 	sheet_free(sheet);
@@ -443,13 +444,13 @@ put_about(struct book *b)
 	lxw_format *left = add_format(b, false, 0, 0);
 	format_set_align(left, LXW_ALIGN_LEFT);
 	for (size_t i = 0; i < b->n_about; i++, p.row++) {
-		put_text(&p, 0, b->about[2 * i], b->head);
+		book_put_text(&p, 0, b->about[2 * i], b->head);
 		const char *value = b->about[2 * i + 1];
 		double number;
 		if (text_number(value, &number))
 			worksheet_write_number(p.sheet, p.row, 1, number, left);
 		else
-			put_text(&p, 1, value, NULL);
+			book_put_text(&p, 1, value, NULL);
 	}
 	worksheet_set_column(p.sheet, 0, 0, 16, NULL);
 	worksheet_set_column(p.sheet, 1, 1, 80, NULL);

@@ -30,7 +30,8 @@ struct reading_circuit {
 
 /* A part of a cell; text is of the cell's, which it may shorten. */
 static struct cell
-part_of(const struct reading_circuit *r, struct cell cell, char *from)
+circuit_file_part_of(
+    const struct reading_circuit *r, struct cell cell, char *from)
 {
 	while (*from == ' ' || *from == '\t')
 		from++;
@@ -101,14 +102,14 @@ add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_in(r, unit, part_of(r, cell, at));
+		add_in(r, unit, circuit_file_part_of(r, cell, at));
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
 
 static bool
-read_number(struct reading_circuit *r, struct cell cell, const char *wanted,
-    double least, double most, double *value)
+circuit_file_read_number(struct reading_circuit *r, struct cell cell,
+    const char *wanted, double least, double most, double *value)
 {
 	if (!number_read(r->sheet, cell, wanted, value))
 		return false;
@@ -151,7 +152,8 @@ static const char *const HINTS[UNIT_KINDS] = {
 
 /* One cell key=value. */
 static void
-read_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
+circuit_file_read_key(
+    struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
 	for (size_t k = 0; sign != NULL && k < ARRAY_LEN(KEYS); k++) {
@@ -162,9 +164,9 @@ read_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		    strncmp(cell.text, key->word, n) != 0 ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
-		struct cell number = part_of(r, cell, sign + 1);
-		if (read_number(r, number, key->wanted, key->least, key->most,
-			&value)) {
+		struct cell number = circuit_file_part_of(r, cell, sign + 1);
+		if (circuit_file_read_number(r, number, key->wanted, key->least,
+			key->most, &value)) {
 			void *to = (char *)unit + key->offset;
 			*(double *)to = value / key->scale;
 		}
@@ -180,7 +182,7 @@ read_keys(struct reading_circuit *r, struct unit *unit, const struct row *row,
 {
 	for (size_t i = from; i < row->n; i++)
 		if (row->cell[i].text[0] != '\0')
-			read_key(r, unit, row->cell[i]);
+			circuit_file_read_key(r, unit, row->cell[i]);
 }
 
 static void
@@ -190,7 +192,7 @@ read_feed(struct reading_circuit *r, struct unit *unit, const struct row *row)
 	double value;
 	add_out(r, unit, sheet_cell(row, 1));
 	if (tph.text[0] != '\0' &&
-	    read_number(
+	    circuit_file_read_number(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
 		r->circuit->tph = value;
 	read_keys(r, unit, row, 3);
@@ -210,7 +212,7 @@ read_screen(struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	double mm = 1;
 	add_ins(r, unit, sheet_cell(row, 1));
-	read_number(r, sheet_cell(row, 2), tr("an opening in mm"),
+	circuit_file_read_number(r, sheet_cell(row, 2), tr("an opening in mm"),
 	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
 	unit->opening = mm / 1000;
 	add_out(r, unit, sheet_cell(row, 3));
@@ -226,14 +228,14 @@ read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 	double share = NAN;
 	if (sign != NULL) {
 		*sign = '\0';
-		struct cell number = part_of(r, cell, sign + 1);
-		if (read_number(r, number, tr("a share from 0 to 100 %"), 0,
-			100, &share))
+		struct cell number = circuit_file_part_of(r, cell, sign + 1);
+		if (circuit_file_read_number(r, number,
+			tr("a share from 0 to 100 %"), 0, 100, &share))
 			share /= 100;
 		else
 			share = 0;
 	}
-	add_out(r, unit, part_of(r, cell, cell.text));
+	add_out(r, unit, circuit_file_part_of(r, cell, cell.text));
 	return share;
 }
 
@@ -287,7 +289,7 @@ read_stockpile(
 }
 
 static void
-read_row(struct reading_circuit *r, const struct row *row)
+circuit_file_read_row(struct reading_circuit *r, const struct row *row)
 {
 	static void (*const READ[UNIT_KINDS])(
 	    struct reading_circuit *, struct unit *, const struct row *) = {
@@ -380,10 +382,10 @@ check_ways(struct reading_circuit *r)
 }
 
 static void
-read_sheet(struct reading_circuit *r)
+circuit_file_read_sheet(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->sheet->n_row; i++)
-		read_row(r, &r->sheet->row[i]);
+		circuit_file_read_row(r, &r->sheet->row[i]);
 	check_feeds(r);
 	if (r->sheet->n_fault == 0)
 		check_streams(r);
@@ -401,7 +403,7 @@ circuit_file_read(const char *path, struct error_list *errors)
 		    .circuit = circuit_new(),
 		    .made = xcalloc(STREAMS, sizeof *r.made),
 		    .used = xcalloc(STREAMS, sizeof *r.used)};
-		read_sheet(&r);
+		circuit_file_read_sheet(&r);
 		free(r.made);
 		free(r.used);
 		circuit = r.circuit;

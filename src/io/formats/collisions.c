@@ -181,7 +181,7 @@ find_head(const char *plain)
 
 /* What a column is by its head; *scale: to SI. */
 static enum column
-column_of(const char *head, double *scale)
+collisions_column_of(const char *head, double *scale)
 {
 	char *plain = plain_head(head);
 	enum column column = find_head(plain);
@@ -214,7 +214,7 @@ static void
 take_column(struct reading *r, const char *head)
 {
 	double scale = 1;
-	enum column column = column_of(head, &scale);
+	enum column column = collisions_column_of(head, &scale);
 	if (r->n >= FIELDS_MOST)
 		return;
 	if (column != COL_NONE && r->has[column])
@@ -225,7 +225,7 @@ take_column(struct reading *r, const char *head)
 }
 
 static void
-take_columns(struct reading *r, const char *heads, char separator)
+collisions_take_columns(struct reading *r, const char *heads, char separator)
 {
 	char *copy = xstrdup(heads), *rest = copy, *head, was = r->separator;
 	r->separator = separator;
@@ -238,7 +238,7 @@ take_columns(struct reading *r, const char *heads, char separator)
 }
 
 static bool
-has_range(const struct reading *r, size_t from, size_t n)
+collisions_has_range(const struct reading *r, size_t from, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
 		if (!r->has[from + i])
@@ -259,7 +259,7 @@ has_energy(const struct reading *r)
 static bool
 columns_do(struct reading *r)
 {
-	bool contacts = has_range(r, COL_X1, COL_ID2 + 1);
+	bool contacts = collisions_has_range(r, COL_X1, COL_ID2 + 1);
 	if (r->dump ? contacts : has_energy(r))
 		return true;
 	bool joules = r->has[COL_ENERGY] && !r->has[COL_MASS];
@@ -287,12 +287,12 @@ dump_columns(struct reading *r, const char *heads)
 	static const char USUAL[] = "x1 y1 z1 x2 y2 z2 vx1 vy1 vz1 vx2 vy2 vz2 "
 				    "id1 id2";
 	if (r->way->columns != NULL)
-		take_columns(r, r->way->columns, ',');
+		collisions_take_columns(r, r->way->columns, ',');
 	else
-		take_columns(r, heads, ' ');
+		collisions_take_columns(r, heads, ' ');
 	if (r->way->columns == NULL && r->has[COL_NONE] && r->n >= 14 &&
 	    !r->has[COL_X1] && strchr(heads, '[') != NULL) {
-		take_columns(r, USUAL, ' ');
+		collisions_take_columns(r, USUAL, ' ');
 		r->to->form = tr("LIGGGHTS dump of contacts, its columns taken "
 				 "as pos, vel and id");
 	}
@@ -302,7 +302,7 @@ dump_columns(struct reading *r, const char *heads)
 
 /* The numbers of a row; false with a fault where a field is none. */
 static bool
-take_row(struct reading *r)
+collisions_take_row(struct reading *r)
 {
 	char *rest = r->line;
 	for (size_t i = 0; i < r->n; i++) {
@@ -363,7 +363,8 @@ read_dump(struct reading *r)
 	r->separator = ' ';
 	do {
 		if (strncmp(r->line, "ITEM:", 5) != 0) {
-			if (rows && (!take_row(r) || !add_contact(r)))
+			if (rows &&
+			    (!collisions_take_row(r) || !add_contact(r)))
 				return false;
 			if (rows && !going(r))
 				return false;
@@ -388,7 +389,7 @@ read_dump(struct reading *r)
 static bool
 read_particle(struct reading *r)
 {
-	if (!take_row(r))
+	if (!collisions_take_row(r))
 		return false;
 	double id = r->value[COL_ID];
 	double radius =
@@ -404,7 +405,7 @@ read_particle(struct reading *r)
 static bool
 particle_heads(struct reading *r, const char *heads)
 {
-	take_columns(r, heads, r->separator);
+	collisions_take_columns(r, heads, r->separator);
 	if (r->has[COL_ID] && (r->has[COL_RADIUS] || r->has[COL_SIZE]))
 		return true;
 	return fault(r, ERROR_DATA,
@@ -496,7 +497,7 @@ take_impact(struct reading *r)
 /* A line "speed_m_s,69" or "provenance,.." above the heads; false where it is
  * none. */
 static bool
-take_note(struct reading *r)
+collisions_take_note(struct reading *r)
 {
 	char *copy = xstrdup(r->line), *rest = copy;
 	const char *key = next_field(r, &rest), *value = next_field(r, &rest);
@@ -541,15 +542,15 @@ table_columns(struct reading *r, bool *is_row)
 	bool two = next_field(r, &rest) != NULL;
 	free(copy);
 	if (r->way->columns != NULL)
-		take_columns(r, r->way->columns, ',');
+		collisions_take_columns(r, r->way->columns, ',');
 	else if (!*is_row)
-		take_columns(r, r->line, r->separator);
+		collisions_take_columns(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
 		    "expected heads above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
-		take_columns(r,
+		collisions_take_columns(r,
 		    strcmp(r->way->unit, "m/s") == 0
 			? two ? "velocity,weight" : "velocity"
 		    : two ? "specific_energy,weight"
@@ -559,20 +560,20 @@ table_columns(struct reading *r, bool *is_row)
 }
 
 static bool
-read_table(struct reading *r)
+collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
 	r->separator = separator_of(r->line);
-	while (take_note(r))
+	while (collisions_take_note(r))
 		if (!next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file whole?");
 	ok = table_columns(r, &is_row);
 	if (ok && is_row)
-		ok = take_row(r) && take_impact(r);
+		ok = collisions_take_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (take_row(r) && take_impact(r) && going(r));
+		     (collisions_take_row(r) && take_impact(r) && going(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];
@@ -590,7 +591,7 @@ read_open(struct reading *r)
 		    "is it the right file?");
 	r->dump = strncmp(r->line, "ITEM:", 5) == 0;
 	if (!r->dump)
-		return read_table(r);
+		return collisions_read_table(r);
 	r->to->form = tr("LIGGGHTS dump of contacts");
 	r->contacts =
 	    contacts_new(r->to->spectrum, r->way->cut, r->way->density);

@@ -84,7 +84,7 @@ contacts_particle(struct contacts *c, uint32_t id, double radius)
 
 /* The place of a contact, or the free one for it; NULL in an empty table. */
 static struct contact *
-find(const struct table *t, uint32_t id1, uint32_t id2)
+contacts_find(const struct table *t, uint32_t id1, uint32_t id2)
 {
 	if (t->room == 0)
 		return NULL;
@@ -97,13 +97,14 @@ find(const struct table *t, uint32_t id1, uint32_t id2)
 }
 
 static void
-grow(struct table *t)
+contacts_grow(struct table *t)
 {
 	struct table wide = {.room = t->room > 0 ? 2 * t->room : 256};
 	wide.at = xcalloc(wide.room, sizeof *wide.at);
 	for (size_t i = 0; i < t->room; i++)
 		if (t->at[i].id1 != 0)
-			*find(&wide, t->at[i].id1, t->at[i].id2) = t->at[i];
+			*contacts_find(&wide, t->at[i].id1, t->at[i].id2) =
+			    t->at[i];
 	wide.n = t->n;
 	free(t->at);
 	*t = wide;
@@ -139,9 +140,9 @@ contacts_add(struct contacts *c, uint32_t id1, uint32_t id2, const double *x,
 	bool fixed2 = at_rest(swap ? v : v + 3);
 	double vn = normal_velocity(x, v);
 	if (2 * (c->now.n + 1) > c->now.room)
-		grow(&c->now);
-	struct contact *to = find(&c->now, low, high);
-	struct contact *was = find(&c->before, low, high);
+		contacts_grow(&c->now);
+	struct contact *to = contacts_find(&c->now, low, high);
+	struct contact *was = contacts_find(&c->before, low, high);
 	c->now.n += to->id1 == 0;
 	if (was != NULL && was->id1 != 0) {
 		was->kept = true;

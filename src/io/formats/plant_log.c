@@ -68,7 +68,7 @@ lists(const char *words, const char *word, size_t n)
 
 /* Whether a text has one of these words. */
 static bool
-has_word(const char *text, const char *words)
+plant_log_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	char *folded = text_fold(text);
@@ -85,19 +85,19 @@ has_word(const char *text, const char *words)
 
 /* What a head says its column is. */
 static unsigned
-kind_of(const char *text, const struct head *head)
+plant_log_kind_of(const char *text, const struct head *head)
 {
-	if (has_word(text, RATE))
+	if (plant_log_has_word(text, RATE))
 		return LOG_RATE;
-	if (has_word(text, OTHER))
+	if (plant_log_has_word(text, OTHER))
 		return NO_KIND;
-	if (has_word(text, POWER))
+	if (plant_log_has_word(text, POWER))
 		return LOG_POWER;
 	if (head->unit == SPEED_RPM || (head->means & WORD_RPM) != 0)
 		return LOG_RPM;
 	if (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0)
 		return LOG_SPEED;
-	return has_word(text, TIMES) ? TIME : NO_KIND;
+	return plant_log_has_word(text, TIMES) ? TIME : NO_KIND;
 }
 
 static bool
@@ -156,7 +156,7 @@ find_times(struct reading *r)
 
 /* The words above a column: lines of one cell are titles. */
 static char *
-head_text(const struct reading *r, size_t c)
+plant_log_head_text(const struct reading *r, size_t c)
 {
 	char *text = xstrdup("");
 	size_t from = r->first > MOST_HEADS ? r->first - MOST_HEADS : 0;
@@ -174,7 +174,7 @@ head_text(const struct reading *r, size_t c)
 
 /* "1=time, 3=rpm, 4=kW" */
 static bool
-take_columns(struct reading *r, const char *columns)
+plant_log_take_columns(struct reading *r, const char *columns)
 {
 	bool good = true;
 	char *copy = xstrdup(columns), *save = NULL;
@@ -188,7 +188,8 @@ take_columns(struct reading *r, const char *columns)
 		if (!good)
 			break;
 		r->head[number - 1] = head_read(end + 1);
-		r->kind[number - 1] = kind_of(end + 1, &r->head[number - 1]);
+		r->kind[number - 1] =
+		    plant_log_kind_of(end + 1, &r->head[number - 1]);
 		good = r->kind[number - 1] != NO_KIND;
 	}
 	if (!good)
@@ -261,17 +262,17 @@ settle_unit(struct reading *r, size_t c)
 }
 
 static bool
-find_columns(struct reading *r)
+plant_log_find_columns(struct reading *r)
 {
 	for (size_t c = 0; c < r->n_column; c++) {
-		char *text = head_text(r, c);
+		char *text = plant_log_head_text(r, c);
 		r->head[c] = head_read(text);
 		bool time = c == r->date || c == r->clock;
-		r->kind[c] = time ? TIME : kind_of(text, &r->head[c]);
+		r->kind[c] = time ? TIME : plant_log_kind_of(text, &r->head[c]);
 		free(text);
 	}
 	const char *columns = r->request->columns;
-	if (columns != NULL && !take_columns(r, columns))
+	if (columns != NULL && !plant_log_take_columns(r, columns))
 		return false;
 	bool good = true, speed = false, any = false;
 	for (size_t c = 0; c < r->n_column && good; c++) {
@@ -329,7 +330,7 @@ find_order(struct reading *r, bool *open)
 
 /* Room for one more row, all of its numbers unknown. */
 static void
-grow(struct reading *r)
+plant_log_grow(struct reading *r)
 {
 	struct plant_log *log = r->log;
 	if (log->n < r->room)
@@ -361,7 +362,7 @@ read_numbers(struct reading *r, const struct row *row)
 }
 
 static void
-read_rows(struct reading *r)
+plant_log_read_rows(struct reading *r)
 {
 	for (size_t i = r->first;
 	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
@@ -380,7 +381,7 @@ read_rows(struct reading *r)
 			continue;
 		}
 		r->zone = r->zone || day.has_zone || clock.has_zone;
-		grow(r);
+		plant_log_grow(r);
 		r->log->time[r->log->n] = time;
 		read_numbers(r, &r->sheet->row[i]);
 		r->log->n++;
@@ -426,7 +427,7 @@ tell_columns(struct reading *r)
 
 /* A sheet without times at all is none of a log, where others have some. */
 static bool
-read_sheet(struct reading *r, struct sheet *sheet, bool *open)
+plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 {
 	r->sheet = sheet;
 	r->n_column = r->first = r->date = r->clock = 0;
@@ -435,15 +436,16 @@ read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 		number_decimal(sheet, r->request->decimal);
 	if (!find_times(r))
 		return false;
-	if (!find_columns(r) || !find_order(r, open) || !check_numbers(r))
+	if (!plant_log_find_columns(r) || !find_order(r, open) ||
+	    !check_numbers(r))
 		return false;
-	read_rows(r);
+	plant_log_read_rows(r);
 	tell_columns(r);
 	return true;
 }
 
 static bool
-read_file(struct reading *r, const char *path, bool *open)
+plant_log_read_file(struct reading *r, const char *path, bool *open)
 {
 	struct source source;
 	bool good = source_read_log(path, r->errors, &source);
@@ -455,7 +457,7 @@ read_file(struct reading *r, const char *path, bool *open)
 		if (wanted == NULL && source.n > 1 &&
 		    source.sheet[i]->n_row < 2)
 			continue;
-		good = read_sheet(r, source.sheet[i], open);
+		good = plant_log_read_sheet(r, source.sheet[i], open);
 		taken++;
 	}
 	if (good && taken == 0)
@@ -483,7 +485,7 @@ by_time(const void *a, const void *b)
 }
 
 static void
-sort_rows(struct plant_log *log)
+plant_log_sort_rows(struct plant_log *log)
 {
 	struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
 	double *old = xdoubles(log->n);
@@ -503,7 +505,7 @@ sort_rows(struct plant_log *log)
 
 /* NAN of none. */
 static double
-median(double *value, size_t n)
+plant_log_median(double *value, size_t n)
 {
 	if (n == 0)
 		return NAN;
@@ -513,10 +515,10 @@ median(double *value, size_t n)
 
 /* What is told of the rows as a whole; columns without numbers go. */
 static void
-finish(struct reading *r)
+plant_log_finish(struct reading *r)
 {
 	struct plant_log *log = r->log;
-	sort_rows(log);
+	plant_log_sort_rows(log);
 	double *apart = xdoubles(log->n);
 	for (size_t i = 1; i < log->n; i++) {
 		apart[i - 1] = log->time[i] - log->time[i - 1];
@@ -525,7 +527,7 @@ finish(struct reading *r)
 			log->gap_from = log->time[i - 1];
 		}
 	}
-	log->apart = log->n > 1 ? median(apart, log->n - 1) : 0;
+	log->apart = log->n > 1 ? plant_log_median(apart, log->n - 1) : 0;
 	free(apart);
 	log->digest = text_digest(
 	    TEXT_DIGEST_START, log->time, log->n * sizeof *log->time);
@@ -559,7 +561,8 @@ plant_log_read(
 	r.log->assumed = xstrdup("");
 	*open = false;
 	for (size_t i = 0; i < request->n && good; i++)
-		good = read_file(&r, request->path[i], open) && errors->n == 0;
+		good = plant_log_read_file(&r, request->path[i], open) &&
+		       errors->n == 0;
 	if (good && r.log->passed >= r.log->n)
 		good = error_at(error_add(errors), ERROR_DATA, request->path[0],
 		    0, 0,
@@ -568,7 +571,7 @@ plant_log_read(
 		    "write times as 2026-05-03 10:15",
 		    r.log->passed, r.log->n);
 	if (good) {
-		finish(&r);
+		plant_log_finish(&r);
 		return r.log;
 	}
 	plant_log_free(r.log);
@@ -605,7 +608,7 @@ plant_log_window(const struct plant_log *log, double from, double to)
 		for (size_t i = first; i < end && log->value[k] != NULL; i++)
 			if (!isnan(log->value[k][i]))
 				value[n++] = log->value[k][i];
-		w.median[k] = median(value, n);
+		w.median[k] = plant_log_median(value, n);
 		w.least[k] = n > 0 ? value[0] : NAN;
 		w.most[k] = n > 0 ? value[n - 1] : NAN;
 		free(value);

@@ -22,7 +22,7 @@ static const struct kind {
     {"validate", "source", {NULL}}};
 
 static bool
-refuse(const char *path, struct error *error)
+shards_refuse(const char *path, struct error *error)
 {
 	return error_at(error, ERROR_DATA, path, 0, 0,
 	    "expected what 'calibrate all part=I/N' or 'validate all part=I/N' "
@@ -31,7 +31,7 @@ refuse(const char *path, struct error *error)
 }
 
 static bool
-take_text(const json_t *o, const char *key, char **text)
+shards_take_text(const json_t *o, const char *key, char **text)
 {
 	const char *value = json_string_value(json_object_get(o, key));
 	*text = xstrdup(value != NULL ? value : "");
@@ -49,7 +49,8 @@ take_whole(const json_t *value, size_t *whole)
 /* Number i of a row, which has a list of them or has it by its key; *there: it
  * must be. */
 static const json_t *
-number_of(const json_t *row, const struct kind *kind, size_t i, bool *there)
+shards_number_of(
+    const json_t *row, const struct kind *kind, size_t i, bool *there)
 {
 	const char *key = kind->number[i];
 	*there = kind->number[0] == NULL || key != NULL;
@@ -60,14 +61,14 @@ number_of(const json_t *row, const struct kind *kind, size_t i, bool *there)
 }
 
 static bool
-take_site(const json_t *row, const json_t *index, const struct kind *kind,
-    struct part_site *site)
+shards_take_site(const json_t *row, const json_t *index,
+    const struct kind *kind, struct part_site *site)
 {
 	bool good = take_whole(index, &site->index), there;
-	good = take_text(row, "site", &site->text[0]) && good;
-	good = take_text(row, kind->text, &site->text[1]) && good;
+	good = shards_take_text(row, "site", &site->text[0]) && good;
+	good = shards_take_text(row, kind->text, &site->text[1]) && good;
 	for (size_t i = 0; i < PART_NUMBERS; i++) {
-		const json_t *value = number_of(row, kind, i, &there);
+		const json_t *value = shards_number_of(row, kind, i, &there);
 		site->number[i] =
 		    json_is_number(value) ? json_number_value(value) : NAN;
 		good = good &&
@@ -77,7 +78,7 @@ take_site(const json_t *row, const json_t *index, const struct kind *kind,
 }
 
 static const struct kind *
-kind_of(const char *command)
+shards_kind_of(const char *command)
 {
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++)
 		if (strcmp(KINDS[i].command, command) == 0)
@@ -93,11 +94,11 @@ take_part(const json_t *o, const char *path, struct part_file *part)
 	const json_t *rows = json_object_get(o, "rows");
 	const json_t *index = json_object_get(about, "index");
 	*part = (struct part_file){.path = xstrdup(path)};
-	bool good = take_text(o, "command", &part->command);
-	const struct kind *kind = kind_of(part->command);
-	good = take_text(about, "sites", &part->sites) && kind != NULL;
-	good = take_text(about, "version", &part->version) && good;
-	good = take_text(about, "options", &part->options) && good;
+	bool good = shards_take_text(o, "command", &part->command);
+	const struct kind *kind = shards_kind_of(part->command);
+	good = shards_take_text(about, "sites", &part->sites) && kind != NULL;
+	good = shards_take_text(about, "version", &part->version) && good;
+	good = shards_take_text(about, "options", &part->options) && good;
 	good = good &&
 	       take_whole(json_object_get(about, "number"), &part->number) &&
 	       take_whole(json_object_get(about, "of"), &part->of) &&
@@ -108,7 +109,7 @@ take_part(const json_t *o, const char *path, struct part_file *part)
 	size_t n = good ? json_array_size(rows) : 0;
 	part->site = xcalloc(n + 1, sizeof *part->site);
 	for (size_t i = 0; i < n; i++, part->n++)
-		good = take_site(json_array_get(rows, i),
+		good = shards_take_site(json_array_get(rows, i),
 			   json_array_get(index, i), kind, &part->site[i]) &&
 		       good;
 	for (size_t i = 0; i < n; i++)
@@ -141,7 +142,7 @@ parts_read(const char *path, struct parts *parts, struct error *error)
 	       json_error_code(&about) == json_error_premature_end_of_input;
 	bool read = !ferror(in);
 	fclose(in);
-	return (good && read) || refuse(path, error);
+	return (good && read) || shards_refuse(path, error);
 }
 
 void
@@ -221,7 +222,7 @@ parts_agree(const struct parts *parts, struct error *error)
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		if (part->number < 1 || part->number > part->of)
-			return refuse(part->path, error);
+			return shards_refuse(part->path, error);
 		if (!fits(&parts->part[0], part, error))
 			return false;
 	}

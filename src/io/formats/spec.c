@@ -42,7 +42,7 @@ read_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 
 /* False for a key that is none: a remark. */
 static bool
-read_key(
+spec_read_key(
     struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
 {
 	char **text = text_same(key.text, "spec")     ? &spec->name
@@ -69,7 +69,7 @@ read_heading(
 			sheet_wanted(sheet, row->cell[2],
 			    "the end of the line after key and value",
 			    "quote a value that contains the separator");
-		read_key(spec, sheet, row->cell[0], sheet_cell(row, 1));
+		spec_read_key(spec, sheet, row->cell[0], sheet_cell(row, 1));
 	}
 }
 
@@ -80,8 +80,8 @@ read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
 {
 	for (size_t i = 0; i < t->titles; i++) {
 		const struct row *row = &t->head[i];
-		if (row->n == 2 &&
-		    read_key(spec, sheet, row->cell[0], sheet_cell(row, 1)))
+		if (row->n == 2 && spec_read_key(spec, sheet, row->cell[0],
+				       sheet_cell(row, 1)))
 			continue;
 		return sheet_wanted(sheet, t->head[0].cell[t->n_col - 1],
 		    "the end of the line after key and value",
@@ -92,7 +92,7 @@ read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
 
 /* at: place of min_pct and max_pct in a row, 0 where there is none. */
 static void
-read_heads(const struct table *t, size_t at[static 2])
+spec_read_heads(const struct table *t, size_t at[static 2])
 {
 	at[0] = at[1] = 0;
 	for (size_t i = 1; i < t->n_col; i++) {
@@ -115,7 +115,7 @@ read_heads(const struct table *t, size_t at[static 2])
 
 /* The limit of a row as passing, NAN where the cell is empty or at fault. */
 static double
-read_limit(const struct table *t, size_t row, size_t at)
+spec_read_limit(const struct table *t, size_t row, size_t at)
 {
 	double v;
 	struct cell cell = sheet_cell(&t->row[row], at);
@@ -152,7 +152,7 @@ check_fall(
 }
 
 static void
-read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
+spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 {
 	spec->n = t->n_row;
 	spec->size = xdoubles(t->n_row);
@@ -161,8 +161,8 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
 		spec->size[i] = t->mm[i] / 1000;
-		spec->least[i] = read_limit(t, i, at[0]);
-		spec->most[i] = read_limit(t, i, at[1]);
+		spec->least[i] = spec_read_limit(t, i, at[0]);
+		spec->most[i] = spec_read_limit(t, i, at[1]);
 		if (t->mm[i] <= 0)
 			sheet_wanted(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
@@ -177,20 +177,20 @@ read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 }
 
 static void
-read_table(struct spec *spec, struct table *t)
+spec_read_table(struct spec *spec, struct table *t)
 {
 	enum sieve_certainty certainty = site_sieve_find(t, 0);
 	size_t at[2];
-	read_heads(t, at);
+	spec_read_heads(t, at);
 	site_sieve_check(t);
 	if (certainty == SIEVES_OPEN)
 		sheet_wanted(t->sheet, site_sieve_head(t),
 		    "the unit of the sieves", "write size_mm");
-	read_rows(spec, t, at);
+	spec_read_rows(spec, t, at);
 }
 
 static void
-read_sheet(struct spec *spec, struct sheet *sheet)
+spec_read_sheet(struct spec *spec, struct sheet *sheet)
 {
 	struct layout_range all = {0};
 	site_sieve_numbers(sheet);
@@ -198,7 +198,7 @@ read_sheet(struct spec *spec, struct sheet *sheet)
 	read_heading(spec, sheet, layout);
 	if (layout->n > 0 && layout->table[0].n_head > 0) {
 		read_titles(spec, sheet, &layout->table[0]);
-		read_table(spec, &layout->table[0]);
+		spec_read_table(spec, &layout->table[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
 		sheet_wanted(sheet, sheet_cell(&none, 0),
@@ -219,7 +219,7 @@ spec_read(const char *path, struct error_list *errors)
 		spec = spec_new();
 		free(spec->note);
 		spec->note = xstrdup(source.note);
-		read_sheet(spec, source.sheet[0]);
+		spec_read_sheet(spec, source.sheet[0]);
 		if (spec->name[0] == '\0') {
 			free(spec->name);
 			spec->name = xstrdup(path);

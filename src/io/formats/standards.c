@@ -48,7 +48,7 @@ spec_of(const struct standards *all, const char *name)
 /* Puts a row where it belongs, coarsest first; one on the same sieve is
  * replaced. */
 static void
-put_row(struct spec *spec, double size, double least, double most)
+standards_put_row(struct spec *spec, double size, double least, double most)
 {
 	size_t i = 0, n = spec->n;
 	while (i < n && spec->size[i] > size)
@@ -97,7 +97,8 @@ add_spec(struct standards *all, const char *standard, const char *name,
 	(void)ok;
 	const struct spec *base = base_of(all, name);
 	for (size_t i = 0; base != NULL && i < base->n; i++)
-		put_row(spec, base->size[i], base->least[i], base->most[i]);
+		standards_put_row(
+		    spec, base->size[i], base->least[i], base->most[i]);
 	all->spec = xrealloc(all->spec, all->n + 1, sizeof(*all->spec));
 	all->spec[all->n++] = spec;
 	return spec;
@@ -129,14 +130,15 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	if (spec == NULL)
 		spec = add_spec(
 		    all, standard, name, sheet_cell(row, CUT).text, source);
-	put_row(spec, mm / 1000, number_in(sheet, row, LEAST) / 100,
+	standards_put_row(spec, mm / 1000, number_in(sheet, row, LEAST) / 100,
 	    number_in(sheet, row, MOST) / 100);
 	add_remark(spec, source, mm);
 	free(name);
 }
 
 static void
-read_limit(struct standards *all, struct sheet *sheet, const struct row *row)
+standards_read_limit(
+    struct standards *all, struct sheet *sheet, const struct row *row)
 {
 	enum { STANDARD, ITEM, LEAST, MOST, UNIT, NOTE };
 	all->limit = xrealloc(all->limit, all->n_limit + 1, sizeof *all->limit);
@@ -151,7 +153,8 @@ read_limit(struct standards *all, struct sheet *sheet, const struct row *row)
 
 /* Row by row, the heading left out. */
 static void
-read_text(struct standards *all, const char *name, const char *const *line,
+standards_read_text(struct standards *all, const char *name,
+    const char *const *line,
     void (*read)(struct standards *, struct sheet *, const struct row *))
 {
 	struct error_list errors = {0};
@@ -171,8 +174,9 @@ struct standards *
 standards_shipped(void)
 {
 	struct standards *all = xcalloc(1, sizeof *all);
-	read_text(all, "envelopes", ENVELOPES_TEXT, read_envelope);
-	read_text(all, "scalars", ENVELOPE_SCALARS_TEXT, read_limit);
+	standards_read_text(all, "envelopes", ENVELOPES_TEXT, read_envelope);
+	standards_read_text(
+	    all, "scalars", ENVELOPE_SCALARS_TEXT, standards_read_limit);
 	for (size_t i = 0; i < all->n; i++)
 		xappend(&all->spec[i]->source, "; %s", tr(COPY));
 	return all;
@@ -244,7 +248,7 @@ names_plain(const struct spec *spec, const char *folded)
 
 /* Whether a name is that other one of so many letters, or goes on after it. */
 static bool
-goes_on(const char *name, const char *other, size_t length)
+standards_goes_on(const char *name, const char *other, size_t length)
 {
 	return strncmp(name, other, length) == 0 &&
 	       (name[length] == '\0' || name[length] == ' ');
@@ -260,8 +264,9 @@ keep_base(
 		const char *name = all->spec[i]->name;
 		size_t length = strlen(name), begin = 0;
 		for (size_t j = 0; j < all->n; j++)
-			begin += match[j] &&
-				 goes_on(all->spec[j]->name, name, length);
+			begin +=
+			    match[j] &&
+			    standards_goes_on(all->spec[j]->name, name, length);
 		if (!match[i] || begin < n ||
 		    !names_plain(all->spec[i], folded))
 			continue;

@@ -69,7 +69,7 @@ kept_remove(struct kept *kept)
 
 /* False for the file of a program that runs, and for none. */
 static bool
-look_at(struct kept_file *file)
+autosave_file_look_at(struct kept_file *file)
 {
 	struct stat info;
 	char head[200] = "";
@@ -114,7 +114,7 @@ kept_files(size_t *n)
 			continue;
 		struct kept_file one = {
 		    .path = xasprintf("%s%s", folder, e->d_name)};
-		if (look_at(&one)) {
+		if (autosave_file_look_at(&one)) {
 			file = xrealloc(file, *n + 1, sizeof *file);
 			file[(*n)++] = one;
 		} else {

@@ -189,7 +189,7 @@ take_rights(int fd, const struct stat *old)
 
 /* old: of the file that is there, or NULL.  False with errno. */
 static bool
-put_file(const char *path, const struct stat *old, enum file_rights rights,
+file_put_file(const char *path, const struct stat *old, enum file_rights rights,
     const char *bytes, size_t n)
 {
 	char *folder = folder_of(path), *name = NULL;
@@ -218,7 +218,7 @@ put_file(const char *path, const struct stat *old, enum file_rights rights,
 
 /* False, with errno, for what can be no file. */
 static bool
-look(const char *path, struct stat *about, bool *there)
+file_look(const char *path, struct stat *about, bool *there)
 {
 	*there = stat(path, about) == 0;
 	if (*there && S_ISDIR(about->st_mode))
@@ -232,7 +232,7 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 {
 	struct stat about;
 	bool there;
-	if (!look(path, &about, &there))
+	if (!file_look(path, &about, &there))
 		return cannot_write(path, errno, error);
 	if (there && !S_ISREG(about.st_mode))
 		return file_append(path, rights, bytes, n, error);
@@ -243,7 +243,8 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 	sigset_t all, before;
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
-	bool good = put_file(target, there ? &about : NULL, rights, bytes, n);
+	bool good =
+	    file_put_file(target, there ? &about : NULL, rights, bytes, n);
 	int reason = errno;
 	sigprocmask(SIG_SETMASK, &before, NULL);
 	free(target);
@@ -310,7 +311,7 @@ file_may_write(const char *path, struct error *error)
 {
 	struct stat about;
 	bool there;
-	if (!look(path, &about, &there))
+	if (!file_look(path, &about, &there))
 		return cannot_write(path, errno, error);
 	char *target = behind_links(path), *folder = folder_of(target);
 	bool ok =

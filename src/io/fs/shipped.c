@@ -14,7 +14,7 @@
 /* A folder of the one that holds the folder of the program; NULL where it is
  * not there. */
 static char *
-beside(const char *folder)
+shipped_beside(const char *folder)
 {
 	char self[PATH_MAX];
 	ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
@@ -40,7 +40,7 @@ shipped_folder(void)
 	    "data/sites", "share/tipspeed/sites"};
 	char *folder = access(TREE, R_OK) == 0 ? xstrdup(TREE) : NULL;
 	for (size_t i = 0; folder == NULL && i < ARRAY_LEN(BESIDE); i++)
-		folder = beside(BESIDE[i]);
+		folder = shipped_beside(BESIDE[i]);
 	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
 }
 

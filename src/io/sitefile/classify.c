@@ -52,7 +52,8 @@ head_cell(const struct table *t, size_t r, size_t c, bool *own)
 
 /* Fills in what `said` lacks from a cell above. */
 static void
-merge(struct head *said, const struct head *more, bool own, bool titles)
+classify_merge(
+    struct head *said, const struct head *more, bool own, bool titles)
 {
 	static const uint64_t GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
@@ -128,7 +129,7 @@ apply_label(const struct cell *label, struct head *head)
 
 /* Everything that the heads of a column say. */
 static struct head
-read_heads(const struct table *t, size_t c)
+classify_read_heads(const struct table *t, size_t c)
 {
 	struct head said = {0};
 	for (size_t r = t->n_head; r-- > 0;) {
@@ -140,7 +141,7 @@ read_heads(const struct table *t, size_t c)
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
 			apply_label(&t->head[r].cell[0], &one);
-		merge(&said, &one, own, r < t->titles);
+		classify_merge(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
 	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
@@ -168,7 +169,7 @@ struct shape {
 };
 
 static struct shape
-shape_of(const struct column *c)
+classify_shape_of(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
@@ -194,7 +195,7 @@ shape_of(const struct column *c)
 }
 
 static bool
-near(double value, double whole, double percent)
+classify_near(double value, double whole, double percent)
 {
 	return fabs(value - whole) <= percent / 100 * whole;
 }
@@ -218,11 +219,11 @@ stated_total(const struct column *c)
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
-	bool percent = near(s->sum, 100, 5) && s->most <= 100.5;
+	bool percent = classify_near(s->sum, 100, 5) && s->most <= 100.5;
 	*scale = OF_100;
-	if (near(s->sum, 100, 1.05) && s->most <= 100.5)
+	if (classify_near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
-	else if (near(s->sum, 1, 1.05) && s->most <= 1.005)
+	else if (classify_near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
 	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
@@ -240,7 +241,8 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 	bool hill = s->rises > 0 && s->falls > 0;
 	bool peak = s->first >= s->most && s->rises <= 1;
 	*scale = s->most <= 1 + 1e-9 ? OF_1 : OF_100;
-	if (hill && peak && (near(s->most, 100, 1) || near(s->most, 1, 1))) {
+	if (hill && peak &&
+	    (classify_near(s->most, 100, 1) || classify_near(s->most, 1, 1))) {
 		*kind = PASSING; /* and one cell is wrong */
 		return true;
 	}
@@ -258,7 +260,8 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		if (end > 101)
 			*scale = OF_MASS;
 		return s->n > 2 && *scale != OF_MASS &&
-		       (near(end, 100, 10) || near(end, 1, 10)) &&
+		       (classify_near(end, 100, 10) ||
+			   classify_near(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
 	if (s->has_pan && s->pan > 0.015 * s->most) {
@@ -272,9 +275,10 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		return s->has_pan && s->n > 2 && s->pan > 0;
 	}
 	if (*scale == OF_1)
-		return near(s->first, 1, 0.1) && s->n > 2 && s->falls > 1;
-	return near(s->first, 100, 0.6) ||
-	       (!near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
+		return classify_near(s->first, 1, 0.1) && s->n > 2 &&
+		       s->falls > 1;
+	return classify_near(s->first, 100, 0.6) ||
+	       (!classify_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
 }
 
 /* Whether numbers can be what the head says. */
@@ -288,8 +292,8 @@ agrees_with(const struct shape *s, enum unit_kind kind)
 		return !rises && !(hill && s->first < 0.9 * s->most);
 	if (kind == CUMULATIVE)
 		return !falls && !(hill && s->last < 0.9 * s->most);
-	return !(falls && s->n > 2 && near(s->first, 100, 1)) &&
-	       !(falls && s->n > 2 && near(s->first, 1, 0.1));
+	return !(falls && s->n > 2 && classify_near(s->first, 100, 1)) &&
+	       !(falls && s->n > 2 && classify_near(s->first, 1, 0.1));
 }
 
 /* Of a column that says "retained", and rises throughout: each sieve's, or
@@ -303,13 +307,15 @@ settle_rising(
 	*kind = CUMULATIVE;
 	if (s->has_pan && s->pan < s->last)
 		*kind = RETAINED;
-	else if (share && near(s->sum, whole, 1.05))
+	else if (share && classify_near(s->sum, whole, 1.05))
 		*kind = RETAINED;
-	else if (share && s->sum > 1.05 * whole && near(s->most, whole, 25))
+	else if (share && s->sum > 1.05 * whole &&
+		 classify_near(s->most, whole, 25))
 		assume(c, "cumulative, as the parts would sum to %.3g", s->sum);
-	else if (!isnan(total) && near(s->sum, total, 1))
+	else if (!isnan(total) && classify_near(s->sum, total, 1))
 		*kind = RETAINED;
-	else if (!(s->has_pan && !isnan(total) && near(s->pan, total, 0.1) &&
+	else if (!(s->has_pan && !isnan(total) &&
+		     classify_near(s->pan, total, 0.1) &&
 		     s->sum > 1.05 * total))
 		return false;
 	return true;
@@ -344,7 +350,8 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		/* 1.002 is a fraction, and refused as one. */
 		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
-		return one || (kind == PASSING && near(s->first, 100, 0.6));
+		return one ||
+		       (kind == PASSING && classify_near(s->first, 100, 0.6));
 	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
@@ -359,8 +366,8 @@ settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return kind == CUMULATIVE && s->has_pan;
 	}
 	if (one && s->most > 0)
-		return near(whole, 1, 1.05) && s->n > 2;
-	return kind == PASSING || near(whole, 100, 25) ||
+		return classify_near(whole, 1, 1.05) && s->n > 2;
+	return kind == PASSING || classify_near(whole, 100, 25) ||
 	       (means & WORD_PERCENT) != 0;
 }
 
@@ -388,9 +395,10 @@ is_defined(
 	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
 		if (DEFINED[i].words == words) {
 			*unit = DEFINED[i].unit;
-			return words != 0 || ((s->rises == 0 || s->falls == 0 ||
-						  near(s->first, 100, 0.6)) &&
-						 s->most > 1);
+			return words != 0 ||
+			       ((s->rises == 0 || s->falls == 0 ||
+				    classify_near(s->first, 100, 0.6)) &&
+				   s->most > 1);
 		}
 	return false;
 }
@@ -414,7 +422,7 @@ refuse_small(struct column *c, const struct shape *s)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (unit->scale != OF_100 || s->n < 3 || s->most > 1 ||
-	    !near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
+	    !classify_near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
 		return;
 	sheet_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\n"
@@ -423,9 +431,9 @@ refuse_small(struct column *c, const struct shape *s)
 }
 
 static void
-find_unit(struct column *c, bool told)
+classify_find_unit(struct column *c, bool told)
 {
-	struct shape s = shape_of(c);
+	struct shape s = classify_shape_of(c);
 	uint64_t kinds = c->said.means & KIND_WORDS;
 	uint64_t scales = c->said.means & SCALE_WORDS;
 	double total = stated_total(c);
@@ -648,7 +656,7 @@ is_no_sample(const struct column *c, struct site *site)
 
 /* A column that has one speed for all rows: of a long table with one sample. */
 static void
-note_speed(const struct column *c, struct surroundings *near)
+classify_note_speed(const struct column *c, struct surroundings *near)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
@@ -672,7 +680,7 @@ note_speed(const struct column *c, struct surroundings *near)
 /* The numbers of a column from their least to their most; the least is -1 where
  * one is missing. */
 static void
-bounds_of(const struct column *c, double *least, double *most)
+classify_bounds_of(const struct column *c, double *least, double *most)
 {
 	*least = INFINITY;
 	*most = 0;
@@ -692,7 +700,7 @@ refuse_tare(const struct column *column, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct column *c = &column[i];
 		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		bounds_of(c, &least, &most);
+		classify_bounds_of(c, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
 			sheet_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
@@ -717,7 +725,7 @@ headed(struct table *t, size_t at)
 		const struct cell *cell = head_cell(t, r, at, &own);
 		c.head = cell != NULL ? *cell : c.head;
 	}
-	c.said = read_heads(t, at);
+	c.said = classify_read_heads(t, at);
 	return c;
 }
 
@@ -731,7 +739,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
 		column[n] = headed(t, n + 1);
-		note_speed(&column[n], &around);
+		classify_note_speed(&column[n], &around);
 		around.counted =
 		    around.counted || is_other_number(&column[n].said);
 	}
@@ -751,7 +759,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 		/* Below a speed an empty cell may be the same, or forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		find_unit(&c, around.told);
+		classify_find_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
 	free(column);
@@ -775,7 +783,7 @@ drop(struct columns *all, size_t i)
 
 /* Masses are exact and have a pan; then what needs least done to it. */
 static int
-rank(const struct column *c)
+classify_rank(const struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (c->open)
@@ -813,7 +821,7 @@ is_called_alike(const struct column *a, const struct column *b)
 /* Whether two columns are one sample in two quantities, of which one at least
  * is stated. */
 static bool
-is_same_sample(const struct column *a, const struct column *b)
+classify_is_same_sample(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
@@ -932,15 +940,16 @@ drop_means(struct columns *all, struct site *site)
 }
 
 static void
-drop_twins(struct columns *all, struct site *site)
+classify_drop_twins(struct columns *all, struct site *site)
 {
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
 			const struct column *a = &all->column[i];
 			const struct column *b = &all->column[k];
 			if (i == k || a->twin > 0 || b->twin > 0 ||
-			    !is_same_sample(a, b) || rank(a) < rank(b) ||
-			    (rank(a) == rank(b) && i < k))
+			    !classify_is_same_sample(a, b) ||
+			    classify_rank(a) < classify_rank(b) ||
+			    (classify_rank(a) == classify_rank(b) && i < k))
 				continue;
 			leave_out(site, a->table->number[a->at],
 			    "%s: the sample of column %zu again, as %s",
@@ -953,9 +962,9 @@ drop_twins(struct columns *all, struct site *site)
 
 /* A column that no head explains is left out where it looks like no curve. */
 static bool
-is_curve(const struct column *c)
+classify_is_curve(const struct column *c)
 {
-	struct shape s = shape_of(c);
+	struct shape s = classify_shape_of(c);
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
@@ -1024,7 +1033,7 @@ recognise_settle(
 		if (c->role != NO_ROLE)
 			continue;
 		bool unknown =
-		    c->said.unknown > 0 && !is_curve(c) &&
+		    c->said.unknown > 0 && !classify_is_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c->table->number[c->at],
@@ -1035,7 +1044,7 @@ recognise_settle(
 		c->no_role = true;
 	}
 	drop_means(all, site);
-	drop_twins(all, site);
+	classify_drop_twins(all, site);
 	guess_feed(all, feeds);
 	free_feed(all);
 	if (!told)

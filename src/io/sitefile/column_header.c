@@ -34,7 +34,7 @@ static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "t", "kw", "h", "hz", "a", "s", "v", "bar", "min", "pct", "\xC2\xB0"};
 
 static bool
-is_letter(char c)
+column_header_is_letter(char c)
 {
 	return isalpha((unsigned char)c) || (c & 0x80) != 0;
 }
@@ -46,7 +46,7 @@ unit_at(const char *text, size_t *n)
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*n = strlen(UNITS[i].text);
 		if (strncmp(text, UNITS[i].text, *n) == 0 &&
-		    !is_letter(text[*n]))
+		    !column_header_is_letter(text[*n]))
 			return UNITS[i].unit;
 	}
 	*n = 0;
@@ -59,7 +59,7 @@ other_unit_at(const char *text)
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_UNITS); i++) {
 		size_t n = strlen(OTHER_UNITS[i]);
 		if (strncmp(text, OTHER_UNITS[i], n) == 0 &&
-		    !is_letter(text[n]))
+		    !column_header_is_letter(text[n]))
 			return true;
 	}
 	return false;
@@ -124,7 +124,7 @@ group_at(const char *p)
  * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
  * moved over. */
 static bool
-number_at(const char **text, double *value)
+column_header_number_at(const char **text, double *value)
 {
 	static const char DIGITS[] = "0123456789";
 	const char *p = *text;
@@ -165,7 +165,8 @@ static const char *
 grams_after(const char *text)
 {
 	size_t n = strspn(text, "k") + 1;
-	bool grams = n <= 2 && text[n - 1] == 'g' && !is_letter(text[n]);
+	bool grams =
+	    n <= 2 && text[n - 1] == 'g' && !column_header_is_letter(text[n]);
 	return grams ? text + n : text;
 }
 
@@ -264,7 +265,8 @@ is_part(const struct before *before, const char *text, double value, bool unit)
 /* Whether what stands around a number makes another one of it: 7.4e1, .69,
  * 1E+02.  from, to: of its digits in the text; at: @ is before it. */
 static bool
-is_cut(const char *text, const char *from, const char *to, bool at)
+column_header_is_cut(
+    const char *text, const char *from, const char *to, bool at)
 {
 	const char *p = from;
 	while (p > text && isalpha((unsigned char)p[-1]))
@@ -274,7 +276,7 @@ is_cut(const char *text, const char *from, const char *to, bool at)
 	if (from > text && from[-1] == '+')
 		return true;
 	if (from > text && from[-1] == '.' &&
-	    (from == text + 1 || !is_letter(from[-2])))
+	    (from == text + 1 || !column_header_is_letter(from[-2])))
 		return true;
 	return at && *to != '\0' && strchr(" ,;:()[]_\"", *to) == NULL &&
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
@@ -282,21 +284,22 @@ is_cut(const char *text, const char *from, const char *to, bool at)
 
 /* Takes the number at *text, which moves after it. */
 static void
-read_number(struct head *head, const char *start, const char **text, bool at,
-    struct before *before)
+column_header_read_number(struct head *head, const char *start,
+    const char **text, bool at, struct before *before)
 {
 	const char *from = *text;
 	double value;
 	size_t n;
-	bool inside = from > start && is_letter(from[-1]);
+	bool inside = from > start && column_header_is_letter(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
-	bool good = number_at(text, &value);
+	bool good = column_header_number_at(text, &value);
 	const char *to = *text;
 	bool speed = unit_at(to + strspn(to, " "), &n) != SPEED_NO_UNIT;
 	at = at && good;
 	head->several =
 	    head->several || minus ||
-	    (good && (at || speed) && is_cut(start, from, to, at && !speed)) ||
+	    (good && (at || speed) &&
+		column_header_is_cut(start, from, to, at && !speed)) ||
 	    (good && is_part(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
 		!other_unit_at(to + strspn(to, " ")) &&
@@ -325,7 +328,7 @@ range_at(const char *p)
 
 /* Whether a text has two sizes, and no date, which has three numbers. */
 static bool
-has_range(const char *text)
+column_header_has_range(const char *text)
 {
 	static const char NUMBER[] = "0123456789.,";
 	for (const char *p = text; *p != '\0'; p++) {
@@ -359,7 +362,7 @@ head_read(const char *text)
 	size_t n = 0, k;
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
-		bool inside = p > folded && is_letter(p[-1]);
+		bool inside = p > folded && column_header_is_letter(p[-1]);
 		enum speed_unit unit = inside ? SPEED_NO_UNIT : unit_at(p, &k);
 		if (unit != SPEED_NO_UNIT) {
 			if (head.unit == SPEED_NO_UNIT)
@@ -367,7 +370,8 @@ head_read(const char *text)
 			p += k;
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
-			read_number(&head, folded, &p, at, &before);
+			column_header_read_number(
+			    &head, folded, &p, at, &before);
 			words[n++] = ' ';
 			at = false;
 		} else {
@@ -376,7 +380,7 @@ head_read(const char *text)
 			p++;
 		}
 	}
-	head.range = has_range(folded);
+	head.range = column_header_has_range(folded);
 	head.means = vocabulary_text(words, &head.unknown);
 	free(words);
 	free(folded);

@@ -57,7 +57,7 @@ index_at(const struct grid *g, size_t r, size_t c)
 }
 
 static struct cell *
-cell_at(const struct grid *g, size_t r, size_t c)
+layout_cell_at(const struct grid *g, size_t r, size_t c)
 {
 	return &g->at[index_at(g, r, c)];
 }
@@ -71,7 +71,7 @@ nature_at(const struct grid *g, size_t r, size_t c)
 static bool
 is_filled(const struct grid *g, size_t r, size_t c)
 {
-	return cell_at(g, r, c)->text[0] != '\0';
+	return layout_cell_at(g, r, c)->text[0] != '\0';
 }
 
 /* Whether only comments are between two lines of a sheet; *i: the first of them
@@ -86,7 +86,7 @@ is_next(const struct sheet *sheet, int line, int next, size_t *i)
 }
 
 static bool
-in_range(struct layout_range range, int line, size_t column)
+layout_in_range(struct layout_range range, int line, size_t column)
 {
 	return range.last_line == 0 ||
 	       (line >= range.first_line && line <= range.last_line &&
@@ -155,11 +155,11 @@ find_natures(struct grid *g)
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++)
 			*nature_at(g, r, c) =
-			    nature_of(g->sheet, cell_at(g, r, c));
+			    nature_of(g->sheet, layout_cell_at(g, r, c));
 }
 
 static void
-find_numbers(struct grid *g)
+layout_find_numbers(struct grid *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
@@ -167,7 +167,7 @@ find_numbers(struct grid *g)
 	     r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
-			if (number_of(*cell_at(g, r, c), &v))
+			if (number_of(*layout_cell_at(g, r, c), &v))
 				next = (unsigned)c;
 			g->number[r * g->n_col + c] = next;
 		}
@@ -175,7 +175,7 @@ find_numbers(struct grid *g)
 }
 
 static struct grid
-grid_new(struct sheet *sheet, struct layout_range range)
+layout_grid_new(struct sheet *sheet, struct layout_range range)
 {
 	struct grid g = {.sheet = sheet, .n_row = sheet->n_row, .right = 1};
 	size_t comment = 0;
@@ -198,9 +198,9 @@ grid_new(struct sheet *sheet, struct layout_range range)
 		    r > 0 && !is_next(sheet, row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
-			if (!in_range(range, row->line, c + 1))
+			if (!layout_in_range(range, row->line, c + 1))
 				cell = sheet_cell(row, row->n_all);
-			*cell_at(&g, r, c) = cell;
+			*layout_cell_at(&g, r, c) = cell;
 		}
 	}
 	return g;
@@ -214,13 +214,14 @@ name_feeds(struct grid *g)
 	for (size_t r = 0; r < g->n_row; r++) {
 		bool out = false;
 		for (size_t c = 0; c < g->n_col; c++) {
-			const char *text = cell_at(g, r, c)->text;
+			const char *text = layout_cell_at(g, r, c)->text;
 			out = out || strcasecmp(text, "out") == 0 ||
 			      strcasecmp(text, "ut") == 0;
 		}
 		for (size_t c = 0; c < g->n_col && out; c++)
-			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
-				cell_at(g, r, c)->text = feed;
+			if (strcasecmp(layout_cell_at(g, r, c)->text, "in") ==
+			    0)
+				layout_cell_at(g, r, c)->text = feed;
 	}
 }
 
@@ -237,12 +238,12 @@ shift_head(struct grid *g)
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
 		if (!is_filled(g, r, wide - 1) ||
-		    !number_of(*cell_at(g, r, 0), &v) || v != (double)r)
+		    !number_of(*layout_cell_at(g, r, 0), &v) || v != (double)r)
 			return;
-	struct cell none = *cell_at(g, 0, wide - 1);
+	struct cell none = *layout_cell_at(g, 0, wide - 1);
 	for (size_t c = wide - 1; c > 0; c--)
-		*cell_at(g, 0, c) = *cell_at(g, 0, c - 1);
-	*cell_at(g, 0, 0) = none;
+		*layout_cell_at(g, 0, c) = *layout_cell_at(g, 0, c - 1);
+	*layout_cell_at(g, 0, 0) = none;
 }
 
 /* The same cells. */
@@ -262,12 +263,12 @@ grid_turned(const struct grid *g)
 	    .used = g->used};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
-	find_numbers(&t);
+	layout_find_numbers(&t);
 	return t;
 }
 
 static void
-grid_clear(struct grid *g)
+layout_grid_clear(struct grid *g)
 {
 	free(g->gap);
 	free(g->phi);
@@ -289,7 +290,7 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 	size_t n = 0;
 	double v, last = NAN, step = 0;
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
-		const struct cell *cell = cell_at(g, r, c);
+		const struct cell *cell = layout_cell_at(g, r, c);
 		if (!number_of(*cell, &v))
 			break;
 		if (isnan(sieve_names_mm(cell->text, SIEVE_ASTM)))
@@ -319,7 +320,7 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 	    (nature_at(g, r, c)->means & WORD_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
-		if (number_of(*cell_at(g, r, c), &v) &&
+		if (number_of(*layout_cell_at(g, r, c), &v) &&
 		    fabs(v) > SIEVE_MOST_PHI)
 			return false;
 	return true;
@@ -330,13 +331,13 @@ kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 {
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
-		return sieve_size(g->sheet, *cell_at(g, r, c), phi, mm);
+		return sieve_size(g->sheet, *layout_cell_at(g, r, c), phi, mm);
 	*mm = nature_at(g, r, c)->mm;
 	return nature_at(g, r, c)->kind;
 }
 
 static bool
-is_sieve(const struct grid *g, size_t r, size_t c)
+layout_is_sieve(const struct grid *g, size_t r, size_t c)
 {
 	double mm;
 	return kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
@@ -360,12 +361,12 @@ struct place {
 
 /* Where a sieve with numbers follows right below; n_row: it ends before. */
 static size_t
-goes_on(const struct grid *g, size_t r, size_t c, size_t end)
+layout_goes_on(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(g, r, c))
 			break;
-		if (is_sieve(g, r, c) && has_numbers(g, r, c, end))
+		if (layout_is_sieve(g, r, c) && has_numbers(g, r, c, end))
 			return r;
 	}
 	return g->n_row;
@@ -376,7 +377,7 @@ goes_on(const struct grid *g, size_t r, size_t c, size_t end)
 static bool
 is_unnamed(const struct grid *g, size_t r, size_t c, size_t end)
 {
-	const char *text = cell_at(g, r, c)->text;
+	const char *text = layout_cell_at(g, r, c)->text;
 	bool word =
 	    text[0] != '\0' && strchr("-<>#+0123456789", text[0]) == NULL;
 	return !g->gap[r] && !word && has_numbers(g, r, c, end);
@@ -397,7 +398,7 @@ find_end(const struct grid *g, struct place *p)
 		if (is_sieve_head(g, r, p->c))
 			break;
 		if (r >= known && nature_at(g, r, p->c)->foot &&
-		    (known = goes_on(g, r, p->c, p->end)) == g->n_row)
+		    (known = layout_goes_on(g, r, p->c, p->end)) == g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
 		    (kind == SIEVE_IS_NONE || !numbers))
@@ -405,11 +406,12 @@ find_end(const struct grid *g, struct place *p)
 		if (kind == SIEVE_IS_NONE)
 			continue;
 		p->last = r + 1;
-		standard += kind == SIEVE_IS_SIZE &&
-			    (isnan(mm) || sieve_names_standard(mm) ||
-				sieve_names_standard(mm / 1000) ||
-				sieve_names_series(cell_at(g, r, p->c)->text) !=
-				    SIEVE_NONE);
+		standard +=
+		    kind == SIEVE_IS_SIZE &&
+		    (isnan(mm) || sieve_names_standard(mm) ||
+			sieve_names_standard(mm / 1000) ||
+			sieve_names_series(layout_cell_at(g, r, p->c)->text) !=
+			    SIEVE_NONE);
 	}
 	while (p->last < g->n_row && is_unnamed(g, p->last, p->c, p->end))
 		p->last++;
@@ -441,10 +443,11 @@ find_headed(const struct grid *g, struct place *place)
 			    c, r, r + 1, 0, next_head(g, r, c), 0, false};
 			g->phi[c] = g->phi[c] || is_phi_head(g, r, c);
 			while (p.first < g->n_row && p.first < r + 4 &&
-			       !is_sieve(g, p.first, c) &&
+			       !layout_is_sieve(g, p.first, c) &&
 			       !is_sieve_head(g, p.first, c))
 				p.first++;
-			if (p.first == g->n_row || !is_sieve(g, p.first, c))
+			if (p.first == g->n_row ||
+			    !layout_is_sieve(g, p.first, c))
 				continue;
 			find_end(g, &p);
 			if (p.last > p.first && n < MOST_TABLES)
@@ -523,7 +526,7 @@ ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 		  most = 0;
 	bool even = true, quarters = true;
 	for (; r < g->n_row && !g->gap[r]; r++) {
-		if (!number_of(*cell_at(g, r, c), &v) ||
+		if (!number_of(*layout_cell_at(g, r, c), &v) ||
 		    (!isnan(step) && (v - last) * step <= 0) || v == last ||
 		    !has_numbers(g, r, c, g->n_col))
 			break;
@@ -547,8 +550,8 @@ static bool
 is_headed_alike(const struct grid *g, size_t r, size_t c, size_t other)
 {
 	return r > 0 && is_filled(g, r - 1, c) &&
-	       strcmp(cell_at(g, r - 1, c)->text,
-		   cell_at(g, r - 1, other)->text) == 0;
+	       strcmp(layout_cell_at(g, r - 1, c)->text,
+		   layout_cell_at(g, r - 1, other)->text) == 0;
 }
 
 /* What no head and no sieve tells: the first column of numbers in order that
@@ -574,7 +577,7 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 			    !like || n == MOST_TABLES)
 				continue;
 			bool head = first > 0 && is_filled(g, first - 1, c) &&
-				    !is_sieve(g, first - 1, c);
+				    !layout_is_sieve(g, first - 1, c);
 			place[n++] =
 			    (struct place){c, head ? first - 1 : g->n_row,
 				first, end, g->n_col, (int)(end - first), true};
@@ -587,7 +590,7 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 /* The tables of a column that somebody says has sieves: from a first one that
  * has numbers beside it. */
 static size_t
-find_in(const struct grid *g, size_t c, struct place *place, size_t most)
+layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 {
 	size_t n = 0;
 	for (size_t r = 0;
@@ -609,7 +612,7 @@ find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 }
 
 static size_t
-find_told(
+layout_find_told(
     const struct grid *g, const struct layout_range *range, struct place *place)
 {
 	size_t n = 0;
@@ -618,7 +621,7 @@ find_told(
 			if (g->col_number[c] != range->sieves[i])
 				continue;
 			g->phi[c] = g->phi[c] || range->phi;
-			n += find_in(g, c, place + n, MOST_TABLES - n);
+			n += layout_find_in(g, c, place + n, MOST_TABLES - n);
 		}
 	return n;
 }
@@ -635,9 +638,9 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 		return false;
 	if (!is_filled(g, r, p->c))
 		return true;
-	if (vocabulary_key(cell_at(g, r, p->c)->text) != N_KEY)
+	if (vocabulary_key(layout_cell_at(g, r, p->c)->text) != N_KEY)
 		return false;
-	struct head first = head_read(cell_at(g, r, p->c)->text);
+	struct head first = head_read(layout_cell_at(g, r, p->c)->text);
 	bool of_columns =
 	    first.unit != SPEED_NO_UNIT ||
 	    (first.means & (WORD_SPEED | WORD_SAMPLE | WORD_SIZE)) != 0;
@@ -650,14 +653,14 @@ make_row(const struct grid *g, size_t r, const size_t *col, size_t n)
 	struct row row = {.n = n, .n_all = n};
 	row.cell = xcalloc(n, sizeof *row.cell);
 	for (size_t i = 0; i < n; i++)
-		row.cell[i] = *cell_at(g, r, col[i]);
+		row.cell[i] = *layout_cell_at(g, r, col[i]);
 	row.line = row.cell[0].line;
 	row.end = row.cell[n - 1].column;
 	return row;
 }
 
 static void
-add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
+layout_add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
     struct row **list, size_t *n_list)
 {
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
@@ -669,7 +672,7 @@ add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
 /* The columns of a table: from its sieves to before `end`, and those at the
  * left of the first table, each if it has anything below the heads. */
 static size_t
-list_columns(const struct grid *g, const struct place *p, size_t from,
+layout_list_columns(const struct grid *g, const struct place *p, size_t from,
     size_t end, size_t *col)
 {
 	size_t n = 0;
@@ -724,7 +727,7 @@ take_table(const struct grid *g, const struct place *p, size_t from, size_t end,
     struct layout *layout)
 {
 	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
-	size_t n = list_columns(g, p, from, end, col);
+	size_t n = layout_list_columns(g, p, from, end, col);
 	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
 	    .n_col = n,
@@ -738,18 +741,18 @@ take_table(const struct grid *g, const struct place *p, size_t from, size_t end,
 		bool mass = nature_at(g, r, p->c)->foot &&
 			    has_numbers(g, r, p->c, p->end);
 		if (!mass)
-			add_row(g, r, col, n, &t.head, &t.n_head);
+			layout_add_row(g, r, col, n, &t.head, &t.n_head);
 		t.titles += !mass && r < own;
 	}
 	for (size_t r = top; r < p->first; r++)
 		if (nature_at(g, r, p->c)->foot &&
 		    has_numbers(g, r, p->c, p->end))
-			add_row(g, r, col, n, &t.foot, &t.n_foot);
+			layout_add_row(g, r, col, n, &t.foot, &t.n_foot);
 	for (size_t r = p->first; r < p->last; r++)
-		add_row(g, r, col, n, &t.row, &t.n_row);
+		layout_add_row(g, r, col, n, &t.row, &t.n_row);
 	for (size_t r = p->last; r < g->n_row && nature_at(g, r, p->c)->foot;
 	     r++)
-		add_row(g, r, col, n, &t.foot, &t.n_foot);
+		layout_add_row(g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
 		t.number[i] = g->col_number[col[i]];
@@ -774,12 +777,12 @@ are_ends(const struct grid *g, const struct place *low, const struct place *up)
 	double a, b, last = NAN;
 	size_t n = 0, joined = 0;
 	for (size_t r = low->first; r < low->last; r++) {
-		if (!number_of(*cell_at(g, r, low->c), &a) ||
-		    !number_of(*cell_at(g, r, up->c), &b) || a >= b)
+		if (!number_of(*layout_cell_at(g, r, low->c), &a) ||
+		    !number_of(*layout_cell_at(g, r, up->c), &b) || a >= b)
 			return false;
 		double before = r > low->first ? last : (double)NAN;
 		joined += b == before;
-		number_of(*cell_at(g, r, low->c), &last);
+		number_of(*layout_cell_at(g, r, low->c), &last);
 		n++;
 	}
 	return n > 2 && joined + 1 == n;
@@ -935,19 +938,19 @@ layout_new(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
 	struct place down[MOST_TABLES], across[MOST_TABLES];
-	struct grid g = grid_new(sheet, range);
+	struct grid g = layout_grid_new(sheet, range);
 	shift_head(&g);
 	name_feeds(&g);
 	find_natures(&g);
-	find_numbers(&g);
+	layout_find_numbers(&g);
 	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down);
 	size_t m = find_headed(&t, across);
 	n = drop_doubles(&g, down, n);
 	m = drop_doubles(&t, across, m);
 	if (range.n_sieves > 0) {
-		n = find_told(&g, &range, down);
-		m = find_told(&t, &range, across);
+		n = layout_find_told(&g, &range, down);
+		m = layout_find_told(&t, &range, across);
 	} else if (n == 0 && m == 0) {
 		n = find_ordered(&g, true, down);
 		m = find_ordered(&t, true, across);
@@ -965,8 +968,8 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	take_tables(
 	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
 	list_heading(turned ? &t : &g, layout);
-	grid_clear(&t);
-	grid_clear(&g);
+	layout_grid_clear(&t);
+	layout_grid_clear(&g);
 	return layout;
 }
 

@@ -230,7 +230,7 @@ fill_index(void)
 
 /* What the first of PARTS says that a word has in it. */
 static uint64_t
-part_of(const struct index *index, const char *word, size_t n)
+lexicon_part_of(const struct index *index, const char *word, size_t n)
 {
 	const unsigned char *p = (const unsigned char *)word;
 	size_t best = ARRAY_LEN(PARTS);
@@ -257,7 +257,7 @@ vocabulary_word(const char *word, size_t n)
 	if (n > 0 && n <= index->longest)
 		found = bsearch(&wanted, index->word, index->n,
 		    sizeof index->word[0], by_bytes);
-	return found != NULL ? found->means : part_of(index, word, n);
+	return found != NULL ? found->means : lexicon_part_of(index, word, n);
 }
 
 uint64_t

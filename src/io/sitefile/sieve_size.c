@@ -328,7 +328,8 @@ is_pan(const char *text)
 
 /* "63 um" as 63, and mm in its unit; 0 where no unit of size follows. */
 static double
-cut_unit(const struct sheet *sheet, struct cell *cell, char copy[static 40])
+sieve_size_cut_unit(
+    const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
 	size_t n = strlen(cell->text), unknown;
 	if (cell->kind != CELL_TEXT || n == 0 || n >= 40)
@@ -422,7 +423,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	char bounds[40];
 	if (unit.mm > 0 && unit.series == SIEVE_NONE)
 		cut_class(sheet, &cell, bounds);
-	double own = cut_unit(sheet, &cell, copy);
+	double own = sieve_size_cut_unit(sheet, &cell, copy);
 	if (!number_of(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)

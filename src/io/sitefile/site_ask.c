@@ -18,7 +18,7 @@
 #include "io/cells/number.h"
 
 static bool
-add_name(struct names *names, char *part, struct error *error)
+site_ask_add_name(struct names *names, char *part, struct error *error)
 {
 	char *text = text_trim(part), *end;
 	unsigned long number = strtoul(text, &end, 10);
@@ -62,7 +62,7 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 			rest = strchr(rest + 1, ',');
 		if (rest != NULL)
 			*rest++ = '\0';
-		good = add_name(names, part, error);
+		good = site_ask_add_name(names, part, error);
 	}
 	free(copy);
 	for (size_t i = 0; i < names->n; i++) {
@@ -184,7 +184,8 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 /* Whether samples are better told by their names: of a long table, whose
  * columns have no numbers of their own, and of many. */
 static bool
-has_names(struct table *const *table, size_t n_table, const struct columns *all)
+site_ask_has_names(
+    struct table *const *table, size_t n_table, const struct columns *all)
 {
 	enum { FEW = 6 };
 	const struct table *t = table[0];
@@ -231,7 +232,7 @@ guess_words(const struct column *c, bool *feed)
 
 /* Everything as samples= would have it: two stand for all. */
 static void
-list_samples(struct site_ask *ask, const struct table *t,
+site_ask_list_samples(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
 {
 	struct cell head = site_sieve_head(t);
@@ -263,12 +264,12 @@ list_samples(struct site_ask *ask, const struct table *t,
 
 /* Everything as columns= would have it. */
 static void
-list_columns(struct site_ask *ask, struct table *const *table, size_t n_table,
-    const struct columns *all, bool sieves)
+site_ask_list_columns(struct site_ask *ask, struct table *const *table,
+    size_t n_table, const struct columns *all, bool sieves)
 {
-	if (has_names(table, n_table, all)) {
+	if (site_ask_has_names(table, n_table, all)) {
 		ask->settle = xstrdup("");
-		list_samples(ask, table[0], all, sieves);
+		site_ask_list_samples(ask, table[0], all, sieves);
 		return;
 	}
 	char *text = xstrdup("");
@@ -347,8 +348,9 @@ for_feed(const struct site_request *q)
 }
 
 static bool
-refuse(const struct site_request *q, const struct table *t, struct cell where,
-    struct site_ask *ask, struct error_list *errors, const char *what)
+site_ask_refuse(const struct site_request *q, const struct table *t,
+    struct cell where, struct site_ask *ask, struct error_list *errors,
+    const char *what)
 {
 	char *line = settled_line(q, ask->settle);
 	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
@@ -403,7 +405,7 @@ ask_range(const struct site_request *q, const struct table *t, size_t n_row,
 	ask->settle = xasprintf("range=%s:%s", from, to);
 	free(from);
 	free(to);
-	return refuse(q, t, where, ask, errors, what);
+	return site_ask_refuse(q, t, where, ask, errors, what);
 }
 
 static bool
@@ -428,7 +430,8 @@ ask_table(const struct site_request *q, struct table *const *table,
 	}
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
-		return refuse(q, second, second->row[0].cell[0], ask, errors,
+		return site_ask_refuse(q, second, second->row[0].cell[0], ask,
+		    errors,
 		    tr("expected one site, got sheets with a feed each"));
 	}
 	return ask_range(q, first, first->n_row, second->row[0].cell[0], ask,
@@ -515,8 +518,8 @@ hint_speed(const struct site_request *q, const char *path, struct error *error)
 }
 
 static bool
-ask_column(const struct site_request *q, const struct column *first, bool alone,
-    struct site_ask *ask, struct error_list *errors)
+site_ask_ask_column(const struct site_request *q, const struct column *first,
+    bool alone, struct site_ask *ask, struct error_list *errors)
 {
 	char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
@@ -528,7 +531,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 		       "is a slip"),
 		    sheet_cut(above->text), above->text,
 		    first->table->number[first->at]);
-		refuse(q, first->table, *above, ask, errors, what);
+		site_ask_refuse(q, first->table, *above, ask, errors, what);
 		free(what);
 		free(values);
 		return true;
@@ -540,7 +543,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 		       "is, got '%.*s' above %s"),
 	    first->table->number[first->at], sheet_cut(first->head.text),
 	    first->head.text, values);
-	refuse(q, first->table, first->head, ask, errors, what);
+	site_ask_refuse(q, first->table, first->head, ask, errors, what);
 	if (q->n > 1 && speed && !q->parts)
 		hint_speed(q, first->table->sheet->path, &errors->item[0]);
 	if (q->parts && speed && q->n == 1 && alone)
@@ -574,14 +577,14 @@ open_ask(const struct open *open, const struct site_request *q,
 					  "in one way, got %s: a "
 					  "decimal sign, or thousands?"),
 		    open->number.text);
-		refuse(q, table[0], open->number, ask, errors, what);
+		site_ask_refuse(q, table[0], open->number, ask, errors, what);
 		free(what);
 		return true;
 	}
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
-		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
-		    errors,
+		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
+		    ask, errors,
 		    tr("expected tip speeds in m/s, got rpm without the "
 		       "rotor's diameter"));
 	}
@@ -595,13 +598,13 @@ open_ask(const struct open *open, const struct site_request *q,
 		       "is proposed"));
 	if (first == NULL && !open->sieves)
 		return false;
-	list_columns(ask, table, n_table, all, open->sieves);
+	site_ask_list_columns(ask, table, n_table, all, open->sieves);
 	if (first == NULL)
-		return refuse(q, table[0], table[0]->row[0].cell[0], ask,
-		    errors,
+		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
+		    ask, errors,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
-	return ask_column(q, first, all->n == 1, ask, errors);
+	return site_ask_ask_column(q, first, all->n == 1, ask, errors);
 }
 
 void

@@ -49,7 +49,7 @@ site_unit_find(enum unit_kind kind, enum unit_scale scale)
 static const double SAME_SPEED = 1e-3;
 
 static bool
-is_of(const struct column *c, enum role role, double speed)
+site_column_is_of(const struct column *c, enum role role, double speed)
 {
 	return c->role == role && fabs(c->speed - speed) <= SAME_SPEED;
 }
@@ -59,7 +59,7 @@ site_column_repeats(const struct columns *all, enum role role, double speed)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < all->n; i++)
-		n += is_of(&all->column[i], role, speed);
+		n += site_column_is_of(&all->column[i], role, speed);
 	return n;
 }
 
@@ -69,7 +69,7 @@ site_column_find(
 {
 	size_t wanted = site_column_repeats(all, role, speed) > 1 ? nth : 0;
 	for (size_t i = 0; i < all->n; i++)
-		if (is_of(&all->column[i], role, speed) &&
+		if (site_column_is_of(&all->column[i], role, speed) &&
 		    all->column[i].nth == wanted)
 			return &all->column[i];
 	return NULL;
@@ -137,7 +137,7 @@ site_column_raw(const struct column *c, size_t row)
 }
 
 static bool
-in_range(struct column *c, struct cell cell, double v)
+site_column_in_range(struct column *c, struct cell cell, double v)
 {
 	struct sheet *sheet = c->table->sheet;
 	char head[64];
@@ -166,7 +166,7 @@ read_pan(struct column *c, struct cell cell, double v)
 	bool cumulative = unit->kind == CUMULATIVE;
 	c->pan = v;
 	if (unit->kind == RETAINED || unit->scale == OF_MASS)
-		return in_range(c, cell, v);
+		return site_column_in_range(c, cell, v);
 	double end = cumulative ? unit->most : 0;
 	if (fabs(v - end) <= 0.01 * unit->most)
 		return true;
@@ -198,7 +198,7 @@ read_cells(struct column *c)
 			       number_read(t->sheet, cell, tr("a number"), &v);
 		if (good && t->mm[i] <= 0)
 			good = read_pan(c, cell, v);
-		else if (good && (good = in_range(c, cell, v)))
+		else if (good && (good = site_column_in_range(c, cell, v)))
 			c->pct[i] = v;
 		c->faulty = c->faulty || !good;
 	}

@@ -50,7 +50,7 @@ add_role(char **text, const struct column *c, const struct column *before)
 }
 
 static void
-add_number(size_t *number, size_t *n, size_t next)
+site_describe_add_number(size_t *number, size_t *n, size_t next)
 {
 	if (*n == 0 || number[*n - 1] != next)
 		number[(*n)++] = next;
@@ -85,7 +85,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		if (c == NULL)
 			break;
 		add_role(&roles, c, before);
-		add_number(number, &n, t->number[c->at]);
+		site_describe_add_number(number, &n, t->number[c->at]);
 		before = c;
 	}
 	free(roles);
@@ -104,7 +104,7 @@ is_like(const struct table *a, const struct table *b)
 /* What tells a table from those of other files, or of other sheets: "" where
  * all are of one. */
 static const char *
-place_of(struct table *const *table, size_t n, size_t k)
+site_describe_place_of(struct table *const *table, size_t n, size_t k)
 {
 	const struct sheet *own = table[k]->sheet;
 	const char *slash = strrchr(own->path, '/');
@@ -123,7 +123,7 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	char *text = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k];
-		const char *place = place_of(table, n, k);
+		const char *place = site_describe_place_of(table, n, k);
 		char *own = xstrdup("");
 		if (k == 0 || !is_like(table[k - 1], t))
 			xlist(&own, "; ",
@@ -180,7 +180,7 @@ add_note(const struct columns *all, size_t i, const char *note, size_t length,
 		if (k < i)
 			goto out;
 		has++;
-		add_number(number, &n, c->table->number[c->at]);
+		site_describe_add_number(number, &n, c->table->number[c->at]);
 	}
 	char *list = numbers_text(number, n);
 	bool across = all->column[i].table->across;

@@ -19,8 +19,8 @@ static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
 static void
-take_value(struct site *site, enum vocabulary_key key, struct sheet *sheet,
-    struct cell cell)
+site_heading_take_value(struct site *site, enum vocabulary_key key,
+    struct sheet *sheet, struct cell cell)
 {
 	char **text[] = {
 	    &site->name, &site->rock, &site->machine, &site->provenance};
@@ -69,8 +69,8 @@ after_rotor(char *text)
 
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
 static bool
-take_rotor(struct site *site, const struct sheet *sheet, struct cell key,
-    struct cell value)
+site_heading_take_rotor(struct site *site, const struct sheet *sheet,
+    struct cell key, struct cell value)
 {
 	uint64_t means = vocabulary_text(key.text, NULL);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
@@ -99,8 +99,8 @@ take_rotor(struct site *site, const struct sheet *sheet, struct cell key,
 
 /* "tip speed; 70 m/s", "varvtal; 1350". */
 static bool
-take_speed(const struct sheet *sheet, struct cell key, struct cell value,
-    struct heading_speed *speed)
+site_heading_take_speed(const struct sheet *sheet, struct cell key,
+    struct cell value, struct heading_speed *speed)
 {
 	struct head k = head_read(key.text), v = head_read(value.text);
 	double number;
@@ -198,6 +198,16 @@ leave_out_line(struct site *site, const struct cell *key)
 	free(what);
 }
 
+/* What a machine is called may tell its rotor. */
+static void
+take_known(struct site *site, enum vocabulary_key k, struct sheet *sheet,
+    struct cell key, struct cell value)
+{
+	site_heading_take_value(site, k, sheet, value);
+	if (k == KEY_MACHINE && !(site->rotor > 0))
+		site_heading_take_rotor(site, sheet, key, value);
+}
+
 /* A pair of the line, or what there is of one; false at its end. */
 static bool
 read_pair(struct site *site, struct sheet *sheet, const struct row *row,
@@ -230,12 +240,12 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 		    "remove one of the two lines",
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
-		take_value(site, k, sheet, value);
-		if (k == KEY_MACHINE && !(site->rotor > 0))
-			take_rotor(site, sheet, key, value);
+		take_known(site, k, sheet, key, value);
 	} else {
-		bool taken = n > 1 && (take_rotor(site, sheet, key, value) ||
-					  take_speed(sheet, key, value, speed));
+		bool taken =
+		    n > 1 &&
+		    (site_heading_take_rotor(site, sheet, key, value) ||
+			site_heading_take_speed(sheet, key, value, speed));
 		double number;
 		if (n > 2 && number_of(third, &number))
 			leave_out_line(site, &key);

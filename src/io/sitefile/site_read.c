@@ -100,7 +100,7 @@ count_role(const struct columns *all, enum role role)
 /* Of repeats at one speed, one feed serves all, or each product has its own;
  * likewise standard deviations. */
 static void
-check_repeats(const struct columns *t, const struct column *c)
+site_read_check_repeats(const struct columns *t, const struct column *c)
 {
 	if (!(c->speed > 0))
 		return;
@@ -126,7 +126,7 @@ check_partner(const struct columns *t, const struct column *c)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
-	check_repeats(t, c);
+	site_read_check_repeats(t, c);
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
 		sheet_fault(c->table->sheet, c->head,
 		    "duplicate column: %s is already at column %d\n"
@@ -324,8 +324,8 @@ make_psd(const struct column *c)
 
 /* nth: of the runs at its speed. */
 static void
-fill_run(const struct columns *t, const struct column *shared, struct run *run,
-    size_t nth)
+site_read_fill_run(const struct columns *t, const struct column *shared,
+    struct run *run, size_t nth)
 {
 	double v = run->speed;
 	const struct column *own = site_column_find(t, FEED, v, nth);
@@ -377,7 +377,7 @@ make_runs(struct site *site, const struct columns *t)
 	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats(site, r) ? first : r;
-		fill_run(t, shared, &site->run[r], r - first);
+		site_read_fill_run(t, shared, &site->run[r], r - first);
 	}
 	site_settle(site);
 }
@@ -412,7 +412,7 @@ leave_out_rows(struct reading *r, const struct table *t)
 
 /* Cells of the samples that say that there is no number, "-" or "<0.1". */
 static void
-leave_out_cells(struct reading *r)
+site_read_leave_out_cells(struct reading *r)
 {
 	size_t more = 0;
 	char *list = xstrdup("");
@@ -547,7 +547,7 @@ tell_left_out(struct reading *r)
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);
-	leave_out_cells(r);
+	site_read_leave_out_cells(r);
 }
 
 /* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
@@ -637,8 +637,8 @@ is_twice(struct reading *r, const struct table *t)
 }
 
 static void
-read_table(struct reading *r, const struct page *page, struct table *t,
-    struct heading_speed told)
+site_read_read_table(struct reading *r, const struct page *page,
+    struct table *t, struct heading_speed told)
 {
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
@@ -717,7 +717,7 @@ is_measured(const struct source *source)
 
 /* The sheets of a file that are wanted: the one with the name, or all. */
 static bool
-read_file(struct reading *r, size_t file)
+site_read_read_file(struct reading *r, size_t file)
 {
 	const struct site_request *q = r->request;
 	struct source *source = &r->source[r->n_source++];
@@ -777,7 +777,8 @@ read_pages(struct reading *r)
 		site_heading(page->layout, page->sheet, r->site, &told);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
-			read_table(r, page, &page->layout->table[b], told);
+			site_read_read_table(
+			    r, page, &page->layout->table[b], told);
 	}
 }
 
@@ -840,7 +841,7 @@ count_faults(const struct reading *r)
 }
 
 static struct site *
-finish(struct reading *r)
+site_read_finish(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	free(r->site->path);
@@ -882,7 +883,7 @@ static bool
 read_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
-		if (!read_file(r, i) || error_stopped(r->errors))
+		if (!site_read_read_file(r, i) || error_stopped(r->errors))
 			return false;
 	return has_tables(r);
 }
@@ -920,7 +921,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			ask->no_product = count_role(&r.all, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
-			site = finish(&r);
+			site = site_read_finish(&r);
 	}
 	reading_clear(&r);
 	site_ask_clear(&none);

@@ -112,7 +112,7 @@ is_called(const struct table *t, size_t c, const char *label, const char *name)
 }
 
 static void
-refuse(const struct column *c, const char *text)
+site_samples_refuse(const struct column *c, const char *text)
 {
 	sheet_fault(c->table->sheet, c->head,
 	    "expected what this head states, got '%s' in samples=\n"
@@ -122,16 +122,17 @@ refuse(const struct column *c, const char *text)
 
 /* What both state has to be the same. */
 static void
-merge(struct column *c, const char *text, uint64_t group, uint64_t own)
+site_samples_merge(
+    struct column *c, const char *text, uint64_t group, uint64_t own)
 {
 	uint64_t stated = c->said.means & group;
 	if (stated != 0 && (own & group & ~stated) != 0)
-		refuse(c, text);
+		site_samples_refuse(c, text);
 	c->said.means |= own & group;
 }
 
 static void
-take(struct column *c, const char *text)
+site_samples_take(struct column *c, const char *text)
 {
 	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
@@ -141,10 +142,10 @@ take(struct column *c, const char *text)
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		merge(c, text, GROUPS[i], own.means);
+		site_samples_merge(c, text, GROUPS[i], own.means);
 	if (own.speed > 0 && said->speed > 0 &&
 	    fabs(own.speed - said->speed) > 1e-3)
-		refuse(c, text);
+		site_samples_refuse(c, text);
 	if (speed) {
 		said->speed = own.speed;
 		said->rpm = own.rpm;
@@ -167,7 +168,7 @@ samples_take(struct samples *s, struct column *c)
 	if (i == s->n)
 		return false;
 	s->found[i] = true;
-	take(c, s->text[i]);
+	site_samples_take(c, s->text[i]);
 	return true;
 }
 

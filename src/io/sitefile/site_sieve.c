@@ -147,7 +147,7 @@ struct numbers {
 };
 
 static struct numbers
-numbers_of(const struct table *t)
+site_sieve_numbers_of(const struct table *t)
 {
 	struct numbers all = {.rises = true, .even = true};
 	double v, last = NAN, step = NAN;
@@ -177,7 +177,7 @@ numbers_of(const struct table *t)
  * said: the head says number, which 16, 8, 4 could be, too, if not mm.  Without
  * it, fractions of an inch above them show that they are no sizes. */
 static enum sieve_certainty
-find_numbers(struct table *t, const struct numbers *all, bool said)
+site_sieve_find_numbers(struct table *t, const struct numbers *all, bool said)
 {
 	double most;
 	bool astm = all->n > 2 && all->n_part + all->n_astm == all->n;
@@ -205,9 +205,9 @@ guess_unit(const struct table *t, const struct numbers *all)
  * only place where the unit of sieves is decided.  means: the words of the
  * head. */
 static enum sieve_certainty
-find_unit(struct table *t, uint64_t means)
+site_sieve_find_unit(struct table *t, uint64_t means)
 {
-	struct numbers all = numbers_of(t);
+	struct numbers all = site_sieve_numbers_of(t);
 	double most, share = standard_share(t, 1, &most);
 	bool mesh = t->unit.series == SIEVE_MESH && all_whole(t);
 	bool said = (means & WORD_NUMBER) != 0;
@@ -230,7 +230,7 @@ find_unit(struct table *t, uint64_t means)
 	if (mesh)
 		return SIEVES_SAID; /* and each row is told to lack a series */
 	t->unit = (struct sieve_unit){1, SIEVE_NONE};
-	enum sieve_certainty numbers = find_numbers(t, &all, said);
+	enum sieve_certainty numbers = site_sieve_find_numbers(t, &all, said);
 	if (t->unit.series == SIEVE_ASTM)
 		return numbers == SIEVES_SAID && !said ? SIEVES_ASSUMED
 						       : numbers;
@@ -324,7 +324,7 @@ site_sieve_head(const struct table *t)
 
 /* Neighbours are compared, so that one wrong size is one fault. */
 static void
-check_order(struct table *t)
+site_sieve_check_order(struct table *t)
 {
 	size_t last = t->n_row;
 	double least = INFINITY;
@@ -367,7 +367,7 @@ site_sieve_find(struct table *t, uint64_t told)
 	if (split)
 		t->unit.mm = 1;
 	struct sieve_unit stated = t->unit;
-	enum sieve_certainty certainty = find_unit(t, means);
+	enum sieve_certainty certainty = site_sieve_find_unit(t, means);
 	if (t->unsure && told == 0)
 		certainty = SIEVES_OPEN;
 	if (split && certainty == SIEVES_SAID)
@@ -427,7 +427,7 @@ site_sieve_check(struct table *t)
 		t->mm[i] = row_mm(t, t->row[i].cell[0]);
 		t->lost = t->lost || isnan(t->mm[i]);
 	}
-	check_order(t);
+	site_sieve_check_order(t);
 }
 
 /* Whether row i has the size of one before it. */

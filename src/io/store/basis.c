@@ -58,7 +58,7 @@ said_at(struct site *site, const struct taken *taken)
 }
 
 static double
-number_at(const struct basis *b, const struct item *item, size_t i)
+basis_number_at(const struct basis *b, const struct item *item, size_t i)
 {
 	const char *at = (const char *)b + item->offset;
 	return item->kind == REAL ? ((const double *)(const void *)at)[i]
@@ -68,7 +68,8 @@ number_at(const struct basis *b, const struct item *item, size_t i)
 }
 
 static bool
-put_number(struct basis *b, const struct item *item, size_t i, double value)
+basis_put_number(
+    struct basis *b, const struct item *item, size_t i, double value)
 {
 	char *at = (char *)b + item->offset;
 	bool count = value >= 0 && value <= 1e15 && value == floor(value);
@@ -91,7 +92,8 @@ write_fit(const struct basis *b, FILE *out)
 		fprintf(out, "%s=", ITEMS[k].name);
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
-			    text_exact(number_at(b, &ITEMS[k], i), number));
+			    text_exact(
+				basis_number_at(b, &ITEMS[k], i), number));
 		fputc(' ', out);
 	}
 	fputs("train=", out);
@@ -161,7 +163,7 @@ take_numbers(struct basis *b, const char *name, char *list)
 	for (; k < ARRAY_LEN(ITEMS) && word != NULL; i++) {
 		double value;
 		if (i == ITEMS[k].n || !text_number(word, &value) ||
-		    !put_number(b, &ITEMS[k], i, value))
+		    !basis_put_number(b, &ITEMS[k], i, value))
 			return false;
 		word = strtok_r(NULL, ",", &next);
 	}
@@ -188,7 +190,7 @@ read_fit(struct basis *b, char *line, const char **train)
 }
 
 static struct site *
-read_sheet(const char *text)
+basis_read_sheet(const char *text)
 {
 	const char *path = "";
 	const struct site_request request = {
@@ -263,7 +265,7 @@ take_fields(struct basis *b, const struct stored *m)
 
 /* Whether a calibration can have left it. */
 static bool
-holds(const struct basis *b)
+basis_holds(const struct basis *b)
 {
 	const struct breakage *of = breakage_of(&b->fit.params);
 	bool good = b->fit.misfit >= 0 && b->fit.rmse >= 0 && b->weight > 0;
@@ -275,7 +277,7 @@ holds(const struct basis *b)
 }
 
 static bool
-read_text(struct basis *b, char *text)
+basis_read_text(struct basis *b, char *text)
 {
 	const char *train = NULL;
 	char *sheet = cut_off(text), *said = strchr(text, '\n');
@@ -283,8 +285,8 @@ read_text(struct basis *b, char *text)
 	if (sheet == NULL || said == NULL)
 		return false;
 	*said++ = '\0';
-	b->then = read_sheet(sheet);
-	b->now = later != NULL ? read_sheet(later) : NULL;
+	b->then = basis_read_sheet(sheet);
+	b->now = later != NULL ? basis_read_sheet(later) : NULL;
 	if (!read_fit(b, text, &train) || b->then == NULL ||
 	    (later != NULL && b->now == NULL) || !take_train(b, train))
 		return false;
@@ -301,11 +303,11 @@ basis_read(const struct stored *m, struct basis *b, struct error *error)
 	if (m->basis[0] == '\0')
 		return false;
 	char *text = in_lines(m->basis);
-	bool good = read_text(b, text);
+	bool good = basis_read_text(b, text);
 	free(text);
 	if (good)
 		take_fields(b, m);
-	return (good && holds(b)) ||
+	return (good && basis_holds(b)) ||
 	       error_set(error, ERROR_DATA,
 		   "the runs remembered with '%s' cannot be read\n"
 		   "calibrate on its sheet and remember it again",

@@ -438,7 +438,8 @@ set(char **text, char *value)
 /* A row of a table such as data/table3.csv; false where it shows that the file
  * is of another kind. */
 static bool
-read_row(struct sheet *sheet, const struct row *row, struct stored_list *list)
+material_read_row(
+    struct sheet *sheet, const struct row *row, struct stored_list *list)
 {
 	enum { ROCK, SITE, TOP, F_MAT, FEED_SOURCE, E0_MIN, ALPHA, CELLS };
 	if (row->n != CELLS)
@@ -484,7 +485,8 @@ read_printed(const char *path, char *text, struct stored_list *list,
 	struct sheet *sheet = sheet_new(path, text, most, errors);
 	number_decide(sheet);
 	size_t i = 1; /* after the heading */
-	while (i < sheet->n_row && read_row(sheet, &sheet->row[i], list))
+	while (
+	    i < sheet->n_row && material_read_row(sheet, &sheet->row[i], list))
 		i++;
 	if (i == 1 && sheet->n_fault == 0)
 		sheet_fault(

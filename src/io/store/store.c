@@ -252,7 +252,7 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 
 /* What the file is: *version 0 for an empty one. */
 static bool
-look(sqlite3 *db, const char *path, long *version, struct error *error)
+store_look(sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
 		return schema_fail(db, path, error);
@@ -328,7 +328,7 @@ static const char INDEX[] = "CREATE INDEX IF NOT EXISTS material_near ON "
 			    "material (rock, top_size_mm, fold)";
 
 static bool
-prepare(
+store_prepare(
     sqlite3 *db, const char *path, bool make, long version, struct error *error)
 {
 	bool stale = version < STORE_SCHEMA && (make || version > 0);
@@ -343,7 +343,7 @@ open_to(
     const char *path, bool make, long *version, bool *ok, struct error *error)
 {
 	sqlite3 *db = connect(path, make), *closed = NULL;
-	*ok = look(db, path, version, error);
+	*ok = store_look(db, path, version, error);
 	int code = sqlite3_errcode(db) & 0xFF;
 	bool beside = code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 	if (!*ok && !make && beside)
@@ -351,7 +351,7 @@ open_to(
 	if (closed == NULL)
 		return db;
 	sqlite3_close(db);
-	*ok = look(closed, path, version, error);
+	*ok = store_look(closed, path, version, error);
 	return closed;
 }
 
@@ -373,7 +373,7 @@ schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
 	if (!make && access(path, F_OK) != 0)
 		return true;
 	sqlite3 *opened = open_to(path, make, &version, &ok, error);
-	ok = ok && prepare(opened, path, make, version, error);
+	ok = ok && store_prepare(opened, path, make, version, error);
 	if (ok && (make || version > 0))
 		*db = opened;
 	else
@@ -455,7 +455,8 @@ make_folders(const char *path, struct error *error)
 
 /* *db is NULL where there is nothing to read. */
 static bool
-begin(struct store *store, bool make, sqlite3 **db, struct error *error)
+store_begin_change(
+    struct store *store, bool make, sqlite3 **db, struct error *error)
 {
 	*db = store->memory;
 	if (*db != NULL)
@@ -565,7 +566,7 @@ check_row(const struct stored *m, const char *fold, const char *digest,
 
 /* The row stmt stands on.  False when it is not what was put. */
 static bool
-take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
+store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
     struct error *error)
 {
 	*m = stored_new();
@@ -649,7 +650,7 @@ bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 }
 
 static bool
-read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
+store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
     struct stored_list *list, struct error *error)
 {
 	char *where = conditions(q),
@@ -664,7 +665,7 @@ read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
 		struct stored m;
-		ok = take_row(store, stmt, &m, error);
+		ok = store_take_row(store, stmt, &m, error);
 		if (ok)
 			stored_list_add(list, m);
 	}
@@ -679,9 +680,9 @@ store_find(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error)
 {
 	sqlite3 *db;
-	if (!begin(store, false, &db, error))
+	if (!store_begin_change(store, false, &db, error))
 		return false;
-	bool ok = db == NULL || read_rows(store, db, query, list, error);
+	bool ok = db == NULL || store_read_rows(store, db, query, list, error);
 	end(store, db);
 	return ok;
 }
@@ -697,7 +698,7 @@ store_count(struct store *store, size_t *n, struct error *error)
 {
 	sqlite3 *db;
 	*n = 0;
-	if (!begin(store, false, &db, error))
+	if (!store_begin_change(store, false, &db, error))
 		return false;
 	long found =
 	    db != NULL ? ask_whole(db, "SELECT count(*) FROM material") : 0;
@@ -717,7 +718,7 @@ store_each(struct store *store, enum store_word what,
 	sqlite3 *db;
 	sqlite3_stmt *stmt = NULL;
 	int code = SQLITE_DONE;
-	if (!begin(store, false, &db, error))
+	if (!store_begin_change(store, false, &db, error))
 		return false;
 	if (db != NULL)
 		code = sqlite3_prepare_v2(db, SQL[what], -1, &stmt, NULL);
@@ -765,7 +766,7 @@ store_begin(struct store *store, const char *beginning, size_t most,
 {
 	sqlite3 *db;
 	size_t n = 0;
-	if (!begin(store, false, &db, error))
+	if (!store_begin_change(store, false, &db, error))
 		return false;
 	char *fold = text_fold(beginning);
 	bool ok = db == NULL ||
@@ -806,7 +807,7 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 }
 
 static bool
-put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
+store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
     const struct stored *m, struct error *error)
 {
 	bind_row(stmt, m);
@@ -821,8 +822,8 @@ put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 }
 
 static bool
-put_rows(struct store *store, sqlite3 *db, const struct stored *item, size_t n,
-    bool replace, struct error *error)
+store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
+    size_t n, bool replace, struct error *error)
 {
 	char *head = columns(replace ? "INSERT OR REPLACE INTO material "
 				       "(fold, digest"
@@ -834,7 +835,7 @@ put_rows(struct store *store, sqlite3 *db, const struct stored *item, size_t n,
 	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
 		ok = check_fields(&item[i], error) &&
-		     put_row(store, db, stmt, &item[i], error);
+		     store_put_row(store, db, stmt, &item[i], error);
 	sqlite3_finalize(stmt);
 	free(head);
 	free(sql);
@@ -856,11 +857,11 @@ store_put(struct store *store, const struct stored *item, size_t n,
     bool replace, struct error *error)
 {
 	sqlite3 *db;
-	if (!begin(store, true, &db, error))
+	if (!store_begin_change(store, true, &db, error))
 		return false;
 	bool ok = schema_run(db, store->path, "BEGIN IMMEDIATE", error);
 	if (ok) {
-		ok = put_rows(store, db, item, n, replace, error);
+		ok = store_put_rows(store, db, item, n, replace, error);
 		ok = commit(store, db, ok, error);
 	}
 	end(store, db);
@@ -928,7 +929,7 @@ bool
 store_forget(struct store *store, const char *name, struct error *error)
 {
 	sqlite3 *db;
-	if (!begin(store, false, &db, error))
+	if (!store_begin_change(store, false, &db, error))
 		return false;
 	if (db == NULL)
 		return error_set(error, ERROR_USAGE,

@@ -156,8 +156,8 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 
 /* A number that cannot be read is reported already. */
 static void
-take_value(struct sheet *sheet, struct cell cell, const struct field *f,
-    struct stored *m)
+store_csv_take_value(struct sheet *sheet, struct cell cell,
+    const struct field *f, struct stored *m)
 {
 	double value;
 	char *wanted = stored_wanted(m, f);
@@ -204,7 +204,7 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 		if (f->needed)
 			sheet_fault(sheet, cell, EMPTY, f->name);
 	} else if (f->kind != FIELD_WHOLE) {
-		take_value(sheet, cell, f, m);
+		store_csv_take_value(sheet, cell, f, m);
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
 		stored_set_whole(m, f, (int64_t)whole);
 	} else {
@@ -222,7 +222,7 @@ struct names {
 };
 
 static int
-by_name(const void *a, const void *b)
+store_csv_by_name(const void *a, const void *b)
 {
 	const struct name *x = a, *y = b;
 	int order = strcmp(x->fold, y->fold);
@@ -236,18 +236,18 @@ to_name(const void *fold, const void *b)
 }
 
 static struct names
-names_of(const struct stored_list *list)
+store_csv_names_of(const struct stored_list *list)
 {
 	struct names names = {.n = list != NULL ? list->n : 0};
 	names.name = xcalloc(names.n + 1, sizeof *names.name);
 	for (size_t i = 0; i < names.n; i++)
 		names.name[i] = (struct name){text_fold(list->item[i].name), i};
-	qsort(names.name, names.n, sizeof *names.name, by_name);
+	qsort(names.name, names.n, sizeof *names.name, store_csv_by_name);
 	return names;
 }
 
 static void
-names_clear(struct names *names)
+store_csv_names_clear(struct names *names)
 {
 	for (size_t i = 0; i < names->n; i++)
 		free(names->name[i].fold);
@@ -259,7 +259,8 @@ static void
 check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
     const struct stored_list *list)
 {
-	struct names own = names_of(list), others = names_of(there);
+	struct names own = store_csv_names_of(list),
+		     others = store_csv_names_of(there);
 	for (size_t i = 0; i < own.n; i++) {
 		const struct name *name = &own.name[i];
 		struct cell cell =
@@ -275,13 +276,13 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
 			    "use replace=on to replace it",
 			    cell.text);
 	}
-	names_clear(&own);
-	names_clear(&others);
+	store_csv_names_clear(&own);
+	store_csv_names_clear(&others);
 }
 
 /* The model first: its parameters depend on it. */
 static void
-read_row(struct sheet *sheet, const struct row *row,
+store_csv_read_row(struct sheet *sheet, const struct row *row,
     const struct column *column, size_t n, struct stored_list *list)
 {
 	struct stored m = stored_new();
@@ -333,7 +334,7 @@ store_csv_read(const char *path, const struct stored_list *there,
 	bool head = sheet->n_fault == 0;
 	for (size_t i = 1; head && i < sheet->n_row && !error_stopped(errors);
 	     i++)
-		read_row(sheet, &sheet->row[i], column, n, list);
+		store_csv_read_row(sheet, &sheet->row[i], column, n, list);
 	if (head && !errors->stopped)
 		check_names(sheet, column[0].at, there, list);
 	bool ok = sheet->n_fault == 0 && !errors->stopped;

@@ -25,7 +25,7 @@ enum { SIEVES = 9, PREDICTED = 9 };
 /* A feed that serves for all runs is one column; else each stands before its
  * product. */
 static void
-take_columns(struct sheet *h, const struct site *site)
+data_take_columns(struct sheet *h, const struct site *site)
 {
 	h->column = xcalloc(2 * site->n_run, sizeof *h->column);
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -39,7 +39,7 @@ take_columns(struct sheet *h, const struct site *site)
 }
 
 static const struct psd *
-curve_of(const struct sheet *h, size_t column)
+data_curve_of(const struct sheet *h, size_t column)
 {
 	const struct run *run = &h->site->run[h->column[column].run];
 	return h->column[column].feed ? &run->feed : &run->product;
@@ -47,9 +47,9 @@ curve_of(const struct sheet *h, size_t column)
 
 /* The passing as the sheet has it, %; NAN where it has none. */
 static double
-cell_of(const struct sheet *h, size_t column, size_t row)
+data_cell_of(const struct sheet *h, size_t column, size_t row)
 {
-	const struct psd *psd = curve_of(h, column);
+	const struct psd *psd = data_curve_of(h, column);
 	for (size_t i = 0; i < psd->n; i++)
 		if (psd->size[i] == h->sieve[row])
 			return units_pct(psd->passing[i]);
@@ -58,7 +58,7 @@ cell_of(const struct sheet *h, size_t column, size_t row)
 
 /* "74 (2)*": one trained on; "feed@74" where there are several. */
 static void
-head_text(const struct tui *t, size_t column, char text[static 48])
+data_head_text(const struct tui *t, size_t column, char text[static 48])
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct run *run = &h->site->run[h->column[column].run];
@@ -74,12 +74,12 @@ head_text(const struct tui *t, size_t column, char text[static 48])
 
 /* How many digits after the point all cells want. */
 static int
-digits_of(const struct sheet *h)
+data_digits_of(const struct sheet *h)
 {
 	enum { MOST = 3 };
 	int digits = 1;
 	for (size_t c = 0; c < h->n_column; c++) {
-		const struct psd *psd = curve_of(h, c);
+		const struct psd *psd = data_curve_of(h, c);
 		for (size_t i = 0; i < psd->n && digits < MOST; i++) {
 			double x = units_pct(psd->passing[i]) * pow(10, digits);
 			digits += fabs(x - round(x)) > 1e-6;
@@ -96,12 +96,12 @@ take_sheet(struct tui *t, const struct site *site)
 	tui_forget_sheet(h);
 	h->site = site;
 	h->sieve = site_sieves(site, &h->n);
-	take_columns(h, site);
-	h->digits = digits_of(h);
+	data_take_columns(h, site);
+	h->digits = data_digits_of(h);
 	h->width = LEAST;
 	for (size_t c = 0; c < h->n_column; c++) {
 		char text[48];
-		head_text(t, c, text);
+		data_head_text(t, c, text);
 		int width = (int)strlen(text) + GAP;
 		h->width = width > h->width ? width : h->width;
 	}
@@ -112,7 +112,7 @@ take_sheet(struct tui *t, const struct site *site)
 /* Looks for doubtful cells once for a sheet and a calibration, which may take a
  * while: the page stands there meanwhile. */
 static void
-update(struct tui *t)
+data_update(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_entry(t);
@@ -146,7 +146,7 @@ is_cell(const struct mend *m)
 
 /* Whether a finding is of that column. */
 static bool
-is_of(const struct mend *m, const struct sheet_column *column)
+data_is_of(const struct mend *m, const struct sheet_column *column)
 {
 	return (m->run == column->run && m->feed == column->feed) ||
 	       (m->kind == MEND_WITH && m->other == column->run &&
@@ -160,7 +160,7 @@ doubt_of(const struct sheet *h, size_t column, size_t row)
 {
 	for (size_t i = 0; h->looked && i < h->doctor.n; i++) {
 		const struct mend *m = &h->doctor.finding[i].mend;
-		if (is_of(m, &h->column[column]) &&
+		if (data_is_of(m, &h->column[column]) &&
 		    (!is_cell(m) || m->size == h->sieve[row]))
 			return &h->doctor.finding[i];
 	}
@@ -273,14 +273,14 @@ touch_cells(struct tui *t, const struct touched *touched)
 }
 
 static void
-draw_cell(struct tui *t, const struct area *area, int row, int from,
+data_draw_cell(struct tui *t, const struct area *area, int row, int from,
     size_t column, size_t i)
 {
 	const struct sheet *h = &t->view.sheet;
 	bool here =
 	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
 	bool doubtful = doubt_of(h, column, i) != NULL;
-	double x = cell_of(h, column, i);
+	double x = data_cell_of(h, column, i);
 	char text[48];
 	if (isnan(x))
 		snprintf(text, sizeof text, "%*s", h->width - 2, "-");
@@ -306,13 +306,13 @@ draw_column(struct tui *t, const struct area *area, size_t rows, int from,
 {
 	const struct sheet *h = &t->view.sheet;
 	char text[48];
-	head_text(t, column, text);
+	data_head_text(t, column, text);
 	bool trained = text[strlen(text) - 1] == '*';
 	screen_text(area, 0, from, LOOK_BOLD, "%*s",
 	    h->width - (trained ? 0 : 1), text);
 	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
 	     i++)
-		draw_cell(
+		data_draw_cell(
 		    t, area, (int)(i - t->ui.cell.top) + 1, from, column, i);
 	return from + h->width;
 }
@@ -404,7 +404,7 @@ cell_words(const struct tui *t)
 	const struct sheet *h = &t->view.sheet;
 	const struct sheet_column *c = &h->column[t->ui.cell.at];
 	const struct finding *f = doubt_of(h, t->ui.cell.at, t->ui.cell.row);
-	double x = cell_of(h, t->ui.cell.at, t->ui.cell.row);
+	double x = data_cell_of(h, t->ui.cell.at, t->ui.cell.row);
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
 		char *why = mend_finding(h->site, f),
@@ -484,7 +484,7 @@ draw_residuals(struct tui *t, int behind)
 }
 
 static void
-draw(struct tui *t)
+data_draw(struct tui *t)
 {
 	const struct area area = pane_list_area(t);
 	const struct entry *entry = tui_entry(t);
@@ -571,7 +571,7 @@ act_doubt(struct tui *t, const struct key *key)
 }
 
 static bool
-move(struct tui *t, const struct key *key)
+data_move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
 	if (!takes_cells(t))
@@ -596,6 +596,6 @@ const struct page_ops page_data = {.name = N_("Data"),
     .hints =
 	N_("Up/Down/Left/Right cells  ! next doubtful  Enter mends  ? keys  "
 	   "q quit  1-5 pages  : command"),
-    .update = update,
-    .draw = draw,
-    .move = move};
+    .update = data_update,
+    .draw = data_draw,
+    .move = data_move};

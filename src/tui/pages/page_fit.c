@@ -60,7 +60,7 @@ caption(struct tui *t, const struct area *area)
 
 /* One row, where the plot's own would leave the plot little room. */
 static void
-draw_legend(const struct tui *t)
+fit_draw_legend(const struct tui *t)
 {
 	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
 				 *const ASCII[] = {"#", "|", ":"};
@@ -88,7 +88,7 @@ draw_legend(const struct tui *t)
 }
 
 static void
-draw(struct tui *t)
+fit_draw(struct tui *t)
 {
 	enum { TALL = 20, LOW = 9 };
 	bool any = tui_past(t).n > 0;
@@ -112,12 +112,12 @@ draw(struct tui *t)
 	else
 		pane_curves(t, &request, request.kind == PLOT_PSD);
 	if (own && t->layout.legend.rows > 0)
-		draw_legend(t);
+		fit_draw_legend(t);
 	search_side_draw(t);
 }
 
 static const char *
-hints(const struct tui *t)
+fit_hints(const struct tui *t)
 {
 	if (session_busy(t->session) && !t->session->job.fits)
 		return t->held ? tr("Space continue  Esc stop  ? keys  q quit  "
@@ -171,7 +171,7 @@ act_picture(struct tui *t, const struct key *key)
 /* Arrows to the sides go through the generations, up and down through the
  * parameters. */
 static bool
-move(struct tui *t, const struct key *key)
+fit_move(struct tui *t, const struct key *key)
 {
 	if (key->act == act_list)
 		search_side_choose(t, key->amount);
@@ -185,7 +185,7 @@ move(struct tui *t, const struct key *key)
 }
 
 static char *
-words(const struct tui *t)
+fit_words(const struct tui *t)
 {
 	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
 	    [PLOT_CONVERGENCE] = "convergence",
@@ -199,10 +199,10 @@ words(const struct tui *t)
 }
 
 const struct page_ops page_fit = {.name = N_("Fit"),
-    .hints_now = hints,
+    .hints_now = fit_hints,
     .side = 40,
     .wide_side = 58,
-    .draw = draw,
+    .draw = fit_draw,
     .caption = caption,
-    .move = move,
-    .words = words};
+    .move = fit_move,
+    .words = fit_words};

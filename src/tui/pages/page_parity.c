@@ -23,7 +23,7 @@
 /* ---- What is compared ---- */
 
 static void
-compare(struct tui *t, const struct entry *entry)
+parity_compare(struct tui *t, const struct entry *entry)
 {
 	const struct session *s = t->session;
 	struct parity *y = &t->view.parity;
@@ -75,7 +75,7 @@ add_chosen(struct chart *chart)
 }
 
 static void
-finish(struct tui *t)
+parity_finish(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
 	struct plot_request request = plots_request(PLOT_PARITY);
@@ -98,7 +98,7 @@ finish(struct tui *t)
 /* Site by site, as a first comparison draws what is known of each from its
  * training runs alone; a key comes between. */
 static void
-update(struct tui *t)
+parity_update(struct tui *t)
 {
 	const struct session *s = t->session;
 	struct parity *y = &t->view.parity;
@@ -108,14 +108,14 @@ update(struct tui *t)
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
 		size_t before = y->n;
-		compare(t, &s->entry[y->next]);
+		parity_compare(t, &s->entry[y->next]);
 		if (!t->aside && signals_waited_for()) {
 			y->n = before;
 			return;
 		}
 		y->next++;
 	}
-	finish(t);
+	parity_finish(t);
 }
 
 /* The newest comparison with each speed held out in turn, or NULL. */
@@ -287,7 +287,7 @@ draw_panel(struct tui *t, const struct area *area)
 
 /* Where there is no room for a panel. */
 static void
-draw_line(const struct tui *t, const struct area *area)
+parity_draw_line(const struct tui *t, const struct area *area)
 {
 	const struct validate_score *score =
 	    &t->view.parity.score[VALIDATE_MODEL][1];
@@ -313,7 +313,7 @@ draw_chart(const struct tui *t, const struct area *area)
 
 /* Why there is no plot, or not yet. */
 static void
-draw_none(const struct tui *t, const struct area *area)
+parity_draw_none(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct parity *y = &t->view.parity;
@@ -329,12 +329,12 @@ draw_none(const struct tui *t, const struct area *area)
 }
 
 static void
-draw(struct tui *t)
+parity_draw(struct tui *t)
 {
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
 	struct area plot = pane_list_area(t), side = plot;
 	if (t->view.parity.chart == NULL || t->view.parity.n == 0) {
-		draw_none(t, &plot);
+		parity_draw_none(t, &plot);
 		return;
 	}
 	if (plot.columns >= NARROW) {
@@ -344,7 +344,7 @@ draw(struct tui *t)
 		side.columns = panel;
 		draw_panel(t, &side);
 	} else if (plot.rows > 3) {
-		draw_line(t, &side);
+		parity_draw_line(t, &side);
 		plot.row++;
 		plot.rows--;
 	}
@@ -354,28 +354,29 @@ draw(struct tui *t)
 /* ---- The list of points ---- */
 
 static size_t
-count(const struct tui *t)
+parity_count(const struct tui *t)
 {
 	return t->view.parity.chart != NULL ? t->view.parity.n : 0;
 }
 
 static size_t
-chosen(const struct tui *t)
+parity_chosen(const struct tui *t)
 {
 	return t->ui.point_at;
 }
 
 static void
-choose(struct tui *t, size_t i)
+parity_choose(struct tui *t, size_t i)
 {
 	t->ui.point_at = i;
 	choose_points(t);
 }
 
-static const struct page_list POINTS = {.n = count, .at = chosen, .go = choose};
+static const struct page_list POINTS = {
+    .n = parity_count, .at = parity_chosen, .go = parity_choose};
 
 static char *
-words(const struct tui *t)
+parity_words(const struct tui *t)
 {
 	(void)t;
 	return xstrdup("parity");
@@ -384,7 +385,7 @@ words(const struct tui *t)
 const struct page_ops page_parity = {.name = N_("Parity"),
     .hints = N_("Up/Down site  ? keys  q quit  1-5 pages  <-/-> speed  "
 		": command"),
-    .update = update,
-    .draw = draw,
+    .update = parity_update,
+    .draw = parity_draw,
     .list = &POINTS,
-    .words = words};
+    .words = parity_words};

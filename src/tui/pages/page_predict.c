@@ -19,7 +19,7 @@
 #include "tui/widgets/panel.h"
 
 static void
-draw_runs(struct tui *t)
+predict_draw_runs(struct tui *t)
 {
 	struct plot_request request = plots_request(PLOT_RUNS);
 	request.words = 0;
@@ -27,7 +27,7 @@ draw_runs(struct tui *t)
 }
 
 static void
-draw(struct tui *t)
+predict_draw(struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	struct plot_request request = plots_request(PLOT_PSD);
@@ -36,7 +36,7 @@ draw(struct tui *t)
 		return;
 	}
 	if (t->ui.runs) {
-		draw_runs(t);
+		predict_draw_runs(t);
 		panel_draw(t);
 		return;
 	}
@@ -91,7 +91,7 @@ act_runs(struct tui *t, const struct key *key)
 }
 
 static bool
-move(struct tui *t, const struct key *key)
+predict_move(struct tui *t, const struct key *key)
 {
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->view.shown.product.n;
@@ -149,7 +149,7 @@ point(struct tui *t, enum plot_kind kind, double x, double y)
 }
 
 static char *
-words(const struct tui *t)
+predict_words(const struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	if (t->ui.runs)
@@ -166,7 +166,7 @@ words(const struct tui *t)
 }
 
 static const char *
-hints(const struct tui *t)
+predict_hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	bool goal = goals_set(t->session);
@@ -196,14 +196,14 @@ hints(const struct tui *t)
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),
-    .hints_now = hints,
+    .hints_now = predict_hints,
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,
     .differences = true,
     .strip = true,
     .update = envelope_check_update,
-    .draw = draw,
-    .move = move,
+    .draw = predict_draw,
+    .move = predict_move,
     .point = point,
-    .words = words};
+    .words = predict_words};

@@ -68,7 +68,7 @@ static const struct {
 /* The P50 at a speed: of the site in use as on its page, of the others on the
  * feed that serves for all speeds. */
 static void
-row_at(struct site_row *row, const struct tui *t)
+sites_row_at(struct site_row *row, const struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *e = &s->entry[row->entry];
@@ -87,7 +87,7 @@ row_at(struct site_row *row, const struct tui *t)
 
 /* What does not depend on the speed. */
 static struct site_row
-row_of(const struct session *s, size_t i)
+sites_row_of(const struct session *s, size_t i)
 {
 	const struct entry *e = &s->entry[i];
 	struct site_row row = {.entry = i,
@@ -174,7 +174,7 @@ light_text(
 
 /* The number of a column; NAN where there is none, or it has words. */
 static double
-number_of(
+sites_number_of(
     const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
@@ -206,7 +206,7 @@ static void
 number_text(const struct tui *t, const struct site_row *row, enum column column,
     char *text, size_t n)
 {
-	double x = number_of(t->session, row, column);
+	double x = sites_number_of(t->session, row, column);
 	if (isnan(x))
 		snprintf(text, n, "-");
 	else if (column == TOP || column == GENERATIONS)
@@ -271,8 +271,8 @@ is_behind(
 		return t->ui.sort_down ? a->entry < b->entry
 				       : a->entry > b->entry;
 	enum column column = (enum column)(t->ui.sort - 1);
-	double x = number_of(t->session, a, column),
-	       y = number_of(t->session, b, column);
+	double x = sites_number_of(t->session, a, column),
+	       y = sites_number_of(t->session, b, column);
 	double by = x - y;
 	if (isnan(x) != isnan(y))
 		return isnan(x);
@@ -288,7 +288,7 @@ is_behind(
 
 /* They are in order but for a few. */
 static void
-sort_rows(struct tui *t)
+sites_sort_rows(struct tui *t)
 {
 	for (size_t i = 1; i < t->view.n_row; i++) {
 		struct site_row row = t->view.row[i];
@@ -301,7 +301,7 @@ sort_rows(struct tui *t)
 
 /* From what each column's texts take, a gap among it. */
 static void
-measure(struct tui *t)
+sites_measure(struct tui *t)
 {
 	for (int c = 0; c < COLUMNS; c++) {
 		int most = text_width(tr(TABLE[c].head)) + (c == NAME ? 2 : 0);
@@ -321,7 +321,7 @@ measure(struct tui *t)
 /* What does not depend on the speed is worked out when the session has changed
  * only (rows_at 0). */
 static void
-update(struct tui *t)
+sites_update(struct tui *t)
 {
 	const struct session *s = t->session;
 	bool other = t->view.rows_at == 0 || t->view.n_row != s->n_entry;
@@ -332,20 +332,20 @@ update(struct tui *t)
 		t->view.n_row = s->n_entry;
 		t->view.row = xcalloc(t->view.n_row + 1, sizeof *t->view.row);
 		for (size_t i = 0; i < t->view.n_row; i++)
-			t->view.row[i] = row_of(s, i);
+			t->view.row[i] = sites_row_of(s, i);
 	}
 	for (size_t i = 0; i < t->view.n_row; i++)
-		row_at(&t->view.row[i], t);
+		sites_row_at(&t->view.row[i], t);
 	if (other)
-		measure(t);
+		sites_measure(t);
 	if (other || t->ui.sort == P50 + 1)
-		sort_rows(t);
+		sites_sort_rows(t);
 	t->view.rows_at = t->ui.tenths;
 }
 
 /* The place of the site under the cursor. */
 static size_t
-place_of(const struct tui *t)
+sites_place_of(const struct tui *t)
 {
 	size_t k = 0;
 	while (k + 1 < t->view.n_row && t->view.row[k].entry != t->ui.site_at)
@@ -385,7 +385,7 @@ sort_by(struct tui *t, int by)
 {
 	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
 	t->ui.sort = by;
-	sort_rows(t);
+	sites_sort_rows(t);
 }
 
 /* A click on a heading. */
@@ -415,8 +415,8 @@ text_area(const struct area *area, int at, int column, int width)
 
 /* A cell is set by itself, as names may have wide letters. */
 static void
-draw_cell(const struct tui *t, const struct area *cell, int row, int column,
-    const struct site_row *of)
+sites_draw_cell(const struct tui *t, const struct area *cell, int row,
+    int column, const struct site_row *of)
 {
 	char text[128];
 	unsigned look = of->entry == t->ui.site_at ? LOOK_REVERSE : LOOK_PLAIN;
@@ -466,7 +466,7 @@ draw_row(struct tui *t, const struct area *area, int row,
 		if (width[c] > 0 && of == NULL)
 			draw_head(t, &cell, c);
 		else if (width[c] > 0)
-			draw_cell(t, &cell, row, c, of);
+			sites_draw_cell(t, &cell, row, c, of);
 	}
 }
 
@@ -523,13 +523,13 @@ draw_site(const struct tui *t, const struct area *area, int first)
 }
 
 static void
-draw(struct tui *t)
+sites_draw(struct tui *t)
 {
 	enum { HEAD = 1 };
 	const struct area area = pane_list_area(t);
 	const struct session *s = t->session;
 	int width[COLUMNS];
-	update(t);
+	sites_update(t);
 	if (s->n_entry == 0) {
 		screen_text(&area, 0, 2, 0, "none is loaded: o opens a sheet");
 		return;
@@ -554,7 +554,7 @@ draw(struct tui *t)
 }
 
 static size_t
-count(const struct tui *t)
+sites_count(const struct tui *t)
 {
 	return t->view.n_row;
 }
@@ -582,7 +582,7 @@ text(const struct tui *t, size_t i)
 }
 
 static void
-choose(struct tui *t)
+sites_choose(struct tui *t)
 {
 	const struct session *s = t->session;
 	if (session_fitting(s) != NULL && !s->job.rounds->alone) {
@@ -615,7 +615,7 @@ sort_on(struct tui *t)
 	while (by > 0 && width[by - 1] == 0);
 	t->ui.sort_down = false;
 	t->ui.sort = by;
-	sort_rows(t);
+	sites_sort_rows(t);
 }
 
 void
@@ -629,11 +629,14 @@ act_sort(struct tui *t, const struct key *key)
 		sort_by(t, t->ui.sort);
 }
 
-static const struct page_list LIST = {
-    .n = count, .at = place_of, .go = to_place, .text = text, .open = choose};
+static const struct page_list LIST = {.n = sites_count,
+    .at = sites_place_of,
+    .go = to_place,
+    .text = text,
+    .open = sites_choose};
 
 static const char *
-hints(const struct tui *t)
+sites_hints(const struct tui *t)
 {
 	return t->session->n_entry == 0
 		   ? tr("o open a sheet  ? keys  q quit  : command")
@@ -642,7 +645,7 @@ hints(const struct tui *t)
 }
 
 const struct page_ops page_sites = {.name = N_("Sites"),
-    .hints_now = hints,
-    .update = update,
-    .draw = draw,
+    .hints_now = sites_hints,
+    .update = sites_update,
+    .draw = sites_draw,
     .list = &LIST};

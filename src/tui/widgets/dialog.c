@@ -67,7 +67,8 @@ about(const struct inquiry *q)
 }
 
 static struct parts
-share_rows(const struct inquiry *q, const char *asks, int room, int columns)
+dialog_share_rows(
+    const struct inquiry *q, const char *asks, int room, int columns)
 {
 	enum { LEAST = 5 };
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
@@ -140,7 +141,7 @@ draw_table(struct tui *t, const struct area *area)
 }
 
 static void
-draw_line(struct tui *t, const struct area *area)
+dialog_draw_line(struct tui *t, const struct area *area)
 {
 	size_t from;
 	int at = pane_typed(area, "> ", &t->answer, &from);
@@ -166,7 +167,7 @@ draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
 		screen_words(&area, 0, LOOK_BOLD, asks);
 	area.row += p->text;
 	area.rows = p->line;
-	draw_line(t, &area);
+	dialog_draw_line(t, &area);
 	area.row += p->line;
 	area.rows = p->hint;
 	if (p->hint > 0)
@@ -184,7 +185,8 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	int wide = columns < MOST_COLUMNS ? columns : MOST_COLUMNS;
 	char *asks = xasprintf("%s%s%s%s", q->text, offers ? " [" : "",
 	    q->offered, offers ? "]" : "?");
-	struct parts p = share_rows(q, asks, rows - 2 * edge, wide - 2 * side);
+	struct parts p =
+	    dialog_share_rows(q, asks, rows - 2 * edge, wide - 2 * side);
 	int high = p.about + p.table + p.gap + p.text + p.line + p.hint;
 	struct area box = {.row = (rows - high) / 2 - edge,
 	    .column = (columns - wide) / 2,

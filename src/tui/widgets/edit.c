@@ -17,7 +17,7 @@
 #define CONTROL(letter) ((letter)&0x1F)
 
 static void
-put_text(struct edit *t, const char *text)
+edit_put_text(struct edit *t, const char *text)
 {
 	snprintf(t->text, sizeof t->text, "%s", text);
 	t->n = t->at = strlen(t->text);
@@ -42,7 +42,7 @@ edit_begin(struct edit *t, const char *text)
 	t->active = true;
 	t->back = 0;
 	t->fresh = 0;
-	put_text(t, text);
+	edit_put_text(t, text);
 }
 
 void
@@ -75,7 +75,7 @@ insert(struct edit *t, unsigned code)
 
 /* The offset of the character before, and after, an offset. */
 static size_t
-before(const struct edit *t, size_t at)
+edit_before(const struct edit *t, size_t at)
 {
 	while (at > 0 && (t->text[--at] & 0xC0) == 0x80)
 		;
@@ -108,7 +108,7 @@ go_back(struct edit *t, int by)
 	if (back < 0 || back > history_length)
 		return;
 	t->back = back;
-	put_text(
+	edit_put_text(
 	    t, back == 0
 		   ? ""
 		   : history_get(history_base + history_length - back)->line);
@@ -157,7 +157,7 @@ static void
 edit(struct edit *t, int code)
 {
 	if (code == KEY_LEFT)
-		t->at = before(t, t->at);
+		t->at = edit_before(t, t->at);
 	else if (code == KEY_RIGHT)
 		t->at = behind(t, t->at);
 	else if (code == KEY_HOME)
@@ -171,7 +171,7 @@ edit(struct edit *t, int code)
 	else if (code != KEY_BACKSPACE)
 		return;
 	if (code == KEY_DC || code == KEY_BACKSPACE)
-		replace(t, before(t, t->at), "", 0);
+		replace(t, edit_before(t, t->at), "", 0);
 }
 
 /* What the control keys are short for. */
@@ -269,7 +269,7 @@ edit_letter(struct edit *t, int code, bool special, size_t most)
 	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
 		return false;
 	if (back)
-		replace(t, before(t, t->at), "", 0);
+		replace(t, edit_before(t, t->at), "", 0);
 	else if (t->n < most)
 		insert(t, (unsigned)code);
 	return true;

@@ -19,7 +19,7 @@ struct envelope_check {
 };
 
 static bool
-is_wanted(const struct tui *t)
+envelope_check_is_wanted(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	return entry != NULL && entry->has_params && t->session->spec != NULL &&
@@ -47,9 +47,9 @@ void
 envelope_check_update(struct tui *t)
 {
 	struct error error = {0};
-	if (!is_wanted(t) || !is_current(t))
+	if (!envelope_check_is_wanted(t) || !is_current(t))
 		envelope_check_free(t);
-	if (!is_wanted(t))
+	if (!envelope_check_is_wanted(t))
 		return;
 	if (t->view.envelope_check == NULL) {
 		t->view.envelope_check =
@@ -70,7 +70,7 @@ envelope_check_update(struct tui *t)
 const struct grading *
 envelope_check_now(const struct tui *t)
 {
-	bool now = is_wanted(t) && is_current(t) &&
+	bool now = envelope_check_is_wanted(t) && is_current(t) &&
 		   t->view.envelope_check->open &&
 		   t->view.envelope_check->tenths == t->ui.tenths;
 	return now ? &t->view.envelope_check->grading : NULL;

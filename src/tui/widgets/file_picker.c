@@ -85,7 +85,7 @@ type_guess(struct tui *t)
 
 /* Runs the command as if a key had composed it, and says what is next. */
 static bool
-run(struct tui *t, const char *line, bool estimates)
+file_picker_run(struct tui *t, const char *line, bool estimates)
 {
 	watch_keep(t);
 	if (!control_run(t, line) || tui_entry(t) == NULL)
@@ -102,7 +102,7 @@ run(struct tui *t, const char *line, bool estimates)
 }
 
 static void
-enter(struct tui *t)
+file_picker_enter(struct tui *t)
 {
 	struct picker *c = &t->picker;
 	if (c->folder.n == 0)
@@ -115,25 +115,25 @@ enter(struct tui *t)
 		return;
 	}
 	char *line = folder_command(item, c->list == PICK_SESSIONS);
-	if (run(t, line, c->list == PICK_FEEDS))
+	if (file_picker_run(t, line, c->list == PICK_FEEDS))
 		close_list(t);
 	free(line);
 }
 
 static size_t
-count(const struct tui *t)
+file_picker_count(const struct tui *t)
 {
 	return t->picker.folder.n;
 }
 
 static size_t
-chosen(const struct tui *t)
+file_picker_chosen(const struct tui *t)
 {
 	return t->picker.at;
 }
 
 static void
-choose(struct tui *t, size_t i)
+file_picker_choose(struct tui *t, size_t i)
 {
 	t->message[0] = '\0';
 	t->picker.at = i;
@@ -141,7 +141,7 @@ choose(struct tui *t, size_t i)
 
 /* Reads the file that is chosen, where it was not. */
 static void
-update(struct tui *t)
+file_picker_update(struct tui *t)
 {
 	struct picker *c = &t->picker;
 	if (c->folder.n == 0 || c->previewed == c->at)
@@ -151,8 +151,11 @@ update(struct tui *t)
 	c->previewed = c->at;
 }
 
-static const struct page_list FILES = {
-    .n = count, .at = chosen, .go = choose, .open = enter, .update = update};
+static const struct page_list FILES = {.n = file_picker_count,
+    .at = file_picker_chosen,
+    .go = file_picker_choose,
+    .open = file_picker_enter,
+    .update = file_picker_update};
 
 void
 picker_open(struct tui *t, enum picker_list what)
@@ -181,7 +184,7 @@ go_up(struct tui *t)
 	for (size_t i = 0; i < c->folder.n; i++)
 		if (c->folder.item[i].kind == FOLDER_ABOVE) {
 			c->at = i;
-			enter(t);
+			file_picker_enter(t);
 			return;
 		}
 }
@@ -223,7 +226,7 @@ picker_key(struct tui *t, int code, bool special)
 	if (moves)
 		t->message[0] = '\0';
 	if (code == '\n' || code == '\r' || (aside && key->amount > 0))
-		enter(t);
+		file_picker_enter(t);
 	else if (code == DELETE || code == '\b' || aside)
 		go_up(t);
 	else if (!moves || !rows_move(t, key)) {
@@ -311,7 +314,7 @@ draw_title(const struct tui *t, const struct area *area)
 
 /* In the row of hints and the one above it, as on a page. */
 static void
-draw_message(const struct tui *t)
+file_picker_draw_message(const struct tui *t)
 {
 	struct area area = t->layout.hints;
 	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
@@ -356,7 +359,7 @@ picker_draw(struct tui *t)
 	draw_list(t, &list);
 	draw_preview(t, &preview);
 	if (t->message[0] != '\0') {
-		draw_message(t);
+		file_picker_draw_message(t);
 		return;
 	}
 	pane_hints(t, LOOK_REVERSE,

@@ -53,7 +53,7 @@ goal_words(const struct tui *t, enum goals_length length)
 }
 
 static const struct psd *
-feed_of(const struct tui *t)
+goal_feed_of(const struct tui *t)
 {
 	return site_feed(tui_entry(t)->site, tui_feed(t));
 }
@@ -208,7 +208,7 @@ take_quantity(struct tui *t, const char *text)
 		copy[n - 1] = '\0';
 	bool ok = quantities_read(copy, &SHARP, &q, &error);
 	free(copy);
-	if (ok && quantities_covered(&q, feed_of(t), &error)) {
+	if (ok && quantities_covered(&q, goal_feed_of(t), &error)) {
 		t->ui.quantity = q;
 		close_field(t);
 		if (goals_set(t->session))
@@ -248,7 +248,7 @@ goal_step(struct tui *t)
 
 /* Enter: what cannot be read stays to be mended. */
 static char *
-take(struct tui *t)
+goal_take(struct tui *t)
 {
 	char *line = NULL;
 	struct condition_list list = {0};
@@ -260,8 +260,8 @@ take(struct tui *t)
 		line = set_goal(t, "");
 	} else if (take_quantity(t, text)) {
 		/* said already */
-	} else if (goals_read(
-		       t->session, text, feed_of(t), &list, &n_value, &error)) {
+	} else if (goals_read(t->session, text, goal_feed_of(t), &list,
+		       &n_value, &error)) {
 		if (list.n > 0)
 			t->ui.quantity = most_told(&list);
 		line = set_goal(t, text);
@@ -323,7 +323,7 @@ goal_key(struct tui *t, int code, bool special)
 	t->goal_fresh = false;
 	switch (edit_key(y, t->session, code, special)) {
 	case EDIT_DONE:
-		return take(t);
+		return goal_take(t);
 	case EDIT_GIVEN_UP:
 		close_field(t);
 		break;

@@ -17,14 +17,14 @@ list_of(const struct tui *t)
 }
 
 static void
-go(struct tui *t, size_t i)
+list_go(struct tui *t, size_t i)
 {
 	if (list_of(t)->at(t) != i)
 		list_of(t)->go(t, i);
 }
 
 static size_t
-total(const struct tui *t)
+list_total(const struct tui *t)
 {
 	return list_of(t) != NULL ? list_of(t)->n(t) : 0;
 }
@@ -32,11 +32,11 @@ total(const struct tui *t)
 static bool
 has_rows(const struct tui *t)
 {
-	return total(t) > 0;
+	return list_total(t) > 0;
 }
 
 static bool
-has_word(const struct tui *t, size_t i)
+list_has_word(const struct tui *t, size_t i)
 {
 	if (t->filter.n == 0 || list_of(t)->text == NULL)
 		return true;
@@ -49,20 +49,20 @@ has_word(const struct tui *t, size_t i)
 size_t
 rows_next(const struct tui *t, size_t i)
 {
-	size_t n = total(t);
+	size_t n = list_total(t);
 	do
 		i++;
-	while (i < n && !has_word(t, i));
+	while (i < n && !list_has_word(t, i));
 	return i;
 }
 
 /* The one before i, or i itself. */
 static size_t
-before(const struct tui *t, size_t i)
+list_before(const struct tui *t, size_t i)
 {
 	size_t to = i;
 	while (to-- > 0)
-		if (has_word(t, to))
+		if (list_has_word(t, to))
 			return to;
 	return i;
 }
@@ -71,52 +71,52 @@ size_t
 rows_count(const struct tui *t)
 {
 	size_t n = 0;
-	for (size_t i = 0; i < total(t); i++)
-		n += has_word(t, i);
+	for (size_t i = 0; i < list_total(t); i++)
+		n += list_has_word(t, i);
 	return n;
 }
 
 /* The cursor onto a row that is shown: there, after it, or before it. */
 static void
-settle(struct tui *t)
+list_settle(struct tui *t)
 {
-	size_t n = total(t), at = list_of(t)->at(t);
+	size_t n = list_total(t), at = list_of(t)->at(t);
 	at = n == 0 ? 0 : at < n ? at : n - 1;
-	if (n > 0 && !has_word(t, at)) {
+	if (n > 0 && !list_has_word(t, at)) {
 		size_t next = rows_next(t, at);
-		at = next < n ? next : before(t, at);
+		at = next < n ? next : list_before(t, at);
 	}
-	go(t, at);
+	list_go(t, at);
 }
 
 static void
-move(struct tui *t, int by)
+list_move(struct tui *t, int by)
 {
-	settle(t);
-	size_t at = list_of(t)->at(t), n = total(t);
+	list_settle(t);
+	size_t at = list_of(t)->at(t), n = list_total(t);
 	for (; by > 0 && rows_next(t, at) < n; by--)
 		at = rows_next(t, at);
-	for (; by < 0 && before(t, at) != at; by++)
-		at = before(t, at);
-	go(t, at);
+	for (; by < 0 && list_before(t, at) != at; by++)
+		at = list_before(t, at);
+	list_go(t, at);
 }
 
 size_t
 rows_first(struct tui *t, size_t room)
 {
 	size_t *top = t->picker.on ? &t->picker.top : &t->ui.top[t->ui.page];
-	settle(t);
-	size_t first = list_of(t)->at(t), shown = 1, n = total(t);
-	if (n == 0 || !has_word(t, first))
+	list_settle(t);
+	size_t first = list_of(t)->at(t), shown = 1, n = list_total(t);
+	if (n == 0 || !list_has_word(t, first))
 		return n;
-	for (; first > *top && shown < room && before(t, first) != first;
+	for (; first > *top && shown < room && list_before(t, first) != first;
 	     shown++)
-		first = before(t, first);
+		first = list_before(t, first);
 	/* At the end of the list no row is left blank. */
 	for (size_t i = list_of(t)->at(t); rows_next(t, i) < n; shown++)
 		i = rows_next(t, i);
-	for (; shown < room && before(t, first) != first; shown++)
-		first = before(t, first);
+	for (; shown < room && list_before(t, first) != first; shown++)
+		first = list_before(t, first);
 	*top = first;
 	return first;
 }
@@ -130,7 +130,7 @@ rows_here(const struct tui *t)
 static void
 open_row(struct tui *t)
 {
-	if (list_of(t)->open != NULL && has_word(t, list_of(t)->at(t)))
+	if (list_of(t)->open != NULL && list_has_word(t, list_of(t)->at(t)))
 		list_of(t)->open(t);
 }
 
@@ -142,19 +142,19 @@ touch_row(struct tui *t, const struct touched *touched)
 		return false;
 	size_t at = list_of(t)->at(t);
 	bool again = at == touched->item;
-	go(t, touched->item);
+	list_go(t, touched->item);
 	if (again)
 		open_row(t);
 	return true;
 }
 
 static bool
-touch_wheel(struct tui *t, const struct touched *touched)
+list_touch_wheel(struct tui *t, const struct touched *touched)
 {
 	if ((touched->kind != HIT_UP && touched->kind != HIT_DOWN) ||
 	    list_of(t) == NULL)
 		return false;
-	move(t, touched->kind == HIT_UP ? -1 : 1);
+	list_move(t, touched->kind == HIT_UP ? -1 : 1);
 	return true;
 }
 
@@ -167,7 +167,7 @@ rows_touch(struct tui *t, struct area area, size_t i)
 void
 rows_wheel(struct tui *t, struct area area)
 {
-	hits_add(&t->hits, area, touch_wheel, 0);
+	hits_add(&t->hits, area, list_touch_wheel, 0);
 }
 
 /* Keys that move the slider where there is no list. */
@@ -177,11 +177,11 @@ list_moves(struct tui *t, const struct key *key)
 	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
 	if (key->act == act_ends)
-		move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
+		list_move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
 	else if (steps == FAR)
-		move(t, key->amount > 0 ? -page : page);
+		list_move(t, key->amount > 0 ? -page : page);
 	else if (steps == STEP)
-		move(t, key->amount);
+		list_move(t, key->amount);
 	else
 		return false;
 	return true;
@@ -199,7 +199,7 @@ rows_move(struct tui *t, const struct key *key)
 		return false;
 	if (key->act != act_list)
 		return list_moves(t, key);
-	move(t, key->amount);
+	list_move(t, key->amount);
 	return true;
 }
 
@@ -240,7 +240,7 @@ rows_letter(struct tui *t, int code, bool special)
 	}
 	if (!edit_letter(&t->filter, code, special, VIEWER_WORD))
 		return false;
-	settle(t);
+	list_settle(t);
 	return true;
 }
 

@@ -88,7 +88,8 @@ draw_range(const struct area *area, int row, double low, double high,
 }
 
 static void
-draw_name(const struct area *area, int row, unsigned look, const char *name)
+panel_draw_name(
+    const struct area *area, int row, unsigned look, const char *name)
 {
 	screen_text(area, row, 0, look, "%s", name);
 }
@@ -128,7 +129,7 @@ is_changed(const struct panel *p)
 }
 
 static void
-draw_speed(struct panel *p, const struct area *area)
+panel_draw_speed(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
 	const bool since =
@@ -179,7 +180,7 @@ draw_sizes(struct panel *p, const struct area *area)
 	struct tui *t = p->t;
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
-		draw_name(area, i, LOOK_BOLD, NAME[i]);
+		panel_draw_name(area, i, LOOK_BOLD, NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
@@ -204,7 +205,7 @@ draw_break(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
-	draw_name(area, 0, 0, tr("break"));
+	panel_draw_name(area, 0, 0, tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
 	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
@@ -270,7 +271,7 @@ draw_shares(struct panel *p, const struct area *area, int row,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		draw_name(area, row, 0, name[i]);
+		panel_draw_name(area, row, 0, name[i]);
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
@@ -333,7 +334,8 @@ limits_wish(const struct panel *p)
 
 /* Limit i at the slider's speed: in, or by how much it is missed. */
 static void
-draw_limit(const struct area *area, int row, const struct grading *g, size_t i)
+panel_draw_limit(
+    const struct area *area, int row, const struct grading *g, size_t i)
 {
 	const struct condition *c = &g->limits.at[i];
 	struct quantity q = c->quantity;
@@ -353,7 +355,7 @@ draw_limit(const struct area *area, int row, const struct grading *g, size_t i)
 		snprintf(limits, sizeof limits, "<= %g", most);
 	else
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
-	draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
+	panel_draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
 	screen_text(area, row, VALUE, 0,
 	    q.kind == QUANTITY_MODULUS ? "%6.2f" : "%6.1f",
 	    quantities_shown(
@@ -385,7 +387,7 @@ touch_limits(struct tui *t, const struct touched *touched)
 }
 
 static void
-draw_limits(struct panel *p, const struct area *area)
+panel_draw_limits(struct panel *p, const struct area *area)
 {
 	struct tui *t = p->t;
 	const struct grading *g = envelope_check_now(t);
@@ -415,7 +417,7 @@ draw_limits(struct panel *p, const struct area *area)
 		margin[i] = wanted_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
 		if ((int)place_of_limit(margin, n, i) < area->rows - 1)
-			draw_limit(area, row++, g, i);
+			panel_draw_limit(area, row++, g, i);
 	free(margin);
 }
 
@@ -524,11 +526,11 @@ static const struct block {
 	struct wish (*wish)(const struct panel *p);
 	void (*draw)(struct panel *p, const struct area *area);
 } BLOCK[BLOCKS] = {
-    {2, false, speed_wish, draw_speed},
+    {2, false, speed_wish, panel_draw_speed},
     {0, false, three, draw_sizes},
     {5, false, one_or_two, draw_break},
     {6, false, fractions_wish, draw_fractions},
-    {4, true, limits_wish, draw_limits},
+    {4, true, limits_wish, panel_draw_limits},
     {8, true, tonnes_wish, draw_tonnes},
     {3, true, readings_wish, draw_readings},
     {7, true, sieves_wish, draw_sieves},
@@ -538,7 +540,7 @@ static const struct block {
 
 /* Rows [BLOCKS] out for a panel of so many. */
 static void
-share_rows(const struct panel *p, int left, int rows[BLOCKS])
+panel_share_rows(const struct panel *p, int left, int rows[BLOCKS])
 {
 	struct wish wish[BLOCKS];
 	size_t at[BLOCKS];
@@ -567,7 +569,7 @@ draw_blocks(struct panel *p)
 {
 	const struct area *side = &p->t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
-	share_rows(p, side->rows, rows);
+	panel_share_rows(p, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
 		p->t->left_out |= rows[i] < BLOCK[i].wish(p).most;

@@ -49,7 +49,7 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 /* One row, or two where there is room: the passing there, and the size at the
  * level. */
 static int
-draw_band(const struct tui *t, const struct area *area, int row)
+readout_draw_band(const struct tui *t, const struct area *area, int row)
 {
 	const struct prediction *p = &t->view.shown;
 	if (!t->ui.band || p->low == NULL)
@@ -106,5 +106,5 @@ readout_draw(struct tui *t, const struct area *area)
 	if (pin)
 		draw_reading(t, area, row++, 0, "pinned",
 		    &t->view.pinned_whole.product, &t->view.pinned_whole.curve);
-	draw_band(t, area, row);
+	readout_draw_band(t, area, row);
 }

@@ -59,7 +59,7 @@ strip_usual(void)
 }
 
 static const struct psd *
-feed_of(const struct tui *t)
+response_strip_feed_of(const struct tui *t)
 {
 	return site_feed(tui_entry(t)->site, tui_feed(t));
 }
@@ -82,8 +82,9 @@ act_quantity(struct tui *t, const struct key *key)
 			at = i;
 	do
 		at = (at + by + n) % n;
-	while (!quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
-	       !quantities_covered(&all[at], feed_of(t), &error));
+	while (
+	    !quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
+	    !quantities_covered(&all[at], response_strip_feed_of(t), &error));
 	t->ui.quantity = all[at];
 }
 
@@ -99,7 +100,7 @@ has_curve(const struct tui *t)
 
 /* Whether its points are those that are to be shown. */
 static bool
-is_of(const struct tui *t)
+response_strip_is_of(const struct tui *t)
 {
 	const struct strip *a = t->view.strip;
 	return a->basis == t->view.n_basis && a->feed == tui_feed(t) &&
@@ -110,11 +111,11 @@ static bool
 is_fresh(const struct tui *t)
 {
 	const struct strip *a = t->view.strip;
-	return a->n == POINTS && is_of(t);
+	return a->n == POINTS && response_strip_is_of(t);
 }
 
 static double
-speed_at(const struct tui *t, double share)
+response_strip_speed_at(const struct tui *t, double share)
 {
 	struct slider_range range = tui_range(t);
 	return (range.least + share * (range.most - range.least)) / 10;
@@ -123,10 +124,10 @@ speed_at(const struct tui *t, double share)
 /* The forecast is made anew for each part: what it is made of may be gone
  * between two of them. */
 static void
-work_out(struct tui *t)
+response_strip_work_out(struct tui *t)
 {
 	struct strip *a = t->view.strip;
-	if (!is_of(t))
+	if (!response_strip_is_of(t))
 		a->n = 0;
 	a->basis = t->view.n_basis;
 	a->feed = tui_feed(t);
@@ -135,7 +136,8 @@ work_out(struct tui *t)
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
-		forecast_at(f, speed_at(t, (double)a->n / (POINTS - 1)));
+		forecast_at(
+		    f, response_strip_speed_at(t, (double)a->n / (POINTS - 1)));
 		struct figure at = forecast_figure(f, 0);
 		value[0] = quantities_shown(&a->of, at.value);
 		value[1] = quantities_shown(&a->of, at.low);
@@ -150,7 +152,7 @@ strip_point(
 {
 	if (!is_fresh(t) || i >= POINTS)
 		return false;
-	*speed = speed_at(t, (double)i / (POINTS - 1));
+	*speed = response_strip_speed_at(t, (double)i / (POINTS - 1));
 	memcpy(value, t->view.strip->value[i], 3 * sizeof *value);
 	return true;
 }
@@ -187,14 +189,14 @@ strip_update(struct tui *t)
 	bool now = t->aside || strip_wait(t) <= 0;
 	do
 		if (now && !is_fresh(t))
-			work_out(t);
+			response_strip_work_out(t);
 		else if (now)
 			step_goal(t);
 	while (t->aside && (!is_fresh(t) || goal_pending(t)));
 }
 
 static double
-value_at(const struct strip *a, double share)
+response_strip_value_at(const struct strip *a, double share)
 {
 	double at = share * (POINTS - 1);
 	size_t i = at < POINTS - 2 ? (size_t)at : POINTS - 2;
@@ -232,7 +234,7 @@ take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 }
 
 static double
-measured_at(const struct tui *t, size_t run)
+response_strip_measured_at(const struct tui *t, size_t run)
 {
 	const struct psd *product = tui_measured(t, run);
 	return product->n > 0 ? quantities_shown(&t->ui.quantity,
@@ -251,7 +253,7 @@ end_in_middles(struct axis *axis, int n)
 }
 
 static void
-hold(struct axis *axis, double value)
+response_strip_hold(struct axis *axis, double value)
 {
 	if (!isfinite(value))
 		return;
@@ -262,7 +264,7 @@ hold(struct axis *axis, double value)
 /* From the least to the most of all that is drawn; of limits those that are not
  * farther off than the curve is high.  False where there is nothing. */
 static bool
-scale(const struct tui *t, struct axis *axis)
+response_strip_scale(const struct tui *t, struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
 	size_t n = take_limits(t, limit);
@@ -270,16 +272,16 @@ scale(const struct tui *t, struct axis *axis)
 	axis->high = -INFINITY;
 	for (size_t i = 0; i < POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			hold(axis, t->view.strip->value[i][k]);
+			response_strip_hold(axis, t->view.strip->value[i][k]);
 	for (size_t r = 0; r < tui_entry(t)->site->n_run; r++)
-		hold(axis, measured_at(t, r));
+		response_strip_hold(axis, response_strip_measured_at(t, r));
 	if (!(axis->low <= axis->high))
 		return false;
 	double low = axis->low, high = axis->high, more = high - low;
 	for (size_t i = 0; i < n; i++)
 		if (limit[i].value >= low - more &&
 		    limit[i].value <= high + more)
-			hold(axis, limit[i].value);
+			response_strip_hold(axis, limit[i].value);
 	if (axis->high - axis->low < 1e-6 * fabs(axis->high) + 1e-9) {
 		axis->low -= 0.5;
 		axis->high += 0.5;
@@ -295,7 +297,7 @@ add_series(const struct tui *t, struct chart *chart, enum chart_line line)
 	    .series = SERIES_PREDICTED, .line = line, .ascii = '#'};
 	struct chart_series *s = chart_add(chart, look, POINTS, "%s", "");
 	for (size_t i = 0; i < POINTS; i++) {
-		s->x[i] = speed_at(t, (double)i / (POINTS - 1));
+		s->x[i] = response_strip_speed_at(t, (double)i / (POINTS - 1));
 		s->y[i] = NAN;
 	}
 	return s;
@@ -319,7 +321,7 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 
 /* Whole at the speeds that were trained on, dashed from these to all others. */
 static void
-add_curve(const struct tui *t, struct chart *chart)
+response_strip_add_curve(const struct tui *t, struct chart *chart)
 {
 	struct chart_series *beyond = add_series(t, chart, CHART_DASHED),
 			    *within = add_series(t, chart, CHART_SOLID);
@@ -344,7 +346,7 @@ is_on(const struct axis *axis, double value)
 }
 
 static void
-add_limits(const struct tui *t, struct chart *chart)
+response_strip_add_limits(const struct tui *t, struct chart *chart)
 {
 	static const struct chart_series LOOK = {
 	    .series = SERIES_OTHER, .line = CHART_DOTTED, .ascii = '.'};
@@ -361,7 +363,8 @@ add_limits(const struct tui *t, struct chart *chart)
 }
 
 static int
-row_of(const struct axis *axis, const struct area *area, double value)
+response_strip_row_of(
+    const struct axis *axis, const struct area *area, double value)
 {
 	return axis_place_of(1 - axis_share(axis, value), area->rows);
 }
@@ -381,7 +384,7 @@ draw_label(const struct tui *t, int row, unsigned look, double value)
 /* The least of 1, 2, 5 times a power of ten that leaves nearly each value a
  * row. */
 static double
-round_step(const struct axis *axis, int rows)
+response_strip_round_step(const struct axis *axis, int rows)
 {
 	static const double ROUND[] = {1, 2, 5, 10, 20, 50};
 	double span = axis->high - axis->low;
@@ -394,13 +397,14 @@ round_step(const struct axis *axis, int rows)
 
 /* A limit off the scale stands at the edge that is nearest to it. */
 static void
-draw_limit(struct tui *t, const struct axis *axis, const struct limit *limit)
+response_strip_draw_limit(
+    struct tui *t, const struct axis *axis, const struct limit *limit)
 {
 	static const char *const ARROWS[][2] = {
 	    {"v", "^"}, {"\u25BC", "\u25B2"}};
 	const struct area *area = &t->layout.strip;
 	bool ascii = screen_charset() == CHARSET_ASCII;
-	int row = row_of(axis, area, limit->value);
+	int row = response_strip_row_of(axis, area, limit->value);
 	bool on = is_on(axis, limit->value);
 	char *name = on ? xstrdup(limit->name)
 			: xasprintf("%s%s %.6g",
@@ -420,7 +424,7 @@ draw_limit(struct tui *t, const struct axis *axis, const struct limit *limit)
 /* Limits, then round values, in rows of their own.  One off the scale gives way
  * to others. */
 static void
-draw_labels(struct tui *t, const struct axis *axis)
+response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
 	const struct area *area = &t->layout.strip;
@@ -429,15 +433,15 @@ draw_labels(struct tui *t, const struct axis *axis)
 	for (size_t i = 0; i < 2 * n; i++) {
 		const struct limit *l = &limit[i % n];
 		bool on = is_on(axis, l->value);
-		int row = row_of(axis, area, l->value);
+		int row = response_strip_row_of(axis, area, l->value);
 		if (on == (i < n) && !taken[row])
-			draw_limit(t, axis, l);
+			response_strip_draw_limit(t, axis, l);
 		taken[row] = taken[row] || on;
 	}
-	double step = round_step(axis, area->rows);
+	double step = response_strip_round_step(axis, area->rows);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
-		int row = row_of(axis, area, v);
+		int row = response_strip_row_of(axis, area, v);
 		if (!taken[row])
 			taken[row] = draw_label(
 			    t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
@@ -446,7 +450,7 @@ draw_labels(struct tui *t, const struct axis *axis)
 }
 
 static void
-draw_marks(
+response_strip_draw_marks(
     const struct tui *t, const struct area *area, const struct axis *axis)
 {
 	struct track_signs signs = track_signs();
@@ -455,19 +459,19 @@ draw_marks(
 	double share =
 	    (double)(t->ui.tenths - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		double value = measured_at(t, r);
+		double value = response_strip_measured_at(t, r);
 		if (isnan(value))
 			continue;
-		screen_series(area, row_of(axis, area, value),
+		screen_series(area, response_strip_row_of(axis, area, value),
 		    slider_column(range,
 			slider_tenths(range, entry->site->run[r].speed),
 			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
-	double value = value_at(t->view.strip, share);
+	double value = response_strip_value_at(t->view.strip, share);
 	if (isfinite(value))
-		screen_series(area, row_of(axis, area, value),
+		screen_series(area, response_strip_row_of(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
 		    screen_charset() == CHARSET_ASCII ? "O" : "\u25CE");
@@ -475,7 +479,7 @@ draw_marks(
 
 /* In words why there is no curve; nothing while it is being worked out. */
 static void
-draw_none(const struct tui *t)
+response_strip_draw_none(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	const struct area *area = &t->layout.strip;
@@ -495,14 +499,16 @@ void
 strip_draw(struct tui *t)
 {
 	struct area area = t->layout.strip, track = layout_track(&t->layout);
-	struct axis x = {.low = speed_at(t, 0), .high = speed_at(t, 1)}, y = x;
+	struct axis x = {.low = response_strip_speed_at(t, 0),
+			.high = response_strip_speed_at(t, 1)},
+		    y = x;
 	if (area.rows == 0)
 		return;
 	area.column = track.column;
 	area.columns = track.columns;
 	hits_add(&t->hits, t->layout.strip, track_touch, 0);
-	if (!has_curve(t) || !is_fresh(t) || !scale(t, &y)) {
-		draw_none(t);
+	if (!has_curve(t) || !is_fresh(t) || !response_strip_scale(t, &y)) {
+		response_strip_draw_none(t);
 		return;
 	}
 	int dots = area.rows * canvas_dots_down(screen_charset());
@@ -512,14 +518,14 @@ strip_draw(struct tui *t)
 	y.title = xstrdup("");
 	struct chart *chart = chart_new("", "", x, y);
 	add_band(t, chart, dots);
-	add_limits(t, chart);
-	add_curve(t, chart);
+	response_strip_add_limits(t, chart);
+	response_strip_add_curve(t, chart);
 	struct canvas *canvas = chart_draw(
 	    chart, area.columns, area.rows, screen_charset(), CHART_BARE);
 	screen_canvas(&area, canvas);
 	if (area.column > 0)
-		draw_labels(t, &chart->y);
-	draw_marks(t, &area, &chart->y);
+		response_strip_draw_labels(t, &chart->y);
+	response_strip_draw_marks(t, &area, &chart->y);
 	canvas_free(canvas);
 	chart_free(chart);
 }

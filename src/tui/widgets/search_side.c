@@ -85,7 +85,7 @@ touch_parameter(struct tui *t, const struct touched *touched)
 
 /* Where a value stands within its bounds, as a cell of a bar. */
 static int
-cell_of(const struct plots_strip *strip, double value, int width)
+search_side_cell_of(const struct plots_strip *strip, double value, int width)
 {
 	double range = strip->upper - strip->lower;
 	double share = range > 0 ? (value - strip->lower) / range : 0.5;
@@ -98,8 +98,8 @@ static void
 draw_span(const struct row *r, const struct plots_strip *strip,
     const double *end, enum series series, const char *sign)
 {
-	int from = cell_of(strip, end[0], r->width);
-	int to = cell_of(strip, end[1], r->width);
+	int from = search_side_cell_of(strip, end[0], r->width);
+	int to = search_side_cell_of(strip, end[1], r->width);
 	for (int c = from; c <= to; c++)
 		screen_series(
 		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
@@ -119,7 +119,7 @@ number(double value, bool scaled, char text[static 24])
 /* What lies between the bounds: the middle 80 % of the draws and of the
  * candidates, and the best. */
 static void
-draw_bar(const struct row *r, const struct plots_strip *strip)
+search_side_draw_bar(const struct row *r, const struct plots_strip *strip)
 {
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int end = NAME + BOUND + 1 + r->width;
@@ -134,7 +134,8 @@ draw_bar(const struct row *r, const struct plots_strip *strip)
 	draw_span(r, strip, (double[]){strip->p10, strip->p90}, SERIES_FEED,
 	    ascii ? "=" : "\u2501");
 	screen_series(r->side, r->row,
-	    NAME + BOUND + 1 + cell_of(strip, strip->best, r->width),
+	    NAME + BOUND + 1 +
+		search_side_cell_of(strip, strip->best, r->width),
 	    SERIES_PREDICTED, LOOK_BOLD, "*");
 }
 
@@ -159,7 +160,7 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 		screen_text(
 		    r->side, r->row, NAME + BOUND + 1, LOOK_DIM, "held fixed");
 	else
-		draw_bar(r, strip);
+		search_side_draw_bar(r, strip);
 	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
 	    "%*s", VALUE - 1, number(strip->best, scaled, text));
 	if (marked)

@@ -80,7 +80,7 @@ full_bar(const struct tui *t, const struct psd *other)
 
 /* In eighths of a cell, or halves, or whole ones, as the characters allow. */
 static void
-draw_bar(const struct area *area, int row, double share)
+sieve_table_draw_bar(const struct area *area, int row, double share)
 {
 	static const char *const EIGHTH[] = {"", "\u258f", "\u258e", "\u258d",
 	    "\u258c", "\u258b", "\u258a", "\u2589"};
@@ -134,7 +134,7 @@ draw_sieve(
  * the coarsest that the feed does not pass to the finest: which ones does not
  * change with the speed. */
 static size_t
-sieve_of(const struct tui *t, size_t r, size_t rows)
+sieve_table_sieve_of(const struct tui *t, size_t r, size_t rows)
 {
 	const double all = 0.9995;
 	const struct psd *feed = &t->view.shown.feed;
@@ -162,8 +162,10 @@ row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
 	    rows >= product->n)
 		return SIZE_MAX;
 	for (size_t r = 1; r < rows; r++)
-		if (labs((long)sieve_of(t, r, rows) - (long)*sieve) <
-		    labs((long)sieve_of(t, best, rows) - (long)*sieve))
+		if (labs(
+			(long)sieve_table_sieve_of(t, r, rows) - (long)*sieve) <
+		    labs((long)sieve_table_sieve_of(t, best, rows) -
+			 (long)*sieve))
 			best = r;
 	return best;
 }
@@ -189,10 +191,10 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	screen_series(area, 0, COMPARED, series, 0, name);
 	size_t wanted, at = row_for_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
-		size_t i = r == at ? wanted : sieve_of(t, r, rows);
+		size_t i = r == at ? wanted : sieve_table_sieve_of(t, r, rows);
 		double off = difference(t, other, i);
 		draw_sieve(t, area, (int)r + 1, i, off);
 		if (area->columns >= BAR + BAR_CELLS && !isnan(off))
-			draw_bar(area, (int)r + 1, off / full);
+			sieve_table_draw_bar(area, (int)r + 1, off / full);
 	}
 }

@@ -78,7 +78,8 @@ is_outside(int tenths, const struct slider_mark *mark, size_t n)
 /* Cells of the track from column `from` on that nothing stands in, `wanted` of
  * them; the handle has cells [at, at + length). */
 static bool
-is_free(const char *text, int width, int from, int wanted, int at, int length)
+slider_is_free(
+    const char *text, int width, int from, int wanted, int at, int length)
 {
 	for (int c = from; c < from + wanted; c++)
 		if (c >= width || (c >= at && c < at + length) ||
@@ -100,7 +101,7 @@ mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 /* Whether the track is long enough for labels with units, and to be seen
  * between them. */
 static bool
-has_room(const char *text, int width, struct slider_range range,
+slider_has_room(const char *text, int width, struct slider_range range,
     const struct slider_mark *mark, size_t n)
 {
 	enum { BETWEEN = 5 };
@@ -108,7 +109,7 @@ has_room(const char *text, int width, struct slider_range range,
 	for (size_t i = 0; i < n; i++) {
 		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int length = mark_label(&mark[i], true, label);
-		if (!is_free(text, width, from, length + BETWEEN, 0, 0))
+		if (!slider_is_free(text, width, from, length + BETWEEN, 0, 0))
 			return false;
 	}
 	return true;
@@ -117,22 +118,22 @@ has_room(const char *text, int width, struct slider_range range,
 /* Signs where there were runs, with the speed behind them where neither another
  * one nor the handle stands there. */
 static void
-draw_marks(char *text, int width, struct slider_range range,
+slider_draw_marks(char *text, int width, struct slider_range range,
     const struct slider_mark *mark, size_t n, int at, int length, bool shorter)
 {
 	char label[32];
 	for (size_t i = 0; i < n; i++)
 		text[slider_column(range, mark[i].tenths, width)] =
 		    mark[i].trained ? '|' : 'o';
-	bool words = !shorter && has_room(text, width, range, mark, n);
+	bool words = !shorter && slider_has_room(text, width, range, mark, n);
 	for (size_t i = 0; i < n; i++) {
 		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int wanted = mark_label(&mark[i], words, label);
-		if (!is_free(text, width, from, wanted + 1, at, length))
+		if (!slider_is_free(text, width, from, wanted + 1, at, length))
 			wanted = mark_label(&mark[i], false, label);
 		bool covered = from > at && from <= at + length;
 		if (covered ||
-		    !is_free(text, width, from, wanted + 1, at, length))
+		    !slider_is_free(text, width, from, wanted + 1, at, length))
 			continue;
 		memcpy(text + from, label, (size_t)wanted);
 		/* "79?" would be a doubtful 79. */
@@ -158,7 +159,7 @@ keep_cells(char *text, int width, const bool *kept)
 }
 
 static void
-give_back(char *text)
+slider_give_back(char *text)
 {
 	for (; *text != '\0'; text++)
 		*text = *text == KEPT           ? '-'
@@ -188,8 +189,8 @@ slider_draw(char *text, int width, struct slider_range range, int tenths,
 	at -= length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
 	bool any = keep_cells(text, width, kept);
-	draw_marks(text, width, range, mark, n, at, length, any);
-	give_back(text);
+	slider_draw_marks(text, width, range, mark, n, at, length, any);
+	slider_give_back(text);
 	memcpy(text + at, label, (size_t)length);
 	return at;
 }

@@ -110,7 +110,8 @@ window_ends(const struct tui *t, const struct area *track)
 /* Cells of the track: those of slider_draw, and a heavy line at the speeds at
  * which all that is wanted holds, with gaps where that is not sure. */
 static void
-draw_cell(const struct tui *t, const struct area *track, int column, char sign)
+track_draw_cell(
+    const struct tui *t, const struct area *track, int column, char sign)
 {
 	struct track_signs signs = track_signs();
 	bool ascii = screen_charset() == CHARSET_ASCII, certain;
@@ -150,7 +151,7 @@ track_draw(struct tui *t)
 	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
 	for (int c = 0; c < track.columns; c++)
 		if (c < at || c >= at + length)
-			draw_cell(t, &track, c, text[c]);
+			track_draw_cell(t, &track, c, text[c]);
 	screen_text(&track, 0, at, acts ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
 	    length, text + at);
 	if (track.column > 0) {
@@ -175,7 +176,7 @@ struct part {
 };
 
 static void
-say(struct part *part, char *text)
+track_say(struct part *part, char *text)
 {
 	part->text[part->n++] = text;
 }
@@ -185,16 +186,16 @@ say_quantity(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
 	if (tui_entry(t) == NULL) {
-		say(part, xstrdup(""));
+		track_say(part, xstrdup(""));
 		return;
 	}
 	char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->layout.strip.rows > 0 && !goals_set(t->session))
-		say(part, xasprintf(tr("%s at all speeds"), words));
+		track_say(part, xasprintf(tr("%s at all speeds"), words));
 	if (t->layout.strip.rows > 0)
-		say(part, xstrdup(words));
-	say(part, xstrdup(""));
+		track_say(part, xstrdup(words));
+	track_say(part, xstrdup(""));
 	free(words);
 }
 
@@ -202,8 +203,8 @@ static void
 say_goal(const struct tui *t, struct part *part)
 {
 	for (int length = 0; length < GOALS_LENGTHS; length++)
-		say(part, goal_words(t, (enum goals_length)length));
-	say(part, xstrdup(""));
+		track_say(part, goal_words(t, (enum goals_length)length));
+	track_say(part, xstrdup(""));
 	part->look = LOOK_BOLD;
 }
 
@@ -219,11 +220,11 @@ say_speed(const struct tui *t, struct part *part)
 	char *turns = rotor > 0
 			  ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
 			  : xstrdup("");
-	say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
-	say(part, xasprintf("%s%s", words, turns));
-	say(part, words);
-	say(part, xasprintf("%.1f m/s", v));
-	say(part, xasprintf("%.1f", v));
+	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
+	track_say(part, xasprintf("%s%s", words, turns));
+	track_say(part, words);
+	track_say(part, xasprintf("%.1f m/s", v));
+	track_say(part, xasprintf("%.1f", v));
 	free(turns);
 }
 
@@ -233,7 +234,7 @@ say_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
 	if (tui_entry(t) == NULL) {
-		say(part, xstrdup(""));
+		track_say(part, xstrdup(""));
 		return;
 	}
 	bool beyond = t->view.shown.product.n > 0 &&
@@ -242,10 +243,10 @@ say_signs(const struct tui *t, struct part *part)
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
 	char *marks = xasprintf(
 	    tr("%s trained  %s held out"), signs.trained, signs.held_out);
-	say(part, xasprintf("%s  %s", word, marks));
-	say(part, xstrdup(beyond ? word : marks));
+	track_say(part, xasprintf("%s  %s", word, marks));
+	track_say(part, xstrdup(beyond ? word : marks));
 	if (!beyond)
-		say(part, xstrdup(""));
+		track_say(part, xstrdup(""));
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
 	free(word);
 	free(marks);
@@ -321,7 +322,7 @@ track_heading(struct tui *t)
 
 /* Where keys go to, in no order: the goal's limits, or what was measured. */
 static size_t
-stops(const struct tui *t, int tenths[static MOST_MARKS])
+track_stops(const struct tui *t, int tenths[static MOST_MARKS])
 {
 	double speed[MOST_MARKS];
 	struct slider_mark mark[MOST_MARKS];
@@ -341,7 +342,7 @@ static void
 to_limit(struct tui *t, int by)
 {
 	int tenths[MOST_MARKS], best = t->ui.tenths;
-	size_t n = stops(t, tenths);
+	size_t n = track_stops(t, tenths);
 	for (size_t i = 0; i < n; i++) {
 		bool beyond = by * (tenths[i] - t->ui.tenths) > 0;
 		if (beyond &&
@@ -380,7 +381,7 @@ is_pending(const struct tui *t)
 }
 
 static void
-go(struct tui *t, const struct key *key)
+track_go(struct tui *t, const struct key *key)
 {
 	if (is_pending(t) && session_fitting(t->session) == tui_entry(t)) {
 		tui_say(t, false,
@@ -399,13 +400,13 @@ go(struct tui *t, const struct key *key)
 void
 act_limit(struct tui *t, const struct key *key)
 {
-	go(t, key);
+	track_go(t, key);
 }
 
 void
 act_best(struct tui *t, const struct key *key)
 {
-	go(t, key);
+	track_go(t, key);
 }
 
 void

@@ -17,7 +17,7 @@
 
 /* Finds the lines and the columns of the widest one. */
 static void
-split(struct viewer *v)
+viewer_split(struct viewer *v)
 {
 	for (const char *p = v->text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
@@ -53,7 +53,7 @@ viewer_text(struct tui *t, char *text)
 {
 	viewer_close(t);
 	t->viewer = (struct viewer){.text = text, .at = -1};
-	split(&t->viewer);
+	viewer_split(&t->viewer);
 }
 
 void
@@ -105,7 +105,7 @@ viewer_message(struct tui *t)
 }
 
 static bool
-has_word(const struct viewer *v, int line)
+viewer_has_word(const struct viewer *v, int line)
 {
 	return text_has(v->line[line], v->word.text);
 }
@@ -116,7 +116,7 @@ count_found(const struct viewer *v, int before)
 {
 	int n = 0;
 	for (int i = 0; i < before; i++)
-		n += has_word(v, i);
+		n += viewer_has_word(v, i);
 	return n;
 }
 
@@ -155,7 +155,7 @@ fit(struct tui *t)
 
 /* To a line with the word, in the middle where it was not to be seen. */
 static void
-go_to(struct tui *t, int line)
+viewer_go_to(struct tui *t, int line)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->layout.body.rows;
@@ -172,7 +172,7 @@ find_from(const struct viewer *v, int from, int by)
 {
 	for (int i = 0; i < v->lines; i++) {
 		int line = (from + i * by + 2 * v->lines) % v->lines;
-		if (has_word(v, line))
+		if (viewer_has_word(v, line))
 			return line;
 	}
 	return -1;
@@ -180,7 +180,7 @@ find_from(const struct viewer *v, int from, int by)
 
 /* A character of the word after '/'; false where it is none. */
 static bool
-find(struct tui *t, int code, bool special)
+viewer_find(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
 	struct edit *word = &v->word;
@@ -202,7 +202,7 @@ find(struct tui *t, int code, bool special)
 		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
 		if (word->n > 0)
-			go_to(t, find_from(v, from, 1));
+			viewer_go_to(t, find_from(v, from, 1));
 	}
 	return true;
 }
@@ -259,8 +259,8 @@ moves(struct tui *t, const struct key *key, int code)
 		viewer_scroll(
 		    t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
-		go_to(t, code == 'N' ? find_from(v, v->at - 1, -1)
-				     : find_from(v, v->at + 1, 1));
+		viewer_go_to(t, code == 'N' ? find_from(v, v->at - 1, -1)
+					    : find_from(v, v->at + 1, 1));
 	else
 		return false;
 	fit(t);
@@ -301,7 +301,7 @@ viewer_key(struct tui *t, int code, bool special, const struct key **run)
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
-	if (find(t, code, special) || moves(t, key, code) ||
+	if (viewer_find(t, code, special) || moves(t, key, code) ||
 	    (code == ESCAPE && forget_word(t)))
 		return true;
 	bool keys = v->keys;
@@ -341,14 +341,14 @@ touch_key(struct tui *t, const struct touched *touched)
 /* One line of the text; of a key what there is no room for is cut, with a
  * mark.  Returns that. */
 static char *
-draw_line(struct tui *t, int n)
+viewer_draw_line(struct tui *t, int n)
 {
 	enum { NARROW = 60 };
 	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
 	const int rows = key_rows(t);
 	struct area body = t->layout.body;
-	bool found = !v->keys && v->word.n > 0 && has_word(v, n);
+	bool found = !v->keys && v->word.n > 0 && viewer_has_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
 	if (v->keys && body.columns < NARROW)
 		squeeze(line);
@@ -419,7 +419,7 @@ draw_what(struct tui *t)
 }
 
 static void
-draw_hints(struct tui *t)
+viewer_draw_hints(struct tui *t)
 {
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
@@ -447,7 +447,7 @@ viewer_draw(struct tui *t)
 		int row = n % (rows > 0 ? rows : 1) - v->top;
 		if (row >= body->rows)
 			continue;
-		char *cut = draw_line(t, n);
+		char *cut = viewer_draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
 		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
 			hits_add_both(&t->hits,
@@ -467,6 +467,6 @@ viewer_draw(struct tui *t)
 	} else if (rest != NULL)
 		screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else if (!draw_what(t))
-		draw_hints(t);
+		viewer_draw_hints(t);
 	free(rest);
 }
