@@ -345,9 +345,8 @@ differences_have_a_strip(void **state)
 	struct chart *c = chart_of(desk, &q);
 	assert_non_null(c->below);
 	assert_int_equal(c->below->n, 1);
-	assert_string_equal(c->below->title,
-	    "points; marks: measured 74 m/s less this "
-	    "prediction");
+	assert_string_equal(
+	    c->below->title, "points; marks: measured 74 m/s less this");
 	chart_free(c);
 	q.other_speed = 70;
 	c = chart_of(desk, &q);
