@@ -16,16 +16,16 @@ enum error_kind {
 	ERROR_DATA = 3,    /* a file whose contents are wrong */
 	ERROR_NUMERIC = 4, /* a computation without an answer */
 	ERROR_SYSTEM = 5,  /* a file or resource the system refused */
-	/* The user no longer waits for it.  130 is the status after INT; after
-	 * another signal the driver returns that signal's. */
+	/* The user no longer waits.  130 is the status after INT; after
+	 * another signal the driver returns the status of that signal. */
 	ERROR_STOPPED = 130
 };
 
-/* The file of a line typed at a prompt, which everybody sees: its errors are
- * shown without a place. */
+/* The file name of a line typed at a prompt.  The user can see that line, so
+ * its errors are shown without a place. */
 #define ERROR_TYPED "typed"
 
-/* A plain value: nothing to free.  line and column count from 1; 0: none.
+/* A plain value: nothing to free.  line and column count from 1; 0: no place.
  * in_grid: the place is a cell of a workbook, shown as B5.  text: what was
  * expected and what was found; hint: the next step, or "". */
 struct error {
@@ -37,9 +37,10 @@ struct error {
 	char hint[512];
 };
 
-/* Several faults of one file, in the order found; further ones are counted
- * only.  stop: whether reading should end, as the user no longer waits; NULL:
- * never.  stopped: it returned true. */
+/* Several faults of one file, in the order found; after 20 they are only
+ * counted, in `more`.  stop: returns true if reading should end, as the user no
+ * longer waits; NULL: reading never ends early.  stopped: stop returned
+ * true. */
 struct error_list {
 	size_t n, more;
 	bool (*stop)(void);
@@ -47,13 +48,13 @@ struct error_list {
 	struct error item[20];
 };
 
-/* Fill e (NULL allowed: then nothing is kept).  The first line of the format is
- * the text, what follows it the hint: "no site '%s' is loaded\nload its file".
- * Always returns false, so that a function can say: return error_set(...). */
+/* Fills e (NULL: the error is dropped).  The first line of the format is the
+ * text, the rest is the hint: "no site '%s' is loaded\nload its file".  Always
+ * returns false, so that a function can end with return error_set(...). */
 bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* The same for a place in a file.  line 0: no place known. */
+/* As error_set, for a place in a file.  line 0: the place is not known. */
 bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
 
@@ -61,32 +62,32 @@ bool error_say(struct error *e, enum error_kind kind, const char *file,
     int line, int column, const char *format, va_list ap)
     __attribute__((format(printf, 6, 0)));
 
-/* Another place for an error already set. */
+/* Changes the place of an error already set. */
 void error_place(struct error *e, const char *file, int line, int column);
 
-/* The same for an error about a file as a whole, which the text then names; the
- * place becomes that in the script. */
+/* As error_place, for an error about a whole file: the file's name is put
+ * before the text, and the place becomes the given one in the script. */
 void error_told_at(struct error *e, const char *file, int line, int column);
 
-/* Another hint for an error already set.  Returns false. */
+/* Changes the hint of an error already set.  Returns false. */
 bool error_hint(struct error *e, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* One more fault in the list, or one more counted.  Returns where it goes,
- * never NULL. */
+/* Adds a fault to the list, or counts it if the list is full.  Returns the
+ * error to be filled in, never NULL. */
 struct error *error_add(struct error_list *list);
 
-/* Whether reading should end; each loop over the contents of a file asks now
- * and then.  Once true it stays true, and the list has a fault of kind
+/* True if reading should end; each loop over the contents of a file calls it
+ * now and then.  Once true it stays true, and the list contains a fault of kind
  * ERROR_STOPPED. */
 bool error_stopped(struct error_list *list);
 
-/* "file:line:column: text", or in a workbook "file, B5: text", and, where there
- * is one, the hint below it.  A hint is wrapped, with a margin; the text, which
+/* Prints "file:line:column: text", or for a workbook "file, B5: text", and the
+ * hint, if any, below it.  The hint is wrapped, with a margin; the text, which
  * programs may read, is wrapped on a terminal only. */
 void error_print(const struct error *e, FILE *out);
 
-/* The hint alone. */
+/* Prints the hint alone. */
 void error_print_hint(const struct error *e, FILE *out);
 
 #endif

@@ -11,8 +11,8 @@
 /* Exit status without memory: ERROR_SYSTEM. */
 enum { XALLOC_STATUS = 5 };
 
-/* Zeroed memory for n objects of the given size; never NULL, free with free().
- * On failure the program ends. */
+/* xcalloc returns zeroed memory for n objects of the given size.  None of these
+ * returns NULL; free the result with free().  On failure the program ends. */
 void *xcalloc(size_t n, size_t size);
 void *xrealloc(void *p, size_t n, size_t size);
 char *xstrdup(const char *s);
@@ -21,17 +21,18 @@ char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvasprintf(const char *format, va_list ap)
     __attribute__((format(printf, 1, 0)));
 
-/* Appends to a text that one of these returned; xlist puts the separator first
- * where the list is not empty. */
+/* Append to a text that one of the functions above returned; xlist puts the
+ * separator first if the list is not empty. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void xlist(char **list, const char *separator, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Zeroed doubles whose address is a multiple of 64 bytes, for the kernels. */
+/* Returns zeroed doubles at an address that is a multiple of 64 bytes, for the
+ * kernels. */
 double *xdoubles(size_t n);
 
-/* Ends the program for lack of memory, for libraries that report it. */
+/* Ends the program for lack of memory; called for libraries that report it. */
 _Noreturn void xalloc_fail(void);
 
 #endif

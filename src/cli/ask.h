@@ -1,13 +1,13 @@
-/* Asks at the prompt.
+/* Questions at the prompt.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_ASK_H
 #define TIPSPEED_CLI_ASK_H
 
 #include "cmd/sheets/ask_user.h"
 
-/* Waits for a line typed at the terminal, through stops and changes of its
- * size.  Returns the first character, or EOF at the end of input or a signal;
- * appends the line without its end to *line, if not NULL. */
+/* Waits for a line typed at the terminal, through stops and changes of the
+ * terminal's size.  Returns the first character, or EOF at the end of input or
+ * a signal; appends the line without its end to *line, if not NULL. */
 int ask_line(char **line);
 
 /* Ask at the prompt, for session->hooks.confirm and .question.  read: prompts

@@ -8,18 +8,18 @@
 #include "cmd/session/session.h"
 #include "cli/pager.h"
 
-/* Each returns the exit status so far: 0, or that of the first error, which
- * ends a script and is printed to stderr with its line and a caret. */
+/* Run a script.  Return the exit status so far: 0, or that of the first error,
+ * which ends a script and is printed to stderr with its line and a caret. */
 int batch_text(struct session *s, const char *text, const char *name, int line);
 int batch_stream(struct session *s, FILE *in, const char *name);
 int batch_file(struct session *s, const char *path);
 
-/* Tells the session that lines are typed from now on: it is autosaved, and the
- * last autosaved one is announced. */
+/* Tells the session that lines are typed from now on: starts autosaving, and
+ * announces the session that was autosaved last. */
 void batch_attend(struct session *s);
 
-/* Lines typed at a terminal while results go elsewhere: an error is printed and
- * the next line read. */
+/* Reads and runs lines typed at a terminal while results go elsewhere; an error
+ * is printed and the next line read. */
 int batch_typed(struct session *s);
 
 /* Runs a typed line with its jobs.  An error is printed.  pager: holds its
@@ -27,7 +27,8 @@ int batch_typed(struct session *s);
 int batch_line(
     struct session *s, const char *line, int number, struct pager *pager);
 
-/* The same, but its output is shown only where it fails or is interrupted. */
+/* As batch_line, but the output is shown only if the line fails or is
+ * interrupted. */
 int batch_quiet(struct session *s, const char *line, int number);
 
 #endif

@@ -21,7 +21,7 @@ struct driver {
 	/* Runs the job to its end; false when a signal came, with the job as it
 	 * was. */
 	bool (*work)(struct session *s);
-	/* A calibration that a typed line ends with is left under way. */
+	/* True: a calibration that a typed line ends with is left under way. */
 	bool watches;
 };
 

@@ -5,19 +5,19 @@
 
 #include <stdbool.h>
 
-/* Reads the history into readline.  Where it cannot be read or kept, one remark
+/* Reads the history into readline.  If it cannot be read or kept, one remark
  * goes to stderr, and lines are held in memory only, as they are without
  * with_file. */
 void typed_open(bool with_file);
 
-/* Adds a line, in memory and at the end of the file, before it is run: whatever
- * ends the program then, the line is there.  Lines of several sessions at a
- * time stand in the order they were typed. */
+/* Adds a line, in memory and at the end of the file, before it is run, so that
+ * it is kept however the program ends.  Lines of several sessions at a time are
+ * in the order they were typed. */
 void typed_add(const char *line);
 
 void typed_close(void);
 
-/* Whether it is open. */
+/* True if the history is open. */
 bool typed_is_open(void);
 
 #endif

@@ -4,8 +4,8 @@
 #define TIPSPEED_CLI_HISTORY_SEARCH_H
 
 /* typed_search_names binds our searches to readline's names, before the user's
- * settings are read; typed_search_keys, after them, to the keys that readline
- * gave its own. */
+ * settings are read; typed_search_keys binds them, after the settings, to the
+ * keys that readline uses for its own searches. */
 void typed_search_names(void);
 void typed_search_keys(void);
 

@@ -19,8 +19,8 @@ struct pager {
 
 void pager_open(struct pager *pager, struct session *s);
 
-/* Holds notes back too, so that they stand beside their results.  Does nothing
- * for NULL. */
+/* Also holds notes back, so that they appear beside their results.  Does
+ * nothing for NULL. */
 void pager_hold(struct pager *pager);
 
 /* Shows the new output on standard output, through a pager where it is tall,

@@ -1,4 +1,4 @@
-/* Runs the session's job and shows how it goes.
+/* Runs the session's job and shows its progress.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_PROGRESS_H
 #define TIPSPEED_CLI_PROGRESS_H

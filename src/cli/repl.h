@@ -5,8 +5,8 @@
 
 #include "cmd/session/session.h"
 
-/* Prints a greeting and runs the user's init file; to be called before the
- * files of the command line are opened. */
+/* Prints a greeting and runs the user's init file; called before the files of
+ * the command line are opened. */
 void repl_begin(struct session *s);
 
 /* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
@@ -14,8 +14,8 @@ void repl_begin(struct session *s);
  * signals_catch must have been called. */
 int repl_run(struct session *s);
 
-/* The same instead of the full screen, with --linear.  Does nothing at the
- * prompt. */
+/* As repl_run, but called instead of the full screen, with --linear.  Does
+ * nothing at the prompt. */
 int repl_for_screen(struct session *s);
 
 #endif

@@ -12,11 +12,12 @@ void restore_note(void);
  * SIGTERM, SIGHUP and SIGINT end the program in the usual way. */
 void restore_screen(void);
 
-/* The same while readline has the terminal, as it is set now.  bytes: to be
- * written then. */
+/* As restore_screen, but while readline has the terminal, to restore its
+ * present settings.  bytes: also written then. */
 void restore_prompt(const char *bytes);
 
-/* The screen has been closed, or the prompt has its line. */
+/* The terminal need not be restored any longer: called when the screen has been
+ * closed, or the prompt has its line. */
 void restore_done(void);
 
 /* Restores a terminal that a killed program left behind; for --reset-tty. */

@@ -1,4 +1,4 @@
-/* The signals that the program answers.
+/* The signals that the program handles.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_SIGNALS_H
 #define TIPSPEED_CLI_SIGNALS_H
@@ -19,7 +19,7 @@ void signals_release(void);
  * many seconds (INFINITY: never). */
 bool signals_wait(double seconds);
 
-/* The same while other signals are let in. */
+/* As signals_wait, with the mask of signals that is used while waiting. */
 bool signals_wait_with(const sigset_t *mask, double seconds);
 
 /* Lets held signals arrive now. */
@@ -33,8 +33,8 @@ void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
 int signals_news(void);
 
-/* Whether ^Z is recorded meanwhile, or stops the program with its child
- * processes. */
+/* note: between take and give ^Z is recorded; else it stops the program with
+ * its child processes. */
 void signals_note_stop(bool note);
 
 /* Stops the program as ^Z does by default, and returns when it continues; the

@@ -22,7 +22,7 @@ bool terminal_colour(void);
 /* Whether standard input and output are terminals, so that a user is there. */
 bool terminal_attended(void);
 
-/* Whether it has no escape sequences, or no known type. */
+/* True if the terminal has no escape sequences, or no known type. */
 bool terminal_is_dumb(void);
 
 /* Whether the locale's text is UTF-8; whether the terminal has braille and
@@ -34,7 +34,7 @@ bool terminal_draws(void);
  * known. */
 void terminal_size(int *rows, int *columns);
 
-/* The terminal that standard output is; all zero where it is none. */
+/* Describes the terminal that standard output is; all zero where it is none. */
 struct screen terminal_screen(void);
 
 #endif

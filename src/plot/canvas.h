@@ -9,13 +9,13 @@
 
 #include "plot/palette.h"
 
-/* The characters of a line: ASCII, quarters of a cell (2 x 2), or braille dots
+/* The characters for lines: ASCII, quarters of a cell (2 x 2), or braille dots
  * (2 x 4). */
 enum charset { CHARSET_ASCII, CHARSET_QUADRANTS, CHARSET_BRAILLE };
 
 enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4 };
 
-/* code: a Unicode code point; 0 after one that is two columns wide. */
+/* code: a Unicode code point; 0 after a character that is two columns wide. */
 struct canvas_cell {
 	uint32_t code;
 	unsigned char series, attribute;
@@ -28,36 +28,38 @@ struct canvas {
 	struct canvas_cell *cell;
 };
 
-/* Blank; columns and rows of at least 1. */
+/* Returns a blank canvas; columns and rows of at least 1. */
 struct canvas *canvas_new(int columns, int rows);
 void canvas_free(struct canvas *canvas);
 
-/* A cell; asserts that it is on the canvas. */
+/* Returns a cell; asserts that it is on the canvas. */
 struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 
-/* Writes text as shown (base/text.h) from a cell to the right, cut at the edge;
- * text off the canvas is left out. */
+/* Writes text as text_show shows it (base/text.h) from a cell to the right, cut
+ * at the edge; text off the canvas is left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 
-/* The same, cut at column `end`.  Returns the column after the text. */
+/* As canvas_text, but cut at column `end`.  Returns the column after the
+ * text. */
 int canvas_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 
-/* A code point as UTF-8 in text, which it returns. */
+/* Writes a code point as UTF-8 to text, and returns text. */
 const char *canvas_utf8(uint32_t code, char text[static 5]);
 
-/* Whether a cell is drawn faint: where there are 256 colours, none of them of
+/* True if a cell is drawn faint: it is dim, and there are 256 colours without
  * high contrast. */
 bool canvas_is_faint(
     const struct canvas *canvas, const struct canvas_cell *cell, int depth);
 
-/* Prints the rows, each without spaces at its end and with a line feed; escape
- * sequences where depth > 0. */
+/* Prints the rows, each without spaces at its end and with a line feed; with
+ * escape sequences if depth > 0. */
 void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 
-/* Dots of a cell, across and down, and the character of one whose dots are
- * set, bit 2 * row + column; ASCII has none. */
+/* canvas_dots_across and canvas_dots_down return the number of dots of a cell
+ * in each direction.  canvas_dots_code returns the character with the given
+ * dots set, bit 2 * row + column; ASCII has none. */
 int canvas_dots_across(enum charset charset);
 int canvas_dots_down(enum charset charset);
 uint32_t canvas_dots_code(enum charset charset, unsigned dots);

@@ -9,9 +9,9 @@
 #include "plot/axis.h"
 #include "plot/canvas.h"
 
-/* Dashes are counted along the path, so that a steep part looks like a flat
- * one; on a canvas from the column of each point, so that a curve that moves in
- * one part keeps its dashes elsewhere. */
+/* Dashes are counted along the path, so that steep and flat parts look alike;
+ * on a canvas they are counted from the column of each point, so that a curve
+ * that changes in one part keeps its dashes elsewhere. */
 enum chart_line {
 	CHART_MARKS, /* no line */
 	CHART_SOLID,
@@ -20,30 +20,31 @@ enum chart_line {
 	CHART_DOTTED
 };
 
-/* The site of a point, where a chart has several sites.  label: text that may
- * be written beside it, or NULL. */
+/* The site of a point, for a chart with several sites.  label: text that may be
+ * written beside the point, or NULL. */
 struct chart_whose {
 	char *site, *about, *label;
 };
 
-/* A field drawn around a point instead of a mark, a unit wide and high, filled
- * in proportion to |value|, at most 1, with its label; NAN: none. */
+/* A field drawn around a point instead of a mark, one unit wide and high,
+ * filled in proportion to |value|, at most 1, with its label; value NAN: no
+ * field. */
 struct chart_field {
 	double value;
 	char *label;
 };
 
 /* One curve or set of points.  fine: its marks are drawn in parts of a cell
- * (plot/marks.h), and several such series take turns in lying on top.  x, y [n]
- * in the axes' units; a NAN in y lifts the pen.  low, high [n]: a shade behind
- * all lines, or both NULL.  ascii: the character of a line where there are only
- * ASCII characters; mark: an ASCII character at each point, 0: none.  bars:
- * low..high are a bar at each point instead of a shade, y is not drawn; long
- * dashes make it a heavy one.  beside: drawn so many cells to the right of x.
- * lifted: its marks stand out of bars, in reverse, with a gap on either side.
- * named: labels of its points are written where there is room.  whose, field
- * [n]: or NULL.  finer: points of the same curve that chart_at_y reads instead,
- * owned; NULL: none. */
+ * (plot/marks.h), and several such series take turns in being on top.  x, y
+ * [n]: in the axes' units; a NAN in y interrupts the line.  low, high [n]: a
+ * shade behind all lines, or both NULL.  ascii: the character of the line if
+ * there are only ASCII characters.  mark: an ASCII character at each point, 0:
+ * none.  bars: low..high are a bar at each point instead of a shade, and y is
+ * not drawn; long dashes make the bar heavy.  beside: drawn that many cells to
+ * the right of x.  lifted: its marks are set off from bars, in reverse, with a
+ * gap on either side.  named: the labels of its points are written if there is
+ * room.  whose, field [n]: may be NULL.  finer: points of the same curve that
+ * chart_at_y reads instead, owned; NULL: none. */
 struct chart_series {
 	char *name;
 	enum series series;
@@ -66,11 +67,11 @@ struct chart_rule {
 	char *name;
 };
 
-/* strip: the number of rows in which it is drawn, without labels, below another
- * chart of the same sizes; 0: a chart of its own.  Later series lie on top.
- * about: where the data are from, shown at the foot after "data: "; note: lines
- * below the legend; below: another chart that is drawn below it, of the same x
- * axis and other units, or NULL; chart_free frees it too. */
+/* strip: the number of rows for the chart, drawn without labels, below another
+ * chart of the same sizes; 0: a chart of its own.  Later series are drawn on
+ * top.  about: the source of the data, shown at the foot after "data: ".  note:
+ * lines below the legend.  below: another chart that is drawn below this one,
+ * with the same x axis and other units, or NULL; chart_free frees it too. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
@@ -83,42 +84,45 @@ struct chart {
 	struct chart *below;
 };
 
-/* The chart takes the axes; the words are copied. */
+/* Makes a chart that takes over the axes; title and about are copied. */
 struct chart *chart_new(
     const char *title, const char *about, struct axis x, struct axis y);
 void chart_free(struct chart *chart);
 
-/* A series of n points at zero, to be filled in.  look: what distinguishes it
- * without colour: line, ascii and mark; its data are ignored.  Borrowed; it
- * does not move as others are added. */
+/* Adds a series of n points at zero, to be filled in.  look: line, ascii and
+ * mark, which distinguish the series without colour; its data are ignored.  The
+ * result is borrowed, and does not move when others are added. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
-/* An array whose for a series, to be filled with strings that it then owns. */
+/* Adds an array `whose` to a series, to be filled with strings that the series
+ * then owns. */
 void chart_add_whose(struct chart_series *series);
 
-/* Arrays low and high for a series, for its shade. */
+/* Adds arrays low and high to a series, for its shade. */
 void chart_add_band(struct chart_series *series);
 
-/* Its finer points [n], of which x and y are to be filled in. */
+/* Adds n finer points to a series; x and y of the result are to be filled
+ * in. */
 struct chart_series *chart_add_finer(struct chart_series *series, size_t n);
 
-/* Nothing is added where x lies outside the axis. */
+/* Adds a rule; adds none if x is outside the axis. */
 void chart_add_rule(struct chart *chart, enum series series, double x,
     const char *name, ...) __attribute__((format(printf, 4, 5)));
 
 void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* y at x, straight between the points as the axes have it; NAN outside the
- * points.  at_y: x at y of points whose y never turns. */
+/* chart_at returns y at x, on straight lines between the points as the axes
+ * show them; NAN outside the points.  chart_at_y returns x at y, for points
+ * whose y only rises or only falls. */
 double chart_at(
     const struct chart *chart, const struct chart_series *series, double x);
 double chart_at_y(
     const struct chart *chart, const struct chart_series *series, double y);
 
-/* How many dots of a line's path are drawn, then left out, and so on; off is 0
- * of a solid line. */
+/* Sets *on to how many dots of a line's path are drawn, *off to how many are
+ * then left out, and so on; off is 0 for a solid line. */
 void chart_dash(enum chart_line line, int *on, int *off);
 
 #endif

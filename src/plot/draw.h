@@ -1,11 +1,11 @@
-/* Charts on a canvas of cells.
+/* Draws charts on a canvas of cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_DRAW_H
 #define TIPSPEED_PLOT_DRAW_H
 
 #include "plot/chart.h"
 
-/* The words around the axes; the foot goes with the legend.  CHART_BARE: the
+/* The words around the axes; the foot is part of the legend.  CHART_BARE: the
  * data alone, in all cells. */
 enum {
 	CHART_TITLE = 1,
@@ -15,10 +15,10 @@ enum {
 	CHART_BARE = 8
 };
 
-/* The chart in exactly columns x rows cells, whatever they are.  Where room is
- * short its parts go in this order: title of the y axis, notes and legend,
- * second row of labels, foot, title, labels, axis.  words: which of them to
- * draw at all, of CHART_ALL.  A label stands in the row or column that holds
+/* Draws a chart in exactly columns x rows cells, however few or many.  If room
+ * is short its parts are dropped in this order: title of the y axis, notes and
+ * legend, second row of labels, foot, title, labels, axis.  words: the parts to
+ * draw at all, out of CHART_ALL.  A label is in the row or column that contains
  * its value, a dot of a line or of a fine mark in the part of a cell that does.
  * The caller frees. */
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
@@ -26,7 +26,7 @@ struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
 
 /* The content of a cell of that canvas: the chart there, the values of its
  * axes, and the nearest of its marks within a cell, or else the line drawn
- * there: `point` of it, the nearest.  series NULL: none. */
+ * there; point: the nearest point of the series.  series NULL: none. */
 struct chart_found {
 	const struct chart *chart;
 	double x, y;
@@ -34,12 +34,13 @@ struct chart_found {
 	size_t point;
 };
 
-/* False for a cell outside the data. */
+/* Finds the content of a cell; false for a cell outside the data. */
 bool chart_find(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 
-/* The sample of a series in a legend: its line and mark.  The caller frees. */
+/* Returns the sample of a series in a legend: its line and mark.  The caller
+ * frees. */
 char *chart_sample(const struct chart_series *series, enum charset charset);
 
 #endif

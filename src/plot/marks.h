@@ -1,13 +1,14 @@
-/* Marks in parts of a cell, each with a shape of its own.
+/* Marks drawn in parts of a cell, each with a shape of its own.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_MARKS_H
 #define TIPSPEED_PLOT_MARKS_H
 
 #include <stdbool.h>
 
-/* The shape for an ASCII character: dots, 3 x 3, bit 3 * row + column;
- * quarters, 2 x 2; on paper a shape of so many sides, the first corner at that
- * part of a turn.  hollow: so that a line is seen to pass behind it. */
+/* The shape for an ASCII character.  dots: 3 x 3, bit 3 * row + column;
+ * quarters: 2 x 2.  On paper the shape has `sides` sides, and its first corner
+ * is at the part `turn` of a full turn.  hollow: a line is seen to pass behind
+ * it. */
 struct mark {
 	char code;
 	unsigned dots, quarters;
@@ -16,10 +17,11 @@ struct mark {
 	bool hollow;
 };
 
-/* The mark of a character, or NULL. */
+/* Returns the mark of a character, or NULL. */
 const struct mark *mark_of(char code);
 
-/* Character i of the full ones, or of the hollow ones, which take turns. */
+/* Returns character i of the full marks, or of the hollow ones, which take
+ * turns. */
 char mark_code(unsigned i, bool hollow);
 
 #endif

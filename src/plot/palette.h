@@ -1,15 +1,15 @@
-/* All colours, of the screen, the prompt and pictures, by their meaning.
+/* All colours of the screen, the prompt and pictures, by their meaning.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_PALETTE_H
 #define TIPSPEED_PLOT_PALETTE_H
 
-/* What a drawn thing belongs to, which decides its colour.  Runs of several
- * speeds take turns in the measured ones, each the same in every plot;
- * quantities, rocks, streams and others that are not runs take turns in the
- * colours of kinds. */
+/* The group that a drawn thing belongs to, which decides its colour.  Runs of
+ * several speeds take turns in the colours MEASURED, each the same in every
+ * plot; quantities, rocks, streams and others that are not runs take turns in
+ * the colours KIND. */
 enum series {
 	SERIES_TEXT, /* axes, labels, legend */
-	SERIES_FEED, /* and what else lies behind */
+	SERIES_FEED, /* and other things drawn behind */
 	SERIES_MEASURED_1,
 	SERIES_MEASURED_2,
 	SERIES_MEASURED_3,
@@ -29,23 +29,26 @@ enum series {
 	SERIES_COUNT
 };
 
-/* Colours for any background; with high contrast for a dark or a light one,
- * without faint ones. */
+/* THEME_NORMAL: colours for any background.  THEME_DARK, THEME_LIGHT: high
+ * contrast on a dark or a light background, without faint colours. */
 enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
 
-/* Depth of colour: 0 (none), 8, 16 or 256.  Number of the colour of a series in
- * it, or -1 for that of the text; told apart with red-green blindness where
- * there are 256 (tests/unit/test_palette.c), and never the only mark.  Of 16
- * those from 8 on are bright, which among eight is bold. */
+/* Returns the number of a series' colour at a depth of 0 (no colour), 8, 16 or
+ * 256 colours; -1 for the colour of the text.  With 256 the colours can be
+ * distinguished with red-green blindness (tests/unit/test_palette.c), and
+ * colour is never the only mark.  Of 16 colours those from 8 on are bright;
+ * with 8 colours such a number means bold. */
 int palette_colour(enum series series, int depth, enum theme theme);
 
-/* That of the shade behind a series: each has its own. */
+/* Returns the series that colours the shade behind a series: each has its
+ * own. */
 enum series palette_tint(enum series series);
 
-/* 0xRRGGBB of a colour by its number, as xterm has it. */
+/* Returns 0xRRGGBB of a colour by its number, as in xterm. */
 unsigned palette_rgb(int colour);
 
-/* Of a series on white paper: that of 256. */
+/* Returns 0xRRGGBB of a series on white paper: its colour at depth 256, for
+ * high contrast that of THEME_LIGHT. */
 unsigned palette_ink(enum series series, enum theme theme);
 
 #endif

@@ -7,11 +7,11 @@
 
 #include "plot/chart.h"
 
-/* The opacity of what is faint. */
+/* The opacity of faint parts. */
 #define PEN_FAINT 0.6
 
-/* Letters of one width, of the systems by their names: a browser's own
- * monospace is often Courier. */
+/* Fonts with letters of one width, by their names on each system: a browser's
+ * own monospace is often Courier. */
 #define PEN_MONO                                                            \
 	"ui-monospace, SFMono-Regular, Menlo, Consolas, DejaVu Sans Mono, " \
 	"Liberation Mono, monospace"
@@ -19,7 +19,8 @@
 enum pen_fill { PEN_OPEN, PEN_PAPER, PEN_FULL, PEN_TINT };
 enum pen_anchor { PEN_START, PEN_MIDDLE, PEN_END };
 
-/* How a path is drawn.  width 0: its outline is not; a fill closes it. */
+/* How a path is drawn.  width 0: its outline is not drawn; a fill closes the
+ * path. */
 struct pen_stroke {
 	enum series series;
 	enum chart_line line; /* dashes */
@@ -27,9 +28,9 @@ struct pen_stroke {
 	enum pen_fill fill;
 };
 
-/* size in points; upward: reads from below to above; inverse: in the colour of
+/* size: in points.  upward: reads from bottom to top; inverse: in the colour of
  * the paper; faint: as dim on a terminal; mono: in letters of one width.
- * length: stretched to that, 0: as it comes. */
+ * length: the text is stretched to it; 0: not stretched. */
 struct pen_style {
 	double size, length;
 	enum pen_anchor anchor;
@@ -37,28 +38,31 @@ struct pen_style {
 	enum series series;
 };
 
-/* How bars are drawn: with round ends, so that one of no length is a dot. */
+/* How bars are drawn.  round: with round ends, so that a bar of length 0 is a
+ * dot. */
 struct pen_bar {
 	enum series series;
 	double width, opacity;
 	bool round;
 };
 
-/* The paper and its colours, 0xRRGGBB.  corner: radius of its corners, edge:
- * the line around it where that is not 0.  mono: all letters have one width. */
+/* The paper and its colours, 0xRRGGBB.  corner: radius of its corners.  edge:
+ * colour of the line around it, drawn if corner is not 0.  mono: all letters
+ * have one width. */
 struct pen_paper {
 	unsigned colour, edge, ink[SERIES_COUNT];
 	double corner;
 	bool mono;
 };
 
-/* path: through x, y [n].  bars: n straight ones, bar i from x, y [2 i] to the
- * next.  text: its base line begins, is centred or ends at x, y.  close: writes
- * the rest and frees the pen; false when writing failed.
+/* path: draws a path through x, y [n].  bars: draws n straight bars, bar i from
+ * x, y [2 i] to the next.  text: draws a text whose base line begins, is
+ * centred or ends at x, y.  close: writes the rest and frees the pen; false if
+ * writing failed.
  *
- * For PDF only, which may have many pages.  width: that of a text, points;
- * next: begins another page; place: from now on draws relative to x, y of the
- * page, scaled. */
+ * For PDF only, which may have many pages: width returns the width of a text,
+ * points; next begins another page; place makes the pen draw relative to x, y
+ * of the page, scaled, from now on. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);
@@ -73,9 +77,9 @@ struct pen {
 	void (*place)(struct pen *, double x, double y, double scale);
 };
 
-/* Makes a pen for a page.  title and about go into the file's description; the
- * paper is copied.  other: from cairo PDF, else PNG;
- * SVG as a part of a page of HTML, else a file of its own. */
+/* Makes a pen for a page.  title and about are written into the file's
+ * description; the paper is copied.  other: pen_cairo makes a PDF, else a PNG;
+ * pen_svg makes an SVG as a part of a page of HTML, else a file of its own. */
 typedef struct pen *pen_maker(double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     bool other, FILE *out);

@@ -1,4 +1,5 @@
-/* Keys, and what they do: each act is defined where what it is about is.
+/* Keys, and the functions they run, each defined in the page or widget that it
+ * concerns.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_ACTS_H
 #define TIPSPEED_TUI_ACTS_H
@@ -8,10 +9,10 @@ enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
 /* Keys without a name of curses. */
 enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 
-/* Where a key is there: bits of 1 << page.  Of one that is there on all pages
- * the same bits, shifted, are those that list it first.  AT_SPEED: it is about
- * the speed of the slider, which is first to be the one that was asked for.
- * CHANGES: what is calculated, see viewer.c. */
+/* Where a key acts: bits of 1 << page.  For a key that acts on all pages the
+ * same bits, shifted, name the pages that list it first.  AT_SPEED: it concerns
+ * the speed of the slider, which is first made the one asked for.  CHANGES: it
+ * changes what is calculated, see viewer.c. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,
@@ -30,10 +31,10 @@ struct tui;
 struct key;
 typedef void key_way(struct tui *t, const struct key *key);
 
-/* code: as ncurses gives it; name: as shown, "Left, h" where h does the same.
- * act: does it, with the amount; command: what it runs, or NULL.  brief: the
- * same as `what` for a list that fits one screen; NULL: it goes with the key
- * before it. */
+/* code: as ncurses has it; name: as shown, "Left, h" where h does the same.
+ * act: does it, with the amount; command: the command it runs, or NULL.  what:
+ * what it does, in words; brief: the same for a list that fits one screen;
+ * NULL: listed with the key before it. */
 struct key {
 	int code;
 	const char *name;
@@ -51,9 +52,9 @@ enum { TO_LEAST = -1, TO_MOST = 1 };
  * down. */
 key_way act_move, act_ends, act_list;
 
-/* The slider to a run (by -1 the slowest, 0 one in the middle, 1 the fastest),
- * or to the next limit of the goal, a run where there is none, or to its best
- * speed.  While these speeds are not known the key is kept. */
+/* Moves the slider to a run (-1 the slowest, 0 one in the middle, 1 the
+ * fastest), to the next limit of the goal, or of a run where there is no goal,
+ * or to the goal's best speed.  Until these speeds are known the key waits. */
 key_way act_speed, act_run_speed, act_limit, act_best;
 
 key_way act_page, act_back, act_choose, act_filter;

@@ -1,4 +1,4 @@
-/* Runs command lines for the full screen, with all they print kept off it.
+/* Runs command lines for the full screen, and keeps their output off it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_CONTROL_H
 #define TIPSPEED_TUI_CONTROL_H
@@ -6,18 +6,19 @@
 #include "tui/tui_state.h"
 #include "tui/view.h"
 
-/* A full screen on a session, as it opens, and its end: what runs is stopped
- * and kept, and the session has its ways again. */
+/* control_begin opens a full screen on a session; control_end closes it: a
+ * running calibration is stopped and kept, and the session's streams and hooks
+ * are restored. */
 void control_begin(
     struct tui *t, struct session *s, const struct tui_ways *ways);
 void control_end(struct tui *t);
 
-/* The one that is open, or NULL. */
+/* Returns the full screen that is open, or NULL. */
 const struct tui *control_open(void);
 
-/* Another one that shows the same, for a frame beside it: nothing that is done
- * to it hits the open one, and control_drop is its end.  It has a copy of
- * what is chosen (struct ui), and works the rest out. */
+/* Makes a second state that shows the same, to draw a frame apart from the open
+ * screen, which it does not change; control_drop frees it.  It has a copy of
+ * the user's choices (struct ui), and computes the rest. */
 struct tui *control_beside(void);
 void control_drop(struct tui *t);
 
@@ -25,16 +26,17 @@ void control_drop(struct tui *t);
  * it failed. */
 bool control_run(struct tui *t, const char *line);
 
-/* Looks what the session is like after a command that was not run here. */
+/* Updates the screen after a command that was not run here. */
 void control_look(struct tui *t);
 
 /* ---- For cmdline.c ---- */
 
-/* The command of a line; NULL where it has several, or none of that name. */
+/* Returns the command of a line; NULL if the line has several, or no known
+ * one. */
 const struct command *control_command(const char *line);
 
-/* Sets the page and the quantity shown, so that they are saved and come back.
- */
+/* Stores the page and the quantity shown as settings, so that they are saved
+ * and restored. */
 void control_set_looks(struct tui *t);
 
 #endif

@@ -1,5 +1,5 @@
-/* What of a frame can be touched: each thing says so while it is drawn, and the
- * mouse asks.  What is drawn last lies on top.
+/* The areas of a frame that react to the mouse: each is added while it is
+ * drawn; the one drawn last is on top.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_HITS_H
 #define TIPSPEED_TUI_HITS_H
@@ -11,11 +11,11 @@
 
 struct tui;
 
-/* HIT_DRAG goes to what was pressed, wherever the mouse is by then. */
+/* HIT_DRAG is sent to what was pressed, wherever the mouse is by then. */
 enum hit_kind { HIT_PRESS, HIT_DRAG, HIT_UP, HIT_DOWN };
 
 /* row, column: from the top left of the area, negative or beyond it where it
- * was dragged off; item: what was given with it. */
+ * was dragged off; item: as given to hits_add. */
 struct touched {
 	enum hit_kind kind;
 	int row, column;
@@ -23,8 +23,8 @@ struct touched {
 	size_t item;
 };
 
-/* Does what the mouse asks for; false: it has no part in that kind, and what
- * lies below is asked. */
+/* Does what the mouse asks for; false: it does not handle that kind, and the
+ * area below is tried. */
 typedef bool hit_way(struct tui *t, const struct touched *touched);
 
 struct hit {
@@ -35,36 +35,37 @@ struct hit {
 	bool special;
 };
 
-/* Those of a frame, n of them; pressed: what a drag goes to, way NULL: none. */
+/* The n areas of a frame; pressed: the one that a drag is sent to, way NULL:
+ * none. */
 struct hits {
 	size_t n;
 	struct hit *at;
 	struct hit pressed;
 };
 
-/* For a new frame; what is being dragged stays. */
+/* Clears the areas for a new frame; what is being dragged stays. */
 void hits_clear(struct hits *hits);
 void hits_free(struct hits *hits);
 
-/* Areas without a cell are left out. */
+/* Adds an area; areas without a cell are left out. */
 void hits_add(struct hits *hits, struct area area, hit_way *way, size_t item);
 
-/* A press there is the key: code and special as in keymap_key. */
+/* Adds an area where a press is the key: code and special as in keymap_key. */
 void hits_add_key(struct hits *hits, struct area area, int code, bool special);
 
-/* A press there does its part by the way, and then is the key, too. */
+/* Adds an area where a press is handled by `way`, and then is the key, too. */
 void hits_add_both(
     struct hits *hits, struct area area, hit_way *way, size_t item, int code);
 
-/* Hands on what the mouse did at a cell; false where nobody took it.  A key
- * goes to `key`. */
+/* Passes what the mouse did at a cell to the areas there; false if none handled
+ * it.  A key is passed to `key`. */
 bool hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
     int column, void (*key)(struct tui *t, int code, bool special));
 
-/* The topmost that has the cell, or NULL. */
+/* Returns the topmost area that contains the cell, or NULL. */
 const struct hit *hits_at(const struct hits *hits, int row, int column);
 
-/* The button was let go of. */
+/* Ends a drag: the button was released. */
 void hits_release(struct hits *hits);
 
 #endif

@@ -7,17 +7,17 @@
 
 #include "tui/tui_state.h"
 
-/* The next key, if there is one by now; what is pasted is dealt with, and as
- * that may be much, signals come in meanwhile.  code: of ncurses where special,
- * else a character. */
+/* Reads the next key, if there is one by now.  Pasted text is handled meanwhile
+ * and, as it may be long, signals are let in.  code: as ncurses has it where
+ * special, else a character. */
 bool input_key(struct tui *t, int *code, bool *special);
 
-/* Text that is pasted stands between marks that terminals put around it: it is
- * typed into the line that is open, and never run.  True for a mark and for
- * what stands between two, which is dealt with. */
+/* Handles pasted text, which terminals enclose in marks: it is typed into the
+ * line that is open, and never run.  True for a mark and for text between two
+ * marks, which is then handled. */
 bool input_paste(struct tui *t, int code, bool special);
 
-/* The end of what is pasted, also where its mark does not come. */
+/* Ends pasted text, also where its end mark does not arrive. */
 void input_end_paste(struct tui *t);
 
 #endif

@@ -5,21 +5,21 @@
 
 #include "tui/tui_state.h"
 
-/* Takes one key: code as ncurses has it; special: one with a name, no
- * character; the mouse is one such, whose event ncurses holds. */
+/* Handles one key: code as ncurses has it; special: a key with a name, not a
+ * character.  The mouse is a special key, whose event ncurses holds. */
 void keymap_key(struct tui *t, int code, bool special);
 
-/* Whether a character is typed into what takes the keys now. */
+/* True if a character is typed into what has the keys now. */
 bool keymap_types(const struct tui *t, int code);
 
-/* Opens the line of a command where a page has the keys. */
+/* Opens the command line, where a page has the keys. */
 void keymap_open_line(struct tui *t);
 
 /* Does what the held key does, see word.h. */
 void keymap_held(struct tui *t);
 
-/* While an answer is waited for: what the mouse did, from the event ncurses
- * holds.  True where that is a key, which answers. */
+/* While an answer is waited for: handles the mouse event that ncurses holds.
+ * True if it is a key, which answers. */
 bool keymap_pointed(struct tui *t, int *code, bool *special);
 
 #endif

@@ -13,24 +13,26 @@
 /* Ends with a code of 0. */
 extern const struct key KEYS[];
 
-/* The row of a key on a page, or NULL. */
+/* Returns the row of a key on a page, or NULL. */
 const struct key *keys_find(int code, enum page page);
 
-/* The code of a key by its name ("Left", "^L", "Esc") or its character; false
- * where there is none such.  Those above 255 are special keys of ncurses. */
+/* Finds the code of a key by its name ("Left", "^L", "Esc") or its character;
+ * false where there is no such key.  Codes above 255 are special keys of
+ * ncurses. */
 bool keys_code(const char *name, int *code);
 
-/* For the ? page: a line for each key whose line has the word, without regard
- * to case, the page's own first; for "" all keys of the page, in brief.
- * keys_nth: the key of line n, or NULL; keys_count: how many keys there are. */
+/* For the ? page: keys_list prints a line for each key whose line contains the
+ * word, without case, the page's own first; for "" all keys of the page, in
+ * brief.  keys_nth returns the key of line n, or NULL; keys_count how many keys
+ * there are. */
 void keys_list(enum page page, const char *word, FILE *out);
 const struct key *keys_nth(enum page page, const char *word, size_t n);
 size_t keys_count(enum page page, const char *word);
 
-/* The same for tipspeed-tui(1), as mdoc. */
+/* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_manual(FILE *out);
 
-/* Prints what each key does by a function, for who translates it. */
+/* Prints what each key does, with a function, for translators. */
 void keys_texts(void (*print)(const char *text, FILE *out), FILE *out);
 
 #endif

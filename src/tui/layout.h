@@ -1,18 +1,18 @@
-/* Where the parts of the full screen stand at a size.
+/* The places of the full screen's parts, at any size.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_LAYOUT_H
 #define TIPSPEED_TUI_LAYOUT_H
 
 #include <stdbool.h>
 
-/* What a page wants beside its body: columns of a side panel, or 0; the
- * strip of differences below the plot; the response strip above the track. */
+/* What a page needs beside its body: columns of a side panel, or 0; the strip
+ * of differences below the plot; the response strip above the track. */
 struct layout_ask {
 	int side_columns;
 	bool differences, strip;
 };
 
-/* From the top left of the screen; of no rows: left out. */
+/* An area of the screen, from its top left; without rows: left out. */
 struct area {
 	int row, column, rows, columns;
 };
@@ -25,23 +25,24 @@ struct layout {
 	    caption, strip, track, command, status, hints;
 };
 
-/* Any size of at least 1 x 1.  What there is no room for drops in this order:
- * differences, strip, legend, side panel (a row of numbers takes its place),
- * status (the row of the command takes its place), plot (the side panel has its
- * rows), hints, caption, header, command; track and numbers go last. */
+/* Places everything on a screen of at least 1 x 1.  Parts without room are
+ * dropped in this order: differences, strip, legend, side panel (a row of
+ * numbers replaces it), status (it shares the row of the command), plot (the
+ * side panel gets its rows), hints, caption, header, command; track and numbers
+ * last. */
 struct layout layout_make(int rows, int columns, struct layout_ask ask);
 
-/* The same for text on all of the screen: between header and hints, as long as
- * there is room for these. */
+/* Places text on all of the screen: between header and hints, as long as there
+ * is room for these. */
 struct layout layout_text(int rows, int columns);
 
-/* The track of the slider without its ends. */
+/* Returns the area of the slider's track without its ends. */
 struct area layout_track(const struct layout *l);
 
-/* How many rows a message may have. */
+/* Returns how many rows a message may have. */
 int layout_message_rows(const struct layout *l);
 
-/* Whether a cell lies in the area. */
+/* True if a cell lies in the area. */
 bool area_has(const struct area *area, int row, int column);
 
 #endif

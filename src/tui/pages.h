@@ -7,11 +7,12 @@
 
 extern const struct page_ops *const PAGE_OPS[PAGES];
 
-/* The one that is open; and to open one. */
+/* pages_open returns the open page; pages_go opens a page. */
 const struct page_ops *pages_open(const struct tui *t);
 void pages_go(struct tui *t, enum page page);
 
-/* See page_ops; nothing where the page has no such thing. */
+/* Calls `update` of the open page, see page_ops; does nothing if it has
+ * none. */
 void pages_update(struct tui *t);
 
 #endif

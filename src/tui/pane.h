@@ -1,15 +1,15 @@
-/* What a page of the full screen is, and what pages draw with.  They draw from
- * the state and compute nothing.
+/* The operations of a page of the full screen, and what pages draw with.  Pages
+ * draw from the state; only `update` computes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_PANE_H
 #define TIPSPEED_TUI_PANE_H
 
 #include "tui/tui_state.h"
 
-/* Rows that a cursor goes through, see list.h.  at: the one under it; go: puts
- * it onto another one; text: all that a row says, for a word to be looked for
- * in, which the caller frees, or NULL; open: what Enter does there, or NULL;
- * update: works out what is shown of it, or NULL. */
+/* Rows that a cursor moves through, see list.h.  n: how many; at: the row under
+ * the cursor; go: puts the cursor on another row; text: returns all text of a
+ * row, to search for a word, which the caller frees, or NULL; open: what Enter
+ * does there, or NULL; update: computes what is shown of the list, or NULL. */
 struct page_list {
 	size_t (*n)(const struct tui *t);
 	size_t (*at)(const struct tui *t);
@@ -19,18 +19,18 @@ struct page_list {
 	void (*update)(struct tui *t);
 };
 
-/* All that there is of a page is in its own file; pages.c lists them.  What a
- * page has no use for is NULL. */
+/* The operations of a page, which are in its own file; pages.c lists the pages.
+ * Operations that a page does not need are NULL. */
 struct page_ops {
 	const char *name;  /* in the heading */
 	const char *hints; /* of its keys, two spaces between them; or NULL: */
 	const char *(*hints_now)(const struct tui *t);
-	/* Columns of its panel; on screens of 100 or more, or 0: no other; of
-	 * 120 or more. */
+	/* Columns of its side panel; the same on screens of 100 columns or
+	 * more, or 0: no other; of 120 or more. */
 	int side, middle_side, wide_side;
 	bool differences, strip; /* see struct layout_ask */
 
-	/* Works out what is drawn and does not come with the prediction. */
+	/* Computes what is drawn but does not come with the prediction. */
 	void (*update)(struct tui *t);
 
 	/* Draws the body. */
@@ -39,60 +39,61 @@ struct page_ops {
 	/* Draws its own caption of the track; false: the usual one. */
 	bool (*caption)(struct tui *t, const struct area *area);
 
-	/* Its list, which keys and mouse go through. */
+	/* Its list, for keys and mouse. */
 	const struct page_list *list;
 
-	/* What act_move, act_ends and act_list do to what it has; false: what
-	 * they do to its list, else to the slider. */
+	/* Handles act_move, act_ends and act_list on the page; false: they act
+	 * on its list, else on the slider. */
 	bool (*move)(struct tui *t, const struct key *key);
 
 	/* A click on its plot, at values of the axes of that kind. */
 	void (*point)(struct tui *t, enum plot_kind kind, double x, double y);
 
-	/* The picture as `describe` names it, which the caller frees; NULL: the
-	 * curves. */
+	/* Returns the name of its picture for `describe`, which the caller
+	 * frees; NULL: the curves. */
 	char *(*words)(const struct tui *t);
 };
 
 extern const struct page_ops page_predict, page_fit, page_data, page_parity,
     page_sites;
 
-/* A plot in an area, or in words why there is none.  A click on it says what
+/* Draws a plot in an area, or says why there is none.  A click on it says what
  * is there; see point in page_ops. */
 void pane_plot(
     struct tui *t, const struct plot_request *request, const struct area *area);
 
-/* Curves in the plot area, with a legend below them where there is room.
+/* Draws curves in the plot area, with a legend below them where there is room.
  * notes: they show what the side panel does not. */
 void pane_curves(struct tui *t, struct plot_request *request, bool notes);
 
-/* The curves, as `describe` names them.  The caller frees. */
+/* Returns the name of the curves for `describe`.  The caller frees. */
 char *pane_curves_words(const struct tui *t);
 
-/* The body with the row of the legend: a list has none. */
+/* Returns the body with the row of the legend, which a list does not have. */
 struct area pane_list_area(const struct tui *t);
 
-/* The row of hints, two spaces between them: what does not fit is left out by
- * whole ones.  pane_touch_hints: each begins with the name of its key, "Up/Down
- * site" with those of two, and a click there presses it. */
+/* pane_hints draws the row of hints, with two spaces between them; a hint that
+ * does not fit is left out as a whole.  pane_touch_hints: each hint begins with
+ * the name of its key, "Up/Down site" with two, and a click on a name presses
+ * that key. */
 void pane_hints(struct tui *t, unsigned look, const char *hints);
 void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
 
-/* A line that is typed, after its prompt; one too long is moved to the left
- * until the cursor is seen.  Returns the cursor's column; from: of its bytes
- * the first that is shown. */
+/* Draws a line being typed, after its prompt; one too long is moved to the left
+ * until the cursor is seen.  Returns the cursor's column; from: offset of the
+ * first byte shown. */
 int pane_typed(const struct area *area, const char *prompt,
     const struct edit *typing, size_t *from);
 
-/* A word that is looked for, after /, with how many have it, or NULL, and where
- * there is room the keys that are its own.  Returns the cursor's column. */
+/* Draws a word being searched for, after /, with how many match, or NULL, and
+ * where there is room the keys of the search.  Returns the cursor's column. */
 int pane_word(struct tui *t, const struct area *area, const char *word,
     const char *found, const char *keys);
 
-/* Leaves out words, two spaces between them, that there is no room for. */
+/* Cuts off the words, separated by two spaces, that there is no room for. */
 void pane_cut(char *words, int columns);
 
-/* A place in a list of n, moved and kept within it. */
+/* Returns a place in a list of n, moved by `by` and kept within it. */
 int pane_moved(int at, int by, size_t n);
 
 #endif

@@ -1,23 +1,23 @@
-/* A line or a script that runs, told on the full screen: what it is at, and Esc
- * stops it.
+/* The progress of a running line or script on the full screen; Esc stops it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_SCRIPT_PROGRESS_H
 #define TIPSPEED_TUI_SCRIPT_PROGRESS_H
 
 #include "tui/tui_state.h"
 
-/* A line that was typed runs from now on. */
+/* Notes that a typed line starts to run. */
 void script_progress_typed(struct tui *t, const char *line);
 
-/* See struct driver, of = struct tui *: the line, after which somebody looks
+/* See `begins` in struct driver, of = struct tui *: shows the line, then checks
  * for Esc again. */
 void script_progress_begins(void *of, const char *line);
 
-/* The same in the midst of a line, as often as it changes. */
+/* As script_progress_begins, but amid a line, as often as its progress
+ * changes. */
 void script_progress_draw(struct tui *t);
 
-/* What is left to say at its end: of one that was stopped, and of a session
- * that is there again (restores). */
+/* Says at the end whether the line was stopped and, for a script, which sites
+ * it left.  restores: it restored a session. */
 void script_progress_end(struct tui *t, bool restores, bool ok);
 
 #endif

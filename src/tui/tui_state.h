@@ -1,4 +1,4 @@
-/* What the full screen knows beside the session.  The panes read it; keys and
+/* The state of the full screen, beside the session.  Pages read it; keys and
  * commands change it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_TUI_STATE_H
@@ -31,10 +31,10 @@ struct numbers {
 	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* Text on the whole screen: lines from `top` on, of these what is right of the
- * column `left`.  text NULL: none; line [lines]: its lines, owned.  keys: the
- * list of keys, of those that have the word; one of them, `at`, can be run.  Of
- * other text `at` is the line with the word that was found. */
+/* Text on the whole screen: lines from `top` on, from column `left` on.  text
+ * NULL: none; line [lines]: its lines, owned.  keys: it is the list of keys,
+ * those with the word; the key `at` can be run.  In other text `at` is the line
+ * where the word was found. */
 struct viewer {
 	char *text, **line;
 	int top, lines, left, columns;
@@ -46,13 +46,13 @@ struct viewer {
 /* Plots of one frame that can be pointed at. */
 enum { PLOTS_DRAWN = 4 };
 
-/* How many letters such a word may have, and a speed. */
+/* Letters of such a word, and of a typed speed. */
 enum { VIEWER_WORD = 31, SPEED_LETTERS = 7 };
 
-/* A loaded site, entry of the session, at the slider's speed: P50 in mm,
- * whether that is beyond the speeds trained on; the RMSE at those held out,
- * points; NAN: none; and the light of its parameters, where it is lit, with
- * what a fit of its own is called, or NULL. */
+/* A loaded site, entry of the session, at the slider's speed: P50 in mm, and
+ * whether the speed is beyond those trained on; the RMSE at the speeds held
+ * out, points; NAN: none; the light of its parameters, where it is lit; and the
+ * verdict on a fit of its own, or NULL. */
 struct site_row {
 	size_t entry;
 	const char *verdict;
@@ -61,9 +61,9 @@ struct site_row {
 	enum light light;
 };
 
-/* The sheet on the Data page: its sieves, m, its columns, a feed or a product
- * of a run each, and the digits that its cells want; what the doctor found,
- * where it has looked. */
+/* The sheet on the Data page: its sieves, m; its columns, each a feed or a
+ * product of a run; the digits that its cells need; and the doctor's findings,
+ * once it has looked. */
 struct sheet_column {
 	bool feed;
 	size_t run;
@@ -98,7 +98,7 @@ struct parity {
 enum { SITE_COLUMNS = 12 };
 
 /* Text being pasted: how many of its characters were typed, whether its first
- * line has ended, and whether something was not taken. */
+ * line has ended, and whether something was not accepted. */
 struct paste {
 	bool on, ended, left;
 	size_t taken;
@@ -112,13 +112,14 @@ struct cursor {
 struct strip;
 struct page_list;
 struct page_ops;
-/* What is listed: the folder that the program runs in, of that sheets with a
- * feed that a product is estimated of, or saved sessions; or the sites that
+/* Lists of files: all files of the folder that the program runs in; its sheets,
+ * for a feed whose product is estimated; the saved sessions; or the sites that
  * come with the program. */
 enum picker_list { PICK_FILES, PICK_FEEDS, PICK_SESSIONS, PICK_SHIPPED };
 
-/* Files to open one of, over the page.  rows: the list of them; word: that they
- * have; preview: of the item `previewed`, SIZE_MAX: of none. */
+/* The list of files to open, over the page.  rows: the list as rows; word: only
+ * files with this word are listed; preview: of the item `previewed`, SIZE_MAX:
+ * of none. */
 struct picker {
 	bool on;
 	enum picker_list list;
@@ -133,22 +134,22 @@ struct inquiry;
 struct envelope_check;
 struct tui;
 
-/* How a full screen is shown. */
+/* How a full screen is shown and gets its keys. */
 struct tui_ways {
 	/* The next key for t->question or t->inquiry; false: none comes. */
 	bool (*answer)(struct tui *t, int *code, bool *special);
-	/* Draws a frame in the midst of a step; NULL: nobody sees it. */
+	/* Draws a frame amid a step; NULL: nothing is shown. */
 	void (*show)(struct tui *t);
-	/* Leaves terminal and signals to somebody else, and takes them back;
-	 * NULL where it is drawn without a terminal. */
+	/* leave leaves terminal and signals to another program, come_back takes
+	 * them back; NULL where the screen is drawn without a terminal. */
 	void (*leave)(void), (*come_back)(void);
 	bool (*is_away)(void); /* NULL: never */
-	/* Amid a step, whether Esc or ^C was pressed; NULL: never. */
+	/* True if Esc or ^C was pressed amid a step; NULL: never. */
 	bool (*stopped)(struct tui *t);
 };
 
-/* What the user has chosen, and nothing that follows from it, nor anything
- * owned: a frame beside the open screen begins with a copy. */
+/* The user's choices, without anything that follows from them or is owned: a
+ * frame drawn beside the open screen begins with a copy. */
 struct ui {
 	enum page page;
 	int tenths;  /* of the slider */
@@ -162,8 +163,8 @@ struct ui {
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
 	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
-	/* The cell of the cursor on the page Data, whether it is shown, and the
-	 * first cell that is. */
+	/* The cell of the cursor on the page Data, whether the cursor is shown,
+	 * and the first cell shown. */
 	struct {
 		bool on;
 		size_t row, at, top, left;
@@ -171,12 +172,12 @@ struct ui {
 	size_t top[PAGES]; /* the first row shown of a page's list */
 	size_t point_at;   /* of the Parity page */
 	size_t site_at;    /* of the Sites page */
-	int sort;          /* it, by 1 + a column; 0: as they were loaded */
+	int sort;          /* of sites, by 1 + a column; 0: as loaded */
 	bool sort_down;
 };
 
-/* All that a prediction follows from beside speed and feed: while it is the
- * same, so are answers.  origin: a share in it. */
+/* All that a prediction depends on besides speed and feed: while it is the
+ * same, so are the answers.  origin: a share in it. */
 struct basis {
 	const struct site *site;
 	struct origin *origin;
@@ -184,14 +185,15 @@ struct basis {
 	struct choices set;
 };
 
-/* What a prediction is of.  basis: counts those there were; generation: of a
- * search under way, which has parameters of its own; tenths 0: of nothing. */
+/* What a prediction depends on.  basis: number of its basis; generation: of a
+ * search under way, which has its own parameters; tenths 0: no prediction. */
 struct view_key {
 	size_t basis, feed, generation;
 	int tenths;
 };
 
-/* What is shown and follows from the session and what is chosen, see view.h. */
+/* What is shown, as it follows from the session and the user's choices, see
+ * view.h. */
 struct view {
 	struct basis basis;
 	size_t n_basis;
@@ -204,19 +206,19 @@ struct view {
 	struct prediction
 	    pinned_whole;    /* whose numbers are in pinned, borrowed */
 	double holdout;      /* RMSE of the site in use, points, or NAN */
-	struct strip *strip; /* what is drawn there */
+	struct strip *strip; /* the response strip */
 	struct goal goal;    /* the one that is set, see goals.h */
 	struct envelope_check *envelope_check; /* owned, or NULL */
 	struct sheet sheet;                    /* of the Data page */
 	struct parity parity;                  /* of the Parity page */
 	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
 	size_t n_row;
-	int site_width[SITE_COLUMNS]; /* what the texts of each want */
-	int rows_at; /* tenths they are of; 0: of another session */
+	int site_width[SITE_COLUMNS]; /* width of each one's texts */
+	int rows_at; /* slider of these rows, tenths; 0: out of date */
 };
 
-/* A letter that may begin a word, see word.h.  held: what it does as a key, and
- * has not done yet; was: what was chosen before it. */
+/* A letter that may begin a word, see word.h.  held: its key, which has not
+ * acted yet; was: the choices before it. */
 struct word {
 	char letter;
 	double at;
@@ -235,7 +237,7 @@ struct tui {
 	double clock;    /* s; a step with every key where it is drawn aside */
 	double started;  /* the search or its last part, by that clock */
 	double ran;      /* s of its parts before */
-	bool goal_field; /* the line typed is that; fresh: as it was offered */
+	bool goal_field; /* the typed line is a goal; fresh: still as offered */
 	bool goal_fresh;
 	const struct key *wish; /* of its speeds, pressed before they are */
 	int wish_from;          /* known, and where the slider then stood */
@@ -246,12 +248,12 @@ struct tui {
 		struct area area;
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
-	const struct page_ops *shows; /* whose these are */
+	const struct page_ops *shows; /* their page */
 	char *under_way;              /* line that is run, or NULL */
 	bool of_script;               /* it is one of a script */
 	bool stopping;                /* a key stops it */
 	double ran_from;              /* when it or its script began, s */
-	double drawn_at;              /* when that was last drawn */
+	double drawn_at;              /* when under_way was last drawn */
 	const char *begun; /* what takes a moment just now, or NULL */
 	bool held;         /* the calibration waits */
 	double due;        /* when the next generation is */
@@ -265,14 +267,14 @@ struct tui {
 	char *closed; /* the text that was closed last, or NULL */
 	struct picker picker;
 	char *command;   /* the last one, for show */
-	const char *job; /* name of that which began the job, or NULL */
-	bool failed;     /* it did */
+	const char *job; /* command that began the job, or NULL */
+	bool failed;     /* that command did */
 	char message[800];
 	bool bad;             /* the message is an error */
-	bool told;            /* it is of the command that moved the slider */
+	bool told;            /* it is from the command that moved the slider */
 	bool left_out;        /* the panel has more than it shows */
-	const char *question; /* that waits for an answer, or NULL */
-	const struct inquiry *inquiry; /* likewise, for a line */
+	const char *question; /* waiting for an answer, or NULL */
+	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */
 	int inquiry_up;                /* rows its table is moved up */
 	struct {
@@ -284,7 +286,7 @@ struct tui {
 	char *said_text;
 	size_t said_n;
 	bool leave;
-	/* The session's, which it gets back. */
+	/* Members of the session, restored at the end. */
 	struct {
 		FILE *out, *notes;
 		struct hooks hooks;
@@ -294,7 +296,7 @@ struct tui {
 	} before;
 };
 
-/* Generations a second; the last: as many as can be. */
+/* Paces of the search, generations a second; the last: as many as possible. */
 enum {
 	PACE_AUTO, /* slow while the best gains much */
 	PACE_USUAL = 5,
@@ -303,65 +305,67 @@ enum {
 };
 extern const double PACES[PACE_COUNT];
 
-/* What is known of the search of the site in use, see plots.h. */
+/* Returns what is known of the search of the site in use, see plots_past.h. */
 struct plots_past tui_past(const struct tui *t);
 
-/* The steps of the search: its generations, and one for the polish where that
- * found better.  The one looked at, 1..; and to look at it: at the last of a
- * search that runs, those which follow are. */
+/* Steps of the search: its generations, and one for the polish if that found a
+ * better candidate.  tui_steps returns how many; tui_step the one shown, 1..;
+ * tui_look_at shows one: at the last of a running search, the later ones are
+ * followed. */
 size_t tui_steps(const struct tui *t);
 size_t tui_step(const struct tui *t);
 void tui_look_at(struct tui *t, size_t step);
 
-/* The generation looked at, 1..n, at the polish the last. */
+/* Returns the generation shown, 1..n; at the polish, the last. */
 size_t tui_generation(const struct tui *t);
 
-/* How long the search under way has run, s: pauses do not count. */
+/* Returns how long the search under way has run, s, without pauses. */
 double tui_searched(const struct tui *t);
 
-/* The site in use, or NULL. */
+/* Returns the site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);
 
-/* What to do first where there is none, and where nothing is predicted. */
+/* What to do first if no site is loaded; tui_why_none returns why nothing is
+ * predicted. */
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
 const char *tui_why_none(const struct tui *t);
 
-/* The speeds of the slider at that site. */
+/* Return the speeds of the slider at the site. */
 struct slider_range tui_range(const struct tui *t);
 struct slider_range tui_range_of(
     const struct session *s, const struct entry *entry);
 
-/* The run of that site whose feed the slider predicts with, whatever its speed:
- * what changes while it moves is what the speed does.  It is the one that the
- * last prediction took where that was a run's, else the one that is set, of
- * which a sheet counts as the mean. */
+/* The feed of the slider's predictions, the same at all speeds, so that only
+ * the speed changes them.  tui_feed returns its run: the one of the last
+ * prediction if that took a run's feed, else the one that is set; a sheet
+ * counts as the mean. */
 size_t tui_feed(const struct tui *t);
 void tui_keep_feed(struct tui *t);
 void tui_take_feed(struct tui *t); /* the one that is set */
 
-/* The measured product of a run as it stands beside the prediction, see
+/* Returns the measured product of a run as shown beside the prediction, see
  * moved_product. */
 const struct psd *tui_measured(const struct tui *t, size_t run);
 
-/* Whether it was moved by so much that it has to be told. */
+/* True if the product was moved by so much that it has to be told. */
 bool tui_moved(const struct tui *t, size_t run);
 
-/* Where the slider stands, as options of predict: "speed=77.0 feed=74", the
- * feed where it is not what predict takes by itself.  The caller frees. */
+/* Returns the slider's place as options of predict: "speed=77.0 feed=74", with
+ * the feed if predict would take another by itself.  The caller frees. */
 char *tui_where(const struct tui *t);
 
-/* The command whose answer has all that is shown there: predict, or compare
- * with what is pinned.  The caller frees. */
+/* Returns the command that answers all that is shown at the slider: predict, or
+ * compare with what is pinned.  The caller frees. */
 char *tui_asks(const struct tui *t);
 
-/* The frame shown is no longer what there is: until the next nothing of it is
- * touched, as one event may come before that. */
+/* Ignores clicks until the next frame: the frame shown is out of date, and a
+ * mouse event may come before the next. */
 void tui_untouch(struct tui *t);
-/* Forgets what was worked out, but not where the cursor is. */
+/* Discard what was computed, but not where the cursor is. */
 void tui_forget_sheet(struct sheet *sheet);
 void tui_forget_parity(struct parity *parity);
 
-/* A line for the message row. */
+/* Sets the message row; bad: it is an error. */
 void tui_say(struct tui *t, bool bad, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -1,4 +1,4 @@
-/* predict without its words, for a slider.
+/* predict without its text, for a slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ANSWERS_PREDICT_H
 #define TIPSPEED_CMD_ANSWERS_PREDICT_H
@@ -7,19 +7,20 @@
 
 struct question;
 
-/* Predicts as the command `predict` that the line is, and says nothing: the
- * session keeps the answer, the journal the line, and the value is for whoever
- * shows it.  False where there is nothing to predict with. */
+/* Runs the command `predict` of the line without its words: the session keeps
+ * the answer, the journal the line, and *p is the prediction (prediction_free).
+ * False where there is nothing to predict with. */
 bool predict_step(struct session *s, double speed, size_t feed_run,
     const char *line, struct prediction *p, struct error *error);
 
-/* The most, 0..1, by which the feeds as they were sampled move the answer at
- * sieve i: how far tomorrow's feed may be from the mean is another question
- * than the band's.  0 where the site has one feed, or another was given. */
+/* Returns the most, 0..1, by which the feeds as they were sampled move the
+ * answer at sieve i; how far tomorrow's feed may be from the mean is a question
+ * that the band does not answer.  0 if the site has one feed, or another was
+ * given. */
 double predict_feeds_move(const struct session *s, const struct question *q,
     const struct prediction *at, size_t i);
 
-/* How sure the answer is, in one sentence about one passing (D22); NULL of a
+/* Returns a sentence on how sure the answer is at one passing (D22); NULL for a
  * screened fraction, and without draws.  The caller frees. */
 char *predict_sure(const struct session *s, const struct question *q,
     const struct prediction *p);

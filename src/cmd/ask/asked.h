@@ -1,5 +1,5 @@
-/* What is asked: of which site, with which feed and machine, at which speed, of
- * which part of the product, and what informs the answer.
+/* A question: about which site, with which feed and machine, at which speed,
+ * about which part of the product, and what informs the answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_ASKED_H
 #define TIPSPEED_CMD_ASK_ASKED_H
@@ -7,14 +7,14 @@
 #include "cmd/session/session.h"
 #include "core/psd/screening.h"
 
-/* entry: the site as it is asked about.  Where that is with another feed or
- * machine, other sieves or runs to correct the model than it is loaded with, it
- * is a copy that has them, `own`, with `variant` to tell what they are; so a
- * question stays where it was made.  feed: for site_feed.  speed: m/s;
- * speed_given: by the call.  fraction: zeros of the whole product.
- * params: what forms the product, NULL: the entry's; with others it is the
- * model alone.  moved: how far measured products beside the answer are moved to
- * its feed, 0..1, see cmd/ask/moved.h; 0: not worth a word. */
+/* entry: the site as it is asked about.  If the question changes feed, machine,
+ * sieves or the runs that correct the model, it is a copy with these changes,
+ * `own`, which `variant` describes; so a question is not copied.  feed: for
+ * site_feed.  speed: m/s; speed_given: the call named it.  fraction: all zeros
+ * for the whole product.  params: what forms the product, NULL: the entry's;
+ * with others it is the model alone.  moved: how far measured products beside
+ * the answer are moved to its feed, 0..1, see cmd/ask/moved.h; 0: not worth a
+ * word. */
 struct question {
 	const struct entry *entry;
 	const struct params *params;

@@ -13,9 +13,9 @@ struct blend_part {
 	double share;
 };
 
-/* All of them [n], and what they make.  text: as they were named; words:
- * "60 % a.csv + 40 % b.csv"; of: what the sheets say of their data; rock:
- * "Granite and Gneiss", or "". */
+/* All n parts, and their mixture.  text: as they were named; words: "60 % a.csv
+ * + 40 % b.csv"; of: what the sheets say of their data; rock: "Granite and
+ * Gneiss", or "". */
 struct blended {
 	size_t n;
 	struct blend_part *part;
@@ -28,19 +28,20 @@ struct blended {
 bool blended_add(struct session *s, const char *file, double share,
     struct blended *b, struct error *error);
 
-/* Mixes them, in parts of any sum. */
+/* Mixes the parts, whose shares may have any sum. */
 void blended_mix(struct blended *b);
 
-/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4", whose shares sum to 1; false
- * with an error.  blended_clear, in any case. */
+/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1; false
+ * with an error.  Free with blended_clear in any case. */
 bool blended_read(struct session *s, const char *text, struct blended *b,
     struct error *error);
 void blended_clear(struct blended *b);
 
-/* Where the feed is from, for programs; borrowed. */
+/* Returns the source of the feed, for programs; borrowed. */
 const char *blended_from(const struct blended *b);
 
-/* The same of what is set, which the session keeps; NULL with an error. */
+/* As blended_read, for the feed that is set; the session owns it.  NULL with an
+ * error. */
 const struct blended *blended_set(
     struct session *s, const char *text, struct error *error);
 void blended_free(struct blended *b);

@@ -1,5 +1,5 @@
-/* A grading envelope beside the product of the site in use, or the fraction of
- * it that the envelope is for.
+/* Compares a grading envelope with the product of the site in use, or with the
+ * fraction of it that the envelope is for.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_ENVELOPE_H
 #define TIPSPEED_CMD_ASK_ENVELOPE_H
@@ -11,18 +11,18 @@
 #include "cmd/session/session.h"
 #include "io/formats/spec.h"
 
-/* The envelope that words name: one that comes with the program, or that of a
- * file; NULL words: the one chosen by `spec use`.  Kept by the session.  NULL
- * with an error, of which faults of a file are told before. */
+/* Returns the envelope that words name: one that comes with the program, or
+ * that of a file; NULL words: the one chosen by `spec use`.  The session keeps
+ * it.  NULL with an error; faults of a file have been reported by then. */
 const struct spec *grading_spec(
     struct session *s, const char *words, struct error *error);
 
-/* What an envelope limits, as conditions [n] on a fraction: its first n_sieve
- * sieves, those that the feed tells, with limits or without; then the fineness
- * modulus and what stays between two sieves where the standard limits these.
- * All that is asked of an envelope asks this.  The caller frees `at`, which
- * points into the envelope.  modulus_unknown: it is limited, but the feed's
- * sieves end too early. */
+/* The limits of an envelope as conditions [n] on a fraction: first its n_sieve
+ * sieves, those that the feed covers, with limits or without; then the fineness
+ * modulus and what stays between two sieves, if the standard limits these.  All
+ * questions about an envelope use these limits.  The caller frees `at`, which
+ * points into the envelope.  modulus_unknown: the modulus is limited, but the
+ * feed's sieves end too early. */
 struct grading_limits {
 	size_t n_sieve, n;
 	struct condition *at;
@@ -31,10 +31,10 @@ struct grading_limits {
 struct grading_limits grading_limits(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed);
 
-/* The limits as conditions on the fraction; behind these the share of the
- * product that it is, and a fineness modulus where the envelope's standard has
- * one, else NULL.  A limit of 100 % is met by what rounds to 100.0: no screen
- * is perfect. */
+/* The limits as conditions on the fraction; after these the fraction's share of
+ * the product, and a fineness modulus if the envelope's standard has one, else
+ * NULL.  A limit of 100 % is met by what rounds to 100.0, as no screen is
+ * perfect. */
 struct grading {
 	const struct spec *spec;
 	struct grading_limits limits;
@@ -43,40 +43,41 @@ struct grading {
 	struct wanted conditions;
 };
 
-/* The options cut, sharpness and cut_size of the call say what screens do;
- * cut=off: there are none. */
+/* Opens the comparison with an envelope.  The options cut, sharpness and
+ * cut_size of the call describe the screens; cut=off: there are none. */
 bool grading_open(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
 
-/* The one in use, for the fraction it is for, by screens without fault, and the
- * feed of a run of the entry. */
+/* As grading_open, with the envelope in use, for its own fraction, by perfect
+ * screens, and the feed of a run of the entry. */
 bool grading_in_use(const struct session *s, const struct entry *entry,
     size_t feed, struct grading *grading, struct error *error);
 void grading_close(struct grading *grading);
 
-/* "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees. */
+/* Returns "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees. */
 char *grading_words(const struct grading *grading);
 
-/* Columns and a row for each sieve at speed v: limits, passing and "ok",
+/* Adds columns and a row for each sieve at speed v: limits, passing and "ok",
  * "above", "below" or "not known". */
 void grading_rows(struct answer *r, struct grading *grading, double v);
 
-/* What is missed at the speed the forecast is at, "outside on 2 of 7 sieves;
+/* Returns what is missed at the forecast's speed, "outside on 2 of 7 sieves;
  * worst at 4 mm: 3.1 points above max", "inside on all sieves, but fineness
  * modulus (ASTM C136) 3.15 is above 3.1", or "" where all limits hold.  The
  * caller frees. */
 char *grading_missed(const struct grading *grading);
 
-/* Its worst sieve there, worst_mm, and by how much, outside_pct: 0 where all
- * sieves hold. */
+/* Puts the worst sieve at that speed, worst_mm, and by how much it is outside,
+ * outside_pct: 0 where all sieves hold. */
 void grading_put_worst(struct fields *o, const struct grading *grading);
 
-/* Fineness modulus and steps between sieves, at that speed, where the standard
- * limits them; where the limits are from, and what is not checked. */
+/* Notes the fineness modulus and the steps between sieves at that speed, if the
+ * standard limits them; the source of the limits, and what is not checked. */
 void grading_notes(struct answer *r, const struct grading *grading);
 
-/* Puts spec, source, cut and the columns of grading_rows into its JSON. */
+/* Puts spec, source, cut and the columns of grading_rows into the answer's
+ * JSON. */
 void grading_put(struct answer *r, const struct grading *grading);
 
 #endif

@@ -1,4 +1,4 @@
-/* Measured products moved to the feed that an answer has, to stand beside it.
+/* Measured products moved to the feed of an answer, to be shown beside it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_MOVED_H
 #define TIPSPEED_CMD_ASK_MOVED_H
@@ -13,25 +13,26 @@
  * validate, is never moved. */
 struct moved;
 
-/* A move above this, 0..1, is told beside a picture. */
+/* A larger move, 0..1, is told beside a picture. */
 #define MOVED_TOLD 0.003
 
 struct moved *moved_new(void);
 void moved_free(struct moved *moved);
 
-/* Keeps nothing; to be told where a site goes. */
+/* Discards what is kept; call it when a site is removed. */
 void moved_forget(struct moved *moved);
 
-/* The product of a run moved to a feed, see site_feed, by these
- * parameters; as measured where there are none (NULL), where the
- * feeds are the same, and at sieves that the run's feed lacks.  Borrowed, until
- * another site, feed or other parameters are asked for. */
+/* Returns the product of a run moved to a feed, see site_feed, with these
+ * parameters; as measured where there are none (NULL), where the feeds are the
+ * same, and at sieves that the run's feed lacks.  Borrowed, until another site,
+ * feed or other parameters are asked for. */
 const struct psd *moved_product(const struct session *s,
     const struct entry *entry, const struct params *params, size_t run,
     size_t feed_run);
 
-/* The largest move of a passing of that product, 0..1; 0 with another sheet's
- * feed or another machine, beside which nothing measured is shown. */
+/* Returns the largest move of a passing of that product, 0..1; 0 with another
+ * sheet's feed or another machine, beside which no measured product is
+ * shown. */
 double moved_by(const struct session *s, const struct entry *entry,
     const struct params *params, size_t run, size_t feed_run);
 

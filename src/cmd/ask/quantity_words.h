@@ -6,19 +6,19 @@
 #include "cmd/lang/command.h"
 #include "core/psd/quantity.h"
 
-/* What passes this is called fines, m. */
+/* The sieve that fines pass, m. */
 #define QUANTITIES_FINES 0.000063
 
-/* Reads one, of the whole product where it names no fraction; sizes in mm.
+/* Reads a quantity, of the whole product if it names no fraction; sizes in mm.
  * Screens separate as the partition says. */
 bool quantities_read(const char *text, const struct partition *partition,
     struct quantity *q, struct error *error);
 
-/* Whether the first word of a text is one, or begins one. */
+/* True if the first word of a text is a quantity, or begins one. */
 bool quantities_begins(const char *text);
 
-/* Reads all of a list with commas between; the caller frees.  NULL and an
- * error where one is none. */
+/* Reads a list of quantities with commas between; the caller frees.  NULL with
+ * an error if one is not a quantity. */
 struct quantity *quantities_list(const char *text,
     const struct partition *partition, size_t *n, struct error *error);
 
@@ -26,32 +26,34 @@ struct quantity *quantities_list(const char *text,
 bool quantities_fraction(
     const char *text, struct fraction *fraction, struct error *error);
 
-/* Of the fraction cut= where it names none itself; false for a fraction, which
- * would leave cut= without a meaning. */
+/* Applies cut= to a quantity that names no fraction; false where the quantity
+ * is a fraction itself, which would leave cut= without a meaning. */
 bool quantities_cut(
     struct quantity *q, const struct fraction *cut, struct error *error);
 
-/* Whether a feed tells of all sizes that it needs. */
+/* True if a feed covers all sizes of the quantity; else an error. */
 bool quantities_covered(
     const struct quantity *q, const struct psd *feed, struct error *error);
 
-/* "passing 2 mm", "P80 of 0/4", "fineness modulus (EN 12620)", "0/2"; and as a
- * key with its unit, "passing_2_pct", "p80_mm", "share_0_2_pct".  The caller
- * frees. */
+/* quantities_words returns "passing 2 mm", "P80 of 0/4", "fineness modulus (EN
+ * 12620)", "0/2"; quantities_key a key with the unit, "passing_2_pct",
+ * "p80_mm", "share_0_2_pct".  The caller frees. */
 char *quantities_words(const struct quantity *q);
 char *quantities_key(const struct quantity *q);
 
-/* The same as it is read: "p80", "passing 2 mm".  The caller frees. */
+/* Returns the quantity as it is typed: "p80", "passing 2 mm".  The caller
+ * frees. */
 char *quantities_typed(const struct quantity *q);
 
-/* "0/4". The caller frees. */
+/* Returns "0/4".  The caller frees. */
 char *quantities_fraction_words(const struct fraction *fraction);
 
-/* " (2.91 to 3.02)", or "" of what has no band.  The caller frees. */
+/* Returns " (2.91 to 3.02)", or "" without a band.  The caller frees. */
 char *quantities_band(double low, double high, int decimals);
 
-/* " mm", " %" or "", as it stands after a number; the same without the space;
- * a value in it, and how many decimals people see. */
+/* quantities_after returns the unit as written after a number, " mm", " %" or
+ * ""; quantities_unit without the space; quantities_shown a value in that unit;
+ * quantities_decimals how many decimals people see. */
 const char *quantities_after(const struct quantity *q);
 const char *quantities_unit(const struct quantity *q);
 double quantities_shown(const struct quantity *q, double value);

@@ -1,4 +1,4 @@
-/* Questions as calls put them.
+/* Reads questions from calls.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_QUESTION_H
 #define TIPSPEED_CMD_ASK_QUESTION_H
@@ -8,8 +8,8 @@
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 
-/* What is asked otherwise than the site is loaded.  feed: NULL for its own;
- * rotor: m, 0: not given; rpm likewise; bypass: 0..1; k: 0: as set.
+/* How the question differs from the loaded site.  feed: NULL for the site's
+ * own; rotor: m, 0: not given; rpm: 0: not given; bypass: 0..1; k: 0: as set.
  * sieve [n_sieve]: sieves to show, m, coarsest first. */
 struct scenario {
 	const struct blended *feed;
@@ -19,16 +19,17 @@ struct scenario {
 	const double *sieve;
 };
 
-/* Reads the options of SHARED_... (table_shared.c) that the command has, of
- * the site in use or of a loaded one.  It is the only place that chooses a feed
- * or a machine.  question_free, also where it is false. */
+/* Read the options of SHARED_... (table_shared.c) that the command has:
+ * question_read for the site in use, question_of for a loaded one.  No other
+ * function chooses a feed or a machine for a command.  Free with question_free,
+ * also where they return false. */
 bool question_read(struct session *s, const struct args *args,
     struct question *q, struct error *error);
 bool question_of(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error);
 
-/* The same question about another loaded site, of which nothing is read
- * again. */
+/* As question_of, for the same question about another loaded site; nothing is
+ * read again. */
 bool question_too(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error);
@@ -37,19 +38,19 @@ bool question_too(struct session *s, const struct entry *loaded,
 bool question_run(struct session *s, const struct args *args,
     command_answer *answer, struct error *error);
 
-/* The question about a loaded site as it stands, with the mean of its feeds, or
- * as the scenario has it. */
+/* Makes the question about a loaded site, with the mean of its feeds, or as
+ * changed by the scenario. */
 void question_make(const struct session *s, const struct entry *loaded,
     const struct scenario *scenario, struct question *q);
 
-/* Without a speed the speed and the feed last predicted at the site in use are
- * asked about, where there are any. */
+/* If the call names no speed, the question takes the speed and the feed last
+ * predicted at the site in use, if there are any. */
 void question_as_last(
     const struct session *s, const struct args *args, struct question *q);
 
 void question_free(struct session *s, struct question *q);
 
-/* The feed itself. */
+/* Returns the feed of the question. */
 const struct psd *question_feed(const struct question *q);
 
 #endif

@@ -17,11 +17,12 @@ struct routine_cut {
 	double *size, *measured, *predicted, *truth, *error;
 };
 
-/* Cuts [n] in the order of their dates where all have one (dated), else in that
- * of their adding.  drawn: limits are from a calibration's posterior, else from
- * the noise that is set.  first, since: see drift_follow.  running: how many of
- * the last cuts lie on the same side of what is predicted, by their mean; worst
- * m, by passings on average: the sieve at which these differ most. */
+/* Cuts [n] in the order of their dates if all have one (dated), else in the
+ * order they were added.  drawn: limits are from a calibration's posterior,
+ * else from the noise that is set.  first, since: see drift_follow.  running:
+ * how many of the last cuts lie on the same side of the prediction, by their
+ * mean; worst: m, the sieve at which these differ most; by: how much, passings
+ * on average. */
 struct routine {
 	size_t n;
 	struct routine_cut *cut;
@@ -32,19 +33,20 @@ struct routine {
 	double worst, by;
 };
 
-/* NULL with an error: no cuts, or nothing to find limits from. */
+/* Follows the cuts of an entry.  NULL with an error if there are no cuts, or
+ * nothing to find limits from. */
 struct routine *routine_follow(const struct session *s,
     const struct entry *entry, const struct drift_rule *rule,
     struct error *error);
 void routine_free(struct routine *r);
 
-/* "coarser than predicted four times running, most at 4 mm (-3.1 points on
- * average): look at ..", or that nothing drifts.  The caller frees. */
+/* Returns "coarser than predicted four times running, most at 4 mm (-3.1 points
+ * on average): look at ..", or that nothing drifts.  The caller frees. */
 char *routine_words(const struct routine *r);
 
-/* Whether the entry's charts stand beyond a limit after its last cut: "the last
- * cuts are coarser than predicted: see 'drift'", which the caller frees, or
- * NULL.  Worked out once for a site and kept with the calibration. */
+/* If the entry's charts are beyond a limit after its last cut, returns "the
+ * last cuts are coarser than predicted: see 'drift'", which the caller frees,
+ * else NULL.  Computed once for a site and kept with the calibration. */
 char *routine_alarm(const struct session *s, const struct entry *entry);
 
 extern const char *const ROUTINE_STATE[5];

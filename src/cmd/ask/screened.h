@@ -7,22 +7,24 @@
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 
-/* False with an error where the question's feed does not tell of the fraction
- * that it asks for. */
+/* False with an error if the question's feed does not cover the fraction that
+ * it asks for. */
 bool screened_tells(const struct question *q, struct error *error);
 
-/* What was measured, of that fraction; psd_free. */
+/* Returns that fraction of a measured product; free with psd_free. */
 struct psd screened_measured(
     const struct psd *product, const struct fraction *fraction);
 
-/* A quantity of what was measured; NAN where that does not tell. */
+/* Returns a quantity of a measured product; NAN if its sieves do not cover
+ * it. */
 double screened_value(const struct psd *product, const struct quantity *q);
 
-/* ", fraction 0/4", or "" of the whole product.  The caller frees. */
+/* Returns ", fraction 0/4", or "" for the whole product.  The caller frees. */
 char *screened_title(const struct fraction *fraction);
 
-/* What share of the product the fraction is, in a sentence, and into fields
- * "fraction" and "share_pct"; nothing of the whole product. */
+/* screened_note says in a sentence which share of the product the fraction is;
+ * screened_put puts fields "fraction" and "share_pct".  Neither does anything
+ * for the whole product. */
 void screened_note(struct answer *r, const struct prediction *p);
 void screened_put(struct fields *o, const struct prediction *p);
 

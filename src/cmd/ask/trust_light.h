@@ -1,5 +1,5 @@
-/* How far an answer holds, as commands and the full screen say it: one light
- * and its reasons.
+/* How far an answer holds, for commands and the full screen: one light and its
+ * reasons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_TRUST_LIGHT_H
 #define TIPSPEED_CMD_ASK_TRUST_LIGHT_H
@@ -7,18 +7,20 @@
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
-/* Of the entry's answer p, or for NULL of its fit; trust_free. */
+/* Returns the light of the entry's answer p, or for NULL of its fit; free with
+ * trust_free. */
 struct trust light_of(const struct session *s, const struct entry *entry,
     const struct prediction *p);
 
-/* Keeps the worse of the two and frees the other; of several answers [n] the
- * worst. */
+/* light_worse keeps the worse of two lights and frees the other; light_worst
+ * returns the worst of several answers [n]. */
 void light_worse(struct trust *worst, struct trust t);
 struct trust light_worst(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n);
 
-/* That of the answer at a speed with the feed of a run; in words for charts
- * "trust at 74 m/s: amber: " and the first reason, which the caller frees. */
+/* light_at returns the light of the answer at a speed with the feed of a run;
+ * light_said_at, for charts, "trust at 74 m/s: amber: " and the first reason,
+ * which the caller frees. */
 struct trust light_at(const struct session *s, const struct entry *entry,
     double speed, size_t feed);
 char *light_said_at(const struct session *s, const struct entry *entry,
@@ -27,19 +29,19 @@ char *light_said_at(const struct session *s, const struct entry *entry,
 /* Puts "trust" and "reasons". */
 void light_put(struct fields *o, const struct trust *t);
 
-/* These of the answer's own, and the sentence about it, a warning where it is
- * red; frees it. */
+/* Puts the light into the answer's fields and says the sentence about it, a
+ * warning if it is red; frees it. */
 void light_show(struct answer *r, struct trust t);
 
-/* What the fit behind an answer p, or for NULL alone, is called: "poor", "too
- * few data", "nothing breaks"; "good" where the light is green, else
+/* Returns the verdict on the fit behind an answer p, or for NULL alone: "poor",
+ * "too few data", "nothing breaks"; "good" if the light is green, else
  * "doubtful". */
 const char *light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p);
 
-/* The same of a fit by what shows without draws from its posterior, which take
- * three times as long as the calibration: "good" may become "doubtful" by
- * them. */
+/* As light_verdict of a fit, but without draws from its posterior, which take
+ * three times as long as the calibration.  With them "good" may become
+ * "doubtful". */
 const char *light_verdict_undrawn(
     const struct session *s, const struct entry *entry);
 

@@ -1,4 +1,4 @@
-/* Documents: what commands answer, for a browser or for paper.
+/* Documents: the answers of commands, for a browser or for paper.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DOCUMENT_DOCUMENT_H
 #define TIPSPEED_CMD_DOCUMENT_DOCUMENT_H
@@ -11,8 +11,8 @@
 #include "io/formats/answer.h"
 #include "plot/chart.h"
 
-/* A part, in the order in which it was added.  text: of all but answers and
- * pictures; DOCUMENT_TEXT: lines that stay as they are.  light: of
+/* A part, in the order in which it was added.  text: of all parts but answers
+ * and pictures; DOCUMENT_TEXT: lines that stay as they are.  light: of
  * DOCUMENT_LIGHT.  answer: as shown, see answer_shown. */
 enum document_kind {
 	DOCUMENT_HEADING,
@@ -31,10 +31,10 @@ struct document_part {
 	struct chart *chart;
 };
 
-/* title: NULL: that of its first answer or picture, the part titled_by;
- * SIZE_MAX where it is of none.  made_by: the program and the command.
- * one_page: a part that is alone is one page on paper, upright or across, with
- * letters as large as fit. */
+/* title: NULL: the title of its first answer or picture, part titled_by;
+ * SIZE_MAX where it comes from no part.  made_by: the program and the command.
+ * one_page: a document of a single part is one page on paper, upright or
+ * across, with letters as large as fit. */
 struct document {
 	char *title, *made_by;
 	bool one_page;
@@ -49,7 +49,7 @@ struct document {
 struct document *document_new(const char *made_by);
 void document_free(struct document *document); /* NULL is allowed */
 
-/* What is printed here stands in the document as it is. */
+/* Returns a stream; text printed to it is put in the document as it is. */
 FILE *document_out(struct document *document);
 
 void document_title(struct document *document, const char *title);
@@ -62,26 +62,26 @@ void document_light(
 /* Returns how many rows its table has. */
 size_t document_answer(struct document *document, const struct answer *answer);
 
-/* Takes the chart. */
+/* Adds the chart, which the document then owns. */
 void document_picture(struct document *document, struct chart *chart);
 
-/* Nothing more is added: what was printed last becomes a part, and there is a
- * title.  False where it has no part. */
+/* Ends the document: the text printed last becomes a part, and a title is
+ * chosen.  False if the document has no part. */
 bool document_end(struct document *document);
 
-/* "3 tables, 1 image"; of one without either the lines of its text.  The caller
- * frees. */
+/* Returns "3 tables, 1 image"; without either, how many lines its text has.
+ * The caller frees. */
 char *document_extent(const struct document *document);
 
-/* Of a table wider than a page: the column after those that stand beside the
- * first one, from the column `from` on. */
+/* For a table wider than a page: returns the column after those that fit beside
+ * the first one, from the column `from` on. */
 size_t document_block(const struct answer_view *view, size_t from);
 
-/* Whether a column has numbers only, which are set flush right. */
+/* True if a column contains only numbers, which are set flush right. */
 bool document_is_number(const struct answer_view *view, size_t column);
 
-/* The next line of a text, without its end, or NULL at its end; the caller
- * frees it. */
+/* Returns the next line of a text, without its end, or NULL at its end; the
+ * caller frees it. */
 char *document_line(const char **text);
 
 #endif

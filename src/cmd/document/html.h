@@ -5,9 +5,9 @@
 
 #include "cmd/document/document.h"
 
-/* The page, *n bytes, which the caller frees: HTML that is XML too, in one
- * file, with images as SVG; nothing is fetched and no script runs.  The same
- * document is the same bytes. */
+/* Returns the page, *n bytes, which the caller frees: HTML that is XML too, in
+ * one file, with images as SVG; it fetches nothing and runs no script.  The
+ * same document gives the same bytes. */
 char *document_html(const struct document *document, size_t *n);
 
 #endif

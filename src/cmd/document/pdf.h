@@ -5,9 +5,9 @@
 
 #include "cmd/document/document.h"
 
-/* The file, *n bytes, which the caller frees; pages: how many it has.  NULL
- * where this program draws no PDF, see picture_can.  The same document is the
- * same bytes. */
+/* Returns the file, *n bytes, which the caller frees; pages: how many it has.
+ * NULL if this program draws no PDF, see picture_can.  The same document gives
+ * the same bytes. */
 char *document_pdf(const struct document *document, size_t *n, size_t *pages);
 
 #endif

@@ -1,4 +1,4 @@
-/* Commands that draw.
+/* What commands need to draw pictures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOT_H
 #define TIPSPEED_CMD_DRAW_PLOT_H
@@ -9,12 +9,12 @@
 #include "cmd/draw/plots.h"
 #include "cmd/session/session.h"
 
-/* A picture of the full screen.  columns, rows: 0: as the one that is open,
+/* A picture of the full screen.  columns, rows: 0: those of the open screen,
  * else 100 x 30.  page: from 1; 0: the one shown.  keys: names of keys, pressed
  * before; "": none.  charset and colours (0, 8, 16 or 256) are those of the
- * open one unless they are `asked`.  words: for a screen reader, plots and
- * lines are left out, and `picture` is what describe calls the plot of the
- * page, or NULL; the caller frees it. */
+ * open screen unless they are `asked`.  words: for a screen reader, plots and
+ * lines are left out, and `picture` is the name that describe has for the
+ * page's plot, or NULL; the caller frees it. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;
@@ -24,9 +24,9 @@ struct screen_request {
 	char *picture;
 };
 
-/* Whether the results go into a file whose name asks for a picture, and the
- * chart as that picture, or in the document that they are put together in; the
- * chart is freed. */
+/* pictures_wanted is true if the results are written into a picture's file,
+ * known by its name, or into a document.  pictures_draw writes the chart there,
+ * and frees it. */
 bool pictures_wanted(const struct session *s);
 bool pictures_draw(struct session *s, struct chart *chart, struct error *error);
 

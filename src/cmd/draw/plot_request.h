@@ -1,4 +1,4 @@
-/* What to plot: the kinds, and what may be asked of them.
+/* What to plot: the kinds of plots, and their options.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
 #define TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
@@ -34,18 +34,18 @@ enum plot_kind {
 struct plot_request {
 	enum plot_kind kind;
 	const char *site; /* of this loaded site; NULL: of the one in use */
-	const struct entry *entry, /* it, as it is asked about, see question.h;
+	const struct entry *entry, /* the site as asked about, see question.h;
 				    * NULL: as it is loaded */
 	    *second;               /* the same of `beside` */
 	double speed;              /* of psd, selection; NAN: the middle of the
 			      * site's speeds */
 	double other_speed; /* a second prediction beside the first, or NAN */
-	double other_feed;  /* psd: the run whose feed it takes, as feed_speed;
-			     * 0: that of the first, of another site the one
+	double other_feed;  /* psd: feed of the second, as feed_speed; 0: that
+			     * of the first or, at another site, the one
 			     * nearest to its speed */
 	int strip;          /* psd: rows of a strip of differences, 0: none */
-	const char *beside; /* psd: the second is of this loaded site; NULL:
-			      * of the same */
+	const char *beside; /* psd: loaded site of the second; NULL: the same
+			      * site */
 	const struct prediction *kept; /* psd: the second, made before, of the
 					* site `beside`; NULL: it is made now */
 	const struct prediction *made; /* psd: the first, made before; NULL: it
@@ -58,11 +58,11 @@ struct plot_request {
 	size_t generation; /* psd, search, convergence, spread: as of this
 			    * generation of the history (1..n); 0: the end */
 	enum charset charset;
-	unsigned words; /* of CHART_ALL: what to write around it.  Without
-			 * CHART_NOTES the names of psd have no numbers that
+	unsigned words; /* of CHART_ALL: texts around the chart.  Without
+			 * CHART_NOTES the names of psd contain no numbers that
 			 * change with the speed */
 	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds.
-			 * runs: those beside the measured ones */
+			 * runs: speeds besides the measured ones */
 	const double *speeds;
 	const char *param;        /* profile: of this parameter; NULL: e0_min */
 	const char *of, *limits;  /* response: quantities and conditions in
@@ -70,13 +70,13 @@ struct plot_request {
 				  * usual, none */
 	struct fraction fraction; /* psd, sweep, response: of the product; zeros
 				   * of the whole */
-	double feed_speed; /* psd, sweep: take the feed sampled at this speed;
-			    * 0: the mean, or that of another sheet which
-			    * entry has */
+	double feed_speed; /* psd, sweep: use the feed sampled at this speed;
+			    * 0: the mean, or the feed of another sheet in
+			    * entry */
 };
 
-/* What draws a kind: the chart, which the caller frees with chart_free, or NULL
- * with an error that says what is missing. */
+/* Makes the chart of a kind, which the caller frees with chart_free; NULL with
+ * an error that says what is missing. */
 typedef struct chart *plot_make(
     struct session *, const struct plot_request *, struct error *);
 

@@ -1,4 +1,4 @@
-/* Differences of curves as a strip below them, magnified.
+/* Differences of curves, magnified, as a strip below the chart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOTS_DIFFERENCE_H
 #define TIPSPEED_CMD_DRAW_PLOTS_DIFFERENCE_H
@@ -8,12 +8,12 @@
 
 #include "plot/chart.h"
 
-/* How many rows such a strip has at the prompt: title, plot. */
+/* Rows of such a strip at the prompt, with its title. */
 enum { PLOTS_STRIP = 6 };
 
-/* Puts it below a chart whose last series is the prediction: that less the
- * second prediction, and less it each series of marks for which wanted
- * [chart->n] is set.  Nothing where there is neither. */
+/* Adds the strip below a chart whose last series is the prediction: the
+ * prediction less the second prediction, and less each series of marks with
+ * wanted [chart->n] set.  Adds nothing where there is neither. */
 void plots_difference(struct chart *chart, int rows, const bool *wanted);
 
 #endif

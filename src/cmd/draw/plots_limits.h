@@ -7,20 +7,21 @@
 #include "core/answer/predict.h"
 #include "plot/chart.h"
 
-/* Looks of the upper and the lower limits. */
+/* Styles of the upper and the lower limits. */
 extern const struct chart_series PLOTS_LIMITS[2];
 
-/* Adds the limits on sieves within the axis, behind what is added later, and
- * for people what they are; nothing where no envelope is chosen. */
+/* Adds the limits on sieves within the axis, behind what is added later; notes:
+ * says in words what they are.  Adds nothing where no envelope is chosen. */
 void plots_limits_add(struct chart *chart, const struct session *s, bool notes);
 
-/* The product of the fraction that the envelope in use is for, read off the
- * prediction's curve, and nothing else of it; prediction_free.  False where it
- * is for the product as it is. */
+/* Puts into part the product of the fraction that the envelope in use is for,
+ * read off the prediction's curve, and nothing else of the prediction; free
+ * with prediction_free.  False where the envelope is for the whole product. */
 bool plots_limits_fraction(const struct session *s, const struct entry *entry,
     const struct prediction *whole, struct prediction *part);
 
-/* "0/4.75"; "" where there is none.  The caller frees. */
+/* Returns the envelope's fraction, "0/4.75"; "" where it has none.  The caller
+ * frees. */
 char *plots_limits_words(const struct session *s);
 
 #endif

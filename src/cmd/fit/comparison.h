@@ -1,4 +1,4 @@
-/* Runs compared with what predicts them: what validate works on.
+/* Comparison of runs with their predictions, for validate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_COMPARISON_H
 #define TIPSPEED_CMD_FIT_COMPARISON_H
@@ -7,9 +7,9 @@
 #include "core/posterior/posterior.h"
 #include "core/check/validate.h"
 
-/* A run that was compared, with what predicted it.  entry: its site's.  name:
- * "74 (2)".  within: how many of its passings lie in the band for one more
- * sample; this and corrected are of one site alone. */
+/* A compared run, with its prediction.  entry: its site's.  name: "74 (2)".
+ * within: how many of its passings lie in the band for one more sample; within
+ * and corrected are used only when one site is validated. */
 struct compared {
 	size_t entry;
 	const struct site *site;
@@ -23,8 +23,8 @@ struct compared {
 	double *corrected; /* [v.n_sieve] */
 };
 
-/* What one `validate` compares.  at, end, speed: of holdout=each, the site that
- * is looked at, the one to stop before, and the speed left out last. */
+/* The state of one `validate`.  at, end, speed: for holdout=each, the site
+ * under way, the site to stop before, and the speed left out last. */
 struct comparison {
 	bool all, each, sieves;
 	double level;
@@ -36,7 +36,7 @@ struct comparison {
 	double speed;
 };
 
-/* What runs of a site are compared with.  rmse: of the fit, 0..1. */
+/* What predicts the runs of a site.  rmse: of the fit, 0..1. */
 struct predicted_by {
 	size_t entry;
 	const struct site *site;
@@ -47,23 +47,24 @@ struct predicted_by {
 	double rmse;
 };
 
-/* The answer of draws at the run's covered sieves, and how many of its passings
- * lie in their band for a sample; without draws NULL and 0.  The caller
- * frees. */
+/* Returns the answer of the draws at the run's covered sieves, and in `within`
+ * how many of its passings lie in the draws' band for a sample; NULL and 0
+ * without draws.  The caller frees. */
 double *comparison_corrected(const struct run *run,
     const struct posterior *posterior, double level, size_t *within);
 
-/* Compares all runs of the site that are held out and have a product. */
+/* Adds the comparisons of all held-out runs of the site that have a product. */
 void comparison_add(struct comparison *c, const struct predicted_by *by);
 
-/* Moves the runs of one behind those of the other, and frees it. */
+/* Appends the runs of `from` to `c`, and frees `from`. */
 void comparison_take(struct comparison *c, struct comparison *from);
 
-/* Fields, tables, and who predicts best, of runs of this site. */
+/* Returns the answer on the runs of this site: fields, tables, and which
+ * predicts best. */
 struct answer *comparison_answer(
     const struct comparison *c, const struct site *site);
 
-/* Frees a struct comparison *; a job's too. */
+/* Frees a struct comparison *; also used as a job's `drop`. */
 void comparison_drop(void *of);
 
 #endif

@@ -1,5 +1,5 @@
-/* What `validate all` sums up: the runs of many sites, of one program or of the
- * parts that several wrote.
+/* The summary of `validate all`: the runs of many sites, from one program or
+ * from the parts that several wrote.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_SCORES_H
 #define TIPSPEED_CMD_FIT_SCORES_H
@@ -8,27 +8,27 @@
 #include "io/formats/answer.h"
 #include "io/formats/shards.h"
 
-/* How each way is called: in keys, over its column, and in sentences; and each
- * size in keys. */
+/* Names of each way to predict: in keys, over its column, and in sentences; and
+ * of each size in keys. */
 struct scores_way {
 	const char *key, *head, *noun;
 };
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
 extern const char *const SCORES_SIZES[PSD_SIZES];
 
-/* "null": {"feed_rmse_pct": ..}: what the null models err by, 0..1. */
+/* Puts "null": {"feed_rmse_pct": ..}: the errors of the null models, 0..1. */
 void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
-/* A run that was compared: of which site, among all loaded ones; its key; where
- * its data are from. */
+/* A compared run: the index of its site among all loaded ones; its key; the
+ * source of its data. */
 struct scored {
 	size_t index;
 	char *key, *source;
 	struct validation v;
 };
 
-/* In the order of the sites.  each: every speed was held out in turn; left_out:
- * sites without such a run. */
+/* Compared runs, in the order of the sites.  each: every speed was held out in
+ * turn; left_out: sites without such a run. */
 struct scores {
 	bool each;
 	size_t n, left_out;
@@ -39,10 +39,11 @@ struct scores {
 void scores_add(struct scores *scores, const struct scored *item);
 void scores_clear(struct scores *scores);
 
-/* The answer of `validate all`. */
+/* Returns the answer of `validate all`. */
 struct answer *scores_answer(const struct scores *scores);
 
-/* Puts the runs as "rows" of a part, and takes one of a part. */
+/* scores_put writes the runs as "rows" of a part; scores_take reads those of
+ * one site of a part. */
 void scores_put(struct fields *o, const struct scores *scores);
 void scores_take(struct scores *scores, const struct part_site *site);
 

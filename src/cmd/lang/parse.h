@@ -1,4 +1,4 @@
-/* From a line of text to calls of commands.
+/* Parses a line of text into calls of commands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_LANG_PARSE_H
 #define TIPSPEED_CMD_LANG_PARSE_H
@@ -10,8 +10,8 @@
 #include "cmd/lang/command.h"
 
 /* Where a line comes from, for messages.  prompt: it was typed at a prompt,
- * where names of commands may be cut short.  column: of the character that a
- * command begins at, where it is known; else 0. */
+ * where names of commands may be cut short.  column: of the command's first
+ * character, 0 where it is not known. */
 struct place {
 	const char *file;
 	int line;
@@ -19,14 +19,13 @@ struct place {
 	int column;
 };
 
-/* Where the results of a command go. */
+/* Target of a command's results. */
 enum target { TO_SCREEN, TO_FILE, TO_END, TO_PIPE };
 
-/* The words of one command and the characters they start at (from 1).
- * typed: the words as they stand in the line; NULL of one at fault.
- * next: the offset in the line at which the next command may begin.
- * target: file of TO_FILE (">") and TO_END (">>"), shell command of TO_PIPE;
- * to_column: where > or | stands. */
+/* The words of one command and the columns where they start (from 1).  typed:
+ * the words as typed in the line; NULL after an error.  next: the offset in the
+ * line at which the next command may begin.  target: file of TO_FILE (">") and
+ * TO_END (">>"), shell command of TO_PIPE; to_column: the column of > or |. */
 struct words {
 	size_t n;
 	char *text[OPERANDS];
@@ -40,10 +39,10 @@ struct words {
 	int reached_column;
 };
 
-/* Splits the command that begins at line + from: words between spaces, "quoted"
- * ones whole ("" within quotes is one quote), up to ; or # or the end.  False
- * on an open quote, too many words or a faulty redirection.  Free with
- * words_free in any case. */
+/* Splits the command that begins at line + from into words at spaces; "quoted"
+ * words are kept whole ("" within quotes is one quote).  Ends at ; or # or the
+ * end of the line.  False on an open quote, too many words or a faulty
+ * redirection.  Free with words_free in any case. */
 bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
@@ -54,18 +53,18 @@ const struct command *parse_call(const struct words *words, struct place place,
     struct args *args, struct error *error);
 void args_free(struct args *args);
 
-/* Reads word as the option's value, which borrows it; value->list is the
- * caller's.  False, with an error that says what was wanted and a hint at what
- * was meant. */
+/* Reads word as the option's value, which borrows it; the caller frees
+ * value->list.  False, with an error that says what was expected and a hint at
+ * what was meant. */
 bool value_take(const struct command_option *option, const char *word,
     struct value *value, struct error *error);
 
-/* A number, with its unit or without: 69, 69m/s. */
+/* Reads a number, with or without its unit: 69, 69m/s. */
 bool value_number(const char *word, const char *unit, double *value);
 
-/* The first feed of a blend "a.csv*0.6+b.csv*40%": how long its name is, and
- * its share; NAN, and all of the text, where it has none.  Returns the next
- * one, or NULL after the last. */
+/* Reads the first feed of a blend "a.csv*0.6+b.csv*40%": the length of its
+ * name, and its share; without a share NAN, and the length of the whole text.
+ * Returns the next feed, or NULL after the last. */
 const char *value_feed(const char *text, size_t *length, double *share);
 
 #endif

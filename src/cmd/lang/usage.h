@@ -1,5 +1,5 @@
-/* What the program reads from its command line and environment, and what it
- * ends with, as data: for getopt, --help, the manual and shell completion.
+/* The command line, the environment and the exit statuses of the program, as
+ * data for getopt, --help, the manual and shell completion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_LANG_USAGE_H
 #define TIPSPEED_CMD_LANG_USAGE_H
@@ -8,9 +8,9 @@
 
 #include "cmd/lang/command.h"
 
-/* An option of the command line.  code: what getopt_long returns for it, the
- * letter where it has one.  argument: its name in usage, or NULL.  choices:
- * what the argument may be, between spaces, or NULL. */
+/* An option of the command line.  code: the value that getopt_long returns for
+ * it, its letter where it has one.  argument: name of the argument in usage, or
+ * NULL.  choices: values of the argument, between spaces, or NULL. */
 struct usage_option {
 	int code;
 	const char *name, *argument, *choices, *brief;
@@ -27,30 +27,30 @@ enum {
 	USAGE_RESET_TTY
 };
 
-/* Ends with a code of 0.  One without a name has its letter only. */
+/* Ends with a code of 0.  An option without a name has only its letter. */
 extern const struct usage_option USAGE_OPTIONS[];
 
-/* A variable or an exit status and what it means; ends with a name of NULL. */
+/* A variable or an exit status with its meaning; ends with a name of NULL. */
 struct usage_word {
 	const char *name, *meaning;
 };
 
 extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[];
 
-/* The list of commands by group; of one group, or of all for NULL. */
+/* Prints the list of commands of one group, or of all groups for NULL. */
 void usage_list(const char *group, FILE *out);
 
-/* The options that are told once for many commands. */
+/* Prints the options that many commands share. */
 void usage_shared(FILE *out);
 
-/* A command in one line; all that the table says of it; the lines of its
+/* Print a command in one line; all that the table says of it; the lines of its
  * example, each after the margin. */
 void usage_brief(const struct command *command, FILE *out);
 void usage_command(const struct command *command, FILE *out);
 void usage_example(
     const struct command *command, const char *margin, FILE *out);
 
-/* The text of --help. */
+/* Prints the text of --help. */
 void usage_print(FILE *out);
 
 #endif

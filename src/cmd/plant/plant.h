@@ -1,4 +1,4 @@
-/* A crusher with its screens, as asked and as worked out at a speed: tonnes,
+/* A crusher with its screens, as asked for and as computed at a speed: tonnes,
  * power, earnings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_PLANT_PLANT_H
@@ -10,10 +10,10 @@
 #include "core/answer/crusher.h"
 #include "core/answer/power.h"
 
-/* What flow is asked, as a circuit with its prices and its power.  question:
- * borrowed.  size [n]: the classes.  back: what goes back to the crusher, in
- * words; NULL of a circuit of a file.  priced: there are prices; kwh: of a kWh,
- * 0 where it has none. */
+/* What flow computes: a circuit with its prices and its power.  question:
+ * borrowed.  size [n]: the classes.  back: the stream that returns to the
+ * crusher, in words; NULL for a circuit from a file.  priced: there are prices;
+ * kwh: price of a kWh, 0 where none is given. */
 struct flow_plan {
 	struct circuit *circuit;
 	char *back;
@@ -26,13 +26,13 @@ struct flow_plan {
 	bool of_cuts; /* the readings are those of belt cuts */
 };
 
-/* Reads options and file. */
+/* Reads the options and the file of the call. */
 bool flow_plan_read(struct session *s, const struct args *args,
     const struct question *q, struct flow_plan *plan, struct error *error);
 void flow_plan_free(struct flow_plan *plan);
 
-/* A circuit with what its crushers are worked out by.  feed [plan->n]: masses
- * of the new feed.  own [n_unit]: of crushers that have a speed of their own.
+/* A circuit with what is needed to compute its crushers.  feed [plan->n]:
+ * masses of the new feed.  own [n_unit]: of crushers with a speed of their own.
  * bypass: the fitted share that misses the rotor; level: of bands. */
 struct plant {
 	struct session *s;
@@ -45,7 +45,7 @@ struct plant {
 	double bypass, level;
 };
 
-/* What a speed gives: values for the answer, then of each draw. */
+/* Results at a speed: values for the answer, then of each draw. */
 struct outcome {
 	double speed;
 	struct flow flow;
@@ -55,35 +55,36 @@ struct outcome {
 struct plant plant_new(struct session *s, const struct flow_plan *plan);
 void plant_free(struct plant *p);
 
-/* Of what goes into a crusher, t/h, that which meets the rotor; and the speed
- * that it has. */
+/* plant_rotor_share returns the part of a crusher's feed, t/h, that meets the
+ * rotor; plant_speed the crusher's speed. */
 double plant_rotor_share(const struct plant *p, const struct unit *unit);
 double plant_speed(const struct unit *unit, double speed);
 
-/* At a speed; flow_free its flow. */
+/* Returns the outcome at a speed; free its flow with flow_free. */
 struct outcome plant_at(const struct plant *p, double speed);
 
-/* A row of the table: what leaves (unit), or goes back (unit NULL). */
+/* A row of the table: a product (unit), or a returned stream (unit NULL). */
 struct plant_line {
 	const char *name;
 	const struct unit *unit;
 	size_t stream;
 };
 
-/* Products and what goes back, in the order of the deck from fine to coarse, of
- * a file in its own; [n_stream + n_unit] out. */
+/* Lists products and returned streams, in the order of the deck from fine to
+ * coarse, for a file in its own order; [n_stream + n_unit] out.  Returns how
+ * many. */
 size_t plant_lines(
     const struct plant *p, const struct outcome *o, struct plant_line *line);
 
-/* Says so of an outcome that is still open; false. */
+/* Sets the error of an outcome that did not become steady.  Returns false. */
 bool plant_not_steady(
     const struct plant *p, const struct outcome *o, struct error *error);
 
-/* What an empty crusher takes at a speed, kW, as far as the readings tell; its
- * band. */
+/* Returns the power of an empty crusher at a speed, kW, as estimated from the
+ * readings, and its band. */
 double plant_idle(const struct plant *p, double speed, double range[static 2]);
 
-/* What the power was estimated from. */
+/* Returns what the power was estimated from, in words.  The caller frees. */
 char *plant_power_words(const struct plant *p, const struct outcome *o);
 
 #endif

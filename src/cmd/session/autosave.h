@@ -1,5 +1,5 @@
-/* What of a session was not saved, kept so that nothing that ends the program
- * loses it.  The drivers with somebody at a terminal begin with it.
+/* Keeps the unsaved part of a session, so that it is not lost however the
+ * program ends.  Drivers with a user at a terminal call keep_begin first.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_AUTOSAVE_H
 #define TIPSPEED_CMD_SESSION_AUTOSAVE_H
@@ -9,25 +9,27 @@
 #include "base/error.h"
 #include "cmd/session/session.h"
 
-/* From now on each command that changes something has the session written to a
- * file in the user's folder, see autosave_file.h, until it is saved.  Its
- * current state counts as saved.  Nothing is kept with --safe and where the
- * store is to leave no trace.  Returns what to say of the last session, or
- * NULL; the caller frees. */
+/* Starts autosaving: from now on, after each command that changes something,
+ * the session is written to a file in the user's folder, see autosave_file.h,
+ * until it is saved.  Its current state counts as saved.  Nothing is written
+ * with --safe, or where the store is to leave no trace.  Returns what to say
+ * about the last session, or NULL; the caller frees. */
 char *keep_begin(struct session *s);
 
-/* A command is over; saved: a file of the user's has the session. */
+/* Called after each command.  saved: a file of the user's now contains the
+ * session. */
 void keep_turn(struct session *s, bool ok, bool saved);
 
-/* The session is over: says so where it could not be kept. */
+/* Called at the session's end; notes an error if the session could not be
+ * kept. */
 void keep_end(struct session *s);
 
-/* The newest file of a session that was not saved, to be restored by the
- * command that runs, after which it is removed.  NULL with an error where there
- * is none; the caller frees. */
+/* Returns the path of the newest unsaved session, which the command that runs
+ * restores, after which the file is removed.  NULL with an error where there is
+ * none; the caller frees. */
 char *keep_last(struct session *s, struct error *error);
 
-/* Prints what there is to restore.  Returns true. */
+/* Lists the sessions that can be restored.  Returns true. */
 bool keep_list(struct session *s);
 
 #endif

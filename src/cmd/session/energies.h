@@ -1,4 +1,4 @@
-/* Collision energies that the session has.
+/* Collision energies in the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_ENERGIES_H
 #define TIPSPEED_CMD_SESSION_ENERGIES_H
@@ -6,35 +6,35 @@
 #include "cmd/session/session.h"
 #include "io/formats/collisions.h"
 
-/* A file that was read; never changed after.  name: the file's without its
- * ending; cut: that it was read with, J/kg. */
+/* A file that was read; not changed afterwards.  name: the file's name without
+ * its ending; cut: the cut it was read with, J/kg. */
 struct energies {
 	char *name, *path;
 	double cut;
 	struct collisions c;
 };
 
-/* Reads a file and keeps it to the session's end.  NULL with an error; a
- * file that was read already in the same way is not read again. */
+/* Reads a file and keeps it until the session ends.  A file already read in the
+ * same way is not read again.  NULL with an error. */
 const struct energies *energies_read(struct session *s, const char *path,
     const struct collisions_way *way, struct error *error);
 
 void energies_free(struct energies *e);
 
-/* Those read last; NULL, with an error, where there are none. */
+/* Returns the energies read last; NULL with an error where there are none. */
 const struct energies *energies_last(
     const struct session *s, struct error *error);
 
-/* A way with nothing given: cut 10 J/kg, 2700 kg/m3. */
+/* Returns the defaults for reading: cut 10 J/kg, 2700 kg/m3. */
 struct collisions_way energies_way(void);
 
-/* Has the model take the energies of a file in place of the single one (D15),
- * or that again for "off".  False with an error, for files without a speed
- * too. */
+/* Makes the model use the energies of a file instead of the single energy
+ * (D15), or for "off" the single energy again.  False with an error, also for a
+ * file without a speed. */
 bool energies_set(struct session *s, const char *path, struct error *error);
 
-/* What Eq 3 takes instead of the single energy, as a reason to doubt; NULL
- * where it is the single energy.  The caller frees. */
+/* Returns what Eq 3 uses instead of the single energy, as a reason to doubt;
+ * NULL where it uses the single energy.  The caller frees. */
 char *energies_words(const struct session *s);
 
 #endif

@@ -1,5 +1,5 @@
-/* A loaded site with what is known of it: its parameters, where they are from,
- * which goes with them wherever they go, and what a calibration left.
+/* A loaded site with what is known of it: its parameters, their origin, which
+ * is passed on with them, and the results of a calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_LOADED_H
 #define TIPSPEED_CMD_SESSION_LOADED_H
@@ -14,13 +14,13 @@
 #include "cmd/session/settings.h"
 #include "io/store/material.h"
 
-/* What a calibration left: what it found; its generations, [n], with the bounds
- * it searched in; and its site and training runs [n_run], from which follows,
- * when first asked for, what is known after it: posterior and evidence, by the
- * runs that inform them (enum correction), and the products of the last feed
- * that was asked for. later: runs that came to a site after it, and the one
- * that it misses by most; alarm: the state of their charts (control_chart.h).
- * Shared by the entries, snapshots and origins that hold it. */
+/* The results of a calibration: the fit; its generations [n], with the bounds
+ * it searched in; its site and training runs [n_run].  From these follow, when
+ * first asked for, the posterior and the evidence, indexed by the runs that
+ * inform them (enum correction), and the products of the feed that was last
+ * asked for.  later: runs added to the site after it, and the one with the
+ * largest misfit; alarm: the state of their charts (control_chart.h).  Shared
+ * by the entries, snapshots and origins that refer to it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
@@ -34,7 +34,7 @@ struct history {
 	size_t drawn;
 	struct evidence *evidence[2];
 	double weight; /* see calibration_weight */
-	double noise;  /* that they were drawn with, and from */
+	double noise;  /* that the draws were made with, and their seed */
 	unsigned draw_seed;
 	struct later {
 		const struct site *site; /* NULL: not compared yet */
@@ -47,8 +47,9 @@ struct history {
 		const struct posterior *posterior;
 		enum drift_state state;
 	} alarm;
-	/* Of the mean of several feeds, and of one of a run's own or another
-	 * sheet's, so that what was measured can be moved between the two. */
+	/* The ensembles of the mean of several feeds, and of a run's own feed
+	 * or another sheet's, so that measured products can be moved between
+	 * the two. */
 	struct ensemble_of {
 		const struct posterior *posterior;
 		const struct site *site;
@@ -57,27 +58,27 @@ struct history {
 	} kept[2];
 };
 
-/* Never changed once made, and shared by the entries and snapshots that hold
- * it.  What is not known is "", 0 or NULL. */
+/* The origin of parameters.  Not changed once made, and shared by the entries
+ * and snapshots that refer to it.  Unknown members are "", 0 or NULL. */
 struct origin {
 	size_t holders;
 	char *words;      /* "found by calibration", "taken from bro" */
 	char *whose;      /* site or material they are of; "": this site */
-	char *material;   /* of the store, which they were recalled from */
-	char *date;       /* and when that was remembered */
+	char *material;   /* of the store, recalled from there */
+	char *date;       /* when the material was remembered */
 	bool found;       /* by a calibration, not set by hand */
 	uint64_t digest;  /* of the numbers they were found on */
-	char *provenance; /* of these */
+	char *provenance; /* of these numbers */
 	size_t n_speed;   /* how many speeds they were trained at, m/s */
 	double *speed;
 	struct history *spread; /* the calibration, where it was here */
 };
 
-/* What answers are asked of instead of what was measured; see
- * cmd/ask/question.h.  own: the entry as it is.  rock: of the other feed, ""
- * where not stated or there is none.  rotor: m, 0: not known; other_rotor: it
- * is not the one that was measured with.  bypass: share of the feed led past
- * the rotor; k: impacts, 0: as set.  correction: runs that inform the
+/* What a question assumes instead of what was measured; see cmd/ask/question.h.
+ * own: the entry as it is.  rock: the rock of the other feed, "" where it is
+ * not stated or there is no other feed.  rotor: m, 0: not known; other_rotor:
+ * it is not the rotor used in the measurements.  bypass: share of the feed led
+ * past the rotor; k: impacts, 0: as set.  correction: runs that inform the
  * answer. */
 struct variant {
 	const struct entry *own;
@@ -88,12 +89,12 @@ struct variant {
 };
 
 /* Lookup keys of a site: digests of its name as in keys, of its path, and of
- * the file there when it was loaded, 0 where there was none. */
+ * its file when it was loaded, 0 where there was no file. */
 struct mark_of {
 	uint64_t name, path, file;
 };
 
-/* A loaded site with its answers.  key: how it is called here, "gavle/4".
+/* A loaded site with its answers.  key: its name in the session, "gavle/4".
  * train [site->n_run]: runs to train on, or that were trained on. */
 struct entry {
 	struct mark_of mark;
@@ -102,44 +103,45 @@ struct entry {
 	bool *train;
 	bool has_params, has_fit;
 	struct params params;    /* set by hand or found */
-	struct origin *origin;   /* of them; NULL: there are none */
+	struct origin *origin;   /* of params; NULL: there are none */
 	struct fit fit;          /* where the parameters were found */
 	struct history *history; /* of the last calibration, or NULL */
-	char options[400];       /* of the fit, in the words of calibrate */
+	char options[400];       /* of the fit, as typed after calibrate */
 	const struct variant *variant; /* NULL: it is as it was measured */
 };
 
-/* Frees entries [n] with what they own. */
+/* Frees n entries with what they own. */
 void entries_free(struct entry *entry, size_t n);
 
-/* Another entry of the same site, with copies of what it owns and a share in
- * its history. */
+/* Returns another entry of the same site, with copies of what it owns and a
+ * share in its history. */
 struct entry entry_copy(const struct entry *from);
 
-/* Frees what it owns. */
+/* Frees what the entry owns. */
 void entry_clear(struct entry *entry);
 
-/* The site as it is loaded, of one that is asked about otherwise. */
+/* Returns the loaded entry behind one that is asked about with a variant. */
 const struct entry *entry_loaded(const struct entry *entry);
 
-/* Of a calibration that ended with the fit, on the runs marked in train
- * [n_run], within the bounds; weight: see calibration_weight.  It has no
- * generations and one holder.  Borrows the site. */
+/* Returns the history of a calibration that ended with the fit, on the runs
+ * marked in train [n_run], within the bounds; weight: see calibration_weight.
+ * It has no generations and one holder.  Borrows the site. */
 struct history *history_new(const struct fit *fit, const struct bounds *bounds,
     double weight, const struct site *site, const bool *train);
 
-/* Gives a share in it up; NULL is allowed. */
+/* Drops a share in the history; NULL is allowed. */
 void history_drop(struct history *history);
 
-/* Forgets what was drawn, which is to be drawn with another noise or seed. */
+/* Discards the draws, so that they are drawn again with another noise or
+ * seed. */
 void history_redraw(struct history *history, double noise, unsigned seed);
 
-/* Forgets what was worked out for a site that goes. */
+/* Discards what was computed for a site that is being removed. */
 void history_forget(struct history *history, const struct site *site);
 
-/* Of the parameters that the entry's fit has just found; set by hand; those of
- * another entry, taken over; of a material; of the site's own fit that a
- * material kept.  The caller owns a share. */
+/* Return the origin of parameters: found by the entry's fit just now; set by
+ * hand; taken over from another entry; of a material of the store; of the
+ * site's own fit that a material kept.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_by_hand(void);
 struct origin *origin_taken(const struct entry *from);
@@ -147,40 +149,42 @@ struct origin *origin_stored(const struct stored *m);
 struct origin *origin_remembered(
     const struct entry *entry, const struct stored *m);
 
-/* Whether they were recalled from the store. */
+/* True if the parameters were recalled from the store. */
 bool origin_is_stored(const struct origin *origin);
 
 void origin_drop(struct origin *origin); /* NULL is allowed */
 bool origin_same(const struct origin *a, const struct origin *b);
 
-/* Where they are from, in words: "set by hand". */
+/* Returns the origin of the entry's parameters in words: "set by hand". */
 const char *origin_words(const struct entry *entry);
 
-/* The calibration of this session that found the entry's parameters, on
- * whatever site; NULL: none did. */
+/* Returns the fit of this session that found the entry's parameters, on any
+ * site; NULL if none did. */
 const struct fit *origin_fit(const struct entry *entry);
 
-/* The site that it was made on: its key. */
+/* Returns the key of the site that the fit of origin_fit was made on. */
 const char *origin_key(const struct entry *entry);
 
-/* The slowest and the fastest speed that the parameters were trained at, or
- * where that is not known, that was measured on the site.  False where neither
- * is known. */
+/* The slowest and the fastest speed that the parameters were trained at or,
+ * where these are not known, that were measured on the site.  False where
+ * neither is known. */
 bool origin_reach(const struct entry *entry, double *slowest, double *fastest);
 
-/* Whether origin_reach has the speeds of the training. */
+/* True if origin_reach gives the speeds of the training. */
 bool origin_trained(const struct entry *entry);
 
-/* "trained at 69 and 79 m/s; reconstructed, not measured", or "set by hand".
- * The caller frees. */
+/* Returns "trained at 69 and 79 m/s; reconstructed, not measured", or "set by
+ * hand".  The caller frees. */
 char *origin_details(const struct origin *origin);
 
-/* Whether they were calibrated on other data than the site's: a warning. */
+/* True if the parameters were calibrated on data other than the site's, which
+ * is worth a warning. */
 bool origin_is_other(const struct entry *entry);
 
-/* "parameters from tierp (..), not calibrated on this site"; "" where they were
- * found here.  The caller frees.  origin_note: as a note, of
- * another site's or of the store; the light says which were set by hand. */
+/* origin_sentence returns "parameters from tierp (..), not calibrated on this
+ * site", "" where they were found on it; the caller frees.  origin_note adds it
+ * as a note where they are another site's or from the store; the light says
+ * that parameters were set by hand. */
 char *origin_sentence(const struct entry *entry);
 void origin_note(struct answer *r, const struct entry *entry);
 

@@ -17,7 +17,7 @@ struct rounds;
 struct screen_request;
 struct session;
 
-/* What commands ask of the driver. */
+/* Functions of the driver that commands call. */
 struct hooks {
 	/* Clears progress off the line for a note or an answer; NULL: there is
 	 * none. */
@@ -42,23 +42,23 @@ struct hooks {
 	char *(*question)(struct session *s, const struct inquiry *inquiry);
 };
 
-/* A calibration under way, or several one after the other.  The driver pumps
- * it: session_step until session_busy is false. */
+/* A calibration under way, or several in succession.  The driver calls
+ * session_step until session_busy is false. */
 struct job {
 	const struct rounds *rounds; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
-	void *found;                 /* what followed from a round, likewise */
+	void *found;                 /* returned by rounds->follow; owned */
 	struct calibration *calibration;
 	struct calibration *lowest; /* what a plain search is compared with, or
 				     * NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
 	double started; /* s, of a clock that only goes forward */
-	double stopped; /* likewise, where it is paused */
+	double stopped; /* by the same clock, if it is paused */
 	struct calibrate_options options;
 	bool *train;
 	bool fits;          /* its rounds are of their sites' own fits */
-	bool detail;        /* tells of the search, and all of the fit */
+	bool detail;        /* reports the search, and all of the fit */
 	bool watch;         /* its curves are drawn while it goes on */
 	bool paused;        /* stopped by ^C; `continue` goes on */
 	bool held_back;     /* its site's parameters were better and stayed */
@@ -70,11 +70,12 @@ struct job {
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
 	struct params given;
-	double before; /* misfit of what the site had instead, or INFINITY */
+	double before; /* misfit of the site's parameters then, or INFINITY */
 };
 
-/* The terminal that results go to.  columns: 0 where they go elsewhere;
- * colours: 0 (none), 8, 16 or 256; drawing: it shows more than ASCII. */
+/* The terminal that results are printed on.  columns: 0 where it is no
+ * terminal; colours: 0 (none), 8, 16 or 256; drawing: it shows more than
+ * ASCII. */
 struct screen {
 	int columns, rows, colours;
 	bool drawing;
@@ -96,23 +97,23 @@ struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
 	struct choices set;
-	bool prompt;     /* lines are typed by somebody */
+	bool prompt;     /* lines are typed by a user */
 	size_t typed_at; /* while so many scripts are open */
 	enum isa isa;    /* most that calibrations may use */
 	bool safe;       /* neither commands nor keys may touch files or
 			       the shell */
 	bool linear;     /* the screen is heard: words, no pictures */
 	FILE *out;       /* results */
-	FILE *notes;     /* what is said beside results; NULL: nothing */
+	FILE *notes;     /* lines beside results; NULL: none */
 	struct screen screen;
-	const char *file;  /* results go there; NULL: no file */
-	struct book *book; /* and are put together in this workbook, or NULL */
-	struct document *document; /* or this document; or NULL */
-	size_t rows;               /* reported since results go where they go */
+	const char *file;          /* target of the results; NULL: no file */
+	struct book *book;         /* workbook that collects them, or NULL */
+	struct document *document; /* document that collects them, or NULL */
+	size_t rows;               /* reported to the present target */
 	size_t n_answer;
 	struct answer **answer; /* kept, the newest last: see session_keep */
 	struct job job;
-	struct hooks hooks;  /* what the driver helps with */
+	struct hooks hooks;  /* functions of the driver */
 	struct files *files; /* read and written, see files.h; or NULL */
 	size_t n_site;
 	struct site **site;    /* every site there was; entries borrow them */
@@ -130,7 +131,7 @@ struct session {
 	const struct energies *energy; /* shown, or NULL */
 	size_t n_energies;
 	struct energies **energies; /* every one there was */
-	struct choices *first; /* what the command line set; reset goes there */
+	struct choices *first;      /* as set by the command line, for reset */
 	struct journal *journal;
 	struct keep *keep; /* autosave, see autosave.h; NULL: off */
 	struct undo *undo;
@@ -142,58 +143,61 @@ struct session {
 	bool quit;
 };
 
-/* The site in use; asserts that there is one. */
+/* Returns the site in use; asserts that there is one. */
 struct entry *session_entry(struct session *s);
 
-/* False, with the next step, when no site is loaded; what: who needs it. */
+/* False, with an error that says what to do next, when no site is loaded; what:
+ * the command that needs one. */
 bool session_need_site(
     const struct session *s, const char *what, struct error *error);
 
-/* Forgets the answers kept, because the site or its parameters are others
- * now. */
+/* Discards the answers kept, because the site or its parameters changed. */
 void session_forget(struct session *s);
 
-/* The faults of a file: the last becomes the error, those before it are printed
- * to notes, so that they are shown in order; where reading was stopped, that
- * alone.  Returns false. */
+/* Reports the faults of a file: the last becomes the error, those before it are
+ * printed to notes, so that they appear in order; if reading was interrupted,
+ * only that is reported.  Returns false. */
 bool session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Gives an answer: prints it in the format that is set, and keeps it.  Returns
- * true, for a command to end with. */
+/* Prints an answer in the format that is set, and keeps it.  Returns true, for
+ * a command to end with. */
 bool session_answer(struct session *s, struct answer *answer);
 
-/* Keeps an answer, which the session then owns, as the newest of its command;
- * one without fields, which nobody could ask for, is not kept. */
+/* Keeps an answer, which the session then owns, as the newest of its command.
+ * An answer without fields is freed instead, as nothing could be read from
+ * it. */
 void session_keep(struct session *s, struct answer *answer);
 
-/* The number of a field, see answer_number, in the newest answer of one of
- * these commands, with a space between two, that has it; else NAN. */
+/* Returns the number of a field, see answer_number, from the newest answer that
+ * has it, of the commands listed, with a space between two; else NAN. */
 double session_known(
     const struct session *s, const char *commands, const char *path);
 
-/* Texts are translated unless the results are for programs; after each change
- * of their format. */
+/* Sets whether texts are translated: they are unless the results are for
+ * programs.  Called after each change of the results' format. */
 void session_language(const struct session *s);
 
-/* A line beside the results. */
+/* Prints a line beside the results. */
 void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Whether a calibration is under way, and not stopped. */
+/* True if a calibration is under way and not stopped. */
 bool session_busy(const struct session *s);
 
-/* The site whose own fit a calibration under way is to become, or NULL. */
+/* Returns the site that receives the fit of the calibration under way, or
+ * NULL. */
 const struct entry *session_fitting(const struct session *s);
 
-/* Seconds of a clock that only goes forward. */
+/* Returns seconds of a monotonic clock. */
 double session_clock(void);
 
-/* The label of a site for people: "Tierp, Granite, 11.2 mm". */
+/* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */
 char *session_label(const struct site *site);
 
-/* "69, 79 (2 runs)": speeds of the runs that have a product, and whose mark
- * [n_run] is `marked`; mark NULL: of all.  The caller frees. */
+/* Returns "69, 79 (2 runs)": speeds of the runs with a product that have mark
+ * [n_run] equal to `marked`; mark NULL: of all.  between: put between two
+ * speeds.  The caller frees. */
 char *session_speeds(const struct site *site, const char *between,
     const bool *mark, bool marked);
 

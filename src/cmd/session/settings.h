@@ -1,4 +1,4 @@
-/* Settings: what is said of each and where it is kept is a row of SETTINGS;
+/* Settings.  A row of SETTINGS describes each and says where its value is kept;
  * set, undo, save, reset and help follow from it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SETTINGS_H
@@ -13,14 +13,15 @@
  * the training runs only, or none. */
 enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 
-/* The longest text of one, and that for none. */
+/* The size of the text of a setting, and the text that stands for none. */
 enum { SETTINGS_TEXT = 200 };
 #define SETTINGS_NONE "none"
 
-/* The pages of the full screen, as enum page of tui/keys.h has them. */
+/* The pages of the full screen, in the order of enum page in tui/acts.h. */
 #define SETTINGS_PAGES "predict fit data parity sites"
 
-/* What is set, as against loaded: by bounds, seed, timing and the SETTINGS. */
+/* Values that are set rather than loaded: by bounds, seed, timing and the
+ * SETTINGS. */
 struct choices {
 	struct model_settings model;
 	const char *energy; /* file that model.impacts are from, borrowed; NULL:
@@ -38,36 +39,36 @@ struct choices {
 	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
 			       paged */
 	bool timing;        /* print how long each command took */
-	/* What is wanted of the product, see goals.h; and the quantity that the
-	 * full screen has above its track.  "": none. */
+	/* The conditions on the product, see goals.h; and the quantity that the
+	 * full screen shows above its track.  "": none. */
 	char goal[SETTINGS_TEXT], quantity[SETTINGS_TEXT];
-	/* m/s, the ends of what is looked at; 0: as site_reach has it. */
+	/* Ends of the range of speeds, m/s; 0: as given by site_reach. */
 	double slider[2];
 	char
-	    feed[SETTINGS_TEXT]; /* of answers, as of feed=: "mean" or others */
+	    feed[SETTINGS_TEXT]; /* of answers, as in feed=: "mean" or others */
 	unsigned page;           /* of the full screen that is open */
 };
 
-/* What is set in a session that has just begun. */
+/* Returns the choices of a new session. */
 struct choices settings_default(void);
 
-/* Bounds, seed and timing are compared too, but not how the full screen
- * looks. */
+/* True if the choices are equal, bounds, seed and timing included; the looks of
+ * the full screen are not compared. */
 bool settings_same(const struct choices *a, const struct choices *b);
 
-/* The probability of bands, 0..1. */
+/* Returns the probability of bands, 0..1. */
 double settings_level(const struct choices *set);
 
-/* The speeds, m/s, that are looked at unless told otherwise: as set, else those
- * of site_reach.  site: or NULL. */
+/* Range of speeds, m/s, that commands cover unless told otherwise: as set, else
+ * as given by site_reach.  site: or NULL. */
 void settings_reach(const struct choices *set, const struct site *site,
     double *from, double *to);
 
-/* Keeps a value that `set` was given. */
+/* Stores a value given to `set`. */
 void settings_put(
     const struct setting *row, const struct value *value, struct choices *set);
 
-/* The value as `set` would be given it; the caller frees. */
+/* Returns the value as it would be typed after `set`; the caller frees. */
 char *settings_text(const struct setting *row, const struct choices *set);
 
 #endif

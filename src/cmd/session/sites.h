@@ -9,30 +9,31 @@
  * replaces a site that was read from the same file. */
 void session_add(struct session *s, struct site *site);
 
-/* Keeps a site to the session's end, which then owns it, without loading it. */
+/* Keeps a site until the session ends, without loading it; the session then
+ * owns it. */
 void session_keep_site(struct session *s, struct site *site);
 
-/* Takes a site out of those loaded, and discards a calibration of it. */
+/* Removes a site from those loaded, and discards a calibration of it. */
 void session_drop(struct session *s, size_t index);
 
-/* Puts a mended site, which the session then owns, in the place of a loaded
- * one.  What a calibration found on the former is no longer the site's; returns
- * whether there was such.  Other parameters stay. */
+/* Replaces a loaded site with its mended version, which the session then owns.
+ * What a calibration found on the former version is discarded, and then true is
+ * returned; other parameters stay. */
 bool session_mend(struct session *s, size_t index, struct site *site);
 
-/* Puts a site that has more runs, which the session then owns, in the place of
- * the one in use; from [n_run]: see site_with_cuts.  Its parameters and its fit
- * stay: they are of the former numbers, and the new runs are held out. */
+/* Replaces the site in use with one that has more runs, which the session then
+ * owns; from [n_run]: see site_with_cuts.  Its parameters and its fit stay, as
+ * found on the former numbers; the new runs are held out. */
 void session_grow(struct session *s, struct site *site, const size_t *from);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
- * and top size ("gavle/4") or by key.  Several or none: an error that lists
- * what there is. */
+ * and top size ("gavle/4") or by key.  If several or none match, the error
+ * lists the loaded sites. */
 bool session_find(
     struct session *s, const char *name, size_t *index, struct error *error);
 
-/* Takes a site that was read, which the session then owns, or refuses it: where
- * digest, hexadecimal digits or NULL, is another. */
+/* Adds a site that was read, which the session then owns; refuses it if its
+ * digest differs from `digest`, hexadecimal digits or NULL. */
 bool session_take(struct session *s, struct site *site, const char *digest,
     struct error *error);
 

@@ -1,4 +1,4 @@
-/* Steps back and forth, and what they go between.
+/* Undo and redo, and the snapshots they restore.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_UNDO_H
 #define TIPSPEED_CMD_SESSION_UNDO_H
@@ -9,31 +9,32 @@
 #include "cmd/session/journal.h"
 #include "cmd/session/session.h"
 
-/* All of a session that can be undone, and the place in its journal, at one
+/* What undo can restore of a session, and its place in the journal, at one
  * moment. */
 struct snapshot;
 
 struct snapshot *snapshot_take(const struct session *s);
 void snapshot_free(struct snapshot *snapshot);
 
-/* True when the session is another than it was then. */
+/* True if the session differs from the snapshot. */
 bool snapshot_differs(const struct snapshot *snapshot, const struct session *s);
 
-/* Same result of same search. */
+/* True if both fits are the same result of the same search. */
 bool snapshot_same_fit(const struct fit *a, const struct fit *b);
 
-/* How many steps can be undone now. */
+/* Returns how many steps can be undone now. */
 size_t undo_depth(const struct session *s);
 
-/* One more step: the session was as in `before`, which is taken.  Steps beyond
- * `depth`, which the command's own script made, become part of it; what could
- * be redone is lost.  floor: the depth before the outermost script, whose steps
- * push out no older ones; SIZE_MAX outside scripts. */
+/* Adds an undo step: the session was as in `before`, which undo_push takes
+ * over.  Steps beyond `depth`, made by the command's own script, become part of
+ * it; steps that could be redone are dropped.  floor: the depth before the
+ * outermost script, whose steps push out no older ones; SIZE_MAX outside
+ * scripts. */
 void undo_push(struct session *s, struct snapshot *before, size_t depth,
     size_t floor, const char *label);
 
-/* The session as it was one step before; as it was before that was undone.  The
- * step's label, or NULL where there is none. */
+/* undo_back restores the session before the last step, undo_forth that before
+ * the last undo.  Return the step's label, or NULL where there is none. */
 const char *undo_back(struct session *s);
 const char *undo_forth(struct session *s);
 

@@ -1,5 +1,4 @@
-/* Questions about a sheet, put to the user, and what the answers
- * mean.
+/* Asks the user about a sheet, and interprets the answers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SHEETS_ASK_USER_H
 #define TIPSPEED_CMD_SHEETS_ASK_USER_H
@@ -8,10 +7,10 @@
 #include "io/sitefile/site_request.h"
 
 /* One question.  about: what it is about, a sentence.  ask: its columns are the
- * table shown with it (n 0: none), of which `at` is asked about.  text: the
- * question; offered: what an empty line stands for, or "".  hint: what else may
- * be answered.  wrong: why the last answer was none, or "".  first: no question
- * of the same table came before. */
+ * table shown with it (n 0: none); the question is about column `at`.  text:
+ * the question; offered: the answer of an empty line, or "".  hint: other
+ * possible answers.  wrong: why the last answer was not accepted, or "".
+ * first: no question about the same table came before. */
 struct inquiry {
 	const char *about;
 	const struct site_ask *ask;
@@ -20,27 +19,29 @@ struct inquiry {
 	bool first;
 };
 
-/* What somebody said, as load's options have it: texts are the caller's, NULL
- * and zeros where nothing was asked. */
+/* The user's answers, as options of load: the caller frees the texts; NULL and
+ * zeros where nothing was asked. */
 struct inquired {
 	char *columns, *samples, *sheet, *range;
 	char decimal;
 	double rotor, top; /* m, mm */
 };
 
-/* Asks session->hooks.question until all that is open has an answer; false:
- * nobody is there, or has given up.  trouble: the fault that says what is open.
- * said: zeroed by the caller. */
+/* Asks by session->hooks.question until everything open is answered; false if
+ * there is no user, or the user gives up.  trouble: the fault that says what is
+ * open.  said: zeroed by the caller. */
 bool inquire(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said);
 
-/* Asks which of two it is, "day" or "month", or their first letters; false:
- * nobody is there, or has given up.  second: whether it is the second. */
+/* Asks which of two words is meant, "day" or "month"; their first letters will
+ * do.  second: whether it is the second.  False if there is no user, or the
+ * user gives up. */
 bool inquire_either(struct session *s, const struct error *trouble,
     const char *text, const char *const either[2], bool *second);
 
-/* Row 0..ask->n of the table as a line of at most so many screen columns, the
- * heads first; what is too long ends in "..".  The caller frees. */
+/* Returns row 0..ask->n of the table as a line of at most `columns` screen
+ * columns, the heads first; text that is too long ends in "..".  The caller
+ * frees. */
 char *inquiry_row(const struct inquiry *q, size_t row, int columns);
 
 #endif

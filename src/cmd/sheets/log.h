@@ -7,12 +7,12 @@
 #include "cmd/session/session.h"
 #include "io/formats/plant_log.h"
 
-/* load FILE.. as=log: the log that cuts are looked up in. */
+/* Runs load FILE.. as=log: loads the log in which cuts are looked up. */
 bool log_load(struct session *s, const struct args *args, struct error *error);
 
-/* What it has within so many seconds of a time: the tip speed, m/s, to a tenth,
- * with a rotor of that diameter, m (0: not known); kW and t/h, NAN where it has
- * none.  Says how it was found. */
+/* Finds in the log, within so many seconds of a time, the tip speed, m/s, to a
+ * tenth, with a rotor of that diameter, m (0: not known); kW and t/h, NAN where
+ * the log has none.  Says how they were found. */
 struct logged {
 	double speed, power, rate;
 };

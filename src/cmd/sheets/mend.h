@@ -6,21 +6,22 @@
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"
 
-/* What is wrong with an entry's sheet: by the posterior of its own calibration
- * where there is one, else by its curves alone; doctor_free. */
+/* Looks for faults of an entry's sheet: with the posterior of its own
+ * calibration if there is one, else with its curves alone; free with
+ * doctor_free. */
 struct doctor mend_look(const struct session *s, const struct entry *entry);
 
-/* Whether doctor told of cells by a calibration. */
+/* True if the entry's faults are found with a calibration. */
 bool mend_is_calibrated(const struct session *s, const struct entry *entry);
 
 /* Puts the mends into an answer, numbered: as sentences, and as a list "mends"
- * among its fields; and what they are known again by. */
+ * among its fields, with a mark to recognise them by. */
 void mend_put(
     struct answer *r, const struct entry *entry, const struct doctor *d);
 
-/* A finding as a sentence, of a cell what check says of it; and the call that
- * takes its mend in any session, "mend product@79 sieve=2 value=61.9".  The
- * caller frees. */
+/* mend_finding returns a finding as a sentence, for a cell the sentence of
+ * check; mend_call the call that applies its mend in any session, "mend
+ * product@79 sieve=2 value=61.9".  The caller frees. */
 char *mend_finding(const struct site *site, const struct finding *finding);
 char *mend_call(const struct site *site, const struct mend *mend);
 

@@ -8,9 +8,9 @@
 #include "core/answer/crusher.h"
 #include "core/psd/screening.h"
 
-/* A feed goes into one stream, a crusher and a stockpile make one stream or
- * none of all they take, a screen makes two: oversize, undersize; a split
- * several, by their shares. */
+/* A feed has one output stream.  A crusher has one output for all of its
+ * inputs, a stockpile none, a screen two: oversize, undersize; a split several,
+ * by their shares. */
 enum unit_kind {
 	UNIT_FEED,
 	UNIT_CRUSHER,
@@ -22,10 +22,11 @@ enum unit_kind {
 
 enum { UNIT_STREAMS = 16, CIRCUIT_UNITS = 64 };
 
-/* in, out: indices of streams.  share [n_out]: of a split, 0..1, together 1.
- * cascade: share of what a crusher takes that by-passes the rotor (D14); speed:
- * its tip speed, m/s, 0: that of the question.  opening: m.  price: of a
- * stockpile, for each t.  name: "" where there is none. */
+/* in, out: indices of streams.  share [n_out]: the shares of a split's outputs,
+ * 0..1, which add up to 1.  cascade: share of a crusher's input that bypasses
+ * the rotor (D14).  speed: the crusher's tip speed, m/s; 0: the speed of the
+ * question.  opening: of a screen, m.  price: of a stockpile, for each t.
+ * name: "" where the unit has none. */
 struct unit {
 	enum unit_kind kind;
 	char *name;
@@ -35,7 +36,7 @@ struct unit {
 	struct partition partition;
 };
 
-/* stream [n_stream]: names.  tph: of its one feed, t/h. */
+/* stream [n_stream]: names.  tph: the rate of its one feed, t/h. */
 struct circuit {
 	char *name;
 	size_t n_unit, n_stream;
@@ -47,18 +48,20 @@ struct circuit {
 struct circuit *circuit_new(void);
 void circuit_free(struct circuit *c);
 
-/* A further unit, which is borrowed until the next one; NULL beyond
- * CIRCUIT_UNITS.  The index of a stream of that name, new or not. */
+/* circuit_unit: adds a unit and returns it, borrowed until the next is added;
+ * NULL beyond CIRCUIT_UNITS.  circuit_stream: returns the index of the stream
+ * of that name, new or not. */
 struct unit *circuit_unit(
     struct circuit *c, enum unit_kind kind, const char *name);
 size_t circuit_stream(struct circuit *c, const char *name);
 
-/* The unit that a stream comes from, or goes to; n_unit: none. */
+/* Return the index of the unit that a stream comes from, or goes to; n_unit
+ * where there is none. */
 size_t circuit_source(const struct circuit *c, size_t stream);
 size_t circuit_use(const struct circuit *c, size_t stream);
 
-/* A unit that nothing of the feed reaches, and a stream from which nothing
- * reaches a stockpile: n_unit and n_stream where there is none such.  Every
+/* Return a unit that no part of the feed reaches, and a stream from which
+ * nothing reaches a stockpile; n_unit and n_stream where there is none.  Every
  * stream has a source and a use. */
 size_t circuit_unfed(const struct circuit *c);
 size_t circuit_trapped(const struct circuit *c);
@@ -66,13 +69,13 @@ size_t circuit_trapped(const struct circuit *c);
 /* The most passes over the streams. */
 enum { CIRCUIT_PASSES = 2000 };
 
-/* What flows in a circuit.  draws: 1 for a model alone.  tph [n_stream]: their
- * means, tph_draw [draws][n_stream]: of each.  mass [n_stream][classes]: means.
- * back [n_stream]: whether it closes a loop, so that it circulates;
- * circulating: what does, t/h.  balance: feed less stockpiles, t/h, the largest
- * of all draws; passes: likewise.  open: a draw was not steady after
- * CIRCUIT_PASSES: then circulating is that of this draw, and the rest is not
- * valid. */
+/* The flows in a circuit.  draws: 1 for a model alone.  tph [n_stream]: means
+ * over the draws; tph_draw [draws][n_stream]: the value of each draw.  mass
+ * [n_stream][classes]: means.  back [n_stream]: whether the stream closes a
+ * loop, so that it circulates; circulating: the flow that circulates, t/h.
+ * balance: feed less stockpiles, t/h, the largest of all draws; passes: the
+ * most of all draws.  open: a draw was not steady after CIRCUIT_PASSES: then
+ * circulating is the value of this draw, and the rest is not valid. */
 struct flow {
 	bool open;
 	size_t n_stream, classes, draws, passes;
@@ -81,16 +84,16 @@ struct flow {
 	double balance, circulating, *circulating_draw;
 };
 
-/* feed [classes]: of a unit of the new feed, adds up to 1; transfer [n_unit]:
- * of crushers, all with as many draws.  By successive substitution: streams
- * that close loops begin empty, and all units are computed in turn until these
- * streams change by less than 1e-13 of the feed.  The remaining change is the
- * mass-balance error. */
+/* feed [classes]: the new feed's masses by class, which add up to 1.  transfer
+ * [n_unit]: the transfers of the crushers, all with the same number of draws.
+ * The method is successive substitution: streams that close loops begin empty,
+ * and all units are computed in turn until these streams change by less than
+ * 1e-13 of the feed.  The remaining change is the mass-balance error. */
 struct flow circuit_flow(const struct circuit *c, const double *feed,
     const double *size, size_t classes, struct transfer *const *transfer);
 void flow_free(struct flow *flow);
 
-/* What goes into a unit, t/h: its mean, and of a draw. */
+/* Return the flow into a unit, t/h: its mean, and its value in a draw. */
 double flow_into(const struct flow *flow, const struct unit *unit);
 double flow_draw_into(
     const struct flow *flow, const struct unit *unit, size_t draw);

@@ -1,5 +1,4 @@
-/* The transfer matrix of a crusher: what it makes of each size class, at a
- * speed.
+/* The transfer matrix of a crusher: its product of each size class, at a speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_CRUSHER_H
 #define TIPSPEED_CORE_ANSWER_CRUSHER_H
@@ -10,10 +9,11 @@
 #include "core/psd/psd.h"
 
 /* Classes between sizes [n], m, coarsest first: class i lies between sizes i
- * and i + 1, with mass that is uniform in ln d, the last is the pan, which does
- * not break.  A model's product is linear in the feed, so that the products of
- * all feeds follow from those of the classes; what the model leaves out
- * (discrepancy.h) follows from the product that it makes of the whole feed. */
+ * and i + 1, with mass that is uniform in ln d; the last class is the pan,
+ * which does not break.  A model's product is linear in the feed, so that the
+ * products of all feeds follow from the products of the classes.  The
+ * discrepancy (discrepancy.h) follows from the model's product of the whole
+ * feed. */
 struct crusher;
 struct posterior;
 
@@ -24,29 +24,29 @@ struct crusher *crusher_new(const double *size, size_t n,
     const struct posterior *posterior);
 void crusher_free(struct crusher *crusher);
 
-/* The feed of the question, with the sieves [n], m, coarsest first, at which a
- * prediction of its product is made: at the sieves that are sizes of the
- * crusher this feed then gives exactly that product, and other feeds are
+/* Sets the feed of the question, with the sieves [n], m, coarsest first, at
+ * which its product is predicted.  At the sieves that are sizes of the crusher
+ * this feed then gives exactly the predicted product, and other feeds are
  * corrected by the same difference, for each t. */
 void crusher_match(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
-/* The transfer at tip speed v, m/s: one for each draw of the posterior, or a
- * single one of the model alone. */
+/* Returns the transfer at tip speed v, m/s: a matrix for each draw of the
+ * posterior, or a single one for the model alone.  transfer_free. */
 struct transfer;
 struct transfer *crusher_at(struct crusher *crusher, double v);
 void transfer_free(struct transfer *t);
 size_t transfer_draws(const struct transfer *t);
 
-/* The product of masses in [n] by class, out [n], of one of them: as much comes
- * out as goes in, and nothing coarser.  in and out are not the same; one thread
- * at a time. */
+/* Computes the product, out [n], of the masses in [n] by class, in one draw:
+ * the total mass is kept, and nothing becomes coarser.  in and out must differ;
+ * one thread at a time. */
 void transfer_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
-/* The masses of its classes in a feed, which passes all at its coarsest size,
- * [n] out; they add up to 1.  For draws the feed is smooth between its sieves
- * (D18). */
+/* Computes the masses of the crusher's classes in a feed, [n] out; they add up
+ * to 1.  All of the feed passes its coarsest size.  For draws the feed is
+ * smooth between its sieves (D18). */
 void crusher_classes(
     const struct crusher *c, const struct psd *feed, double *out);
 

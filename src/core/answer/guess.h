@@ -12,8 +12,8 @@
 
 /* A material to guess from, or the site that a guess is for, whose params are
  * not read.  rock: "" when not known; top_size m, 0 when not known.  settings:
- * those its parameters were found with.  law_open: its beta is not known, as in
- * Table 3, which prints none.  Text is borrowed. */
+ * with which its parameters were found.  law_open: its beta is not known, as in
+ * Table 3, which prints no beta.  Text is borrowed. */
 struct guess_material {
 	const char *site, *rock;
 	double top_size;
@@ -26,7 +26,7 @@ struct guess_material {
  * other, then the smallest |ln(top size / wanted top size)|, then the order of
  * the list; an unknown size counts as the farthest.  Of materials with the same
  * numbers (departure D9) only the nearest counts.
- *   leave_out [n]: true for those not to take
+ *   leave_out [n]: true for materials not to use
  *   pick [most]: their indices out, nearest first.  Returns how many. */
 size_t guess_nearest(const struct guess_material *m, size_t n,
     const struct guess_material *wanted, const bool *leave_out, size_t most,
@@ -42,9 +42,10 @@ struct guess_range {
  * products, one for each material.  p20, p50, p80, m: middle is read off the
  * median curve.  break_size, m: middle is the median.
  *
- * The band goes from place 0.1 (n + 1) to 0.9 (n + 1) among n values: another
- * value of their kind lies between with a probability of 80 %, if n is 9 or
- * more; of fewer the band is the least and the most, with (n - 1) / (n + 1). */
+ * The band reaches from place 0.1 (n + 1) to 0.9 (n + 1) among n values:
+ * another value of their kind lies in it with a probability of 80 %, if n is 9
+ * or more.  With fewer the band is the least and the most, and the probability
+ * (n - 1) / (n + 1). */
 struct guess {
 	double speed; /* m/s */
 	struct psd feed, median, low, high;
@@ -60,9 +61,9 @@ struct guess {
  * % of what breaks is finer than a tenth of its parent (default: 14 %). */
 enum { GUESS_LAWS = 8 };
 
-/* The products of the feed of that run at tip speed v (m/s), with each of the
- * n >= 1 materials picked and its own settings, and where a law is open with
- * each of GUESS_LAWS.  Cannot fail; free with guess_free. */
+/* Guesses from the products of the run's feed at tip speed v (m/s), with each
+ * of the n >= 1 materials picked and its own settings; where a law is open,
+ * with each of GUESS_LAWS.  Cannot fail; free with guess_free. */
 struct guess guess_product(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v);
 void guess_free(struct guess *guess);
@@ -78,16 +79,16 @@ struct guess_error {
 
 /* Leaves one site out at a time: guesses the product at v of each material from
  * the nearest others and compares it with the model's product of its own
- * parameters.  The feed is made up, synth.h with n = 1.  Others are those of
- * another site with other numbers; of materials with the same numbers one is
+ * parameters.  The feed is made up, synth.h with n = 1.  Others are materials
+ * of another site with other numbers; of materials with the same numbers one is
  * guessed.  Each top size must be known. */
 struct guess_error guess_leave_one_out(
     const struct guess_material *m, size_t n, size_t nearest, double v);
 
-/* Whether rock and top size improve the guess: the errors of using all others
- * and of the number of nearest ones with the smallest median error; true where
- * that is less than 0.8 of the former's.  A smaller gain is no more than the
- * best of so many numbers has by chance from 18 sites. */
+/* Whether rock and top size improve the guess.  all: the errors of guesses from
+ * all others; few: those from the number of nearest materials that has the
+ * smallest median error.  helps: few's median error is less than 0.8 of all's.
+ * With 18 sites the best of so many numbers shows a smaller gain by chance. */
 struct guess_choice {
 	struct guess_error all, few;
 	bool helps;

@@ -1,4 +1,4 @@
-/* Where the mass of a feed goes: a balance, class by class.
+/* The mass balance of a feed and its product, class by class.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_MASS_BALANCE_H
 #define TIPSPEED_CORE_ANSWER_MASS_BALANCE_H
@@ -8,12 +8,12 @@
 #include "core/model/params.h"
 #include "core/psd/psd.h"
 
-/* Class i lies between the feed's sieves i and i + 1, the last is what passes
- * the finest.  All are shares of the mass of the whole feed, 0..1, [n] each:
+/* Class i lies between the feed's sieves i and i + 1; the last class passes the
+ * finest sieve.  All are shares of the mass of the whole feed, 0..1, [n] each:
  *   feed     = unbroken + within + left
  *   product  = unbroken + within + arrived
- * unbroken: what did not break; within: what broke and is still in the class;
- * left: what broke and is in finer ones; arrived: what broke in coarser ones.
+ * unbroken: mass that did not break; within: broke and is still in the class;
+ * left: broke and is now in finer classes; arrived: broke in coarser classes.
  * The sums of feed and product are 1, those of left and arrived are equal. */
 struct ledger {
 	size_t n;
@@ -21,13 +21,14 @@ struct ledger {
 	double broken; /* of the whole feed */
 };
 
-/* The ledger of the model at tip speed v, m/s: each class alone goes through
- * it (Eq 2 is linear in the feed).  ledger_free. */
+/* Returns the ledger of the model at tip speed v, m/s, which it computes for
+ * each class alone (Eq 2 is linear in the feed).  ledger_free. */
 struct ledger ledger_new(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v);
 void ledger_free(struct ledger *ledger);
 
-/* Index of the largest of values [n], or of a - b where b is not NULL. */
+/* Returns the index of the largest of a [n], or of a - b where b is not
+ * NULL. */
 size_t ledger_most(const double *a, const double *b, size_t n);
 
 #endif

@@ -14,13 +14,14 @@ struct reading {
 	double speed, kw, tph;
 };
 
-/* The power to accelerate the rock, kW: Q v^2.  A rotor that brings a mass flow
- * Q from rest to the speed of its rim turns it with the torque Q v r (Euler);
- * half of that power leaves as kinetic energy, half is lost on the way out. */
+/* Returns the power to accelerate the rock, kW: Q v^2.  A rotor that brings a
+ * mass flow Q from rest to the speed of its rim turns it with the torque Q v r
+ * (Euler); half of that power leaves as kinetic energy, half is lost on the way
+ * out. */
 double power_thrown(double speed, double tph);
 
 /* P = idle (v / at)^exponent + factor Q v^2: draws consistent with readings
- * that err by 2 % each, or by their scatter where that is more.  Uniform
+ * that err by 2 % each, or by their scatter where it is larger.  Uniform
  * priors: idle from 0 up, exponent from 1 (friction) to 3 (air), factor from 1
  * up to what leaves no idle.  least: no reading is of a loaded crusher, so that
  * the factor is 1, its least; below: all readings are below Q v^2, so that no
@@ -36,12 +37,12 @@ struct power {
 };
 struct power power_fit(const struct reading *reading, size_t n);
 
-/* Whether of two readings with similar tonnages the one with a clearly higher
- * speed has less power: no motor does so, and no estimate from them holds. */
+/* True if, of two readings with similar tonnages, the clearly faster one shows
+ * less power: no motor does so, and no estimate from such readings holds. */
 bool power_falls(const struct reading *reading, size_t n);
 
-/* The power of a draw, kW, and its idle part; draw may be any number, and is
- * taken modulo POWER_DRAWS. */
+/* Return the power in a draw, kW, and its idle part.  draw may be any number;
+ * it is used modulo POWER_DRAWS. */
 double power_at(const struct power *p, size_t draw, double speed, double tph);
 double power_idle(const struct power *p, size_t draw, double speed);
 

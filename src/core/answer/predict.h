@@ -31,8 +31,8 @@ struct prediction {
 		};
 		double size[PSD_SIZES + 1];
 	};
-	/* Which part of the product it is, and what share: 1 and all zeros of
-	 * the whole. */
+	/* The part of the product, and its share; for the whole product all
+	 * zeros, and 1. */
 	struct fraction fraction;
 	double share, share_range[2];
 	double selected;   /* mass fraction of the feed that is selected */
@@ -41,33 +41,36 @@ struct prediction {
 
 void prediction_free(struct prediction *prediction);
 
-/* The site's sieves that the feed covers and those of site->shown, coarsest
- * first; passings 0.  psd_free. */
+/* Returns the site's sieves that the feed covers and the sieves of site->shown,
+ * coarsest first; passings 0.  psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
-/* The quantities that predict_table reads, of the whole product or of a
+/* Returns the quantities that predict_table reads, of the whole product or of a
  * fraction, [*n]; the caller frees. */
 struct quantity *predict_asks(const struct site *site, const struct psd *feed,
     const struct fraction *fraction, size_t *n);
 
-/* The table of a response to these at its speed, with the band that holds the
- * middle `level` of the draws where it has any; prediction_free.
- * feed_run: whose feed it is of, or SITE_MEAN_FEED, see site_feed. */
+/* Returns the table of a response to the quantities of predict_asks, at its
+ * speed, with the band that holds the middle `level` of the draws, if it has
+ * draws; prediction_free.  feed_run: the run whose feed it is, or
+ * SITE_MEAN_FEED, see site_feed. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct response *r, double level);
 
-/* The same of the model alone, of the whole product.  Cannot fail. */
+/* As predict_table, but of the model alone and of the whole product.  Cannot
+ * fail. */
 struct prediction predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run);
 
 /* Removes the band and keeps the answer. */
 void prediction_drop_band(struct prediction *p);
 
-/* Selection of each size class of a feed: the share of its mass that breaks.
- * Class i lies between the sieves i and i + 1, the last is the pan.
- * S [feed->n] out, 0..1; weighted by the classes' masses it sums to `selected`.
- * Method continuous: the mean of Eq 3 over the class, straight on log size, and
- * 0 in the pan, which is never broken; classes: Eq 3 at the class's size. */
+/* Computes the selection of each size class of a feed: the share of its mass
+ * that breaks.  Class i lies between the sieves i and i + 1, the last is the
+ * pan.  S [feed->n] out, 0..1; weighted by the classes' masses it sums to
+ * `selected`.  Method continuous: the mean of Eq 3 over the class, straight on
+ * log size, and 0 in the pan, which is never broken; classes: Eq 3 at the
+ * class's size. */
 void predict_selection(const struct psd *feed, const struct params *p,
     struct model_settings settings, double speed, double *S);
 

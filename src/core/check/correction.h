@@ -20,9 +20,9 @@ enum mend_kind {
 	MEND_DROP   /* a run is left out */
 };
 
-/* A mend of one column.  run: 0 of a feed that all share.  size: of a passing,
- * m.  value: a passing, 0..1, or a factor.  other: run that a product changes
- * places with. */
+/* A mend of one column.  run: 0 for a feed that all runs share.  size: the
+ * sieve of a passing, m.  value: a passing, 0..1, or a factor.  other: the run
+ * with which a product changes places. */
 struct mend {
 	enum mend_kind kind;
 	bool feed;
@@ -30,19 +30,19 @@ struct mend {
 	double size, value;
 };
 
-/* The corrected site, with the mend in its provenance; or NULL with an error
- * where the result would not be a site: passings that rise on finer sieves, a
- * feed of which not all passes its coarsest sieve, a curve of less than two
- * sieves. */
+/* Returns the corrected site, with the mend in its provenance; or NULL with an
+ * error where the result would not be a site: passings that rise on finer
+ * sieves, a feed that does not all pass its coarsest sieve, a curve of fewer
+ * than two sieves. */
 struct site *mend_site(
     const struct site *site, const struct mend *mend, struct error *error);
 
-/* The name of a column, "product@79", "feed", "product@79(2)", and what the
- * mend does, "product@79 at 2 mm: 69.1 read as 61.9".  The caller frees. */
+/* Return the name of a column, "product@79", "feed", "product@79(2)", and the
+ * mend in words, "product@79 at 2 mm: 69.1 read as 61.9".  The caller frees. */
 char *mend_column(const struct site *site, bool feed, size_t run);
 char *mend_words(const struct site *site, const struct mend *mend);
 
-/* The column of that name; false where there is none. */
+/* Finds the column of that name; false where there is none. */
 bool mend_find_column(
     const struct site *site, const char *name, bool *feed, size_t *run);
 

@@ -13,23 +13,25 @@
  *
  * Feeds: ln(P / (1 - P)) is a straight line on log size, a smooth process with
  * an amplitude and a length, and errors of the sample, as in D13.
- * Products, without a posterior: likewise, with a second process that changes
- * with the speed, straight in energy, and one of the run's own.
- * Products, with one: their differences from the fit.  Its covariance is that
- * of D13 (discrepancy.h); that of the parameters, by the Jacobian at the fit
- * and the width of their bounds, so that the others alone determine them; and
- * that of the feed's own errors, which the products follow.
+ * Products, without a posterior: as feeds, with a second process that changes
+ * with the speed, straight in energy, and a third for each run.
+ * Products, with a posterior: their differences from the fit.  Their covariance
+ * is the sum of that of D13 (discrepancy.h); that of the parameters, by the
+ * Jacobian at the fit and the width of their bounds, so that the other cells
+ * alone determine them; and that of the feed's own errors, which the products
+ * follow.
  *
  * So a wrong passing of a feed shows in the feed and in all products of it.
- * Without a cell, whose shift in that vector is u, the others expect it lower
- * by
+ * Leave a cell out, with u its shift in the vector: the other cells expect it
+ * lower by
  *   shift = u' K^-1 y / u' K^-1 u    with variance  1 / u' K^-1 u
  * and z is their ratio (Rasmussen and Williams 2006, eq 5.12, where u has one
  * element).  Amplitudes, lengths and errors of K are those most probable
- * without the cell; else one cell far off would make all seem uncertain. */
+ * without the cell; otherwise one cell far off would make all cells seem
+ * uncertain. */
 struct leave_out;
 
-/* A cell of the sheet.  run: 0 of a feed that all share. */
+/* A cell of the sheet.  run: 0 for a feed that all runs share. */
 struct leave_out_cell {
 	bool feed;
 	size_t run, sieve; /* index into the curve */
@@ -41,24 +43,25 @@ struct leave_out *leave_out_new(
     const struct site *site, const struct posterior *posterior, double noise);
 void leave_out_free(struct leave_out *l);
 
-/* How many cells it can check, and which they are.  Without a posterior none at
- * 0 or 100 %; with one, products where the feed covers them. */
+/* Return the number of cells that can be checked, and cell i of them.  Without
+ * a posterior they exclude passings of 0 and 100 %; with one, passings of
+ * products that the feed does not cover. */
 size_t leave_out_cells(const struct leave_out *l);
 struct leave_out_cell leave_out_cell(const struct leave_out *l, size_t i);
 
 /* A cell against the others.  expected, sd: passing 0..1, with the error of one
- * sample; gain: how much more probable, as a logarithm, the sheet is with that
- * cell free. */
+ * sample; gain: how much more probable, as a logarithm, the sheet is with the
+ * cell left free. */
 struct leave_out_shift {
 	size_t cell;
 	double expected, sd, z, gain;
 };
 
-/* The cell without which the others agree best; z is 0 where there is none to
- * check. */
+/* Returns the cell without which the others agree best; z is 0 where there is
+ * no cell to check. */
 struct leave_out_shift leave_out_worst(struct leave_out *l);
 
-/* That cell. */
+/* Returns the shift of the given cell. */
 struct leave_out_shift leave_out_look(struct leave_out *l, size_t cell);
 
 /* Leaves the cell out from now on. */

@@ -7,8 +7,9 @@
 
 #include "core/psd/psd.h"
 
-/* By how much the slower run's product is finer than the faster one's, passing
- * 0..1: most, at the sieve `at`, m; and in the mean of their common sieves. */
+/* By how much the slower run's product is finer than the faster run's, passing
+ * 0..1.  most: the largest difference, at the sieve `at`, m; mean: over their
+ * common sieves. */
 struct order {
 	double most, at, mean;
 };
@@ -16,7 +17,7 @@ struct order order_of(const struct psd *slow, const struct psd *fast);
 
 /* ORDER_NOTABLE: worth a remark, but sampling may explain it.  order_wrong:
  * more than sampling explains, at one sieve or in the mean.  Of 180 sheets with
- * a noise of 1 point 29 fall by more than the first somewhere, 3 are called
+ * a noise of 1 point, 29 exceed ORDER_NOTABLE somewhere, and 3 are called
  * wrong. */
 #define ORDER_NOTABLE 0.02
 bool order_wrong(const struct order *o);

@@ -26,7 +26,7 @@ struct finding {
 	double off[2], rmse[2];
 };
 
-/* unseen: the number of passings, where it is above DOCTOR_CELLS, so that none
+/* unseen: the number of passings where it exceeds DOCTOR_CELLS, so that none
  * was compared with all others (their covariance is a matrix); else 0. */
 enum { DOCTOR_CELLS = 1000 };
 struct doctor {
@@ -35,8 +35,9 @@ struct doctor {
 	size_t unseen;
 };
 
-/* posterior: of this very site, or NULL.  noise: known error of a passing,
- * 0..1, or 0.  No cell is looked at where a column has a mend. */
+/* Returns the findings; doctor_free.  posterior: of this same site, or NULL.
+ * noise: known error of a passing, 0..1, or 0.  No cell is checked where a
+ * column has a mend. */
 struct doctor doctor_look(
     const struct site *site, const struct posterior *posterior, double noise);
 void doctor_free(struct doctor *doctor);

@@ -2,7 +2,7 @@
  *
  * A residual has two causes that its size and pattern do not distinguish: the
  * model is wrong for this plant, or the samples are biased.  So reasons state
- * what was seen and what follows from it, and not the cause.
+ * the observation and its consequence, and not the cause.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_TRUST_H
 #define TIPSPEED_CORE_CHECK_TRUST_H
@@ -33,8 +33,8 @@ extern const char *const LIGHT_NAME[3];
  * between them. */
 bool trust_without_band(double rmse, size_t speeds);
 
-/* What a fit itself shows, independent of the question; computed once a fit.
- * use: the runs that inform the answer. */
+/* The evidence of a fit itself, independent of the question; computed once for
+ * each fit.  use: the runs that inform the answer. */
 struct evidence {
 	size_t cells, parameters; /* of the fit */
 	double rmse;              /* of the fit, passing 0..1 */
@@ -44,11 +44,11 @@ struct evidence {
 	 * of neighbours on a curve, in its standard deviations. */
 	double size, alike;
 	/* NAN without a posterior.  discrepancy, sampling: medians of the
-	 * draws, passing 0..1; more: share of the draws in which the first is
-	 * the larger. */
+	 * draws, passing 0..1; more: share of the draws in which the
+	 * discrepancy is larger than the sampling. */
 	double discrepancy, sampling, more;
-	/* gamma + kappa (D12, D17): of both B(u) = 1/2 moves alike with the
-	 * energy.  NAN in a model without. */
+	/* gamma + kappa (D12, D17): both move B(u) = 1/2 alike with the energy.
+	 * NAN in a model without them. */
 	double finer, finer_sd;
 	double unbounded; /* share of the draws with no threshold */
 	double halves;    /* ensemble_halves, the worst of three speeds */
@@ -57,8 +57,8 @@ struct evidence {
 	size_t speeds;    /* how many inform it */
 	double slowest, fastest;   /* of these */
 	struct validation holdout; /* the worst; n_sieve 0: none was */
-	/* Of the runs used, moved to one feed, the two that contradict most
-	 * that faster is finer, m/s; most 0: none do. */
+	/* The two runs, of those used and moved to one feed, that contradict
+	 * most that faster is finer, m/s; most 0: none do. */
 	struct {
 		double slow, fast;
 		struct order order;
@@ -74,8 +74,8 @@ struct evidence trust_evidence(const struct site *site, const bool *train,
 struct trust_question {
 	double speed; /* m/s; 0: none, the fit is meant */
 	double width; /* of the band, mean over the sieves, passing 0..1 */
-	/* Of a feed that was not sampled here: the largest difference from the
-	 * nearest of those the fit was made with, passing 0..1. */
+	/* For a feed that was not sampled here: its largest difference from the
+	 * nearest feed of the fit, passing 0..1. */
 	double feed;
 	/* A parameter on a bound, and by how much the answer would move if the
 	 * parameter moved on by its standard deviation. */
@@ -112,7 +112,7 @@ struct trust {
 	} reason[TRUST_REASONS];
 };
 
-/* Takes the text. */
+/* Adds a reason and takes ownership of the text. */
 void trust_add(
     struct trust *t, enum light light, enum trust_cause cause, char *text);
 
@@ -121,12 +121,12 @@ void trust_judge(
     struct trust *t, const struct evidence *e, const struct trust_question *q);
 void trust_free(struct trust *t);
 
-/* The change of an ensemble's answers, at its speed and n sizes, for one
- * standard deviation of a parameter: root mean square, passing 0..1. */
+/* Returns the change of an ensemble's answers, at its speed and n sizes, for
+ * one standard deviation of a parameter: root mean square, passing 0..1. */
 double trust_moves(const struct posterior *p, struct ensemble *e, size_t n,
     const char *parameter);
 
-/* The largest difference of two feeds, passing 0..1. */
+/* Returns the largest difference of two feeds, passing 0..1. */
 double trust_feed_difference(const struct psd *a, const struct psd *b);
 
 #endif

@@ -19,8 +19,8 @@ enum { APPEARANCE_PIECES = 4 };
  * D4: p is clipped at 0 and normalised, so that mass is kept.
  *
  * p is above 0 on n pieces lower[i]..upper[i], finest first.  total is the
- * integral over all; 0 means that p is 0 everywhere and a particle that breaks
- * keeps its size. */
+ * integral over all pieces; 0 means that p is 0 everywhere and a particle that
+ * breaks keeps its size. */
 struct appearance {
 	double beta[4];
 	size_t n;
@@ -39,12 +39,12 @@ struct appearance appearance_of(const double beta[static 4]);
 /* p(u), not normalised, clipped at 0.   Source: paper Eq 1. */
 double appearance_density(const double beta[static 4], double u);
 
-/* The argument of p for a parent and progeny of the sizes given, m: their
- * ratio, or one of the two in mm (departure D3). */
+/* Returns the argument of p for a parent and a daughter of the given sizes, m:
+ * their ratio, or one of the sizes in mm (departure D3). */
 double appearance_argument(
     enum appearance_form form, double parent, double daughter);
 
-/* Integral of u^power d ln u, up to a constant. */
+/* Returns the integral of u^power d ln u, up to a constant. */
 static inline double
 appearance_power(size_t power, double log_u, double u)
 {
@@ -54,9 +54,9 @@ appearance_power(size_t power, double log_u, double u)
 	return power == 0 ? log_u : up / (double)power;
 }
 
-/* The integral of u^(m - 1) over the pieces of p up to u, parts [4] for m = 0
- * to 3 with ln u for the first: B(u) is their sum weighted by beta, over that
- * of u = 1. */
+/* Computes the integral of u^(m - 1) over the pieces of p up to u, parts [4]
+ * for m = 0 to 3 with ln u for the first: B(u) is their sum weighted by beta,
+ * over the same sum at u = 1. */
 void appearance_parts(
     const struct appearance *a, double log_u, double parts[static 4]);
 

@@ -15,20 +15,20 @@
 
 struct plan;
 
-/* Results of the kernel, by candidate: the misfit, and where difference is not
- * NULL the weighted differences simulated - measured, that of cell i (see
- * struct plan_target) at difference[i * stride].  Where softer is not NULL, a
- * share of the rock has that e0_min instead of the candidate's, which is at
- * least as large (D16); share 0: all has the candidate's. */
+/* Results of the kernel, by candidate: the misfit, and, where difference is not
+ * NULL, the weighted differences simulated - measured, with cell i (see struct
+ * plan_target) at difference[i * stride].  Where softer is not NULL, a share of
+ * the rock has that e0_min instead of the candidate's, which is at least as
+ * large (D16); share 0: all has the candidate's. */
 struct kernel_out {
 	double *misfit, *difference;
 	size_t stride;
 	const double *softer, *share;
 };
 
-/* A model's part of the search, see kernel_body.h.  Evaluates KERNEL_LANES
- * candidates, those of the indices; theta: one array a parameter of the model.
- * smooth: all are, see KERNEL_BINS. */
+/* A model's part of the search, see kernel_body.h.  Evaluates the KERNEL_LANES
+ * candidates at the indices; theta: one array for each parameter of the model.
+ * smooth: all of them are smooth, see KERNEL_BINS. */
 typedef void kernel_block(const struct plan *plan, const double *const *theta,
     const uint32_t *index, bool smooth, double *scratch,
     const struct kernel_out *out);
@@ -40,7 +40,7 @@ enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
 typedef void kernel_bins(const struct plan *plan, const double *const *theta,
     size_t first, uint16_t *bin);
 
-/* Parameters at a tip speed, prepared by breaker_at.  own: what a model
+/* Parameters at a tip speed, prepared by breaker_at.  own: values that a model
  * computes once for them. */
 struct breaker {
 	struct params p;
@@ -57,8 +57,8 @@ struct breakage {
 	const char *brief; /* one line for help */
 	size_t n;
 	const struct param_info *parameter; /* [n] */
-	/* The gauge: of the first so many parameters only the direction
-	 * matters, their scale is free.  gauge_name: of them together. */
+	/* The gauge: the number of first parameters of which only the direction
+	 * matters; their scale is free.  gauge_name: their name together. */
 	size_t gauge;
 	const char *gauge_name;
 	/* The parameter that a calibration sets to the mean specific energy of
@@ -106,39 +106,41 @@ struct breakage {
 extern const struct breakage *const BREAKAGES[];
 size_t breakage_count(void);
 
-/* Their names, a space between two; for one thread. */
+/* Returns the models' names, separated by spaces; for one thread. */
 const char *breakage_names(void);
 
-/* Index of the model of that name, or breakage_count(). */
+/* Returns the index of the model of that name, or breakage_count(). */
 size_t breakage_find(const char *name);
 
-/* Whether a model has all parameters of another, and further ones that change
- * nothing at their start. */
+/* True if a model has all parameters of another, and further parameters that
+ * change nothing at their start. */
 bool breakage_extends(size_t wide, size_t narrow);
 
-/* Parameters of a model in one that extends it, the others at their start. */
+/* Returns the parameters in a model that extends theirs, the others at their
+ * start. */
 struct params breakage_widened(const struct params *p, size_t wide);
 
-/* The inverse: parameters in the smallest model that gives the same product, as
- * all parameters that it lacks are at their start. */
+/* The inverse of breakage_widened: returns the parameters in the smallest model
+ * that gives the same product, as all parameters that it lacks are at their
+ * start. */
 struct params breakage_narrowed(const struct params *p);
 
-/* Index of the widest model that has all parameters of another and lets the
- * appearance follow the energy (D12, D17); the model itself where there is
- * none. */
+/* Returns the index of the widest model that has all parameters of the given
+ * model and lets the appearance follow the energy (D12, D17); the given model
+ * where there is none. */
 size_t breakage_wider(size_t breakage);
 
-/* The model of the parameters. */
+/* Returns the model of the parameters. */
 const struct breakage *breakage_of(const struct params *p);
 
-/* Index of the parameter of that name, or the model's n. */
+/* Returns the index of the parameter of that name, or the model's n. */
 size_t breakage_parameter(const struct breakage *model, const char *name);
 
-/* The value of a parameter by its name; NAN where the model does not have
- * it. */
+/* Returns the value of a parameter by its name; NAN where the model does not
+ * have it. */
 double params_value(const struct params *p, const char *name);
 
-/* Every parameter at its start. */
+/* Returns every parameter at its start. */
 struct params params_start(size_t breakage);
 
 /* Specific energy of a particle thrown at tip speed v.
@@ -146,37 +148,39 @@ struct params params_start(size_t breakage);
  * v rotor tip speed, m/s.  Returns J/kg.   Source: paper Eq 4. */
 double energy_specific(double v);
 
-/* Break size x*: the smallest size that can break at tip speed v, as the
- * parameters' model has it.
+/* Break size x*: the smallest size that can break at tip speed v, in the
+ * parameters' model.
  * v m/s.  Returns m: 0 where every size breaks, INFINITY where none does. */
 double params_break_size(const struct params *p, double v);
 
-/* The same with the impacts of the settings: that of the strongest impact. */
+/* As params_break_size, but with the impacts of the settings: the break size of
+ * the strongest impact. */
 double params_break_size_by(
     const struct params *p, const struct model_settings *settings, double v);
 
-/* The largest absolute value of the parameters in the gauge; 0 without. */
+/* Returns the largest absolute value of the parameters in the gauge; 0 without
+ * a gauge. */
 double params_gauge(const struct params *p);
 
-/* The gauge's parameters scaled to a largest absolute value of 1 (departure
- * D4); where all are 0 they stay. */
+/* Scales the gauge's parameters to a largest absolute value of 1 (departure
+ * D4); where all are 0 they stay 0. */
 void params_scale(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
 
 struct model_settings model_settings_default(void);
 
-/* Whether the same parameters give the same products. */
+/* True if the same parameters give the same products with both settings. */
 bool model_settings_same(
     const struct model_settings *a, const struct model_settings *b);
 
-/* Makes b ready for parameters, with the k and the impacts of the settings, at
+/* Prepare b for parameters, with the k and the impacts of the settings, and for
  * a tip speed (m/s). */
 void breaker_set(struct breaker *b, const struct params *p,
     const struct model_settings *settings);
 void breaker_at(struct breaker *b, double v);
 
-/* The row that closes a parameter table: of the models with a bypass.
+/* The last row of a parameter table, for the models with a bypass.
  * D14: product = (1 - bypass) crushed + bypass feed. */
 #define BYPASS_PARAMETER                                           \
 	{                                                          \
@@ -184,7 +188,8 @@ void breaker_at(struct breaker *b, double v);
 		    "share of the feed that bypasses the rotor", 0 \
 	}
 
-/* A model's two rows: as it is with n parameters, and with a bypass. */
+/* A model's two rows: without a bypass, with n parameters, and with a
+ * bypass. */
 #define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                                 \
 	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS;    \
 	const struct breakage BREAKAGE_##ID = {                                \

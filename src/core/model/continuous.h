@@ -7,8 +7,8 @@
 #include "core/psd/psd.h"
 
 /* Panels end at STOPS values of the exponent of Eq 3 and, with a spectrum of
- * impacts, at the break size of each node and at the same values of the
- * weakest. */
+ * impacts, at the break size of each node and at the same values for the
+ * weakest node. */
 enum { STOPS = 5, STOPS_MOST = 2 * STOPS + IMPACTS_MOST, GAUSS = 8 };
 
 /* A point of the integrals over the feed: t = ln x, its mass dF, S there and
@@ -19,8 +19,9 @@ struct point {
 
 struct moments;
 
-/* Classes between neighbouring edges; density is dF / d ln x.  At the speed
- * asked for last: b, where panels end, and the points, coarsest class first. */
+/* Classes between neighbouring edges; density is dF / d ln x.  At the last
+ * speed asked for: b, the ends of panels (stop), and the points, coarsest class
+ * first. */
 struct continuous {
 	size_t n_sieve, n_edge;
 	double *log_sieve, *feed_passing;
@@ -56,7 +57,7 @@ struct panel {
 };
 
 /* Calls add(c, panel, data) for the panels over ln x from a to b, within one
- * class of that density and from where S begins. */
+ * class of the given density, and from the size where S begins. */
 static inline void
 continuous_stretch(const struct continuous *c, double a, double b,
     double density,

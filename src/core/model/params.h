@@ -24,9 +24,9 @@ struct params {
 	};
 };
 
-/* Larger values are refused, typed, read or as a bound: no rock has them, so
- * that they are typing errors.  Constants, because Table 3 is read with them
- * too. */
+/* Larger values are refused, whether typed, read or given as a bound: no rock
+ * has them, so they are typing errors.  Constants, because Table 3 is read with
+ * them too. */
 enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
 /* Description of one parameter. */
@@ -62,11 +62,12 @@ struct impacts {
 	double number, share[IMPACTS_MOST], ratio[IMPACTS_MOST];
 };
 
-/* How products are computed.  breakage: of the calibrations to come; a product
- * takes that of its parameters.  k: number of impacts, 1 in the paper; it acts
- * only as a product with f_mat and is never fitted.  bypass: share of the feed
- * that bypasses the rotor in addition to that of the parameters (D14): not 0
- * only for a question about another machine, never in a calibration. */
+/* How products are computed.  breakage: the model of later calibrations; a
+ * product uses the model of its parameters.  k: number of impacts, 1 in the
+ * paper; it acts only as a product with f_mat and is never fitted.  bypass:
+ * share of the feed that bypasses the rotor in addition to the bypass of the
+ * parameters (D14): not 0 only for a question about another machine, never in a
+ * calibration. */
 struct model_settings {
 	enum method method;
 	enum appearance_form appearance;

@@ -1,4 +1,5 @@
-/* Product (Eq 2): what leaves the crusher for a feed and a tip speed.
+/* Product (Eq 2): the material that leaves the crusher, for a feed and a tip
+ * speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_PRODUCT_H
 #define TIPSPEED_CORE_MODEL_PRODUCT_H
@@ -40,7 +41,7 @@ void model_set(struct model *model, const struct params *p);
  *   Source: paper Eq 2. */
 void model_product(struct model *model, double v, double *passing);
 
-/* The same with its derivatives: d_passing [n * model's n] out, row by
+/* As model_product, with the derivatives: d_passing [n * model's n] out, row by
  * sieve, with respect to the parameters in the order of their table.  Exact for
  * `continuous`, central differences for `classes`. */
 void model_jacobian(
@@ -50,8 +51,8 @@ void model_jacobian(
  * everywhere, so that product = feed. */
 bool model_breaks(struct model *model, double v);
 
-/* Mass fraction of the feed that is selected for breakage at v, 0..1, without
- * what bypasses the rotor. */
+/* Returns the mass fraction of the feed that is selected for breakage at v,
+ * 0..1, without the share that bypasses the rotor. */
 double model_selected(struct model *model, double v);
 
 #endif

@@ -1,5 +1,5 @@
-/* Selection (Eq 3): which fraction of each size breaks.  The search has it for
- * lanes, in kernel_body.h; test_kernel compares the two.
+/* Selection (Eq 3): which fraction of each size breaks.  The search computes
+ * selection for lanes, in kernel_body.h; test_kernel compares the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_SELECTION_H
 #define TIPSPEED_CORE_MODEL_SELECTION_H
@@ -45,9 +45,9 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
 	return shape[0];
 }
 
-/* The same with a spectrum of impacts in place of the single one (D15), see
- * spectrum.h; without one it is the single impact.  The derivatives are summed
- * over the nodes. */
+/* As selection, but with a spectrum of impacts in place of the single impact
+ * (D15), see spectrum.h; without a spectrum the impact is single.  The
+ * derivatives are summed over the nodes. */
 static inline double
 selection_by(const struct impacts *impacts, const double q[static 3], double k,
     double E, double log_x, double *d)
@@ -70,8 +70,8 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 	return 1 - left;
 }
 
-/* The rows of Eq 3, in the order that selection wants.  lower, upper: Table 2
- * of the paper, whose text says six variables where there are seven (departure
+/* The rows of Eq 3, in the order of selection's q.  lower, upper: Table 2 of
+ * the paper, whose text says six variables where there are seven (departure
  * D7). */
 #define SELECTION_PARAMETERS                                 \
 	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
@@ -83,14 +83,14 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 		    "size dependency of breakage", 0         \
 	}
 
-/* The members of a model's row that go with them, see breakage.h. */
+/* The members of a model's row for SELECTION_PARAMETERS, see breakage.h. */
 #define SELECTION_ROW                                            \
 	.selection = selection_of, .size_at = selection_size_at, \
 	.break_size = selection_break_size, .selection_text = selection_text
 
 double selection_of(const struct breaker *b, double log_x, double *d);
 
-/* -1000 or 1000 where no size has the exponent. */
+/* Returns -1000 or 1000 where no size has the exponent. */
 double selection_size_at(const struct breaker *b, double exponent);
 
 /* Where S begins.

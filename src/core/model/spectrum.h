@@ -12,21 +12,22 @@
  * count in the first or the last. */
 enum { SPECTRUM_BINS = 512 };
 
-/* Impacts of a bin: their mass, kg, and that times their energy, J. */
+/* Impacts of a bin: their mass, kg, and their mass times their energy, J. */
 struct spectrum_bin {
 	double mass, energy;
 };
 
-/* Of particles of one size: m, rounded to a quarter octave; 0 where no size is
- * known.  particles, mass: how many and of what mass in all, also of those that
- * were never hit.  first: of these impacts the first of each particle. */
+/* Particles of one size: m, rounded to a quarter octave; 0 where no size is
+ * known.  particles, mass: their number and total mass, including particles
+ * that were never hit.  all: their impacts; first: of these the first impact of
+ * each particle. */
 struct spectrum_size {
 	double size, particles, mass;
 	struct spectrum_bin all[SPECTRUM_BINS], first[SPECTRUM_BINS];
 };
 
-/* counted: the particles were counted, so that impacts a particle are known.
- * ordered: the first impact of each particle is known. */
+/* counted: the particles were counted, so that the impacts per particle are
+ * known.  ordered: the first impact of each particle is known. */
 struct spectrum {
 	double speed; /* rotor tip speed, m/s; NAN where it is not known */
 	bool counted, ordered;
@@ -38,8 +39,9 @@ struct spectrum *spectrum_new(void);
 void spectrum_free(struct spectrum *s);
 
 /* Adds an impact of a particle of that size (m, 0: not known) and mass (kg, or
- * any weight), of energy J/kg.  spectrum_particles: `number` particles, of that
- * mass together.  spectrum_first: to the first impacts alone. */
+ * any weight), of energy J/kg.  spectrum_particles: adds `number` particles
+ * with the total mass `mass`.  spectrum_first: adds to the first impacts
+ * alone. */
 void spectrum_impact(
     struct spectrum *s, double size, double mass, double energy, bool first);
 void spectrum_particles(
@@ -47,11 +49,11 @@ void spectrum_particles(
 void spectrum_first(
     struct spectrum *s, double size, double mass, double energy);
 
-/* All sizes as one, with size 0. */
+/* Returns all sizes as one, with size 0. */
 struct spectrum_size *spectrum_whole(const struct spectrum *s);
 
-/* Lower edge of a bin, J/kg; that of SPECTRUM_BINS is the upper edge of the
- * last. */
+/* Returns the lower edge of a bin, J/kg; for SPECTRUM_BINS the upper edge of
+ * the last bin. */
 double spectrum_edge(size_t bin);
 
 /* Impacts above an energy, J/kg: times the particles' mass, and the share of
@@ -59,8 +61,8 @@ double spectrum_edge(size_t bin);
 struct spectrum_bin spectrum_above(
     const struct spectrum_size *s, double cut, bool first);
 
-/* Impacts a particle above the cut, averaged by mass; NAN where particles were
- * not counted. */
+/* Returns the impacts per particle above the cut, averaged by mass; NAN where
+ * particles were not counted. */
 double spectrum_per_particle(
     const struct spectrum *s, const struct spectrum_size *of, double cut);
 
@@ -82,7 +84,8 @@ struct impacts spectrum_impacts(const struct spectrum *s, double cut);
 double spectrum_k(const struct spectrum *s, const struct spectrum_size *of,
     double E, double e0, double f);
 
-/* The same energies scaled to another speed, by v^2; from a known speed. */
+/* Returns the factor that scales the energies to another speed, by v^2; the
+ * spectrum's speed must be known. */
 double spectrum_scale(const struct spectrum *s, double speed);
 
 /* Distance of two spectra whose energies are taken over v^2/2: the largest

@@ -13,7 +13,8 @@ struct strengths {
 	double share, softer, harder;
 };
 
-/* The share of the softer rock beside the harder, 0 where there is but one. */
+/* Returns the share of the softer rock beside the harder; 0 where there is only
+ * one strength. */
 static inline double
 strengths_softer(const struct strengths *rock)
 {

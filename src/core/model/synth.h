@@ -8,7 +8,7 @@
 #include "core/model/params.h"
 #include "core/psd/site.h"
 
-/* What a synthetic site is made from. */
+/* The data from which a synthetic site is made. */
 struct synth {
 	double top_size; /* m */
 	struct params params;

@@ -1,9 +1,10 @@
 /* exp and log that give the same bits on every machine and in every lane.
  *
- * The C library's differ in the last bit between processors (it picks a variant
- * with fused multiply-add where there is one), and a genetic algorithm turns
- * one bit into another search.  These functions are plain double arithmetic
- * without branches, so that gcc turns a loop over lanes into vector code.
+ * The C library's functions differ in the last bit between processors (it picks
+ * a variant with fused multiply-add where there is one), and a genetic
+ * algorithm turns one bit into another search.  These functions are plain
+ * double arithmetic without branches, so that gcc turns a loop over lanes into
+ * vector code.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 #define TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
@@ -27,9 +28,9 @@ el_to_bits(double d)
 	return bits;
 }
 
-/* e^r - 1 and the power of two, so that exp(x) = scale * (1 + result).
- * x is first held to -708..708; NaN gives the value at an end, so callers test
- * for NaN themselves.
+/* Returns e^r - 1, and the power of two in scale, so that
+ * exp(x) = scale * (1 + result).  x is first held to -708..708; NaN gives the
+ * value at an end, so callers test for NaN themselves.
  * Method: x = n ln 2 + r, |r| <= ln 2 / 2 (Cody and Waite); a polynomial
  * through the Chebyshev points, within 1e-17 of e^r. */
 static inline double

@@ -6,7 +6,7 @@
 /* In rising order; ISA_BEST picks at run time. */
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
-/* The set asked for, or the best this processor has if that is less. */
+/* Returns the wanted set, or the best of this processor if that is less. */
 enum isa isa_usable(enum isa wanted);
 
 /* "baseline", "avx2" or "avx512". */

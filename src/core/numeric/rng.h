@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/* Two words that stand for one stream of numbers. */
+/* Two words that identify one stream of numbers. */
 struct rng_key {
 	uint32_t a, b;
 };
@@ -24,7 +24,8 @@ rng_mix(uint64_t z)
 	return z ^ (z >> 31);
 }
 
-/* The stream for a seed, a generation and a use within it. */
+/* Returns the stream for a seed, a generation and a use within the
+ * generation. */
 static inline struct rng_key
 rng_key(uint64_t seed, uint64_t generation, uint64_t use)
 {
@@ -49,7 +50,7 @@ rng_bits(struct rng_key key, uint32_t i)
 	return x;
 }
 
-/* A second number from the bits of a first one. */
+/* Returns a second number from the bits of a first. */
 static inline uint32_t
 rng_more(uint32_t x)
 {
@@ -58,7 +59,7 @@ rng_more(uint32_t x)
 	return x * UINT32_C(0x85ebca77);
 }
 
-/* 32 bits as a number in (0, 1). */
+/* Returns 32 bits as a number in (0, 1). */
 static inline double
 rng_unit(uint32_t bits)
 {

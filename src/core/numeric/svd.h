@@ -5,10 +5,10 @@
 
 #include <stddef.h>
 
-/* A = U diag(sigma) V^T.  A [n * rows] column by column, of any shape, in; U
- * likewise out, its columns of length 1 at right angles, or 0 where sigma is 0.
- * V [n * n] column by column out; of each of its columns the largest element is
- * positive, the first of several.  sigma [n] out, the largest first.
+/* A = U diag(sigma) V^T.  A [n * rows] column by column, of any shape, in; it
+ * becomes U, with columns of length 1 at right angles, or 0 where sigma is 0.
+ * V [n * n] column by column out; the largest element of each column, the first
+ * of several, is positive.  sigma [n] out, the largest first.
  * Method: one-sided Jacobi.  Source: Hestenes 1958; Golub and Van Loan, Matrix
  * Computations, section 8.6.  Cannot fail. */
 void svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma);

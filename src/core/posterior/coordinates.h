@@ -8,14 +8,14 @@
 #include "core/model/breakage.h"
 #include "core/model/params.h"
 
-/* Of a fit and what its model keeps within; plain data.
+/* The coordinates about a fit, with the bounds of its model; plain data.
  *
- * Of the gauge only the direction counts: its coordinates are those of the
+ * Only the direction of the gauge counts: its coordinates are those of the
  * stereographic projection of a sphere, with the fit's direction in the middle,
- * so that none on the fit's side lies far out.
+ * so that no direction on the fit's side lies far out.
  *
- * Of Eq 3 the data tell the break size and how steeply S rises there, and much
- * less f_mat, e0_min and alpha, which compensate for each other.  So
+ * The data determine the break size of Eq 3 and how steeply S rises there, and
+ * much less f_mat, e0_min and alpha, which compensate for each other.  So
  * coordinates (by_slope) are, each from minus to plus infinity, those of
  *   ln x* = (ln e0_min - ln E) / alpha,  from where it is largest,
  *   f_mat,  from bound to bound,
@@ -37,18 +37,19 @@ struct coordinates coordinates_about(const struct params *fit,
     const struct bounds *bounds, const struct model_settings *settings,
     double middle);
 
-/* Parameters at [n] of coordinates x [n].  Returns -ln of the prior's density
- * in x, but for a constant: uniform between the bounds, normal where the model
- * says so, and alike for all directions of the gauge on the fit's side in which
- * there are daughters.  INFINITY outside. */
+/* Computes the parameters at [n] of coordinates x [n].  Returns -ln of the
+ * prior's density in x, up to a constant: uniform between the bounds, normal
+ * where the model's table gives a spread, and equal for all directions of the
+ * gauge on the fit's side in which there are daughters.  INFINITY outside. */
 double coordinates_params(
     const struct coordinates *c, const double *x, double *at);
 
-/* The other way; what lies on a bound comes a little within. */
+/* Computes the coordinates of parameters; a value on a bound is moved a little
+ * inside. */
 void coordinates_of(const struct coordinates *c, const double *at, double *x);
 
-/* Brings those that are parameters and went over a bound back by as much as
- * they did. */
+/* Reflects at the bound each coordinate that is a parameter and lies beyond
+ * it. */
 void coordinates_reflect(const struct coordinates *c, double *x);
 
 #endif

@@ -23,24 +23,24 @@ enum { COVARIANCE_FEW = 96, COVARIANCE_SIZES = COVARIANCE_FEW / 3 };
 
 struct covariance;
 
-/* cell [n]: read, not kept, those of a run one after the other; the sizes of
- * many may be moved, as above.  covariance_free. */
+/* cell [n]: read, not kept; the cells of a run one after the other.  Where
+ * there are many sizes they may be moved, as above.  covariance_free. */
 struct covariance *covariance_new(enum isa isa, struct cell *cell, size_t n);
 void covariance_free(struct covariance *covariance);
 
-/* The number of doubles in a factor. */
+/* Returns the number of doubles in a factor. */
 size_t covariance_room(const struct covariance *covariance);
 
-/* factor [room] out. */
+/* Computes the factor [covariance_room] out. */
 void covariance_factor(const struct covariance *covariance,
     const double log_hyper[static HYPERS], double *factor);
 
-/* -ln of the probability of the differences d [n], up to a constant; d is
- * overwritten. */
+/* Returns -ln of the probability of the differences d [n], up to a constant; d
+ * is overwritten. */
 double covariance_level(
     const struct covariance *covariance, const double *factor, double *d);
 
-/* C^-1 d in place. */
+/* Computes C^-1 d in place. */
 void covariance_solve(
     const struct covariance *covariance, const double *factor, double *d);
 

@@ -1,5 +1,5 @@
-/* The discrepancy, what a model leaves out, as a Gaussian process, and the
- * errors of a sample.
+/* The discrepancy, the part of the truth that a model leaves out, as a Gaussian
+ * process, and the errors of a sample.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
 #define TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
@@ -36,8 +36,8 @@ enum hyper {
 	HYPERS
 };
 
-/* A hyperparameter and its prior: its logarithm is normal about that of the
- * median, spread is its standard deviation.  Sizes are passings, 0..1. */
+/* A hyperparameter and its prior: its logarithm is normal about the logarithm
+ * of median, with the standard deviation spread.  Sizes are passings, 0..1. */
 struct hyper_info {
 	const char *name, *symbol;
 	double median, spread;
@@ -45,10 +45,10 @@ struct hyper_info {
 };
 extern const struct hyper_info HYPER[HYPERS];
 
-/* t of a tip speed; middle: ln of the mean energy. */
+/* Returns t of a tip speed, m/s; middle: ln of the mean energy, J/kg. */
 double discrepancy_time(double v, double middle);
 
-/* The factors of f_0, f_1 and f_2 at t. */
+/* Computes the factors of f_0, f_1 and f_2 at t. */
 enum { DISCREPANCY_TERMS = 3 };
 void discrepancy_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);
@@ -62,7 +62,7 @@ discrepancy_h(double P)
 	return 2 * sqrt(square > 0 ? square : 0);
 }
 
-/* A passing that is at least `least` and at most 1. */
+/* Returns P limited to at least `least` and at most 1. */
 static inline double
 discrepancy_within(double P, double least)
 {
@@ -72,8 +72,8 @@ discrepancy_within(double P, double least)
 
 /* A model's passing P with the discrepancy over h, delta: A, which solves
  *   A = P + h(m) delta,  m = (P + A) / 2
- * so that a model which lets all pass, or nothing, can be corrected too; at
- * least `least`, that of the feed or of the next finer size, and at most 1. */
+ * so that a model passing of 0 or 1 can be corrected too; at least `least`, the
+ * passing of the feed or of the next finer size, and at most 1. */
 static inline double
 discrepancy_answer(double P, double delta, double least)
 {
@@ -82,11 +82,11 @@ discrepancy_answer(double P, double delta, double least)
 	return discrepancy_within(P + more / (1 + square), least);
 }
 
-/* -ln of the prior of the hyperparameters' logarithms, up to a constant.
- * noise: known sigma_i, or 0. */
+/* Returns -ln of the prior of the hyperparameters' logarithms, up to a
+ * constant.  noise: known sigma_i, or 0. */
 double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
 
-/* rho(z, l) of above. */
+/* Returns rho(z, l), see above. */
 static inline double
 discrepancy_rho(double apart, double length)
 {
@@ -95,8 +95,9 @@ discrepancy_rho(double apart, double length)
 }
 
 /* DISCREPANCY_NARROW: length of the narrow part.  DISCREPANCY_ROUNDING: error
- * of a passing by rounding.  The covariance of an f, and of the shared error of
- * a sample, between sizes whose logarithms differ by `apart`. */
+ * of a passing by rounding.  The functions return the covariance of an f, and
+ * of the shared error of a sample, between sizes with logarithms that differ by
+ * `apart`. */
 #define DISCREPANCY_NARROW 0.25
 #define DISCREPANCY_ROUNDING 0.0005
 
@@ -115,9 +116,10 @@ discrepancy_shared(double apart, const double hyper[static HYPERS])
 	return shared * shared * discrepancy_rho(apart, hyper[HYPER_LENGTH]);
 }
 
-/* discrepancy_pairs: both for n pairs of sizes; f [n] in: the differences of
- * their logarithms; f, error [n] out: the two covariances.  discrepancy_pair:
- * the index of a pair of sizes, ordered by the larger of their numbers. */
+/* discrepancy_pairs: computes both covariances for n pairs of sizes; f [n] in:
+ * the differences of their logarithms; f, error [n] out: the two covariances.
+ * discrepancy_pair: the index of a pair of sizes, ordered by the larger of
+ * their numbers. */
 void discrepancy_pairs(enum isa isa, size_t n,
     const double hyper[static HYPERS], double *f, double *error);
 
@@ -128,46 +130,46 @@ discrepancy_pair(size_t i, size_t j)
 	return more * (more + 1) / 2 + less;
 }
 
-/* The factor U [n * n] of the covariance of n sizes, given their pairs; the
- * diagonal is raised a little, as sizes may lie close together. */
+/* Computes the factor U [n * n] of the covariance of n sizes, given their
+ * pairs; the diagonal is raised a little, as sizes may lie close together. */
 void discrepancy_factor_pairs(
     enum isa isa, const double *pair, size_t n, double *U);
 
-/* Standard normal numbers of a stream from `next` on, z [n] out. */
+/* Draws standard normal numbers of a stream from `next` on, z [n] out. */
 void discrepancy_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z);
 
-/* A passing that was measured: ln of its size, in m, and t and h there. */
+/* A measured passing: ln of its size, in m, and its t and h. */
 struct cell {
 	size_t run;
 	double log_size, t, h;
 };
 
 /* Replaces the upper half of U [n * n], by rows, of a symmetric matrix by its
- * Cholesky factor L' (what stands below is lost), and solves L z = d and L' x =
- * z in place.  Plain loops instead of GSL's, whose last bits depend on its
+ * Cholesky factor L' (the lower half is lost); the others solve L z = d and L'
+ * x = z in place.  Plain loops instead of GSL's, whose last bits depend on its
  * version: one bit changes a whole chain. */
 void discrepancy_cholesky(enum isa isa, double *U, size_t n);
 void discrepancy_forward(enum isa isa, const double *U, size_t n, double *d);
 void discrepancy_backward(const double *U, size_t n, double *z);
 
-/* The upper half of the covariance of the differences between n measured
- * passings and the model, U [n * n], and its factor. */
+/* Compute the upper half of the covariance of the differences between n
+ * measured passings and the model, U [n * n], and its factor. */
 void discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U);
 void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U);
 
-/* -ln of the probability of the differences d [n], up to a constant; d becomes
- * L^-1 d. */
+/* Returns -ln of the probability of the differences d [n], up to a constant; d
+ * becomes L^-1 d. */
 double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
 
 /* ---- For discrepancy.c, compiled for each instruction set ---- */
 
-/* n cells in columns.  size, run: their numbers; term: as discrepancy_terms has
- * them.  log_size: of the sizes; f, error: workspace, a double a size; pair:
- * two workspaces of a double for each pair of sizes; own: the variance of an
- * independent error. */
+/* n cells in columns.  size, run: the numbers of each cell's size and run;
+ * term: as from discrepancy_terms.  log_size: ln of the sizes; f, error:
+ * workspace, a double a size; pair: two workspaces of a double for each pair of
+ * sizes; own: the variance of an independent error. */
 struct cell_columns {
 	size_t n, sizes;
 	int64_t *size, *run;

@@ -9,12 +9,12 @@
 #include "core/model/params.h"
 #include "core/model/strengths.h"
 
-/* Of more runs, POSTERIOR_RUNS inform the draws, evenly from the slowest to the
- * fastest: with 80, chains settled where the discrepancy is large and the
- * parameters are wrong, and bands held 30 %. */
+/* Where there are more runs, POSTERIOR_RUNS of them inform the draws, spread
+ * evenly from the slowest to the fastest: with 80, chains settled where the
+ * discrepancy is large and the parameters are wrong, and bands held 30 %. */
 enum { POSTERIOR_DRAWS = 256, POSTERIOR_RUNS = 40 };
 
-/* strengths: of the rock, where e0_min is its mean's (D16). */
+/* strengths: of the rock; e0_min is then that of its mean (D16). */
 struct posterior_draw {
 	struct params params; /* scaled */
 	struct strengths strengths;
@@ -22,8 +22,8 @@ struct posterior_draw {
 };
 
 /* settings: the model of the draws, which lets the appearance follow the energy
- * where there is such a model (D12).  fit, bounds: the optimum that the chains
- * began at and their bounds, in that model. */
+ * where there is such a model (D12).  fit, bounds: the optimum where the chains
+ * began, and their bounds, in this model. */
 struct posterior {
 	struct model_settings settings;
 	struct params fit;

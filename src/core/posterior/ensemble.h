@@ -1,4 +1,4 @@
-/* The products of a posterior's draws, and the answer that they make.
+/* The products of a posterior's draws, and the answer computed from them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_ENSEMBLE_H
 #define TIPSPEED_CORE_POSTERIOR_ENSEMBLE_H
@@ -16,14 +16,14 @@ struct ensemble *ensemble_new(const struct posterior *posterior,
     const struct psd *feed, const double *size, size_t n);
 void ensemble_free(struct ensemble *e);
 
-/* Sets another machine than the measured one: settings of the posterior's
- * method with another k, in proportion to which the strength of every draw is
- * scaled, and with a bypass. */
+/* Sets another machine than the measured one: settings with the posterior's
+ * method, another k, in proportion to which the strength of every draw is
+ * scaled, and a bypass. */
 void ensemble_machine(struct ensemble *e, struct model_settings settings);
 
 /* The parts of an ensemble: products of the model alone, which differ by their
- * parameters; with the discrepancy, which is the answer; and with the error of
- * one more sample, which is what would be measured. */
+ * parameters; products with the discrepancy, the answer; and products with the
+ * error of one more sample, as a measurement would show them. */
 enum ensemble_part {
 	ENSEMBLE_MODEL,
 	ENSEMBLE_ANSWER,
@@ -31,48 +31,48 @@ enum ensemble_part {
 	ENSEMBLE_PARTS
 };
 
-/* The number of its sizes. */
+/* Returns the number of the ensemble's sizes. */
 size_t ensemble_sizes(const struct ensemble *e);
 
 /* Moves to tip speed v, m/s; costs nothing at the same speed. */
 void ensemble_at(struct ensemble *e, double v);
 
-/* The same without D23 and the bypass, which saves the products of some sixty
- * speeds: for callers that read the model or differences only. */
+/* As ensemble_at, but without D23 and the bypass, which saves the products of
+ * some sixty speeds: for callers that read the model or differences only. */
 void ensemble_draws_at(struct ensemble *e, double v);
 
-/* The products at that speed, [n * POSTERIOR_DRAWS] row by size, borrowed.
- * None is coarser than the feed, but for samples, and each falls with the
- * size. */
+/* Returns the products at the ensemble's speed, [n * POSTERIOR_DRAWS] row by
+ * size, borrowed.  No product is coarser than the feed, except for samples, and
+ * each falls with the size. */
 const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
-/* What the model leaves out in a draw at that speed, over h, at the sizes, [n]
- * out: see discrepancy_answer. */
+/* Computes the discrepancy of a draw at the ensemble's speed, over h, at the
+ * sizes, [n] out: see discrepancy_answer. */
 void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 
-/* Its posterior. */
+/* Returns the ensemble's posterior. */
 const struct posterior *ensemble_posterior(const struct ensemble *e);
 
-/* The middle `level` of a row of products. */
+/* Computes the middle `level` of a row of products. */
 void ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
     double level, double *low, double *high);
 
-/* The mean of the answers, [n] out: the best single one. */
+/* Computes the mean of the answers, [n] out: the best single answer. */
 void ensemble_mean(const struct ensemble *e, double *passing);
 
-/* The middle `level` (0..1) of values [POSTERIOR_DRAWS], whose order changes.
- * NAN counts as the least, and is an end where it is found there. */
+/* Computes the middle `level` (0..1) of values [POSTERIOR_DRAWS] and changes
+ * their order.  NAN counts as the least value, so that an end may be NAN. */
 void ensemble_middle(double *value, double level, double *low, double *high);
 
-/* The same without changing the order of the values, widened to hold the answer
- * unless that is NAN. */
+/* As ensemble_middle, but keeps the order of the values, and widens the range
+ * to hold the answer unless the answer is NAN. */
 void ensemble_range(
     const double *draw, double level, double answer, double range[static 2]);
 
-/* The difference between the two halves of the draws, taken at different times,
- * at speed v: of their means or the ends of their bands, whichever is larger,
- * over the width of the band; root mean square over the sizes at which the band
- * is wider than the rounding of sheets. */
+/* Returns the difference between the two halves of the draws, taken at
+ * different times, at speed v: between their means or the ends of their bands,
+ * whichever is larger, over the width of the band; root mean square over the
+ * sizes at which the band is wider than the rounding of sheets. */
 double ensemble_halves(struct ensemble *e, double v);
 
 #endif

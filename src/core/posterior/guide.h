@@ -8,8 +8,8 @@
 
 #include "core/numeric/rng.h"
 
-/* Mean and covariance of `size` coordinates, about an origin that keeps their
- * digits, over the n generations that it was told of. */
+/* Mean and covariance of `size` coordinates over the n generations added, about
+ * an origin, so that digits are not lost. */
 enum { GUIDE_MOST = 24 };
 struct moments {
 	double mean[GUIDE_MOST], cross[GUIDE_MOST][GUIDE_MOST];
@@ -21,12 +21,13 @@ struct guide {
 };
 void guide_begin(struct guide *g, size_t size, const double *origin);
 
-/* Tells it of a generation: x [chains], each [size], which counts as `weight`
- * of one.  keep: how much those before go on to count. */
+/* Adds a generation: x [chains], each [size], which counts as `weight`
+ * generations.  keep: the factor by which earlier generations still count. */
 void guide_add(struct guide *g, const double *const *x, size_t chains,
     double weight, double keep);
 
-/* Adds what another knows, of the same origin, as so many generations. */
+/* Adds the moments of another guide with the same origin, which count as
+ * `generations` generations. */
 void guide_blend(
     struct guide *g, const struct guide *other, double generations);
 
@@ -39,14 +40,14 @@ struct guide_part {
 void guide_factor(
     const struct guide *g, const size_t *at, size_t n, struct guide_part *part);
 
-/* In the basis of L coordinates would be independent and standard normal, if
- * all were normal: each of these is drawn anew with probability `share`, from x
- * to y.  Takes 2 n random numbers of the key from `next` on.  Returns ln N(y) -
- * ln N(x), which the acceptance of the move corrects for. */
+/* Moves from x to y.  In the basis of L coordinates would be independent and
+ * standard normal, if all were normal: each of them is drawn anew with
+ * probability `share`.  Uses 2 n random numbers of the key from `next` on.
+ * Returns ln N(y) - ln N(x), which the acceptance of the move corrects for. */
 double guide_move(const struct guide_part *part, double share, const double *x,
     double *y, struct rng_key key, uint32_t next);
 
-/* ln N(x), but for the constant of all coordinates. */
+/* Returns ln N(x), up to the constant of all coordinates. */
 double guide_density(const struct guide_part *part, const double *x);
 
 #endif

@@ -19,9 +19,9 @@ enum identify_grade {
 /* A parameter's draws.  prior: standard deviation of its prior, uniform within
  * the bounds (of a parameter in the gauge from -1 to 1, as it is reported), or
  * the normal one of its table.  ratio: sd over prior; of a parameter in the
- * gauge that of their direction, the same for all: the sine of the angle to
- * the mean direction (RMS) over what it is of directions at random.  bound: -1
- * or 1 where at least a fifth of the draws lie within the fiftieth of the range
+ * gauge the ratio of their direction, equal for all: the sine of the angle to
+ * the mean direction (RMS) over its value for random directions.  bound: -1 or
+ * 1 where at least a fifth of the draws lie within the fiftieth of the range
  * next to the lower or upper bound, else 0. */
 struct identify_param {
 	double mean, sd, prior, ratio;
@@ -29,18 +29,18 @@ struct identify_param {
 	int bound;
 };
 
-/* Of the parameter j of the posterior's model. */
+/* Returns the summary of parameter j of the posterior's model. */
 struct identify_param identify_param(const struct posterior *p, size_t j);
 
-/* Correlations of two parameters' draws, as they are (Pearson) and of their
- * ranks (Spearman); NAN where one never changes. */
+/* Correlations of two parameters' draws, of their values (Pearson) and of their
+ * ranks (Spearman); NAN where one of them never changes. */
 struct identify_pair {
 	double linear, rank;
 };
 struct identify_pair identify_pair(
     const struct posterior *p, size_t i, size_t j);
 
-/* The larger of the two by its absolute value, with its sign. */
+/* Returns the larger correlation by absolute value, with its sign. */
 double identify_strongest(struct identify_pair pair);
 
 /* The break size at a tip speed v: mean and standard deviation of the draws in

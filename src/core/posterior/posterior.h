@@ -11,8 +11,8 @@
 #include "core/numeric/isa.h"
 #include "core/psd/site.h"
 
-/* use [n_run]: the runs that inform it, of which one has a product; settings,
- * bounds: of the fit.  stop: or NULL. */
+/* use [n_run]: the runs that inform the posterior; at least one has a product.
+ * settings, bounds: of the fit.  stop: may be NULL. */
 struct posterior_options {
 	const bool *use;
 	struct model_settings settings;
@@ -25,14 +25,15 @@ struct posterior_options {
 };
 
 /* p: the fit.  Feeds are smooth between their sieves (D18).  The same seed
- * gives the same bits with any number of threads and any instruction set.  NULL
- * where stop returned true meanwhile; posterior_free. */
+ * gives the same bits with any number of threads and any instruction set.
+ * Returns NULL where stop returned true meanwhile; posterior_free. */
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
 
-/* The same in steps of less than a millisecond, with many runs of some ten,
- * without `stop`; posterior_step is true after the last.  posterior_end frees
- * it at any time, and returns NULL before the last. */
+/* As posterior_new, but in steps of less than a millisecond (with many runs, of
+ * some ten), without `stop`; posterior_step returns true after the last step.
+ * posterior_end frees the run at any time, and returns the posterior, or NULL
+ * before the last step. */
 struct posterior_run;
 struct posterior_run *posterior_begin(const struct site *site,
     const struct params *p, const struct posterior_options *options);

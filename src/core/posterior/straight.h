@@ -14,13 +14,13 @@
  *   min(1, 5 missed),  missed^2 = sum (change of the correction)^2 /
  *       sum (change of the answer)^2
  * over the sieves and from each measured speed to the next, by the means of the
- * draws.  A model that has to be corrected in what the speed does at the
- * measured speeds is not to be relied on for what it does between them.  At the
- * measured speeds and beyond them nothing changes; what rises with the speed
- * still does. */
+ * draws.  A model with an effect of the speed that must be corrected at the
+ * measured speeds is not reliable between them.  At the measured speeds and
+ * beyond them nothing changes; anything that rises with the speed still
+ * rises. */
 
-/* The largest weight, of a feed at sieves [n], coarsest first; 0 of fewer than
- * two speeds. */
+/* Returns the largest weight, for a feed at sieves [n], coarsest first; 0 with
+ * fewer than two speeds. */
 double straight_most(const struct posterior *p, const struct psd *feed,
     const double *sieve, size_t n);
 

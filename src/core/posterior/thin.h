@@ -18,12 +18,13 @@ void thin_free(struct thin *t);
  * fastest of site_reach, at sieves of the site. */
 void thin_add(struct thin *t, const struct posterior *batch);
 
-/* Indices of the draws kept, counted from the first batch on, half of them from
- * the first half of the batches.  They have the mean answers of all draws, and
- * as many answers on either side of the ends of the usual band. */
+/* Chooses the draws to keep: their indices out, counted from the first batch
+ * on, half of them from the first half of the batches.  They have the mean
+ * answers of all draws, and at each end of the usual band the same share of
+ * answers on either side as all draws. */
 void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
-/* Sets what the straight line counts in the draws left (straight.h), of the
+/* Sets the weight of the straight line (straight.h) in the draws kept, for the
  * same feed and sieves. */
 void thin_look(const struct thin *t, struct posterior *p);
 

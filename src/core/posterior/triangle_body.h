@@ -11,9 +11,9 @@
 /* TAKEN columns are worked on at a time, counted from the last. */
 enum { TAKEN = 8, VECTORS = TAKEN / LANES };
 
-/* TAKEN numbers of `to`, less p times those of each of the rows, in the order
- * of these.  row: of the first of them, n to each; p: of the first, step to the
- * next. */
+/* Subtracts from TAKEN numbers of `to` p times the numbers of each row, in the
+ * order of the rows.  row: the first row, n numbers to the next; p: the factor
+ * of the first row, step numbers to the next. */
 static inline void
 take_rows(double *to, const double *row, const double *p, size_t step, size_t n,
     size_t rows)
@@ -28,7 +28,7 @@ take_rows(double *to, const double *row, const double *p, size_t step, size_t n,
 	memcpy(to, sum, sizeof sum);
 }
 
-/* Row i less what the rows above it take. */
+/* Subtracts from row i the contributions of the rows above it. */
 static inline void
 take_above(double *U, size_t n, size_t i)
 {
@@ -70,8 +70,8 @@ forward(const double *U, size_t n, double *d)
 	}
 }
 
-/* Cell i with those from it on; of_f, of_error: covariances of its size with
- * the others. */
+/* Computes the covariances of cell i with the cells from i on; of_f, of_error:
+ * covariances of its size with the others. */
 static inline void
 covariance_row(const struct cell_columns *c, size_t i,
     const double *restrict of_f, const double *restrict of_error,
@@ -106,8 +106,8 @@ pairs(size_t n, const double hyper[static HYPERS], double *restrict f,
 	}
 }
 
-/* Runs have the same sieves, mostly: the exponentials are of pairs of sizes,
- * and not of pairs of cells. */
+/* Most runs have the same sieves: the exponentials are computed for pairs of
+ * sizes, not for pairs of cells. */
 static void
 covariance(
     const struct cell_columns *c, const double hyper[static HYPERS], double *U)

@@ -1,5 +1,5 @@
-/* Feeds mixed by mass, and the mean of several, which a question has where none
- * is named.
+/* Feeds mixed by mass, and the mean of several feeds, which a question uses
+ * where it names no feed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PSD_BLEND_H
 #define TIPSPEED_CORE_PSD_BLEND_H
@@ -8,23 +8,24 @@
 
 #include "core/psd/psd.h"
 
-/* The blend of feeds [n], each passing 1 on its coarsest sieve, in parts by
- * mass > 0 of any sum.  Its sieves are those of all feeds, coarsest first, as
- * far down as every feed is known: that of the coarsest finest sieve, unless a
- * feed passes nothing there.  Between its sieves a feed is straight on log
- * size.  psd_free. */
+/* Returns the blend of feeds [n], each passing 1 on its coarsest sieve, in
+ * parts by mass > 0 of any sum.  Its sieves are the sieves of all feeds,
+ * coarsest first, as far down as every feed is known: to the coarsest of the
+ * finest sieves, unless a feed passes nothing there.  Between its sieves a feed
+ * is straight on log size.  psd_free. */
 struct psd blend_new(
     const struct psd *const *feed, const double *part, size_t n);
 
-/* The mean of feeds [n], each passing 1 at its coarsest sieve, of which those
- * that are the same count once (D19).  Its sieves are those of all of them; a
- * feed is read straight on log size between its own, and below its finest as
- * the others fall there on average, so that a short sheet does not cut the
- * fines of all.  psd_free. */
+/* Returns the mean of feeds [n], each passing 1 at its coarsest sieve; equal
+ * feeds count once (D19).  Its sieves are the sieves of all feeds.  A feed is
+ * read straight on log size between its own sieves, and below its finest it
+ * falls as the others do there on average, so that a short sheet does not cut
+ * the fines of all.  psd_free. */
 struct psd blend_mean(const struct psd *const *feed, size_t n);
 
-/* The largest difference in passing, 0..1, between any two of the feeds at a
- * sieve that both know, and that sieve, m; 0 where there are none. */
+/* Returns the largest difference in passing, 0..1, between any two of the feeds
+ * at a sieve at which both are known; sieve: that sieve, m, out.  0 where there
+ * are none. */
 double blend_spread(const struct psd *const *feed, size_t n, double *sieve);
 
 #endif

@@ -19,18 +19,19 @@ struct psd {
 	double *passing;
 };
 
-/* n sieves, all zero.  psd_free takes the arrays, not the struct. */
+/* psd_new: returns n sieves, all zero.  psd_free frees the arrays, not the
+ * struct. */
 struct psd psd_new(size_t n);
 struct psd psd_copy(const struct psd *psd);
 void psd_free(struct psd *psd);
 
-/* Passing at size x (m), straight on log size; the end values outside the
- * sieves.  Asserts n >= 1 and x > 0. */
+/* Returns the passing at size x (m), straight on log size; the end values
+ * outside the sieves.  Asserts n >= 1 and x > 0. */
 double psd_passing(const struct psd *psd, double x);
 
-/* The same curve with further points at about every half octave between sieves
- * that lie wider apart, on Steffen's monotone cubic in log size: curves of
- * plants have no corners (D18). */
+/* Returns the curve with further points at about every half octave between
+ * sieves that lie wider apart, on Steffen's monotone cubic in log size: curves
+ * of plants have no corners (D18). */
 struct psd psd_curve(const struct psd *psd);
 
 /* Sizes [n], m, coarsest first, and further ones between neighbours more than a
@@ -38,35 +39,35 @@ struct psd psd_curve(const struct psd *psd);
  * break sizes and corners of a product; passings 0.  psd_free. */
 struct psd psd_refined(const double *size, size_t n);
 
-/* Whether both are the same to the last bit and not empty. */
+/* True if both are the same to the last bit and not empty. */
 bool psd_same(const struct psd *a, const struct psd *b);
 
-/* The passing measured at x, NAN where x is none of the sieves. */
+/* Returns the passing measured at x; NAN where x is not a sieve. */
 double psd_at_sieve(const struct psd *psd, double x);
 
-/* The size (m) that the given fraction passes, straight on log size: P80 is
- * psd_size(psd, 0.8).  NAN where it lies outside the sieves. */
+/* Returns the size (m) that the given fraction passes, straight on log size:
+ * P80 is psd_size(psd, 0.8).  NAN where the size lies outside the sieves. */
 double psd_size(const struct psd *psd, double passing);
 
 /* The sizes that summarise a product, P20, P50 and P80, as passings. */
 enum { PSD_SIZES = 3 };
 extern const double PSD_PASSING[PSD_SIZES];
 
-/* The sieve above the widest gap: the next finer one is finer by a factor of
- * more than 2.5, and more than 5 points of passing lie between.  n where there
- * is no such gap. */
+/* Returns the sieve above the widest gap: the next sieve is finer by a factor
+ * of more than 2.5, and more than 5 points of passing lie between them.  n
+ * where there is no such gap. */
 size_t psd_gap(const struct psd *psd);
 
-/* True when passing at x is known: x within the sieves or above them, or below
- * a finest sieve that passes nothing. */
+/* True if the passing at x is known: x is within the sieves or above them, or
+ * below a finest sieve that passes nothing. */
 bool psd_covers(const struct psd *psd, double x);
 
-/* Sorts sizes, or their logarithms, coarsest first, and drops each that lies no
- * more than `apart` below another.  Returns how many are left. */
+/* Sorts sizes, or their logarithms, coarsest first, and drops every size that
+ * lies no more than `apart` below another.  Returns how many are left. */
 size_t psd_sort(double *x, size_t n, double apart);
 
-/* Root mean square and largest difference of passing, 0..1, between two
- * curves at the n sizes given; worst: index of the largest, may be NULL. */
+/* Returns the root mean square difference of passing, 0..1, between two curves
+ * at n sizes; worst: index of the largest difference, out, may be NULL. */
 double psd_rms(const double *a, const double *b, size_t n, size_t *worst);
 
 #endif

@@ -9,8 +9,8 @@
 #include "core/psd/screening.h"
 
 /* A fineness modulus: the sum of the shares retained on the sieves of a
- * standard, which say how coarse a sand is.  size [n] mm, coarsest first.
- * sand: only what passes the coarsest of them counts,
+ * standard, a measure of the coarseness of a sand.  size [n] mm, coarsest
+ * first.  sand: only material that passes the coarsest of them counts,
  *   (A2 + .. + A6 - 5 A1) / (1 - A1)
  * A the cumulative shares retained, as in GB/T 14684. */
 enum { MODULUS_SIEVES = 10, MODULI = 5 };
@@ -32,7 +32,7 @@ enum quantity_kind {
 	QUANTITY_STEP /* the largest share between two neighbours of `sieve` */
 };
 
-/* Of the product, or of a screened fraction of it (screening.h). */
+/* A quantity of the product, or of a screened fraction of it (screening.h). */
 struct quantity {
 	enum quantity_kind kind;
 	double x;
@@ -45,26 +45,26 @@ struct quantity {
 	char letter;
 };
 
-/* Whether two are the same quantity. */
+/* True if both are the same quantity. */
 bool quantity_same(const struct quantity *a, const struct quantity *b);
 
-/* The value read off a curve, which is that of the fraction; share: of the
+/* Returns the value read off a curve, the curve of the fraction; share: of the
  * product that is in the fraction.  NAN where the curve does not reach so
  * far. */
 double quantity_read(
     const struct quantity *q, const struct psd *curve, double share);
 
-/* The distance of a value read off that curve above a limit, as a passing 0..1,
- * so that all limits compare.  For a passing, share or step it is the
- * difference; for D and P the missing passing at the size of the limit; for Cu
- * and Cc the same at the size that the limit gives with the other sizes; for a
- * modulus the difference divided by its number of sieves.  Positive exactly
- * where the value is above the limit; NAN where the curve does not reach so
- * far. */
+/* Returns the distance of a value, read off the fraction's curve, above a
+ * limit, as a passing 0..1, so that all limits compare.  For a passing, share
+ * or step it is the difference; for D and P the missing passing at the size of
+ * the limit; for Cu and Cc the missing passing at the size that the limit gives
+ * with the other sizes; for a modulus the difference divided by its number of
+ * sieves.  Positive exactly where the value is above the limit; NAN where the
+ * curve does not reach so far. */
 double quantity_over(const struct quantity *q, double limit, double value,
     const struct psd *curve);
 
-/* The sizes, m, at which the curve should have points, so that the value is
+/* Lists the sizes, m, at which the curve should have points for the value to be
  * exact: [QUANTITY_POINTS] out, with the first STEP_SIEVES of a step's sieves.
  * Returns how many. */
 enum { STEP_SIEVES = 20, QUANTITY_POINTS = STEP_SIEVES + 2 };

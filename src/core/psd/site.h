@@ -9,11 +9,11 @@
 
 #include "core/psd/psd.h"
 
-/* Instead of the speed of a run: its feed is that of another sheet, about which
+/* Instead of the speed of a run: its feed comes from another sheet, about which
  * a question is asked.  It is the last run of a copy (site_with_feed). */
 #define SITE_OTHER_FEED (-1.0)
 
-/* Instead of the index of the run whose feed is taken: the mean of those
+/* Instead of the index of a run whose feed is used: the mean of the feeds
  * sampled (D19). */
 #define SITE_MEAN_FEED SIZE_MAX
 
@@ -77,59 +77,60 @@ void site_free(struct site *site);
 /* A deep copy. */
 struct site *site_copy(const struct site *site);
 
-/* A copy with another feed as its last run, which has no product; from: where
- * the feed is from, of: the provenance in its sheet.  The digest stays. */
+/* Returns a copy with another feed as its last run, which has no product; from:
+ * where the feed comes from; of: the provenance in its sheet.  The digest
+ * stays. */
 struct site *site_with_feed(const struct site *site, const struct psd *feed,
     const char *from, const char *of);
 
-/* A copy with the products of cuts as further runs, behind those at their
- * speed.  Each has its own feed, where it has one, else that of the site's run
- * at the nearest speed; a run that had a feed only is completed.
- * from [runs of both]: out, for each run of the copy its place in the site, or
- * SIZE_MAX. */
+/* Returns a copy with the products of cuts as further runs, after the site's
+ * runs at their speed.  Each run keeps its own feed, if it has one; else it
+ * gets the feed of the site's run at the nearest speed.  A run with only a feed
+ * is completed.  from [runs of both]: out, for each run of the copy its index
+ * in the site, or SIZE_MAX. */
 struct site *site_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
 
-/* Digest of everything a calibration depends on. */
+/* Returns the digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
 
 /* Computes what follows from the runs, digest and mean feed; to be called after
  * runs were made or changed. */
 void site_settle(struct site *site);
 
-/* The feed of a run, or for SITE_MEAN_FEED the one that a question has where it
- * names none: the mean of the distinct feeds that were sampled (blend_mean),
- * or that of another sheet, where the site is a copy with one. */
+/* Returns the feed of a run, or for SITE_MEAN_FEED the feed of a question that
+ * names none: the mean of the distinct feeds that were sampled (blend_mean), or
+ * the feed of another sheet, where the site is a copy with such a feed. */
 const struct psd *site_feed(const struct site *site, size_t run);
 
-/* The largest difference in passing, 0..1, between two of its feeds, and the
- * sieve, m; 0 where there is one feed. */
+/* Returns the largest difference in passing, 0..1, between two of the site's
+ * feeds; sieve: its sieve, m, out.  0 where there is one feed. */
 double site_feeds_differ(const struct site *site, double *sieve);
 
-/* The sieves of all feeds and products, m, coarsest first, each once: [*n],
- * which the caller frees. */
+/* Returns the sieves of all feeds and products, m, coarsest first, each once:
+ * [*n]; the caller frees. */
 double *site_sieves(const struct site *site, size_t *n);
 
-/* One more note at the end of a list of n. */
+/* Adds a note at the end of a list of n. */
 void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
-/* How many runs have a product. */
+/* Returns how many runs have a product. */
 size_t site_products(const struct site *site);
 
-/* Index of the run at the given speed (to 0.001 m/s), the first of repeats, or
- * n_run if none. */
+/* Returns the index of the run at the given speed (to 0.001 m/s), the first of
+ * repeats, or n_run if there is none. */
 size_t site_run_at(const struct site *site, double speed);
 
-/* Whether the run repeats the speed of the one before it. */
+/* True if the run repeats the speed of the run before it. */
 bool site_run_repeats(const struct site *site, size_t run);
 
-/* The run whose speed is nearest; the slower of two equally near, the first of
- * repeats. */
+/* Returns the run with the nearest speed; the slower of two equally near, the
+ * first of repeats. */
 size_t site_run_nearest(const struct site *site, double speed);
 
-/* Whether the run has a product and its speed is one of the `most` nearest that
- * have one: repeats stand together. */
+/* True if the run has a product and its speed is one of the `most` nearest
+ * speeds with a product: repeats count as one speed. */
 bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
@@ -137,36 +138,38 @@ bool site_run_is_near(
  * particles shot at a plate reach it. */
 enum { SITE_FASTEST = 400 };
 
-/* The default range of speeds, m/s: 65 to 85, which are usual, widened by whole
- * m/s to cover the runs.  Where all runs are below half or above twice such
- * speeds the machine is another, and the range is that of the runs, widened at
- * both ends by half its length, and by a quarter of the slowest at least.
- * site: or NULL. */
+/* Computes the default range of speeds, m/s: 65 to 85, which are usual, widened
+ * by whole m/s to cover the runs.  Where all runs are below half or above twice
+ * such speeds the machine is another, and the range is that of the runs,
+ * widened at both ends by half its length, and by a quarter of the slowest at
+ * least.  site: or NULL. */
 void site_reach(const struct site *site, double *from, double *to);
 
-/* The middle of the speeds measured, m/s; 74 where there is a feed only. */
+/* Returns the middle of the speeds measured, m/s; 74 where there is only a
+ * feed. */
 double site_middle(const struct site *site);
 
-/* What data of that provenance are: "reconstructed", "synthetic", "made up" or
- * "simulated", as it begins; "not stated" where it says that or is empty;
- * anything else counts as "measured". */
+/* Returns the kind of data with that provenance: "reconstructed", "synthetic",
+ * "made up" or "simulated", as it begins; "not stated" where it says that or is
+ * empty; any other provenance counts as "measured". */
 const char *site_data_kind(const char *provenance);
 
 /* The key of the header line with the size, mm, that all of the feed was
  * assumed to pass, as its coarsest sieve did not show it. */
 #define SITE_ASSUMED_TOP "assumed_top_mm"
 
-/* That size, mm; 0: nothing was assumed. */
+/* Returns the size of SITE_ASSUMED_TOP, mm; 0: nothing was assumed. */
 double site_assumed_top(const struct site *site);
 
-/* Whether the data were never measured at a plant, by their provenance. */
+/* True if, by their provenance, the data were never measured at a plant. */
 bool site_data_made_up(const char *provenance);
 
-/* The first clause of the provenance, which the caller frees; or a copy of
- * `none` where the sheet does not state it. */
+/* Returns the first clause of the provenance, or a copy of `none` where the
+ * sheet does not state it; the caller frees. */
 char *site_source(const struct site *site, const char *none);
 
-/* Adds that clause to a list "a; b" of several sites', each once. */
+/* Adds the site's first clause to a list "a; b" of several sites' clauses, each
+ * once. */
 void site_add_source(char **list, const struct site *site);
 
 #endif

@@ -42,7 +42,7 @@ struct plan_run {
 	struct plan_view *view; /* [parent][daughter] */
 };
 
-/* A sieve at which some run has a product, with the classes above it. */
+/* A sieve of some run's product, with the classes above it. */
 struct plan_sieve {
 	double log_size;        /* m */
 	size_t n_above;         /* classes 0..n_above-1 are coarser */

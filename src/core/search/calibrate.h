@@ -44,7 +44,7 @@ struct calibrate_options calibrate_options_default(void);
 struct misfit *calibrate_misfit(
     const struct site *site, const struct calibrate_options *options);
 
-/* Going on, or why it ended. */
+/* The stage of a search, or the reason why it ended. */
 enum calibrate_state {
 	CALIBRATE_SEARCHING,
 	CALIBRATE_POLISHING,
@@ -75,15 +75,15 @@ enum calibrate_state calibration_step(struct calibration *c);
 /* Continues within other bounds, from the present population (ga_set_box).
  * Starts kept for the polish are moved to the bounds, and a polish under way
  * begins again.  Generations and history go on, the stop rules begin again.
- * Only before the end (asserted).  What is found then depends on when: the
- * fit's `edits` says so. */
+ * Only before the end (asserted).  The result then depends on the time of the
+ * change: the fit's `edits` counts the changes. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
-/* The sum of the squared weights of the passings compared: a misfit over it is
- * a mean square of differences. */
+/* Returns the sum of the squared weights of the passings compared: a misfit
+ * over this sum is a mean square of differences. */
 double calibration_weight(const struct calibration *c);
 
-/* The bounds of the search, a reference energy (D12) in its place. */
+/* Returns the bounds of the search, with the reference energy (D12) set. */
 const struct bounds *calibration_bounds(const struct calibration *c);
 
 struct calibrate_status {
@@ -113,7 +113,7 @@ struct calibrate_generation {
 	float kept[PARAMS_MOST][CALIBRATE_KEPT];
 };
 
-/* All generations so far, [*n]; borrowed until the next step. */
+/* Returns all generations so far, [*n]; borrowed until the next step. */
 const struct calibrate_generation *calibration_history(
     const struct calibration *c, size_t *n);
 
@@ -140,7 +140,7 @@ struct fit {
 	struct model_settings settings;
 };
 
-/* The result so far, at any time after the first step. */
+/* Returns the result so far, at any time after the first step. */
 struct fit calibration_fit(struct calibration *c);
 
 #endif

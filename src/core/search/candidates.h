@@ -23,22 +23,22 @@ struct candidates {
 	double speed, break_size[3];
 };
 
-/* Computes them from the candidates that a generation kept, when they are asked
- * for and not during the search. settings, train [n_run]: of the search; best:
- * on the accurate product, the others on the search's scheme.  The caller frees
+/* Computes the residuals from the candidates that a generation kept, on request
+ * and not during the search.  settings, train [n_run]: of the search; best: on
+ * the accurate product, the others on the search's scheme.  The caller frees
  * with candidates_clear. */
 struct candidates candidates_of(const struct site *site, const bool *train,
     struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);
 
-/* The cell with the largest median residual, in either direction; there is at
- * least one. */
+/* Returns the cell with the largest median residual, in either direction; there
+ * is at least one cell. */
 const struct candidates_cell *candidates_worst(const struct candidates *c);
 
 /* The lowest and highest value of a parameter among the middle 80 % of the
- * candidates, as it is reported: one of the gauge over the largest of its
- * candidate (D4). */
+ * candidates, as it is reported: a parameter of the gauge is divided by the
+ * largest of its candidate (D4). */
 void candidates_spread(const struct calibrate_generation *generation, size_t j,
     double *p10, double *p90);
 

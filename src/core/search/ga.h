@@ -42,20 +42,21 @@ void ga_free(struct ga *ga);
  * bytes and readable up to the next multiple of 64.  Borrowed until ga_tell. */
 const double *const *ga_ask(struct ga *ga);
 
-/* The same with only candidates from..to-1 guaranteed, for several threads that
- * each evaluate their own parts.  from: a multiple of GA_PART; to: at most the
- * population. */
+/* As ga_ask, but guarantees only the candidates from..to-1, for several threads
+ * that each evaluate their own parts.  from: a multiple of GA_PART; to: at most
+ * the population. */
 enum { GA_PART = 8 };
 const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
 
-/* Takes the misfits of this generation's candidates, all of which were asked
- * for: lower is better, INFINITY for a candidate without one. */
+/* Receives the misfits of this generation's candidates, all of which were asked
+ * for: lower is better, INFINITY for a candidate without a misfit. */
 void ga_tell(struct ga *ga, const double *misfit);
 
 /* Changes the box from the next generation on; its candidates are moved to the
- * limits.  Where the best ever told lies outside, it is moved too, and its
- * misfit is INFINITY until the next ga_tell.  Drawing half of them again where
- * the box has grown was tried: none came near the best. */
+ * limits.  Where the best candidate ever told lies outside, it is moved too,
+ * and its misfit is INFINITY until the next ga_tell.  Drawing half of the
+ * candidates again where the box has grown was tried: none came near the
+ * best. */
 void ga_set_box(struct ga *ga, const double *lower, const double *upper);
 
 /* State after the last ga_tell, by value.  worst and median count infinite

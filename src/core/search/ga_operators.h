@@ -18,9 +18,9 @@ struct breed_keys {
 	struct rng_key gene[BREED_GENES];
 };
 
-/* told, asked: one array a gene.  parent: winners of tournaments, drawn by the
- * top bits of a random number, shifted down by draw_shift.  scale [n_gene]:
- * unit of a mutation. */
+/* told, asked: one array for each gene.  parent: winners of tournaments, drawn
+ * by the top bits of a random number, shifted down by draw_shift.  scale
+ * [n_gene]: unit of a mutation. */
 struct breed {
 	size_t n_gene;
 	const double *const *told;

@@ -33,8 +33,8 @@ choose(const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
 		index[l] = b->parent[draw[l]];
 }
 
-/* One number makes two: whether to mutate, and by how much, of about unit size;
- * most steps are small, a few reach far. */
+/* Uses one random number for two decisions: whether to mutate, and by how much,
+ * of about unit size; most steps are small, a few reach far. */
 static inline lanes
 mutation_step(const struct breed *b, lanes u)
 {
@@ -44,7 +44,7 @@ mutation_step(const struct breed *b, lanes u)
 	return (lanes)((u < b->mutation) & (lanes_mask)step);
 }
 
-/* The same for any place in the box. */
+/* As mutation_step, but to any place in the box. */
 static inline lanes
 mutate_anywhere(const struct breed *b, size_t g, lanes child, lanes u)
 {
@@ -53,7 +53,7 @@ mutate_anywhere(const struct breed *b, size_t g, lanes child, lanes u)
 	return lanes_select(u < b->mutation, place, child);
 }
 
-/* A value outside the box goes to a place between the parent and the bound. */
+/* Moves a value outside the box to a place between the parent and the bound. */
 static inline lanes
 into_box(const struct breed *b, size_t g, lanes x, lanes parent, lanes u)
 {

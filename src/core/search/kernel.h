@@ -27,7 +27,7 @@
  * number of threads or the instruction set (no fused multiply-add, own exp). */
 struct kernel;
 
-/* The misfit is read here and not kept.  threads: how many will evaluate at
+/* m is read here and not kept.  threads: how many threads will evaluate at
  * once. */
 struct kernel *kernel_new(
     const struct misfit *m, enum isa isa, unsigned threads);
@@ -44,7 +44,7 @@ void kernel_evaluate_part(const struct kernel *kernel,
     const double *const *theta, size_t from, size_t to, unsigned thread,
     const struct kernel_out *out);
 
-/* Another speed, m/s, for a misfit of one run. */
+/* Sets another speed, m/s, for a misfit of one run. */
 void kernel_set_speed(struct kernel *kernel, double v);
 
 #endif

@@ -10,7 +10,7 @@
 #include "core/search/lanes.h"
 #include "core/search/batch_plan.h"
 
-/* Into each of the models the whole kernel is compiled again. */
+/* The whole kernel is compiled again for each model. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* A block's parameters and what follows from them.  own: the appearance's, as
@@ -49,12 +49,12 @@ struct lane_model {
 	    double u, double log_u, double log_y);
 };
 
-/* Where f (x^alpha E - e0) is more in the whole of a class, all of it breaks:
+/* Where f (x^alpha E - e0) is larger in the whole of a class, all of it breaks:
  * the rest is below 2e-4 and falls by the next class. */
 static const double FULL = 9;
 
-/* The exponent rises by alpha (f e0 + itself) in ln x.  Where that is less at
- * x*, two Gauss points a class are as good as three. */
+/* The exponent rises by alpha (f e0 + itself) in ln x.  Where this slope is
+ * less at x*, two Gauss points a class are as good as three. */
 static const double SMOOTH = 6;
 
 /* Gauss-Legendre on an interval, seen from its upper end. */
@@ -123,7 +123,7 @@ struct room {
 	size_t n_active;     /* and those of which any lane breaks some */
 };
 
-/* The nodes of every run, or of all at once. */
+/* Fills the nodes of every run, or one table for all runs. */
 INLINE void
 tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
     const struct room *room)
@@ -135,7 +135,7 @@ tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
 		b->over_total *= b->kept;
 }
 
-/* x^alpha at ln x = t. */
+/* Returns x^alpha at ln x = t. */
 static inline lanes
 power_at(const struct block *b, lanes t)
 {
@@ -156,7 +156,8 @@ impacts_selection(const struct block *b, lanes at)
 	return 1 - lanes_exp_quick(of->number * lanes_log(kept));
 }
 
-/* S of Eq 3 from x^alpha, by an exp; selection.h has it for one. */
+/* Returns S of Eq 3 from x^alpha, by an exp; selection.h computes it for one
+ * candidate. */
 static inline lanes
 lanes_selection(
     const struct block *b, double E, lanes power, lanes exp_of(lanes x))
@@ -177,8 +178,8 @@ add_gauss(struct share *sum, const struct block *b, double E, lanes power,
 	sum->moment += weight * distance * S;
 }
 
-/* Of a class that breaks from its lower edge on; power has x^alpha at the
- * points of g. */
+/* Returns the share of a class that breaks from its lower edge on; power
+ * contains x^alpha at the points of g. */
 static inline struct share
 whole_share(const struct block *b, const struct plan *plan, size_t c,
     const struct plan_run *run, const struct gauss *g, const lanes *power)
@@ -194,7 +195,8 @@ whole_share(const struct block *b, const struct plan *plan, size_t c,
 	return (struct share){scale * sum.mass, scale * sum.moment};
 }
 
-/* Of one that some lanes break from x* on; the same bits for the others. */
+/* Returns the share of a class that some lanes break from x* on; the other
+ * lanes get the same bits as from whole_share. */
 static inline struct share
 split_share(const struct block *b, const struct plan *plan, size_t c,
     const struct plan_run *run, const struct gauss *g, lanes from)
@@ -213,8 +215,8 @@ split_share(const struct block *b, const struct plan *plan, size_t c,
 	return (struct share){scale * sum.mass, scale * sum.moment};
 }
 
-/* Shares of class c in every run.  any: some lane breaks some of it; all: every
- * lane breaks all of it, in every run. */
+/* Computes the shares of class c in every run.  any: some lane breaks some of
+ * it; all: every lane breaks all of it, in every run. */
 static inline void
 one_class(const struct block *b, const struct plan *plan, size_t c,
     const struct gauss *g, const struct room *room, bool *any, bool *all)
@@ -255,7 +257,7 @@ one_class(const struct block *b, const struct plan *plan, size_t c,
 	}
 }
 
-/* Shares of all classes and runs. */
+/* Computes the shares of all classes and runs. */
 static inline void
 shares(const struct block *b, const struct plan *plan, const struct gauss *g,
     struct room *room)
@@ -280,8 +282,8 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	room->n_active = c;
 }
 
-/* The rock of two strengths breaks as its two parts do: the shares of the
- * softer one into those of the other. */
+/* Rock of two strengths breaks as its two parts do: mixes the shares of the
+ * softer rock into those of the other. */
 static inline void
 mix_softer(const struct block *b, const struct plan *plan,
     const struct gauss *g, struct room *room)
@@ -304,7 +306,7 @@ mix_softer(const struct block *b, const struct plan *plan,
 	room->n_active = other.n_active;
 }
 
-/* B, not yet divided by the total. */
+/* Returns B, not yet divided by the total. */
 static inline lanes
 view_B(const struct plan_view *v, const struct node *node)
 {
@@ -320,8 +322,8 @@ view_p(const struct plan_view *v, const struct node *node)
 	return v->fine * at[1].p + v->coarse * at[0].p;
 }
 
-/* Mass of a run broken to below a sieve: of the first n classes, which break
- * whole. */
+/* Returns the mass of a run broken to below a sieve, from the first n classes,
+ * which break whole. */
 static inline lanes
 whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
     size_t n, const struct node *node)
@@ -332,8 +334,8 @@ whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
 	return sum;
 }
 
-/* Adds that of the classes from..n-1, for one run or a pair side by side, which
- * looks B and p up but once where these are the same. */
+/* Adds the mass of the classes from..n-1, for one run or a pair side by side; a
+ * pair needs B and p looked up only once where they are the same. */
 INLINE void
 add_split(const struct lane_model *m, const struct plan_sieve *sieve,
     size_t from, size_t n, bool pair, const struct node *const node[static 2],
@@ -356,7 +358,8 @@ add_split(const struct lane_model *m, const struct plan_sieve *sieve,
 	below[1] = second;
 }
 
-/* A weighted difference squared, which is kept where it is asked for. */
+/* Returns a weighted difference squared; stores the difference where it is
+ * asked for. */
 static inline lanes
 square(const struct plan_target *t, const struct block *b, lanes d)
 {
@@ -368,7 +371,8 @@ square(const struct plan_target *t, const struct block *b, lanes d)
 	return d * d;
 }
 
-/* Weighted squares of a sieve's differences, over the runs. */
+/* Returns the weighted squares of a sieve's differences, summed over the
+ * runs. */
 INLINE lanes
 sieve_squares(const struct lane_model *m, const struct plan *plan,
     const struct block *b, size_t s, const struct room *room)
@@ -435,7 +439,7 @@ continuous_block(const struct lane_model *m, const struct plan *plan,
 	return sum;
 }
 
-/* Selection of each class of a run, method `classes`. */
+/* Computes the selection of each class of a run, method `classes`. */
 static inline void
 classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
 {

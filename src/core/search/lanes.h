@@ -46,8 +46,8 @@ lanes_select(lanes_mask mask, lanes a, lanes b)
 	return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
 }
 
-/* The larger; b where a is not a number.  By its instruction, which gcc makes
- * of the plain loop only now and then. */
+/* Returns the larger; b where a is not a number.  Uses the processor's
+ * instruction, which gcc only sometimes makes of the plain loop. */
 static inline lanes
 lanes_max(lanes a, lanes b)
 {
@@ -65,7 +65,7 @@ lanes_max(lanes a, lanes b)
 #endif
 }
 
-/* The smaller, likewise. */
+/* As lanes_max, but returns the smaller. */
 static inline lanes
 lanes_min(lanes a, lanes b)
 {

@@ -39,31 +39,32 @@ struct misfit {
 	bool (*stop)(void); /* or NULL, see misfit_stopped */
 };
 
-/* train [n_run] true for the runs to train on; those without a product are left
- * out.  run_weight [n_run] or NULL: weight of each run's squares, >= 0.
- * by_sd: divide each difference by the sheet's standard deviation where it
- * states one.  The site must outlive the misfit. */
+/* train [n_run]: true for the runs to train on; runs without a product are left
+ * out.  run_weight [n_run] or NULL: weight of each run's squares, >= 0.  by_sd:
+ * divide each difference by the sheet's standard deviation where it states one.
+ * The site must outlive the misfit. */
 struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
 
-/* Keeps no more than `most` sieves of each run, evenly among its own, the
- * coarsest and the finest with them; most >= 2. */
+/* Keeps no more than `most` sieves of each run, evenly spread over its own and
+ * including the coarsest and the finest; most >= 2. */
 void misfit_thin(struct misfit *m, size_t most);
 
-/* How many of the n_residual passings crushing can change: where all of the
- * feed passes, all of any product does, whatever the parameters. */
+/* Returns how many of the n_residual passings crushing can change: where all of
+ * the feed passes, all of any product passes, whatever the parameters. */
 size_t misfit_cells(const struct misfit *m);
 
-/* Whether computations on the misfit should end, as the user waits: they then
- * discard what is half done, which may be done again later.  For any thread. */
+/* True if computations on the misfit should end, as the user waits: they then
+ * discard half-done work, which may be done again later.  For any thread. */
 bool misfit_stopped(const struct misfit *m);
 
-/* The misfit at p; INFINITY where it is not a number.   Source: paper Eq 5. */
+/* Returns the misfit at p; INFINITY where it is not a number.   Source: paper
+ * Eq 5. */
 double misfit_at(struct misfit *m, const struct params *p);
 
-/* The same, with the weighted differences simulated - measured, r [n_residual]
- * out. */
+/* As misfit_at, with the weighted differences simulated - measured, r
+ * [n_residual] out. */
 double misfit_differences(struct misfit *m, const struct params *p, double *r);
 
 /* Weighted differences simulated - measured, r [n_residual], and their
@@ -71,18 +72,18 @@ double misfit_differences(struct misfit *m, const struct params *p, double *r);
 double misfit_jacobian(
     struct misfit *m, const struct params *p, double *r, double *J);
 
-/* Root mean square of the unweighted differences at p, 0..1. */
+/* Returns the root mean square of the unweighted differences at p, 0..1. */
 double misfit_rmse(struct misfit *m, const struct params *p);
 
-/* Number of sieves of the run's product that its feed covers; the finest ones
- * are left out first, so these are the leading ones. */
+/* Returns the number of sieves of the run's product that its feed covers; the
+ * finest sieves are left out first, so the covered sieves come first. */
 size_t misfit_covered(const struct run *run);
 
-/* The default training set: the slowest and the fastest speed with a product,
- * with all repeats.  Returns how many runs were marked. */
+/* Marks the default training set: the slowest and the fastest speed with a
+ * product, with all repeats.  Returns how many runs were marked. */
 size_t misfit_default_train(const struct site *site, bool *train);
 
-/* The misfit of the null model product = feed. */
+/* Returns the misfit of the null model product = feed. */
 double misfit_of_feed(const struct misfit *m);
 
 #endif

@@ -21,7 +21,7 @@ struct polish_result {
 	bool stopped;    /* by the misfit, on the way */
 };
 
-/* The best result so far, which a polish has to improve on. */
+/* The best result so far, which a polish must improve on. */
 struct polish_rival {
 	double misfit;
 	double gains; /* as many times its last gain it may still gain */

@@ -11,7 +11,7 @@
  * only their direction counts (D4), and the others count in shares of twice its
  * size.
  *   column [n]        parameters that may move
- *   range             what a share of 1 of each is worth
+ *   range             the size of a share of 1 of each
  *   sigma [n]         singular values, the largest first
  *   direction [i][c]  share of column c in the direction of sigma i */
 struct sensitivity {
@@ -23,7 +23,7 @@ struct sensitivity {
 };
 
 /* On a bound: nearer to it than a millionth of the range, and free to move.  A
- * bound of one in the gauge only limits the scale. */
+ * bound of a parameter in the gauge only limits the scale. */
 bool sensitivity_on_bound(
     const struct bounds *bounds, const struct params *p, size_t j);
 
@@ -35,7 +35,7 @@ struct sensitivity sensitivity_of(struct misfit *m, const struct params *p,
     const struct bounds *bounds, bool inward, double *basis);
 
 /* The direction in which the misfit rises least at a fitted point, to second
- * order.  part [PARAMS_MOST]: how far each parameter goes along it, in shares
+ * order.  part [PARAMS_MOST]: how far each parameter moves along it, in shares
  * of its search range, for a rise of a tenth of the misfit; 0 for parameters
  * that are fixed or on a bound.  reach: the longest of these steps. */
 struct flat {

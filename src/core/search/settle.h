@@ -14,10 +14,10 @@
  * steps begin at parameters rounded to seven digits, which are the same for all
  * starts, so that the result is the same to the last bit.
  *
- * Parameters on a bound stay there, and of the gauge (D4) the largest as it is.
- * False, with *p unchanged, where no such point is found near it: where the
- * data do not determine a direction, at a crease of the misfit, or where the
- * misfit would be larger. */
+ * Parameters on a bound stay there, and the largest of the gauge (D4) stays as
+ * it is.  Returns false, with *p unchanged, where no such point is found
+ * nearby: where the data do not determine a direction, at a crease of the
+ * misfit, or where the misfit would be larger. */
 bool settle(struct misfit *m, const struct bounds *bounds, struct params *p);
 
 #endif

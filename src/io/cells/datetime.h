@@ -5,13 +5,14 @@
 
 #include <stdbool.h>
 
-/* Which of two numbers of a date is the day, where the text leaves it open. */
+/* Which of two numbers of a date is the day; MOMENT_OPEN: the text does not
+ * show it. */
 enum moment_order { MOMENT_OPEN, MOMENT_DAY_FIRST, MOMENT_MONTH_FIRST };
 
-/* A date, a time of day, or both.  order: MOMENT_OPEN where day and month may
- * be the other way round, as in 5/3/2026; another one where it has this form
- * and only that order is a date (25/3/2026).  plain: the form has one order.
- * seconds: since midnight. */
+/* A date, a time of day, or both.  order: MOMENT_OPEN if day and month could be
+ * swapped, as in 5/3/2026; another value if the date is written in this form
+ * but is valid in one order only (25/3/2026).  plain: the form allows one order
+ * only.  seconds: since midnight. */
 struct moment {
 	bool has_date, has_time, has_zone, plain;
 	enum moment_order order;
@@ -19,29 +20,31 @@ struct moment {
 	double seconds;
 };
 
-/* Reads all of a text, such as "2026-05-03T10:15", "03.05.2026 10:15:00",
- * "5/3/2026 10:15 AM", "3 May 2026", "10:15".  False where it is none of these,
- * or no valid date (31.4.2026, years of two digits). */
+/* Reads a whole text, such as "2026-05-03T10:15", "03.05.2026 10:15:00",
+ * "5/3/2026 10:15 AM", "3 May 2026", "10:15".  False if it is none of these, or
+ * no valid date (31.4.2026, years of two digits). */
 bool moment_read(const char *text, struct moment *m);
 
-/* Seconds since the beginning of 1970 in local time without zones; a moment
- * whose order is open is read in the order given.  NAN where that is no
- * date. */
+/* Returns the seconds since the beginning of 1970 in local time without zones.
+ * A moment whose order is open is read in the order given.  NAN if the result
+ * is no date. */
 double moment_seconds(const struct moment *m, enum moment_order order);
 
-/* "2026-05-03 10:15", with the seconds where there are some; "10:15" without
- * the day.  The caller frees. */
+/* moment_text returns "2026-05-03 10:15", moment_clock "10:15" without the day;
+ * both add the seconds if they are not zero.  The caller frees. */
 char *moment_text(double seconds);
 char *moment_clock(double seconds);
 
-/* Whether a text is a day in this one form, "2026-05-03", of any year. */
+/* True if a text is a day of any year in the form "2026-05-03", and no
+ * other. */
 bool moment_is_day(const char *text);
 
-/* The day so many days after 1970-01-01, "2026-05-03", to the year 9999. */
+/* Returns the day that many days after 1970-01-01, "2026-05-03", up to the year
+ * 9999. */
 char *moment_day(long days);
 
-/* Today, "2026-05-03", in local time; or the day of SOURCE_DATE_EPOCH, where
- * that is set, so that output is reproducible.  The caller frees. */
+/* Returns today, "2026-05-03", in local time; or the day of SOURCE_DATE_EPOCH
+ * if that is set, so that output is reproducible.  The caller frees. */
 char *moment_today(void);
 
 #endif

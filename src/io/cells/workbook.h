@@ -8,13 +8,13 @@
 
 #include "io/cells/grid.h"
 
-/* Whether bytes are a workbook, or a similar file, by their beginning: zip, or
- * OLE, which are old workbooks and those with a password. */
+/* True if the bytes begin as a workbook or a similar file does: with the mark
+ * of zip, or of OLE (old workbooks and workbooks with a password). */
 bool workbook_is(const char *bytes, size_t n);
 
-/* Reads an .xlsx, .xlsm or .ods, recognised by its content, into grid, which is
- * new.  False and one fault of kind ERROR_DATA when it is none that can be
- * read, is damaged or locked, or has no sheet with anything in it. */
+/* Reads an .xlsx, .xlsm or .ods file, recognised by its content, into a new
+ * grid.  False and one fault of kind ERROR_DATA if it is of another kind,
+ * damaged or locked, or has no sheet with any content. */
 bool workbook_read(const char *bytes, size_t n, struct grid *grid);
 
 #endif

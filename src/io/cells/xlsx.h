@@ -7,7 +7,7 @@
 #include "io/cells/grid.h"
 
 /* Reads all worksheets that are not hidden.  Returns NULL, or what is wrong
- * with the workbook, which the caller frees. */
+ * with the workbook, as a text that the caller frees. */
 char *xlsx_read(struct archive *archive, struct grid *grid);
 
 #endif

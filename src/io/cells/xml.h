@@ -8,8 +8,9 @@
 
 #include "base/error.h"
 
-/* begin, end: of an element, by its name without a prefix.  text: n bytes of
- * UTF-8, perhaps a part of what stands between two tags; NULL: not asked. */
+/* begin, end: called for an element, with its name without a prefix.  text:
+ * called with n bytes of UTF-8, perhaps a part of the text between two tags;
+ * NULL: not called. */
 struct xml_events {
 	void (*begin)(
 	    void *data, const char *name, const char *const *attribute);
@@ -17,23 +18,24 @@ struct xml_events {
 	void (*text)(void *data, const char *text, size_t n);
 };
 
-/* Goes through a document of n bytes.  Returns NULL, or what is wrong with it,
- * which the caller frees: it is not well-formed, has elements within each other
- * more than 100 deep, with more than 1000 attributes or in a namespace of more
- * than 200 letters, or a document type, whose entities could stand for more
- * than there is; or errors say that it is to stop. */
+/* Parses a document of n bytes.  Returns NULL, or what is wrong with it, as a
+ * text that the caller frees: it is not well-formed, nests elements more than
+ * 100 deep, has more than 1000 attributes on an element or a namespace of more
+ * than 200 letters, or has a document type, whose entities could expand to more
+ * than the document; or error_stopped(errors) is true. */
 char *xml_read(const char *bytes, size_t n, const struct xml_events *events,
     void *data, struct error_list *errors);
 
-/* An attribute's value, or NULL.  name: "r" without a namespace; "office:1.0
- * value" by how the namespace ends. */
+/* Returns an attribute's value, or NULL.  name: "r" without a namespace;
+ * "office:1.0 value" with the end of the namespace. */
 const char *xml_attribute(const char *const *attribute, const char *name);
 
-/* The same as a whole number up to two million, which is more than the rows of
- * any program; or `other` where it is absent or none. */
+/* As xml_attribute, but as a whole number up to two million, which is more than
+ * the rows of any spreadsheet program; returns `other` if the attribute is
+ * absent or no such number. */
 size_t xml_whole(const char *const *attribute, const char *name, size_t other);
 
-/* Text put together piece by piece; NULL before the first. */
+/* A text built piece by piece; text is NULL before the first piece. */
 struct xml_text {
 	char *text;
 	size_t n, room;

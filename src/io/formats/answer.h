@@ -9,21 +9,21 @@
 #include <stdio.h>
 
 /* The value a command returns: its site and provenance, named fields, a table,
- * and sentences.  A command does not know how its answer will be shown.  Table
- * and markdown round numbers and show title, provenance and sentences; csv and
- * json are exact: csv has the table, with the shortest number that reads back
- * as the same, json the fields, %.17g, or the rows of the table where there are
- * none.  csv puts command, site and provenance into columns of their own, so
- * that each row states where it is from.  Where there is no table the sentences
- * are the answer: people see them with full stops, csv has a row for each, json
- * a list.  A table wider than a screen goes on in further blocks, each with the
- * first column again. */
+ * and sentences.  A command does not know in which form its answer will be
+ * shown.  Table and markdown round numbers and show title, provenance and
+ * sentences; csv and json are exact.  csv prints the table, with the shortest
+ * numbers that read back as the same; json prints the fields, %.17g, or the
+ * rows of the table if there are no fields.  csv puts command, site and
+ * provenance into columns of their own, so that each row states its source.
+ * Without a table the sentences are the answer: people see them with full
+ * stops, csv prints a row for each, json a list.  A table wider than a screen
+ * continues in further blocks, each with the first column again. */
 struct answer;
 
-/* The forms it is shown in, in the order of the enum.  exact: for programs.
- * print: returns how many rows the table has; semicolon: csv has semicolons,
- * and commas in its numbers, as spreadsheets have in Swedish and German.  JSON
- * is one line. */
+/* The forms an answer is shown in, in the order of the enum.  exact: for
+ * programs.  print: prints the answer and returns how many rows the table has;
+ * semicolon: csv separates cells by semicolons and prints decimal commas, as
+ * spreadsheets do in Swedish and German.  JSON is one line. */
 enum answer_format { ANSWER_TABLE, ANSWER_CSV, ANSWER_JSON, ANSWER_MARKDOWN };
 extern const struct answer_form {
 	const char *name;
@@ -31,11 +31,12 @@ extern const struct answer_form {
 	size_t (*print)(const struct answer *, bool semicolon, FILE *out);
 } ANSWER_FORMATS[4];
 
-/* Named values in order; of a list they have no names.  Units are part of the
- * names: "p50_mm". */
+/* Named values in order; the values of a list have no names.  Units are part of
+ * the names: "p50_mm". */
 struct fields;
 
-/* command: name of the command that made it; copied. */
+/* Makes an empty answer.  command: name of the command that makes it;
+ * copied. */
 struct answer *answer_new(const char *command);
 void answer_free(struct answer *answer);
 const char *answer_command(const struct answer *answer);
@@ -43,61 +44,63 @@ const char *answer_command(const struct answer *answer);
 void answer_title(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The site an answer is about and what its data are (may be ""). */
+/* Sets the site an answer is about and the provenance of its data (may be
+ * ""). */
 void answer_site(
     struct answer *answer, const char *name, const char *provenance);
 
-/* The same where json has the sites, or none, among its own fields. */
+/* As answer_site, but json does not print the site: it prints the sites among
+ * its own fields, or no site. */
 void answer_sites(
     struct answer *answer, const char *names, const char *provenance);
 
-/* Columns: "speed: m/s, size" has keys for csv and json and, after a colon,
- * heads for people where these differ. */
+/* Adds columns.  In "speed: m/s, size" each column has a key for csv and json
+ * and, after a colon, the head for people if it differs. */
 void answer_columns(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* A column whose head may hold any sign. */
+/* Adds a column whose head may contain any character. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
-/* The width of a table for people; 80 by default. */
+/* Sets the width of a table for people; 80 by default. */
 void answer_room(struct answer *answer, int columns);
 
-/* Shows people the transposed table where that is shorter: its first column as
- * headings, a row for each of the others. */
+/* Shows people the transposed table if it is shorter: its first column as
+ * headings, and a row for each other column. */
 void answer_across(struct answer *answer);
 
-/* The columns and cells that follow are another table, which csv and json have
- * instead of the one before. */
+/* Begins another table with the columns and cells that follow; csv and json
+ * print it instead of the table before. */
 void answer_for_programs(struct answer *answer);
 
-/* Cells, which fill the columns from left to right, row by row: "%s %.2f %g",
- * with a space between two.  %s: a text; %.2f: a number, with so many decimals
- * for people, with a sign as %+.2f; %g: with as many significant digits as
+/* Adds cells, which fill the columns from left to right, row by row: "%s %.2f
+ * %g", with a space between two.  %s: a text; %.2f: a number, with 2 decimals
+ * for people; %+.2f: also with a sign; %g: with as many significant digits as
  * needed, up to 6.  NAN is shown as the words given by answer_missing, empty in
  * csv and null in json. */
 void answer_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* One cell of text. */
+/* Adds one cell of text. */
 void answer_text(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* One cell of text, which csv and json call by its key. */
+/* Adds one cell of text: people see `head`, csv and json print `key`. */
 void answer_name(struct answer *answer, const char *key, const char *head);
 
-/* A row of a name and a text, under two columns. */
+/* Adds a row of a name and a text, under two columns. */
 void answer_pair(struct answer *answer, const char *name, const char *format,
     ...) __attribute__((format(printf, 3, 4)));
 
-/* What to show for the next NAN cells ("below 0.063 mm"); default "-". */
+/* Sets what to show for the next NAN cells ("below 0.063 mm"); default "-". */
 void answer_missing(struct answer *answer, const char *words);
 
-/* The number of complete rows. */
+/* Returns the number of complete rows. */
 size_t answer_rows(const struct answer *answer);
 
-/* A sentence below the table: plain, of what was found; a remark on how to read
- * it; a warning not to rely on it, which people see first and marked as one.
- * answer_note: a plain one. */
+/* Adds a sentence below the table: a plain one about what was found; a remark
+ * on how to read it; or a warning not to rely on it, which people see first and
+ * marked as a warning.  answer_note adds a plain sentence. */
 enum answer_grade { ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING };
 void answer_say(struct answer *answer, enum answer_grade grade,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -105,9 +108,9 @@ void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* The answer as people see it, borrowed: title, site and provenance or NULL, a
- * table row by row (that for programs where there is no other), sentences.  A
- * cell: text is what people see; number is exact, NAN where it is missing,
- * shown with `decimals`, -1 for as many as needed; key: what programs see
+ * table row by row (the table for programs if there is no other), sentences.
+ * In a cell text is what people see; number is exact, NAN if it is missing,
+ * shown with `decimals`, -1 for as many as needed; key is what programs see
  * instead of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
@@ -128,38 +131,43 @@ struct answer_view {
 };
 struct answer_view answer_view(const struct answer *answer);
 
-/* A copy of that with all texts as they are shown: of the provenance the first
- * clause, warnings first and called so. */
+/* Returns a copy of the answer with all texts as they are shown: only the first
+ * clause of the provenance, and warnings first, marked as warnings. */
 struct answer *answer_shown(const struct answer *answer);
 
-/* Its fields, beside command, site and provenance; borrowed. */
+/* Returns the answer's fields, without command, site and provenance;
+ * borrowed. */
 struct fields *answer_fields(struct answer *answer);
 
-/* Adds values under keys, "speed %g extrapolated %d": %g a number, null where
- * it is not finite; %d true or false; %zu and %llu a whole number; %s text.  To
- * a list: "%g %g".  json leaves out what is after a point, ".poor %g". */
+/* Adds values under keys, "speed %g extrapolated %d": %g a number, null if it
+ * is not finite; %d true or false; %zu and %llu a whole number; %s text.  For a
+ * list the format has no keys: "%g %g".  json omits a value whose key begins
+ * with a point, ".poor %g". */
 void fields_put(struct fields *fields, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 void fields_number(struct fields *fields, const char *key, double value);
 
-/* Adds an object or a list to put more into; key: NULL in a list.  Borrowed. */
+/* Adds an object or a list to be filled and returns it, borrowed.  key: NULL in
+ * a list. */
 struct fields *fields_object(struct fields *fields, const char *key);
 struct fields *fields_list(struct fields *fields, const char *key);
 
-/* Adds a list of numbers [n] as shown, by units_mm or units_pct or, for NULL,
- * as they are. */
+/* Adds a list of numbers [n], converted by `shown` (units_mm or units_pct), or
+ * unchanged if it is NULL. */
 void fields_numbers(struct fields *fields, const char *key, const double *value,
     size_t n, double (*shown)(double));
 
-/* Adds the rows there are as objects; or as lists the columns so called, with a
- * space between two. */
+/* answer_put_rows adds the rows so far as objects, under `key`;
+ * answer_put_columns adds the columns named in `keys`, with a space between
+ * two, as lists. */
 void answer_put_rows(struct answer *answer, const char *key);
 void answer_put_columns(struct answer *answer, const char *keys);
 
-/* The number of a field, NAN where there is none: "p50_mm", "params.f_mat"; of
- * a list the largest, "holdout.rmse_pct"; true is 1.  "warnings": how many of
- * its sentences are, where it has any sentences. */
+/* Returns the number of a field, NAN if there is none: "p50_mm",
+ * "params.f_mat".  For a list it is the largest number, "holdout.rmse_pct";
+ * true is 1.  "warnings": how many sentences are warnings, if there are any
+ * sentences. */
 double answer_number(const struct answer *answer, const char *path);
 
 bool answer_has_fields(const struct answer *answer);

@@ -9,28 +9,31 @@
 /* A workbook being written.  The same results give the same bytes. */
 struct book;
 
-/* NULL, with an error of kind ERROR_SYSTEM, where no temporary file can be
- * made; it has no name and disappears with the program. */
+/* Makes an empty workbook.  NULL, with an error of kind ERROR_SYSTEM, if no
+ * temporary file can be made.  That file has no name and disappears with the
+ * program. */
 struct book *book_new(struct error *error);
 void book_free(struct book *book); /* NULL is allowed */
 
-/* Adds a sheet with an answer as people see it: numbers as they are, shown with
- * the same decimals, and the passings of a table of sieves as curves.  Returns
- * how many rows its table has. */
+/* Adds a sheet with an answer as people see it: numbers exact, shown with the
+ * same decimals, and the passings of a table of sieves as curves.  Returns how
+ * many rows its table has. */
 size_t book_add(struct book *book, const struct answer *answer);
 
-/* Adds a sheet with the cells of a text, see sheet_new, remarks and all. */
+/* Adds a sheet with the cells of a text, see sheet_new, including its
+ * remarks. */
 void book_add_text(struct book *book, const char *name, const char *text);
 
-/* Another line of the last sheet, "About". */
+/* Adds a line to the last sheet, "About". */
 void book_about(struct book *book, const char *key, const char *value);
 
-/* The number of sheets without "About"; whether one is about a site. */
+/* book_sheets returns the number of sheets without "About"; book_has_site is
+ * true if one is about a site. */
 size_t book_sheets(const struct book *book);
 bool book_has_site(const struct book *book);
 
-/* The workbook's *n bytes, which the caller frees, and frees the book.  NULL,
- * with an error of kind ERROR_SYSTEM, where the system refuses. */
+/* Returns the workbook's *n bytes, which the caller frees, and frees the book.
+ * NULL, with an error of kind ERROR_SYSTEM, if the system refuses. */
 char *book_finish(struct book *book, size_t *n, struct error *error);
 
 #endif

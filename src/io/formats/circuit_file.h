@@ -6,10 +6,10 @@
 #include "base/error.h"
 #include "core/answer/circuit.h"
 
-/* A circuit that flows: every stream has one source and one use, every unit is
- * fed, and all can reach a stockpile.  tph is 0 where the file leaves it open.
- * NULL and all the faults of the file, each with its line and column, in
- * errors, a list that the caller has zeroed. */
+/* Reads a circuit in which every stream has one source and one use, every unit
+ * is fed, and all can reach a stockpile.  tph is 0 if the file does not state
+ * it.  On failure NULL, and all the faults of the file, each with its line and
+ * column, in errors, a list that the caller has zeroed. */
 struct circuit *circuit_file_read(const char *path, struct error_list *errors);
 
 #endif

@@ -15,11 +15,11 @@ enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 
 extern const char *const LOG_UNITS[LOG_COLUMNS];
 
-/* Rows [n] in order of time, see moment_seconds.  value [n]: NAN where the log
- * has no number; NULL: no such column.  apart: seconds between rows, as a rule.
- * gap: the longest time without a row, and when it began.  passed: rows without
- * a time that could be read.  read_as: "time in column 1, rpm in 3"; assumed:
- * what of that is not stated, or "". */
+/* Rows [n] in order of time, see moment_seconds.  value [n]: NAN if the log has
+ * no number there; NULL: no such column.  apart: usual seconds between rows.
+ * gap: the longest time without a row, gap_from: when it began.  passed: rows
+ * left out, as their time could not be read.  read_as: "time in column 1, rpm
+ * in 3"; assumed: which parts of read_as are not stated, or "". */
 struct plant_log {
 	char *path;
 	size_t n, passed;
@@ -29,9 +29,9 @@ struct plant_log {
 	uint64_t digest;
 };
 
-/* The files [n] to be read as one log, and options: columns, "1=time, 3=rpm,
- * 4=kW" or NULL; the sheet of a workbook, or NULL; the decimal sign, or
- * '\0'. */
+/* The files [n] to be read as one log, and options.  columns: "1=time, 3=rpm,
+ * 4=kW", or NULL.  sheet: that of a workbook, or NULL.  decimal: the decimal
+ * sign, or '\0'. */
 struct log_request {
 	size_t n;
 	const char *const *path;
@@ -40,14 +40,14 @@ struct log_request {
 	enum moment_order order;
 };
 
-/* NULL and faults where it cannot be read; *open: set where the order of day
- * and month alone is open. */
+/* Reads a log.  NULL and faults if it cannot be read; *open is set if only the
+ * order of day and month is open. */
 struct plant_log *plant_log_read(
     const struct log_request *request, struct error_list *errors, bool *open);
 void plant_log_free(struct plant_log *log);
 
-/* Medians and ranges of the rows from one time to another, both included; NAN
- * where there are no numbers. */
+/* Returns medians and ranges of the rows from one time to another, both
+ * included; NAN if there are no numbers. */
 struct log_window {
 	size_t n;
 	double median[LOG_COLUMNS], least[LOG_COLUMNS], most[LOG_COLUMNS];
@@ -55,7 +55,7 @@ struct log_window {
 struct log_window plant_log_window(
     const struct plant_log *log, double from, double to);
 
-/* The row nearest to a time. */
+/* Returns the row nearest to a time. */
 size_t plant_log_nearest(const struct plant_log *log, double time);
 
 #endif

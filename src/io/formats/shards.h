@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 
-/* A row of a part, a site or one of its runs: text [2]: its name and its
- * remark, or the source of its data; number: the other columns, NAN where
+/* A row of a part, which is a site or one of its runs.  text [2]: the name, and
+ * the remark or the source of the data; number: the other columns, NAN if
  * empty. */
 enum { PART_NUMBERS = 23 };
 struct part_site {
@@ -18,8 +18,8 @@ struct part_site {
 	double number[PART_NUMBERS];
 };
 
-/* A part, and where it was read.  sites: digest of all that were loaded.
- * left_out, each: of validate. */
+/* A part, and the file it was read from.  sites: digest of all sites that were
+ * loaded.  left_out, each: from the answer of validate. */
 struct part_file {
 	char *path, *command, *sites, *version, *options;
 	size_t number, of, loaded, left_out, each, n;
@@ -31,11 +31,11 @@ struct parts {
 	struct part_file *part;
 };
 
-/* Adds the parts of a file, a line each. */
+/* Adds the parts of a file, one line each. */
 bool parts_read(const char *path, struct parts *parts, struct error *error);
 void parts_free(struct parts *parts);
 
-/* Whether they are all the parts of one run, each once: of the same version,
+/* True if the parts are all those of one run, each once, with the same version,
  * options and sites. */
 bool parts_agree(const struct parts *parts, struct error *error);
 

@@ -8,10 +8,11 @@
 
 #include "base/error.h"
 
-/* size [n] m, coarsest first; least, most [n] passing 0..1, NAN where there is
- * no limit.  cut: the fraction that the limits are for, finest and coarsest
- * size, m; zeros: the product as it is.  Strings are never NULL; source: ""
- * when not stated; note: that of struct source; standard: "" of a file. */
+/* size [n]: m, coarsest first; least, most [n]: passing 0..1, NAN if there is
+ * no limit.  cut: finest and coarsest size of the fraction that the limits are
+ * for, m; zeros: they are for the whole product.  Strings are never NULL.
+ * source: "" if not stated; note: as in struct source; standard: "" if read
+ * from a file. */
 struct spec {
 	char *name, *source, *note, *standard;
 	double cut[2];
@@ -19,16 +20,17 @@ struct spec {
 	double *size, *least, *most;
 };
 
-/* Reads a sheet, of a workbook the first.  NULL and all the faults of the
- * sheet, each with its line and column, in errors, a list that the caller has
- * zeroed; ERROR_SYSTEM when the file cannot be read. */
+/* Reads a sheet, the first of a workbook.  On failure NULL, and all the faults
+ * of the sheet, each with its line and column, in errors, a list that the
+ * caller has zeroed; ERROR_SYSTEM if the file cannot be read. */
 struct spec *spec_read(const char *path, struct error_list *errors);
 
-/* An empty one. */
+/* Makes an empty envelope. */
 struct spec *spec_new(void);
 void spec_free(struct spec *spec);
 
-/* "0/4" in mm as 0 and 0.004 m; false where it is no such fraction. */
+/* Reads "0/4", in mm, as 0 and 0.004 m; false if the text is no such
+ * fraction. */
 bool spec_read_cut(const char *text, double cut[static 2]);
 
 #endif

@@ -10,14 +10,14 @@
 #include "base/error.h"
 #include "io/formats/spec.h"
 
-/* A limit as printed; least, most: NAN where there is none; unit: "-" of a
- * number without.  note: "" or what the standard says of it. */
+/* A limit as printed.  least, most: NAN if there is none; unit: "-" for a
+ * number without a unit.  note: "", or the standard's own remark. */
 struct standard_limit {
 	char *standard, *item, *unit, *note;
 	double least, most;
 };
 
-/* In the order of their files, data/envelopes.csv and
+/* The envelopes and limits in the order of their files, data/envelopes.csv and
  * data/envelope-scalars.csv, as these were when the program was built. */
 struct standards {
 	size_t n, n_limit;
@@ -29,19 +29,20 @@ struct standards *standards_shipped(void);
 void standards_free(struct standards *standards);
 
 /* Marks in match [n] the envelopes that the words name, and returns how many.
- * A name matches that has each word, or one that begins with it, ignoring case;
- * names that have the words in full come before others; of several, the one
- * whose name the others begin with is chosen, if the words have all of its own
- * name or a number. */
+ * A name matches if for each of the words it contains that word, or one that
+ * begins with it, ignoring case.  If some names contain all the words in full,
+ * only those match.  If several match, the one that the others begin with is
+ * chosen, provided the words contain all of its name or a number. */
 size_t standards_match(
     const struct standards *standards, const char *words, bool *match);
 
-/* The one that is meant, or NULL with an error that has the candidates. */
+/* Returns the envelope that the words mean, or NULL with an error that lists
+ * the candidates. */
 const struct spec *standards_find(
     const struct standards *standards, const char *words, struct error *error);
 
-/* Whether a word is a path rather than the name of an envelope: there is such a
- * file, or it begins or ends as the name of one does. */
+/* True if a word is a path rather than the name of an envelope: such a file
+ * exists, or the word begins or ends as a file name does. */
 bool standards_is_path(const char *word);
 
 #endif

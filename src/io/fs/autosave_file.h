@@ -14,32 +14,33 @@
 /* The file of this program. */
 struct kept;
 
-/* Makes nothing yet, and cannot fail. */
+/* Makes no file yet, and cannot fail. */
 struct kept *kept_new(void);
 
-/* Lets go of the file, which stays: the next write goes to another one. */
+/* Closes the file, which is kept; the next write makes another file. */
 void kept_leave(struct kept *kept);
 
-/* The same, and ends; NULL is allowed. */
+/* As kept_leave, and frees kept; NULL is allowed. */
 void kept_free(struct kept *kept);
 
-/* Replaces the file by what `write` writes, whole or not at all.  The first
- * call makes it, and removes the oldest files left by other programs beyond a
- * few.  False with an error of kind ERROR_SYSTEM. */
+/* Replaces the content of the file by what `write` prints, whole or not at all.
+ * The first call makes the file, and removes the oldest files left by other
+ * programs beyond a few.  False with an error of kind ERROR_SYSTEM. */
 bool kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
     const void *data, struct error *error);
 
 /* Removes the file, if there is one. */
 void kept_remove(struct kept *kept);
 
-/* One that was left: its first line, after "# ", and when it was written. */
+/* A file that a program left: its first line, without "# ", and when it was
+ * written. */
 struct kept_file {
 	char *path, *about;
 	time_t when;
 };
 
-/* Those of programs that have ended, newest first: [n], to be freed by
- * kept_files_free.  Empty ones, of programs killed at the wrong moment, are
+/* Returns the files of programs that have ended, newest first: [n], to be freed
+ * by kept_files_free.  Empty files, of programs killed at the wrong moment, are
  * removed. */
 struct kept_file *kept_files(size_t *n);
 void kept_files_free(struct kept_file *file, size_t n);

@@ -10,32 +10,33 @@
 
 #include "base/error.h"
 
-/* Permissions of a file that is new, before the umask; one that is there keeps
- * its own. */
+/* Permissions of a new file, before the umask; an existing file keeps its
+ * own. */
 enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
 
 /* Replaces the content of path by n bytes.  They are written to a new file in
- * the same folder, which takes its name only when all of it is on the disk; a
- * symbolic link stays and the file that it points to is replaced.  Other than
- * regular files (/dev/null, a FIFO) are written to.  On failure false, an error
- * of kind ERROR_SYSTEM, and the old file untouched.  Only SIGKILL can leave the
- * new file behind, which the next call in that folder removes. */
+ * the same folder, which is renamed to path only when all bytes are on the
+ * disk; a symbolic link is kept, and the file it points to is replaced.  Files
+ * other than regular ones (/dev/null, a FIFO) are written to directly.  On
+ * failure false, an error of kind ERROR_SYSTEM, and the old file untouched.
+ * Only SIGKILL can leave the new file behind; the next call in that folder
+ * removes it. */
 bool file_replace(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 
-/* The same with the output of write, collected in memory first. */
+/* As file_replace, with the output of write, collected in memory first. */
 bool file_replace_by(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
 
-/* Adds n bytes to the end of a file, in one write where the system takes them
- * at once.  On failure false, an error of kind ERROR_SYSTEM, and the file as
- * long as it was. */
+/* Adds n bytes to the end of a file, in one write if the system accepts them at
+ * once.  On failure false, an error of kind ERROR_SYSTEM, and the file as long
+ * as it was. */
 bool file_append(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 
-/* False, with the same error as writing would give, where path is a folder or
- * may not be written: to be called before a long calibration. */
+/* False, with the error that writing would give, if path is a folder or may not
+ * be written.  Call it before a long calibration. */
 bool file_may_write(const char *path, struct error *error);
 
 #endif

@@ -16,12 +16,12 @@ enum speed_unit {
 	SPEED_RPM
 };
 
-/* means: of all its words, see lexicon.h.  unknown: words without a meaning.
- * unit: of a speed, with or without a number.  speed: m/s, 0 where none is
- * stated in a unit of speed; rpm: 0 likewise.  number: the first of n_number
- * numbers without a unit.  several: it has two speeds.  spread: its speed is in
- * a cell at its left.  range: it has a range of sizes, 0-4 mm or 53-D-63, which
- * is the name of a sample. */
+/* means: the meanings of all its words, see lexicon.h.  unknown: the number of
+ * words without a meaning.  unit: of a speed, with or without a number.  speed:
+ * m/s, 0 if no speed is stated in a unit of speed; rpm: 0 if none is stated.
+ * number: the first of n_number numbers without a unit.  several: it states two
+ * speeds.  spread: its speed is in a cell to its left.  range: it contains a
+ * range of sizes, 0-4 mm or 53-D-63, which is the name of a sample. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
 	uint64_t means;
@@ -31,10 +31,11 @@ struct head {
 	bool several, spread, range;
 };
 
-/* Reads one cell of a head. */
+/* Reads one cell of a heading. */
 struct head head_read(const char *text);
 
-/* m/s of a number in a unit; of SPEED_RPM with the rotor's diameter in m. */
+/* Returns a speed in m/s from a number in a unit; SPEED_RPM needs the rotor's
+ * diameter in m. */
 double head_mps(double number, enum speed_unit unit, double rotor);
 
 #endif

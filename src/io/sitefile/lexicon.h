@@ -25,7 +25,7 @@
 #define WORD_SPEED (UINT64_C(1) << 15)
 #define WORD_LIMIT (UINT64_C(1) << 16)  /* of a specification: no sample */
 #define WORD_OTHER (UINT64_C(1) << 17)  /* remark, date: no number of a sieve */
-#define WORD_SAMPLE (UINT64_C(1) << 18) /* a sample, of what is not said */
+#define WORD_SAMPLE (UINT64_C(1) << 18) /* a sample of unstated material */
 #define WORD_PAN (UINT64_C(1) << 19)
 #define WORD_TOTAL (UINT64_C(1) << 20)
 #define WORD_LOSS (UINT64_C(1) << 21)
@@ -43,14 +43,15 @@
 #define WORD_PHI (UINT64_C(1) << 33)
 #define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
 
-/* The meanings of n bytes of text_fold's, one word; 0 where it is unknown. */
+/* Returns the meanings of one word, n bytes in the form of text_fold; 0 if it
+ * is unknown. */
 uint64_t vocabulary_word(const char *word, size_t n);
 
-/* The meanings of all words of a text together.  unknown: how many words have
- * none (NULL: not wanted). */
+/* Returns the meanings of all words of a text together.  unknown: out, the
+ * number of words without a meaning (NULL: not wanted). */
 uint64_t vocabulary_text(const char *text, size_t *unknown);
 
-/* The keys of lines above the tables. */
+/* Keys in the lines above the tables. */
 enum vocabulary_key {
 	KEY_SITE,
 	KEY_ROCK,
@@ -60,7 +61,8 @@ enum vocabulary_key {
 	N_KEY
 };
 
-/* N_KEY where a text is none of them, but for case and accents. */
+/* Returns the key that a text is, ignoring case and accents; N_KEY if it is
+ * none. */
 enum vocabulary_key vocabulary_key(const char *text);
 
 #endif

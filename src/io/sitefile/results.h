@@ -6,14 +6,14 @@
 
 struct sheet;
 
-/* The command whose results a sheet has, "predict": by the heading that all
- * tables for programs have, or by the sheet "About" of their workbooks.  NULL
- * for other sheets, and for a template, which is to be filled in.  The caller
- * frees. */
+/* Returns the command whose results a sheet contains, "predict", from the
+ * heading of all tables for programs, or from the sheet "About" of their
+ * workbooks.  NULL for other sheets, and for a template, which is to be filled
+ * in.  The caller frees. */
 char *results_command(const struct sheet *sheet);
 
-/* The same for a text file, by its first lines alone, so that many files can be
- * checked.  NULL where it cannot be read. */
+/* As results_command, for a text file, by its first lines alone, so that many
+ * files can be checked.  NULL if it cannot be read. */
 char *results_command_in(const char *path);
 
 #endif

@@ -7,16 +7,16 @@
 #include "io/sitefile/layout.h"
 
 /* Reads the lines above the tables into the site: name, rock, rotor, others as
- * notes.  speed: m/s, or rpm as far as one is told for all samples; else 0 and
- * untouched. */
+ * notes.  speed: set to m/s, or to rpm, if a speed is stated for all samples;
+ * otherwise not changed. */
 struct heading_speed {
 	double mps, rpm;
 };
 void site_heading(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
-/* The name of a file without folder and extension, as it can be written into a
- * sheet.  The caller frees. */
+/* Returns the name of a file without folder and extension, in a form that can
+ * be written into a sheet.  The caller frees. */
 char *site_heading_name(const char *path);
 
 #endif

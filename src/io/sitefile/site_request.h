@@ -7,15 +7,16 @@
 #include <stddef.h>
 
 /* The files [n] to be read as one site, with the tip speed of the samples in
- * each, m/s, where given (0: in the sheet); and options, NULL or 0 where not
- * given.  columns: "1=sieve mm, 3=feed retained_g", by number from 1 (lines
- * where sieves go across); those not named are left out.  samples: "S01=feed,
- * S02=@70", by name; those not named are left out.  top: mm, what all of a feed
- * is assumed to pass whose coarsest sieve does not.  range: "A3:F20".  decimal:
- * '.' or ','.  rotor: diameter, m.  parts: samples of product to be added to a
- * site, which need no feed; feed: only the feed is read, and a single sample
- * without a role is taken for it.  text: NULL, or the content of the one file,
- * which is then not opened; path is its name. */
+ * each, m/s, if given (0: the sheet states it); and options, NULL or 0 if not
+ * given.  columns: "1=sieve mm, 3=feed retained_g", by number from 1 (by line
+ * if sieves are in one row); columns not named are left out.  samples:
+ * "S01=feed, S02=@70", by name; samples not named are left out.  top: mm, the
+ * size that a whole feed is assumed to pass if its coarsest sieve does not pass
+ * all.  range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts:
+ * samples of product to be added to a site, which need no feed.  feed: only the
+ * feed is read, and a single sample without a role is taken for it.  text:
+ * NULL, or the content of the one file, which is then not opened; path is its
+ * name. */
 struct site_request {
 	size_t n;
 	const char *const *path;
@@ -26,11 +27,12 @@ struct site_request {
 	bool parts, feed;
 };
 
-/* What is open: columns [n], with what each seems to be, in the words of
- * columns=.  settle: the option that settles it ("columns=\"1=sieve mm, ..\"",
- * "rotor_mm=DIAMETER"); NULL: nothing was open.  across: the numbers are those
- * of lines; by_sample: columns are identified by their headings, which are
- * names of samples, for samples=.  no_feed, no_product: what the files lack. */
+/* The open questions: columns [n], with what each seems to be, in the words of
+ * columns=.  settle: the option that answers the question
+ * ("columns=\"1=sieve mm, ..\"", "rotor_mm=DIAMETER"); NULL: no question was
+ * open.  across: the numbers are those of lines.  by_sample: columns are
+ * identified by their headings, which are names of samples, for samples=.
+ * no_feed, no_product: the files contain none. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {

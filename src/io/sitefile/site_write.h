@@ -10,14 +10,13 @@
 #include "core/psd/site.h"
 
 /* Writes the sheet: comma, decimal point, LF, no byte order mark; sizes in mm
- * to 9 decimals, passing and standard deviations in % to 12, a product that
+ * to 9 decimals, passing and standard deviations in % to 12; a product that
  * passes 1 % or less everywhere as fractions.  A site that came from site_read
  * reads back with the same digest.  Sieves nearer than 1e-9 mm are one row.
- * Returns how many rows of sieves there are.  The caller checks `out` for
- * errors. */
+ * Returns the number of rows of sieves.  The caller checks `out` for errors. */
 size_t site_write(const struct site *site, FILE *out);
 
-/* The same to a file, whole or not at all, see file.h. */
+/* As site_write, to a file, whole or not at all, see file.h. */
 bool site_save(const struct site *site, const char *path, size_t *rows,
     struct error *error);
 

@@ -1,5 +1,4 @@
-/* A material of the store: parameters of a breakage model with where they are
- * from.
+/* A material of the store: parameters of a breakage model, and their source.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_STORE_MATERIAL_H
 #define TIPSPEED_IO_STORE_MATERIAL_H
@@ -11,12 +10,12 @@
 #include "base/error.h"
 #include "core/model/breakage.h"
 
-/* One material. Text is never NULL and "" where not known; a number is then NAN
- * and a whole number -1.  feed_source: of a row of Table 3, its feeds,
- * "Individual", else NULL.  provenance: that of the site's data, so that
- * synthetic data are never taken for measured ones.  origin: "fit", "hand" or,
- * of Table 3, "table3".  rmse_pct, holdout_pct: points at the training runs,
- * and the largest at the others.  basis: see basis.h. */
+/* One material.  Text is never NULL, and "" if not known; an unknown number is
+ * NAN, an unknown whole number -1.  feed_source: for a row of Table 3, its
+ * feeds, "Individual", else NULL.  provenance: of the site's data, so that
+ * synthetic data are never taken for measured data.  origin: "fit", "hand" or,
+ * for Table 3, "table3".  rmse_pct: points at the training runs; holdout_pct:
+ * the largest at the other runs.  basis: see basis.h. */
 struct stored {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
@@ -31,8 +30,8 @@ struct stored_list {
 	struct stored *item;
 };
 
-/* FIELD_MODEL is the name of the parameters' breakage model, FIELD_PARAMS all
- * of them, "beta1=0 .. alpha=0.96". */
+/* FIELD_MODEL is the name of the breakage model, FIELD_PARAMS all its
+ * parameters, "beta1=0 .. alpha=0.96". */
 enum field_kind {
 	FIELD_TEXT,
 	FIELD_NUMBER,
@@ -41,8 +40,8 @@ enum field_kind {
 	FIELD_PARAMS
 };
 
-/* A column of the file and of its CSV form.  needed: never empty.  choices: of
- * text, or NULL; least, most: of numbers. */
+/* A column of the file and of its CSV form.  needed: never empty.  choices: the
+ * allowed texts, or NULL; least, most: limits of a number. */
 struct field {
 	const char *name;
 	enum field_kind kind;
@@ -55,7 +54,7 @@ struct field {
 enum { FIELD_COUNT = 25, FIELD_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
-/* A material without any field known. */
+/* Returns a material with no field known. */
 struct stored stored_new(void);
 void stored_free(struct stored *m);
 void stored_list_free(struct stored_list *list);
@@ -63,11 +62,12 @@ void stored_list_free(struct stored_list *list);
 /* Moves m to the end of the list. */
 void stored_list_add(struct stored_list *list, struct stored m);
 
-/* By name without case and accents; NULL if there is none. */
+/* Returns the material of this name, ignoring case and accents; NULL if there
+ * is none. */
 const struct stored *stored_find(
     const struct stored_list *list, const char *name);
 
-/* The value of a field.  set_text copies. */
+/* Return or set the value of a field.  stored_set_text copies the text. */
 const char *stored_text(const struct stored *m, const struct field *f);
 double stored_number(const struct stored *m, const struct field *f);
 int64_t stored_whole(const struct stored *m, const struct field *f);
@@ -75,56 +75,58 @@ void stored_set_text(struct stored *m, const struct field *f, const char *text);
 void stored_set_number(struct stored *m, const struct field *f, double value);
 void stored_set_whole(struct stored *m, const struct field *f, int64_t value);
 
-/* Any field as text that reads back the same, "" where not known.  The caller
- * frees. */
+/* Returns any field as text that reads back as the same value, "" if not known.
+ * The caller frees. */
 char *stored_written(const struct stored *m, const struct field *f);
 
-/* Takes the model or the parameters from what stored_written wrote; the model
- * first.  What is missing or cannot be read becomes NAN, which stored_fits
- * refuses. */
+/* Sets the model or the parameters from a text of stored_written; set the model
+ * first.  Numbers that are missing or cannot be read become NAN, which
+ * stored_fits refuses. */
 void stored_set_written(
     struct stored *m, const struct field *f, const char *text);
 
-/* Calls take for what is known of m, field by field and parameter by
+/* Calls take for each known value of m, field by field and parameter by
  * parameter, in the order of FIELDS. */
 typedef void stored_take(void *data, const char *name, const char *text);
 void stored_each(const struct stored *m, stored_take *take, void *data);
 
-/* Digest of all known fields of m: detects a row damaged on the disk. */
+/* Returns a digest of all known fields of m, which detects a row damaged on the
+ * disk. */
 uint64_t stored_digest(const struct stored *m);
 
-/* Method, appearance and k as settings. */
+/* Returns method, appearance and k as settings. */
 struct model_settings stored_settings(const struct stored *m);
 
-/* stored_wanted: what a field is expected to be, "a number from 0 to 100 for
- * alpha", of the parameters for the first of m that is wrong; stored_found:
- * what m has; the caller frees both.  stored_fits: whether m's is as expected.
- * For imports and for rows of a file, which may come from others. */
+/* stored_wanted returns what a field is expected to be, "a number from 0 to 100
+ * for alpha", for the parameters that of the first wrong one in m.
+ * stored_found returns the value in m.  The caller frees both.  stored_fits is
+ * true if the value in m is as expected.  For imports and for rows of a file,
+ * which may come from others. */
 char *stored_wanted(const struct stored *m, const struct field *f);
 char *stored_found(const struct stored *m, const struct field *f);
 bool stored_fits(const struct stored *m, const struct field *f);
 
-/* A name is a line of 1 to 60 bytes without a double quote, does not begin with
- * # and is not one of Table 3's ("table3/..."). */
+/* True if a name is a line of 1 to 60 bytes without a double quote, does not
+ * begin with # and is not a name of Table 3 ("table3/..."). */
 bool stored_check_name(const char *name, struct error *error);
 
-/* True for the rows of Table 3, which are read only, and for their names. */
+/* True for the rows of Table 3, which are read-only, and for their names. */
 bool stored_is_table3(const struct stored *m);
 bool stored_is_table3_name(const char *name);
 
-/* One line of UTF-8, without control characters. */
+/* True if a text is one line of UTF-8 without control characters. */
 bool stored_is_line(const char *text);
 
-/* Adds the rows of a file such as data/table3.csv, with the default beta, as it
- * is not printed: columns rock, site, top_size_mm, f_mat, feed_source, E0_min
- * and alpha in this order.  False with all the faults of the sheet in errors, a
- * list that the caller has zeroed; ERROR_SYSTEM when the file cannot be
- * read. */
+/* Adds the rows of a file such as data/table3.csv, with the default beta, as
+ * the table does not print beta: columns rock, site, top_size_mm, f_mat,
+ * feed_source, E0_min and alpha in this order.  On failure false, and all the
+ * faults of the sheet in errors, a list that the caller has zeroed;
+ * ERROR_SYSTEM if the file cannot be read. */
 bool stored_read_printed(
     const char *path, struct stored_list *list, struct error_list *errors);
 
-/* Adds the rows of Table 3, built into the program, named "table3/tierp",
- * "table3/gavle/11.2", "table3/gavle/11.2/2". */
+/* Adds the rows of Table 3, which are built into the program, named
+ * "table3/tierp", "table3/gavle/11.2", "table3/gavle/11.2/2". */
 void stored_table3(struct stored_list *list);
 
 #endif

@@ -10,11 +10,11 @@
 /* See session->hooks.question. */
 char *dialogue_ask(struct tui *t, const struct inquiry *q);
 
-/* Takes a key of the dialogue that stands. */
+/* Handles a key of the open dialogue. */
 enum edit_result dialogue_key(struct tui *t, int code, bool special);
 
-/* Draws it over whatever the screen shows, at any size, and puts the cursor
- * into its line. */
+/* Draws the dialogue over whatever the screen shows, at any size, with the
+ * cursor in its line. */
 void dialogue_draw(struct tui *t, int rows, int columns);
 
 #endif

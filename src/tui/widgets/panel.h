@@ -1,18 +1,18 @@
-/* What the slider's speed gives, beside the curves.
+/* The numbers at the slider's speed, beside the curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_PANEL_H
 #define TIPSPEED_TUI_WIDGETS_PANEL_H
 
 #include "tui/tui_state.h"
 
-/* The side panel of page Predict. */
+/* Draws the side panel of page Predict. */
 void panel_draw(struct tui *t);
 
-/* What stands for the panel where it has no room: "trust amber, misses ASTM
- * C33", or "".  The caller frees. */
+/* Returns what replaces the panel where it has no room: "trust amber, misses
+ * ASTM C33", or "".  The caller frees. */
 char *panel_words(struct tui *t);
 
-/* The row of numbers that takes the side panel's place, on any page. */
+/* Draws the row of numbers that replaces the side panel, on any page. */
 void panel_row(struct tui *t);
 
 #endif

@@ -1,5 +1,5 @@
-/* The panel of the page Fit: where the search stands, the parameters within
- * their bounds, and how it came together.
+/* The panel of the page Fit: the state of the search, the parameters within
+ * their bounds, and the convergence.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_SEARCH_SIDE_H
 #define TIPSPEED_TUI_WIDGETS_SEARCH_SIDE_H
@@ -8,7 +8,7 @@
 
 void search_side_draw(struct tui *t);
 
-/* Chooses the next parameter or the one before. */
+/* Chooses the parameter `by` places after the chosen one. */
 void search_side_choose(struct tui *t, int by);
 
 #endif

@@ -16,21 +16,23 @@ struct slider_mark {
 	bool trained;
 };
 
-/* Whole speeds, m/s. */
+/* Returns the range between two speeds, m/s, in whole m/s. */
 struct slider_range slider_range(double from, double to);
 
-/* The nearest value the slider can have. */
+/* Returns the nearest value the slider can have. */
 int slider_clamp(struct slider_range range, int tenths);
 
-/* Tenths of a speed, m/s, rounded; slider_has: whether it is in the range. */
+/* slider_tenths returns the tenths of a speed, m/s, rounded; slider_has: true
+ * if the speed is in the range. */
 int slider_tenths(struct slider_range range, double speed);
 bool slider_has(struct slider_range range, double speed);
 
-/* Reads "74", "74.3"; false where it is no such speed in the range. */
+/* Reads "74", "74.3"; false if it is not a speed in the range. */
 bool slider_read(struct slider_range range, const char *text, int *tenths);
 
-/* The column of a value on a track of so many columns, 0 at its left end, and
- * the value of a column; those off the track stand for its ends. */
+/* slider_column returns the column of a value on a track of `width` columns, 0
+ * at its left end; slider_at the value at a column; values and columns off the
+ * track count as its ends. */
 int slider_column(struct slider_range range, int tenths, int width);
 int slider_at(struct slider_range range, int column, int width);
 

@@ -5,27 +5,27 @@
 
 #include "tui/tui_state.h"
 
-/* Shows text, which it takes. */
+/* Shows text, which the viewer then owns. */
 void viewer_text(struct tui *t, char *text);
 
-/* Shows the message where its rows have no room for all of it. */
+/* Shows the message on the whole screen if it does not fit its rows. */
 void viewer_message(struct tui *t);
 
-/* Shows the keys whose line has the word that is looked for. */
+/* Shows the keys whose line has the word searched for. */
 void viewer_keys(struct tui *t);
 
-/* Takes a key: scrolls, looks for a word, or closes.  False where it is none
- * of the text's, which is closed then, and does what it does without.  run: the
- * key chosen from the list of keys, else left alone. */
+/* Handles a key: scrolls, searches for a word, or closes.  False if the key is
+ * not for the text: the text is then closed, and the key acts as without it.
+ * run: the key chosen from the list of keys, else left unchanged. */
 bool viewer_key(struct tui *t, int code, bool special, const struct key **run);
 
-/* Draws it with its hints. */
+/* Draws the text with its hints. */
 void viewer_draw(struct tui *t);
 
-/* Moves the text, or the key that is chosen, by so many lines. */
+/* Moves the text, or the choice of a key, by so many lines. */
 void viewer_scroll(struct tui *t, int by);
 
-/* Closes it; what was printed can be shown again. */
+/* Closes the text; printed text can be shown again. */
 void viewer_close(struct tui *t);
 
 #endif
