@@ -314,10 +314,8 @@ act_band(struct tui *t, const struct key *key)
 	    known ? "" : outlook_why_none(t->session, entry),
 	    !known ? ""
 	    : screen_charset() != CHARSET_ASCII
-		? tr("band on: 80 % uncertainty")
-		: tr("band on: 80 % uncertainty; not visible where thinner "
-		     "than "
-		     "a row"));
+		? tr("band on")
+		: tr("band on; not visible where it is thinner than a row"));
 }
 
 void

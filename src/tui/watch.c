@@ -114,7 +114,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 
 /* Whether the search is over and what is drawn of its end under way. */
 static bool
-is_drawing(const struct session *s)
+is_sampling_posterior(const struct session *s)
 {
 	return session_busy(s) &&
 	       calibration_status(s->job.calibration).state >=
@@ -139,7 +139,7 @@ watch_step(struct tui *t)
 	const struct rounds *rounds = t->session->job.rounds;
 	do
 		session_step(t->session);
-	while (session_busy(t->session) && is_drawing(t->session));
+	while (session_busy(t->session) && is_sampling_posterior(t->session));
 	if (!session_busy(t->session))
 		finish_rounds(t, rounds);
 }
@@ -170,7 +170,8 @@ watch_pump(struct tui *t)
 	double began = session_clock();
 	/* Of several nobody watches the generations. */
 	const struct rounds *rounds = s->job.rounds;
-	int pace = rounds->alone && !is_drawing(s) ? t->ui.pace : PACE_FULL;
+	int pace =
+	    rounds->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
 	size_t entry = s->job.entry;
 	if (pace < PACE_FULL && t->clock < t->due)
 		return;
@@ -181,7 +182,7 @@ watch_pump(struct tui *t)
 		session_step(s);
 	} while (
 	    session_busy(s) && signals_noted() == 0 && entry == s->job.entry &&
-	    (pace == PACE_FULL || is_drawing(s)) &&
+	    (pace == PACE_FULL || is_sampling_posterior(s)) &&
 	    (t->aside ||
 		(!signals_waited_for() && session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)

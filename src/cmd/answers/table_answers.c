@@ -208,7 +208,7 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "What predict does with several speeds, predict 65..85:5. "
+	    "Predicts at several speeds, as predict 65..85:5 does. "
 	    "Up to seven speeds are shown side by side, sieve by sieve; "
 	    "more are listed one per row. Without speeds= it covers 65 to 85 "
 	    "m/s and the runs outside that range; if all runs are below "
@@ -337,13 +337,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "speed=. circuit= takes screens, splits and stockpiles from a "
 	    "file, see tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the "
 	    "tonnes of the products against the speed, from=..to=.",
-	.more =
-	    "What is coarser or finer than all fractions, or between them, "
-	    "is listed too, and beside the circulating load what the "
-	    "balance of feed and products is out by. Of the power c is 1 at "
-	    "least (Euler), and readings of the empty crusher (0 t/h) at two "
-	    "speeds show its idle. tipspeed-circuit(5) "
-	    "also says what is left out.",
+	.more = "What is coarser or finer than all fractions, or between them, "
+		"is listed too, and beside the circulating load what the "
+		"balance of feed and products is out by. In the power c is at "
+		"least 1 (Euler); readings of the empty crusher (0 t/h) at two "
+		"speeds give its idle power. tipspeed-circuit(5) "
+		"also says what is left out.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "flow tph=120 recycle=8/11.2\n"
 		   "flow tph=120 recycle=8/11.2 "

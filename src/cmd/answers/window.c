@@ -51,8 +51,8 @@ window_look(struct session *s, struct asking *a, double from, double to)
 	forecast_at(a->wanted.forecast, a->w->best);
 }
 
-/* "passing 0.5 mm binds below 71.5, passing 0.063 mm above 76.2 m/s"; one
- * quantity may do both. */
+/* "passing 0.5 mm sets the lower end, 71.5, passing 0.063 mm the upper, 76.2
+ * m/s"; one quantity may do both. */
 static void
 note_binding(struct answer *r, const struct asking *a)
 {
@@ -61,25 +61,27 @@ note_binding(struct answer *r, const struct asking *a)
 	if (in->low.i != SIZE_MAX) {
 		char *q = quantities_words(&a->list.at[in->low.i].quantity);
 		if (in->high.i == in->low.i)
-			xappend(&words,
-			    tr("%s binds below %.1f and above %.1f"), q,
-			    in->from, in->to);
+			xappend(&words, tr("%s sets both ends: %.1f and %.1f"),
+			    q, in->from, in->to);
 		else
-			xappend(&words, tr("%s binds below %.1f"), q, in->from);
+			xappend(&words, tr("%s sets the lower end, %.1f"), q,
+			    in->from);
 		free(q);
 	}
 	if (in->high.i != SIZE_MAX && in->high.i != in->low.i) {
 		char *q = quantities_words(&a->list.at[in->high.i].quantity);
 		if (words[0] == '\0')
-			xappend(&words, tr("%s binds above %.1f"), q, in->to);
+			xappend(&words, tr("%s sets the upper end, %.1f"), q,
+			    in->to);
 		else
-			xlist(&words, ", ", tr("%s above %.1f"), q, in->to);
+			xlist(
+			    &words, ", ", tr("%s the upper, %.1f"), q, in->to);
 		free(q);
 	}
 	if (words[0] != '\0')
 		answer_note(r, "%s m/s", words);
 	else
-		answer_note(r, "no condition binds from %g to %g m/s",
+		answer_note(r, "no condition sets a limit from %g to %g m/s",
 		    a->wanted.from, a->wanted.to);
 	free(words);
 }

@@ -485,7 +485,7 @@ add_part(struct curves *c, const struct session *s, const struct entry *entry,
 }
 
 static void
-add_predicted(struct curves *c, const struct session *s,
+plots_add_predicted(struct curves *c, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
 	add_product(c, p,
@@ -538,7 +538,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 		return NULL;
 	}
 	if (known)
-		add_predicted(&c, s, q, one);
+		plots_add_predicted(&c, s, q, one);
 	char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
@@ -589,7 +589,7 @@ sweep_chart(
 		add_product(&c,
 		    make_prediction(&c, s, q, entry, &params, speed[i], feed),
 		    xasprintf(tr("predicted %g m/s"), speed[i]),
-		    site_chart_look(i));
+		    site_chart_style(i));
 	free(usual);
 	char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
@@ -733,7 +733,7 @@ put_pairs(
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
 	for (size_t i = 0; i < 3; i++) {
-		struct chart_series look = site_chart_look(i);
+		struct chart_series look = site_chart_style(i);
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);

@@ -33,7 +33,7 @@ add_tick(struct axis *axis, double at)
 
 /* As far below 0 as above, so that 0 stays where it is. */
 static struct axis
-points_axis(const struct chart *chart)
+difference_points_axis(const struct chart *chart)
 {
 	struct axis axis = {.title = xstrdup(tr("difference, points"))};
 	double most = 0;
@@ -117,7 +117,7 @@ plots_difference(struct chart *chart, int rows, const bool *wanted)
 	free(strip->title);
 	strip->title = title_of(other, measured);
 	strip->strip = rows;
-	strip->y = points_axis(strip);
+	strip->y = difference_points_axis(strip);
 	if (strip->n > 0)
 		chart->below = strip;
 	else

@@ -163,8 +163,9 @@ find_profiled(const struct session *s, const struct entry *entry,
 		    "%s is %s\nchoose another parameter: plot profile "
 		    "param=..",
 		    name,
-		    gauge ? tr("what the others of beta are scaled to")
-			  : tr("held fixed"));
+		    gauge
+			? tr("the parameter that the rest of beta is scaled by")
+			: tr("held fixed"));
 	a->misfit = misfit_new(a->h->site, a->h->train, NULL, false, settings);
 	if (gauge) {
 		a->bounds.lower[a->j] = -1;

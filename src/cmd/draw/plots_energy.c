@@ -54,7 +54,7 @@ energy_add(
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
-	energy_fill(chart_add(chart, main ? look : site_chart_look(place),
+	energy_fill(chart_add(chart, main ? look : site_chart_style(place),
 			POINTS, "%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)

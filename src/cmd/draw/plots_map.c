@@ -40,9 +40,10 @@ map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
 
 /* Materials of one rock, in a series of their own. */
 static void
-add_rock(struct chart *chart, const struct stored_list *list, const char *rock)
+map_add_rock(
+    struct chart *chart, const struct stored_list *list, const char *rock)
 {
-	struct chart_series look = site_chart_look(chart->n);
+	struct chart_series look = site_chart_style(chart->n);
 	look.line = CHART_MARKS;
 	struct chart_series *series = map_add(chart, look, list->n,
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
@@ -170,7 +171,7 @@ plots_map(struct session *s, const struct plot_request *q, struct error *error)
 	free(about);
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first(&list, i))
-			add_rock(chart, &list, list.item[i].rock);
+			map_add_rock(chart, &list, list.item[i].rock);
 	add_loaded(chart, s, false);
 	add_loaded(chart, s, true);
 	stored_list_free(&list);

@@ -164,14 +164,14 @@ line_look(size_t i)
 {
 	static const enum chart_line LINES[] = {
 	    CHART_SOLID, CHART_DASHED, CHART_LONG};
-	struct chart_series look = site_chart_look(i);
+	struct chart_series look = site_chart_style(i);
 	look.line = LINES[i % ARRAY_LEN(LINES)];
 	look.mark = 0;
 	return look;
 }
 
 static void
-add_line(struct chart *chart, const struct drawn *d, size_t i)
+response_add_line(struct chart *chart, const struct drawn *d, size_t i)
 {
 	const double(*value)[3] = (const double(*)[3])(d->value + i * POINTS);
 	char *name = quantities_words(&d->q[i]);
@@ -197,7 +197,7 @@ add_measured(struct chart *chart, const struct session *s,
 {
 	const struct site *site = entry->site;
 	const struct quantity *q = &d->q[i];
-	struct chart_series look = site_chart_look(i);
+	struct chart_series look = site_chart_style(i);
 	look.line = CHART_MARKS;
 	if (site_products(site) == 0 || site->with[0] != '\0')
 		return;
@@ -224,7 +224,7 @@ add_measured(struct chart *chart, const struct session *s,
 static void
 response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 {
-	struct chart_series look = site_chart_look(i);
+	struct chart_series look = site_chart_style(i);
 	look.line = CHART_DOTTED;
 	look.ascii = '.';
 	look.mark = 0;
@@ -337,7 +337,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 		(struct axis){0}, "%s against tip speed", about);
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
-			add_line(chart, d, i);
+			response_add_line(chart, d, i);
 			add_measured(chart, s, d->entry, d, i);
 			response_add_limits(chart, d, i);
 		}

@@ -69,7 +69,7 @@ add_feeds(struct chart *chart, const struct site *site)
 
 /* The model alone, which is what a held-out run tests. */
 static void
-add_predicted(struct chart *chart, const struct session *s,
+runs_add_predicted(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     size_t feed, struct chart_series look, const char *repeat)
 {
@@ -83,8 +83,8 @@ add_predicted(struct chart *chart, const struct session *s,
 /* Its product, and what is predicted for it, unless that is what was for the
  * run before. */
 static void
-add_run(struct chart *chart, const struct session *s, const struct entry *entry,
-    const struct params *params, size_t run)
+runs_add_run(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run)
 {
 	static const char ASCII[] = "=~_\"`;";
 	const struct site *site = entry->site;
@@ -103,7 +103,7 @@ add_run(struct chart *chart, const struct session *s, const struct entry *entry,
 	if (params != NULL &&
 	    (!site_run_repeats(site, run) ||
 		!psd_same(&site->run[run - 1].feed, &r->feed)))
-		add_predicted(
+		runs_add_predicted(
 		    chart, s, entry, params, r->speed, run, dashed, r->repeat);
 }
 
@@ -114,10 +114,10 @@ add_further(struct chart *chart, const struct session *s,
 	const struct site *site = q->entry->site;
 	size_t feed = feed_at(site, q->feed_speed);
 	for (size_t i = 0; i < q->n_speed; i++) {
-		struct chart_series look = site_chart_look(i);
+		struct chart_series look = site_chart_style(i);
 		look.line = CHART_LONG;
 		look.mark = MARKS[i];
-		add_predicted(
+		runs_add_predicted(
 		    chart, s, q->entry, params, q->speeds[i], feed, look, "");
 	}
 	char *words = feed_words(site, feed);
@@ -146,7 +146,7 @@ runs_refuse(const struct plot_request *q, struct error *error)
 
 /* All of them on one axis; params: or NULL. */
 static void
-add_all(struct chart *chart, const struct session *s,
+runs_add_all(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct entry *entry = entry_loaded(q->entry);
@@ -157,7 +157,7 @@ add_all(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS))
 			continue;
-		add_run(chart, s, entry, params, i);
+		runs_add_run(chart, s, entry, params, i);
 		hollow = hollow || !entry->train[i];
 	}
 	if (hollow)
@@ -202,7 +202,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 		: known                  ? N_("products measured and predicted")
 					 : N_("feed and products"));
 	free(size);
-	add_all(chart, s, q, known ? &params : NULL);
+	runs_add_all(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);
 	return chart;

@@ -67,14 +67,14 @@ cells_of_run(const struct candidates *c, size_t from)
 struct chart_series
 plots_search_look(const struct site *site, size_t run, size_t nth)
 {
-	struct chart_series look = site_chart_look(nth);
+	struct chart_series look = site_chart_style(nth);
 	look.series = site_chart_run(site, run, false).series;
 	return look;
 }
 
 /* nth of `runs`, side by side. */
 static void
-add_run(struct chart *chart, const struct candidates *c,
+search_add_run(struct chart *chart, const struct candidates *c,
     const struct site *site, size_t from, size_t nth, size_t runs)
 {
 	static const enum chart_line LINES[] = {
@@ -148,7 +148,7 @@ plots_search(
 	for (size_t k = 0; k < c.n; k += cells_of_run(&c, k))
 		runs++;
 	for (size_t k = 0, nth = 0; k < c.n; k += cells_of_run(&c, k), nth++)
-		add_run(chart, &c, past.site, k, nth, runs);
+		search_add_run(chart, &c, past.site, k, nth, runs);
 	char *words = plots_search_words(s, &past, q->generation);
 	chart_note(chart, "%s", words);
 	free(words);
@@ -158,7 +158,7 @@ plots_search(
 
 /* Fixed over the whole search, and over most searches. */
 static struct axis
-points_axis(const struct plots_past *past)
+search_points_axis(const struct plots_past *past)
 {
 	double low = 0.1, high = 30;
 	for (size_t i = 0; i < past->n; i++) {
@@ -180,7 +180,7 @@ plots_search_convergence(
 		return NULL;
 	struct chart *chart = site_chart(past.site,
 	    axis_linear(tr("generation"), 1, (double)past.n),
-	    points_axis(&past), "the search, %zu generations", past.n);
+	    search_points_axis(&past), "the search, %zu generations", past.n);
 	chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
@@ -277,7 +277,7 @@ parameter_axis(const struct breakage *of)
 
 /* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
 static double
-share_of(const struct plots_strip *strip, double value)
+search_share_of(const struct plots_strip *strip, double value)
 {
 	double range = strip->upper - strip->lower;
 	return strip->fixed ? NAN : 100 * (value - strip->lower) / range;
@@ -310,13 +310,13 @@ plots_search_spread(
 		struct plots_strip strip =
 		    plots_search_strip(s, &past, q->generation, j);
 		double row = strip.fixed ? NAN : (double)(of->n - j);
-		double end[3] = {share_of(&strip, strip.p10),
-		    share_of(&strip, strip.p90), NAN};
+		double end[3] = {search_share_of(&strip, strip.p10),
+		    search_share_of(&strip, strip.p90), NAN};
 		for (size_t k = 0; k < 3; k++) {
 			spread->x[3 * j + k] = k < 2 ? end[k] : 0;
 			spread->y[3 * j + k] = k < 2 ? row : NAN;
 		}
-		best->x[j] = share_of(&strip, strip.best);
+		best->x[j] = search_share_of(&strip, strip.best);
 		best->y[j] = row;
 	}
 	chart_note(chart,

@@ -29,7 +29,7 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 }
 
 struct chart_series
-site_chart_look(size_t i)
+site_chart_style(size_t i)
 {
 	static const char MARKS[] = "v^ox*+@&$%szNHKTUYAEMRW", ASCII[] = "=-~_";
 	enum { COLOURS = sizeof ASCII - 1 };

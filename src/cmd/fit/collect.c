@@ -149,7 +149,7 @@ clear_shelf(struct shelf *shelf)
 /* The material of a site: of this very calibration, which its misfit tells to
  * the last bit. */
 static struct material *
-material_of(const struct shelf *shelf, const struct part_site *site,
+collect_material_of(const struct shelf *shelf, const struct part_site *site,
     const char *version, struct error *error)
 {
 	enum { MISFIT = 3 };
@@ -190,8 +190,8 @@ put_materials(struct session *s, const struct shelf *shelf,
 	struct stored *item = xcalloc(n + 1, sizeof *item);
 	bool ok = true;
 	for (size_t i = 0; ok && i < n; i++) {
-		struct material *m =
-		    material_of(shelf, site[i], parts->part[0].version, error);
+		struct material *m = collect_material_of(
+		    shelf, site[i], parts->part[0].version, error);
 		ok = m != NULL;
 		if (ok)
 			item[i] = *m->stored;

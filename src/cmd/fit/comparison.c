@@ -220,7 +220,7 @@ put_all(struct fields *o, const struct comparison *c)
 
 /* The run, for programs behind its speed. */
 static void
-begin_row(struct answer *r, const struct compared *item, bool exact)
+comparison_begin_row(struct answer *r, const struct compared *item, bool exact)
 {
 	if (exact)
 		answer_cells(r, "%g", item->v.speed);
@@ -228,7 +228,7 @@ begin_row(struct answer *r, const struct compared *item, bool exact)
 }
 
 static void
-add_sieves(struct answer *r, const struct compared *item, bool exact)
+comparison_add_sieves(struct answer *r, const struct compared *item, bool exact)
 {
 	const struct psd *product = &item->site->run[item->v.run].product;
 	double *passing[VALIDATE_WAYS];
@@ -236,7 +236,7 @@ add_sieves(struct answer *r, const struct compared *item, bool exact)
 		passing[way] = way_passing(item, way);
 	answer_missing(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
-		begin_row(r, item, exact);
+		comparison_begin_row(r, item, exact);
 		if (exact)
 			answer_cells(r, "%g", units_mm(product->size[i]));
 		else
@@ -266,7 +266,7 @@ add_sizes(struct answer *r, const struct compared *item, bool exact)
 	const struct validation *v = &item->v;
 	answer_missing(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		begin_row(r, item, exact);
+		comparison_begin_row(r, item, exact);
 		answer_text(
 		    r, exact ? "P%.0f" : N_("P%.0f mm"), 100 * PSD_PASSING[i]);
 		answer_cells(r, "%.3f", 1000 * v->measured[i]);
@@ -291,7 +291,7 @@ add_table(struct answer *r, const struct comparison *c, bool exact)
 	for (size_t i = 0; i < c->n; i++) {
 		const struct compared *item = &c->item[i];
 		if (c->sieves)
-			add_sieves(r, item, exact);
+			comparison_add_sieves(r, item, exact);
 		if (!exact)
 			add_rmse(r, item->name, item->v.rmse);
 		if (!exact || !c->sieves)

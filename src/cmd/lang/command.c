@@ -226,7 +226,7 @@ command_own_option(const struct command *command, size_t i)
 
 /* Option i of lists that end with NULL. */
 static const struct command_option *
-option_of(const struct command_option *const *list, size_t i)
+option_at(const struct command_option *const *list, size_t i)
 {
 	for (; *list != NULL; list++)
 		for (const struct command_option *o = *list; o->name != NULL;
@@ -243,7 +243,7 @@ command_option_at(const struct command *command, size_t i)
 	while (own <= i && command_own_option(command, own) != NULL)
 		own++;
 	return own > i ? command_own_option(command, i)
-		       : option_of(command->shared, i - own);
+		       : option_at(command->shared, i - own);
 }
 
 const struct command_option *
@@ -252,7 +252,7 @@ command_shared_option(size_t i)
 	static const struct command_option *const ALL[] = {SHARED_TURNS,
 	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS, NULL};
-	return option_of(ALL, i);
+	return option_at(ALL, i);
 }
 
 char *
@@ -260,7 +260,7 @@ command_shared(const struct command *command)
 {
 	char *list = xstrdup("");
 	const struct command_option *o;
-	for (size_t i = 0; (o = option_of(command->shared, i)) != NULL; i++)
+	for (size_t i = 0; (o = option_at(command->shared, i)) != NULL; i++)
 		xlist(&list, ", ", "%s", o->name);
 	return list;
 }

@@ -517,7 +517,7 @@ add_products(struct chart *chart, const struct plant *p,
 	for (size_t i = 0; i < n; i++) {
 		if (line[i].unit == NULL)
 			continue;
-		struct chart_series look = site_chart_look(products);
+		struct chart_series look = site_chart_style(products);
 		look.line = CHART_SOLID;
 		struct chart_series *s =
 		    chart_add(chart, look, POINTS, "%s", line[i].name);

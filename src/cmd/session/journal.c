@@ -145,7 +145,7 @@ journal_settings(struct session *s)
 }
 
 void
-journal_word(char **line, const char *word)
+journal_append_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
 	xappend(line, plain ? " " : " \"");
@@ -181,7 +181,7 @@ put_path(char **line, const char *key, const char *path)
 		xappend(&whole, "%.*s", (int)(rest - length), at + length);
 		free(one);
 	}
-	journal_word(line, whole);
+	journal_append_word(line, whole);
 	free(whole);
 }
 
@@ -271,7 +271,7 @@ journal_line(const struct args *args, const struct words *words)
 		else if (is_path(args, word))
 			put_path(&line, NULL, word);
 		else
-			journal_word(&line, word);
+			journal_append_word(&line, word);
 	}
 	return line;
 }

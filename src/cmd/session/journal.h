@@ -10,15 +10,15 @@
 #include "cmd/lang/parse.h"
 #include "cmd/session/session.h"
 
-/* A place in the journal; start: where the last reset left it.  state: the
- * number of what the session is like there, which undo and redo bring back. */
+/* A place in the journal.  start: where the last reset left it.  state: number
+ * of the session's state there, which undo and redo restore. */
 struct mark {
 	size_t n, start, state;
 };
 
 struct mark journal_mark(const struct session *s);
 
-/* Lines cut off the journal, to be put back. */
+/* Lines cut off the end of the journal, to be put back later. */
 struct tail {
 	size_t n;
 	char **line;
@@ -34,40 +34,42 @@ void tail_free(struct tail *tail);
 void journal_add(struct session *s, const char *latest, const char *line, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* A line before that of a command: the file that it is about to read has to be
- * as it was, by a digest of its bytes.  latest: see journal_add. */
+/* Adds, before the line of a command, a line that checks that the file the
+ * command is about to read is unchanged, by a digest of its bytes.  latest: see
+ * journal_add. */
 void journal_check(
     struct session *s, const char *latest, const char *path, uint64_t digest);
 
-/* The session is as it never was before. */
+/* Gives the session's state a new number. */
 void journal_changed(struct session *s);
 
 /* What came before is no part of the session any more. */
 void journal_restart(struct session *s);
 
-/* Lines for what the command line has set. */
+/* Adds lines for what the command line has set. */
 void journal_settings(struct session *s);
 
 /* Appends " WORD" to a line, in quotes where it would not be read as one. */
-void journal_word(char **line, const char *word);
+void journal_append_word(char **line, const char *word);
 
-/* The call as a line that means the same in any folder and script: full name,
- * absolute paths.  pause= is left out: it is put in as it turned out.  The
- * caller frees. */
+/* Returns the call as a line that means the same in any folder and script: full
+ * name, absolute paths.  pause= is left out; it is added with the step at which
+ * the job did stop.  The caller frees. */
 char *journal_line(const struct args *args, const struct words *words);
 
-/* "load FILE@SPEED.. digest=HEX" for a site that was read from n files, the
- * samples of each at a speed, m/s, where it was given (0). */
+/* Returns "load FILE@SPEED.. digest=HEX" for a site read from n files; speed:
+ * of the samples of each file, m/s, 0 where not given. */
 char *journal_load(const struct site *site, size_t n, const char *const *path,
     const double *speed);
 
-/* The call as typed, with the command's full name.  The caller frees. */
+/* Returns the call as typed, with the command's full name.  The caller
+ * frees. */
 char *journal_label(const struct command *command, const struct words *words);
 
-/* Names of files may hold bytes that no script can: then false. */
+/* False with an error if a file name contains bytes that a script cannot. */
 bool journal_can_be_saved(const struct session *s, struct error *error);
 
-/* The session as a script, but for a heading. */
+/* Prints the session as a script, without the heading. */
 void journal_put(const struct session *s, FILE *out);
 
 struct journal *journal_new(void);

@@ -77,10 +77,10 @@ no_book(const struct command *command, const struct words *words,
 	const char *target = words->target, *end = strrchr(target, '.');
 	char *line = xstrdup(command->name);
 	for (size_t i = 1; i < words->n; i++)
-		journal_word(&line, words->text[i]);
+		journal_append_word(&line, words->text[i]);
 	char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
 	xappend(&line, " >");
-	journal_word(&line, file);
+	journal_append_word(&line, file);
 	error_set(error, ERROR_USAGE,
 	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
 	    target, line);

@@ -284,7 +284,7 @@ take_origin(struct stored *m, const struct entry *entry)
 }
 
 static struct stored
-material_of(const struct session *s, const struct entry *entry)
+store_material_of(const struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
@@ -376,7 +376,7 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 	if (!check_remember(entry, args, error) ||
 	    !stored_check_name(name, error))
 		return false;
-	struct stored m = material_of(s, entry);
+	struct stored m = store_material_of(s, entry);
 	set_copy(&m.name, name);
 	store_set(&m.date, date->given ? xstrdup(date->text) : moment_today());
 	if (note->given)
@@ -387,8 +387,8 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 
 /* Every site that was calibrated here. */
 static bool
-add_all(struct session *s, const struct args *args, struct stored_list *list,
-    struct error *error)
+store_add_all(struct session *s, const struct args *args,
+    struct stored_list *list, struct error *error)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
@@ -409,7 +409,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
 	bool replace = args_value(args, "replace")->choice == 1;
 	struct stored_list list = {0};
-	bool ok = all ? add_all(s, args, &list, error)
+	bool ok = all ? store_add_all(s, args, &list, error)
 		      : add_material(s, entry, name, args, &list, error);
 	ok = ok && store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
@@ -690,7 +690,7 @@ struct rocks {
 };
 
 static void
-add_rock(void *data, const char *rock)
+store_add_rock(void *data, const char *rock)
 {
 	struct rocks *r = data;
 	bool before = rock[0] == '\0';
@@ -709,9 +709,9 @@ note_rocks(struct answer *r, struct store *store,
     const struct stored_list *paper, struct error *error)
 {
 	struct rocks rocks = {.words = xstrdup("")};
-	bool ok = store_each(store, STORE_ROCKS, add_rock, &rocks, error);
+	bool ok = store_each(store, STORE_ROCKS, store_add_rock, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
-		add_rock(&rocks, paper->item[i].rock);
+		store_add_rock(&rocks, paper->item[i].rock);
 	answer_note(r, "rocks: %s", rocks.words);
 	for (size_t i = 0; i < rocks.n; i++)
 		free(rocks.rock[i]);

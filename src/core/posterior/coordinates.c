@@ -14,7 +14,7 @@
 static const double LINEAR = 1.5976, CUBIC = 0.07056;
 
 static double
-share_of(double x)
+coordinates_share_of(double x)
 {
 	return 1 / (1 + el_exp(-x * (LINEAR + CUBIC * x * x)));
 }
@@ -169,11 +169,11 @@ static double
 coordinates_slope_at(const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
-	double share = share_of(x[f]), log_break = c->largest / share, low,
-	       high;
+	double share = coordinates_share_of(x[f]),
+	       log_break = c->largest / share, low, high;
 	double hard = logistic(x[f + 1]);
 	alpha_within(c, log_break, &low, &high);
-	double alpha = low + (high - low) * share_of(x[f + 2]);
+	double alpha = low + (high - low) * coordinates_share_of(x[f + 2]);
 	double e0 = el_exp(c->middle + alpha * log_break);
 	at[f] = c->bounds.lower[f] +
 		(c->bounds.upper[f] - c->bounds.lower[f]) * hard;
@@ -196,7 +196,7 @@ slope_of(const struct coordinates *c, const double *at, double *x)
 	double hard = inside((at[f] - c->bounds.lower[f]) /
 			     (c->bounds.upper[f] - c->bounds.lower[f]));
 	x[f] = coordinates_number_of(c->largest / log_break);
-	alpha_within(c, c->largest / share_of(x[f]), &low, &high);
+	alpha_within(c, c->largest / coordinates_share_of(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
 	x[f + 2] = coordinates_number_of((alpha - low) / (high - low));
 }

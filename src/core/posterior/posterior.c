@@ -59,7 +59,7 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior, hyper_prior;
-	double volume; /* see bring_to_cells */
+	double volume; /* see rescale_to_cells */
 	double more;   /* of a guided move, see guide_move */
 	double *U, *d; /* covariance_factor, simulated - measured */
 };
@@ -108,7 +108,7 @@ struct sampler {
  * one covariance serves all: what draws are corrected by (discrepancy_answer)
  * is what is judged here.  Returns ln of what that makes a volume smaller. */
 static double
-bring_to_cells(const struct sampler *s, double *d)
+rescale_to_cells(const struct sampler *s, double *d)
 {
 	enum { AT_ONCE = 16 }; /* logarithms: their product is no overflow */
 	const double floor = 0.05;
@@ -141,7 +141,7 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
 		trial->d[k] = s->difference[k * HALF + place] + s->scheme[k];
-	trial->volume = s->hyper ? now->volume : bring_to_cells(s, trial->d);
+	trial->volume = s->hyper ? now->volume : rescale_to_cells(s, trial->d);
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
 	    trial->volume +

@@ -276,7 +276,7 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 /* Comments wait for the reader of the sheet; "sep=;", which some spreadsheets
  * put first, is left out. */
 static bool
-add_line(struct sheet *sheet, const char *line, int number)
+sheet_add_line(struct sheet *sheet, const char *line, int number)
 {
 	const char *first = line + strspn(line, " \t\"");
 	if (number == 1 && strncmp(first, "sep=", 4) == 0)
@@ -351,7 +351,7 @@ split_text(struct sheet *sheet, char *text)
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
 		char *next = text + n + (pair ? 2 : text[n] != '\0');
 		text[n] = '\0';
-		if (!add_line(sheet, text, number))
+		if (!sheet_add_line(sheet, text, number))
 			return;
 		text = next;
 		number += ends;

@@ -241,7 +241,7 @@ xlsx_begin_cell(struct reading *r, const char *const *attribute)
 }
 
 static void
-begin_row(struct reading *r, const char *const *attribute)
+xlsx_begin_row(struct reading *r, const char *const *attribute)
 {
 	size_t next = (size_t)r->at.line + 1;
 	size_t line = xml_whole(attribute, "r", next);
@@ -257,7 +257,7 @@ begin_in_sheet(void *data, const char *name, const char *const *attribute)
 	struct reading *r = data;
 	r->in = IN_NOTHING;
 	if (strcmp(name, "row") == 0)
-		begin_row(r, attribute);
+		xlsx_begin_row(r, attribute);
 	else if (strcmp(name, "c") == 0)
 		xlsx_begin_cell(r, attribute);
 	else if (strcmp(name, "col") == 0 && is_true(attribute, "hidden"))

@@ -38,7 +38,7 @@ site_ask_add_name(struct names *names, char *part, struct error *error)
 }
 
 static void
-add_sieves(struct layout_range *range, size_t number)
+site_ask_add_sieves(struct layout_range *range, size_t number)
 {
 	if (range->n_sieves < LAYOUT_SIEVES)
 		range->sieves[range->n_sieves++] = number;
@@ -73,7 +73,7 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 			names->others = true;
 			continue;
 		}
-		add_sieves(range, names->number[i]);
+		site_ask_add_sieves(range, names->number[i]);
 		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
 	if (good && range->n_sieves == 0)

@@ -259,7 +259,7 @@ touch_fraction(struct tui *t, const struct touched *touched)
 
 /* A row for each of them in a unit that 100 % is `all` of. */
 static int
-draw_shares(struct panel *p, const struct area *area, int row,
+draw_passings(struct panel *p, const struct area *area, int row,
     const char *const name[NUMBERS_FRACTIONS], double all, const char *unit)
 {
 	struct tui *t = p->t;
@@ -295,7 +295,7 @@ static void
 draw_fractions(struct panel *p, const struct area *area)
 {
 	static const char *const NAME[] = {"fines", "0/2", "0/4"};
-	draw_shares(p, area, 0, NAME, 100, "%");
+	draw_passings(p, area, 0, NAME, 100, "%");
 }
 
 /* What the last flow was fed with: a share of that is a product's where all of
@@ -318,7 +318,7 @@ draw_tonnes(struct panel *p, const struct area *area)
 		return;
 	}
 	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", p->tph);
-	draw_shares(p, area, 1, NAME, p->tph, "t/h");
+	draw_passings(p, area, 1, NAME, p->tph, "t/h");
 }
 
 /* The heading says the verdict; a row each, or as many of the worst as there is
@@ -453,7 +453,7 @@ draw_sieves(struct panel *p, const struct area *area)
 static struct wish
 light_wish(const struct panel *p)
 {
-	enum { LOW = 16, FEW = 3, MANY = 6 };
+	enum { LOW = 16, FEW = 1, MANY = 6 };
 	int n = p->reason_rows;
 	int least = p->t->layout.side.rows <= LOW ? FEW : MANY;
 	return (struct wish){1 + (n < least ? n : least), 1 + n};
