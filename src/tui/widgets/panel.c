@@ -450,12 +450,15 @@ draw_sieves(struct panel *p, const struct area *area)
 	sieve_table_draw(p->t, area);
 }
 
+/* Where there are few rows a doubt leaves them to the numbers: `why` has its
+ * reasons. */
 static struct wish
 light_wish(const struct panel *p)
 {
-	enum { LOW = 16, FEW = 1, MANY = 6 };
+	enum { LOW = 16, FEW = 3, MANY = 6 };
 	int n = p->reason_rows;
-	int least = p->t->layout.side.rows <= LOW ? FEW : MANY;
+	bool low = p->t->layout.side.rows <= LOW;
+	int least = !low ? MANY : p->light.light == LIGHT_RED ? FEW : 0;
 	return (struct wish){1 + (n < least ? n : least), 1 + n};
 }
 
