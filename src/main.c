@@ -163,17 +163,6 @@ read_command_line(
 	return true;
 }
 
-/* Unknown names are as none: this is for tests. */
-static enum isa
-chosen_isa(void)
-{
-	const char *name = getenv("TIPSPEED_ISA");
-	enum isa isa = name != NULL ? ISA_BASE : ISA_BEST;
-	while (isa < ISA_BEST && strcmp(name, isa_name(isa)) != 0)
-		isa++;
-	return isa;
-}
-
 /* A FILE is a site file, or a script when its name ends in .tip.  Site files
  * that follow each other are loaded together: they may be one site's.  stays:
  * somebody sits at a prompt, where a sheet that is refused can be loaded anew
@@ -291,7 +280,7 @@ main(int argc, char **argv)
 		s->set.format = in.format;
 		session_language(s);
 		s->set.seed = in.seed;
-		s->isa = chosen_isa();
+		s->isa = isa_named(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;
 		store_free(s->store);
 		/* Nor may a script of others touch the user's materials. */

@@ -88,17 +88,6 @@ digest_of(const struct site *site, const struct fit *fit,
 	return digest;
 }
 
-/* As main.c has it. */
-static enum isa
-chosen_isa(void)
-{
-	const char *name = getenv("TIPSPEED_ISA");
-	enum isa isa = name != NULL ? ISA_BASE : ISA_BEST;
-	while (isa < ISA_BEST && strcmp(name, isa_name(isa)) != 0)
-		isa++;
-	return isa;
-}
-
 /* A line: the case, digests of its parameters and of its predictions. */
 static void
 write_line(FILE *to, const struct site *site, const char *name,
@@ -106,7 +95,7 @@ write_line(FILE *to, const struct site *site, const char *name,
 {
 	struct calibrate_options options = quick_options(1);
 	bool *use = xcalloc(site->n_run, sizeof *use);
-	options.isa = chosen_isa();
+	options.isa = isa_named(getenv("TIPSPEED_ISA"));
 	options.settings = settings;
 	options.bounds = bounds_default(settings.breakage);
 	for (size_t r = 0; r < site->n_run; r++)

@@ -65,6 +65,10 @@ the_list_has_every_name(void **state)
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->brief != NULL && (k->where & (1U << PAGE_FIT)) != 0)
 			assert_non_null(strstr(text, k->brief));
+	/* Each key is found by what it does, on any page. */
+	for (const struct key *k = KEYS; k->code != 0; k++)
+		if (k->name != NULL)
+			assert_true(keys_count(PAGE_FIT, k->what) > 0);
 	/* Two columns of it are on a screen of 80. */
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 40);

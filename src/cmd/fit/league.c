@@ -418,25 +418,36 @@ put_verdict(struct fields *o, const struct verdict *v)
 		fields_put(o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
-/* The models, then those who need none; csv has the site in each row. */
+/* The models, then those who need none; csv has the site in each row.
+ * programs: with how far AICc is above the best's, for which people have no
+ * room. */
 static void
-league_add_rows(struct answer *r, const struct verdict *v)
+league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 {
 	bool weights = !isnan(v->straight);
-	answer_columns(r, "model, parameters: free, misfit, aicc: AICc, "
-			  "holdout_rmse_pct: hold-out, standing");
+	double least = v->model[v->best].aicc;
+	answer_columns(r, "model, parameters: free, misfit, aicc: AICc");
+	if (programs)
+		answer_columns(r, "above_best");
+	answer_columns(r, "holdout_rmse_pct: hold-out, standing");
 	if (weights)
 		answer_columns(r, "weight_pct: share");
 	for (size_t m = 0; m < v->n_model; m++) {
-		answer_cells(r, "%s %g %.5f %.1f %.2f %s", name_of_row(m),
-		    (double)v->parameters[m], v->misfit[m], v->model[m].aicc,
-		    100 * v->model[m].rmse, standing_of(v, m));
+		answer_cells(r, "%s %g %.5f %.1f", name_of_row(m),
+		    (double)v->parameters[m], v->misfit[m], v->model[m].aicc);
+		if (programs)
+			answer_cells(r, "%.1f", v->model[m].aicc - least);
+		answer_cells(
+		    r, "%.2f %s", 100 * v->model[m].rmse, standing_of(v, m));
 		if (weights)
 			answer_cells(r, "%.0f", weight_of(v, m));
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		answer_cells(r, "%s %g %.5f %.1f %.2f %s", SCORES_WAYS[way].key,
-		    NAN, NAN, NAN, 100 * v->rmse[way], tr("no model"));
+		answer_cells(
+		    r, "%s %g %.5f %.1f", SCORES_WAYS[way].key, NAN, NAN, NAN);
+		if (programs)
+			answer_cells(r, "%.1f", NAN);
+		answer_cells(r, "%.2f %s", 100 * v->rmse[way], tr("no model"));
 		if (weights)
 			answer_cells(r, "%.0f",
 			    way == VALIDATE_INTERPOLATION ? 100 * v->straight
@@ -572,10 +583,9 @@ note_weights(struct answer *r, const struct verdict *v)
 	if (isnan(v->straight))
 		return;
 	answer_say(r, ANSWER_REMARK,
-	    "share: in the answer between two measured speeds, of %s, "
-	    "corrected, %.0f %%, of the straight line %.0f %%; beyond them of "
-	    "%s all",
-	    name_of_row(v->in_use), weight_of(v, v->in_use), 100 * v->straight,
+	    "share: between two measured speeds the answer is %.0f %% %s, "
+	    "corrected, and %.0f %% the straight line; elsewhere it is all %s",
+	    weight_of(v, v->in_use), name_of_row(v->in_use), 100 * v->straight,
 	    name_of_row(v->in_use));
 }
 
@@ -586,7 +596,9 @@ one_answer(const struct session *s, const struct ground *g)
 	find_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
-	league_add_rows(r, &v);
+	league_add_rows(r, &v, false);
+	answer_for_programs(r);
+	league_add_rows(r, &v, true);
 	say_verdict(r, &v);
 	if (is_one_speed(g->site))
 		answer_say(r, ANSWER_WARNING,

@@ -3,6 +3,7 @@
 #include "core/numeric/isa.h"
 
 #include <assert.h>
+#include <string.h>
 
 static enum isa
 best(void)
@@ -32,4 +33,13 @@ isa_name(enum isa isa)
 	static const char *const NAMES[] = {"baseline", "avx2", "avx512"};
 	assert(isa < ISA_BEST);
 	return NAMES[isa];
+}
+
+enum isa
+isa_named(const char *name)
+{
+	enum isa isa = name != NULL ? ISA_BASE : ISA_BEST;
+	while (isa < ISA_BEST && strcmp(name, isa_name(isa)) != 0)
+		isa++;
+	return isa;
 }

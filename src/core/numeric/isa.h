@@ -12,4 +12,7 @@ enum isa isa_usable(enum isa wanted);
 /* "baseline", "avx2" or "avx512". */
 const char *isa_name(enum isa isa);
 
+/* The set of that name; ISA_BEST for NULL and for unknown names. */
+enum isa isa_named(const char *name);
+
 #endif

@@ -9,7 +9,8 @@
 #include "core/posterior/ensemble.h"
 
 /* How many times the share that the model misses of what the speed does counts
- * against it: found by counting, see HACKING. */
+ * against it: of twice, five times and no limit the one that won most without
+ * loss where a law fits (doc/decisions/straight-answers.md). */
 static const double TIMES = 5;
 
 /* The means of model and answer at a speed, [n] each. */
