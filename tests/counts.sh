@@ -10,9 +10,9 @@ count()
 	result $? "$1"
 	remark "$dir/out"
 }
-count drift "$(often 2 50)"
+count drift "$(often 1 50)"
 count guess "$(often 38 360)"
-count params "$(often 2 60)"
+count params "$(often 1 60)"
 count power "$(often 200 2000)"
 count speeds "$(often 2 60)"
 bench/chance "${srcdir:-.}/data" "$(often 3 5)" tierp ossjo >"$dir/out"

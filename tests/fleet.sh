@@ -10,11 +10,12 @@ unset SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT SLURM_ARRAY_TASK_MIN \
 
 # A few sites, but more than there are parts below.
 head -n 8 data/table3.csv >table.csv
+search="population=$(often 100 400) generations=$(often 8 25)"
 
 # run OPTIONS FILE [SEED]: calibrates the sites, or a part.
 run() {
 	"$TIPSPEED" -c "synth table.csv seed=${3:-1}" \
-		-c "calibrate all population=400 generations=25 $1 > $2" \
+		-c "calibrate all $search $1 > $2" \
 		>>log 2>&1
 }
 
@@ -107,23 +108,28 @@ result $? 'half a part is refused, and what is none'
 
 # Collision energies are options, too.
 "$TIPSPEED" -c 'synth table.csv' -c 'set energy data/energy/vsi-69.csv' -c \
-	'calibrate all population=400 generations=25 part=2/3 > other.json' \
+	"calibrate all $search part=2/3 > other.json" \
 	>>log 2>&1
 refuses 'expected the options of p1.json' p1.json other.json p3.json
 result $? 'one with other collision energies is refused'
 
 # both OPTIONS FILE [FIRST]: calibrates and validates sites, or a part of them.
+# Three threads hold each speed out in the long tests only.
 both() {
 	"$TIPSPEED" --store="$2.db" -c 'synth table.csv' -c "${3:-version}" \
-		-c "calibrate all population=400 generations=25 $1 > $2.json" \
+		-c "calibrate all $search $1 > $2.json" \
 		-c 'remember all' -c "validate all $1 > v$2.json" >>log 2>&1
+	if [ "$2" = three ] && [ "$(often 0 1)" -eq 0 ]; then
+		return
+	fi
 	"$TIPSPEED" data/sites/tierp.csv data/sites/bro.csv -c "${3:-version}" \
 		-c "validate all holdout=each $1 > e$2.json" >>log 2>&1
 }
 
 both '' whole 'set threads 1'
 both '' three 'set threads 3'
-cmp vwhole.json vthree.json && cmp ewhole.json ethree.json
+cmp vwhole.json vthree.json &&
+	{ [ ! -e ethree.json ] || cmp ewhole.json ethree.json; }
 result $? 'validate all is the same with one thread and three'
 for i in 1 2 3; do
 	both part=$i/3 part$i

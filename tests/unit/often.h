@@ -15,7 +15,8 @@ often(size_t few, size_t many)
 	double share = text != NULL ? strtod(text, NULL) : 0;
 	if (!(share > 0))
 		return few;
-	return few + (size_t)((double)(many - few) * (share < 1 ? share : 1));
+	share = share < 1 ? share : 1;
+	return (size_t)((1 - share) * (double)few + share * (double)many);
 }
 
 #endif

@@ -1,5 +1,6 @@
 /* Predictions to the last bit: their digests are those of tests/golden/predict,
- * whatever the compiler, its optimization and the processor.
+ * whatever the compiler, its optimization and the processor.  All cases in the long
+ * tests, else a third of them.
  * `make renew-bits` writes them anew: a change of them wants a reason.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <glob.h>
@@ -8,6 +9,7 @@
 #include <stdlib.h>
 
 #include "fitted.h"
+#include "often.h"
 #include "sheets.h"
 
 #include "core/answer/predict.h"
@@ -88,6 +90,13 @@ digest_of(const struct site *site, const struct fit *fit,
 	return digest;
 }
 
+/* Whether the i-th of the sites or models is a case of this run. */
+static bool
+is_case(size_t i)
+{
+	return getenv("RENEW") != NULL || often(0, 1) > 0 || i % 3 == 0;
+}
+
 /* A line: the case, digests of its parameters and of its predictions. */
 static void
 write_line(FILE *to, const struct site *site, const char *name,
@@ -135,6 +144,8 @@ write_others(FILE *to, const struct site *site, const char *name)
 {
 	struct model_settings settings = model_settings_default();
 	for (size_t i = 1; i < breakage_count(); i++) {
+		if (!is_case(i))
+			continue;
 		char *with = xasprintf(",%s", BREAKAGES[i]->name);
 		settings.breakage = (unsigned)i;
 		write_line(to, site, name, with, settings);
@@ -148,14 +159,15 @@ write_others(FILE *to, const struct site *site, const char *name)
 }
 
 static void
-write_site(FILE *to, const char *path)
+write_site(FILE *to, const char *path, bool whole)
 {
 	struct error_list errors = {0};
 	struct site *site = site_read(path, &errors);
 	assert_non_null(site);
 	char *name = xstrdup(strrchr(path, '/') + 1);
 	*strrchr(name, '.') = '\0';
-	write_line(to, site, name, "", model_settings_default());
+	if (whole)
+		write_line(to, site, name, "", model_settings_default());
 	if (strcmp(name, "tierp") == 0)
 		write_others(to, site, name);
 	free(name);
@@ -170,9 +182,20 @@ write_all(FILE *to)
 	assert_int_equal(glob(pattern, 0, NULL, &sites), 0);
 	assert_int_equal(sites.gl_pathc, 19);
 	for (size_t i = 0; i < sites.gl_pathc; i++)
-		write_site(to, sites.gl_pathv[i]);
+		write_site(to, sites.gl_pathv[i], is_case(i));
 	globfree(&sites);
 	free(pattern);
+}
+
+/* Reads on to the line of a case; false if there is none. */
+static bool
+find_line(FILE *golden, const char *like, char line[LINE])
+{
+	size_t n = strcspn(like, " ");
+	while (fgets(line, LINE, golden) != NULL)
+		if (strncmp(line, like, n) == 0 && line[n] == ' ')
+			return true;
+	return false;
 }
 
 static void
@@ -182,7 +205,7 @@ predictions_are_the_same_to_the_last_bit(void **state)
 	char *path = in_project("tests/golden/predict"), *got = NULL;
 	char want[LINE], line[LINE];
 	bool renew = getenv("RENEW") != NULL;
-	size_t size, other = 0;
+	size_t size, n = 0, other = 0;
 	FILE *golden = fopen(path, renew ? "w" : "r");
 	FILE *made = renew ? golden : open_memstream(&got, &size);
 	assert_non_null(golden);
@@ -196,13 +219,14 @@ predictions_are_the_same_to_the_last_bit(void **state)
 	made = fmemopen(got, size, "r");
 	assert_non_null(made);
 	while (fgets(line, sizeof line, made) != NULL) {
-		bool same = fgets(want, sizeof want, golden) != NULL &&
+		bool same = find_line(golden, line, want) &&
 			    strcmp(line, want) == 0;
 		if (!same)
 			print_message("# got %s", line);
 		other += !same;
+		n++;
 	}
-	assert_null(fgets(want, sizeof want, golden));
+	assert_int_equal(n, often(0, 1) > 0 ? 27 : 10);
 	assert_int_equal(other, 0);
 	fclose(made);
 	fclose(golden);
