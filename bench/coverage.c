@@ -105,7 +105,9 @@ static enum light
 light_at(const struct evidence *e, double v, const struct score *score)
 {
 	struct trust_question q = {
-	    .speed = v, .width = score->width / (double)score->cells};
+	    .speed = v,
+	    .corrected = true,
+	    .width = score->width / (double)score->cells};
 	struct trust t = {0};
 	trust_judge(&t, e, &q);
 	enum light light = t.light;

@@ -221,6 +221,38 @@ test_signs(void **state)
 	assert_int_equal(light_at(&e, 74), LIGHT_AMBER);
 }
 
+/* Between three measured speeds what corrects the model makes remarks of the
+ * signs; beyond them, between two, and of the model alone they are reasons. */
+static void
+measurements_answer_between_their_speeds(void **state)
+{
+	(void)state;
+	struct evidence wrong = SOUND, two = SOUND;
+	wrong.size = two.size = 3;
+	wrong.finer = two.finer = 0.5;
+	two.speeds = 2;
+	const struct {
+		const struct evidence *e;
+		double speed;
+		bool corrected;
+		enum light light;
+	} want[] = {{&wrong, 69, true, LIGHT_GREEN},
+	    {&wrong, 74, true, LIGHT_GREEN}, {&wrong, 0, true, LIGHT_GREEN},
+	    {&wrong, 79.1, true, LIGHT_AMBER}, {&wrong, 74, false, LIGHT_AMBER},
+	    {&wrong, 0, false, LIGHT_AMBER}, {&two, 74, true, LIGHT_AMBER}};
+	for (size_t i = 0; i < ARRAY_LEN(want); i++) {
+		struct trust t = asked(want[i].e,
+		    (struct trust_question){
+			.speed = want[i].speed, .corrected = want[i].corrected});
+		bool green = want[i].light == LIGHT_GREEN;
+		assert_int_equal(t.light, want[i].light);
+		assert_int_equal(t.remarks, green ? 2 : 0);
+		assert_int_equal(t.n > 0, !green);
+		assert_int_equal(names(&t, "sampling errors"), !green);
+		trust_free(&t);
+	}
+}
+
 /* The worst reason comes first, and gives the light. */
 static void
 test_order(void **state)
@@ -261,6 +293,7 @@ main(void)
 	    cmocka_unit_test(test_sense),
 	    cmocka_unit_test(test_exchanged),
 	    cmocka_unit_test(test_signs),
+	    cmocka_unit_test(measurements_answer_between_their_speeds),
 	    cmocka_unit_test(test_order),
 	    cmocka_unit_test(test_feeds),
 	};

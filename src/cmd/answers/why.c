@@ -214,6 +214,11 @@ say_light(const struct subject *a)
 		    t.light == LIGHT_RED
 			? N_("Trust is red: do not rely on this answer")
 			: N_("Trust is amber"));
+	else if (t.remarks > 0)
+		answer_note(a->answer,
+		    "Trust is green: between the measured speeds the "
+		    "measurements correct what the model misses; beyond them "
+		    "these are reasons for amber");
 	else if (e != NULL)
 		answer_note(a->answer,
 		    "Trust is green: the residuals look like sampling errors: "
@@ -223,6 +228,8 @@ say_light(const struct subject *a)
 	for (size_t i = 0; i < t.n; i++)
 		answer_note(a->answer, "  %s: %s",
 		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
+	for (size_t i = 0; i < t.remarks; i++)
+		answer_note(a->answer, "  remark: %s", t.remark[i]);
 	light_put(answer_fields(a->answer), &t);
 	trust_free(&t);
 }

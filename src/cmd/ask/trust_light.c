@@ -204,7 +204,9 @@ light_judge(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
-	struct trust_question q = {.speed = p != NULL ? p->speed : 0};
+	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
+	struct trust_question q = {
+	    .speed = p != NULL ? p->speed : 0, .corrected = !off};
 	struct evidence reach = reach_of(entry);
 	/* What was measured is judged as it was measured. */
 	const struct entry *own = entry_loaded(entry);

@@ -371,8 +371,29 @@ strength(double value, struct sign sign)
 	return (value > sign.weak) + (value > sign.strong);
 }
 
+/* Whether the answer stands between measured speeds, of which there are enough
+ * to show how the product changes there, and is corrected by them.  Then it
+ * holds even where the model does not. */
+static bool
+is_measured_around(const struct evidence *e, const struct trust_question *q)
+{
+	bool between = q->speed >= e->slowest - 1e-9 &&
+		       q->speed <= e->fastest + 1e-9;
+	return q->corrected && e->speeds >= 3 && (q->speed == 0 || between);
+}
+
+/* Adds a reason that a pattern of the residuals gives, or a remark. */
 static void
-judge_pattern(struct trust *t, const struct evidence *e)
+add_pattern(struct trust *t, bool remark, char *text)
+{
+	if (remark)
+		t->remark[t->remarks++] = text;
+	else
+		trust_add(t, LIGHT_AMBER, TRUST_PATTERN, text);
+}
+
+static void
+judge_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
 	int size = strength(e->size, SIZE), alike = strength(e->alike, ALIKE);
@@ -380,28 +401,28 @@ judge_pattern(struct trust *t, const struct evidence *e)
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)
-		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		add_pattern(t, remark,
 		    xasprintf(
 			tr("the residuals are %.1f times as large as usual "
 			   "sampling errors: the model misses something, or "
 			   "the samples are biased"),
 			sqrt(e->size)));
 	if (alike > 0)
-		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		add_pattern(t, remark,
 		    xasprintf(
 			tr("residuals of neighbouring sieves are alike "
 			   "(%.1f sd more than by chance): the model misses "
 			   "something, or whole samples are biased"),
 			e->alike));
 	if (more > 0)
-		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		add_pattern(t, remark,
 		    xasprintf(
 			tr("what the model leaves out (%.1f points) is no "
 			   "smaller than the sampling errors (%.1f): the "
 			   "answer is as much correction as model"),
 			100 * e->discrepancy, 100 * e->sampling));
 	if (drift > 0)
-		trust_add(t, LIGHT_AMBER, TRUST_PATTERN,
+		add_pattern(t, remark,
 		    xasprintf(
 			tr("the residuals follow the speed, as if fragments "
 			   "got %s with energy (gamma + kappa %.2f "
@@ -507,7 +528,7 @@ trust_judge(
 	judge_data(t, e);
 	judge_sense(t, e);
 	judge_holdout(t, e);
-	judge_pattern(t, e);
+	judge_pattern(t, e, is_measured_around(e, q));
 	if (q->speed > 0)
 		judge_speed(t, e, q->speed);
 	judge_question(t, q);
@@ -524,6 +545,8 @@ trust_free(struct trust *t)
 {
 	for (size_t i = 0; i < t->n; i++)
 		free(t->reason[i].text);
+	for (size_t i = 0; i < t->remarks; i++)
+		free(t->remark[i]);
 	*t = (struct trust){0};
 }
 

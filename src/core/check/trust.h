@@ -73,6 +73,9 @@ struct evidence trust_evidence(const struct site *site, const bool *train,
 /* The question.  All but speed may be 0 or NAN. */
 struct trust_question {
 	double speed; /* m/s; 0: none, the fit is meant */
+	/* Whether the answer is corrected by the measured runs, and is not the
+	 * model's alone. */
+	bool corrected;
 	double width; /* of the band, mean over the sieves, passing 0..1 */
 	/* For a feed that was not sampled here: its largest difference from the
 	 * nearest feed of the fit, passing 0..1. */
@@ -101,10 +104,12 @@ enum trust_cause {
 enum { TRUST_REASONS = 16 };
 
 /* The light is that of the worst reason; reasons [n], the worst first, are
- * sentences without a full stop. */
+ * sentences without a full stop.  remark [remarks]: what would be reasons
+ * beyond the measured speeds; between them the measurements correct it. */
 struct trust {
 	enum light light;
-	size_t n;
+	size_t n, remarks;
+	char *remark[4];
 	struct trust_reason {
 		enum trust_cause cause;
 		enum light light;
