@@ -671,8 +671,8 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	control_look(t);
 	draw_all(t);
 	for (; strip_point(t, n, &speed, value); n++) {
-		struct question q = {
-		    .entry = tui_entry(t), .feed = tui_feed(t)};
+		struct question q =
+		    asked_of(t->session, tui_entry(t), tui_feed(t));
 		struct prediction p = forecast_product(t->session, &q, speed);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
 		assert_true(fabs(value[1] - 1000 * p.range[2][0]) < 1e-9);

@@ -67,7 +67,7 @@ question_make(const struct session *s, const struct entry *loaded,
 	bool feed = w->feed != NULL;
 	double rotor = measured_rotor(loaded);
 	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
-	*q = (struct question){.entry = loaded, .feed = SITE_MEAN_FEED};
+	*q = asked_of(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
 	    w->correction == s->set.correction)
 		return;
@@ -93,11 +93,11 @@ question_make(const struct session *s, const struct entry *loaded,
 }
 
 /* What the options name, with what is read for it; speed is 0 where none is
- * given. */
+ * given.  usual: speeds where the call names none. */
 struct named {
 	struct scenario scenario;
 	struct blended blend;
-	double *sieve, speed;
+	double *sieve, *usual, speed;
 };
 
 static void
@@ -107,6 +107,7 @@ named_free(struct named *r)
 		return;
 	blended_clear(&r->blend);
 	free(r->sieve);
+	free(r->usual);
 	free(r);
 }
 
@@ -277,6 +278,10 @@ question_settle(const struct session *s, const struct entry *loaded,
 	q->named = own;
 	q->speed_given = r->speed > 0;
 	q->speed = q->speed_given ? r->speed : answers_usual(loaded);
+	if (given(args, "speeds") != NULL) {
+		q->n_at = given(args, "speeds")->n;
+		q->at = given(args, "speeds")->list;
+	}
 	return choose_feed(s, args, q, error) &&
 	       read_fraction(s, args, q, error);
 }
@@ -327,6 +332,24 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
 		  answer(s, args, &q, error);
 	question_free(s, &q);
 	return ok;
+}
+
+void
+question_usual_speeds(const struct session *s, struct question *q, bool each)
+{
+	const struct site *site = q->entry->site;
+	double from, to;
+	if (q->n_at > 0)
+		return;
+	if (!each) {
+		q->at = q->named->usual = answers_speeds(s, site, &q->n_at);
+		return;
+	}
+	settings_reach(&s->set, site, &from, &to);
+	q->n_at = (size_t)floor(to - from) + 1;
+	q->at = q->named->usual = xdoubles(q->n_at);
+	for (size_t i = 0; i < q->n_at; i++)
+		q->named->usual[i] = from + (double)i;
 }
 
 void

@@ -43,6 +43,12 @@ bool question_run(struct session *s, const struct args *args,
 void question_make(const struct session *s, const struct entry *loaded,
     const struct scenario *scenario, struct question *q);
 
+/* If the call names no speeds to answer at, the question takes the usual ones,
+ * from 65 to 85 m/s, extended or moved to cover the runs: by 1 m/s, or seven at
+ * most. */
+void question_usual_speeds(
+    const struct session *s, struct question *q, bool each);
+
 /* If the call names no speed, the question takes the speed and the feed last
  * predicted at the site in use, if there are any. */
 void question_as_last(
