@@ -160,8 +160,8 @@ view_predict(struct tui *t)
 	struct error error = {0};
 	prediction_free(&t->view.shown);
 	t->view.shown = (struct prediction){0};
-	if (!predict_step(s, t->ui.tenths / 10.0, tui_feed(t), line,
-		&t->view.shown, &error))
+	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
+		line, &t->view.shown, &error))
 		captured_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
@@ -189,7 +189,7 @@ view_form(struct tui *t)
 	if (!answers_forming(s, entry, &params) && !entry->has_params)
 		return;
 	prediction_free(&t->view.shown);
-	struct question q = asked_of(s, tui_entry(t), tui_feed(t));
+	struct question q = asked_of(s, tui_asked(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
 	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);

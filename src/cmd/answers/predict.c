@@ -472,11 +472,11 @@ take_params(const struct session *s, const struct entry *entry,
 }
 
 bool
-predict_step(struct session *s, double speed, size_t feed_run, const char *line,
-    struct prediction *p, struct error *error)
+predict_step(struct session *s, const struct entry *entry, double speed,
+    size_t feed_run, const char *line, struct prediction *p,
+    struct error *error)
 {
 	struct params params;
-	const struct entry *entry = session_entry(s);
 	if (!take_params(s, entry, &params, error))
 		return false;
 	struct question q = asked_of(s, entry, feed_run);

@@ -13,6 +13,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/parse.h"
+#include "cmd/session/undo.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
@@ -332,6 +333,73 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
 		  answer(s, args, &q, error);
 	question_free(s, &q);
 	return ok;
+}
+
+/* of: the loaded entry as it was then; text: the feed. */
+struct standing {
+	struct entry of;
+	struct question q;
+	char *text;
+};
+
+void
+question_forget(struct session *s)
+{
+	struct standing *a = s->standing;
+	if (a == NULL)
+		return;
+	a->q.variant.own = &a->of;
+	question_free(s, &a->q);
+	entry_clear(&a->of);
+	free(a->text);
+	free(a);
+	s->standing = NULL;
+}
+
+/* The sheets that are set, NULL where none are. */
+static const struct blended *
+set_sheets(struct session *s)
+{
+	struct error none = {0};
+	struct value value = {.given = true};
+	const struct setting *row = SETTINGS;
+	while (row->offset != offsetof(struct choices, feed))
+		row++;
+	return value_take(&row->option, s->set.feed, &value, &none) &&
+		       value_is_file(&row->option, &value)
+		   ? blended_set(s, s->set.feed, &none)
+		   : NULL;
+}
+
+static void
+standing_make(struct session *s, const struct blended *feed)
+{
+	const struct scenario scenario = {
+	    .feed = feed, .correction = s->set.correction};
+	struct standing *a = s->standing = xcalloc(1, sizeof *a);
+	a->of = entry_copy(session_entry(s));
+	a->text = xstrdup(feed->text);
+	question_make(s, &a->of, &scenario, &a->q);
+}
+
+const struct entry *
+question_standing(struct session *s)
+{
+	const struct entry *loaded = s->n_entry > 0 ? session_entry(s) : NULL;
+	const struct blended *feed = loaded != NULL ? set_sheets(s) : NULL;
+	const struct standing *was = s->standing;
+	if (feed == NULL)
+		return loaded;
+	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
+	    was->of.history != loaded->history ||
+	    !snapshot_same_entry(&was->of, loaded)) {
+		question_forget(s);
+		standing_make(s, feed);
+	}
+	struct question *q = &s->standing->q;
+	q->variant.own = loaded;
+	q->variant.correction = s->set.correction;
+	return q->entry;
 }
 
 void

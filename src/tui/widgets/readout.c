@@ -60,7 +60,7 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	const struct quantity size = {
 	    .kind = QUANTITY_SIZE, .x = t->ui.level / 100.0};
 	const struct question q =
-	    asked_of(t->session, tui_entry(t), p->feed_run);
+	    asked_of(t->session, tui_asked(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
 	forecast_at(f, p->speed);
 	struct figure at = forecast_figure(f, 0);
