@@ -48,7 +48,7 @@ draw_header(struct tui *t)
 		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
-	char *label = entry != NULL       ? session_label(entry->site)
+	char *label = entry != NULL       ? session_label(tui_asked(t)->site)
 		      : left.columns < 18 ? xstrdup(tr("no site"))
 					  : xstrdup(tr("no site is loaded"));
 	bool room = text_width(label) + 11 <= left.columns,

@@ -31,7 +31,8 @@ touch_plot(struct tui *t, const struct touched *touched)
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)
 		return true;
-	const struct plot_request *request = &t->drawn[touched->item].request;
+	struct plot_request *request = &t->drawn[touched->item].request;
+	request->entry = tui_asked(t);
 	if (!plots_find(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return true;
@@ -54,6 +55,7 @@ pane_plot(
 	if (area->rows < 1 || area->columns < 1)
 		return;
 	r.charset = screen_charset();
+	r.entry = tui_asked(t);
 	struct canvas *canvas =
 	    plots_draw(t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
@@ -149,7 +151,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	else if (!runs && t->view.current.site[0] != '\0') {
 		snprintf(text, sizeof text, tr("%s predicted%s"),
 		    ascii ? "#" : "\u2500",
-		    outlook_short(t->session, tui_entry(t), &t->view.shown));
+		    outlook_short(t->session, tui_asked(t), &t->view.shown));
 		column = pane_draw_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}

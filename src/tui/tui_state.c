@@ -13,6 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
+#include "cmd/ask/question.h"
 
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
@@ -21,6 +22,12 @@ tui_entry(const struct tui *t)
 {
 	const struct session *s = t->session;
 	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
+}
+
+const struct entry *
+tui_asked(const struct tui *t)
+{
+	return t->ui.feed > 0 ? tui_entry(t) : question_standing(t->session);
 }
 
 const char *
@@ -47,7 +54,7 @@ tui_range(const struct tui *t)
 size_t
 tui_feed(const struct tui *t)
 {
-	return feed_at(tui_entry(t)->site, t->ui.feed);
+	return feed_at(tui_asked(t)->site, t->ui.feed);
 }
 
 /* What measured products are moved by: the parameters of the prediction beside
@@ -55,7 +62,7 @@ tui_feed(const struct tui *t)
 static const struct params *
 moving_params(const struct tui *t, struct params *room)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_asked(t);
 	*room = entry->params;
 	return answers_forming(t->session, entry, room) || entry->has_params
 		   ? room
@@ -66,7 +73,7 @@ const struct psd *
 tui_measured(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_product(t->session, tui_entry(t), moving_params(t, &room),
+	return moved_product(t->session, tui_asked(t), moving_params(t, &room),
 	    run, tui_feed(t));
 }
 
@@ -74,7 +81,7 @@ bool
 tui_moved(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_by(t->session, tui_entry(t), moving_params(t, &room), run,
+	return moved_by(t->session, tui_asked(t), moving_params(t, &room), run,
 		   tui_feed(t)) > MOVED_TOLD;
 }
 
@@ -100,8 +107,9 @@ tui_where(const struct tui *t)
 {
 	const struct entry *entry = tui_entry(t);
 	double speed = t->ui.tenths / 10.0;
-	/* A sheet that is set is of commands: the slider has the mean. */
-	bool mean = !(t->ui.feed > 0) && t->session->set.feed[0] != '\0' &&
+	/* A sheet that is set, but cannot be read. */
+	bool mean = !(t->ui.feed > 0) && tui_asked(t) == entry &&
+		    t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||
 	    !(t->ui.feed > 0))

@@ -325,6 +325,10 @@ double tui_searched(const struct tui *t);
 /* Returns the site in use, or NULL. */
 const struct entry *tui_entry(const struct tui *t);
 
+/* Returns the site in use as the slider's predictions have it: with the feed of
+ * the sheet that is set, unless a run's feed is taken; or NULL. */
+const struct entry *tui_asked(const struct tui *t);
+
 /* What to do first if no site is loaded; tui_why_none returns why nothing is
  * predicted. */
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
@@ -337,8 +341,8 @@ struct slider_range tui_range_of(
 
 /* The feed of the slider's predictions, the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: the one of the last
- * prediction if that took a run's feed, else the one that is set; a sheet
- * counts as the mean. */
+ * prediction if that took a run's feed, else the one that is set; of a sheet
+ * see tui_asked. */
 size_t tui_feed(const struct tui *t);
 void tui_keep_feed(struct tui *t);
 void tui_take_feed(struct tui *t); /* the one that is set */

@@ -13,6 +13,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/pin.h"
+#include "cmd/ask/asked.h"
 #include "tui/captured.h"
 #include "tui/pages.h"
 #include "tui/widgets/envelope_check.h"
@@ -159,8 +160,8 @@ view_predict(struct tui *t)
 	struct error error = {0};
 	prediction_free(&t->view.shown);
 	t->view.shown = (struct prediction){0};
-	if (!predict_step(s, t->ui.tenths / 10.0, tui_feed(t), line,
-		&t->view.shown, &error))
+	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
+		line, &t->view.shown, &error))
 		captured_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
@@ -188,8 +189,8 @@ view_form(struct tui *t)
 	if (!answers_forming(s, entry, &params) && !entry->has_params)
 		return;
 	prediction_free(&t->view.shown);
-	const struct question q = {
-	    .entry = entry, .feed = tui_feed(t), .params = &params};
+	struct question q = asked_of(s, tui_asked(t), tui_feed(t));
+	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
 	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
 }

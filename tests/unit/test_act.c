@@ -642,6 +642,45 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	assert_true(t->view.shown.p50 == mean);
 }
 
+/* So is a sheet's: the numbers, the strip and the goal are of it, also after
+ * another calibration. */
+static void
+a_sheet_that_is_set_feeds_the_slider(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	double speed, value[3];
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_look(t);
+	draw_all(t);
+	double mean = t->view.shown.p50;
+	type(t, ":set feed data/sites/bro.csv@69\n");
+	for (size_t i = 0; i < 2; i++) {
+		draw_all(t);
+		assert_true(fabs(t->view.shown.p50 - mean) > 1e-4);
+		assert_true(strip_point(t, 0, &speed, value));
+		desk_expect(stage->desk, "predict 74");
+		assert_true(session_known(t->session, "predict", "p50_mm") ==
+			    1000 * t->view.shown.p50);
+		struct prediction p = forecast_whole(
+		    t->session, tui_asked(t), speed, SITE_MEAN_FEED);
+		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
+		prediction_free(&p);
+		desk_expect(
+		    stage->desk, "calibrate train=69,74,79 population=200");
+		control_look(t);
+	}
+	type(t, "tp50=2.66\n");
+	draw_all(t);
+	desk_expect(stage->desk, "find p50=2.66");
+	assert_true(fabs(session_known(t->session, "find", "speed") -
+			 goal_best(t)) < 1e-9);
+	type(t, ":set feed mean\n");
+	draw_all(t);
+	assert_true(t->view.shown.p50 != mean);
+	assert_ptr_equal(tui_asked(t), tui_entry(t));
+}
+
 /* Not only from the next step of the slider on. */
 static void
 a_band_is_of_the_level_that_is_set(void **state)
@@ -671,8 +710,8 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	control_look(t);
 	draw_all(t);
 	for (; strip_point(t, n, &speed, value); n++) {
-		struct question q = {
-		    .entry = tui_entry(t), .feed = tui_feed(t)};
+		struct question q =
+		    asked_of(t->session, tui_entry(t), tui_feed(t));
 		struct prediction p = forecast_product(t->session, &q, speed);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
 		assert_true(fabs(value[1] - 1000 * p.range[2][0]) < 1e-9);
@@ -1783,6 +1822,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(y_goes_round_the_quantities_above_the_track),
     ON_STAGE(the_curve_above_the_track_is_what_predict_says),
     ON_STAGE(a_feed_that_is_set_is_the_sliders),
+    ON_STAGE(a_sheet_that_is_set_feeds_the_slider),
     ON_STAGE(a_band_is_of_the_level_that_is_set),
     ON_STAGE(every_letter_is_text_in_a_line),
     ON_STAGE(what_is_completed_is_whole_letters),

@@ -379,8 +379,8 @@ ask_plots(struct desk *desk, const struct question *q, size_t i)
 	chart_free(chart);
 	ask_plot_sweep(desk, q);
 	struct prediction p;
-	assert_true(
-	    predict_step(s, q->v, SITE_MEAN_FEED, "predict", &p, &error));
+	assert_true(predict_step(
+	    s, session_entry(s), q->v, SITE_MEAN_FEED, "predict", &p, &error));
 	for (size_t k = 0; k < p.product.n; k++)
 		same(q, "a step of the slider", "passing",
 		    100 * p.product.passing[k], q->product.passing[k]);

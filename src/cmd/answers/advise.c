@@ -154,10 +154,10 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 }
 
 static void
-advise_note_best(struct answer *r, const struct session *s,
-    const struct wanted *w, const struct advised *best, double width)
+advise_note_best(struct answer *r, const struct wanted *w,
+    const struct advised *best, double width)
 {
-	double level = 100 * settings_level(&s->set);
+	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
 	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
@@ -184,7 +184,7 @@ static struct advised *
 weighed(const struct session *s, const struct wanted *w, double *answer,
     double ends[2], size_t *n)
 {
-	ensemble_range(answer, settings_level(&s->set), NAN, ends);
+	ensemble_range(answer, w->question->level, NAN, ends);
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;
@@ -239,7 +239,7 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 	    w->question->speed, ends[0], ends[1], width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
-	advise_note_best(r, s, w, &c[0], width);
+	advise_note_best(r, w, &c[0], width);
 	note_feed(r, s, w);
 	free(c);
 	return r;

@@ -16,6 +16,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/question.h"
 #include "cmd/lang/table.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
@@ -543,21 +544,6 @@ note_limits(struct answer *r, const struct asked *all)
 	free(words);
 }
 
-/* 65 to 85 by 1 m/s, or the speeds given; the caller frees. */
-static double *
-card_speeds(const struct session *s, const struct args *args,
-    const struct site *site, size_t *n)
-{
-	const struct value *given = args_value(args, "speeds");
-	double from, to;
-	settings_reach(&s->set, site, &from, &to);
-	*n = given->n > 0 ? given->n : (size_t)floor(to - from) + 1;
-	double *speed = xdoubles(*n);
-	for (size_t i = 0; i < *n; i++)
-		speed[i] = given->n > 0 ? given->list[i] : from + (double)i;
-	return speed;
-}
-
 /* What the figures are, of which machine, found how, and who answers for
  * them. */
 static void
@@ -586,8 +572,7 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 		answer_note(r,
 		    "%.0f %% range: the true P80 lies in it with %.0f %% "
 		    "probability",
-		    100 * settings_level(&s->set),
-		    100 * settings_level(&s->set));
+		    100 * q->level, 100 * q->level);
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
@@ -656,7 +641,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	struct card_row *row = xcalloc(n, sizeof *row);
 	for (size_t i = 0; i < n; i++)
 		card_work_out(s, all, speed[i], &row[i], &light);
-	struct page page = page_of(all, row, n, 100 * settings_level(&s->set));
+	struct page page = page_of(all, row, n, 100 * all->question->level);
 	char *dropped = page_fit(&page, r);
 	add_page(r, &page);
 	answer_for_programs(r);
@@ -683,14 +668,12 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct asked all = {.question = q};
-	size_t n;
-	double *speed = card_speeds(s, args, q->entry->site, &n);
-	bool ok = read_asked(s, &all, args, speed[n - 1], error);
+	question_usual_speeds(s, q, true);
+	bool ok = read_asked(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
 	if (ok)
-		session_answer(s, card_answer(s, &all, speed, n));
-	free(speed);
+		session_answer(s, card_answer(s, &all, q->at, q->n_at));
 	asked_free(&all);
 	return ok;
 }

@@ -184,8 +184,8 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 	struct trust light = light_of(s, side[0].entry, &side[0].p);
 	light_worse(&light, light_of(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
-		const struct question q = {
-		    .entry = side[i].entry, .feed = side[i].p.feed_run};
+		const struct question q =
+		    asked_of(s, side[i].entry, side[i].p.feed_run);
 		const char *whose = feeds ? side[i].head : NULL;
 		if (i == 0 || two)
 			answers_note_basis(s, r, &q, 0, whose, &light);
@@ -324,7 +324,7 @@ comparison(const struct session *s, const struct side side[2])
 	if (band)
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
-		    100 * settings_level(&s->set));
+		    100 * side[0].q.level);
 	comparison_notes(r, side);
 	show_basis(s, r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);

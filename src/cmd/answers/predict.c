@@ -333,7 +333,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
 	if (p->low == NULL || fraction_screens(&p->fraction))
 		return NULL;
-	char *chance = chance_words(settings_level(&s->set));
+	char *chance = chance_words(q->level);
 	struct forecast *f = forecast_open(s, q, &passing, 1);
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
@@ -472,15 +472,15 @@ take_params(const struct session *s, const struct entry *entry,
 }
 
 bool
-predict_step(struct session *s, double speed, size_t feed_run, const char *line,
-    struct prediction *p, struct error *error)
+predict_step(struct session *s, const struct entry *entry, double speed,
+    size_t feed_run, const char *line, struct prediction *p,
+    struct error *error)
 {
 	struct params params;
-	const struct entry *entry = session_entry(s);
 	if (!take_params(s, entry, &params, error))
 		return false;
-	const struct question q = {
-	    .entry = entry, .feed = feed_run, .params = &params};
+	struct question q = asked_of(s, entry, feed_run);
+	q.params = &params;
 	*p = forecast_product(s, &q, speed);
 	answers_keep(s, entry, &params, p);
 	invocation_asked(s, "predict", line);

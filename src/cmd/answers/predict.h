@@ -7,11 +7,13 @@
 
 struct question;
 
-/* Runs the command `predict` of the line without its words: the session keeps
- * the answer, the journal the line, and *p is the prediction (prediction_free).
- * False where there is nothing to predict with. */
-bool predict_step(struct session *s, double speed, size_t feed_run,
-    const char *line, struct prediction *p, struct error *error);
+/* Runs the command `predict` of the line without its words, for the site in use
+ * as question_standing has it: the session keeps the answer, the journal the
+ * line, and *p is the prediction (prediction_free).  False where there is
+ * nothing to predict with. */
+bool predict_step(struct session *s, const struct entry *entry, double speed,
+    size_t feed_run, const char *line, struct prediction *p,
+    struct error *error);
 
 /* Returns the most, 0..1, by which the feeds as they were sampled move the
  * answer at sieve i; how far tomorrow's feed may be from the mean is a question

@@ -10,6 +10,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
@@ -126,17 +127,15 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
-	const struct value *speeds = args_value(args, "speeds");
-	size_t n = speeds->n;
-	double *usual = n == 0 ? answers_speeds(s, entry->site, &n) : NULL;
-	const double *speed = usual != NULL ? usual : speeds->list;
+	(void)args;
+	question_usual_speeds(s, q, false);
+	size_t n = q->n_at;
 	struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false, ok = screened_tells(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
-		p[i] = forecast_product(s, q, speed[i]);
-		outside = outside || answers_extrapolates(entry, speed[i]);
+		p[i] = forecast_product(s, q, q->at[i]);
+		outside = outside || answers_extrapolates(entry, q->at[i]);
 	}
-	free(usual);
 	if (ok)
 		session_answer(s, sweep_answer(s, q, p, n, outside));
 	for (size_t i = 0; i < n; i++)

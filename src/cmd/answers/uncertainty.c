@@ -209,8 +209,7 @@ note_speeds(struct answer *r, const struct session *s, const struct question *q,
 {
 	const double step = 0.005;
 	double times = speed_error_times(q->entry->site, at->speed),
-	       sure = gsl_cdf_ugaussian_Pinv((1 + settings_level(&s->set)) / 2),
-	       most = 0;
+	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
 	for (size_t k = 0; k < 2; k++)
@@ -246,13 +245,13 @@ parts_answer(const struct session *s, const struct question *q,
 	char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    "half width of the %.0f %% band at %.1f m/s%s, points",
-	    100 * settings_level(&s->set), at->speed, fraction);
+	    100 * q->level, at->speed, fraction);
 	free(fraction);
 	if (!s->linear)
 		answer_across(r);
 	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
-	    at->speed, 100 * settings_level(&s->set),
+	    at->speed, 100 * q->level,
 	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns(r, PARTS[i]);

@@ -10,22 +10,31 @@
 /* entry: the site as it is asked about.  If the question changes feed, machine,
  * sieves or the runs that correct the model, it is a copy with these changes,
  * `own`, which `variant` describes; so a question is not copied.  feed: for
- * site_feed.  speed: m/s; speed_given: the call named it.  fraction: all zeros
- * for the whole product.  params: what forms the product, NULL: the entry's;
- * with others it is the model alone.  moved: how far measured products beside
- * the answer are moved to its feed, 0..1, see cmd/ask/moved.h; 0: not worth a
- * word. */
+ * site_feed.  speed: m/s; speed_given: the call named it.  at [n_at]: speeds of
+ * a command that answers at several, borrowed.  level: of bands, 0..1.
+ * fraction: all zeros for the whole product.  params: what forms the product,
+ * NULL: the entry's; with others it is the model alone.  moved: how far
+ * measured products beside the answer are moved to its feed, 0..1, see
+ * cmd/ask/moved.h; 0: not worth a word. */
 struct question {
 	const struct entry *entry;
 	const struct params *params;
 	size_t feed;
 	double speed;
 	bool speed_given;
+	size_t n_at;
+	const double *at;
+	double level;
 	struct fraction fraction;
 	double moved;
 	struct entry own;
 	struct variant variant;
 	struct named *named; /* what the call named */
 };
+
+/* Returns the question about the whole product of an entry as it is, with the
+ * feed of a run; it owns nothing. */
+struct question asked_of(
+    const struct session *s, const struct entry *entry, size_t feed);
 
 #endif

@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/forecast.h"
+#include "cmd/ask/asked.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
@@ -46,8 +47,8 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	/* To the hundredth of a point that sheets are rounded to. */
 	const double rounding = 5e-4;
 	const struct run *r = &entry->site->run[run];
-	const struct question q = {.entry = entry, .feed = run};
-	struct cut c = {.level = settings_level(&s->set), .no_band = true};
+	const struct question q = asked_of(s, entry, run);
+	struct cut c = {.level = q.level, .no_band = true};
 	struct quantity *asked = changed_sieves(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;

@@ -274,7 +274,7 @@ grading_in_use(const struct session *s, const struct entry *entry, size_t feed,
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
-	struct question q = {.entry = entry, .feed = feed};
+	struct question q = asked_of(s, entry, feed);
 	return open_limits(s, &q, g, error);
 }
 

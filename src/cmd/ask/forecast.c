@@ -7,6 +7,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/asked.h"
 
 /* Its draws are those of the question's other answers, which are kept until
  * another site or feed is asked about. */
@@ -31,7 +32,7 @@ forecast_open(const struct session *s, const struct question *q,
 	    .entry = entry,
 	    .feed = q->feed,
 	    .params = q->params != NULL ? q->params : &entry->params,
-	    .level = settings_level(&s->set)};
+	    .level = q->level};
 	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
 	    f->params, outlook_settings(s, entry));
 	psd_free(&sizes);
@@ -141,6 +142,6 @@ struct prediction
 forecast_whole(const struct session *s, const struct entry *entry, double speed,
     size_t feed_run)
 {
-	const struct question q = {.entry = entry, .feed = feed_run};
+	const struct question q = asked_of(s, entry, feed_run);
 	return forecast_product(s, &q, speed);
 }

@@ -12,6 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/asked.h"
 
 static const struct fraction WHOLE = {.partition = {0, 1}};
 
@@ -249,7 +250,7 @@ goals_step(
 		goals_begin(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
-	struct question q = {.entry = entry, .feed = feed};
+	struct question q = asked_of(s, entry, feed);
 	struct condition_list ranges = {g->list.n - g->n_value, g->list.at};
 	struct wanted w = conditions_ask(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);

@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/asked.h"
 
 /* What it was made for; product, most [n]: of each run that was asked for, and
  * how far it was moved. */
@@ -75,8 +76,8 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	*product = psd_copy(&r->product);
 	if (product->n == 0 || psd_same(&r->feed, site_feed(m->site, m->feed)))
 		return;
-	struct question q = {
-	    .entry = entry, .feed = m->feed, .params = &m->params};
+	struct question q = asked_of(s, entry, m->feed);
+	q.params = &m->params;
 	struct question own = q;
 	own.feed = run;
 	struct forecast *to = passings(s, &q, product, r->speed);

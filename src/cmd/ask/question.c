@@ -13,6 +13,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/parse.h"
+#include "cmd/session/undo.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
@@ -67,7 +68,7 @@ question_make(const struct session *s, const struct entry *loaded,
 	bool feed = w->feed != NULL;
 	double rotor = measured_rotor(loaded);
 	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
-	*q = (struct question){.entry = loaded, .feed = SITE_MEAN_FEED};
+	*q = asked_of(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
 	    w->correction == s->set.correction)
 		return;
@@ -93,11 +94,11 @@ question_make(const struct session *s, const struct entry *loaded,
 }
 
 /* What the options name, with what is read for it; speed is 0 where none is
- * given. */
+ * given.  usual: speeds where the call names none. */
 struct named {
 	struct scenario scenario;
 	struct blended blend;
-	double *sieve, speed;
+	double *sieve, *usual, speed;
 };
 
 static void
@@ -107,6 +108,7 @@ named_free(struct named *r)
 		return;
 	blended_clear(&r->blend);
 	free(r->sieve);
+	free(r->usual);
 	free(r);
 }
 
@@ -277,6 +279,10 @@ question_settle(const struct session *s, const struct entry *loaded,
 	q->named = own;
 	q->speed_given = r->speed > 0;
 	q->speed = q->speed_given ? r->speed : answers_usual(loaded);
+	if (given(args, "speeds") != NULL) {
+		q->n_at = given(args, "speeds")->n;
+		q->at = given(args, "speeds")->list;
+	}
 	return choose_feed(s, args, q, error) &&
 	       read_fraction(s, args, q, error);
 }
@@ -327,6 +333,91 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
 		  answer(s, args, &q, error);
 	question_free(s, &q);
 	return ok;
+}
+
+/* of: the loaded entry as it was then; text: the feed. */
+struct standing {
+	struct entry of;
+	struct question q;
+	char *text;
+};
+
+void
+question_forget(struct session *s)
+{
+	struct standing *a = s->standing;
+	if (a == NULL)
+		return;
+	a->q.variant.own = &a->of;
+	question_free(s, &a->q);
+	entry_clear(&a->of);
+	free(a->text);
+	free(a);
+	s->standing = NULL;
+}
+
+/* The sheets that are set, NULL where none are. */
+static const struct blended *
+set_sheets(struct session *s)
+{
+	struct error none = {0};
+	struct value value = {.given = true};
+	const struct setting *row = SETTINGS;
+	while (row->offset != offsetof(struct choices, feed))
+		row++;
+	return value_take(&row->option, s->set.feed, &value, &none) &&
+		       value_is_file(&row->option, &value)
+		   ? blended_set(s, s->set.feed, &none)
+		   : NULL;
+}
+
+static void
+standing_make(struct session *s, const struct blended *feed)
+{
+	const struct scenario scenario = {
+	    .feed = feed, .correction = s->set.correction};
+	struct standing *a = s->standing = xcalloc(1, sizeof *a);
+	a->of = entry_copy(session_entry(s));
+	a->text = xstrdup(feed->text);
+	question_make(s, &a->of, &scenario, &a->q);
+}
+
+const struct entry *
+question_standing(struct session *s)
+{
+	const struct entry *loaded = s->n_entry > 0 ? session_entry(s) : NULL;
+	const struct blended *feed = loaded != NULL ? set_sheets(s) : NULL;
+	const struct standing *was = s->standing;
+	if (feed == NULL)
+		return loaded;
+	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
+	    was->of.history != loaded->history ||
+	    !snapshot_same_entry(&was->of, loaded)) {
+		question_forget(s);
+		standing_make(s, feed);
+	}
+	struct question *q = &s->standing->q;
+	q->variant.own = loaded;
+	q->variant.correction = s->set.correction;
+	return q->entry;
+}
+
+void
+question_usual_speeds(const struct session *s, struct question *q, bool each)
+{
+	const struct site *site = q->entry->site;
+	double from, to;
+	if (q->n_at > 0)
+		return;
+	if (!each) {
+		q->at = q->named->usual = answers_speeds(s, site, &q->n_at);
+		return;
+	}
+	settings_reach(&s->set, site, &from, &to);
+	q->n_at = (size_t)floor(to - from) + 1;
+	q->at = q->named->usual = xdoubles(q->n_at);
+	for (size_t i = 0; i < q->n_at; i++)
+		q->named->usual[i] = from + (double)i;
 }
 
 void

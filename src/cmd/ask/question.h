@@ -43,6 +43,19 @@ bool question_run(struct session *s, const struct args *args,
 void question_make(const struct session *s, const struct entry *loaded,
     const struct scenario *scenario, struct question *q);
 
+/* Returns the site in use as it is asked about where no call says otherwise:
+ * with the feed of the sheet that is set, if one is, and can be read; NULL
+ * where no site is loaded.  Borrowed until the session changes.
+ * question_forget frees what it keeps. */
+const struct entry *question_standing(struct session *s);
+void question_forget(struct session *s);
+
+/* If the call names no speeds to answer at, the question takes the usual ones,
+ * from 65 to 85 m/s, extended or moved to cover the runs: by 1 m/s, or seven at
+ * most. */
+void question_usual_speeds(
+    const struct session *s, struct question *q, bool each);
+
 /* If the call names no speed, the question takes the speed and the feed last
  * predicted at the site in use, if there are any. */
 void question_as_last(

@@ -46,7 +46,7 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 		asked[n + i] = more[i];
 	struct wanted w = {.n = n,
 	    .at = at,
-	    .level = settings_level(&s->set),
+	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
 	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))

@@ -55,7 +55,6 @@ read_request(const struct session *s, const struct args *args,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
 	*request = plots_request((enum plot_kind)kind);
-	const struct value *speeds = args_value(args, "speeds");
 	request->speed = args_number(args, "speed", NAN);
 	request->other_speed = args_number(args, "other", NAN);
 	request->other_feed = args_number(args, "other_feed", 0);
@@ -66,8 +65,6 @@ read_request(const struct session *s, const struct args *args,
 	request->level = args_value(args, "level")->number;
 	request->band = args_value(args, "band")->choice == 1;
 	request->generation = (size_t)args_value(args, "generation")->whole;
-	request->n_speed = speeds->n;
-	request->speeds = speeds->list;
 	return read_sites(s, args, request, error);
 }
 
@@ -95,6 +92,8 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 	r->entry = a->q.entry;
 	r->feed_speed = feed > 0 ? feed : 0;
 	r->fraction = a->q.fraction;
+	r->n_speed = a->q.n_at;
+	r->speeds = a->q.at;
 	if (!screened_tells(&a->q, error))
 		return false;
 	if (a->q.speed_given && r->made == NULL)

@@ -18,6 +18,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/pin.h"
+#include "cmd/ask/asked.h"
 #include "cmd/draw/plots_difference.h"
 #include "cmd/draw/plots_limits.h"
 #include "cmd/draw/plots_past.h"
@@ -104,10 +105,9 @@ make_prediction(struct curves *c, const struct session *s,
     const struct params *params, double speed, size_t feed)
 {
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	const struct question q = {.entry = entry,
-	    .feed = feed,
-	    .fraction = request->fraction,
-	    .params = params};
+	struct question q = asked_of(s, entry, feed);
+	q.fraction = request->fraction;
+	q.params = params;
 	*p = forecast_product(s, &q, speed);
 	return p;
 }
@@ -265,8 +265,8 @@ read_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
     struct figure band[static 2])
 {
-	const struct question question = {
-	    .entry = q->entry, .feed = p->feed_run, .params = params};
+	struct question question = asked_of(s, q->entry, p->feed_run);
+	question.params = params;
 	const struct quantity asked[] = {{.kind = QUANTITY_PASSING,
 					     .x = q->crosshair_mm / 1000,
 					     .fraction = q->fraction},

@@ -17,6 +17,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
@@ -42,8 +43,8 @@ static void
 take_usual(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
-	const struct question asked = {
-	    .entry = d->entry, .feed = d->feed, .fraction = d->fraction};
+	struct question asked = asked_of(s, d->entry, d->feed);
+	asked.fraction = d->fraction;
 	struct prediction p =
 	    forecast_product(s, &asked, site_middle(d->entry->site));
 	const struct psd *product = &p.product;
@@ -141,7 +142,7 @@ response_speed_at(const struct drawn *d, size_t k)
 static void
 response_look(struct session *s, struct drawn *d)
 {
-	const struct question q = {.entry = d->entry, .feed = d->feed};
+	const struct question q = asked_of(s, d->entry, d->feed);
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
 	for (size_t k = 0; k < POINTS; k++) {
@@ -360,7 +361,7 @@ make_charts(struct session *s, struct drawn *d)
 		}
 	}
 	if (d->limits.n > 0) {
-		struct question q = {.entry = entry, .feed = d->feed};
+		struct question q = asked_of(s, entry, d->feed);
 		struct wanted wanted = conditions_ask(s, &q, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;

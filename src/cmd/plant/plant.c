@@ -478,7 +478,7 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	    .own = xcalloc(plan->circuit->n_unit, sizeof(*p.own)),
 	    .power = power_fit(plan->reading, plan->n_reading),
 	    .bypass = of->bypass ? entry->params.at[of->n - 1] : 0,
-	    .level = settings_level(&s->set)};
+	    .level = plan->question->level};
 	p.feed = xdoubles(plan->n);
 	const struct psd *feed = site_feed(entry->site, plan->question->feed);
 	crusher_classes(p.crusher, feed, p.feed);

@@ -47,6 +47,7 @@ session_free(struct session *s)
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
 	keep_end(s);
+	question_forget(s);
 	moved_free(s->moved);
 	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);

@@ -86,6 +86,7 @@ struct plant_log;
 struct spec;
 struct energies;
 struct pin;
+struct standing;
 struct blended;
 struct journal;
 struct keep;
@@ -125,6 +126,7 @@ struct session {
 	struct spec **specs; /* every one there was */
 	struct moved *moved; /* see moved.h */
 	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
+	struct standing *standing; /* see question_standing; NULL: none made */
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* every one there was */

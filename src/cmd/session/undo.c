@@ -84,8 +84,8 @@ snapshot_same_fit(const struct fit *a, const struct fit *b)
 	       a->population == b->population;
 }
 
-static bool
-same_entry(const struct entry *a, const struct entry *b)
+bool
+snapshot_same_entry(const struct entry *a, const struct entry *b)
 {
 	return a->site == b->site && strcmp(a->key, b->key) == 0 &&
 	       memcmp(a->train, b->train, a->site->n_run * sizeof *a->train) ==
@@ -106,7 +106,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 	    !settings_same(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (!same_entry(&snapshot->entry[i], &s->entry[i]))
+		if (!snapshot_same_entry(&snapshot->entry[i], &s->entry[i]))
 			return true;
 	return false;
 }

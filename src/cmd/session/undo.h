@@ -19,6 +19,9 @@ void snapshot_free(struct snapshot *snapshot);
 /* True if the session differs from the snapshot. */
 bool snapshot_differs(const struct snapshot *snapshot, const struct session *s);
 
+/* True if both entries are of one site with the same parameters and fit. */
+bool snapshot_same_entry(const struct entry *a, const struct entry *b);
+
 /* True if both fits are the same result of the same search. */
 bool snapshot_same_fit(const struct fit *a, const struct fit *b);
 

@@ -78,8 +78,9 @@ sites_row_at(struct site_row *row, const struct tui *t)
 	row->beyond = false;
 	if (!answers_known(s, e, &error))
 		return;
-	size_t feed = e == tui_entry(t) ? tui_feed(t) : SITE_MEAN_FEED;
-	struct prediction p = forecast_whole(s, e, speed, feed);
+	bool here = e == tui_entry(t);
+	struct prediction p = forecast_whole(s, here ? tui_asked(t) : e, speed,
+	    here ? tui_feed(t) : SITE_MEAN_FEED);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_extrapolates(e, speed);
 	prediction_free(&p);

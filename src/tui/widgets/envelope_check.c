@@ -57,7 +57,7 @@ envelope_check_update(struct tui *t)
 		t->view.envelope_check->revision = t->view.revision;
 		t->view.envelope_check->feed = tui_feed(t);
 		t->view.envelope_check->open = grading_in_use(t->session,
-		    tui_entry(t), t->view.envelope_check->feed,
+		    tui_asked(t), t->view.envelope_check->feed,
 		    &t->view.envelope_check->grading, &error);
 	}
 	if (t->view.envelope_check->open &&

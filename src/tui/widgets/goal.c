@@ -48,14 +48,14 @@ goal_best(const struct tui *t)
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
-	return goals_words(t->session, tui_entry(t), &t->view.goal,
+	return goals_words(t->session, tui_asked(t), &t->view.goal,
 	    t->ui.tenths / 10.0, length);
 }
 
 static const struct psd *
 goal_feed_of(const struct tui *t)
 {
-	return site_feed(tui_entry(t)->site, tui_feed(t));
+	return site_feed(tui_asked(t)->site, tui_feed(t));
 }
 
 size_t
@@ -235,7 +235,7 @@ goal_step(struct tui *t)
 {
 	struct goal *g = &t->view.goal;
 	bool pending = goal_pending(t);
-	goals_step(t->session, tui_entry(t), g, tui_feed(t));
+	goals_step(t->session, tui_asked(t), g, tui_feed(t));
 	if (!pending || !goal_known(t) ||
 	    goals_is_condition(t->session->set.goal))
 		return;

@@ -618,7 +618,7 @@ static void
 take_light(struct panel *p)
 {
 	const struct tui *t = p->t;
-	p->light = light_of(t->session, tui_entry(t), &t->view.shown);
+	p->light = light_of(t->session, tui_asked(t), &t->view.shown);
 	if (p->light.n == 0)
 		return;
 	size_t first = 0;
@@ -684,7 +684,7 @@ panel_words(struct tui *t)
 	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
 	    t->view.current.site[0] == '\0')
 		return words;
-	struct trust light = light_of(t->session, tui_entry(t), &t->view.shown);
+	struct trust light = light_of(t->session, tui_asked(t), &t->view.shown);
 	xlist(&words, ", ", tr("trust %s"), tr(LIGHT_NAME[light.light]));
 	trust_free(&light);
 	if (g != NULL)

@@ -9,6 +9,7 @@
 #include "base/tr.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
+#include "cmd/ask/asked.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -58,7 +59,8 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	    100 * p->low[t->ui.cross_at], 100 * p->high[t->ui.cross_at]);
 	const struct quantity size = {
 	    .kind = QUANTITY_SIZE, .x = t->ui.level / 100.0};
-	const struct question q = {.entry = tui_entry(t), .feed = p->feed_run};
+	const struct question q =
+	    asked_of(t->session, tui_asked(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
 	forecast_at(f, p->speed);
 	struct figure at = forecast_figure(f, 0);

@@ -13,6 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/screened.h"
 #include "plot/draw.h"
 #include "tui/acts.h"
@@ -61,7 +62,7 @@ strip_usual(void)
 static const struct psd *
 response_strip_feed_of(const struct tui *t)
 {
-	return site_feed(tui_entry(t)->site, tui_feed(t));
+	return site_feed(tui_asked(t)->site, tui_feed(t));
 }
 
 void
@@ -132,7 +133,7 @@ response_strip_work_out(struct tui *t)
 	a->basis = t->view.n_basis;
 	a->feed = tui_feed(t);
 	a->of = t->ui.quantity;
-	const struct question q = {.entry = tui_entry(t), .feed = a->feed};
+	const struct question q = asked_of(t->session, tui_asked(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
 		double *value = a->value[a->n];

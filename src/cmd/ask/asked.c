@@ -1,0 +1,10 @@
+/* The plain question about an entry.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/ask/asked.h"
+
+struct question
+asked_of(const struct session *s, const struct entry *entry, size_t feed)
+{
+	return (struct question){
+	    .entry = entry, .feed = feed, .level = settings_level(&s->set)};
+}
