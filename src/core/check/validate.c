@@ -64,8 +64,8 @@ validate_find_line(const struct site *site, const bool *train, double speed,
 	}
 }
 
-/* The passing of a run's product at a size; NAN where it was not sieved so fine,
- * and above its coarsest sieve, unless all of the feed passes there. */
+/* The passing of a run's product at a size; NAN where it was not sieved so
+ * fine, and above its coarsest sieve, unless all of the feed passes there. */
 static double
 measured_passing(const struct run *run, double x)
 {
