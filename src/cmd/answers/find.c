@@ -72,32 +72,13 @@ read_options(
 		    args_value(args, "passing")->number / 100);
 }
 
-/* The quantity after max or min, maximise or minimise; NULL of other words. */
-static const char *
-extreme(const char *text, bool *most)
-{
-	static const struct {
-		const char *word;
-		bool most;
-	} WORDS[] = {{"maximise ", true}, {"maximize ", true},
-	    {"minimise ", false}, {"minimize ", false}, {"max ", true},
-	    {"min ", false}};
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
-		size_t n = strlen(WORDS[i].word);
-		*most = WORDS[i].most;
-		if (strncasecmp(text, WORDS[i].word, n) == 0)
-			return text + n;
-	}
-	return NULL;
-}
-
 static bool
 read_operand(const char *text, const struct fraction *fraction,
     struct goal *goal, struct error *error)
 {
 	bool most;
 	struct condition c = {.least = NAN, .most = NAN};
-	const char *of = extreme(text, &most);
+	const char *of = conditions_most_of(text, &most);
 	if (of == NULL && !conditions_read(text, fraction, &c, error))
 		return false;
 	if (of != NULL &&
@@ -172,7 +153,7 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 	read_options(args, fraction, goal);
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!read_operand(args->operand[i], fraction, goal, error))
-			return false;
+			return conditions_place(args, i, error);
 	if (!check_goal(args, goal, error) ||
 	    !conditions_covered(&goal->target, feed, error))
 		return false;

@@ -358,11 +358,13 @@ const struct command TABLE_ANSWERS[] = {
 	.option = WINDOW_OPTIONS,
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
-	    "A condition is a quantity of figures and a limit, in quotes: "
-	    "\"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > 5\", "
-	    "\"0/2 >= 30\", \"fm EN of 0/4 = 2.4..3.1\"; < and <= are the "
-	    "same. spec= adds the limits of a grading envelope, those of its "
-	    "standard on the fineness modulus and between two sieves too, and "
+	    "A condition is a quantity of figures and a limit, with quotes or "
+	    "without: \"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > "
+	    "5\", \"0/2 >= 30\", \"fm EN of 0/4 = 2.4..3.1\"; < and <= are "
+	    "the same. Without quotes > before a number that follows a "
+	    "quantity is a limit. spec= adds the limits of a grading "
+	    "envelope, those of its standard on the fineness modulus and "
+	    "between two sieves too, and "
 	    "cut= is the fraction of those that name none. Shows the speeds, "
 	    "to a tenth of a m/s, at which all hold, what binds below and "
 	    "above them, and the best speed: the one at which they hold most "

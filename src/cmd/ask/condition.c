@@ -49,6 +49,24 @@ conditions_extreme(const char *text)
 	return NULL;
 }
 
+const char *
+conditions_most_of(const char *text, bool *most)
+{
+	static const struct {
+		const char *word;
+		bool most;
+	} WORDS[] = {{"maximise ", true}, {"maximize ", true},
+	    {"minimise ", false}, {"minimize ", false}, {"max ", true},
+	    {"min ", false}};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
+		size_t n = strlen(WORDS[i].word);
+		*most = WORDS[i].most;
+		if (strncasecmp(text, WORDS[i].word, n) == 0)
+			return text + n;
+	}
+	return NULL;
+}
+
 static bool
 conditions_expected(const char *text, struct error *error)
 {
@@ -308,6 +326,31 @@ conditions_read(const char *text, const struct fraction *fraction,
 	return ok;
 }
 
+bool
+conditions_ends(const char *text)
+{
+	bool most;
+	const char *of = conditions_most_of(text, &most);
+	struct error none = {0};
+	struct quantity q;
+	if (of != NULL)
+		return quantities_read(
+		    of, &(struct partition){0, 1}, &q, &none);
+	char *with = with_sign(text);
+	size_t sign = strcspn(with, "<>=");
+	bool ends = with[sign] != '\0' && strpbrk(with + sign, DIGITS) != NULL;
+	struct condition c;
+	char *name = NULL;
+	if (with[sign] == '\0' &&
+	    split_blank(
+		with, &(struct fraction){.partition = {0, 1}}, &name, &c)) {
+		ends = true;
+		free(name);
+	}
+	free(with);
+	return ends;
+}
+
 size_t
 conditions_length(const char *list)
 {
@@ -420,21 +463,30 @@ conditions_covered(
 }
 
 bool
+conditions_place(const struct args *args, size_t i, struct error *error)
+{
+	error->column = args->column[i];
+	return false;
+}
+
+bool
 conditions_add_operands(const struct args *args,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
 	for (size_t i = 0; i < args->n_operand; i++) {
 		struct condition c;
-		if (!conditions_read(args->operand[i], fraction, &c, error) ||
-		    !conditions_covered(&c, feed, error))
-			return false;
-		if (c.least == c.most)
-			return error_set(error, ERROR_USAGE,
+		bool ok =
+		    conditions_read(args->operand[i], fraction, &c, error) &&
+		    conditions_covered(&c, feed, error);
+		if (ok && c.least == c.most)
+			ok = error_set(error, ERROR_USAGE,
 			    "expected a range of values, got one: '%s'\n"
 			    "write a range such as 40..50; 'find' finds the "
 			    "speed for a single value",
 			    args->operand[i]);
+		if (!ok)
+			return conditions_place(args, i, error);
 		conditions_add(list, c);
 	}
 	return true;

@@ -23,6 +23,17 @@ void conditions_free(struct condition_list *list);
 bool conditions_read(const char *text, const struct fraction *fraction,
     struct condition *condition, struct error *error);
 
+/* Returns the quantity after max or min, maximise or minimise; NULL of other
+ * words. */
+const char *conditions_most_of(const char *text, bool *most);
+
+/* True if a text may be a whole condition: a quantity with its limit, of which
+ * the sign may be missing, or max and a quantity. */
+bool conditions_ends(const char *text);
+
+/* Puts the place of operand i to an error.  Returns false. */
+bool conditions_place(const struct args *args, size_t i, struct error *error);
+
 /* Returns the length of the first condition in a list with commas between; a
  * comma inside a number does not count. */
 size_t conditions_length(const char *list);

@@ -56,7 +56,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	for (size_t i = 0; i < c.n; i++) {
 		struct figure at = forecast_figure(f, i);
 		double passing = psd_at_sieve(&r->product, asked[i].x);
-		double off = passing - at.value;
+		double off = at.value - passing;
 		sum += off * off;
 		if (fabs(off) > fabs(c.worst)) {
 			c.worst = off;
@@ -77,10 +77,12 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 char *
 cut_words(const struct cut *c)
 {
-	char *words =
-	    xasprintf(tr("%.1f points (RMS of %zu sieves; largest %+.1f "
-			 "at %g mm, measured less predicted)"),
-		100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
+	char *words = xasprintf(
+	    c->no_band ? tr("%.1f points (RMS of %zu sieves; largest %+.1f at "
+			    "%g mm, model alone - measured)")
+		       : tr("%.1f points (RMS of %zu sieves; largest %+.1f at "
+			    "%g mm, answer - measured)"),
+	    100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
 	if (!c->no_band)
 		xlist(&words, ", ",
 		    tr("%zu of %zu sieves within the %.0f %% band of one more "

@@ -6,7 +6,7 @@
 #include "cmd/session/session.h"
 
 /* Over the sieves of a run's product that crushing can change, [n]: root mean
- * square of measured less predicted, and the largest of these with its sieve,
+ * square of predicted less measured, and the largest of these with its sieve,
  * m.  inside: sieves within the band of one more sample; no_band: there is
  * none.  level: of it, 0..1.  missed: the prediction does not hold; off: most
  * sieves lie outside the band, but no farther than careful samples repeat. */

@@ -367,7 +367,7 @@ note_run(struct answer *r, const struct compared *item, double level)
 	char *run =
 	    xasprintf("%g m/s%s", v->speed, item->site->run[v->run].repeat);
 	answer_note(r,
-	    "at %s: largest error %+.2f points at %g mm (predicted - "
+	    "at %s: largest error %+.2f points at %g mm (model alone - "
 	    "measured)",
 	    run, 100 * v->worst_difference, units_mm(v->worst_sieve));
 	note_winner(r, v, run);

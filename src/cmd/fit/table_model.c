@@ -99,7 +99,7 @@ const struct command TABLE_MODEL[] = {
 	.run = cmd_bounds},
     {.name = "set",
 	.brief = "show or change settings",
-	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
+	.flags = COMMAND_CHANGES | COMMAND_LOOKS | COMMAND_CONDITIONS,
 	.setting = SETTINGS,
 	.text = "Write 'set method classes' or 'set method=classes'. The "
 		"method classes follows the paper exactly; continuous, the "

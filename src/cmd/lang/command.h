@@ -60,13 +60,14 @@ struct value {
 
 enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
-/* A parsed call.  value[i] belongs to the command's option i; an option with a
- * fallback that was not given contains the fallback's value and given =
- * false. */
+/* A parsed call.  column[i]: where operand i begins in the line.  value[i]
+ * belongs to the command's option i; an option with a fallback that was not
+ * given contains the fallback's value and given = false. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
 	const char *operand[OPERANDS];
+	int column[OPERANDS];
 	struct value value[OPTIONS];
 };
 

@@ -221,41 +221,40 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 	return true;
 }
 
-/* Whether a word is that of an option: "speed=72". */
+/* Whether the > at a place stands before a limit and not before a file: behind
+ * a quantity without quotes, "P80 > 5".  What has a limit already is written
+ * into a file, whatever its name. */
 static bool
-is_option(const struct command *command, const char *word)
+is_limit_sign(
+    const char *line, size_t at, const struct words *words, struct place place)
 {
-	size_t n = strcspn(word, "=");
-	char *name = xstrndup(word, n);
-	bool is =
-	    word[n] == '=' && command_option_index(command, name) < OPTIONS;
-	free(name);
+	const struct command *command =
+	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
+	if (command == NULL || (command->flags & COMMAND_CONDITIONS) == 0 ||
+	    words->n < 2 || words->n == OPERANDS || line[at] != '>')
+		return false;
+	const char *last = words->text[words->n - 1];
+	const char *before = words->text[words->n - 2];
+	if (strpbrk(last, " <>=") != NULL || strpbrk(before, "<>=") != NULL)
+		return false;
+	at += line[at + 1] == '=' ? 2 : 1;
+	at = parse_skip_blanks(line, at);
+	size_t n = strcspn(line + at, " \t;%");
+	char *number = xstrndup(line + at, n);
+	double limit;
+	bool is = text_typed_number(number, &limit);
+	free(number);
 	return is;
 }
 
-/* Makes one word of a condition that stands without quotes, up to an option:
- * passing 2 = 30..38. */
+/* The > of a limit, or >=, is a word. */
 static void
-join_condition(const struct command *command, struct words *words)
+take_limit_sign(const char *line, size_t *at, struct words *words)
 {
-	size_t n = 1;
-	while (n < words->n && !is_option(command, words->text[n]))
-		n++;
-	if (n < 3 || strpbrk(words->text[1], " <>=") != NULL ||
-	    (n == 3 && strpbrk(words->text[2], "<>=") != NULL))
-		return;
-	for (size_t i = 2; i < n; i++)
-		if (strchr(words->text[i], ' ') != NULL)
-			return;
-	for (size_t i = 2; i < n; i++) {
-		xappend(&words->text[1], " %s", words->text[i]);
-		free(words->text[i]);
-	}
-	for (size_t i = n; i < words->n; i++) {
-		words->text[2 + i - n] = words->text[i];
-		words->column[2 + i - n] = words->column[i];
-	}
-	words->n -= n - 2;
+	size_t n = line[*at + 1] == '=' ? 2 : 1, i = words->n++;
+	words->column[i] = parse_column_of(line, words, *at);
+	words->text[i] = xstrndup(line + *at, n);
+	*at += n;
 }
 
 bool
@@ -273,19 +272,18 @@ words_split(const char *line, size_t from, struct place place,
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
 		bool verbatim = is_verbatim(words, place);
 		bool sign = line[i] == '>' || line[i] == '|';
-		bool ok =
-		    sign && !verbatim
-			? take_redirection(line, &i, place, words, error)
-			: add_word(line, &i, place, verbatim, words, error);
+		bool ok = true;
+		if (sign && is_limit_sign(line, i, words, place))
+			take_limit_sign(line, &i, words);
+		else if (sign && !verbatim)
+			ok = take_redirection(line, &i, place, words, error);
+		else
+			ok = add_word(line, &i, place, verbatim, words, error);
 		if (!ok)
 			return false;
 		end = words->to == TO_SCREEN ? i : end;
 		i = parse_skip_blanks(line, i);
 	}
-	const struct command *command =
-	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
-	if (command != NULL && (command->flags & COMMAND_CONDITIONS) != 0)
-		join_condition(command, words);
 	words->typed = xstrndup(line + begin, end - begin);
 	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
 	parse_column_of(line, words, words->next);
@@ -606,7 +604,8 @@ parse_take_value(
 /* One word after the command's name: key=value, the bare option or an
  * operand. */
 static bool
-take_argument(const char *word, struct args *args, struct error *error)
+take_argument(
+    const char *word, int column, struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
 	const char *equals = strchr(word, '=');
@@ -628,6 +627,7 @@ take_argument(const char *word, struct args *args, struct error *error)
 	}
 	if (i < OPTIONS)
 		return parse_take_value(i, word, args, error);
+	args->column[args->n_operand] = column;
 	args->operand[args->n_operand++] = word;
 	return true;
 }
@@ -784,7 +784,8 @@ parse_call(const struct words *words, struct place place, struct args *args,
 		    pair
 			? take_pair(word, words->text[i + 1], args, error)
 			: !(set && last && lacks_value(command, word, error)) &&
-			      take_argument(word, args, error);
+			      take_argument(
+				  word, words->column[i], args, error);
 		if (!ok) {
 			put_place(error, place, command, words, i);
 			return NULL;

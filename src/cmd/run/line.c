@@ -15,6 +15,7 @@
 #include "cmd/ask/blended.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/pin.h"
+#include "cmd/ask/condition_words.h"
 #include "cmd/ask/question.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
@@ -97,7 +98,8 @@ run_words(struct session *s, const struct words *words, struct place place,
 	args_free(&args);
 	session_language(s);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
-		error_told_at(error, place.file, place.line, words->column[0]);
+		error_told_at(error, place.file, place.line,
+		    error->column > 0 ? error->column : words->column[0]);
 	return ok;
 }
 
@@ -115,6 +117,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 	while (from < end && !s->quit) {
 		struct words words;
 		bool ok = words_split(line, from, place, &words, error);
+		conditions_join(&words, place.prompt);
 		if (ok && words.n > 0)
 			ok = run_words(s, &words, place, error);
 		from = words.next;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/tr.h"
+#include "cmd/ask/cut.h"
 #include "core/search/misfit.h"
 
 /* Runs with a product to compare; *held_out: some are not trained on. */
@@ -61,6 +62,10 @@ after_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
 	count_runs(entry, &held_out);
+	if (cut_later(s, entry).n > 0)
+		return (struct next){"calibrate",
+		    N_("calibrate with the cuts that are new?"), true,
+		    NEXT_CALIBRATE};
 	if (held_out && !origin_is_stored(entry->origin) &&
 	    isnan(session_known(s, "validate", "holdout.speed")) &&
 	    isnan(session_known(s, "validate", "sites")))

@@ -64,6 +64,20 @@ validate_find_line(const struct site *site, const bool *train, double speed,
 	}
 }
 
+/* The passing of a run's product at a size; NAN where it was not sieved so
+ * fine, and above its coarsest sieve, unless all of the feed passes there. */
+static double
+measured_passing(const struct run *run, double x)
+{
+	const struct psd *product = &run->product;
+	bool above = x > product->size[0];
+	if (above && psd_passing(&run->feed, x) >= 1)
+		return 1;
+	if (!psd_covers(product, x) || (above && product->passing[0] < 1))
+		return NAN;
+	return psd_passing(product, x);
+}
+
 /* Mean passing at a size of the training products of one speed; NAN where none
  * has it. */
 static double
@@ -71,11 +85,12 @@ mean_passing(const struct site *site, const bool *train, double speed, double x)
 {
 	double sum = 0, n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *product = &site->run[r].product;
-		if (site->run[r].speed != speed || !counts(site, train, r) ||
-		    !psd_covers(product, x))
+		if (site->run[r].speed != speed || !counts(site, train, r))
 			continue;
-		sum += psd_passing(product, x);
+		double passing = measured_passing(&site->run[r], x);
+		if (isnan(passing))
+			continue;
+		sum += passing;
 		n++;
 	}
 	return n > 0 ? sum / n : NAN;

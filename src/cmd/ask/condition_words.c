@@ -1,0 +1,86 @@
+/* Joins the words of each condition of a line.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/ask/condition_words.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "cmd/ask/condition.h"
+#include "cmd/ask/quantity_words.h"
+
+/* Whether a word is that of an option, "speed=72", or of a setting. */
+static bool
+is_option(const struct command *command, const char *word)
+{
+	size_t n = strcspn(word, "=");
+	char *name = xstrndup(word, n);
+	bool is = command_option_index(command, name) < OPTIONS &&
+		  (word[n] == '=' || command->setting != NULL);
+	free(name);
+	return is;
+}
+
+/* Whether a word goes on with the condition before it. */
+static bool
+goes_on(const struct command *command, const char *before, const char *word)
+{
+	char *with = xasprintf("%s ", word);
+	bool most, begins = quantities_begins(word) ||
+			    conditions_most_of(with, &most) != NULL;
+	free(with);
+	return !is_option(command, word) && strchr(word, ' ') == NULL &&
+	       !(begins && conditions_ends(before));
+}
+
+/* Where the conditions begin; 0 where the command takes none. */
+static size_t
+first_word(const struct command *command, const struct words *words)
+{
+	bool takes =
+	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
+	if (takes && command->setting == NULL)
+		return 1;
+	return takes && words->n > 3 && text_same(words->text[1], "goal") ? 2
+									  : 0;
+}
+
+/* Puts the words that follow to the first one, and returns the index after the
+ * last.  The goal that is set is one word, with commas between conditions. */
+static size_t
+join_from(const struct command *command, char **text, size_t i, size_t n)
+{
+	char **piece = &text[i];
+	size_t begin = 0;
+	if (strchr(*piece, ' ') != NULL || is_option(command, *piece))
+		return i + 1;
+	while (++i < n) {
+		bool on = goes_on(command, *piece + begin, text[i]);
+		if (!on &&
+		    (command->setting == NULL || is_option(command, text[i])))
+			break;
+		if (!on)
+			begin = strlen(*piece) + strlen(", ");
+		xappend(piece, on ? " %s" : ", %s", text[i]);
+		free(text[i]);
+	}
+	return i;
+}
+
+void
+conditions_join(struct words *words, bool prompt)
+{
+	const struct command *command =
+	    words->n > 0 ? command_called(words->text[0], prompt) : NULL;
+	size_t from = first_word(command, words), n = words->n;
+	if (from == 0)
+		return;
+	words->n = from;
+	for (size_t i = from; i < n;) {
+		size_t first = i;
+		i = join_from(command, words->text, first, n);
+		words->text[words->n] = words->text[first];
+		words->column[words->n++] = words->column[first];
+	}
+}
