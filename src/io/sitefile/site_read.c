@@ -21,6 +21,7 @@
 #include "io/sitefile/site_heading.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
+#include "io/sitefile/site_title.h"
 #include "io/cells/source.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
@@ -457,45 +458,6 @@ leave_out_sums(struct reading *r, const struct page *page)
 		}
 }
 
-static bool
-has_speed(const struct head *head)
-{
-	return head->speed > 0 || head->rpm > 0;
-}
-
-/* Whether cell c of a line may head a table: within three lines above it, and
- * no key with its value. */
-static bool
-is_above(const struct table *t, const struct row *row, size_t c)
-{
-	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
-	return row->line < top && row->line >= top - 3 &&
-	       vocabulary_key(row->cell[0].text) == N_KEY &&
-	       (row->n == 1 || row->cell[c].column >= t->row[0].cell[0].column);
-}
-
-/* Whether words say which sample a table has. */
-static bool
-is_title(const struct head *head)
-{
-	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-	       has_speed(head);
-}
-
-/* Whether a line says which sample one of a sheet's tables has. */
-static bool
-is_any_title(const struct layout *layout, const struct row *row)
-{
-	for (size_t b = 0; b < layout->n; b++)
-		for (size_t c = 0; c < row->n; c++) {
-			struct head title = head_read(row->cell[c].text);
-			if (is_above(&layout->table[b], row, c) &&
-			    is_title(&title))
-				return true;
-		}
-	return false;
-}
-
 static void
 leave_out_foot(struct reading *r, const struct page *page)
 {
@@ -509,7 +471,7 @@ leave_out_foot(struct reading *r, const struct page *page)
 			c++;
 		snprintf(where, sizeof where, tr("line %d"), row->line);
 		const char *text = row->cell[c].text;
-		if (row->line > first && !is_any_title(page->layout, row))
+		if (row->line > first && !title_heads_any(page->layout, row))
 			leave_out(r->site, where,
 			    "remark below the table: %.*s", sheet_cut(text),
 			    text);
@@ -569,57 +531,6 @@ tell_names(struct reading *r)
 	}
 }
 
-/* One cell with something in it: a title. */
-static bool
-is_alone(const struct row *row)
-{
-	size_t filled = 0;
-	for (size_t i = 0; i < row->n; i++)
-		filled += (size_t)(row->cell[i].text[0] != '\0');
-	return filled == 1;
-}
-
-/* Meanings of the words that stand next to a table and tell feed from product:
- * its title, the name of its sheet or file. */
-static uint64_t
-context_of(const struct page *page, const struct table *t, const char *path,
-    struct surroundings *near)
-{
-	uint64_t means = vocabulary_text(page->sheet->name, NULL);
-	struct head name = head_read(page->sheet->name);
-	near->speed = near->speed > 0 ? near->speed : name.speed;
-	for (size_t i = 0; i < page->layout->n_heading; i++) {
-		const struct row *row = page->layout->heading[i];
-		for (size_t c = 0; c < row->n; c++) {
-			if (!is_above(t, row, c))
-				continue;
-			struct head title = head_read(row->cell[c].text);
-			near->strange =
-			    near->strange ||
-			    (is_alone(row) &&
-				(title.unknown > 0 ||
-				    (title.means & (WORD_LIMIT | WORD_MEAN |
-						       WORD_MACHINE)) != 0));
-			if (!is_title(&title))
-				continue;
-			uint64_t role =
-			    title.means & (WORD_FEED | WORD_PRODUCT);
-			means = role != 0 ? role : means;
-			if (!title.several && has_speed(&title)) {
-				near->speed = title.speed;
-				near->rpm = title.rpm;
-			}
-			break;
-		}
-	}
-	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
-		char *stem = site_heading_name(path);
-		means |= vocabulary_text(stem, NULL);
-		free(stem);
-	}
-	return means;
-}
-
 /* Whether a table has its sieves twice, which is open then. */
 static bool
 is_twice(struct reading *r, const struct table *t)
@@ -647,7 +558,8 @@ site_read_read_table(struct reading *r, const struct page *page,
 	    .samples = &r->samples};
 	near.speed = told.mps;
 	near.rpm = told.rpm;
-	near.context = context_of(page, t, q->path[page->file], &near);
+	near.context = title_context(
+	    page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
 	if (near.strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
