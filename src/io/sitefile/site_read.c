@@ -15,6 +15,7 @@
 #include "io/sitefile/layout_long.h"
 #include "io/sitefile/classify.h"
 #include "io/sitefile/results.h"
+#include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_ask.h"
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_describe.h"
@@ -458,6 +459,14 @@ leave_out_sums(struct reading *r, const struct page *page)
 		}
 }
 
+/* Whether a remark says what is known of the rotor. */
+static bool
+states_rotor(const struct site *site, const char *text)
+{
+	double mm = rotor_size_mm(text, false);
+	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
+}
+
 static void
 leave_out_foot(struct reading *r, const struct page *page)
 {
@@ -471,7 +480,9 @@ leave_out_foot(struct reading *r, const struct page *page)
 			c++;
 		snprintf(where, sizeof where, tr("line %d"), row->line);
 		const char *text = row->cell[c].text;
-		if (row->line > first && !title_heads_any(page->layout, row))
+		bool rotor = states_rotor(r->site, text);
+		if (row->line > first && !rotor &&
+		    !title_heads_any(page->layout, row))
 			leave_out(r->site, where,
 			    "remark below the table: %.*s", sheet_cut(text),
 			    text);
@@ -553,13 +564,13 @@ site_read_read_table(struct reading *r, const struct page *page,
 {
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
-	struct surroundings near = {.rotor = r->site->rotor,
-	    .told = r->names.others,
-	    .samples = &r->samples};
+	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
+	struct surroundings near = {
+	    .rotor = rotor, .told = r->names.others, .samples = &r->samples};
 	near.speed = told.mps;
 	near.rpm = told.rpm;
-	near.context = title_context(
-	    page->layout, t, q->path[page->file], &near);
+	near.context =
+	    title_context(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
 	if (near.strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
@@ -678,15 +689,33 @@ has_tables(struct reading *r)
 	return n > 0;
 }
 
+/* Takes the rotor's diameter that titles and remarks state, where no line of
+ * its own does. */
+static void
+take_rotor(struct reading *r, const struct heading_rotor *said)
+{
+	if (r->site->rotor > 0 || !(said->mm > 0))
+		return;
+	r->site->rotor = said->mm / 1000;
+	xlist(&r->site->remark, "; ",
+	    tr("rotor of %g mm in diameter, stated in line %d"), said->mm,
+	    said->line);
+}
+
 static void
 read_pages(struct reading *r)
 {
+	struct heading_rotor rotor = {0};
+	for (size_t i = 0; i < r->n_page; i++)
+		if (r->page[i].layout->n > 0)
+			site_heading_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
 		if (page->layout->n == 0)
 			continue;
 		site_heading(page->layout, page->sheet, r->site, &told);
+		take_rotor(r, &rotor);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
 			site_read_read_table(

@@ -13,7 +13,8 @@
  * "S01=feed, S02=@70", by name; samples not named are left out.  top: mm, the
  * size that a whole feed is assumed to pass if its coarsest sieve does not pass
  * all.  range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts:
- * samples of product to be added to a site, which need no feed.  feed: only the
+ * samples of product to be added to a site, which need no feed; site_rotor is
+ * that site's diameter, m, for sheets that state none.  feed: only the
  * feed is read, and a single sample without a role is taken for it.  text:
  * NULL, or the content of the one file, which is then not opened; path is its
  * name. */
@@ -23,7 +24,7 @@ struct site_request {
 	const double *speed;
 	const char *columns, *samples, *sheet, *range, *text;
 	char decimal;
-	double rotor, top;
+	double rotor, site_rotor, top;
 	bool parts, feed;
 };
 
