@@ -572,7 +572,7 @@ site_read_read_table(struct reading *r, const struct page *page,
 	near.context =
 	    title_context(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
-	if (near.strange && t != &page->layout->table[0] && !near.told &&
+	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
 	if (given > 0)
@@ -775,6 +775,43 @@ want_feed(struct reading *r)
 	all->n = n;
 }
 
+/* "1560, 1680 rpm" of the products, or their speeds in m/s. */
+static char *
+product_speeds(const struct columns *all)
+{
+	bool rpm = true;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role == PRODUCT)
+			rpm = rpm && all->column[i].rpm > 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->role == PRODUCT)
+			xlist(&list, ", ", "%g", rpm ? c->rpm : c->speed);
+	}
+	xappend(&list, " %s", rpm ? "rpm" : "m/s");
+	return list;
+}
+
+/* Tables under titles that differ in the speed alone are no question. */
+static void
+settle_series(struct reading *r)
+{
+	bool parts = r->request->parts;
+	if (r->open.other == NULL ||
+	    !title_is_series(r->table, r->n_table, &r->all, parts))
+		return;
+	r->open.other = NULL;
+	char *speeds = product_speeds(&r->all);
+	if (count_role(&r->all, FEED) > 0)
+		xlist(&r->site->remark, "; ",
+		    tr("read as one site: feed and products at %s"), speeds);
+	else
+		xlist(&r->site->remark, "; ",
+		    tr("read as one site: products at %s"), speeds);
+	free(speeds);
+}
+
 static size_t
 count_faults(const struct reading *r)
 {
@@ -850,6 +887,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			samples_check(&r.samples, r.table[0]);
 		recognise_settle(&r.all, r.site,
 		    r.names.others || r.samples.n > 0, &r.open.rotor);
+		settle_series(&r);
 		bool open = count_faults(&r) == 0 &&
 			    open_ask(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);

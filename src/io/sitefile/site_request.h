@@ -6,6 +6,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Cells of a sheet from the first to the last line and column, from 1. */
+struct site_box {
+	int top, left, bottom, right;
+};
+
 /* The files [n] to be read as one site, with the tip speed of the samples in
  * each, m/s, if given (0: the sheet states it); and options, NULL or 0 if not
  * given.  columns: "1=sieve mm, 3=feed retained_g", by number from 1 (by line
@@ -33,17 +38,31 @@ struct site_request {
  * ("columns=\"1=sieve mm, ..\"", "rotor_mm=DIAMETER"); NULL: no question was
  * open.  across: the numbers are those of lines.  by_sample: columns are
  * identified by their headings, which are names of samples, for samples=.
- * no_feed, no_product: the files contain none. */
+ * no_feed, no_product: the files contain none.  tables: instead of columns they
+ * are tables, each with its title as head, its lines as values, and its cells
+ * as box; first, last: those that are proposed, from 0. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {
 		size_t number;
 		char *head, *values, *guess;
 		bool open;
+		struct site_box box;
 	} * column;
+	size_t first, last;
 	char *settle;
-	bool across, by_sample, no_feed, no_product;
+	bool across, by_sample, tables, no_feed, no_product;
 };
+
+/* Reads "A3:F20"; false if it is not of that form. */
+bool site_box_read(const char *text, struct site_box *box);
+
+/* Returns the cells as "A3:F20".  The caller frees. */
+char *site_box_text(struct site_box box);
+
+/* Returns the smallest box with the tables from..to of *ask, from 0. */
+struct site_box site_ask_box(
+    const struct site_ask *ask, size_t from, size_t to);
 
 /* Frees what *ask owns. */
 void site_ask_clear(struct site_ask *ask);
