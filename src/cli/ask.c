@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cli/signals.h"
 #include "cli/terminal.h"
@@ -66,10 +67,15 @@ show_table(const struct inquiry *q, int columns)
 		fputc('\n', stderr);
 		free(line);
 	}
-	if (q->ask->n > 0)
-		text_wrap("Enter accepts what is in [ ], - leaves a column "
-			  "out, ^C gives up",
-		    0, columns, stderr);
+	if (q->ask->n == 0)
+		return;
+	text_wrap(q->ask->tables
+		      ? tr("Enter accepts what is in [ ]; or type the numbers "
+			   "of tables, as 2 or 1-2, or cells, as A5:B17; ^C "
+			   "gives up")
+		      : tr("Enter accepts what is in [ ], - leaves a column "
+			   "out, ^C gives up"),
+	    0, columns, stderr);
 }
 
 /* Past the notes of the session, which wait for the end of the command. */

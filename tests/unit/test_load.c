@@ -294,6 +294,29 @@ samples_are_asked_by_name(void **state)
 	assert_int_equal(site_of(desk)->n_run, 1);
 }
 
+/* Synthetic: blocks of two machines below each other. */
+static void
+tables_are_asked_by_number(void **state)
+{
+	struct desk *desk = *state;
+	static const char TWO[] =
+	    "Feed;\nSize mm;Passing %\n16;100\n8;60\n4;30\n2;10\n\n"
+	    "VSI 1, 60 m/s;\nSize mm;Passing %\n16;100\n8;80\n4;50\n2;20\n\n"
+	    "VSI 1, 70 m/s;\nSize mm;Passing %\n16;100\n8;85\n4;55\n2;25\n\n"
+	    "VSI 2, 80 m/s;\nSize mm;Passing %\n16;100\n8;90\n4;60\n2;30\n";
+	assert_true(load_with(desk, TWO, ""));
+	assert_non_null(
+	    strstr(user.asked, "which tables are to be read [1-3]"));
+	assert_speeds(site_of(desk), 60, 70);
+	assert_true(load_with(desk, TWO, "5|2-1|x|A1|1-2"));
+	assert_int_equal(user.n, 5);
+	assert_int_equal(site_of(desk)->n_run, 1);
+	assert_true(load_with(desk, TWO, "A2:B20"));
+	assert_speeds(site_of(desk), 60, 70);
+	assert_false(load_with(desk, TWO, "^"));
+	assert_non_null(strstr(desk->error.hint, "range=A2:B20"));
+}
+
 static void
 scripts_are_not_asked(void **state)
 {
@@ -330,9 +353,9 @@ rows_fit(void **state)
 {
 	(void)state;
 	struct site_ask_column column[] = {
-	    {1, "Sikt (mm)", "11,2 8 5,6 4", "sieve mm", false},
+	    {1, "Sikt (mm)", "11,2 8 5,6 4", "sieve mm", false, {0}},
 	    {12, "Förkrossad produkt, prov nummer ett", "100 75,0 55,25 42,125",
-		"product@SPEED retained_cum_pct", true}};
+		"product@SPEED retained_cum_pct", true, {0}}};
 	struct site_ask ask = {.n = 2, .column = column};
 	struct inquiry q = {.ask = &ask};
 	for (int columns = 38; columns <= 110; columns++) {
@@ -371,6 +394,7 @@ main(void)
 	    WITH_USER(of_two_tables_one_is_asked_for),
 	    WITH_USER(a_coarser_sieve_is_assumed),
 	    WITH_USER(samples_are_asked_by_name),
+	    WITH_USER(tables_are_asked_by_number),
 	    WITH_USER(scripts_are_not_asked),
 	    WITH_USER(answers_are_saved_with_the_session),
 	    cmocka_unit_test(rows_fit),

@@ -1,9 +1,10 @@
-/* Sieves with names, and what of a sheet was not read.
+/* Sieves with names, rotors, and what of a sheet was not read.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/sieve_size.h"
 
 #include <math.h>
 
+#include "io/sitefile/rotor_size.h"
 #include "sheets.h"
 
 /* ASTM E11-20, the numbers at either end and where people err. */
@@ -100,6 +101,46 @@ what_was_passed_over_is_told(void **state)
 	}
 }
 
+/* Lines of titles and remarks, in the languages of heads. */
+static void
+a_rotor_is_measured_in_words(void **state)
+{
+	static const struct {
+		const char *text;
+		double mm;
+	} SAID[] = {{"VSI, rotor 840 mm, 1560 rpm", 840},
+	    {"Rotor diameter 840 mm", 840}, {"rotor 0.84 m", 840},
+	    {"rotor 0,84 m, 69 m/s", 840}, {"VSI, \u00D8 840, 1560 rpm", 840},
+	    {"VSI \u2300840 mm", 840}, {"Rotor \u00D8=840mm", 840},
+	    {"rotor (mm): 840", 840}, {"840 mm rotor, 1560 rpm", 840},
+	    {"rotor 84 cm", 840}, {"rotor 33 in", 838.2},
+	    {"rotor 1,050 mm", 1050}, {"Rotordurchmesser 840 mm", 840},
+	    {"Rotor, Durchmesser 840 mm", 840},
+	    {"rotorns diameter 840 mm, kross 2", 840},
+	    {"roottorin halkaisija 840 mm", 840},
+	    {"rotor di\u00E1metro 840 mm", 840},
+	    {"VSI, diam\u00E8tre 840 mm", 840},
+	    {"rotor 840 mm, later rotor 840 mm", 840},
+	    {"rotor 840 mm, later rotor 900 mm", -1},
+	    /* Something else is measured. */
+	    {"VSI, rotor at 1560 rpm", 0}, {"rotor speed 60 m/s", 0},
+	    {"VSI, rotor 1560", 0}, {"rotor 1560 1/min", 0},
+	    {"rotor 60 m/s, sieves 200 mm", 0}, {"sieves \u00D8 200 mm", 0},
+	    {"VSI, sieves of diameter 200 mm", 0}, {"\u00D8 200 mm", 0},
+	    {"Feed 8/16 mm, rotor 1560 rpm", 0}, {"rotor tip 300 mm", 0},
+	    {"sieve 200 mm - rotor 1560 rpm", 0}, {"\u00D8 840-900, VSI", 0}};
+	(void)state;
+	for (size_t i = 0; i < sizeof SAID / sizeof *SAID; i++) {
+		double mm = rotor_size_mm(SAID[i].text, false);
+		if (fabs(mm - SAID[i].mm) > 1e-9)
+			fail_msg("%s: %g", SAID[i].text, mm);
+	}
+	/* What a machine is called needs no unit. */
+	assert_true(rotor_size_mm("VSI 4, rotor 840", true) == 840);
+	assert_true(rotor_size_mm("VSI 4, rotor 1560 rpm", true) == 0);
+	assert_true(rotor_size_mm("VSI, rotor 1560 1/min", true) == 0);
+}
+
 int
 main(void)
 {
@@ -107,6 +148,7 @@ main(void)
 	    cmocka_unit_test(a_sieve_has_its_name_in_many_spellings),
 	    cmocka_unit_test(a_numbered_sieve_is_never_a_comment),
 	    cmocka_unit_test(what_was_passed_over_is_told),
+	    cmocka_unit_test(a_rotor_is_measured_in_words),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,11 +27,16 @@ static void
 row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
     const char *cell[static CELLS])
 {
-	const char *const HEADS[] = {"", tr("head"),
-	    narrow ? tr("values") : tr("first values"), tr("seems to be")};
+	bool tables = q->ask->tables;
+	const char *const HEADS[] = {"", tables ? tr("title") : tr("head"),
+	    tables   ? tr("lines")
+	    : narrow ? tr("values")
+		     : tr("first values"),
+	    tr("seems to be")};
 	if (row == 0) {
 		memcpy(cell, HEADS, sizeof HEADS);
 		cell[0] = narrow           ? ""
+			  : tables         ? tr("table")
 			  : q->ask->across ? tr("line")
 					   : tr("column");
 		return;
@@ -406,10 +411,45 @@ take_place(const char *settle, const char *said, struct inquired *into)
 	return true;
 }
 
+/* Tables by their numbers, "2" or "1-3", or cells; nothing is what is offered.
+ */
 static bool
-ask_user_take_option(const char *settle, const char *said,
+take_tables(const struct site_ask *ask, const char *said, struct inquired *into,
+    char *wrong)
+{
+	struct site_box box;
+	char *end;
+	size_t from = ask->first + 1, to = ask->last + 1;
+	if (said[0] >= '0' && said[0] <= '9') {
+		from = to = strtoul(said, &end, 10);
+		end += strspn(end, " ");
+		if (*end == '-')
+			to = strtoul(end + 1, &end, 10);
+		from = *end == '\0' ? from : 0;
+	} else if (site_box_read(said, &box)) {
+		return take_place("range=", said, into);
+	} else if (said[0] != '\0') {
+		from = 0;
+	}
+	if (from == 0 || from > to || to > ask->n) {
+		snprintf(wrong, WRONG,
+		    tr("expected tables from 1 to %zu, as 2 or 1-2, or cells, "
+		       "got '%.30s'"),
+		    ask->n, said);
+		return false;
+	}
+	free(into->range);
+	into->range = site_box_text(site_ask_box(ask, from - 1, to - 1));
+	return true;
+}
+
+static bool
+ask_user_take_option(const struct site_ask *ask, const char *said,
     struct inquired *into, bool *given_up, char *wrong)
 {
+	const char *settle = ask->settle;
+	if (ask->tables)
+		return take_tables(ask, said, into, wrong);
 	if (strncmp(settle, "top=", 4) == 0)
 		return take_top(settle, said, into, given_up, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
@@ -459,19 +499,28 @@ ask_option(struct session *s, const struct site_ask *ask,
 				    : i < 2 || ASKS[i].question == NULL ? ""
 									: value;
 		}
+	char *tables = ask->first < ask->last
+			   ? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
+			   : xasprintf("%zu", ask->first + 1);
+	if (ask->tables) {
+		q.text = tr("which tables are to be read");
+		q.offered = tables;
+		q.hint = tr("or: 2, 1-2, or cells as A5:B17");
+		q.at = ask->first;
+	}
 	bool good = false, given_up = false;
 	while (!good && !given_up) {
 		char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		wrong[0] = '\0';
-		good =
-		    !given_up && ask_user_take_option(ask->settle,
-				     text_trim(answer), said, &given_up, wrong);
+		good = !given_up && ask_user_take_option(ask, text_trim(answer),
+					said, &given_up, wrong);
 		free(answer);
 		q.first = false;
 	}
 	free(about);
 	free(text);
+	free(tables);
 	return good;
 }
 
@@ -523,6 +572,7 @@ inquire(struct session *s, const struct site_ask *ask,
 {
 	if (!is_attended(s) || ask->settle == NULL)
 		return false;
-	return ask->n > 0 ? ask_columns(s, ask, trouble->file, said)
-			  : ask_option(s, ask, trouble, said);
+	return ask->n > 0 && !ask->tables
+		   ? ask_columns(s, ask, trouble->file, said)
+		   : ask_option(s, ask, trouble, said);
 }

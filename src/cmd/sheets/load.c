@@ -516,8 +516,7 @@ save_answer(struct session *s, const struct args *args, const char *option,
 }
 
 static void
-save_answers(struct session *s, const struct args *args, const struct load *l,
-    double rotor)
+save_answers(struct session *s, const struct args *args, const struct load *l)
 {
 	const struct site_request *q = &l->request;
 	char number[32];
@@ -528,7 +527,7 @@ save_answers(struct session *s, const struct args *args, const struct load *l,
 	if (q->decimal != '\0')
 		save_answer(
 		    s, args, "decimal", q->decimal == ',' ? "comma" : "point");
-	if (q->rotor != rotor)
+	if (q->rotor > 0)
 		save_answer(
 		    s, args, "rotor_mm", text_exact(1000 * q->rotor, number));
 	if (q->top > 0)
@@ -542,13 +541,12 @@ load_parts(struct session *s, const struct args *args, const char *const *word,
 	struct load l = {.request.parts = true};
 	bool good = load_init(&l, args->n_operand, word, error);
 	take_options(&l, args);
-	if (!(l.request.rotor > 0))
-		l.request.rotor = rotor;
+	l.request.site_rotor = rotor;
 	for (size_t i = 0; i < l.request.n && good; i++)
 		files_reads(s, l.path[i]);
 	struct site *site = good ? read_site(s, &l, error) : NULL;
 	if (site != NULL)
-		save_answers(s, args, &l, rotor);
+		save_answers(s, args, &l);
 	load_clear(&l);
 	return site;
 }

@@ -14,12 +14,11 @@
  * meanings of the words around the table (title, name of the sheet or file)
  * that distinguish feed from product.  told: the heads were given by hand.
  * samples: the samples given by name.  counted: numbers alone in headings are
- * not tip speeds.  strange: the title contains words that may mean another
- * machine or day. */
+ * not tip speeds. */
 struct surroundings {
 	double rotor, speed, rpm;
 	uint64_t context;
-	bool told, strange, counted;
+	bool told, counted;
 	struct samples *samples;
 };
 

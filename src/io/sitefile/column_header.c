@@ -351,15 +351,15 @@ column_header_has_range(const char *text)
 	return false;
 }
 
-struct head
-head_read(const char *text)
+/* Reads a text that is folded.  words: out, what stands around the numbers and
+ * the units of speed; rest: out, all but the speeds; each of at least as many
+ * bytes as the text. */
+static struct head
+column_header_cut(const char *folded, char *words, char *rest)
 {
 	struct head head = {0};
 	struct before before = {0};
-	char *folded = text_fold(text);
-	plain_blanks(folded);
-	char *words = xcalloc(strlen(folded) + 1, 1);
-	size_t n = 0, k;
+	size_t n = 0, m = 0, k;
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
 		bool inside = p > folded && column_header_is_letter(p[-1]);
@@ -370,19 +370,54 @@ head_read(const char *text)
 			p += k;
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
+			const char *from = p;
 			column_header_read_number(
 			    &head, folded, &p, at, &before);
 			words[n++] = ' ';
+			bool speed = before.at || before.unit;
+			while (!speed && from < p)
+				rest[m++] = *from++;
 			at = false;
 		} else {
 			at = *p == '@' || (at && strchr(" -.+", *p) != NULL);
 			words[n++] = *p == '@' ? ' ' : *p;
-			p++;
+			rest[m++] = *p++;
 		}
 	}
+	words[n] = rest[m] = '\0';
 	head.range = column_header_has_range(folded);
 	head.means = vocabulary_text(words, &head.unknown);
+	return head;
+}
+
+/* What is left of a text without its speeds, or NULL: it is not wanted. */
+static struct head
+column_header_read(const char *text, char **left)
+{
+	char *folded = text_fold(text);
+	plain_blanks(folded);
+	char *words = xcalloc(strlen(folded) + 1, 1);
+	char *rest = xcalloc(strlen(folded) + 1, 1);
+	struct head head = column_header_cut(folded, words, rest);
 	free(words);
 	free(folded);
+	if (left != NULL)
+		*left = rest;
+	else
+		free(rest);
 	return head;
+}
+
+struct head
+head_read(const char *text)
+{
+	return column_header_read(text, NULL);
+}
+
+char *
+head_without_speeds(const char *text)
+{
+	char *left;
+	column_header_read(text, &left);
+	return left;
 }

@@ -983,6 +983,7 @@ layout_table_clear(struct table *t)
 		free(t->text[i]);
 	free(t->text);
 	free(t->name);
+	free(t->title);
 	free(t->number);
 	free(t->mm);
 }

@@ -14,6 +14,10 @@
  * heads of a long table; name [n_col]: in a long table the names of its
  * samples, or NULL.
  *
+ * site_title.h sets these: title, the lines of one cell right above the table,
+ * in the order of the sheet; strange: they have words that may mean another
+ * machine or day.
+ *
  * site_sieve.h sets these: mm [n_row], sieve sizes, 0 for the pan, NAN for a
  * fault, from the unit; rows are then coarsest first.  finest_first: the order
  * on the sheet.  lost: a row or a head has a fault, so that missing parts
@@ -21,12 +25,13 @@
 struct table {
 	struct sheet *sheet;
 	bool across, is_long, lost, finest_first;
+	bool strange;
 	bool unsure; /* only numbers in order mark it as a table of sieves */
 	size_t n_col, n_head, n_row, n_foot, titles;
 	struct row *head, *row, *foot;
 	size_t *number;
 	size_t n_text;
-	char **text, **name;
+	char **text, **name, *title;
 	struct sieve_unit unit;
 	double *mm;
 };

@@ -402,6 +402,7 @@ layout_long_widen(struct longer *l)
 	wide.foot = NULL; /* sums of all samples together say nothing */
 	wide.n_foot = 0;
 	*t = wide;
+	old.title = NULL;
 	old.text = NULL;
 	old.n_text = 0;
 	layout_table_clear(&old);

@@ -12,6 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/site_ask_tables.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/lexicon.h"
@@ -109,35 +110,23 @@ names_clear(struct names *names)
 	free(names->number);
 }
 
-/* "A3" as column 1 and line 3. */
-static const char *
-read_corner(const char *p, int *column, int *line)
-{
-	*column = *line = 0;
-	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
-		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
-	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
-		*line = 10 * *line + (*p - '0');
-	return *column > 0 && *line > 0 ? p : NULL;
-}
-
 bool
 range_read(const char *text, struct layout_range *range, struct error *error)
 {
+	struct site_box box;
 	if (text == NULL)
 		return true;
-	const char *p =
-	    read_corner(text, &range->first_column, &range->first_line);
-	if (p != NULL && *p == ':')
-		p = read_corner(p + 1, &range->last_column, &range->last_line);
-	else
-		p = NULL;
-	return (p != NULL && *p == '\0') ||
-	       error_set(error, ERROR_USAGE,
-		   "expected a range such as A3:F20, got '%s'\n"
-		   "the first is the cell at the top left, the second the one "
-		   "at the bottom right",
-		   text);
+	if (!site_box_read(text, &box))
+		return error_set(error, ERROR_USAGE,
+		    "expected a range such as A3:F20, got '%s'\n"
+		    "the first is the cell at the top left, the second the one "
+		    "at the bottom right",
+		    text);
+	range->first_line = box.top;
+	range->last_line = box.bottom;
+	range->first_column = box.left;
+	range->last_column = box.right;
+	return true;
 }
 
 void
@@ -375,43 +364,10 @@ second_feed(const struct columns *all)
 	return NULL;
 }
 
-/* "AB12" */
-static char *
-corner(size_t column, int line)
-{
-	char letters[8] = "", *first = letters + sizeof letters - 1;
-	for (size_t c = column; c > 0 && first > letters; c = (c - 1) / 26)
-		*--first = (char)('A' + (c - 1) % 26);
-	return xasprintf("%s%d", first, line);
-}
-
-/* Asks for the cells of a table, of which n_row rows are meant. */
-static bool
-ask_range(const struct site_request *q, const struct table *t, size_t n_row,
-    struct cell where, struct site_ask *ask, struct error_list *errors,
-    const char *what)
-{
-	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line, bottom = 0;
-	size_t right = 0, left = t->number[0];
-	for (size_t r = 0; r < n_row; r++) {
-		top = t->row[r].line < top ? t->row[r].line : top;
-		bottom = t->row[r].line > bottom ? t->row[r].line : bottom;
-	}
-	for (size_t c = 0; c < t->n_col; c++) {
-		right = t->number[c] > right ? t->number[c] : right;
-		left = t->number[c] < left ? t->number[c] : left;
-	}
-	char *from = corner(left, top), *to = corner(right, bottom);
-	ask->settle = xasprintf("range=%s:%s", from, to);
-	free(from);
-	free(to);
-	return site_ask_refuse(q, t, where, ask, errors, what);
-}
-
 static bool
 ask_table(const struct site_request *q, struct table *const *table,
-    size_t n_table, const struct table *second, struct site_ask *ask,
-    struct error_list *errors)
+    size_t n_table, const struct table *second, const struct columns *all,
+    struct site_ask *ask, struct error_list *errors)
 {
 	const struct table *first = table[0];
 	for (size_t i = 0; i < n_table; i++)
@@ -434,8 +390,10 @@ ask_table(const struct site_request *q, struct table *const *table,
 		    errors,
 		    tr("expected one site, got sheets with a feed each"));
 	}
-	return ask_range(q, first, first->n_row, second->row[0].cell[0], ask,
-	    errors,
+	struct tables tables = {.table = table, .n = n_table, .all = all};
+	site_ask_tables_guess(&tables);
+	site_ask_tables_list(&tables, ask);
+	return site_ask_refuse(q, first, second->row[0].cell[0], ask, errors,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
 }
@@ -449,30 +407,42 @@ ask_twice(const struct open *open, const struct site_request *q,
 	char *what = xasprintf(tr("expected one table, got the sieves from %s "
 				  "on a second time"),
 	    again.text);
-	ask_range(q, t, open->end, again, ask, errors, what);
+	char *range = site_ask_table_range(t, open->end);
+	ask->settle = xasprintf("range=%s", range);
+	free(range);
+	site_ask_refuse(q, t, again, ask, errors, what);
 	free(what);
 	return true;
 }
 
-/* Of tables below each other of which nothing tells feed from product, the one
- * with most sieves, of which the others are perhaps extracts; NULL: there is
- * one, or something tells. */
-static const struct table *
-largest(struct table *const *table, size_t n_table, const struct columns *all)
+/* Of tables below each other of which nothing tells feed from product, proposes
+ * the one with most sieves, of which the others are perhaps extracts.  False:
+ * there is one table, or something tells. */
+static bool
+guess_largest(struct tables *s)
 {
-	const struct table *most = table[0];
 	bool below = false;
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].role != NO_ROLE)
-			return NULL;
-	for (size_t i = 1; i < n_table; i++) {
-		const struct table *before = table[i - 1];
-		below =
-		    below || (table[i]->sheet == before->sheet &&
-				 table[i]->row[0].line > before->row[0].line);
-		most = table[i]->n_row > most->n_row ? table[i] : most;
+	for (size_t i = 0; i < s->all->n; i++)
+		if (s->all->column[i].role != NO_ROLE)
+			return false;
+	for (size_t i = 1; i < s->n; i++) {
+		const struct table *t = s->table[i], *before = s->table[i - 1];
+		below = below || (t->sheet == before->sheet &&
+				     t->row[0].line > before->row[0].line);
+		if (t->n_row > s->table[s->first]->n_row)
+			s->first = i;
 	}
-	return below ? most : NULL;
+	/* Only those of its sheet have a range in common. */
+	const struct sheet *sheet = s->table[s->first]->sheet;
+	while (s->table[0]->sheet != sheet) {
+		s->table++;
+		s->first--;
+		s->n--;
+	}
+	while (s->table[s->n - 1]->sheet != sheet)
+		s->n--;
+	s->last = s->first;
+	return below;
 }
 
 /* What is the first column that is open, and how fast was it? */
@@ -556,6 +526,19 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 	return true;
 }
 
+static bool
+ask_decimal(const struct open *open, const struct site_request *q,
+    const struct table *t, struct site_ask *ask, struct error_list *errors)
+{
+	ask->settle = xstrdup("decimal=point|comma");
+	char *what = xasprintf(tr("expected a number that can be read in one "
+				  "way, got %s: a decimal sign, or thousands?"),
+	    open->number.text);
+	site_ask_refuse(q, t, open->number, ask, errors, what);
+	free(what);
+	return true;
+}
+
 bool
 open_ask(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
@@ -571,16 +554,8 @@ open_ask(const struct open *open, const struct site_request *q,
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
-	if (open->number.text != NULL) {
-		ask->settle = xstrdup("decimal=point|comma");
-		char *what = xasprintf(tr("expected a number that can be read "
-					  "in one way, got %s: a "
-					  "decimal sign, or thousands?"),
-		    open->number.text);
-		site_ask_refuse(q, table[0], open->number, ask, errors, what);
-		free(what);
-		return true;
-	}
+	if (open->number.text != NULL)
+		return ask_decimal(open, q, table[0], ask, errors);
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
 		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
@@ -589,13 +564,16 @@ open_ask(const struct open *open, const struct site_request *q,
 		       "rotor's diameter"));
 	}
 	if (second != NULL)
-		return ask_table(q, table, n_table, second, ask, errors);
-	const struct table *most = largest(table, n_table, all);
-	if (most != NULL)
-		return ask_range(q, most, most->n_row, most->row[0].cell[0],
-		    ask, errors,
+		return ask_table(q, table, n_table, second, all, ask, errors);
+	struct tables tables = {.table = table, .n = n_table, .all = all};
+	if (guess_largest(&tables)) {
+		const struct table *most = tables.table[tables.first];
+		site_ask_tables_list(&tables, ask);
+		return site_ask_refuse(q, most, most->row[0].cell[0], ask,
+		    errors,
 		    tr("expected one table, got several: that with most sieves "
 		       "is proposed"));
+	}
 	if (first == NULL && !open->sieves)
 		return false;
 	site_ask_list_columns(ask, table, n_table, all, open->sieves);

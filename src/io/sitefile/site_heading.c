@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_heading.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -11,6 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/column_header.h"
+#include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
@@ -51,22 +53,6 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	return number_of(number_cell(sheet, cell, copy), value);
 }
 
-/* "840 mm" of "VSI 4, rotor 840 mm"; NULL where no number follows the word. */
-static char *
-after_rotor(char *text)
-{
-	for (char *p = text; *p != '\0';) {
-		size_t n = strcspn(p, " ,;:=");
-		char *word = xstrndup(p, n);
-		bool rotor = (vocabulary_text(word, NULL) & WORD_ROTOR) != 0;
-		free(word);
-		p += n + strspn(p + n, " ,;:=");
-		if (rotor && *p >= '0' && *p <= '9')
-			return p;
-	}
-	return NULL;
-}
-
 /* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
 static bool
 site_heading_take_rotor(struct site *site, const struct sheet *sheet,
@@ -74,11 +60,9 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 {
 	uint64_t means = vocabulary_text(key.text, NULL);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
-		char *after = after_rotor(value.text);
-		if (after == NULL)
-			return false;
-		value.text = after;
-		means = WORD_ROTOR;
+		double said = rotor_size_mm(value.text, true);
+		site->rotor = said > 0 ? said / 1000 : site->rotor;
+		return said > 0;
 	}
 	means |= vocabulary_text(value.text, NULL);
 	double number;
@@ -279,6 +263,25 @@ site_heading(const struct layout *layout, struct sheet *sheet,
 			for (size_t at = 0; read_pair(site, sheet,
 				 layout->heading[i], &at, seen, speed);)
 				;
+}
+
+void
+site_heading_rotor(const struct layout *layout, struct heading_rotor *said)
+{
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		char *line = xstrdup("");
+		for (size_t c = 0; c < row->n; c++)
+			xlist(&line, ", ", "%s", row->cell[c].text);
+		double mm = rotor_size_mm(line, false);
+		free(line);
+		bool differs = mm < 0 || said->mm < 0 ||
+			       (said->mm > 0 && fabs(mm - said->mm) > 0.5);
+		if (mm == 0)
+			continue;
+		said->line = said->mm == 0 ? row->line : said->line;
+		said->mm = differs ? -1 : mm;
+	}
 }
 
 char *

@@ -15,6 +15,17 @@ struct heading_speed {
 void site_heading(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
+/* The rotor's diameter, mm, as lines outside the tables state it, with the
+ * first of them; -1: they differ; 0: there is none. */
+struct heading_rotor {
+	double mm;
+	int line;
+};
+
+/* Adds what the lines of a layout state to *said, of other layouts so far. */
+void site_heading_rotor(
+    const struct layout *layout, struct heading_rotor *said);
+
 /* Returns the name of a file without folder and extension, in a form that can
  * be written into a sheet.  The caller frees. */
 char *site_heading_name(const char *path);

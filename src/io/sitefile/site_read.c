@@ -15,12 +15,14 @@
 #include "io/sitefile/layout_long.h"
 #include "io/sitefile/classify.h"
 #include "io/sitefile/results.h"
+#include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_ask.h"
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_describe.h"
 #include "io/sitefile/site_heading.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
+#include "io/sitefile/site_title.h"
 #include "io/cells/source.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
@@ -457,43 +459,12 @@ leave_out_sums(struct reading *r, const struct page *page)
 		}
 }
 
+/* Whether a remark says what is known of the rotor. */
 static bool
-has_speed(const struct head *head)
+states_rotor(const struct site *site, const char *text)
 {
-	return head->speed > 0 || head->rpm > 0;
-}
-
-/* Whether cell c of a line may head a table: within three lines above it, and
- * no key with its value. */
-static bool
-is_above(const struct table *t, const struct row *row, size_t c)
-{
-	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
-	return row->line < top && row->line >= top - 3 &&
-	       vocabulary_key(row->cell[0].text) == N_KEY &&
-	       (row->n == 1 || row->cell[c].column >= t->row[0].cell[0].column);
-}
-
-/* Whether words say which sample a table has. */
-static bool
-is_title(const struct head *head)
-{
-	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-	       has_speed(head);
-}
-
-/* Whether a line says which sample one of a sheet's tables has. */
-static bool
-is_any_title(const struct layout *layout, const struct row *row)
-{
-	for (size_t b = 0; b < layout->n; b++)
-		for (size_t c = 0; c < row->n; c++) {
-			struct head title = head_read(row->cell[c].text);
-			if (is_above(&layout->table[b], row, c) &&
-			    is_title(&title))
-				return true;
-		}
-	return false;
+	double mm = rotor_size_mm(text, false);
+	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
 }
 
 static void
@@ -509,7 +480,9 @@ leave_out_foot(struct reading *r, const struct page *page)
 			c++;
 		snprintf(where, sizeof where, tr("line %d"), row->line);
 		const char *text = row->cell[c].text;
-		if (row->line > first && !is_any_title(page->layout, row))
+		bool rotor = states_rotor(r->site, text);
+		if (row->line > first && !rotor &&
+		    !title_heads_any(page->layout, row))
 			leave_out(r->site, where,
 			    "remark below the table: %.*s", sheet_cut(text),
 			    text);
@@ -569,57 +542,6 @@ tell_names(struct reading *r)
 	}
 }
 
-/* One cell with something in it: a title. */
-static bool
-is_alone(const struct row *row)
-{
-	size_t filled = 0;
-	for (size_t i = 0; i < row->n; i++)
-		filled += (size_t)(row->cell[i].text[0] != '\0');
-	return filled == 1;
-}
-
-/* Meanings of the words that stand next to a table and tell feed from product:
- * its title, the name of its sheet or file. */
-static uint64_t
-context_of(const struct page *page, const struct table *t, const char *path,
-    struct surroundings *near)
-{
-	uint64_t means = vocabulary_text(page->sheet->name, NULL);
-	struct head name = head_read(page->sheet->name);
-	near->speed = near->speed > 0 ? near->speed : name.speed;
-	for (size_t i = 0; i < page->layout->n_heading; i++) {
-		const struct row *row = page->layout->heading[i];
-		for (size_t c = 0; c < row->n; c++) {
-			if (!is_above(t, row, c))
-				continue;
-			struct head title = head_read(row->cell[c].text);
-			near->strange =
-			    near->strange ||
-			    (is_alone(row) &&
-				(title.unknown > 0 ||
-				    (title.means & (WORD_LIMIT | WORD_MEAN |
-						       WORD_MACHINE)) != 0));
-			if (!is_title(&title))
-				continue;
-			uint64_t role =
-			    title.means & (WORD_FEED | WORD_PRODUCT);
-			means = role != 0 ? role : means;
-			if (!title.several && has_speed(&title)) {
-				near->speed = title.speed;
-				near->rpm = title.rpm;
-			}
-			break;
-		}
-	}
-	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
-		char *stem = site_heading_name(path);
-		means |= vocabulary_text(stem, NULL);
-		free(stem);
-	}
-	return means;
-}
-
 /* Whether a table has its sieves twice, which is open then. */
 static bool
 is_twice(struct reading *r, const struct table *t)
@@ -642,14 +564,15 @@ site_read_read_table(struct reading *r, const struct page *page,
 {
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
-	struct surroundings near = {.rotor = r->site->rotor,
-	    .told = r->names.others,
-	    .samples = &r->samples};
+	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
+	struct surroundings near = {
+	    .rotor = rotor, .told = r->names.others, .samples = &r->samples};
 	near.speed = told.mps;
 	near.rpm = told.rpm;
-	near.context = context_of(page, t, q->path[page->file], &near);
+	near.context =
+	    title_context(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
-	if (near.strange && t != &page->layout->table[0] && !near.told &&
+	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
 	if (given > 0)
@@ -766,15 +689,33 @@ has_tables(struct reading *r)
 	return n > 0;
 }
 
+/* Takes the rotor's diameter that titles and remarks state, where no line of
+ * its own does. */
+static void
+take_rotor(struct reading *r, const struct heading_rotor *said)
+{
+	if (r->site->rotor > 0 || !(said->mm > 0))
+		return;
+	r->site->rotor = said->mm / 1000;
+	xlist(&r->site->remark, "; ",
+	    tr("rotor of %g mm in diameter, stated in line %d"), said->mm,
+	    said->line);
+}
+
 static void
 read_pages(struct reading *r)
 {
+	struct heading_rotor rotor = {0};
+	for (size_t i = 0; i < r->n_page; i++)
+		if (r->page[i].layout->n > 0)
+			site_heading_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
 		if (page->layout->n == 0)
 			continue;
 		site_heading(page->layout, page->sheet, r->site, &told);
+		take_rotor(r, &rotor);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
 			site_read_read_table(
@@ -832,6 +773,43 @@ want_feed(struct reading *r)
 		all->column[n++] = *c;
 	}
 	all->n = n;
+}
+
+/* "1560, 1680 rpm" of the products, or their speeds in m/s. */
+static char *
+product_speeds(const struct columns *all)
+{
+	bool rpm = true;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].role == PRODUCT)
+			rpm = rpm && all->column[i].rpm > 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->role == PRODUCT)
+			xlist(&list, ", ", "%g", rpm ? c->rpm : c->speed);
+	}
+	xappend(&list, " %s", rpm ? "rpm" : "m/s");
+	return list;
+}
+
+/* Tables under titles that differ in the speed alone are no question. */
+static void
+settle_series(struct reading *r)
+{
+	bool parts = r->request->parts;
+	if (r->open.other == NULL ||
+	    !title_is_series(r->table, r->n_table, &r->all, parts))
+		return;
+	r->open.other = NULL;
+	char *speeds = product_speeds(&r->all);
+	if (count_role(&r->all, FEED) > 0)
+		xlist(&r->site->remark, "; ",
+		    tr("read as one site: feed and products at %s"), speeds);
+	else
+		xlist(&r->site->remark, "; ",
+		    tr("read as one site: products at %s"), speeds);
+	free(speeds);
 }
 
 static size_t
@@ -909,6 +887,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			samples_check(&r.samples, r.table[0]);
 		recognise_settle(&r.all, r.site,
 		    r.names.others || r.samples.n > 0, &r.open.rotor);
+		settle_series(&r);
 		bool open = count_faults(&r) == 0 &&
 			    open_ask(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);

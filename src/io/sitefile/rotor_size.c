@@ -1,0 +1,233 @@
+/* Goes through a text word by word: a number with a unit of length after a word
+ * for the rotor, or before it, is its diameter.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/rotor_size.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/lexicon.h"
+
+static const double LEAST_MM = 100, MOST_MM = 5000;
+
+/* What the words so far lead to.  rotor, diameter: a word for it came, and none
+ * of another thing after.  unit: mm in a unit that came after them, or 0.
+ * ahead: mm, of a number that nothing but blanks and words for a diameter
+ * follow.  alone: a diameter can be the rotor's though the rotor is not named.
+ * found: as rotor_size_mm returns it. */
+struct search {
+	bool machine, alone, rotor, diameter;
+	double unit, ahead, found;
+};
+
+static bool
+is_letter(char c)
+{
+	return isalpha((unsigned char)c) || (c & 0x80) != 0;
+}
+
+/* Folded, with a word in place of each sign for a diameter that is no part of
+ * another word: O with a stroke, phi, and the sign of U+2300. */
+static char *
+without_signs(const char *text)
+{
+	static const char *const SIGNS[] = {"\xC3\x98", "\xC3\xB8", "\xCE\xA6",
+	    "\xCF\x86", "\xCF\x95", "\xE2\x8C\x80"};
+	char *plain = xstrdup("");
+	for (const char *p = text; *p != '\0';) {
+		size_t n = 0;
+		for (size_t i = 0; i < ARRAY_LEN(SIGNS); i++)
+			if (strncmp(p, SIGNS[i], strlen(SIGNS[i])) == 0)
+				n = strlen(SIGNS[i]);
+		bool sign = n > 0 && (p == text || !is_letter(p[-1])) &&
+			    !is_letter(p[n]);
+		if (sign)
+			xappend(&plain, " diameter ");
+		else
+			xappend(&plain, "%c", *p);
+		p += sign ? n : 1;
+	}
+	char *folded = text_fold(plain);
+	free(plain);
+	return folded;
+}
+
+static bool
+is_diameter(const char *word, size_t n)
+{
+	static const char *const WORDS[] = {"diameter", "dia", "diam",
+	    "durchmesser", "diametre", "diametro", "halkaisija", "diametern"};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		if (strlen(WORDS[i]) == n && strncmp(word, WORDS[i], n) == 0)
+			return true;
+	return false;
+}
+
+static size_t
+word_bytes(const char *p)
+{
+	size_t n = 0;
+	while (is_letter(p[n]))
+		n++;
+	return n;
+}
+
+/* The mm in a unit of length, n bytes at p; 0: it is none. */
+static double
+unit_mm(const char *p, size_t n)
+{
+	if (*p == '"')
+		return 25.4;
+	if (n == 0 || p[n] == '/')
+		return 0;
+	if (n == 2 && strncmp(p, "cm", 2) == 0)
+		return 10;
+	uint64_t means = vocabulary_word(p, n);
+	return (means & WORD_MM) != 0     ? 1
+	       : (means & WORD_INCH) != 0 ? 25.4
+	       : (means & WORD_M) != 0    ? 1000
+					  : 0;
+}
+
+static bool
+is_possible(double mm)
+{
+	return mm >= LEAST_MM && mm <= MOST_MM;
+}
+
+static void
+take(struct search *s, double mm)
+{
+	if (!is_possible(mm))
+		return;
+	bool differs =
+	    s->found < 0 || (s->found > 0 && fabs(mm - s->found) > 0.5);
+	s->found = differs ? -1 : mm;
+}
+
+/* A number at *text, which moves after it, with a decimal point or comma.
+ * 1,050 mm has thousands, as no rotor is that small.  unit: mm. */
+static double
+number_mm(const char **text, size_t n, double unit)
+{
+	char copy[24] = "";
+	size_t whole = strspn(*text, "0123456789");
+	double v;
+	memcpy(copy, *text, n < sizeof copy ? n : sizeof copy - 1);
+	*text += n;
+	bool sign = whole < n && whole < sizeof copy;
+	if (sign)
+		copy[whole] = '.';
+	if (!text_number(copy, &v))
+		return 0;
+	bool thousands = sign && n == whole + 4 && !is_possible(v * unit);
+	return v * unit * (thousands ? 1000 : 1);
+}
+
+static size_t
+number_bytes(const char *p)
+{
+	size_t n = strspn(p, "0123456789");
+	bool decimals =
+	    (p[n] == '.' || p[n] == ',') && isdigit((unsigned char)p[n + 1]);
+	return decimals ? n + 1 + strspn(p + n + 1, "0123456789") : n;
+}
+
+/* Whether a number that ends at `end` has no unit and is no part of a range: a
+ * word of `word` bytes, if any, follows at `after`. */
+static bool
+is_bare(const char *end, const char *after, size_t word)
+{
+	if (word > 0)
+		return is_diameter(after, word);
+	return *end == '\0' || (strchr("-/:%", *end) == NULL &&
+				   !isdigit((unsigned char)*after));
+}
+
+static void
+read_number(struct search *s, const char **text)
+{
+	size_t n = number_bytes(*text);
+	const char *after = *text + n + strspn(*text + n, " -");
+	size_t word = *after == '"' ? 1 : word_bytes(after);
+	double unit = unit_mm(after, word);
+	bool bare = is_bare(*text + n, after, word);
+	bool meant = s->rotor || (s->diameter && s->alone);
+	double mm = number_mm(text, n, unit > 0 ? unit : 1);
+	if (meant && unit > 0)
+		take(s, mm);
+	else if (meant && s->unit > 0 && bare)
+		take(s, mm * s->unit);
+	else if (bare && meant && (s->diameter || s->machine))
+		take(s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
+	s->ahead = !meant && unit > 0 ? mm : 0;
+	s->rotor = s->diameter = false;
+	s->unit = 0;
+	*text = unit > 0 ? after + word : *text;
+}
+
+static void
+read_word(struct search *s, const char *word, size_t n)
+{
+	uint64_t means = vocabulary_word(word, n);
+	double unit = unit_mm(word, n);
+	if (is_diameter(word, n)) {
+		s->diameter = true;
+	} else if ((means & WORD_ROTOR) != 0) {
+		take(s, s->ahead);
+		s->ahead = s->unit = 0;
+		s->rotor = true;
+		s->diameter = (means & WORD_SIZE) != 0;
+	} else if (unit > 0 && (s->rotor || s->diameter)) {
+		s->unit = unit;
+	} else if ((means & WORD_FILLER) == 0 && strncmp(word, "d", n) != 0) {
+		s->rotor = s->diameter = false;
+		s->ahead = 0;
+	}
+}
+
+/* Whether a diameter in a line may be the rotor's, which it does not name: of a
+ * machine or a speed, and not of sieves, which have diameters, too. */
+static bool
+can_stand_alone(const char *text, const char *folded)
+{
+	struct head head = head_read(text);
+	for (const char *p = folded; *p != '\0';) {
+		size_t n = word_bytes(p);
+		if (n > 1 && !is_diameter(p, n) &&
+		    (vocabulary_word(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
+			WORD_SIZE)
+			return false;
+		p += n > 0 ? n : 1;
+	}
+	return (head.means & (WORD_MACHINE | WORD_ROTOR)) != 0 ||
+	       head.speed > 0 || head.rpm > 0;
+}
+
+double
+rotor_size_mm(const char *text, bool machine)
+{
+	char *folded = without_signs(text);
+	struct search s = {.machine = machine};
+	s.alone = can_stand_alone(text, folded);
+	for (const char *p = folded; *p != '\0';) {
+		size_t n = word_bytes(p);
+		if (isdigit((unsigned char)*p)) {
+			read_number(&s, &p);
+			continue;
+		}
+		bool joins = *p == '-' && p > folded && p[-1] != ' ';
+		if (n > 0)
+			read_word(&s, p, n);
+		else if (*p != ' ' && !joins)
+			s.ahead = 0;
+		p += n > 0 ? n : 1;
+	}
+	free(folded);
+	return s.found;
+}

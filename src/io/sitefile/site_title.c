@@ -1,0 +1,289 @@
+/* Reads the lines right above each table: which sample it has, how fast.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_title.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "io/sitefile/column_header.h"
+#include "io/sitefile/lexicon.h"
+#include "io/sitefile/site_heading.h"
+
+static bool
+has_speed(const struct head *head)
+{
+	return head->speed > 0 || head->rpm > 0;
+}
+
+/* Whether cell c of a line may head a table: within three lines above it, and
+ * no key with its value. */
+static bool
+is_above(const struct table *t, const struct row *row, size_t c)
+{
+	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
+	return row->line < top && row->line >= top - 3 &&
+	       vocabulary_key(row->cell[0].text) == N_KEY &&
+	       (row->n == 1 || row->cell[c].column >= t->row[0].cell[0].column);
+}
+
+/* Whether words say which sample a table has. */
+static bool
+is_title(const struct head *head)
+{
+	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
+	       has_speed(head);
+}
+
+bool
+title_heads_any(const struct layout *layout, const struct row *row)
+{
+	for (size_t b = 0; b < layout->n; b++)
+		for (size_t c = 0; c < row->n; c++) {
+			struct head title = head_read(row->cell[c].text);
+			if (is_above(&layout->table[b], row, c) &&
+			    is_title(&title))
+				return true;
+		}
+	return false;
+}
+
+/* One cell with something in it: a title. */
+static bool
+is_alone(const struct row *row)
+{
+	size_t filled = 0;
+	for (size_t i = 0; i < row->n; i++)
+		filled += (size_t)(row->cell[i].text[0] != '\0');
+	return filled == 1;
+}
+
+/* Notes a line above a table that has no other cell. */
+static void
+note_title(struct table *t, const struct row *row, const char *text,
+    const struct head *title)
+{
+	if (!is_alone(row) || text[0] == '\0')
+		return;
+	if (t->title == NULL)
+		t->title = xstrdup(text);
+	else
+		xappend(&t->title, "\n%s", text);
+	t->strange =
+	    t->strange || title->unknown > 0 ||
+	    (title->means & (WORD_LIMIT | WORD_MEAN | WORD_MACHINE)) != 0;
+}
+
+uint64_t
+title_context(const struct layout *layout, struct table *t, const char *path,
+    struct surroundings *near)
+{
+	uint64_t means = vocabulary_text(t->sheet->name, NULL);
+	struct head name = head_read(t->sheet->name);
+	near->speed = near->speed > 0 ? near->speed : name.speed;
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		for (size_t c = 0; c < row->n; c++) {
+			if (!is_above(t, row, c))
+				continue;
+			struct head title = head_read(row->cell[c].text);
+			note_title(t, row, row->cell[c].text, &title);
+			if (!is_title(&title))
+				continue;
+			uint64_t role =
+			    title.means & (WORD_FEED | WORD_PRODUCT);
+			means = role != 0 ? role : means;
+			if (!title.several && has_speed(&title)) {
+				near->speed = title.speed;
+				near->rpm = title.rpm;
+			}
+			break;
+		}
+	}
+	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
+		char *stem = site_heading_name(path);
+		means |= vocabulary_text(stem, NULL);
+		free(stem);
+	}
+	return means;
+}
+
+/* The lines of a title. */
+static const char *
+next_line(const char *line, size_t *n)
+{
+	*n = strcspn(line, "\n");
+	return line[*n] == '\n' ? line + *n + 1 : NULL;
+}
+
+char *
+title_line(const struct table *t)
+{
+	char *found = NULL;
+	for (const char *p = t->title; p != NULL;) {
+		size_t n;
+		const char *next = next_line(p, &n);
+		char *line = xstrndup(p, n);
+		bool feed = (vocabulary_text(line, NULL) & WORD_FEED) != 0;
+		free(found);
+		found = line;
+		p = feed ? NULL : next;
+	}
+	return found != NULL ? found : xstrdup("");
+}
+
+/* Whether a word of n bytes is or begins with a number that counts or dates
+ * something: not one with a unit, which may follow it, nor a range of sizes. */
+static bool
+is_numeral(const char *word, size_t n, const char *next)
+{
+	size_t digits = 0, more;
+	while (digits < n && strchr("0123456789.", word[digits]) != NULL)
+		digits++;
+	if (digits == 0)
+		return false;
+	char *tail = xstrndup(word + digits, n - digits);
+	bool range = (tail[0] == '/' || tail[0] == '-') &&
+		     strspn(tail + 1, "0123456789.,") == strlen(tail) - 1;
+	vocabulary_text(tail, &more);
+	bool unit =
+	    tail[0] != '\0' && strpbrk(tail, "0123456789") == NULL && more == 0;
+	free(tail);
+	size_t follows = strcspn(next, " ,;:()[]@\n");
+	bool measured = digits == n && follows > 0 &&
+			(vocabulary_word(next, follows) &
+			    (WORD_MM | WORD_UM | WORD_M | WORD_INCH |
+				WORD_GRAMS | WORD_PERCENT)) != 0;
+	return !range && !unit && !measured;
+}
+
+/* Whether a word is a name: of no known meaning, or with a number in it. */
+static bool
+is_name(const char *word, size_t n, const char *next)
+{
+	char *copy = xstrndup(word, n);
+	size_t unknown;
+	vocabulary_text(copy, &unknown);
+	bool letters = strpbrk(copy, "0123456789") == NULL;
+	bool own = !letters && strspn(copy, "0123456789") == 0;
+	free(copy);
+	return letters ? unknown > 0 && n > 1
+		       : own || is_numeral(word, n, next);
+}
+
+/* Whether a has a name that is no word of b, both in the form of text_fold. */
+static bool
+has_other_name(const char *a, const char *b)
+{
+	static const char ENDS[] = " ,;:()[]@\n";
+	for (const char *p = a; *p != '\0';) {
+		size_t n = strcspn(p, ENDS);
+		const char *next = p + n + strspn(p + n, ENDS);
+		bool found = n == 0 || !is_name(p, n, next);
+		for (const char *q = b; *q != '\0' && !found;) {
+			size_t m = strcspn(q, ENDS);
+			found = m == n && strncmp(p, q, n) == 0;
+			q += m + strspn(q + m, ENDS);
+		}
+		if (!found)
+			return true;
+		p = next;
+	}
+	return false;
+}
+
+bool
+title_names_differ(const char *a, const char *b)
+{
+	char *one = head_without_speeds(a), *other = head_without_speeds(b);
+	bool differ = has_other_name(one, other) && has_other_name(other, one);
+	free(one);
+	free(other);
+	return differ;
+}
+
+bool
+title_is_like(const struct table *a, const struct table *b)
+{
+	char *one = head_without_speeds(a->title != NULL ? a->title : "");
+	char *other = head_without_speeds(b->title != NULL ? b->title : "");
+	bool same = strcmp(one, other) == 0;
+	free(one);
+	free(other);
+	return same;
+}
+
+const struct column *
+title_sample(const struct columns *all, const struct table *t)
+{
+	const struct column *found = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		if (found != NULL)
+			return NULL;
+		found = c;
+	}
+	return found;
+}
+
+bool
+title_is_limit(const struct table *t)
+{
+	return t->title != NULL &&
+	       (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
+}
+
+/* Whether a table has one product, whose speed its title has. */
+static bool
+has_product(const struct table *t, const struct column *c)
+{
+	struct head head = head_read(t->title != NULL ? t->title : "");
+	return c->role == PRODUCT && !c->said.several && has_speed(&head) &&
+	       !head.several && !title_is_limit(t);
+}
+
+/* Whether product k is like those before it, at another speed. */
+static bool
+goes_on(struct table *const *table, size_t k, const struct columns *all)
+{
+	const struct column *own = title_sample(all, table[k]);
+	for (size_t i = 0; i < k; i++) {
+		const struct column *c = title_sample(all, table[i]);
+		if (c->role == PRODUCT &&
+		    (!title_is_like(table[i], table[k]) ||
+			(c->speed == own->speed && c->rpm == own->rpm)))
+			return false;
+	}
+	return true;
+}
+
+bool
+title_is_series(
+    struct table *const *table, size_t n, const struct columns *all, bool parts)
+{
+	const struct table *feed = NULL;
+	for (size_t k = 0; k < n; k++) {
+		const struct column *c = title_sample(all, table[k]);
+		if (c == NULL || table[k]->sheet != table[0]->sheet)
+			return false;
+		bool is_feed = c->role == FEED && !(c->speed > 0);
+		if (is_feed
+			? feed != NULL
+			: !has_product(table[k], c) || !goes_on(table, k, all))
+			return false;
+		feed = is_feed ? table[k] : feed;
+	}
+	if (feed == NULL)
+		return parts;
+	if (title_is_limit(feed))
+		return false;
+	char *line = title_line(feed);
+	bool one = true;
+	for (size_t k = 0; k < n; k++)
+		one = one && (table[k] == feed ||
+				 !title_names_differ(line, table[k]->title));
+	free(line);
+	return one;
+}
