@@ -389,13 +389,10 @@ sort_by(struct tui *t, int by)
 }
 
 /* A click on a heading. */
-static bool
+static void
 touch_head(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
 	sort_by(t, (int)touched->item + 1);
-	return true;
 }
 
 static const enum series LIGHT_LOOK[] = {[LIGHT_GREEN] = SERIES_GREEN,
@@ -446,9 +443,8 @@ draw_head(struct tui *t, const struct area *cell, int column)
 	if (sorted && (from > 0 || end < cell->columns))
 		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
 		    t->ui.sort_down ? "v" : "^");
-	hits_add(&t->hits,
-	    (struct area){cell->row, cell->column, 1, cell->columns},
-	    touch_head, (size_t)column);
+	hits_add(
+	    &t->hits, HIT_PRESS, area_row(cell, 0), touch_head, (size_t)column);
 }
 
 /* of: NULL of the heads. */

@@ -34,14 +34,11 @@ static const struct {
 	   "complete the command."),
 	PICK_FEEDS}};
 
-static bool
+static void
 touch_way_of(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
 	t->ui.start_at = (int)touched->item;
 	picker_open(t, WAYS[touched->item].list);
-	return true;
 }
 
 bool
@@ -83,8 +80,7 @@ start_draw(struct tui *t)
 		unsigned look = i == t->ui.start_at ? LOOK_REVERSE : LOOK_PLAIN;
 		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
 		    area.columns, "");
-		hits_add(&t->hits,
-		    (struct area){area.row + row, area.column, 1, area.columns},
+		hits_add(&t->hits, HIT_PRESS, area_row(&area, row),
 		    touch_way_of, (size_t)i);
 		if (i == t->ui.start_at)
 			t->cursor =

@@ -257,8 +257,7 @@ draw_item(struct tui *t, const struct area *list, int row, size_t i)
 		screen_text(list, row, 1, look, "%-*.*s%s", NAME,
 		    (int)(strrchr(item->name, '.') - item->name), item->name,
 		    item->about);
-	rows_touch(t,
-	    (struct area){list->row + row, list->column, 1, list->columns}, i);
+	rows_touch(t, area_row(list, row), i);
 }
 
 static void

@@ -134,40 +134,36 @@ open_row(struct tui *t)
 		list_of(t)->open(t);
 }
 
-static bool
+static void
 touch_row(struct tui *t, const struct touched *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
-	if (touched->kind != HIT_PRESS || list_of(t) == NULL)
-		return false;
+	if (list_of(t) == NULL)
+		return;
 	size_t at = list_of(t)->at(t);
 	bool again = at == touched->item;
 	list_go(t, touched->item);
 	if (again)
 		open_row(t);
-	return true;
 }
 
-static bool
+static void
 list_touch_wheel(struct tui *t, const struct touched *touched)
 {
-	if ((touched->kind != HIT_UP && touched->kind != HIT_DOWN) ||
-	    list_of(t) == NULL)
-		return false;
-	list_move(t, touched->kind == HIT_UP ? -1 : 1);
-	return true;
+	if (list_of(t) != NULL)
+		list_move(t, touched->by);
 }
 
 void
 rows_touch(struct tui *t, struct area area, size_t i)
 {
-	hits_add(&t->hits, area, touch_row, i);
+	hits_add(&t->hits, HIT_PRESS, area, touch_row, i);
 }
 
 void
 rows_wheel(struct tui *t, struct area area)
 {
-	hits_add(&t->hits, area, list_touch_wheel, 0);
+	hits_add(&t->hits, HIT_WHEEL, area, list_touch_wheel, 0);
 }
 
 /* Keys that move the slider where there is no list. */

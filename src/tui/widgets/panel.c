@@ -157,12 +157,10 @@ three(const struct panel *p)
 }
 
 /* The crosshair where the curve passes so much. */
-static bool
+static void
 touch_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
-	if (touched->kind != HIT_PRESS || product->n == 0)
-		return false;
 	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->view.shown.size[touched->item];
 	t->ui.cross = true;
@@ -170,7 +168,6 @@ touch_size(struct tui *t, const struct touched *touched)
 	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
 	       product->size[t->ui.cross_at + 1] >= mm)
 		t->ui.cross_at++;
-	return true;
 }
 
 static void
@@ -186,10 +183,8 @@ draw_sizes(struct panel *p, const struct area *area)
 		if (p->was != NULL)
 			draw_change(area, i, t->view.current.size[i],
 			    p->was->size[i], 2);
-		hits_add(&t->hits,
-		    (struct area){
-			area->row + i, area->column, 1, area->columns},
-		    touch_size, (size_t)i);
+		hits_add(&t->hits, HIT_PRESS, area_row(area, i), touch_size,
+		    (size_t)i);
 	}
 }
 
@@ -241,20 +236,17 @@ fractions_wish(const struct panel *p)
 }
 
 /* The crosshair on the sieve, or the coarsest that is finer. */
-static bool
+static void
 touch_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
-	if (touched->kind != HIT_PRESS || product->n == 0)
-		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = 0;
 	while (t->ui.cross_at + 1 < product->n &&
 	       1000 * product->size[t->ui.cross_at] >
 		   near * FRACTION_MM[touched->item])
 		t->ui.cross_at++;
-	return true;
 }
 
 /* A row for each of them in a unit that 100 % is `all` of. */
@@ -282,9 +274,7 @@ draw_passings(struct panel *p, const struct area *area, int row,
 		if (p->was != NULL)
 			draw_change(area, row, now * part,
 			    p->was->passing[i] * part, 1);
-		hits_add(&t->hits,
-		    (struct area){
-			area->row + row, area->column, 1, area->columns},
+		hits_add(&t->hits, HIT_PRESS, area_row(area, row),
 		    touch_fraction, i);
 		row++;
 	}
@@ -377,13 +367,11 @@ place_of_limit(const double *margin, size_t n, size_t i)
 	return place;
 }
 
-static bool
+static void
 touch_limits(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
+	(void)touched;
 	cmdline_run(t, "spec");
-	return true;
 }
 
 static void
@@ -393,7 +381,7 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
-	hits_add(&t->hits, *area, touch_limits, 0);
+	hits_add(&t->hits, HIT_PRESS, *area, touch_limits, 0);
 	/* The fraction, where the name has room behind it. */
 	char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
@@ -462,13 +450,11 @@ light_wish(const struct panel *p)
 	return (struct wish){1 + (n < least ? n : least), 1 + n};
 }
 
-static bool
+static void
 touch_light(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
+	(void)touched;
 	cmdline_run(t, "why");
-	return true;
 }
 
 /* The first reason below it, as much of it as there is room for. */
@@ -494,7 +480,7 @@ draw_light(struct panel *p, const struct area *area)
 	if (p->reason != NULL)
 		screen_words_within(
 		    area, 1, area->rows - 1, 0, p->reason, " ..");
-	hits_add(&p->t->hits, *area, touch_light, 0);
+	hits_add(&p->t->hits, HIT_PRESS, *area, touch_light, 0);
 }
 
 static struct wish

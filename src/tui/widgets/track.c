@@ -62,16 +62,13 @@ take_marks(const struct entry *entry, struct slider_range range,
 	return n;
 }
 
-bool
+void
 track_touch(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
-		return false;
 	struct area track = layout_track(&t->layout);
 	t->ui.tenths = slider_at(tui_range(t),
 	    touched->area.column + touched->column - track.column,
 	    track.columns);
-	return true;
 }
 
 /* Whether all that is wanted holds somewhere in a cell of the track. */
@@ -136,7 +133,7 @@ track_draw_cell(
 void
 track_draw(struct tui *t)
 {
-	hits_add(&t->hits, t->layout.track, track_touch, 0);
+	hits_add(&t->hits, HIT_SLIDE, t->layout.track, track_touch, 0);
 	struct area track = layout_track(&t->layout);
 	const struct entry *entry = tui_entry(t);
 	struct slider_range range = tui_range(t);
@@ -312,9 +309,8 @@ track_heading(struct tui *t)
 			    area, 0, column, part[i].look, " %s ", text);
 		if (KEY[i] != 0)
 			hits_add_key(&t->hits,
-			    (struct area){area->row, area->column + column, 1,
-				text_width(text)},
-			    KEY[i], false);
+			    area_cells(area, 0, column, text_width(text)),
+			    KEY[i]);
 		for (size_t k = 0; k < part[i].n; k++)
 			free(part[i].text[k]);
 	}
