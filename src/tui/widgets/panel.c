@@ -707,7 +707,8 @@ panel_row(struct tui *t)
 	char a[24], b[24], c[24], d[24];
 	/* The list of sites tells of the marked one, which may be another. */
 	if (area->rows == 0 ||
-	    (t->ui.page == PAGE_SITES && t->ui.site_at != t->session->current))
+	    (t->ui.page == PAGE_SITES &&
+		t->ui.list[PAGE_SITES].at != t->session->current))
 		return;
 	if (t->view.current.site[0] == '\0')
 		screen_text(area, 0, 0, 0,
