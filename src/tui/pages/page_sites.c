@@ -22,7 +22,6 @@
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "tui/widgets/track.h"
 #include "tui/watch.h"
 
 enum column {
@@ -215,7 +214,7 @@ number_text(const struct tui *t, const struct site_row *row, enum column column,
 		snprintf(text, n, "%.3g", x);
 	else
 		snprintf(text, n, "%.2f%s", x,
-		    column == P50 && row->beyond ? track_signs().beyond : "");
+		    column == P50 && row->beyond ? "?" : "");
 }
 
 static void
@@ -465,9 +464,9 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	bool beyond =
 	    e->has_params && answers_extrapolates(e, t->ui.tenths / 10.0);
 	text[0] = beyond
-		      ? xasprintf(tr("%s extrapolated: %.1f m/s is outside the "
+		      ? xasprintf(tr("? extrapolated: %.1f m/s is outside the "
 				     "speeds measured"),
-			    track_signs().beyond, t->ui.tenths / 10.0)
+			    t->ui.tenths / 10.0)
 		      : xstrdup("");
 	text[1] = xstrdup("");
 	for (size_t j = 0; e->has_params && j < of->n; j++)

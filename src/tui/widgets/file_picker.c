@@ -198,9 +198,10 @@ narrow(struct tui *t, int code, bool special)
 	else
 		rows_letter(t, code, false);
 	if (rows_count(t) == 0) {
+		char *word = xstrdup(c->word.text);
 		rows_letter(t, DELETE, false);
-		tui_say(
-		    t, false, "nothing here has '%s%c'", c->word.text, code);
+		tui_say(t, false, "nothing here has '%s'", word);
+		free(word);
 	}
 	return true;
 }
