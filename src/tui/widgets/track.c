@@ -247,7 +247,10 @@ say_signs(const struct tui *t, struct part *part)
 		track_say(part, xstrdup(""));
 		return;
 	}
-	bool beyond = t->view.shown.product.n > 0 &&
+	enum { REASONS = 34 };
+	/* Where the panel is wide its light says so. */
+	bool beyond = t->layout.side.columns < REASONS &&
+		      t->view.shown.product.n > 0 &&
 		      answers_extrapolates(tui_entry(t), t->view.shown.speed);
 	char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
