@@ -34,17 +34,16 @@ struct chart_field {
 	char *label;
 };
 
-/* One curve or set of points.  fine: its marks are drawn in parts of a cell
- * (plot/marks.h), and several such series take turns in being on top.  x, y
- * [n]: in the axes' units; a NAN in y interrupts the line.  low, high [n]: a
- * shade behind all lines, or both NULL.  ascii: the character of the line if
- * there are only ASCII characters.  mark: an ASCII character at each point, 0:
- * none.  bars: low..high are a bar at each point instead of a shade, and y is
- * not drawn; long dashes make the bar heavy.  beside: drawn that many cells to
- * the right of x.  lifted: its marks are set off from bars, in reverse, with a
- * gap on either side.  named: the labels of its points are written if there is
- * room.  whose, field [n]: may be NULL.  finer: points of the same curve that
- * chart_at_y reads instead, owned; NULL: none. */
+/* One curve or set of points.  fine: its marks have the shapes of
+ * plot/marks.h.  x, y [n]: in the axes' units; a NAN in y interrupts the line.
+ * low, high [n]: a shade behind all lines, or both NULL.  ascii: the character
+ * of the line if there are only ASCII characters.  mark: an ASCII character at
+ * each point, 0: none.  bars: low..high are a bar at each point instead of a
+ * shade, and y is not drawn; long dashes make the bar heavy.  beside: drawn
+ * that many cells to the right of x.  lifted: its marks are set off from bars,
+ * in reverse, with a gap on either side.  named: the labels of its points are
+ * written if there is room.  whose, field [n]: may be NULL.  finer: points of
+ * the same curve that chart_at_y reads instead, owned; NULL: none. */
 struct chart_series {
 	char *name;
 	enum series series;

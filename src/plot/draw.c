@@ -53,25 +53,14 @@ rule_code(enum series series, enum charset charset)
 	}
 }
 
-/* A fine mark in dots, from the left of a cell on. */
-static char *
-mark_text(const struct mark *mark, enum charset charset)
+/* The character of a series' marks. */
+static uint32_t
+draw_mark_code(const struct chart_series *s, enum charset charset)
 {
-	enum { SIDE = 3, CELLS = 2 };
-	unsigned cell[CELLS] = {0};
-	char text[5], *sample = xstrdup("");
-	for (unsigned i = 0; i < SIDE * SIDE; i++)
-		if (mark->dots >> i & 1)
-			cell[i % SIDE / 2] |=
-			    1U << (2 * (i / SIDE) + i % SIDE % 2);
-	if (charset == CHARSET_QUADRANTS)
-		xappend(&sample, "%s",
-		    canvas_utf8(
-			canvas_dots_code(charset, mark->quarters), text));
-	for (size_t i = 0; i < CELLS && charset == CHARSET_BRAILLE; i++)
-		xappend(&sample, "%s",
-		    canvas_utf8(canvas_dots_code(charset, cell[i]), text));
-	return sample;
+	const struct mark *mark = mark_of(s->mark);
+	return s->fine && mark != NULL && charset != CHARSET_ASCII
+		   ? mark->sign
+		   : (uint32_t)s->mark;
 }
 
 char *
@@ -82,19 +71,14 @@ chart_sample(const struct chart_series *series, enum charset charset)
 	    [CHART_DASHED] = "\u254C",
 	    [CHART_LONG] = "\u2501",
 	    [CHART_DOTTED] = "\u2508"};
-	const struct mark *fine = series->fine && charset != CHARSET_ASCII
-				      ? mark_of(series->mark)
-				      : NULL;
 	char ascii[2] = {series->ascii, '\0'};
-	char mark[2] = {series->mark, '\0'};
+	char mark[5] = "";
 	const char *line = series->line == CHART_MARKS ? ""
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
-	char *middle = fine != NULL ? mark_text(fine, charset)
-				    : xstrdup(mark[0] != '\0' ? mark : line);
-	char *sample = xasprintf("%s%s%s", line, middle, line);
-	free(middle);
-	return sample;
+	if (series->mark != '\0')
+		canvas_utf8(draw_mark_code(series, charset), mark);
+	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 
 /* One entry of the legend, "-v- measured 69"; the caller frees. */
@@ -435,9 +419,9 @@ draw_put(struct brush *p, int column, int row, uint32_t code,
 	p->dots[row * p->at.width + column] = 0;
 }
 
-/* Sets or clears a dot; those of a cell share its colour, the last one's. */
+/* Sets a dot; those of a cell share its colour, the last one's. */
 static void
-put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
+put_dot(struct brush *p, const struct chart_series *s, int x, int y)
 {
 	int across = canvas_dots_across(p->at.charset),
 	    down = canvas_dots_down(p->at.charset);
@@ -446,12 +430,10 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y, bool set)
 		return;
 	unsigned char *dots = &p->dots[row * p->at.width + column];
 	unsigned bit = 1u << (across * (y % down) + x % across);
-	unsigned all = set ? *dots | bit : *dots & ~bit;
+	unsigned all = *dots | bit;
 	uint32_t code = p->at.charset == CHARSET_ASCII
 			    ? (uint32_t)s->ascii
 			    : canvas_dots_code(p->at.charset, all);
-	if (all == *dots && !set)
-		return;
 	draw_put(p, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
@@ -472,7 +454,7 @@ draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
 		if (is_inked(s->line, p->at.charset, step))
 			put_dot(p, s, x0 + (int)lround(t * dx),
-			    y0 + (int)lround(t * dy), true);
+			    y0 + (int)lround(t * dy));
 	}
 }
 
@@ -523,50 +505,32 @@ draw_column_of(const struct brush *p, const struct chart_series *s, size_t i)
 	return column < 0 ? 0 : column > last ? last : column;
 }
 
-/* In one cell, as wide as it is and half as high: a strip has marks of one run,
- * all of which move where another one comes nearest. */
+/* In one cell, as wide as it is and half as high, which says more of a strip's
+ * few rows. */
 static void
-draw_small(struct brush *p, const struct chart_series *s, size_t i, int down)
+draw_small(struct brush *p, const struct chart_series *s, size_t i)
 {
-	int row = layout_row(&p->at, s->y[i], down), high = down / 2;
+	int down = canvas_dots_down(p->at.charset), high = down / 2;
+	int row = layout_row(&p->at, s->y[i], down);
 	int top = row % down - high / 2, x = 2 * draw_column_of(p, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
 	for (int k = 0; k < 2 * high; k++)
-		put_dot(p, s, x + k % 2, row - row % down + top + k / 2, true);
-}
-
-/* The dots of a fine mark around its point, on a ground of its own: behind it a
- * line is broken, or its shape would be lost. */
-static void
-draw_fine(struct brush *p, const struct chart_series *s,
-    const struct mark *mark, size_t i)
-{
-	bool braille = p->at.charset == CHARSET_BRAILLE;
-	int side = braille ? 3 : 2;
-	if (p->at.chart->strip > 0) {
-		draw_small(p, s, i, braille ? 4 : 2);
-		return;
-	}
-	int x = layout_column(&p->at, s->x[i], 2) + 2 * s->beside - side / 2;
-	int y = layout_row(&p->at, s->y[i], braille ? 4 : 2) - side / 2;
-	unsigned dots = braille ? mark->dots : mark->quarters;
-	for (int k = 0; k < side * side; k++)
-		put_dot(p, s, x + k % side, y + k / side, dots >> k & 1);
+		put_dot(p, s, x + k % 2, row - row % down + top + k / 2);
 }
 
 static void
 draw_chart_mark(struct brush *p, const struct chart_series *s, size_t i)
 {
-	const struct mark *mark = mark_of(s->mark);
+	bool fine = s->fine && p->at.charset != CHARSET_ASCII;
 	if (!isfinite(s->y[i]))
 		return;
-	if (s->fine && mark != NULL && p->at.charset != CHARSET_ASCII)
-		draw_fine(p, s, mark, i);
+	if (fine && p->at.chart->strip > 0)
+		draw_small(p, s, i);
 	else
 		draw_put(p, draw_column_of(p, s, i),
-		    layout_row(&p->at, s->y[i], 1), (uint32_t)s->mark,
-		    s->series,
-		    (s->line == CHART_MARKS ? CELL_BOLD : 0) |
+		    layout_row(&p->at, s->y[i], 1),
+		    draw_mark_code(s, p->at.charset), s->series,
+		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted ? CELL_REVERSE : 0));
 }
 
@@ -593,33 +557,20 @@ clear_around(struct brush *p, const struct chart_series *s)
 		}
 }
 
+static bool
+is_hollow(const struct chart_series *s)
+{
+	const struct mark *mark = s->fine ? mark_of(s->mark) : NULL;
+	return mark != NULL && mark->hollow;
+}
+
 static void
 draw_chart_marks(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
 		draw_chart_field(p, s, i);
 	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
-		if (!s->fine)
-			draw_chart_mark(p, s, i);
-}
-
-/* A cell has one colour: series take turns in lying on top, point by point. */
-static void
-draw_fine_marks(struct brush *p)
-{
-	const struct chart *c = p->at.chart;
-	size_t most = 0;
-	for (size_t i = 0; i < c->n; i++)
-		most = c->series[i]->fine && c->series[i]->n > most
-			   ? c->series[i]->n
-			   : most;
-	for (size_t point = 0; point < most; point++)
-		for (size_t turn = 0; turn < c->n; turn++) {
-			const struct chart_series *s =
-			    c->series[(point + turn) % c->n];
-			if (s->fine && point < s->n)
-				draw_chart_mark(p, s, point);
-		}
+		draw_chart_mark(p, s, i);
 }
 
 /* A bar from low to high at each point, a dot wide or a cell. */
@@ -637,7 +588,7 @@ draw_chart_bars(struct brush *p, const struct chart_series *s)
 		int top = layout_row(&p->at, s->high[i], down);
 		for (int y = top; y <= foot; y += step)
 			for (int x = 0; x < wide; x++)
-				put_dot(p, s, column * across + x, y, true);
+				put_dot(p, s, column * across + x, y);
 	}
 }
 
@@ -698,8 +649,8 @@ draw_chart_band(struct brush *p, const struct chart_series *s)
 			fill_band(p, i / across, low, high, edge.series);
 		if (down == 1 || i % EVERY != 0)
 			continue;
-		put_dot(p, &edge, i, layout_row(&p->at, high, down), true);
-		put_dot(p, &edge, i, layout_row(&p->at, low, down), true);
+		put_dot(p, &edge, i, layout_row(&p->at, high, down));
+		put_dot(p, &edge, i, layout_row(&p->at, low, down));
 	}
 }
 
@@ -801,9 +752,11 @@ draw_chart_data(struct brush *p)
 			draw_chart_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		clear_around(p, c->series[i]);
-	for (size_t i = 0; i < c->n; i++)
-		draw_chart_marks(p, c->series[i]);
-	draw_fine_marks(p);
+	/* In a cell that two marks share a hollow one is seen. */
+	for (int hollow = 0; hollow <= 1; hollow++)
+		for (size_t i = 0; i < c->n; i++)
+			if (is_hollow(c->series[i]) == hollow)
+				draw_chart_marks(p, c->series[i]);
 	draw_chart_names(p);
 }
 

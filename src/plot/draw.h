@@ -19,7 +19,7 @@ enum {
  * is short its parts are dropped in this order: title of the y axis, notes and
  * legend, second row of labels, foot, title, labels, axis.  words: the parts to
  * draw at all, out of CHART_ALL.  A label is in the row or column that contains
- * its value, a dot of a line or of a fine mark in the part of a cell that does.
+ * its value, a dot of a line in the part of a cell that does.
  * The caller frees. */
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words);

@@ -1,18 +1,17 @@
-/* A table of marks: as dots, quarters of a cell and polygons.
+/* A table of marks: as characters and polygons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/marks.h"
 
 #include <stddef.h>
 
-/* The full ones, then the same hollow; a row is read from its left, so that
- * 0272 is a cross of five dots. */
-static const struct mark MARKS[] = {{'+', 0272, 15, 16, 0, false},
-    {'x', 0777, 9, 4, 0.125, false}, {'v', 0277, 3, 3, 0.25, false},
-    {'^', 0772, 12, 3, 0.75, false}, {'*', 0525, 5, 4, 0, false},
-    {'&', 0222, 6, 6, 0, false}, {'o', 0252, 1, 16, 0, true},
-    {'O', 0757, 2, 4, 0.125, true}, {'Q', 0255, 4, 3, 0.25, true},
-    {'D', 0552, 8, 3, 0.75, true}, {'C', 0505, 7, 4, 0, true},
-    {'0', 0202, 14, 6, 0, true}};
+/* The full ones, then the same hollow. */
+static const struct mark MARKS[] = {{'+', 0x25CF, 16, 0, false},
+    {'x', 0x25A0, 4, 0.125, false}, {'v', 0x25BC, 3, 0.25, false},
+    {'^', 0x25B2, 3, 0.75, false}, {'*', 0x25C6, 4, 0, false},
+    {'&', 0x2605, 6, 0, false}, {'o', 0x25CB, 16, 0, true},
+    {'O', 0x25A1, 4, 0.125, true}, {'Q', 0x25BD, 3, 0.25, true},
+    {'D', 0x25B3, 3, 0.75, true}, {'C', 0x25C7, 4, 0, true},
+    {'0', 0x2606, 6, 0, true}};
 enum { ALL = sizeof MARKS / sizeof MARKS[0], EACH = ALL / 2 };
 
 const struct mark *

@@ -1,17 +1,16 @@
-/* Marks drawn in parts of a cell, each with a shape of its own.
+/* Marks of what was measured, each with a shape of its own.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_MARKS_H
 #define TIPSPEED_PLOT_MARKS_H
 
 #include <stdbool.h>
 
-/* The shape for an ASCII character.  dots: 3 x 3, bit 3 * row + column;
- * quarters: 2 x 2.  On paper the shape has `sides` sides, and its first corner
- * is at the part `turn` of a full turn.  hollow: a line is seen to pass behind
- * it. */
+/* The shape for an ASCII character.  sign: in a cell.  On paper the shape has
+ * `sides` sides, and its first corner is at the part `turn` of a full turn.
+ * hollow: of a run that was held out. */
 struct mark {
 	char code;
-	unsigned dots, quarters;
+	unsigned sign;
 	int sides;
 	double turn;
 	bool hollow;

@@ -85,8 +85,8 @@ control_look(struct tui *t)
 	t->session->wants_tui = false;
 	view_look(t);
 	tui_untouch(t);
-	if (t->ui.site_at >= s->n_entry)
-		t->ui.site_at = s->current;
+	if (t->ui.list[PAGE_SITES].at >= s->n_entry)
+		t->ui.list[PAGE_SITES].at = s->current;
 	if (t->ui.cross_at >= t->view.shown.product.n)
 		t->ui.cross_at = 0;
 	tui_look_at(t, t->ui.generation);
@@ -205,7 +205,7 @@ control_run_line(struct tui *t, const char *line)
 	control_follow_speed(t, line, ok);
 	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
 	if (other) {
-		t->ui.site_at = s->current;
+		t->ui.list[PAGE_SITES].at = s->current;
 		t->ui.feed = 0;
 	}
 	if (sets_looks(&was, &s->set) && strcmp(line, "undo") != 0 &&
@@ -354,7 +354,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	    .ways = ways,
 	    .aside = ways->leave == NULL,
 	    .ui = {.tenths = first_speed(s),
-		.site_at = s->current,
+		.list[PAGE_SITES].at = s->current,
 		.pace = PACE_AUTO,
 		.picture = PLOT_SEARCH,
 		.level = 50},

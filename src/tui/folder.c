@@ -139,21 +139,6 @@ item_clear(struct folder_item *item)
 }
 
 void
-folder_narrow(struct folder *folder, const char *word)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < folder->n; i++) {
-		struct folder_item *item = &folder->item[i];
-		if (text_has(item->name, word) ||
-		    (item->about != NULL && text_has(item->about, word)))
-			folder->item[n++] = *item;
-		else
-			item_clear(item);
-	}
-	folder->n = n;
-}
-
-void
 folder_only(struct folder *folder, enum folder_kind kind)
 {
 	size_t n = 0;

@@ -43,9 +43,6 @@ void folder_list(struct folder *folder, const char *path);
  * runs in one, else those installed. */
 void folder_shipped(struct folder *folder);
 
-/* Keeps only items with the word in their name or `about`. */
-void folder_narrow(struct folder *folder, const char *word);
-
 /* Keeps only folders and items of that kind. */
 void folder_only(struct folder *folder, enum folder_kind kind);
 

@@ -62,31 +62,26 @@ draw_header(struct tui *t)
 		column = screen_text(area, 0, column,
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
-		hits_add_key(&t->hits,
-		    (struct area){area->row, from, 1, column - from},
-		    '1' + (int)p, false);
+		hits_add_key(&t->hits, area_cells(area, 0, from, column - from),
+		    '1' + (int)p);
 		column++;
 	}
 	if (help == 0)
 		return;
 	screen_text(area, 0, column, LOOK_DIM, " ? help");
-	hits_add_key(
-	    &t->hits, (struct area){area->row, column, 1, help}, '?', false);
+	hits_add_key(&t->hits, area_cells(area, 0, column, help), '?');
 }
 
 /* The cursor goes where the line is clicked on, item being its first byte that
  * is shown. */
-static bool
+static void
 touch_line(struct tui *t, const struct touched *touched)
 {
 	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
-	if (touched->kind != HIT_PRESS)
-		return false;
 	for (int c = 1; c < touched->column && *at != '\0';)
 		c += text_show(&at, left);
 	t->line.at = (size_t)(at - t->line.text);
-	return true;
 }
 
 /* Returns the column of the cursor in it. */
@@ -97,10 +92,10 @@ draw_command(struct tui *t, const struct area *area)
 		size_t from;
 		int at = pane_typed(
 		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
-		hits_add(&t->hits, *area, touch_line, from);
+		hits_add(&t->hits, HIT_PRESS, *area, touch_line, from);
 		return at;
 	}
-	hits_add_key(&t->hits, *area, ':', false);
+	hits_add_key(&t->hits, *area, ':');
 	const char *tail =
 	    t->failed ? tr("(failed)") : tr("(last action, as a command)");
 	int column = screen_text(
@@ -185,12 +180,10 @@ draw_state(struct tui *t, const struct area *area)
 		screen_text(area, 0, from, LOOK_DIM, "%s", right);
 }
 
-static bool
+static void
 touch_offer(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == HIT_PRESS)
-		edit_take(&t->line, touched->item);
-	return touched->kind == HIT_PRESS;
+	edit_take(&t->line, touched->item);
 }
 
 /* What a word may become; ".." where there is more, which Tab shows. */
@@ -211,10 +204,8 @@ draw_offers(struct tui *t, const struct area *area)
 			break;
 		}
 		column = screen_text(area, 0, from, 0, "%s", text);
-		hits_add(&t->hits,
-		    (struct area){
-			area->row, area->column + from, 1, column - from},
-		    touch_offer, i);
+		hits_add(&t->hits, HIT_PRESS,
+		    area_cells(area, 0, from, column - from), touch_offer, i);
 		column += 2;
 		free(text);
 	}
@@ -357,10 +348,9 @@ draw_question(struct tui *t, int rows, int columns)
 	t->cursor = (struct cursor){rows - 1, end};
 	/* It ends with "y/n"; the mouse has no other answer. */
 	hits_clear(&t->hits);
-	hits_add_key(&t->hits,
-	    (struct area){rows - 1, end < 4 ? 0 : end - 4, 1, 2}, 'y', false);
 	hits_add_key(
-	    &t->hits, (struct area){rows - 1, end - 1, 1, 2}, 'n', false);
+	    &t->hits, area_cells(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
+	hits_add_key(&t->hits, area_cells(&area, n - 1, end - 1, 2), 'n');
 	free(text);
 	free(asks);
 }
@@ -381,24 +371,17 @@ frame_draw_page(struct tui *t)
 }
 
 /* Over the track, what is drawn about it, and the plot. */
-static bool
+static void
 frame_touch_wheel(struct tui *t, const struct touched *touched)
 {
-	int by = touched->kind == HIT_UP ? 1 : -1;
-	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
-		return false;
-	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + by);
-	return true;
+	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths - touched->by);
 }
 
 /* Over text it scrolls. */
-static bool
+static void
 touch_text(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
-		return false;
-	viewer_scroll(t, touched->kind == HIT_UP ? -1 : 1);
-	return true;
+	viewer_scroll(t, touched->by);
 }
 
 static int
@@ -420,9 +403,9 @@ add_wheel(struct tui *t, bool viewing)
 	const struct area over[] = {l->plot, l->legend, l->differences,
 	    l->numbers, l->caption, l->strip, l->track};
 	if (viewing)
-		hits_add(hits, l->body, touch_text, 0);
+		hits_add(hits, HIT_WHEEL, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
-		hits_add(hits, over[i], frame_touch_wheel, 0);
+		hits_add(hits, HIT_WHEEL, over[i], frame_touch_wheel, 0);
 	if (!viewing && rows_here(t))
 		rows_wheel(t, l->body);
 }

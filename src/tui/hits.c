@@ -29,54 +29,55 @@ hits_add_area(struct hits *hits, struct hit touch)
 }
 
 void
-hits_add(struct hits *hits, struct area area, hit_way *way, size_t item)
+hits_add(struct hits *hits, unsigned kinds, struct area area, hit_way *way,
+    size_t item)
 {
-	hits_add_area(
-	    hits, (struct hit){.area = area, .way = way, .item = item});
+	hits_add_area(hits, (struct hit){area, kinds, way, item, 0});
 }
 
 void
-hits_add_key(struct hits *hits, struct area area, int code, bool special)
+hits_add_key(struct hits *hits, struct area area, int code)
 {
-	hits_add_area(
-	    hits, (struct hit){.area = area, .code = code, .special = special});
+	hits_add_area(hits, (struct hit){area, HIT_PRESS, NULL, 0, code});
 }
 
 void
 hits_add_both(
     struct hits *hits, struct area area, hit_way *way, size_t item, int code)
 {
-	hits_add_area(hits,
-	    (struct hit){.area = area, .way = way, .item = item, .code = code});
+	hits_add_area(hits, (struct hit){area, HIT_PRESS, way, item, code});
 }
 
-static bool
+static void
 hand_on(struct tui *t, const struct hit *touch, enum hit_kind kind, int row,
     int column)
 {
-	return touch->way(
-	    t, &(struct touched){kind, row - touch->area.row,
-		   column - touch->area.column, touch->area, touch->item});
+	int by = kind == HIT_UP ? -1 : kind == HIT_DOWN ? 1 : 0;
+	if (touch->way != NULL)
+		touch->way(t, &(struct touched){kind, row - touch->area.row,
+				  column - touch->area.column, by, touch->area,
+				  touch->item});
 }
 
 bool
 hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
     int column, void (*key)(struct tui *t, int code, bool special))
 {
-	if (kind == HIT_DRAG)
-		return hits->pressed.way != NULL &&
-		       hand_on(t, &hits->pressed, kind, row, column);
+	struct hit pressed = hits->pressed;
+	if (kind == HIT_DRAG) {
+		if (pressed.kinds & HIT_DRAG)
+			hand_on(t, &pressed, kind, row, column);
+		return pressed.kinds & HIT_DRAG;
+	}
 	for (size_t i = hits->n; i-- > 0;) {
 		/* What it does may draw, and so change the list. */
 		struct hit touch = hits->at[i];
-		if (!area_has(&touch.area, row, column))
+		if (!(touch.kinds & kind) ||
+		    !area_has(&touch.area, row, column))
 			continue;
-		bool presses = touch.code != 0 && kind == HIT_PRESS;
-		if (touch.way != NULL ? !hand_on(t, &touch, kind, row, column)
-				      : !presses)
-			continue;
-		if (presses)
-			key(t, touch.code, touch.special);
+		hand_on(t, &touch, kind, row, column);
+		if (touch.code != 0)
+			key(t, touch.code, touch.code > 255);
 		else if (kind == HIT_PRESS)
 			hits->pressed = touch;
 		return true;

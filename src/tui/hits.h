@@ -11,28 +11,36 @@
 
 struct tui;
 
-/* HIT_DRAG is sent to what was pressed, wherever the mouse is by then. */
-enum hit_kind { HIT_PRESS, HIT_DRAG, HIT_UP, HIT_DOWN };
+/* What the mouse does, as bits.  HIT_DRAG is sent to what was pressed, wherever
+ * the mouse is by then. */
+enum hit_kind {
+	HIT_PRESS = 1,
+	HIT_DRAG = 2,
+	HIT_UP = 4,
+	HIT_DOWN = 8,
+	HIT_SLIDE = HIT_PRESS | HIT_DRAG,
+	HIT_WHEEL = HIT_UP | HIT_DOWN
+};
 
 /* row, column: from the top left of the area, negative or beyond it where it
- * was dragged off; item: as given to hits_add. */
+ * was dragged off; by: rows that the wheel moves a list down; item: as given to
+ * hits_add. */
 struct touched {
 	enum hit_kind kind;
-	int row, column;
+	int row, column, by;
 	struct area area;
 	size_t item;
 };
 
-/* Does what the mouse asks for; false: it does not handle that kind, and the
- * area below is tried. */
-typedef bool hit_way(struct tui *t, const struct touched *touched);
+/* Does what the mouse asks for. */
+typedef void hit_way(struct tui *t, const struct touched *touched);
 
 struct hit {
 	struct area area;
+	unsigned kinds;
 	hit_way *way; /* or NULL */
 	size_t item;
 	int code; /* a key that is pressed then, or 0 */
-	bool special;
 };
 
 /* The n areas of a frame; pressed: the one that a drag is sent to, way NULL:
@@ -47,11 +55,12 @@ struct hits {
 void hits_clear(struct hits *hits);
 void hits_free(struct hits *hits);
 
-/* Adds an area; areas without a cell are left out. */
-void hits_add(struct hits *hits, struct area area, hit_way *way, size_t item);
+/* Adds an area that handles these kinds; areas without a cell are left out. */
+void hits_add(struct hits *hits, unsigned kinds, struct area area, hit_way *way,
+    size_t item);
 
-/* Adds an area where a press is the key: code and special as in keymap_key. */
-void hits_add_key(struct hits *hits, struct area area, int code, bool special);
+/* Adds an area where a press is a key: above 255 a special one of ncurses. */
+void hits_add_key(struct hits *hits, struct area area, int code);
 
 /* Adds an area where a press is handled by `way`, and then is the key, too. */
 void hits_add_both(

@@ -30,12 +30,15 @@
 #include "tui/watch.h"
 #include "tui/word.h"
 
-/* Whether what the page has takes a key that moves. */
+/* Whether what the page has takes a key that moves; below the response strip
+ * the slider of the speed does before a list. */
 static bool
 page_moves(struct tui *t, const struct key *key)
 {
-	bool (*moves)(struct tui *, const struct key *) = pages_open(t)->move;
-	return (moves != NULL && moves(t, key)) || rows_move(t, key);
+	const struct page_ops *page = pages_open(t);
+	bool slides = page->strip && key->act != act_list;
+	return (page->move != NULL && (page->move)(t, key)) ||
+	       (!slides && rows_move(t, key));
 }
 
 void

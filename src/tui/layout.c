@@ -13,6 +13,19 @@ area_has(const struct area *a, int row, int column)
 	       column < a->column + a->columns;
 }
 
+struct area
+area_cells(const struct area *area, int row, int column, int columns)
+{
+	return (struct area){
+	    area->row + row, area->column + column, 1, columns};
+}
+
+struct area
+area_row(const struct area *area, int row)
+{
+	return area_cells(area, row, 0, area->columns);
+}
+
 /* One row at the bottom of what is left. */
 static struct area
 take_bottom(struct area *left)

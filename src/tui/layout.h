@@ -45,4 +45,9 @@ int layout_message_rows(const struct layout *l);
 /* True if a cell lies in the area. */
 bool area_has(const struct area *area, int row, int column);
 
+/* Returns a row of an area, or of that some columns. */
+struct area area_row(const struct area *area, int row);
+struct area area_cells(
+    const struct area *area, int row, int column, int columns);
+
 #endif

@@ -23,19 +23,17 @@ pane_list_area(const struct tui *t)
 }
 
 /* Says what is drawn there, and has the page do what it does with the place. */
-static bool
+static void
 touch_plot(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
-		return false;
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)
-		return true;
+		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
 	request->entry = tui_asked(t);
 	if (!plots_find(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
-		return true;
+		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
 	    t->shows->point;
 	if (point != NULL)
@@ -43,7 +41,6 @@ touch_plot(struct tui *t, const struct touched *touched)
 	if (found.words != NULL)
 		tui_say(t, false, "%s", found.words);
 	free(found.words);
-	return true;
 }
 
 void
@@ -64,7 +61,7 @@ pane_plot(
 		if (t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
-		hits_add(&t->hits, *area, touch_plot, t->n_drawn++);
+		hits_add(&t->hits, HIT_SLIDE, *area, touch_plot, t->n_drawn++);
 		return;
 	}
 	int row = screen_words(area, area->rows / 3, LOOK_BOLD, error.text);
@@ -223,7 +220,7 @@ touch_hint(struct tui *t, int row, int column, const char *hint, size_t n)
 			hits_add_key(&t->hits,
 			    (struct area){
 				row, column + (int)from, 1, (int)(till - from)},
-			    code, code > 255);
+			    code);
 		free(name);
 		from = end + 1;
 	}

@@ -6,17 +6,17 @@
 
 #include "tui/tui_state.h"
 
-/* Rows that a cursor moves through, see list.h.  n: how many; at: the row under
- * the cursor; go: puts the cursor on another row; text: returns all text of a
- * row, to search for a word, which the caller frees, or NULL; open: what Enter
- * does there, or NULL; update: computes what is shown of the list, or NULL. */
+/* Rows that a cursor moves through, see list.h.  n: how many; id: what the
+ * cursor is on in a row, whatever their order; NULL: its number; text: returns
+ * all text of a row, to search for a word, which the caller frees, or NULL;
+ * chosen: called when the cursor has moved; open: what Enter does there;
+ * update: computes what is shown of the list.  Each of these may be NULL. */
 struct page_list {
 	size_t (*n)(const struct tui *t);
-	size_t (*at)(const struct tui *t);
-	void (*go)(struct tui *t, size_t i);
+	size_t (*id)(const struct tui *t, size_t i);
 	char *(*text)(const struct tui *t, size_t i);
-	void (*open)(struct tui *t);
-	void (*update)(struct tui *t);
+	void (*chosen)(struct tui *t), (*open)(struct tui *t),
+	    (*update)(struct tui *t);
 };
 
 /* The operations of a page, which are in its own file; pages.c lists the pages.

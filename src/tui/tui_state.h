@@ -117,16 +117,22 @@ struct page_ops;
  * come with the program. */
 enum picker_list { PICK_FILES, PICK_FEEDS, PICK_SESSIONS, PICK_SHIPPED };
 
+/* Of a list the row under the cursor and the first one shown. */
+struct list {
+	size_t at, top;
+};
+
 /* The list of files to open, over the page.  rows: the list as rows; word: only
- * files with this word are listed; preview: of the item `previewed`, SIZE_MAX:
+ * files with this word are shown; preview: of the item `previewed`, SIZE_MAX:
  * of none. */
 struct picker {
 	bool on;
-	enum picker_list list;
+	enum picker_list what;
 	const struct page_list *rows;
 	struct folder folder;
 	struct edit word;
-	size_t at, top, previewed;
+	struct list list;
+	size_t previewed;
 	char *preview;
 };
 
@@ -157,8 +163,7 @@ struct ui {
 	struct quantity quantity; /* above the track */
 	bool cross, band, runs;   /* runs: page Predict has plot runs */
 	size_t cross_at;          /* a sieve of the prediction */
-	int level;    /* passing that the crosshair reads sizes at, % */
-	int start_at; /* of what can be done without a site */
+	int level; /* passing that the crosshair reads sizes at, % */
 	enum plot_kind picture; /* of the page Fit */
 	int pace;               /* index of PACES */
 	size_t generation;      /* looked at, 1..; 0: the end so far */
@@ -169,10 +174,9 @@ struct ui {
 		bool on;
 		size_t row, at, top, left;
 	} cell;
-	size_t top[PAGES]; /* the first row shown of a page's list */
-	size_t point_at;   /* of the Parity page */
-	size_t site_at;    /* of the Sites page */
-	int sort;          /* of sites, by 1 + a column; 0: as loaded */
+	/* Of the pages' lists; on the page Sites `at` is a site. */
+	struct list list[PAGES];
+	int sort; /* of sites, by 1 + a column; 0: as loaded */
 	bool sort_down;
 };
 

@@ -838,7 +838,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
 	control_look(t);
 	type(t, "5");
-	t->ui.site_at = 0;
+	t->ui.list[PAGE_SITES].at = 0;
 	type(t, "?/use a site\n");
 	assert_int_equal(stage->desk->session->current, 0);
 	assert_string_equal(t->command, "use tierp");
@@ -1549,10 +1549,10 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	const double best = tui_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
 	 * use is only looked at. */
-	t->ui.site_at = s->current;
+	t->ui.list[PAGE_SITES].at = s->current;
 	type(t, "f..55\n");
 	assert_true(session_busy(s) && t->ui.page == PAGE_PREDICT);
-	t->ui.site_at = 0;
+	t->ui.list[PAGE_SITES].at = 0;
 	static const char *const WAYS[] = {"s", "\003", "55\n", "5\n", "f\003",
 	    ":use bro\n", ":find p80=5\n\033", ":sweep\n\033",
 	    ":load data/sites/ossjo.csv\n", ":set k 2\nu", ":hlep; use bro\n",

@@ -204,7 +204,7 @@ a_label_stands_where_its_value_is(void **state)
 
 /* Of 19.7 and 36.2 % both stood at "50" in a plot of four rows. */
 static void
-a_fine_mark_stands_in_the_part_of_a_cell(void **state)
+a_mark_has_the_one_cell_of_its_value(void **state)
 {
 	(void)state;
 	for (int rows = 4; rows < 40; rows += 5)
@@ -224,25 +224,15 @@ a_fine_mark_stands_in_the_part_of_a_cell(void **state)
 			while (canvas_at(c, 3, foot - 1)->code != 0x2502 &&
 			       canvas_at(c, 3, foot - 1)->code != 0x2524)
 				foot--;
-			/* Rows of dots that the mark has. */
-			int least = 4 * rows, most = -1;
+			int want = (int)((100 - y) / 100 * (foot - top)), n = 0;
 			for (int i = 0; i < c->columns * c->rows; i++) {
-				static const unsigned char ROW[4] = {
-				    0x09, 0x12, 0x24, 0xC0};
 				if (c->cell[i].series != SERIES_MEASURED_1)
 					continue;
-				for (int d = 0; d < 4; d++) {
-					int at = 4 * (i / c->columns - top) + d;
-					if (!(c->cell[i].code & ROW[d]))
-						continue;
-					least = at < least ? at : least;
-					most = at > most ? at : most;
-				}
+				assert_int_equal(i / c->columns - top, want);
+				assert_int_equal(c->cell[i].code, 0x25CF);
+				n++;
 			}
-			int n = 4 * (foot - top);
-			int want = (int)((100 - y) / 100 * n);
-			assert_int_equal(least, want > 0 ? want - 1 : 0);
-			assert_int_equal(most, want + 1 < n ? want + 1 : want);
+			assert_int_equal(n, 1);
 			canvas_free(c);
 			chart_free(chart);
 		}
@@ -447,70 +437,39 @@ a_mark_stands_at_every_point(void **state)
 	chart_free(chart);
 }
 
-/* Of a mark in dots, which may be in several cells, and of several runs at the
- * same places each is seen somewhere. */
+/* Of runs at the same places the one that was held out, whichever is added
+ * last. */
 static void
-no_run_hides_another(void **state)
+a_hollow_mark_is_seen_in_front(void **state)
 {
 	(void)state;
-	enum { RUNS = 4 };
-	struct chart *chart = empty();
-	for (int k = 0; k < RUNS; k++) {
-		struct chart_series *s = chart_add(chart,
-		    (struct chart_series){.line = CHART_MARKS,
-			.series = (enum series)(SERIES_MEASURED_1 + k),
-			.mark = "+xvo"[k],
-			.fine = true},
-		    N, "run %d", k);
-		memcpy(s->x, SIEVES, sizeof SIEVES);
-		memcpy(s->y, PASSING, sizeof PASSING);
-	}
-	for (size_t i = 0; i < 3; i++) {
-		struct canvas *c =
-		    chart_draw(chart, 75, 18, CHARSETS[i], CHART_TITLE);
-		for (int k = 0; k < RUNS; k++)
-			assert_in_range(
-			    count(c, (enum series)(SERIES_MEASURED_1 + k), 0),
-			    2, 1000);
-		canvas_free(c);
-	}
-	chart_free(chart);
-}
-
-/* The line is hollow where a hollow mark stands on it. */
-static void
-a_held_out_mark_is_hollow(void **state)
-{
-	(void)state;
-	struct chart *chart = empty();
-	struct chart_series *s = chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
-	    2, "line");
-	s->x[0] = 0.063;
-	s->x[1] = 22.4;
-	s->y[0] = s->y[1] = 50;
-	s = chart_add(chart,
-	    (struct chart_series){.series = SERIES_MEASURED_1,
-		.line = CHART_MARKS,
-		.mark = 'O',
-		.fine = true},
-	    1, "mark");
-	s->x[0] = 1;
-	s->y[0] = 50;
-	int dots[2] = {0};
 	for (int k = 0; k < 2; k++) {
-		chart->series[1]->mark = "Ox"[k];
-		struct canvas *c =
-		    chart_draw(chart, 60, 20, CHARSET_BRAILLE, 0);
-		for (int i = 0; i < c->columns * c->rows; i++)
-			if (c->cell[i].series == SERIES_MEASURED_1)
-				dots[k] +=
-				    __builtin_popcount(c->cell[i].code & 0xFF);
-		canvas_free(c);
+		struct chart *chart = empty();
+		for (int i = 0; i < 2; i++) {
+			struct chart_series *s = chart_add(chart,
+			    (struct chart_series){.line = CHART_MARKS,
+				.series = (enum series)(SERIES_MEASURED_1 + i),
+				.mark = k == i ? 'O' : '+',
+				.fine = true},
+			    N, "run %d", i);
+			memcpy(s->x, SIEVES, sizeof SIEVES);
+			memcpy(s->y, PASSING, sizeof PASSING);
+		}
+		for (size_t i = 0; i < 3; i++) {
+			struct canvas *c =
+			    chart_draw(chart, 75, 18, CHARSETS[i], 0);
+			assert_in_range(
+			    count(c, (enum series)(SERIES_MEASURED_1 + k),
+				CHARSETS[i] == CHARSET_ASCII ? 'O' : 0x25A1),
+			    5, 1000);
+			assert_int_equal(
+			    count(
+				c, (enum series)(SERIES_MEASURED_1 + 1 - k), 0),
+			    0);
+			canvas_free(c);
+		}
+		chart_free(chart);
 	}
-	assert_int_equal(dots[1] - dots[0], 1);
-	chart_free(chart);
 }
 
 /* Cells of a band of so many points around the line. */
@@ -659,7 +618,7 @@ main(void)
 	    cmocka_unit_test(any_size_is_exact_and_safe),
 	    cmocka_unit_test(every_sieve_has_a_tick_where_it_belongs),
 	    cmocka_unit_test(a_label_stands_where_its_value_is),
-	    cmocka_unit_test(a_fine_mark_stands_in_the_part_of_a_cell),
+	    cmocka_unit_test(a_mark_has_the_one_cell_of_its_value),
 	    cmocka_unit_test(labels_go_by_rank_and_into_a_second_row),
 	    cmocka_unit_test(round_axes_cover_what_they_are_asked),
 	    cmocka_unit_test(a_symmetric_axis_magnifies_what_is_near_0),
@@ -669,8 +628,7 @@ main(void)
 	    cmocka_unit_test(points_outside_stay_off_the_axes),
 	    cmocka_unit_test(line_styles_differ_without_colour),
 	    cmocka_unit_test(a_mark_stands_at_every_point),
-	    cmocka_unit_test(no_run_hides_another),
-	    cmocka_unit_test(a_held_out_mark_is_hollow),
+	    cmocka_unit_test(a_hollow_mark_is_seen_in_front),
 	    cmocka_unit_test(a_band_is_no_thicker_than_it_is),
 	    cmocka_unit_test(a_strip_lies_below_its_chart),
 	    cmocka_unit_test(values_are_read_off_straight_on_the_log),

@@ -19,6 +19,7 @@
 #include "tui/script_terminal.h"
 #include "tui/watch.h"
 #include "tui/view.h"
+#include "tui/widgets/list.h"
 
 static int
 stage_open(void **state)
@@ -70,11 +71,12 @@ choose(struct tui *t, const char *name)
 {
 	const struct folder *folder = &t->picker.folder;
 	press(t, "Home");
-	for (size_t i = 1; i < folder->n &&
-			   strcmp(folder->item[t->picker.at].name, name) != 0;
+	for (size_t i = 1;
+	     i < folder->n &&
+	     strcmp(folder->item[t->picker.list.at].name, name) != 0;
 	     i++)
 		press(t, "Down");
-	assert_string_equal(folder->item[t->picker.at].name, name);
+	assert_string_equal(folder->item[t->picker.list.at].name, name);
 }
 
 static void
@@ -115,8 +117,8 @@ a_saved_session_is_restored(void **state)
 	choose(t, "sessions");
 	press(t, "Enter");
 	choose(t, "paper.tip");
-	assert_int_equal(folder->item[t->picker.at].kind, FOLDER_SESSION);
-	char *line = folder_command(&folder->item[t->picker.at], true);
+	assert_int_equal(folder->item[t->picker.list.at].kind, FOLDER_SESSION);
+	char *line = folder_command(&folder->item[t->picker.list.at], true);
 	assert_string_equal(line, "restore \"data/sessions/paper.tip\"");
 	free(line);
 	press(t, "Esc");
@@ -221,9 +223,9 @@ letters_narrow_the_list(void **state)
 	type(t, "limestone");
 	assert_true(t->picker.on);
 	assert_true(shows("what has 'limestone'"));
-	assert_in_range(t->picker.folder.n, 1, all - 1);
+	assert_in_range(rows_count(t), 1, all - 1);
 	press(t, "Esc");
-	assert_int_equal(t->picker.folder.n, all);
+	assert_int_equal(rows_count(t), all);
 	type(t, "tierz");
 	assert_true(shows("nothing here has 'tierz'"));
 	assert_string_equal(t->picker.word.text, "tier");
@@ -234,7 +236,7 @@ letters_narrow_the_list(void **state)
 	type(t, "data");
 	press(t, "Enter");
 	type(t, "sit");
-	assert_int_equal(t->picker.folder.n, 1);
+	assert_int_equal(rows_count(t), 1);
 	press(t, "Left");
 	assert_string_equal(t->picker.folder.path, "");
 	assert_int_equal(t->picker.word.n, 0);
@@ -322,10 +324,10 @@ the_mouse_chooses_and_opens(void **state)
 	press(t, "o");
 	int row = l->body.row + 2;
 	hits_mouse(t, &t->hits, HIT_PRESS, row, 3, keymap_key);
-	assert_int_equal(t->picker.at, 1);
+	assert_int_equal(t->picker.list.at, 1);
 	frame_draw(t);
 	hits_mouse(t, &t->hits, HIT_DOWN, row, 3, keymap_key);
-	assert_int_equal(t->picker.at, 2);
+	assert_int_equal(t->picker.list.at, 2);
 	frame_draw(t);
 	hits_mouse(t, &t->hits, HIT_PRESS, row + 1, 3, keymap_key);
 	assert_string_not_equal(t->picker.folder.path, "");

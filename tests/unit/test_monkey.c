@@ -172,7 +172,7 @@ type_more(struct tui *t)
 static void
 use_mouse(struct tui *t)
 {
-	enum hit_kind kind = (enum hit_kind)below(4);
+	enum hit_kind kind = (enum hit_kind)(1U << below(4));
 	int row = (int)below((size_t)rows + 2) - 1,
 	    column = (int)below((size_t)columns + 2) - 1;
 	hits_mouse(t, &t->hits, kind, row, column, keymap_key);

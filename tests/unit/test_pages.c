@@ -179,9 +179,9 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 	assert_non_null(strstr(row_of(stage, 1), "rock^"));
 	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
 	/* Down goes down on the screen. */
-	t->ui.site_at = t->view.row[0].entry;
+	t->ui.list[PAGE_SITES].at = t->view.row[0].entry;
 	press(t, "Down Down");
-	assert_int_equal(t->ui.site_at, t->view.row[2].entry);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, t->view.row[2].entry);
 }
 
 static void
@@ -281,7 +281,7 @@ parity_has_the_statistics_of_validate(void **state)
 	press(t, "Down Down");
 	const struct chart *chart = t->view.parity.chart;
 	struct chart_series **own = &chart->series[chart->n - 3];
-	assert_int_equal(t->ui.point_at, 2);
+	assert_int_equal(t->ui.list[PAGE_PARITY].at, 2);
 	for (size_t i = 0; i < 3; i++) {
 		const struct chart_series *of = chart->series[1 + i];
 		assert_true(own[i]->y[0] == of->y[2] && own[i]->lifted);

@@ -211,9 +211,32 @@ a_generation_shows_its_own_best(void **state)
 	}
 }
 
-/* Every generation on one scale, and only the runs that are fitted. */
 static void
-a_search_is_shown_on_a_scale_that_stays(void **state)
+what_is_extrapolated_is_dashed(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, PARAMS_SET);
+	struct plot_request q = plots_request(PLOT_PSD);
+	for (int k = 0; k < 2; k++) {
+		q.speed = k == 0 ? 74 : 84;
+		struct chart *c = chart_of(desk, &q);
+		size_t lines = 0;
+		for (size_t i = 0; i < c->n; i++) {
+			if (c->series[i]->series != SERIES_PREDICTED)
+				continue;
+			lines++;
+			assert_int_equal(c->series[i]->line,
+			    k == 0 ? CHART_SOLID : CHART_LONG);
+		}
+		assert_int_equal(lines, 1);
+		chart_free(c);
+	}
+}
+
+/* Only the runs that are fitted; the axis ends not far beyond the candidates,
+ * and that of the convergence is one for all generations. */
+static void
+a_search_is_shown_on_a_scale_that_it_fills(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
@@ -229,7 +252,18 @@ a_search_is_shown_on_a_scale_that_stays(void **state)
 	for (q.generation = 1; q.generation <= h->n; q.generation += 7) {
 		r.generation = q.generation;
 		struct chart *c = chart_of(desk, &q), *d = chart_of(desk, &r);
-		assert_true(c->y.low == end->y.low && c->y.high == end->y.high);
+		double most = 0;
+		for (size_t i = 1; i < c->n; i++)
+			for (size_t j = 0; j < c->series[i]->n; j++)
+				most =
+				    fmax(most, c->series[i]->low != NULL
+						   ? fmax(-c->series[i]->low[j],
+							 c->series[i]->high[j])
+						   : fabs(c->series[i]->y[j]));
+		assert_true(c->y.high >= most || c->y.high == 100);
+		assert_true(c->y.high <= 3.4 * most || c->y.high == 1);
+		assert_true(c->y.low == -c->y.high);
+		assert_true(end->y.high < 100);
 		assert_true(d->y.low == all->y.low && d->y.high == all->y.high);
 		for (size_t i = 1; i < c->n; i += 2)
 			for (size_t j = 0; j < c->series[i]->n; j++)
@@ -609,7 +643,9 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_generation_shows_its_own_best, open_with_site, desk_close),
 	    cmocka_unit_test_setup_teardown(
-		a_search_is_shown_on_a_scale_that_stays, open_with_site,
+		what_is_extrapolated_is_dashed, open_with_site, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		a_search_is_shown_on_a_scale_that_it_fills, open_with_site,
 		desk_close),
 	    cmocka_unit_test_setup_teardown(
 		a_band_holds_the_prediction_of_a_fit, open_with_site,

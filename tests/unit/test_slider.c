@@ -26,6 +26,20 @@ range_of(const struct site *site)
 	return slider_range(from, to);
 }
 
+/* The signs of the track as text. */
+static int
+draw(char *text, int width, struct slider_range range, int tenths,
+    const struct slider_mark *mark, size_t n, const bool *kept,
+    const char *beyond)
+{
+	struct slider_cell cell[401];
+	int at = slider_draw(cell, width, range, tenths, mark, n, kept, beyond);
+	for (int c = 0; c < width; c++)
+		text[c] = cell[c].sign;
+	text[width] = '\0';
+	return at;
+}
+
 static void
 speeds_become_tenths_exactly(void **state)
 {
@@ -80,21 +94,21 @@ the_track_shows_zones_runs_and_value(void **state)
 {
 	(void)state;
 	char text[128];
-	int at = slider_draw(text, 41, ALL, 650, MARKS, ARRAY_LEN(MARKS), NULL);
+	int at = draw(text, 41, ALL, 650, MARKS, ARRAY_LEN(MARKS), NULL, "");
 	assert_int_equal(at, 0);
 	assert_string_equal(text, "[65.0]xx|69-------o74-------|79 xxxxxxxxx");
-	slider_draw(text, 41, ALL, 740, MARKS, ARRAY_LEN(MARKS), NULL);
+	draw(text, 41, ALL, 740, MARKS, ARRAY_LEN(MARKS), NULL, "");
 	assert_string_equal(text, "xxxxxxxx|69----[74.0]-------|79 xxxxxxxxx");
 	/* The handle covers a label whole. */
-	slider_draw(text, 41, ALL, 680, MARKS, ARRAY_LEN(MARKS), NULL);
+	draw(text, 41, ALL, 680, MARKS, ARRAY_LEN(MARKS), NULL, "");
 	assert_string_equal(text, "xxx[68.0]---------o74-------|79 xxxxxxxxx");
-	slider_draw(text, 41, ALL, 850, MARKS, ARRAY_LEN(MARKS), NULL);
+	draw(text, 41, ALL, 850, MARKS, ARRAY_LEN(MARKS), NULL, "");
 	assert_string_equal(text + 35, "[85.0]");
-	slider_draw(text, 101, ALL, 760, MARKS, ARRAY_LEN(MARKS), NULL);
+	draw(text, 101, ALL, 760, MARKS, ARRAY_LEN(MARKS), NULL, "");
 	assert_string_equal(text,
 	    "xxxxxxxxxxxxxxxxxxxx|69 m/s 2380 J/kg--------o74-"
 	    "---[76.0]------------|79 m/s 3120 J/kg xxxxxxxxxxxxx");
-	slider_draw(text, 41, ALL, 850, NULL, 0, NULL);
+	draw(text, 41, ALL, 850, NULL, 0, NULL, "");
 	assert_int_equal(text[0], 'x');
 }
 
@@ -114,7 +128,7 @@ the_range_holds_the_runs_of_the_site(void **state)
 	assert_true(slider_read(range, "62.4", &tenths));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
 	char text[64];
-	slider_draw(text, 27, range, 740, marks, 2, NULL);
+	draw(text, 27, range, 740, marks, 2, NULL, "");
 	assert_string_equal(text, "|62.4----[74.0]-----------|");
 	runs[0].speed = 0; /* a feed for any speed */
 	runs[1].speed = 74;
@@ -133,11 +147,11 @@ no_label_covers_the_ends_of_a_window(void **state)
 	(void)state;
 	char text[128];
 	bool kept[101] = {[9] = true, [18] = true};
-	slider_draw(text, 41, ALL, 800, MARKS, ARRAY_LEN(MARKS), kept);
+	draw(text, 41, ALL, 800, MARKS, ARRAY_LEN(MARKS), kept, "");
 	assert_string_equal(text, "xxxxxxxx|---------o74------[80.0]xxxxxxxx");
 	kept[9] = kept[18] = false;
 	kept[60] = true;
-	slider_draw(text, 101, ALL, 650, MARKS, ARRAY_LEN(MARKS), kept);
+	draw(text, 101, ALL, 650, MARKS, ARRAY_LEN(MARKS), kept, "");
 	assert_string_equal(text + 20,
 	    "|69----------------------o74----------------------|79"
 	    " xxxxxxxxxxxxxxxxxxxxxxxxxxx");
@@ -145,6 +159,22 @@ no_label_covers_the_ends_of_a_window(void **state)
 
 /* A mill that runs at a tenth of the speed: of a track up to 85 m/s its runs
  * would have three columns. */
+/* Where the handle stands on it there is none. */
+static void
+a_word_says_what_is_beyond(void **state)
+{
+	(void)state;
+	char text[128];
+	draw(
+	    text, 101, ALL, 740, MARKS, ARRAY_LEN(MARKS), NULL, "extrapolated");
+	assert_memory_equal(text, "xxx extrapolated xxx|69 m/s", 27);
+	draw(
+	    text, 101, ALL, 670, MARKS, ARRAY_LEN(MARKS), NULL, "extrapolated");
+	assert_memory_equal(text, "xxxxxxx[67.0]xxxxxxx|69 m/s", 27);
+	draw(text, 41, ALL, 740, MARKS, ARRAY_LEN(MARKS), NULL, "extrapolated");
+	assert_memory_equal(text, "xxxxxxxx|69", 11);
+}
+
 static void
 a_slow_machine_has_a_track_of_its_own(void **state)
 {
@@ -172,8 +202,8 @@ any_width_is_drawn(void **state)
 	for (int width = 0; width < 400; width++)
 		for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST;
 		     tenths += 7) {
-			int at = slider_draw(text, width, ALL, tenths, MARKS,
-			    ARRAY_LEN(MARKS), NULL);
+			int at = draw(text, width, ALL, tenths, MARKS,
+			    ARRAY_LEN(MARKS), NULL, "");
 			assert_int_equal(strlen(text), width);
 			assert_true(at >= 0 && (at < width || width == 0));
 		}
@@ -187,6 +217,7 @@ main(void)
 	    cmocka_unit_test(typed_speeds_are_read_within_the_range),
 	    cmocka_unit_test(a_column_and_its_value_agree),
 	    cmocka_unit_test(the_track_shows_zones_runs_and_value),
+	    cmocka_unit_test(a_word_says_what_is_beyond),
 	    cmocka_unit_test(no_label_covers_the_ends_of_a_window),
 	    cmocka_unit_test(the_range_holds_the_runs_of_the_site),
 	    cmocka_unit_test(a_slow_machine_has_a_track_of_its_own),

@@ -154,15 +154,15 @@ a_row_is_chosen_and_opened(void **state)
 	struct tui *t = &stage->t;
 	press(stage, "5");
 	click(stage, "ossjo");
-	assert_int_equal(t->ui.site_at, 2);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, 2);
 	assert_int_equal(t->ui.page, PAGE_SITES);
 	click(stage, "ossjo");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	assert_string_equal(t->command, "use ossjo");
 	press(stage, "5 g");
-	assert_int_equal(t->ui.site_at, 0);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, 0);
 	press(stage, "End");
-	assert_int_equal(t->ui.site_at, 2);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, 2);
 	press(stage, "Home Down Enter");
 	assert_string_equal(t->command, "use bro");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
@@ -183,7 +183,7 @@ the_wheel_moves_what_is_under_it(void **state)
 	assert_false(mouse(stage, HIT_UP, l->hints.row, 1));
 	press(stage, "5");
 	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
-	assert_int_equal(t->ui.site_at, 1);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, 1);
 	press(stage, "?");
 	int at = t->viewer.at;
 	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
@@ -255,11 +255,11 @@ a_word_filters_the_rows(void **state)
 	struct tui *t = &stage->t;
 	int row, column;
 	press(stage, "5 / bro");
-	assert_int_equal(t->ui.site_at, 1);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, 1);
 	assert_true(find_text(stage, "/bro  1 of 3", &row, &column));
 	assert_false(find_text(stage, "  ossjo ", &row, &column));
 	press(stage, "Enter End Down Up");
-	assert_int_equal(t->ui.site_at, 1);
+	assert_int_equal(t->ui.list[PAGE_SITES].at, 1);
 	press(stage, "Enter");
 	assert_string_equal(t->command, "use bro");
 	/* It is the page's, and gone with it. */

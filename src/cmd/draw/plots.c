@@ -484,15 +484,19 @@ add_part(struct curves *c, const struct session *s, const struct entry *entry,
 	free(words);
 }
 
+/* Dashed where it is extrapolated. */
 static void
 plots_add_predicted(struct curves *c, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
+	struct chart_series look = PREDICTED;
+	if (answers_extrapolates(q->entry, p->speed))
+		look.line = CHART_LONG;
 	add_product(c, p,
 	    q->words & CHART_NOTES
 		? xasprintf(tr("predicted %g m/s"), p->speed)
 		: xasprintf(tr("predicted%s"), outlook_short(s, q->entry, p)),
-	    PREDICTED);
+	    look);
 }
 
 /* The first prediction, and of it the fraction that is looked at. */

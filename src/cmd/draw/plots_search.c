@@ -127,23 +127,42 @@ sieves_of(const struct candidates *c)
 	return axis;
 }
 
+/* As far as the candidates reach, in steps of which a search that converges
+ * takes few. */
+static struct axis
+differences_of(const struct candidates *c)
+{
+	static const double MOST[] = {1, 3, 10, 30, 100};
+	const double straight = 0.1;
+	double most = 0;
+	size_t i = 0;
+	for (size_t k = 0; k < c->n; k++) {
+		const struct candidates_cell *at = &c->cell[k];
+		most =
+		    fmax(most, fmax(fabs(at->best), fmax(-at->p10, at->p90)));
+	}
+	while (i + 1 < ARRAY_LEN(MOST) && units_pct(most) > MOST[i])
+		i++;
+	return axis_symlog(
+	    tr("candidate minus measured, points"), straight, MOST[i]);
+}
+
 struct chart *
 plots_search(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const double straight = 0.1, most = 100;
 	struct plots_past past = plots_past(s, q->entry);
 	size_t at = plots_past_at(q->entry, &past, q->generation, error),
 	       runs = 0;
 	if (at == past.n)
 		return NULL;
 	struct candidates c = candidates_at(s, &past, q->generation);
-	struct chart *chart = site_chart(past.site, sieves_of(&c),
-	    axis_symlog(tr("candidate minus measured, points"), straight, most),
-	    q->generation == 0 && past.polished
-		? N_("generation %zu of %zu, polished")
-		: N_("generation %zu of %zu"),
-	    at + 1, past.n);
+	struct chart *chart =
+	    site_chart(past.site, sieves_of(&c), differences_of(&c),
+		q->generation == 0 && past.polished
+		    ? N_("generation %zu of %zu, polished")
+		    : N_("generation %zu of %zu"),
+		at + 1, past.n);
 	add_noise(chart, s);
 	for (size_t k = 0; k < c.n; k += cells_of_run(&c, k))
 		runs++;

@@ -251,25 +251,21 @@ first_of(size_t first, size_t at, size_t n, size_t room)
 	return n <= room ? 0 : first > n - room ? n - room : first;
 }
 
-static bool
+static void
 touch_cells(struct tui *t, const struct touched *touched)
 {
 	struct sheet *h = &t->view.sheet;
-	int by = touched->kind == HIT_UP ? -1 : 1;
-	if (touched->kind == HIT_DRAG)
-		return false;
 	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
 		t->ui.cell.row =
-		    (size_t)pane_moved((int)t->ui.cell.row, by, h->n);
-		return true;
+		    (size_t)pane_moved((int)t->ui.cell.row, touched->by, h->n);
+		return;
 	}
 	int column = touched->column < 0 ? 0 : touched->column / h->width;
 	t->ui.cell.at =
 	    (size_t)pane_moved((int)t->ui.cell.left, column, h->n_column);
 	t->ui.cell.row =
 	    (size_t)pane_moved((int)t->ui.cell.top, touched->row, h->n);
-	return true;
 }
 
 static void
@@ -366,7 +362,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 		from = draw_column(t, area, room.rows, from, c);
 	if (t->ui.cell.left + room.columns < h->n_column)
 		screen_text(area, 0, from - 1, LOOK_BOLD, ">");
-	hits_add(&t->hits,
+	hits_add(&t->hits, HIT_PRESS | HIT_WHEEL,
 	    (struct area){area->row + 1, area->column + SIEVES,
 		(int)(h->n < room.rows ? h->n : room.rows), from - SIEVES},
 	    touch_cells, 0);

@@ -15,18 +15,15 @@
 #include "tui/widgets/search_side.h"
 #include "tui/watch.h"
 
-static bool
+static void
 touch_scrubber(struct tui *t, const struct touched *touched)
 {
 	size_t n = tui_steps(t);
-	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
-		return false;
 	int last = touched->area.columns - 1, at = touched->column;
 	if (n == 0 || last < 1)
-		return true;
+		return;
 	at = at < 0 ? 0 : at > last ? last : at;
 	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)last);
-	return true;
 }
 
 /* The slider of the generations, instead of the usual caption. */
@@ -43,7 +40,7 @@ caption(struct tui *t, const struct area *area)
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
 		return false;
-	hits_add(&t->hits, (struct area){area->row, from, 1, room},
+	hits_add(&t->hits, HIT_SLIDE, area_cells(area, 0, from, room),
 	    touch_scrubber, 0);
 	for (int c = 0; c < room; c++)
 		screen_text(area, 0, from + c, LOOK_DIM, "-");

@@ -52,7 +52,7 @@ static void
 choose_points(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
-	const struct validation *v = &y->point[t->ui.point_at].v;
+	const struct validation *v = &y->point[t->ui.list[PAGE_PARITY].at].v;
 	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
 	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
 		of[i]->x[0] = 1000 * v->measured[i];
@@ -86,7 +86,8 @@ parity_finish(struct tui *t)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			y->score[way][i] = validate_score(v, y->n, way, i);
 	free(v);
-	t->ui.point_at = t->ui.point_at < y->n ? t->ui.point_at : 0;
+	t->ui.list[PAGE_PARITY].at =
+	    t->ui.list[PAGE_PARITY].at < y->n ? t->ui.list[PAGE_PARITY].at : 0;
 	y->chart = plots_chart(t->session, &request, &y->error);
 	if (y->chart == NULL || y->n == 0)
 		return;
@@ -213,39 +214,39 @@ figures_of(const struct tui *t, const struct area *area)
 }
 
 static void
-draw_point(const struct tui *t, const struct area *area, int row, size_t k,
-    int figures)
+draw_point(struct tui *t, const struct area *line, size_t k, unsigned look,
+    const void *of)
 {
+	const int figures = *(const int *)of;
 	const struct parity_point *p = &t->view.parity.point[k];
 	const struct entry *e = &t->session->entry[p->entry];
 	const struct run *run = &e->site->run[p->v.run];
-	unsigned look = k == t->ui.point_at ? LOOK_REVERSE : LOOK_PLAIN;
-	int from = area->columns - figures;
-	struct area name = *area;
-	name.columns = figures > 0 ? from - 1 : area->columns;
-	screen_text(area, row, 0, look, "%*s", area->columns, "");
-	screen_text(&name, row, 0, look, "%s", e->key);
+	int from = line->columns - figures;
+	struct area name = *line;
+	name.columns = figures > 0 ? from - 1 : line->columns;
+	screen_text(&name, 0, 0, look, "%s", e->key);
 	if (figures == 0)
 		return;
-	from = screen_text(area, row, from, look, "%*g%s",
+	from = screen_text(line, 0, from, look, "%*g%s",
 	    8 - (int)strlen(run->repeat), run->speed, run->repeat);
 	if (figures >= FIGURES)
-		from = screen_text(area, row, from, look, "%8.2f%8.2f",
+		from = screen_text(line, 0, from, look, "%8.2f%8.2f",
 		    1000 * p->v.measured[1],
 		    1000 * p->v.size[VALIDATE_MODEL][1]);
-	from = screen_text(area, row, from, look, "%+7.1f%%", off_by(&p->v, 1));
+	from = screen_text(line, 0, from, look, "%+7.1f%%", off_by(&p->v, 1));
 	if (figures == ALL)
-		screen_text(area, row, from, look, "%+7.1f%%%+7.1f%%",
+		screen_text(line, 0, from, look, "%+7.1f%%%+7.1f%%",
 		    off_by(&p->v, 0), off_by(&p->v, 2));
 }
 
 static void
 draw_points(struct tui *t, const struct area *area, int row)
 {
-	struct parity *y = &t->view.parity;
-	size_t room = area->rows > row + 1 ? (size_t)(area->rows - row - 1) : 0;
 	int figures = figures_of(t, area), from = area->columns - figures;
-	if (room == 0)
+	struct area rows = *area;
+	rows.row += row + 1;
+	rows.rows -= row + 1;
+	if (rows.rows < 1)
 		return;
 	screen_text(area, row, 0, LOOK_BOLD, "site");
 	if (figures > 0)
@@ -253,15 +254,7 @@ draw_points(struct tui *t, const struct area *area, int row)
 		    figures == FEW ? tr(" P50 off")
 				   : tr("  P50 mm   model  off by"),
 		    figures == ALL ? "     P20     P80" : "");
-	size_t k = rows_first(t, room);
-	for (row++; k < y->n && row < area->rows; k = rows_next(t, k), row++) {
-		struct area line = {
-		    area->row + row, area->column, 1, area->columns};
-		draw_point(t, area, row, k, figures);
-		rows_touch(t, line, k);
-		if (k == t->ui.point_at)
-			t->cursor = (struct cursor){line.row, line.column};
-	}
+	rows_draw(t, &rows, draw_point, &figures);
 }
 
 /* Statistics and points beside the plot. */
@@ -359,21 +352,8 @@ parity_count(const struct tui *t)
 	return t->view.parity.chart != NULL ? t->view.parity.n : 0;
 }
 
-static size_t
-parity_chosen(const struct tui *t)
-{
-	return t->ui.point_at;
-}
-
-static void
-parity_choose(struct tui *t, size_t i)
-{
-	t->ui.point_at = i;
-	choose_points(t);
-}
-
 static const struct page_list POINTS = {
-    .n = parity_count, .at = parity_chosen, .go = parity_choose};
+    .n = parity_count, .chosen = choose_points, .update = parity_update};
 
 static char *
 parity_words(const struct tui *t)

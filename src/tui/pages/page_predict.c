@@ -71,10 +71,9 @@ void
 act_numbers(struct tui *t, const struct key *key)
 {
 	if (tui_entry(t) == NULL) {
-		start_open(t);
+		act_choose(t, key);
 		return;
 	}
-	(void)key;
 	char *line = tui_asks(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
@@ -95,8 +94,6 @@ predict_move(struct tui *t, const struct key *key)
 {
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->view.shown.product.n;
-	if (tui_entry(t) == NULL)
-		return start_move(t, key);
 	if (!t->ui.cross || key->act != act_list)
 		return false;
 	t->ui.cross_at =
@@ -204,6 +201,7 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .strip = true,
     .update = envelope_check_update,
     .draw = predict_draw,
+    .list = &START_LIST,
     .move = predict_move,
     .point = point,
     .words = predict_words};

@@ -22,7 +22,6 @@
 #include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
-#include "tui/widgets/track.h"
 #include "tui/watch.h"
 
 enum column {
@@ -216,7 +215,7 @@ number_text(const struct tui *t, const struct site_row *row, enum column column,
 		snprintf(text, n, "%.3g", x);
 	else
 		snprintf(text, n, "%.2f%s", x,
-		    column == P50 && row->beyond ? track_signs().beyond : "");
+		    column == P50 && row->beyond ? "?" : "");
 }
 
 static void
@@ -344,16 +343,6 @@ sites_update(struct tui *t)
 	t->view.rows_at = t->ui.tenths;
 }
 
-/* The place of the site under the cursor. */
-static size_t
-sites_place_of(const struct tui *t)
-{
-	size_t k = 0;
-	while (k + 1 < t->view.n_row && t->view.row[k].entry != t->ui.site_at)
-		k++;
-	return k;
-}
-
 /* ---- On the screen ---- */
 
 /* How wide each column is drawn, 0: not; the name gives way last. */
@@ -390,13 +379,10 @@ sort_by(struct tui *t, int by)
 }
 
 /* A click on a heading. */
-static bool
+static void
 touch_head(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
 	sort_by(t, (int)touched->item + 1);
-	return true;
 }
 
 static const enum series LIGHT_LOOK[] = {[LIGHT_GREEN] = SERIES_GREEN,
@@ -416,20 +402,19 @@ text_area(const struct area *area, int at, int column, int width)
 
 /* A cell is set by itself, as names may have wide letters. */
 static void
-sites_draw_cell(const struct tui *t, const struct area *cell, int row,
+sites_draw_cell(const struct tui *t, const struct area *cell, unsigned look,
     int column, const struct site_row *of)
 {
 	char text[128];
-	unsigned look = of->entry == t->ui.site_at ? LOOK_REVERSE : LOOK_PLAIN;
 	cell_text(t, of, (enum column)column, text, sizeof text);
 	if (TABLE[column].right)
-		screen_text(cell, row, 0, look, "%*s", cell->columns, text);
+		screen_text(cell, 0, 0, look, "%*s", cell->columns, text);
 	else if (column == LIGHT && of->lit &&
 		 strcmp(text, LIGHT_NAME[of->light]) == 0)
-		screen_series(cell, row, 0, LIGHT_LOOK[of->light],
-		    look | LOOK_BOLD, text);
+		screen_series(
+		    cell, 0, 0, LIGHT_LOOK[of->light], look | LOOK_BOLD, text);
 	else
-		screen_text(cell, row, 0, look, "%s", text);
+		screen_text(cell, 0, 0, look, "%s", text);
 }
 
 /* That of the column sorted by is marked, with its direction. */
@@ -447,27 +432,24 @@ draw_head(struct tui *t, const struct area *cell, int column)
 	if (sorted && (from > 0 || end < cell->columns))
 		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
 		    t->ui.sort_down ? "v" : "^");
-	hits_add(&t->hits,
-	    (struct area){cell->row, cell->column, 1, cell->columns},
-	    touch_head, (size_t)column);
+	hits_add(
+	    &t->hits, HIT_PRESS, area_row(cell, 0), touch_head, (size_t)column);
 }
 
-/* of: NULL of the heads. */
+/* i: SIZE_MAX of the heads. */
 static void
-draw_row(struct tui *t, const struct area *area, int row,
-    const int width[static COLUMNS], const struct site_row *of)
+draw_row(struct tui *t, const struct area *line, size_t i, unsigned look,
+    const void *of)
 {
+	const int *width = of;
 	int at = 0;
-	if (of != NULL && of->entry == t->ui.site_at)
-		screen_text(
-		    area, row, 0, LOOK_REVERSE, "%*s", area->columns, "");
 	for (int c = 0; c < COLUMNS; c++) {
-		struct area cell = text_area(area, at, c, width[c]);
+		struct area cell = text_area(line, at, c, width[c]);
 		at += width[c];
-		if (width[c] > 0 && of == NULL)
+		if (width[c] > 0 && i == SIZE_MAX)
 			draw_head(t, &cell, c);
 		else if (width[c] > 0)
-			sites_draw_cell(t, &cell, row, c, of);
+			sites_draw_cell(t, &cell, look, c, &t->view.row[i]);
 	}
 }
 
@@ -478,14 +460,14 @@ enum { ABOUT = 4 };
 static void
 tell_site(const struct tui *t, char *text[static ABOUT])
 {
-	const struct entry *e = &t->session->entry[t->ui.site_at];
+	const struct entry *e = &t->session->entry[t->ui.list[PAGE_SITES].at];
 	const struct breakage *of = breakage_of(&e->params);
 	bool beyond =
 	    e->has_params && answers_extrapolates(e, t->ui.tenths / 10.0);
 	text[0] = beyond
-		      ? xasprintf(tr("%s extrapolated: %.1f m/s is outside the "
+		      ? xasprintf(tr("? extrapolated: %.1f m/s is outside the "
 				     "speeds measured"),
-			    track_signs().beyond, t->ui.tenths / 10.0)
+			    t->ui.tenths / 10.0)
 		      : xstrdup("");
 	text[1] = xstrdup("");
 	for (size_t j = 0; e->has_params && j < of->n; j++)
@@ -535,21 +517,14 @@ sites_draw(struct tui *t)
 		screen_text(&area, 0, 2, 0, "none is loaded: o opens a sheet");
 		return;
 	}
-	size_t i = rows_first(t, area.rows > 2 ? (size_t)area.rows - 1 : 1);
-	int row = HEAD;
+	struct area rows = area;
+	rows.row += HEAD;
+	rows.rows -= HEAD;
 	share_out(t, area.columns, width);
-	draw_row(t, &area, 0, width, NULL);
-	for (; i < t->view.n_row && row < area.rows;
-	     i = rows_next(t, i), row++) {
-		struct area line = {
-		    area.row + row, area.column, 1, area.columns};
-		draw_row(t, &area, row, width, &t->view.row[i]);
-		rows_touch(t, line, i);
-		if (t->view.row[i].entry == t->ui.site_at)
-			t->cursor = (struct cursor){line.row, 0};
-	}
+	draw_row(t, &area, SIZE_MAX, LOOK_PLAIN, width);
+	rows_draw(t, &rows, draw_row, width);
 	if (rows_count(t) == 0)
-		screen_text(&area, row, 2, 0, "no site has this word: Esc");
+		screen_text(&rows, 0, 2, 0, "no site has this word: Esc");
 	else if ((int)rows_count(t) + HEAD + 1 < area.rows)
 		draw_site(t, &area, (int)rows_count(t) + HEAD);
 }
@@ -560,11 +535,10 @@ sites_count(const struct tui *t)
 	return t->view.n_row;
 }
 
-static void
-to_place(struct tui *t, size_t i)
+static size_t
+sites_id(const struct tui *t, size_t i)
 {
-	if (i < t->view.n_row)
-		t->ui.site_at = t->view.row[i].entry;
+	return t->view.row[i].entry;
 }
 
 /* All columns, whether there is room for them or not. */
@@ -592,12 +566,14 @@ sites_choose(struct tui *t)
 		return;
 	}
 	/* The site in use is only looked at, and what runs goes on. */
-	if (session_busy(s) && t->ui.site_at == s->current) {
+	if (session_busy(s) && t->ui.list[PAGE_SITES].at == s->current) {
 		pages_go(t, PAGE_PREDICT);
 		return;
 	}
-	char *line = xasprintf("use %s",
-	    t->ui.site_at < s->n_entry ? s->entry[t->ui.site_at].key : "");
+	char *line =
+	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
+				    ? s->entry[t->ui.list[PAGE_SITES].at].key
+				    : "");
 	watch_keep(t);
 	bool used = control_run(t, line);
 	free(line);
@@ -631,10 +607,10 @@ act_sort(struct tui *t, const struct key *key)
 }
 
 static const struct page_list LIST = {.n = sites_count,
-    .at = sites_place_of,
-    .go = to_place,
+    .id = sites_id,
     .text = text,
-    .open = sites_choose};
+    .open = sites_choose,
+    .update = sites_update};
 
 static const char *
 sites_hints(const struct tui *t)

@@ -8,6 +8,7 @@
 #include "tui/widgets/file_picker.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
+#include "tui/widgets/list.h"
 
 /* Each with the list that it opens. */
 static const struct {
@@ -34,30 +35,26 @@ static const struct {
 	   "complete the command."),
 	PICK_FEEDS}};
 
-static bool
-touch_way_of(struct tui *t, const struct touched *touched)
+static size_t
+ways_count(const struct tui *t)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
-	t->ui.start_at = (int)touched->item;
-	picker_open(t, WAYS[touched->item].list);
-	return true;
+	return tui_entry(t) == NULL ? ARRAY_LEN(WAYS) : 0;
 }
 
-bool
-start_move(struct tui *t, const struct key *key)
+static void
+ways_open(struct tui *t)
 {
-	if (key->act != act_list)
-		return false;
-	t->ui.start_at =
-	    pane_moved(t->ui.start_at, key->amount, ARRAY_LEN(WAYS));
-	return true;
+	picker_open(t, WAYS[t->ui.list[PAGE_PREDICT].at].list);
 }
 
-void
-start_open(struct tui *t)
+const struct page_list START_LIST = {.n = ways_count, .open = ways_open};
+
+static void
+draw_way(struct tui *t, const struct area *line, size_t i, unsigned look,
+    const void *of)
 {
-	picker_open(t, WAYS[t->ui.start_at].list);
+	(void)t, (void)of;
+	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
 }
 
 /* In the middle, with what the chosen one is for where there is room. */
@@ -77,19 +74,10 @@ start_draw(struct tui *t)
 	if (title)
 		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
 	row += title ? 2 : 0;
-	int top =
-	    t->ui.start_at >= area.rows ? t->ui.start_at - area.rows + 1 : 0;
-	for (int i = top; i < n; i++, row++) {
-		unsigned look = i == t->ui.start_at ? LOOK_REVERSE : LOOK_PLAIN;
-		screen_text(&area, row, 0, look, " %s%*s", tr(WAYS[i].name),
-		    area.columns, "");
-		hits_add(&t->hits,
-		    (struct area){area.row + row, area.column, 1, area.columns},
-		    touch_way_of, (size_t)i);
-		if (i == t->ui.start_at)
-			t->cursor =
-			    (struct cursor){area.row + row, area.column};
-	}
+	area.row += row;
+	area.rows -= row;
+	row = rows_draw(t, &area, draw_way, NULL);
 	if (what)
-		screen_words(&area, row + 1, 0, tr(WAYS[t->ui.start_at].what));
+		screen_words(&area, row + 1, 0,
+		    tr(WAYS[t->ui.list[PAGE_PREDICT].at].what));
 }

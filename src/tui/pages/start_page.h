@@ -9,9 +9,8 @@
 /* Draws it in the body. */
 void start_draw(struct tui *t);
 
-/* See move in page_ops; opens what is chosen. */
-bool start_move(struct tui *t, const struct key *key);
-void start_open(struct tui *t);
+/* Its list, which has no rows where there is a site. */
+extern const struct page_list START_LIST;
 
 #define START_HINTS \
 	N_("Up/Down, Enter choose  ? keys  q quit  o open  : command")

@@ -106,13 +106,10 @@ draw_frame(struct tui *t, const struct area *box, const char *keys)
 }
 
 /* The wheel goes through the table. */
-static bool
+static void
 touch_table(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_UP && touched->kind != HIT_DOWN)
-		return false;
-	t->inquiry_up += touched->kind == HIT_UP ? 1 : -1;
-	return true;
+	t->inquiry_up -= touched->by;
 }
 
 /* The heads, and as many rows as there is room for, with the one asked about
@@ -194,7 +191,7 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	    .columns = wide};
 	screen_clear(&box);
 	hits_clear(&t->hits);
-	hits_add(&t->hits, box, touch_table, 0);
+	hits_add(&t->hits, HIT_WHEEL, box, touch_table, 0);
 	if (frame)
 		draw_frame(t, &box,
 		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");

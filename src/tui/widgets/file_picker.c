@@ -27,31 +27,22 @@ forget_preview(struct picker *c)
 	c->previewed = SIZE_MAX;
 }
 
-/* The items of the folder that have the word. */
-static void
-relist(struct picker *c, const char *path)
-{
-	char *copy = xstrdup(path);
-	folder_free(&c->folder);
-	if (c->list == PICK_SHIPPED)
-		folder_shipped(&c->folder);
-	else
-		folder_list(&c->folder, copy);
-	if (c->list == PICK_FEEDS || c->list == PICK_SESSIONS)
-		folder_only(&c->folder,
-		    c->list == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
-	if (c->word.n > 0)
-		folder_narrow(&c->folder, c->word.text);
-	c->at = c->top = 0;
-	forget_preview(c);
-	free(copy);
-}
-
 static void
 list_all(struct picker *c, const char *path)
 {
+	char *copy = xstrdup(path);
 	edit_begin(&c->word, "");
-	relist(c, path);
+	folder_free(&c->folder);
+	if (c->what == PICK_SHIPPED)
+		folder_shipped(&c->folder);
+	else
+		folder_list(&c->folder, copy);
+	if (c->what == PICK_FEEDS || c->what == PICK_SESSIONS)
+		folder_only(&c->folder,
+		    c->what == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
+	c->list = (struct list){0};
+	forget_preview(c);
+	free(copy);
 }
 
 static void
@@ -107,15 +98,15 @@ file_picker_enter(struct tui *t)
 	struct picker *c = &t->picker;
 	if (c->folder.n == 0)
 		return;
-	const struct folder_item *item = &c->folder.item[c->at];
+	const struct folder_item *item = &c->folder.item[c->list.at];
 	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
-		char *into = folder_into(&c->folder, c->at);
+		char *into = folder_into(&c->folder, c->list.at);
 		list_all(c, into);
 		free(into);
 		return;
 	}
-	char *line = folder_command(item, c->list == PICK_SESSIONS);
-	if (file_picker_run(t, line, c->list == PICK_FEEDS))
+	char *line = folder_command(item, c->what == PICK_SESSIONS);
+	if (file_picker_run(t, line, c->what == PICK_FEEDS))
 		close_list(t);
 	free(line);
 }
@@ -126,17 +117,18 @@ file_picker_count(const struct tui *t)
 	return t->picker.folder.n;
 }
 
-static size_t
-file_picker_chosen(const struct tui *t)
-{
-	return t->picker.at;
-}
-
 static void
-file_picker_choose(struct tui *t, size_t i)
+file_picker_chosen(struct tui *t)
 {
 	t->message[0] = '\0';
-	t->picker.at = i;
+}
+
+static char *
+file_picker_text(const struct tui *t, size_t i)
+{
+	const struct folder_item *item = &t->picker.folder.item[i];
+	return xasprintf(
+	    "%s\n%s", item->name, item->about != NULL ? item->about : "");
 }
 
 /* Reads the file that is chosen, where it was not. */
@@ -144,16 +136,16 @@ static void
 file_picker_update(struct tui *t)
 {
 	struct picker *c = &t->picker;
-	if (c->folder.n == 0 || c->previewed == c->at)
+	if (c->folder.n == 0 || c->previewed == c->list.at)
 		return;
 	forget_preview(c);
-	c->preview = folder_preview(&c->folder.item[c->at]);
-	c->previewed = c->at;
+	c->preview = folder_preview(&c->folder.item[c->list.at]);
+	c->previewed = c->list.at;
 }
 
 static const struct page_list FILES = {.n = file_picker_count,
-    .at = file_picker_chosen,
-    .go = file_picker_choose,
+    .text = file_picker_text,
+    .chosen = file_picker_chosen,
     .open = file_picker_enter,
     .update = file_picker_update};
 
@@ -170,7 +162,7 @@ picker_open(struct tui *t, enum picker_list what)
 	t->message[0] = '\0';
 	t->picker.on = true;
 	t->picker.rows = &FILES;
-	t->picker.list = what;
+	t->picker.what = what;
 	list_all(&t->picker, "");
 }
 
@@ -183,7 +175,7 @@ go_up(struct tui *t)
 		list_all(c, c->folder.path);
 	for (size_t i = 0; i < c->folder.n; i++)
 		if (c->folder.item[i].kind == FOLDER_ABOVE) {
-			c->at = i;
+			c->list.at = i;
 			file_picker_enter(t);
 			return;
 		}
@@ -200,15 +192,16 @@ narrow(struct tui *t, int code, bool special)
 	if (special || code == '\0' || (back ? c->word.n == 0 : !letter))
 		return false;
 	t->message[0] = '\0';
+	c->list = (struct list){0};
 	if (code == ESCAPE)
-		edit_begin(&c->word, "");
+		rows_forget(t);
 	else
-		edit_letter(&c->word, code, false, VIEWER_WORD);
-	relist(c, c->folder.path);
-	if (c->folder.n == 0 && !back) {
-		tui_say(t, false, "nothing here has '%s'", c->word.text);
-		edit_letter(&c->word, DELETE, false, VIEWER_WORD);
-		relist(c, c->folder.path);
+		rows_letter(t, code, false);
+	if (rows_count(t) == 0) {
+		char *word = xstrdup(c->word.text);
+		rows_letter(t, DELETE, false);
+		tui_say(t, false, "nothing here has '%s'", word);
+		free(word);
 	}
 	return true;
 }
@@ -237,42 +230,25 @@ picker_key(struct tui *t, int code, bool special)
 }
 
 static void
-draw_item(struct tui *t, const struct area *list, int row, size_t i)
+draw_item(struct tui *t, const struct area *line, size_t i, unsigned look,
+    const void *of)
 {
+	(void)of;
 	enum { NAME = 16 };
-	const struct picker *c = &t->picker;
-	const struct folder_item *item = &c->folder.item[i];
+	const struct folder_item *item = &t->picker.folder.item[i];
 	bool folder = item->kind == FOLDER_BELOW || item->kind == FOLDER_ABOVE;
-	unsigned look = i == c->at                   ? LOOK_REVERSE
-			: item->kind >= FOLDER_OTHER ? LOOK_DIM
-						     : LOOK_PLAIN;
-	screen_text(list, row, 0, look, " %-*s", list->columns - 1, "");
+	if (look == LOOK_PLAIN && item->kind >= FOLDER_OTHER)
+		look = LOOK_DIM;
 	if (item->kind == FOLDER_RESULTS || item->kind == FOLDER_SESSION)
 		screen_text(
-		    list, row, 1, look, "%s  %s", item->name, item->about);
+		    line, 0, 1, look, "%s  %s", item->name, item->about);
 	else if (item->about == NULL)
 		screen_text(
-		    list, row, 1, look, "%s%s", item->name, folder ? "/" : "");
+		    line, 0, 1, look, "%s%s", item->name, folder ? "/" : "");
 	else
-		screen_text(list, row, 1, look, "%-*.*s%s", NAME,
+		screen_text(line, 0, 1, look, "%-*.*s%s", NAME,
 		    (int)(strrchr(item->name, '.') - item->name), item->name,
 		    item->about);
-	rows_touch(t,
-	    (struct area){list->row + row, list->column, 1, list->columns}, i);
-}
-
-static void
-draw_list(struct tui *t, const struct area *list)
-{
-	const struct picker *c = &t->picker;
-	size_t i = rows_first(t, (size_t)list->rows);
-	for (int row = 0; row < list->rows && i < c->folder.n;
-	     i = rows_next(t, i), row++) {
-		draw_item(t, list, row, i);
-		if (i == c->at)
-			t->cursor =
-			    (struct cursor){list->row + row, list->column};
-	}
 }
 
 static void
@@ -298,14 +274,14 @@ draw_title(const struct tui *t, const struct area *area)
 	const char *folder =
 	    c->folder.path[0] != '\0' ? c->folder.path : tr("this folder");
 	int column = screen_text(area, 0, 0, LOOK_BOLD,
-	    c->list == PICK_FEEDS      ? N_("sheet with a feed, in %s")
-	    : c->list == PICK_SESSIONS ? N_("saved sessions, in %s")
-	    : c->list == PICK_SHIPPED  ? N_("sites that come with tipspeed, %s")
+	    c->what == PICK_FEEDS      ? N_("sheet with a feed, in %s")
+	    : c->what == PICK_SESSIONS ? N_("saved sessions, in %s")
+	    : c->what == PICK_SHIPPED  ? N_("sites that come with tipspeed, %s")
 				       : N_("open a sheet, in %s"),
 	    folder);
 	if (c->word.n > 0)
 		screen_text(area, 0, column, 0, ": what has '%s', %zu",
-		    c->word.text, c->folder.n);
+		    c->word.text, rows_count(t));
 	else if (c->folder.why != NULL)
 		screen_text(area, 0, column, 0, ": %s", c->folder.why);
 	else if (c->folder.more)
@@ -334,7 +310,7 @@ picker_draw(struct tui *t)
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
 	const struct area body = t->layout.body;
 	struct area list = body, preview = body;
-	bool shipped = t->picker.list == PICK_SHIPPED;
+	bool shipped = t->picker.what == PICK_SHIPPED;
 	bool title = body.rows > 2;
 	if (title)
 		draw_title(t, &body);
@@ -356,7 +332,7 @@ picker_draw(struct tui *t)
 		preview.row = list.row + list.rows;
 		preview.rows = body.row + body.rows - preview.row;
 	}
-	draw_list(t, &list);
+	rows_draw(t, &list, draw_item, NULL);
 	draw_preview(t, &preview);
 	if (t->message[0] != '\0') {
 		file_picker_draw_message(t);

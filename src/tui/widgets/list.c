@@ -1,4 +1,4 @@
-/* Choosing, opening and filtering rows, whatever they show.
+/* Choosing, opening, filtering and drawing rows, whatever they show.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/list.h"
 
@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "tui/acts.h"
 #include "tui/pages.h"
+#include "tui/screen.h"
 
 static const struct page_list *
 list_of(const struct tui *t)
@@ -16,11 +17,16 @@ list_of(const struct tui *t)
 	return t->picker.on ? t->picker.rows : pages_open(t)->list;
 }
 
-static void
-list_go(struct tui *t, size_t i)
+static struct list *
+list_state(struct tui *t)
 {
-	if (list_of(t)->at(t) != i)
-		list_of(t)->go(t, i);
+	return t->picker.on ? &t->picker.list : &t->ui.list[t->ui.page];
+}
+
+static struct edit *
+list_word(struct tui *t)
+{
+	return t->picker.on ? &t->picker.word : &t->filter;
 }
 
 static size_t
@@ -29,39 +35,52 @@ list_total(const struct tui *t)
 	return list_of(t) != NULL ? list_of(t)->n(t) : 0;
 }
 
-static bool
-has_rows(const struct tui *t)
+static size_t
+list_id(const struct tui *t, size_t i)
 {
-	return list_total(t) > 0;
+	return list_of(t)->id != NULL ? list_of(t)->id(t, i) : i;
+}
+
+/* The row under the cursor, in a list that has rows. */
+static size_t
+list_at(const struct tui *t)
+{
+	size_t at =
+	    t->picker.on ? t->picker.list.at : t->ui.list[t->ui.page].at;
+	size_t i = 0, n = list_total(t);
+	while (i + 1 < n && list_id(t, i) != at)
+		i++;
+	return i;
+}
+
+static void
+list_go(struct tui *t, size_t i)
+{
+	if (list_state(t)->at == list_id(t, i))
+		return;
+	list_state(t)->at = list_id(t, i);
+	if (list_of(t)->chosen != NULL)
+		list_of(t)->chosen(t);
 }
 
 static bool
 list_has_word(const struct tui *t, size_t i)
 {
-	if (t->filter.n == 0 || list_of(t)->text == NULL)
+	const struct edit *word = t->picker.on ? &t->picker.word : &t->filter;
+	if (word->n == 0 || list_of(t)->text == NULL)
 		return true;
 	char *text = list_of(t)->text(t, i);
-	bool has = text_has(text, t->filter.text);
+	bool has = text_has(text, word->text);
 	free(text);
 	return has;
 }
 
-size_t
-rows_next(const struct tui *t, size_t i)
+/* The nearest row before or after i that has the word, else i. */
+static size_t
+list_next(const struct tui *t, size_t i, int by)
 {
 	size_t n = list_total(t);
-	do
-		i++;
-	while (i < n && !list_has_word(t, i));
-	return i;
-}
-
-/* The one before i, or i itself. */
-static size_t
-list_before(const struct tui *t, size_t i)
-{
-	size_t to = i;
-	while (to-- > 0)
+	for (size_t to = i + (size_t)by; to < n; to += (size_t)by)
 		if (list_has_word(t, to))
 			return to;
 	return i;
@@ -76,47 +95,51 @@ rows_count(const struct tui *t)
 	return n;
 }
 
-/* The cursor onto a row that is shown: there, after it, or before it. */
-static void
+/* The cursor onto a row that has the word: there, after it, or before it;
+ * false: there is none. */
+static bool
 list_settle(struct tui *t)
 {
-	size_t n = list_total(t), at = list_of(t)->at(t);
-	at = n == 0 ? 0 : at < n ? at : n - 1;
-	if (n > 0 && !list_has_word(t, at)) {
-		size_t next = rows_next(t, at);
-		at = next < n ? next : list_before(t, at);
-	}
+	if (list_total(t) == 0)
+		return false;
+	size_t at = list_at(t);
+	if (!list_has_word(t, at))
+		at = list_next(t, at, 1);
+	if (!list_has_word(t, at))
+		at = list_next(t, at, -1);
 	list_go(t, at);
+	return list_has_word(t, at);
 }
 
 static void
 list_move(struct tui *t, int by)
 {
-	list_settle(t);
-	size_t at = list_of(t)->at(t), n = list_total(t);
-	for (; by > 0 && rows_next(t, at) < n; by--)
-		at = rows_next(t, at);
-	for (; by < 0 && list_before(t, at) != at; by++)
-		at = list_before(t, at);
+	if (!list_settle(t))
+		return;
+	size_t at = list_at(t);
+	for (int left = abs(by); left > 0; left--) {
+		size_t next = list_next(t, at, by > 0 ? 1 : -1);
+		if (next == at)
+			break;
+		at = next;
+	}
 	list_go(t, at);
 }
 
-size_t
-rows_first(struct tui *t, size_t room)
+/* The first row to draw, so that the one under the cursor is among `room` of
+ * them, and at the end of the list none is left blank. */
+static size_t
+list_first(struct tui *t, int room)
 {
-	size_t *top = t->picker.on ? &t->picker.top : &t->ui.top[t->ui.page];
-	list_settle(t);
-	size_t first = list_of(t)->at(t), shown = 1, n = list_total(t);
-	if (n == 0 || !list_has_word(t, first))
-		return n;
-	for (; first > *top && shown < room && list_before(t, first) != first;
+	size_t *top = &list_state(t)->top, first = list_at(t), i = first;
+	int shown = 1;
+	for (; first > *top && shown < room && list_next(t, first, -1) != first;
 	     shown++)
-		first = list_before(t, first);
-	/* At the end of the list no row is left blank. */
-	for (size_t i = list_of(t)->at(t); rows_next(t, i) < n; shown++)
-		i = rows_next(t, i);
-	for (; shown < room && list_before(t, first) != first; shown++)
-		first = list_before(t, first);
+		first = list_next(t, first, -1);
+	for (; list_next(t, i, 1) != i; shown++)
+		i = list_next(t, i, 1);
+	for (; shown < room && list_next(t, first, -1) != first; shown++)
+		first = list_next(t, first, -1);
 	*top = first;
 	return first;
 }
@@ -124,82 +147,86 @@ rows_first(struct tui *t, size_t room)
 bool
 rows_here(const struct tui *t)
 {
-	return list_of(t) != NULL;
+	return list_total(t) > 0;
 }
 
 static void
 open_row(struct tui *t)
 {
-	if (list_of(t)->open != NULL && list_has_word(t, list_of(t)->at(t)))
+	if (list_of(t)->open != NULL && list_has_word(t, list_at(t)))
 		list_of(t)->open(t);
 }
 
-static bool
+static void
 touch_row(struct tui *t, const struct touched *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
-	if (touched->kind != HIT_PRESS || list_of(t) == NULL)
-		return false;
-	size_t at = list_of(t)->at(t);
-	bool again = at == touched->item;
+	if (list_total(t) <= touched->item)
+		return;
+	bool again = list_at(t) == touched->item;
 	list_go(t, touched->item);
 	if (again)
 		open_row(t);
-	return true;
 }
 
-static bool
+static void
 list_touch_wheel(struct tui *t, const struct touched *touched)
 {
-	if ((touched->kind != HIT_UP && touched->kind != HIT_DOWN) ||
-	    list_of(t) == NULL)
-		return false;
-	list_move(t, touched->kind == HIT_UP ? -1 : 1);
-	return true;
+	list_move(t, touched->by);
 }
 
-void
-rows_touch(struct tui *t, struct area area, size_t i)
+int
+rows_draw(struct tui *t, const struct area *area, row_way *draw, const void *of)
 {
-	hits_add(&t->hits, area, touch_row, i);
+	int row = 0;
+	bool any = list_settle(t);
+	size_t i = any ? list_first(t, area->rows) : 0, next = i;
+	for (; any && row < area->rows; row++) {
+		const struct area line = area_row(area, row);
+		bool here = i == list_at(t);
+		if (here) {
+			screen_text(
+			    &line, 0, 0, LOOK_REVERSE, "%*s", line.columns, "");
+			t->cursor = (struct cursor){line.row, line.column};
+		}
+		hits_add(&t->hits, HIT_PRESS, line, touch_row, i);
+		draw(t, &line, i, here ? LOOK_REVERSE : LOOK_PLAIN, of);
+		next = list_next(t, i, 1);
+		any = next != i;
+		i = next;
+	}
+	return row;
 }
 
 void
 rows_wheel(struct tui *t, struct area area)
 {
-	hits_add(&t->hits, area, list_touch_wheel, 0);
+	hits_add(&t->hits, HIT_WHEEL, area, list_touch_wheel, 0);
 }
 
-/* Keys that move the slider where there is no list. */
-static bool
-list_moves(struct tui *t, const struct key *key)
+/* Several keys may come before the next frame. */
+static void
+list_update(struct tui *t)
 {
-	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
-	int steps = abs(key->amount);
-	if (key->act == act_ends)
-		list_move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
-	else if (steps == FAR)
-		list_move(t, key->amount > 0 ? -page : page);
-	else if (steps == STEP)
-		list_move(t, key->amount);
-	else
-		return false;
-	return true;
+	const struct page_list *of = list_of(t);
+	if (of != NULL && of->update != NULL && !t->picker.on)
+		of->update(t);
 }
 
 bool
 rows_move(struct tui *t, const struct key *key)
 {
-	if (list_of(t) == NULL)
+	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
+	int steps = abs(key->amount);
+	list_update(t);
+	if (!rows_here(t) || (key->act == act_move && steps == FAST))
 		return false;
-	/* Several keys may come before the next frame. */
-	if (!t->picker.on)
-		pages_update(t);
-	if (!has_rows(t))
-		return false;
-	if (key->act != act_list)
-		return list_moves(t, key);
-	list_move(t, key->amount);
+	if (key->act == act_ends)
+		list_move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
+	else if (key->act == act_move && steps == FAR)
+		list_move(t, key->amount > 0 ? -page : page);
+	else
+		list_move(t, key->amount);
 	return true;
 }
 
@@ -207,9 +234,8 @@ void
 act_choose(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (list_of(t) != NULL)
-		pages_update(t);
-	if (has_rows(t) && list_of(t)->open != NULL)
+	list_update(t);
+	if (rows_here(t) && list_of(t)->open != NULL)
 		open_row(t);
 	else
 		tui_say(t, false, "there is nothing to open on this page");
@@ -232,13 +258,13 @@ act_filter(struct tui *t, const struct key *key)
 bool
 rows_letter(struct tui *t, int code, bool special)
 {
-	if (!t->filter.active || list_of(t) == NULL)
+	if (list_of(t) == NULL)
 		return false;
-	if (code == '\n' || code == '\r') {
+	if (t->filter.active && (code == '\n' || code == '\r')) {
 		t->filter.active = false;
 		return true;
 	}
-	if (!edit_letter(&t->filter, code, special, VIEWER_WORD))
+	if (!edit_letter(list_word(t), code, special, VIEWER_WORD))
 		return false;
 	list_settle(t);
 	return true;
@@ -247,9 +273,10 @@ rows_letter(struct tui *t, int code, bool special)
 bool
 rows_forget(struct tui *t)
 {
-	if (!t->filter.active && t->filter.n == 0)
+	struct edit *word = list_word(t);
+	if (!word->active && word->n == 0)
 		return false;
-	edit_begin(&t->filter, "");
-	t->filter.active = false;
+	edit_begin(word, "");
+	word->active = false;
 	return true;
 }

@@ -1,25 +1,27 @@
-/* The list of a page, or the list over it: keys, mouse and a word after / move
- * through its rows.
+/* The list of a page, or the list over it: keys, mouse and a word move through
+ * its rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_LIST_H
 #define TIPSPEED_TUI_WIDGETS_LIST_H
 
 #include "tui/pane.h"
 
-/* rows_here: true if the page has a list; rows_count: how many of its rows have
- * the word searched for; without a word all. */
+/* rows_here: true if there is a list with rows; rows_count: how many of its
+ * rows have the word searched for; without a word all. */
 bool rows_here(const struct tui *t);
 size_t rows_count(const struct tui *t);
 
-/* rows_first returns the first row to draw, so that the row under the cursor is
- * among `room` of them; rows_next the next row after i to draw, at the end at
- * least the number of rows. */
-size_t rows_first(struct tui *t, size_t room);
-size_t rows_next(const struct tui *t, size_t i);
+/* Draws row i of a list; look: of its text; of: as given to rows_draw. */
+typedef void row_way(struct tui *t, const struct area *line, size_t i,
+    unsigned look, const void *of);
 
-/* rows_touch: row i is drawn in the area: a click chooses it, a click on the
- * chosen row opens it.  rows_wheel: the wheel scrolls the list in the area. */
-void rows_touch(struct tui *t, struct area area, size_t i);
+/* Draws the rows that there is room for, with the one under the cursor.  A
+ * click chooses a row, a click on the chosen row opens it.  Returns how many
+ * were drawn. */
+int rows_draw(
+    struct tui *t, const struct area *area, row_way *draw, const void *of);
+
+/* The wheel scrolls the list in the area. */
 void rows_wheel(struct tui *t, struct area area);
 
 /* See move in page_ops. */

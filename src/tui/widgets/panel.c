@@ -27,14 +27,13 @@
 enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
 
 /* What blocks are drawn from.  was: what changes are counted from, or NULL;
- * reason: the one that is shown, in rows of the panel, or NULL; tph: what is
- * fed, t/h, NAN where that is not known; back: what of it goes round, t/h. */
+ * reason: the one that is shown, or NULL; tph: what is fed, t/h, NAN where that
+ * is not known; back: what of it goes round, t/h. */
 struct panel {
 	struct tui *t;
 	const struct numbers *was;
 	struct trust light;
 	const char *reason;
-	int reason_rows;
 	double tph, back;
 };
 
@@ -157,12 +156,10 @@ three(const struct panel *p)
 }
 
 /* The crosshair where the curve passes so much. */
-static bool
+static void
 touch_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
-	if (touched->kind != HIT_PRESS || product->n == 0)
-		return false;
 	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->view.shown.size[touched->item];
 	t->ui.cross = true;
@@ -170,7 +167,6 @@ touch_size(struct tui *t, const struct touched *touched)
 	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
 	       product->size[t->ui.cross_at + 1] >= mm)
 		t->ui.cross_at++;
-	return true;
 }
 
 static void
@@ -186,10 +182,8 @@ draw_sizes(struct panel *p, const struct area *area)
 		if (p->was != NULL)
 			draw_change(area, i, t->view.current.size[i],
 			    p->was->size[i], 2);
-		hits_add(&t->hits,
-		    (struct area){
-			area->row + i, area->column, 1, area->columns},
-		    touch_size, (size_t)i);
+		hits_add(&t->hits, HIT_PRESS, area_row(area, i), touch_size,
+		    (size_t)i);
 	}
 }
 
@@ -241,20 +235,17 @@ fractions_wish(const struct panel *p)
 }
 
 /* The crosshair on the sieve, or the coarsest that is finer. */
-static bool
+static void
 touch_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
-	if (touched->kind != HIT_PRESS || product->n == 0)
-		return false;
 	t->ui.cross = true;
 	t->ui.cross_at = 0;
 	while (t->ui.cross_at + 1 < product->n &&
 	       1000 * product->size[t->ui.cross_at] >
 		   near * FRACTION_MM[touched->item])
 		t->ui.cross_at++;
-	return true;
 }
 
 /* A row for each of them in a unit that 100 % is `all` of. */
@@ -282,9 +273,7 @@ draw_passings(struct panel *p, const struct area *area, int row,
 		if (p->was != NULL)
 			draw_change(area, row, now * part,
 			    p->was->passing[i] * part, 1);
-		hits_add(&t->hits,
-		    (struct area){
-			area->row + row, area->column, 1, area->columns},
+		hits_add(&t->hits, HIT_PRESS, area_row(area, row),
 		    touch_fraction, i);
 		row++;
 	}
@@ -377,13 +366,11 @@ place_of_limit(const double *margin, size_t n, size_t i)
 	return place;
 }
 
-static bool
+static void
 touch_limits(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
+	(void)touched;
 	cmdline_run(t, "spec");
-	return true;
 }
 
 static void
@@ -393,7 +380,7 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
-	hits_add(&t->hits, *area, touch_limits, 0);
+	hits_add(&t->hits, HIT_PRESS, *area, touch_limits, 0);
 	/* The fraction, where the name has room behind it. */
 	char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
@@ -450,86 +437,88 @@ draw_sieves(struct panel *p, const struct area *area)
 	sieve_table_draw(p->t, area);
 }
 
-/* Where there are few rows a doubt leaves them to the numbers: `why` has its
- * reasons. */
+/* As many rows whether there is a doubt or not, or the numbers below would move
+ * with the speed; `why` has all reasons. */
 static struct wish
 light_wish(const struct panel *p)
 {
-	enum { LOW = 16, FEW = 3, MANY = 6 };
-	int n = p->reason_rows;
-	bool low = p->t->layout.side.rows <= LOW;
-	int least = !low ? MANY : p->light.light == LIGHT_RED ? FEW : 0;
-	return (struct wish){1 + (n < least ? n : least), 1 + n};
+	enum { TALL = 30, MANY = 4, FEW = 2 };
+	bool red = p->light.light == LIGHT_RED,
+	     many = red || p->t->layout.side.rows > TALL;
+	return (struct wish){red ? MANY : 1, many ? MANY : FEW};
 }
 
-static bool
+static void
 touch_light(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS)
-		return false;
+	(void)touched;
 	cmdline_run(t, "why");
-	return true;
 }
 
-/* The first reason below it, as much of it as there is room for. */
+/* What stands before its colon, where there is no room for all of it. */
+static void
+draw_reason(const struct area *area, const char *reason)
+{
+	char *text = xstrdup(reason), *colon = strchr(text, ':');
+	bool fits = text_rows(text, area->columns) < area->rows;
+	if (!fits && colon != NULL)
+		*colon = '\0';
+	screen_words_within(area, 1, area->rows - 1, 0, text, " ..");
+	free(text);
+}
+
+static void
+draw_worth(const struct tui *t, const struct area *area)
+{
+	double fit = 100 * tui_entry(t)->fit.rmse, held = t->view.holdout;
+	screen_text(area, 1, 0, 0,
+	    !isfinite(held)        ? N_("fit %.2f points")
+	    : area->columns < WIDE ? N_("fit %.2f, held out %.1f")
+				   : N_("fit %.2f, held out %.1f points"),
+	    fit, held);
+}
+
+/* In reverse, as what comes out is read by it; below it the first reason, or
+ * how well the fit holds. */
 static void
 draw_light(struct panel *p, const struct area *area)
 {
-	static const unsigned LOOKS[] = {LOOK_PLAIN, LOOK_BOLD, LOOK_REVERSE};
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
 	const struct trust *light = &p->light;
-	const char *name = tr(LIGHT_NAME[light->light]);
-	int at = screen_text(area, 0, 0, LOOKS[light->light], "trust ");
-	at = screen_series(area, 0, at, SERIES[light->light],
-	    LOOKS[light->light] | LOOK_BOLD, name);
+	char *words = xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
-		screen_text(area, 0, at, LOOKS[light->light],
+		xappend(&words,
 		    tr_n(", %zu reason, see :why", ", %zu reasons, see :why",
 			light->n),
 		    light->n);
 	else if (light->n > 0)
-		screen_text(area, 0, at, LOOKS[light->light], ", %zu, see :why",
-		    light->n);
+		xappend(&words, tr(", %zu, see :why"), light->n);
+	char *row =
+	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
+	screen_series(
+	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
+	free(row);
+	free(words);
+	hits_add(&p->t->hits, HIT_PRESS, *area, touch_light, 0);
 	if (p->reason != NULL)
-		screen_words_within(
-		    area, 1, area->rows - 1, 0, p->reason, " ..");
-	hits_add(&p->t->hits, *area, touch_light, 0);
-}
-
-static struct wish
-worth_wish(const struct panel *p)
-{
-	const struct entry *entry = tui_entry(p->t);
-	int n = entry->has_fit + isfinite(p->t->view.holdout);
-	return (struct wish){n > 0, n};
-}
-
-static void
-draw_worth(struct panel *p, const struct area *area)
-{
-	const struct tui *t = p->t;
-	bool held = isfinite(t->view.holdout);
-	int row = 0;
-	if (held)
-		screen_text(area, row++, 0, 0, "hold-out RMSE %.1f points",
-		    t->view.holdout);
-	if (tui_entry(t)->has_fit && row < area->rows)
-		screen_text(area, row, 0, 0, "fit RMSE %.2f points",
-		    100 * tui_entry(t)->fit.rmse);
+		draw_reason(area, p->reason);
+	else if (tui_entry(p->t)->has_fit)
+		draw_worth(p->t, area);
 }
 
 /* From the top down.  rank: in this order they get the least rows they need,
  * and then what they may have more; apart: a blank row above it where there is
  * one left. */
-enum { BLOCKS = 10 };
+enum { BLOCKS = 9 };
 static const struct block {
 	int rank;
 	bool apart;
 	struct wish (*wish)(const struct panel *p);
 	void (*draw)(struct panel *p, const struct area *area);
 } BLOCK[BLOCKS] = {
-    {2, false, speed_wish, panel_draw_speed},
+    {1, false, light_wish, draw_light},
+    {2, true, speed_wish, panel_draw_speed},
     {0, false, three, draw_sizes},
     {5, false, one_or_two, draw_break},
     {6, false, fractions_wish, draw_fractions},
@@ -537,8 +526,6 @@ static const struct block {
     {8, true, tonnes_wish, draw_tonnes},
     {3, true, readings_wish, draw_readings},
     {7, true, sieves_wish, draw_sieves},
-    {1, true, light_wish, draw_light},
-    {9, false, worth_wish, draw_worth},
 };
 
 /* Rows [BLOCKS] out for a panel of so many. */
@@ -626,7 +613,6 @@ take_light(struct panel *p)
 		if (p->light.reason[i].cause == TRUST_BEYOND)
 			first = i;
 	p->reason = p->light.reason[first].text;
-	p->reason_rows = text_rows(p->reason, t->layout.side.columns);
 }
 
 /* Without a prediction there is what is pinned, and what to do. */
@@ -721,7 +707,8 @@ panel_row(struct tui *t)
 	char a[24], b[24], c[24], d[24];
 	/* The list of sites tells of the marked one, which may be another. */
 	if (area->rows == 0 ||
-	    (t->ui.page == PAGE_SITES && t->ui.site_at != t->session->current))
+	    (t->ui.page == PAGE_SITES &&
+		t->ui.list[PAGE_SITES].at != t->session->current))
 		return;
 	if (t->view.current.site[0] == '\0')
 		screen_text(area, 0, 0, 0,

@@ -416,9 +416,8 @@ response_strip_draw_limit(
 		draw_label(t, row, LOOK_BOLD, limit->value);
 	screen_series(
 	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
-	hits_add_key(&t->hits,
-	    (struct area){area->row + row, area->columns - wide, 1, wide}, 't',
-	    false);
+	hits_add_key(
+	    &t->hits, area_cells(area, row, area->columns - wide, wide), 't');
 	free(name);
 }
 
@@ -507,7 +506,7 @@ strip_draw(struct tui *t)
 		return;
 	area.column = track.column;
 	area.columns = track.columns;
-	hits_add(&t->hits, t->layout.strip, track_touch, 0);
+	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_touch, 0);
 	if (!has_curve(t) || !is_fresh(t) || !response_strip_scale(t, &y)) {
 		response_strip_draw_none(t);
 		return;

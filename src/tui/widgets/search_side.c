@@ -73,14 +73,11 @@ act_bounds(struct tui *t, const struct key *key)
 	    of->parameter[j].name, now->lower[j], now->upper[j]);
 }
 
-static bool
+static void
 touch_parameter(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == HIT_PRESS) {
-		t->ui.param_at = touched->item;
-		act_bounds(t, NULL);
-	}
-	return touched->kind == HIT_PRESS;
+	t->ui.param_at = touched->item;
+	act_bounds(t, NULL);
 }
 
 /* Where a value stands within its bounds, as a cell of a bar. */
@@ -191,9 +188,7 @@ draw_parameters(struct tui *t, const struct plots_past *past, int row)
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
 		    t->ui.param_at == j + 1, &strip);
-		hits_add(&t->hits,
-		    (struct area){
-			side->row + r.row, side->column, 1, side->columns},
+		hits_add(&t->hits, HIT_PRESS, area_row(side, r.row),
 		    touch_parameter, j + 1);
 	}
 	return r.row + 1;

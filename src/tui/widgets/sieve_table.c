@@ -98,15 +98,11 @@ sieve_table_draw_bar(const struct area *area, int row, double share)
 }
 
 /* The crosshair on that sieve. */
-static bool
+static void
 touch_sieve(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS ||
-	    touched->item >= t->view.shown.product.n)
-		return false;
-	t->ui.cross = true;
+	t->ui.cross = touched->item < t->view.shown.product.n;
 	t->ui.cross_at = touched->item;
-	return true;
 }
 
 static void
@@ -125,9 +121,7 @@ draw_sieve(
 	if (!isnan(off))
 		screen_text(area, row, COMPARED, look,
 		    off != 0 ? "%+5.1f" : "%5.1f", off);
-	hits_add(&t->hits,
-	    (struct area){area->row + row, area->column, 1, area->columns},
-	    touch_sieve, i);
+	hits_add(&t->hits, HIT_PRESS, area_row(area, row), touch_sieve, i);
 }
 
 /* Of row r of so many.  Where there are fewer rows than sieves these are from

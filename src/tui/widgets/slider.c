@@ -75,17 +75,20 @@ is_outside(int tenths, const struct slider_mark *mark, size_t n)
 	return !below || !above;
 }
 
-/* Cells of the track from column `from` on that nothing stands in, `wanted` of
- * them; the handle has cells [at, at + length). */
 static bool
-slider_is_free(
-    const char *text, int width, int from, int wanted, int at, int length)
+is_free(const struct slider_cell *cell, int width, int from, int wanted)
 {
 	for (int c = from; c < from + wanted; c++)
-		if (c >= width || (c >= at && c < at + length) ||
-		    (text[c] != 'x' && text[c] != '-'))
+		if (c < 0 || c >= width || cell[c].taken)
 			return false;
 	return true;
+}
+
+static void
+slider_write(struct slider_cell *cell, const char *text)
+{
+	for (; *text != '\0'; text++)
+		*cell++ = (struct slider_cell){*text, true, true};
 }
 
 /* "69", or where words is set "69 m/s 2381 J/kg". */
@@ -101,96 +104,88 @@ mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 /* Whether the track is long enough for labels with units, and to be seen
  * between them. */
 static bool
-slider_has_room(const char *text, int width, struct slider_range range,
-    const struct slider_mark *mark, size_t n)
+slider_has_room(const struct slider_cell *cell, int width,
+    struct slider_range range, const struct slider_mark *mark, size_t n)
 {
 	enum { BETWEEN = 5 };
 	char label[32];
 	for (size_t i = 0; i < n; i++) {
 		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int length = mark_label(&mark[i], true, label);
-		if (!slider_is_free(text, width, from, length + BETWEEN, 0, 0))
+		if (!is_free(cell, width, from, length + BETWEEN))
 			return false;
 	}
 	return true;
 }
 
-/* Signs where there were runs, with the speed behind them where neither another
- * one nor the handle stands there. */
+/* The speed behind a mark, where nothing else stands there; handle: the cell
+ * behind the slider's handle. */
 static void
-slider_draw_marks(char *text, int width, struct slider_range range,
-    const struct slider_mark *mark, size_t n, int at, int length, bool shorter)
+draw_label(struct slider_cell *cell, int width, int column,
+    const struct slider_mark *mark, bool words, int handle)
 {
 	char label[32];
-	for (size_t i = 0; i < n; i++)
-		text[slider_column(range, mark[i].tenths, width)] =
-		    mark[i].trained ? '|' : 'o';
-	bool words = !shorter && slider_has_room(text, width, range, mark, n);
-	for (size_t i = 0; i < n; i++) {
-		int from = slider_column(range, mark[i].tenths, width) + 1;
-		int wanted = mark_label(&mark[i], words, label);
-		if (!slider_is_free(text, width, from, wanted + 1, at, length))
-			wanted = mark_label(&mark[i], false, label);
-		bool covered = from > at && from <= at + length;
-		if (covered ||
-		    !slider_is_free(text, width, from, wanted + 1, at, length))
-			continue;
-		memcpy(text + from, label, (size_t)wanted);
-		/* "79?" would be a doubtful 79. */
-		if (text[from + wanted] == 'x')
-			text[from + wanted] = ' ';
-	}
+	int from = column + 1, wanted = mark_label(mark, words, label);
+	if (words && !is_free(cell, width, from, wanted + 1))
+		wanted = mark_label(mark, false, label);
+	if (from == handle || !is_free(cell, width, from, wanted + 1))
+		return;
+	slider_write(cell + from, label);
+	/* A label that ran into the dashes would not be read. */
+	if (cell[from + wanted].sign == 'x')
+		slider_write(cell + from + wanted, " ");
 }
 
-/* Kept cells are other signs until all labels stand. */
-enum { KEPT = '=', KEPT_OUTSIDE = 'X' };
-
-/* Returns whether there are any. */
-static bool
-keep_cells(char *text, int width, const bool *kept)
-{
-	bool any = false;
-	for (int c = 0; c < width && kept != NULL; c++) {
-		if (kept[c])
-			text[c] = text[c] == 'x' ? KEPT_OUTSIDE : KEPT;
-		any = any || kept[c];
-	}
-	return any;
-}
-
+/* The word in the middle of each part that is beyond the speeds trained on. */
 static void
-slider_give_back(char *text)
+draw_beyond(struct slider_cell *cell, int width, const char *word)
 {
-	for (; *text != '\0'; text++)
-		*text = *text == KEPT           ? '-'
-			: *text == KEPT_OUTSIDE ? 'x'
-						: *text;
+	int n = (int)strlen(word);
+	for (int from = 0, to; from < width; from = to + 1) {
+		for (to = from; to < width && cell[to].sign == 'x'; to++)
+			;
+		int at = from + (to - from - n) / 2;
+		if (n == 0 || to - from < n + 4 ||
+		    !is_free(cell, width, at - 1, n + 2))
+			continue;
+		slider_write(cell + at - 1, " ");
+		slider_write(cell + at, word);
+		slider_write(cell + at + n, " ");
+	}
 }
 
 int
-slider_draw(char *text, int width, struct slider_range range, int tenths,
-    const struct slider_mark *mark, size_t n, const bool *kept)
+slider_draw(struct slider_cell *cell, int width, struct slider_range range,
+    int tenths, const struct slider_mark *mark, size_t n, const bool *kept,
+    const char *beyond)
 {
 	char label[16];
-	text[0] = '\0';
+	bool any = false;
+	for (int c = 0; c < width; c++) {
+		bool outside = is_outside(slider_at(range, c, width), mark, n);
+		cell[c] = (struct slider_cell){
+		    outside ? 'x' : '-', kept != NULL && kept[c], false};
+		any = any || cell[c].taken;
+	}
 	if (width < 1)
 		return 0;
-	for (int c = 0; c < width; c++)
-		text[c] =
-		    is_outside(slider_at(range, c, width), mark, n) ? 'x' : '-';
-	text[width] = '\0';
-	snprintf(label, sizeof label, "[%.1f]", tenths / 10.0);
-	int length = (int)strlen(label),
-	    at = slider_column(range, tenths, width);
-	if (length > width) {
-		strcpy(label, "#");
-		length = 1;
-	}
-	at -= length / 2;
+	for (size_t i = 0; i < n; i++)
+		cell[slider_column(range, mark[i].tenths, width)] =
+		    (struct slider_cell){
+			mark[i].trained ? '|' : 'o', true, false};
+	int length = snprintf(label, sizeof label, "[%.1f]", tenths / 10.0);
+	if (length > width)
+		length = snprintf(label, sizeof label, "#");
+	int at = slider_column(range, tenths, width) - length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
-	bool any = keep_cells(text, width, kept);
-	slider_draw_marks(text, width, range, mark, n, at, length, any);
-	slider_give_back(text);
-	memcpy(text + at, label, (size_t)length);
+	bool words = !any && slider_has_room(cell, width, range, mark, n);
+	for (int c = at; c < at + length; c++)
+		cell[c].taken = true;
+	for (size_t i = 0; i < n; i++)
+		draw_label(cell, width,
+		    slider_column(range, mark[i].tenths, width), &mark[i],
+		    words, at + length);
+	draw_beyond(cell, width, beyond);
+	slider_write(cell + at, label);
 	return at;
 }

@@ -36,12 +36,21 @@ bool slider_read(struct slider_range range, const char *text, int *tenths);
 int slider_column(struct slider_range range, int tenths, int width);
 int slider_at(struct slider_range range, int column, int width);
 
-/* Draws the track into text [width + 1]: 'x' where no speed was trained on
- * that side, '-' between trained ones, "|69" at these and "o74" at those held
- * out, on a long track "|69 m/s 2380 J/kg", the value as "[74.0]" on top.
- * kept [width]: cells that no label may cover, with any of which labels are
- * short; or NULL.  Returns the column of its '['. */
-int slider_draw(char *text, int width, struct slider_range range, int tenths,
-    const struct slider_mark *mark, size_t n, const bool *kept);
+/* A cell of the track: 'x' where no speed was trained on that side, '-' between
+ * trained ones, '|' at these and 'o' at those held out; text: a letter that
+ * stands there; taken: no label may stand there. */
+struct slider_cell {
+	char sign;
+	bool taken, text;
+};
+
+/* Makes the cells [width] of the track: labels behind the marks, "69", on a
+ * long track "69 m/s 2380 J/kg", the word `beyond` where no speed was trained
+ * on that side, the value as "[74.0]" on top.  kept [width]: cells that no
+ * label may cover, with any of which labels are short; or NULL.  Returns the
+ * column of its '['. */
+int slider_draw(struct slider_cell *cell, int width, struct slider_range range,
+    int tenths, const struct slider_mark *mark, size_t n, const bool *kept,
+    const char *beyond);
 
 #endif

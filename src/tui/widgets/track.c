@@ -23,8 +23,8 @@ enum { MOST_MARKS = 300 };
 struct track_signs
 track_signs(void)
 {
-	static const struct track_signs ASCII = {"*", "o", "?"},
-					UTF8 = {"\u25C6", "\u25C7", "?"};
+	static const struct track_signs ASCII = {"*", "o", "."},
+					UTF8 = {"\u25C6", "\u25C7", "\u254C"};
 	return screen_charset() == CHARSET_ASCII ? ASCII : UTF8;
 }
 
@@ -62,16 +62,13 @@ take_marks(const struct entry *entry, struct slider_range range,
 	return n;
 }
 
-bool
+void
 track_touch(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind != HIT_PRESS && touched->kind != HIT_DRAG)
-		return false;
 	struct area track = layout_track(&t->layout);
 	t->ui.tenths = slider_at(tui_range(t),
 	    touched->area.column + touched->column - track.column,
 	    track.columns);
-	return true;
 }
 
 /* Whether all that is wanted holds somewhere in a cell of the track. */
@@ -107,61 +104,74 @@ window_ends(const struct tui *t, const struct area *track)
 	return end;
 }
 
-/* Cells of the track: those of slider_draw, and a heavy line at the speeds at
- * which all that is wanted holds, with gaps where that is not sure. */
+/* A cell of slider_draw, and a heavy line at the speeds at which all that is
+ * wanted holds, with gaps where that is not sure. */
 static void
-track_draw_cell(
-    const struct tui *t, const struct area *track, int column, char sign)
+track_draw_cell(const struct tui *t, const struct area *track, int column,
+    const struct slider_cell *cell)
 {
 	struct track_signs signs = track_signs();
-	bool ascii = screen_charset() == CHARSET_ASCII, certain;
-	if (sign == 'x' && tui_entry(t) == NULL)
-		sign = '-';
-	const char letter[2] = {sign};
-	const char *text = sign == '|'             ? signs.trained
+	bool ascii = screen_charset() == CHARSET_ASCII, certain = false;
+	char sign = cell->text ? '\0' : cell->sign;
+	bool free = sign == '-' || (sign == 'x' && column % 2 == 0);
+	bool met = free && cell_holds(t, track, column, &certain);
+	const char letter[2] = {cell->sign};
+	const char *text = met && certain          ? (ascii ? "#" : "\u2501")
+			   : met                   ? (ascii ? "=" : "\u254D")
+			   : sign == '|'           ? signs.trained
 			   : sign == 'o'           ? signs.held_out
 			   : sign == 'x'           ? signs.beyond
 			   : sign == '-' && !ascii ? "\u2500"
 						   : letter;
-	bool free = sign == '-' || (sign == 'x' && column % 2 == 0);
-	bool met = free && cell_holds(t, track, column, &certain);
-	if (met)
-		text = ascii ? (certain ? "#" : "=")
-			     : (certain ? "\u2501" : "\u254D");
-	unsigned look = met && certain ? LOOK_BOLD : LOOK_PLAIN;
-	screen_series(
-	    track, 0, column, met ? SERIES_OTHER : SERIES_TEXT, look, text);
+	screen_series(track, 0, column, met ? SERIES_OTHER : SERIES_TEXT,
+	    met && certain ? LOOK_BOLD
+	    : sign == 'x'  ? LOOK_DIM
+			   : LOOK_PLAIN,
+	    text);
+}
+
+/* Without a site nothing is beyond anything. */
+static int
+make_cells(const struct tui *t, const struct area *track,
+    struct slider_cell *cell, const bool *kept)
+{
+	const struct entry *entry = tui_entry(t);
+	struct slider_range range = tui_range(t);
+	struct slider_mark mark[MOST_MARKS] = {
+	    {range.least, true}, {range.most, true}};
+	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
+	return slider_draw(cell, track->columns, range, t->ui.tenths, mark, n,
+	    kept, entry != NULL ? tr("extrapolated") : "");
 }
 
 void
 track_draw(struct tui *t)
 {
-	hits_add(&t->hits, t->layout.track, track_touch, 0);
+	hits_add(&t->hits, HIT_SLIDE, t->layout.track, track_touch, 0);
 	struct area track = layout_track(&t->layout);
-	const struct entry *entry = tui_entry(t);
+	const bool acts = t->ui.page == PAGE_PREDICT;
 	struct slider_range range = tui_range(t);
-	struct slider_mark mark[MOST_MARKS];
-	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
-	char *text = xcalloc((size_t)track.columns + 1, 1);
+	struct slider_cell *cell =
+	    xcalloc((size_t)track.columns + 1, sizeof *cell);
 	bool *kept = window_ends(t, &track);
-	int at = slider_draw(
-	    text, track.columns, range, t->ui.tenths, mark, n, kept);
-	bool acts = t->ui.page == PAGE_PREDICT;
-	const char *close = strchr(text + at, ']');
-	int length = close != NULL ? (int)(close - text) - at + 1 : 1;
+	int at = make_cells(t, &track, cell, kept), end = at + 1;
+	while (end < track.columns && cell[end - 1].sign != ']' &&
+	       cell[at].sign == '[')
+		end++;
 	for (int c = 0; c < track.columns; c++)
-		if (c < at || c >= at + length)
-			track_draw_cell(t, &track, c, text[c]);
-	screen_text(&track, 0, at, acts ? LOOK_REVERSE : LOOK_BOLD, "%.*s",
-	    length, text + at);
+		if (c < at || c >= end)
+			track_draw_cell(t, &track, c, &cell[c]);
+	for (int c = at; c < end; c++)
+		screen_text(&track, 0, c, acts ? LOOK_REVERSE : LOOK_BOLD, "%c",
+		    cell[c].sign);
 	if (track.column > 0) {
 		screen_text(&t->layout.track, 0, 0, 0, "%3d", range.least / 10);
 		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
 		    "%d", range.most / 10);
 	}
 	free(kept);
-	free(text);
-	t->cursor.column = track.column + at + (length > 1 ? 1 : 0);
+	free(cell);
+	t->cursor.column = track.column + at + (end > at + 1);
 }
 
 /* A part of the heading at several lengths, the longest first; at: the one
@@ -237,7 +247,10 @@ say_signs(const struct tui *t, struct part *part)
 		track_say(part, xstrdup(""));
 		return;
 	}
-	bool beyond = t->view.shown.product.n > 0 &&
+	enum { REASONS = 34 };
+	/* Where the panel is wide its light says so. */
+	bool beyond = t->layout.side.columns < REASONS &&
+		      t->view.shown.product.n > 0 &&
 		      answers_extrapolates(tui_entry(t), t->view.shown.speed);
 	char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
@@ -312,9 +325,8 @@ track_heading(struct tui *t)
 			    area, 0, column, part[i].look, " %s ", text);
 		if (KEY[i] != 0)
 			hits_add_key(&t->hits,
-			    (struct area){area->row, area->column + column, 1,
-				text_width(text)},
-			    KEY[i], false);
+			    area_cells(area, 0, column, text_width(text)),
+			    KEY[i]);
 		for (size_t k = 0; k < part[i].n; k++)
 			free(part[i].text[k]);
 	}

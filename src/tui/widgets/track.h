@@ -13,7 +13,7 @@ void track_draw(struct tui *t);
 void track_heading(struct tui *t);
 
 /* Moves the slider to where the mouse is pressed or dragged; see hit_way. */
-bool track_touch(struct tui *t, const struct touched *touched);
+void track_touch(struct tui *t, const struct touched *touched);
 
 /* Runs the waiting key, if the speeds are known or `now` asks to compute them
  * at once.  The key is dropped if the slider was moved since. */

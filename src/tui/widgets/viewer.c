@@ -330,12 +330,10 @@ squeeze(char *line)
 }
 
 /* A click on a key chooses it, and Enter runs it. */
-static bool
+static void
 touch_key(struct tui *t, const struct touched *touched)
 {
-	if (touched->kind == HIT_PRESS)
-		t->viewer.at = (int)touched->item;
-	return touched->kind == HIT_PRESS;
+	t->viewer.at = (int)touched->item;
 }
 
 /* One line of the text; of a key what there is no room for is cut, with a
@@ -451,8 +449,7 @@ viewer_draw(struct tui *t)
 		rest = cut != NULL ? cut : rest;
 		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
 			hits_add_both(&t->hits,
-			    (struct area){body->row + row, n / rows * columns,
-				1, columns},
+			    area_cells(body, row, n / rows * columns, columns),
 			    touch_key, (size_t)n, '\n');
 	}
 	int at = v->lines > 0 ? v->at % rows - v->top : 0;
