@@ -528,6 +528,45 @@ what_nothing_breaks_is_not_corrected(void **state)
 	site_free(k.site);
 }
 
+/* What a draw is corrected by at a slow speed follows its own model: all of it
+ * where that breaks all, none where it breaks nothing, whatever the fit does. */
+static void
+a_slow_correction_follows_the_draw(void **state)
+{
+	(void)state;
+	const double slow = 30, held = 7.0 / 8 * 69;
+	struct known k = known(TIERP, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[0].feed;
+	struct posterior_draw *all = &p->draw[0], *none = &p->draw[1];
+	all->strengths = none->strengths = (struct strengths){0, 1, 1};
+	all->params.f_mat = 3;
+	all->params.e0_min = 0;
+	all->params.alpha = 0.1;
+	none->params.e0_min =
+	    energy_specific(40) * pow(feed->size[0], none->params.alpha);
+	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
+	double *before = xdoubles(feed->n), *delta = xdoubles(feed->n);
+	double most = 0;
+	ensemble_draws_at(e, held);
+	ensemble_delta(e, 0, before);
+	ensemble_draws_at(e, slow);
+	ensemble_delta(e, 0, delta);
+	for (size_t i = 0; i < feed->n; i++) {
+		expect_near("held", delta[i], before[i], 1e-12);
+		most = fmax(most, fabs(delta[i]));
+	}
+	assert_true(most > 1e-4);
+	ensemble_delta(e, 1, delta);
+	for (size_t i = 0; i < feed->n; i++)
+		assert_true(delta[i] == 0);
+	free(before);
+	free(delta);
+	ensemble_free(e);
+	posterior_free(p);
+	site_free(k.site);
+}
+
 /* D23: in every draw, between the speeds of the grid and beyond its ends too.
  * At Kiruna what is left out falls with the speed in most draws. */
 static void
@@ -791,6 +830,7 @@ main(void)
 	    cmocka_unit_test(test_stop),
 	    cmocka_unit_test(test_machine),
 	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
+	    cmocka_unit_test(a_slow_correction_follows_the_draw),
 	    cmocka_unit_test(faster_is_never_coarser),
 	    cmocka_unit_test(test_straight),
 	    cmocka_unit_test(test_no_law),
