@@ -1,6 +1,6 @@
 /* Products of all draws by the search's kernel, corrected to the exact product
  * at the fit, with the discrepancy added and kept from falling with the speed
- * by pooling neighbours (Barlow and others 1972).
+ * by pooling neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/ensemble.h"
 
@@ -419,26 +419,36 @@ grid_place(const struct ensemble *e, double v)
 	return low;
 }
 
+size_t
+ensemble_pool(double *value, size_t *count, size_t n)
+{
+	size_t blocks = 0;
+	for (size_t k = 0; k < n; k++) {
+		value[blocks] = value[k];
+		count[blocks++] = 1;
+		for (; blocks > 1 && value[blocks - 2] > value[blocks - 1];
+		     blocks--) {
+			double *last = value + blocks - 2;
+			double a = (double)count[blocks - 2],
+			       b = (double)count[blocks - 1];
+			last[0] = (a * last[0] + b * last[1]) / (a + b);
+			count[blocks - 2] += count[blocks - 1];
+		}
+	}
+	return blocks;
+}
+
 /* Values i of the speeds that are looked at become the nearest that do not
- * fall, in the least squares sense: neighbours that fall are pooled (Barlow and
- * others 1972, ch. 1). */
+ * fall. */
 static void
 pool_falling(struct ensemble *e, size_t i)
 {
 	double mean[EVEN + 1];
-	size_t count[EVEN + 1], n = 0;
-	for (size_t k = SLOWEST; k <= FASTEST; k++) {
-		mean[n] = e->rising[k][i];
-		count[n++] = 1;
-		for (; n > 1 && mean[n - 2] > mean[n - 1]; n--) {
-			double a = (double)count[n - 2],
-			       b = (double)count[n - 1];
-			mean[n - 2] =
-			    (a * mean[n - 2] + b * mean[n - 1]) / (a + b);
-			count[n - 2] += count[n - 1];
-		}
-	}
-	for (size_t block = 0, k = SLOWEST; block < n; block++)
+	size_t count[EVEN + 1], k = SLOWEST;
+	for (size_t j = 0; j <= EVEN; j++)
+		mean[j] = e->rising[SLOWEST + j][i];
+	size_t n = ensemble_pool(mean, count, EVEN + 1);
+	for (size_t block = 0; block < n; block++)
 		for (size_t j = 0; j < count[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
 			e->moved[k][i] = count[block] > 1;
