@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort.h>
+
 #include "core/posterior/ensemble.h"
+#include "core/posterior/thin.h"
 
 struct known {
 	struct site *site;
@@ -497,6 +500,74 @@ test_machine(void **state)
 	site_free(k.site);
 }
 
+enum { BATCHES = 4, CANDIDATES = BATCHES * POSTERIOR_DRAWS };
+
+/* Answers of sieve i in all batches at a speed. */
+static void
+candidates_at(struct ensemble *const *e, size_t i, double v, double *answer)
+{
+	for (size_t b = 0; b < BATCHES; b++) {
+		ensemble_at(e[b], v);
+		memcpy(answer + b * POSTERIOR_DRAWS,
+		    ensemble_products(e[b], ENSEMBLE_ANSWER) +
+			i * POSTERIOR_DRAWS,
+		    POSTERIOR_DRAWS * sizeof *answer);
+	}
+}
+
+/* How far the share of those chosen that lie in the lowest tenth and in the
+ * highest of all is from a tenth: the sum of the squares. */
+static double
+ends_off(const double *answer, const size_t *chosen)
+{
+	double sorted[CANDIDATES], low = 0, high = 0;
+	memcpy(sorted, answer, sizeof sorted);
+	gsl_sort(sorted, 1, CANDIDATES);
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		low += answer[chosen[d]] < sorted[CANDIDATES / 10];
+		high +=
+		    answer[chosen[d]] > sorted[CANDIDATES - CANDIDATES / 10];
+	}
+	low = low / POSTERIOR_DRAWS - 0.1;
+	high = high / POSTERIOR_DRAWS - 0.1;
+	return low * low + high * high;
+}
+
+/* Where a quarter of the draws is left, as many of them lie beyond the ends of
+ * bands as of all, also between the speeds that the choice looks at; a quarter
+ * at random would be off by 0.016. */
+static void
+draws_that_are_left_keep_the_ends(void **state)
+{
+	(void)state;
+	struct known k = known(0, 0.005, 3);
+	const struct psd *feed = &k.site->run[0].feed;
+	struct thin *thin = thin_new(k.site, BATCHES);
+	struct posterior *p[BATCHES];
+	struct ensemble *e[BATCHES];
+	size_t chosen[POSTERIOR_DRAWS];
+	double answer[CANDIDATES], sum = 0, n = 0;
+	for (size_t b = 0; b < BATCHES; b++) {
+		k.options.seed = b + 1;
+		p[b] = posterior_of(&k, 1, ISA_BEST);
+		e[b] = ensemble_new(p[b], feed, feed->size, feed->n);
+		thin_add(thin, p[b]);
+	}
+	thin_choose(thin, chosen);
+	for (double v = 67.5; v < 85; v += 5)
+		for (size_t i = 2; i + 1 < feed->n; i++, n += 2) {
+			candidates_at(e, i, v, answer);
+			sum += ends_off(answer, chosen);
+		}
+	assert_true(sqrt(sum / n) < 0.0087);
+	for (size_t b = 0; b < BATCHES; b++) {
+		ensemble_free(e[b]);
+		posterior_free(p[b]);
+	}
+	thin_free(thin);
+	site_free(k.site);
+}
+
 /* A slower rotor makes no finer answer, down to where nothing breaks and the
  * product is the feed, in every draw. */
 static void
@@ -523,6 +594,45 @@ what_nothing_breaks_is_not_corrected(void **state)
 	}
 	free(mean);
 	free(slower);
+	ensemble_free(e);
+	posterior_free(p);
+	site_free(k.site);
+}
+
+/* What a draw is corrected by at a slow speed follows its own model: all of it
+ * where that breaks all, none where it breaks nothing, whatever the fit does. */
+static void
+a_slow_correction_follows_the_draw(void **state)
+{
+	(void)state;
+	const double slow = 30, held = 7.0 / 8 * 69;
+	struct known k = known(TIERP, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[0].feed;
+	struct posterior_draw *all = &p->draw[0], *none = &p->draw[1];
+	all->strengths = none->strengths = (struct strengths){0, 1, 1};
+	all->params.f_mat = 3;
+	all->params.e0_min = 0;
+	all->params.alpha = 0.1;
+	none->params.e0_min =
+	    energy_specific(40) * pow(feed->size[0], none->params.alpha);
+	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
+	double *before = xdoubles(feed->n), *delta = xdoubles(feed->n);
+	double most = 0;
+	ensemble_draws_at(e, held);
+	ensemble_delta(e, 0, before);
+	ensemble_draws_at(e, slow);
+	ensemble_delta(e, 0, delta);
+	for (size_t i = 0; i < feed->n; i++) {
+		expect_near("held", delta[i], before[i], 1e-12);
+		most = fmax(most, fabs(delta[i]));
+	}
+	assert_true(most > 1e-4);
+	ensemble_delta(e, 1, delta);
+	for (size_t i = 0; i < feed->n; i++)
+		assert_true(delta[i] == 0);
+	free(before);
+	free(delta);
 	ensemble_free(e);
 	posterior_free(p);
 	site_free(k.site);
@@ -790,7 +900,9 @@ main(void)
 	    cmocka_unit_test(test_too_many_runs),
 	    cmocka_unit_test(test_stop),
 	    cmocka_unit_test(test_machine),
+	    cmocka_unit_test(draws_that_are_left_keep_the_ends),
 	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
+	    cmocka_unit_test(a_slow_correction_follows_the_draw),
 	    cmocka_unit_test(faster_is_never_coarser),
 	    cmocka_unit_test(test_straight),
 	    cmocka_unit_test(test_no_law),

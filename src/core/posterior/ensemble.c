@@ -1,6 +1,6 @@
 /* Products of all draws by the search's kernel, corrected to the exact product
  * at the fit, with the discrepancy added and kept from falling with the speed
- * by pooling neighbours (Barlow and others 1972).
+ * by pooling neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/ensemble.h"
 
@@ -16,6 +16,7 @@
 #include "core/numeric/elementary.h"
 #include "core/search/kernel.h"
 #include "core/model/product.h"
+#include "core/model/selection.h"
 
 /* The draws' parameters, and in a block behind them the fit's, whose exact
  * product tells what the search's scheme errs by. */
@@ -242,24 +243,48 @@ ensemble_sizes(const struct ensemble *e)
 	return e->n;
 }
 
-/* Slower than this share of the slowest measured speed the correction is that
- * at this speed, less as less of the coarsest size breaks: what nothing breaks
- * needs none, and its trend over so far would be no measurement's. */
-#define SLOW 0.875
+/* Slower than this share of the slowest measured speed a draw's correction is
+ * that at this speed, less as less of the coarsest size breaks by the draw's
+ * own model: what nothing breaks needs none, and its trend over so far would be
+ * no measurement's. */
+static const double SLOW = 0.875;
 
-/* How much of it there is at speed v, 0..1; *at: the speed whose it is. */
+/* S of the coarsest size at speed v by a draw, whose rock may have two
+ * strengths. */
 static double
-correction_left(const struct posterior *p, double v, double *at)
+selection_of_draw(
+    const struct posterior *p, const struct posterior_draw *draw, double v)
 {
-	struct breaker b;
-	*at = fmax(v, SLOW * p->speed[0]);
-	if (v == *at)
-		return 1;
-	breaker_set(&b, &p->fit, &p->settings);
-	breaker_at(&b, *at);
-	double there = b.model->selection(&b, p->knot[0], NULL);
-	breaker_at(&b, v);
-	return there > 0 ? b.model->selection(&b, p->knot[0], NULL) / there : 0;
+	const struct strengths *rock = &draw->strengths;
+	const struct impacts *by = &p->settings.impacts;
+	const double *f =
+	    draw->params.at + breakage_of(&draw->params)->strength;
+	double harder[] = {f[0], rock->harder * f[1], f[2]};
+	double softer[] = {f[0], rock->softer * f[1], f[2]};
+	double k = p->settings.k, E = energy_specific(v), size = p->knot[0];
+	double share = strengths_softer(rock),
+	       S = selection_by(by, harder, k, E, size, NULL);
+	if (share > 0)
+		S += share * (selection_by(by, softer, k, E, size, NULL) - S);
+	return S;
+}
+
+/* How much of each draw's correction there is at speed v, 0..1, [DRAWS] out;
+ * returns the speed whose it is. */
+static double
+correction_left(const struct posterior *p, double v, double *left)
+{
+	double at = fmax(v, SLOW * p->speed[0]);
+	for (size_t d = 0; d < DRAWS; d++) {
+		left[d] = 1;
+		if (v == at)
+			continue;
+		double there = selection_of_draw(p, &p->draw[d], at);
+		left[d] = there > 0
+			      ? selection_of_draw(p, &p->draw[d], v) / there
+			      : 0;
+	}
+	return at;
 }
 
 /* What the model leaves out at speed v, at the knots of each draw. */
@@ -267,14 +292,14 @@ static void
 fill_knots(struct ensemble *e, double v)
 {
 	const struct posterior *p = e->of;
-	double at, left = correction_left(p, v, &at);
+	double left[DRAWS], at = correction_left(p, v, left);
 	double t = discrepancy_time(at, p->middle);
 	double factor[DISCREPANCY_TERMS][DRAWS];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double term[DISCREPANCY_TERMS];
 		discrepancy_terms(t, p->draw[d].hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-			factor[j][d] = left * term[j];
+			factor[j][d] = left[d] * term[j];
 	}
 	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS)
 		for (size_t d = 0; d < DRAWS; d++) {
@@ -394,26 +419,36 @@ grid_place(const struct ensemble *e, double v)
 	return low;
 }
 
+size_t
+ensemble_pool(double *value, size_t *count, size_t n)
+{
+	size_t blocks = 0;
+	for (size_t k = 0; k < n; k++) {
+		value[blocks] = value[k];
+		count[blocks++] = 1;
+		for (; blocks > 1 && value[blocks - 2] > value[blocks - 1];
+		     blocks--) {
+			double *last = value + blocks - 2;
+			double a = (double)count[blocks - 2],
+			       b = (double)count[blocks - 1];
+			last[0] = (a * last[0] + b * last[1]) / (a + b);
+			count[blocks - 2] += count[blocks - 1];
+		}
+	}
+	return blocks;
+}
+
 /* Values i of the speeds that are looked at become the nearest that do not
- * fall, in the least squares sense: neighbours that fall are pooled (Barlow and
- * others 1972, ch. 1). */
+ * fall. */
 static void
 pool_falling(struct ensemble *e, size_t i)
 {
 	double mean[EVEN + 1];
-	size_t count[EVEN + 1], n = 0;
-	for (size_t k = SLOWEST; k <= FASTEST; k++) {
-		mean[n] = e->rising[k][i];
-		count[n++] = 1;
-		for (; n > 1 && mean[n - 2] > mean[n - 1]; n--) {
-			double a = (double)count[n - 2],
-			       b = (double)count[n - 1];
-			mean[n - 2] =
-			    (a * mean[n - 2] + b * mean[n - 1]) / (a + b);
-			count[n - 2] += count[n - 1];
-		}
-	}
-	for (size_t block = 0, k = SLOWEST; block < n; block++)
+	size_t count[EVEN + 1], k = SLOWEST;
+	for (size_t j = 0; j <= EVEN; j++)
+		mean[j] = e->rising[SLOWEST + j][i];
+	size_t n = ensemble_pool(mean, count, EVEN + 1);
+	for (size_t block = 0; block < n; block++)
 		for (size_t j = 0; j < count[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
 			e->moved[k][i] = count[block] > 1;

@@ -75,4 +75,10 @@ void ensemble_range(
  * sizes at which the band is wider than the rounding of sheets. */
 double ensemble_halves(struct ensemble *e, double v);
 
+/* Puts values [n] into blocks of neighbours that do not fall from one to the
+ * next, each the mean of its own: the nearest in the least squares sense
+ * (Barlow and others 1972, ch. 1).  Returns how many; value, count [n]: of each
+ * its mean and how many it has. */
+size_t ensemble_pool(double *value, size_t *count, size_t n);
+
 #endif

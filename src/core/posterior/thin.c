@@ -16,7 +16,7 @@
 
 /* Of each answer three features: itself, and on which side it is of either end
  * of the band, see feature. */
-enum { SPEEDS = 3, SIEVES = 16, FEATURES = 3 };
+enum { SPEEDS = 5, SIEVES = 16, FEATURES = 3 };
 
 struct thin {
 	struct psd feed;
@@ -105,23 +105,41 @@ put_features(
 	}
 }
 
-/* Leaves one of each pair, the one that brings the sums of the features of
- * those left nearer to those of the others. */
+/* Which of a pair brings the sums [width] of the features of those left nearer
+ * to those of the others, 1 for the first or -1; *sign: which it was, or 0. */
+static bool
+choose_of_pair(const double *one, const double *two, size_t width, double *sum,
+    double *sign)
+{
+	double product = 0, square = 0, was = *sign;
+	for (size_t k = 0; k < width; k++) {
+		double apart = one[k] - two[k];
+		product += sum[k] * apart;
+		square += apart * apart;
+	}
+	*sign = product - was * square > 0 ? -1 : 1;
+	for (size_t k = 0; k < width && *sign != was; k++)
+		sum[k] += (*sign - was) * (one[k] - two[k]);
+	return *sign != was;
+}
+
+/* Leaves one of each pair; each chooses by turns, until none chooses anew. */
 static void
 halve(const double *row, size_t width, size_t *list, size_t n)
 {
-	double *sum = xdoubles(width + 1);
-	for (size_t i = 0; i < n / 2; i++) {
-		size_t one = list[2 * i], two = list[2 * i + 1];
-		const double *a = row + one * width, *b = row + two * width;
-		double product = 0;
-		for (size_t k = 0; k < width; k++)
-			product += sum[k] * (a[k] - b[k]);
-		double sign = product > 0 ? -1 : 1;
-		for (size_t k = 0; k < width; k++)
-			sum[k] += sign * (a[k] - b[k]);
-		list[i] = product > 0 ? two : one;
+	enum { TURNS = 8 };
+	double *sum = xdoubles(width + 1), *sign = xdoubles(n / 2);
+	bool changed = true;
+	for (size_t turn = 0; turn < TURNS && changed; turn++) {
+		changed = false;
+		for (size_t i = 0; i < n / 2; i++)
+			changed |= choose_of_pair(row + list[2 * i] * width,
+			    row + list[2 * i + 1] * width, width, sum,
+			    &sign[i]);
 	}
+	for (size_t i = 0; i < n / 2; i++)
+		list[i] = list[sign[i] < 0 ? 2 * i + 1 : 2 * i];
+	free(sign);
 	free(sum);
 }
 
@@ -137,12 +155,30 @@ thin_line_up(const double *by, size_t n, size_t *list)
 		list[i] += half;
 }
 
+/* As answers are kept from falling with the speed (D23), over few speeds. */
+static void
+keep_from_falling(struct thin *t)
+{
+	size_t size = t->n_sieve * t->n, count[SPEEDS];
+	double value[SPEEDS];
+	for (size_t i = 0; i < size; i++) {
+		double *to = t->answer + i;
+		for (size_t k = 0; k < SPEEDS; k++)
+			value[k] = to[k * size];
+		size_t blocks = ensemble_pool(value, count, SPEEDS);
+		for (size_t b = 0; b < blocks; b++)
+			for (size_t j = 0; j < count[b]; j++, to += size)
+				*to = value[b];
+	}
+}
+
 void
 thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 {
 	size_t n = t->n, answers = SPEEDS * t->n_sieve;
 	size_t width = FEATURES * answers, *list = xcalloc(n, sizeof *list);
 	double *row = xdoubles(n * width + 1), *by = xdoubles(n);
+	keep_from_falling(t);
 	for (size_t k = 0; k < answers; k++)
 		put_features(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);

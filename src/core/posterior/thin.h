@@ -14,7 +14,7 @@ struct thin;
 struct thin *thin_new(const struct site *site, size_t batches);
 void thin_free(struct thin *t);
 
-/* Adds the next batch by its answers at three speeds, from the slowest to the
+/* Adds the next batch by its answers at five speeds, from the slowest to the
  * fastest of site_reach, at sieves of the site. */
 void thin_add(struct thin *t, const struct posterior *batch);
 
