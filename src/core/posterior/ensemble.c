@@ -25,10 +25,12 @@ enum {
 	ALL = FIT + KERNEL_LANES,
 	EVEN = 24,
 	BEYOND = 80,
-	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid, */
-	FASTEST = BEYOND + EVEN,
-	RISING = FASTEST + 1 + BEYOND
+	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid */
+	RISING = BEYOND + EVEN + 1 + POSTERIOR_RUNS + BEYOND
 };
+
+/* In a curve that does not fall a measured speed counts as so many others. */
+static const double HELD = 1000;
 
 struct ensemble {
 	const struct posterior *of;
@@ -46,16 +48,18 @@ struct ensemble {
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
 	double at;    /* the speed of all that ensemble_at makes; 0: none */
-	/* Answers at the speeds of a grid, which do not fall from one to the
+	/* The speeds of a grid, m/s; of those that are looked at, which are
+	 * number SLOWEST to `last`, what each counts, and where the measured
+	 * ones are among them. */
+	double speed[RISING], counts[RISING];
+	size_t last, measured[POSTERIOR_RUNS];
+	/* Answers at the speeds of the grid, which do not fall from one to the
 	 * next, and which of them are not as they were drawn, each
 	 * [n * DRAWS]; made for its speeds slowest to fastest, NULL for the
 	 * others. */
 	double *rising[RISING];
 	bool *moved[RISING];
 	size_t slowest, fastest;
-	/* Answers at the measured speeds, without the straight line, [n *
-	 * DRAWS] each, or NULL. */
-	double *measured[POSTERIOR_RUNS];
 	double more, bypass; /* k and bypass of another machine */
 };
 
@@ -155,6 +159,33 @@ set_exact(struct ensemble *e, struct params fit)
 	model_set(e->exact, &p);
 }
 
+/* The speeds of the grid: even over those that are looked at, with the measured
+ * ones among them, and 2 % apart beyond, down to a fifth of the slowest and up
+ * to five times the fastest. */
+static void
+ensemble_lay_grid(struct ensemble *e)
+{
+	const struct posterior *p = e->of;
+	const double apart = 0.02;
+	size_t at = SLOWEST, even = 0, held = 0;
+	while (even <= EVEN || held < p->n_speed) {
+		double next = p->from + (p->to - p->from) * (double)even / EVEN;
+		bool measured = held < p->n_speed &&
+				(even > EVEN || p->speed[held] <= next);
+		if (measured)
+			e->measured[held] = at;
+		even += !measured || p->speed[held] == next;
+		e->speed[at] = measured ? p->speed[held++] : next;
+		e->counts[at++] = measured ? HELD : 1;
+	}
+	e->last = at - 1;
+	for (size_t k = 1; k <= BEYOND; k++) {
+		double far = el_exp(apart * (double)k);
+		e->speed[SLOWEST - k] = e->speed[SLOWEST] / far;
+		e->speed[e->last + k] = e->speed[e->last] * far;
+	}
+}
+
 struct ensemble *
 ensemble_new(const struct posterior *p, const struct psd *measured,
     const double *size, size_t n)
@@ -180,6 +211,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		e->part[i] = xdoubles((n + 1) * DRAWS);
 	find_knots(e, size);
+	ensemble_lay_grid(e);
 	psd_free(&curve);
 	return e;
 }
@@ -187,10 +219,6 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 static void
 forget_rising(struct ensemble *e)
 {
-	for (size_t k = 0; k < POSTERIOR_RUNS; k++) {
-		free(e->measured[k]);
-		e->measured[k] = NULL;
-	}
 	for (size_t k = 0; k < RISING; k++) {
 		free(e->rising[k]);
 		free(e->moved[k]);
@@ -367,21 +395,6 @@ ensemble_draws_at(struct ensemble *e, double v)
 	e->sampled = false;
 }
 
-/* Speed k of the grid, m/s: even over the speeds that are looked at, and 2 %
- * apart beyond them, down to a fifth of the slowest and up to five times the
- * fastest. */
-static double
-grid_speed(const struct ensemble *e, size_t k)
-{
-	const struct posterior *p = e->of;
-	const double apart = 0.02;
-	if (k < SLOWEST)
-		return p->from * el_exp(-apart * (double)(SLOWEST - k));
-	if (k > FASTEST)
-		return p->to * el_exp(apart * (double)(k - FASTEST));
-	return p->from + (p->to - p->from) * (double)(k - SLOWEST) / EVEN;
-}
-
 /* The grid's last speed but one that is made and not above v, or the first. */
 static size_t
 grid_place(const struct ensemble *e, double v)
@@ -389,7 +402,7 @@ grid_place(const struct ensemble *e, double v)
 	size_t low = e->slowest, high = e->fastest;
 	while (low + 1 < high) {
 		size_t middle = (low + high) / 2;
-		*(grid_speed(e, middle) <= v ? &low : &high) = middle;
+		*(e->speed[middle] <= v ? &low : &high) = middle;
 	}
 	return low;
 }
@@ -400,23 +413,24 @@ grid_place(const struct ensemble *e, double v)
 static void
 pool_falling(struct ensemble *e, size_t i)
 {
-	double mean[EVEN + 1];
-	size_t count[EVEN + 1], n = 0;
-	for (size_t k = SLOWEST; k <= FASTEST; k++) {
+	double mean[RISING], counts[RISING];
+	size_t length[RISING], n = 0;
+	for (size_t k = SLOWEST; k <= e->last; k++) {
 		mean[n] = e->rising[k][i];
-		count[n++] = 1;
+		counts[n] = e->counts[k];
+		length[n++] = 1;
 		for (; n > 1 && mean[n - 2] > mean[n - 1]; n--) {
-			double a = (double)count[n - 2],
-			       b = (double)count[n - 1];
+			double a = counts[n - 2], b = counts[n - 1];
 			mean[n - 2] =
 			    (a * mean[n - 2] + b * mean[n - 1]) / (a + b);
-			count[n - 2] += count[n - 1];
+			counts[n - 2] += b;
+			length[n - 2] += length[n - 1];
 		}
 	}
 	for (size_t block = 0, k = SLOWEST; block < n; block++)
-		for (size_t j = 0; j < count[block]; j++, k++) {
+		for (size_t j = 0; j < length[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
-			e->moved[k][i] = count[block] > 1;
+			e->moved[k][i] = length[block] > 1;
 		}
 }
 
@@ -425,7 +439,7 @@ static void
 draw_grid(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
-	ensemble_draws_at(e, grid_speed(e, k));
+	ensemble_draws_at(e, e->speed[k]);
 	e->rising[k] = xdoubles(size);
 	e->moved[k] = xcalloc(size, sizeof **e->moved);
 	memcpy(e->rising[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
@@ -434,12 +448,12 @@ draw_grid(struct ensemble *e, size_t k)
 static void
 make_rising(struct ensemble *e)
 {
-	for (size_t k = SLOWEST; k <= FASTEST; k++)
+	for (size_t k = SLOWEST; k <= e->last; k++)
 		draw_grid(e, k);
 	for (size_t i = 0; i < e->n * DRAWS; i++)
 		pool_falling(e, i);
 	e->slowest = SLOWEST;
-	e->fastest = FASTEST;
+	e->fastest = e->last;
 }
 
 /* What is asked for beyond the speeds that are looked at changes nothing within
@@ -447,7 +461,7 @@ make_rising(struct ensemble *e)
 static void
 widen_rising(struct ensemble *e, double v)
 {
-	while (e->slowest > 0 && v < grid_speed(e, e->slowest)) {
+	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
 		draw_grid(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
@@ -456,7 +470,7 @@ widen_rising(struct ensemble *e, double v)
 			e->rising[k][i] = fmin(e->rising[k][i], above);
 		}
 	}
-	while (e->fastest + 1 < RISING && v > grid_speed(e, e->fastest)) {
+	while (e->fastest + 1 < RISING && v > e->speed[e->fastest]) {
 		size_t k = ++e->fastest;
 		draw_grid(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
@@ -475,7 +489,7 @@ keep_rising(struct ensemble *e, double v)
 {
 	size_t k = grid_place(e, v);
 	const double *below = e->rising[k], *above = e->rising[k + 1];
-	double from = grid_speed(e, k), to = grid_speed(e, k + 1);
+	double from = e->speed[k], to = e->speed[k + 1];
 	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
 	for (size_t i = 0; i < e->n * DRAWS; i++) {
 		if (v < from)
@@ -498,19 +512,6 @@ rising_at(struct ensemble *e, double v)
 	widen_rising(e, v);
 	ensemble_draws_at(e, v);
 	keep_rising(e, v);
-}
-
-/* Those at the measured speed of that number. */
-static const double *
-ensemble_measured_at(struct ensemble *e, size_t k)
-{
-	size_t size = e->n * DRAWS;
-	if (e->measured[k] != NULL)
-		return e->measured[k];
-	rising_at(e, e->of->speed[k]);
-	e->measured[k] = xdoubles(size);
-	memcpy(e->measured[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
-	return e->measured[k];
 }
 
 /* Whether v lies between two measured speeds: number *k and the next. */
@@ -537,14 +538,14 @@ static void
 ensemble_straighten(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
-	const double *below = ensemble_measured_at(e, k),
-		     *above = ensemble_measured_at(e, k + 1);
 	double a = p->speed[k], b = p->speed[k + 1], weight[DRAWS];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
 	for (size_t d = 0; d < DRAWS; d++)
 		weight[d] = straight_weight(p, d);
 	rising_at(e, v);
+	const double *below = e->rising[e->measured[k]],
+		     *above = e->rising[e->measured[k + 1]];
 	for (size_t i = 0; i < e->n * DRAWS; i += DRAWS)
 		for (size_t d = 0; d < DRAWS; d++) {
 			double from = below[i + d], to = above[i + d];
