@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
+#include "core/posterior/lack_of_fit.h"
 #include "core/search/kernel.h"
 #include "core/model/product.h"
 
@@ -304,13 +305,15 @@ fill_knots(struct ensemble *e, double v)
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 			factor[j][d] = left * term[j];
 	}
-	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS)
+	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS) {
+		double lack = left * lack_of_fit_at(p, at, i / DRAWS);
 		for (size_t d = 0; d < DRAWS; d++) {
-			double sum = 0;
+			double sum = lack;
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 				sum += factor[j][d] * p->term[j][i + d];
 			e->delta[i + d] = sum;
 		}
+	}
 }
 
 void
@@ -524,13 +527,13 @@ ensemble_is_between(const struct posterior *p, double v, size_t *k)
 	return false;
 }
 
-/* The weight of the straight line in a draw: draws next to one another, which
- * may be in order, have others. */
-static double
-straight_weight(const struct posterior *p, size_t draw)
+/* Whether a draw is straight between measured speeds: of draws next to one
+ * another, which may be in order, as many as of all. */
+static bool
+ensemble_is_straight(const struct posterior *p, size_t draw)
 {
 	size_t place = draw * 97 % DRAWS;
-	return p->straight * ((double)place + 0.5) / DRAWS;
+	return (double)place + 0.5 < p->straight * DRAWS;
 }
 
 /* At a speed between two measured ones (D25, straight.h). */
@@ -538,20 +541,16 @@ static void
 ensemble_straighten(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
-	double a = p->speed[k], b = p->speed[k + 1], weight[DRAWS];
+	double a = p->speed[k], b = p->speed[k + 1];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
-	for (size_t d = 0; d < DRAWS; d++)
-		weight[d] = straight_weight(p, d);
 	rising_at(e, v);
 	const double *below = e->rising[e->measured[k]],
 		     *above = e->rising[e->measured[k + 1]];
-	for (size_t i = 0; i < e->n * DRAWS; i += DRAWS)
-		for (size_t d = 0; d < DRAWS; d++) {
-			double from = below[i + d], to = above[i + d];
-			double line = from + t * (to - from);
-			answer[i + d] += weight[d] * (line - answer[i + d]);
-		}
+	for (size_t d = 0; d < DRAWS; d++)
+		for (size_t i = d;
+		     ensemble_is_straight(p, d) && i < e->n * DRAWS; i += DRAWS)
+			answer[i] = below[i] + t * (above[i] - below[i]);
 }
 
 void
