@@ -736,8 +736,8 @@ test_seeds(void **state)
 
 /* ---- Between measured speeds (D25) ---- */
 
-/* The answers at a speed, [n * POSTERIOR_DRAWS] out, with that weight of the
- * straight line. */
+/* The answers at a speed, [n * POSTERIOR_DRAWS] out, with that share of straight
+ * draws. */
 static void
 answers_at(struct posterior *p, const struct site *site, double straight,
     double v, double *out)
@@ -752,17 +752,19 @@ answers_at(struct posterior *p, const struct site *site, double straight,
 	ensemble_free(e);
 }
 
-/* Each draw goes its share of the way to its own straight line, half of it in
- * the mean, and nothing else changes. */
+/* A draw is as it was drawn or its own straight line, as many as are said, of
+ * neighbours like of all, and nothing changes at the measured speeds or beyond
+ * them. */
 static void
 test_straight(void **state)
 {
 	(void)state;
+	enum { N = POSTERIOR_DRAWS };
 	struct known k = known(TIERP, 0.005, 3);
 	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
-	size_t n = k.site->run[0].product.n * POSTERIOR_DRAWS;
+	size_t n = k.site->run[0].product.n * N, straight = 0, first = 0;
 	double *room = xdoubles(4 * n), *below = room, *above = room + n,
-	       *drawn = room + 2 * n, *mixed = room + 3 * n, mean = 0, to = 0;
+	       *drawn = room + 2 * n, *mixed = room + 3 * n;
 	static const double STAY[] = {60, 69, 79, 85};
 	assert_int_equal(p->n_speed, 2);
 	assert_true(p->straight >= 0 && p->straight <= 1);
@@ -774,16 +776,21 @@ test_straight(void **state)
 	answers_at(p, k.site, 0, 69, below);
 	answers_at(p, k.site, 0, 79, above);
 	answers_at(p, k.site, 0, 73, drawn);
-	answers_at(p, k.site, 1, 73, mixed);
+	answers_at(p, k.site, 0.25, 73, mixed);
 	double t = (73. * 73 - 69 * 69) / (79. * 79 - 69 * 69);
-	for (size_t i = 0; i < n; i++) {
-		double line = below[i] + t * (above[i] - below[i]);
-		assert_true(mixed[i] >= fmin(line, drawn[i]) - 1e-12);
-		assert_true(mixed[i] <= fmax(line, drawn[i]) + 1e-12);
-		mean += (mixed[i] - drawn[i]) * (line - drawn[i]);
-		to += (line - drawn[i]) * (line - drawn[i]);
+	for (size_t d = 0; d < N; d++) {
+		bool line = true, curve = true;
+		for (size_t i = d; i < n; i += N) {
+			double P = below[i] + t * (above[i] - below[i]);
+			line = line && fabs(mixed[i] - P) < 1e-12;
+			curve = curve && fabs(mixed[i] - drawn[i]) < 1e-12;
+		}
+		assert_true(line != curve);
+		straight += line;
+		first += line && d < N / 2;
 	}
-	expect_near("share of the way", mean / to, 0.5, 0.05);
+	assert_int_equal(straight, N / 4);
+	assert_int_equal(first, N / 8);
 	free(room);
 	posterior_free(p);
 	site_free(k.site);
@@ -793,29 +800,30 @@ test_straight(void **state)
 
 enum { NO_LAW_SIEVES = 10, NO_LAW_RUNS = 3 };
 
-/* Curves of Rosin and Rammler whose size falls with the speed and that have
- * nothing to do with the feed. */
+/* Curves of Rosin and Rammler whose size falls with the speed, and from 72 m/s on
+ * is another, and that have nothing to do with the feed. */
 struct no_law {
-	double size, finer, spread;
+	double size, finer, spread, leap;
 };
 
 static double
 no_law_passing(const struct no_law *law, double v, double s)
 {
 	double at = law->size * pow(v / 74, -law->finer);
+	at *= v > 72 ? 1 - law->leap : 1;
 	return 1 - exp(-pow(s / at, law->spread));
 }
 
 static struct site *
-no_law_site(const struct no_law *law, uint64_t seed)
+no_law_site(const struct no_law *law, const double speed[static NO_LAW_RUNS],
+    uint64_t seed)
 {
-	static const double SPEED[NO_LAW_RUNS] = {60, 74, 90};
 	struct site *site = site_new(NO_LAW_RUNS);
 	site->top_size = 0.016;
 	for (size_t r = 0; r < NO_LAW_RUNS; r++) {
 		struct run *run = &site->run[r];
 		double before = 1;
-		run->speed = SPEED[r];
+		run->speed = speed[r];
 		run->feed = psd_new(NO_LAW_SIEVES);
 		run->product = psd_new(NO_LAW_SIEVES);
 		for (size_t i = 0; i < NO_LAW_SIEVES; i++) {
@@ -860,14 +868,15 @@ static void
 test_no_law(void **state)
 {
 	(void)state;
+	static const double SPEED[NO_LAW_RUNS] = {60, 74, 90};
 	double sum[2] = {0};
 	struct draw draw = draw_start(41);
 	for (uint64_t seed = 0; seed < often(3, 20); seed++) {
 		bool use[NO_LAW_RUNS] = {true, true, true};
 		struct no_law law = {draw_between(&draw, 0.002, 0.006),
 		    draw_between(&draw, 0.4, 1.4),
-		    draw_between(&draw, 0.7, 1.2)};
-		struct site *site = no_law_site(&law, seed);
+		    draw_between(&draw, 0.7, 1.2), 0};
+		struct site *site = no_law_site(&law, SPEED, seed);
 		struct calibrate_options o = quick_options(1);
 		o.train = use;
 		struct fit fit = fitted(site, &o);
@@ -883,6 +892,73 @@ test_no_law(void **state)
 	print_message(
 	    "error over interpolation's: %.2f\n", sqrt(sum[0] / sum[1]));
 	assert_true(sum[0] <= 1.05 * 1.05 * sum[1]);
+}
+
+/* What mean answers miss at the runs in use, RMS. */
+static double
+missed_at_runs(
+    const struct posterior *p, const struct site *site, const bool *use)
+{
+	double answer[NO_LAW_SIEVES], squares = 0, n = 0;
+	struct ensemble *e = ensemble_new(
+	    p, &site->run[0].feed, site->run[0].product.size, NO_LAW_SIEVES);
+	for (size_t r = 0; r < NO_LAW_RUNS; r++) {
+		const struct run *run = &site->run[r];
+		ensemble_at(e, run->speed);
+		ensemble_mean(e, answer);
+		for (size_t i = 1; use[r] && i < NO_LAW_SIEVES; i++, n++)
+			squares += pow(answer[i] - run->product.passing[i], 2);
+	}
+	ensemble_free(e);
+	return sqrt(squares / n);
+}
+
+/* Between runs far apart many draws fall with the speed; where they are kept
+ * from it (D23) the answers at the runs stay. */
+static void
+answers_at_runs_are_held(void **state)
+{
+	(void)state;
+	static const double SPEED[NO_LAW_RUNS] = {50, 70, 90};
+	const struct no_law law = {0.0025, 0.3, 0.8, 0};
+	struct site *site = no_law_site(&law, SPEED, 3);
+	bool use[NO_LAW_RUNS] = {true, false, true};
+	struct calibrate_options o = quick_options(1);
+	o.train = use;
+	struct fit fit = fitted(site, &o);
+	struct posterior *p = drawn(site, &fit, &o, use);
+	expect_near("missed", missed_at_runs(p, site, use), 0, 0.006);
+	posterior_free(p);
+	site_free(site);
+}
+
+/* A product that leaps between two runs is followed, and the errors of a sample
+ * are not. */
+static void
+a_leap_is_no_sampling_error(void **state)
+{
+	(void)state;
+	static const double SPEED[NO_LAW_RUNS] = {69, 74, 79};
+	bool use[NO_LAW_RUNS] = {true, true, true};
+	struct calibrate_options o = quick_options(1);
+	o.train = use;
+	for (int leaps = 0; leaps < 2; leaps++) {
+		const struct no_law law = {0.004, 0.5, 1, leaps ? 0.2 : 0};
+		struct site *site = no_law_site(&law, SPEED, 5);
+		struct fit fit = fitted(site, &o);
+		struct posterior *p = drawn(site, &fit, &o, use);
+		double with = missed_at_runs(p, site, use), *lack = p->lack;
+		p->lack = NULL;
+		double without = missed_at_runs(p, site, use);
+		p->lack = lack;
+		print_message("missed %g, without %g\n", with, without);
+		if (leaps)
+			assert_true(without > 0.008 && with < 0.7 * without);
+		else
+			assert_true(fabs(with - without) < 0.0005);
+		posterior_free(p);
+		site_free(site);
+	}
 }
 
 int
@@ -906,6 +982,8 @@ main(void)
 	    cmocka_unit_test(faster_is_never_coarser),
 	    cmocka_unit_test(test_straight),
 	    cmocka_unit_test(test_no_law),
+	    cmocka_unit_test(answers_at_runs_are_held),
+	    cmocka_unit_test(a_leap_is_no_sampling_error),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

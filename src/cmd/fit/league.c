@@ -573,7 +573,7 @@ find_weights(
 	if (p == NULL)
 		return;
 	v->in_use = entry->params.breakage;
-	v->straight = p->straight / 2;
+	v->straight = p->straight;
 }
 
 /* The weights in words. */

@@ -32,7 +32,7 @@ struct posterior {
 	double middle;   /* ln of the mean energy, J/kg, where t is 0 */
 	double from, to; /* speeds that are looked at, see site_reach */
 	/* The speeds of the runs that inform it, m/s, slowest first, and the
-	 * largest weight of the straight line between two (straight.h). */
+	 * share of the draws that are straight between two (straight.h). */
 	size_t n_speed;
 	double speed[POSTERIOR_RUNS], straight;
 	size_t n_knot;
@@ -41,6 +41,7 @@ struct posterior {
 	 * the processes of the discrepancy (discrepancy.h), and the errors of
 	 * one more sample, shared and independent together, over h. */
 	double *term[DISCREPANCY_TERMS], *error;
+	double *lack; /* [n_speed * n_knot], see lack_of_fit.h, or NULL */
 	struct posterior_draw draw[POSTERIOR_DRAWS];
 	/* Diagnostics of convergence.  ratio: Gelman and Rubin's R, the largest
 	 * of all coordinates, 1 at best; drift: how far the means of the draws'

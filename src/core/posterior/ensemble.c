@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
+#include "core/posterior/lack_of_fit.h"
 #include "core/search/kernel.h"
 #include "core/model/product.h"
 #include "core/model/selection.h"
@@ -26,10 +27,12 @@ enum {
 	ALL = FIT + KERNEL_LANES,
 	EVEN = 24,
 	BEYOND = 80,
-	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid, */
-	FASTEST = BEYOND + EVEN,
-	RISING = FASTEST + 1 + BEYOND
+	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid */
+	RISING = BEYOND + EVEN + 1 + POSTERIOR_RUNS + BEYOND
 };
+
+/* In a curve that does not fall a measured speed counts as so many others. */
+static const double HELD = 1000;
 
 struct ensemble {
 	const struct posterior *of;
@@ -47,16 +50,18 @@ struct ensemble {
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
 	double at;    /* the speed of all that ensemble_at makes; 0: none */
-	/* Answers at the speeds of a grid, which do not fall from one to the
+	/* The speeds of a grid, m/s; of those that are looked at, which are
+	 * number SLOWEST to `last`, what each counts, and where the measured
+	 * ones are among them. */
+	double speed[RISING], counts[RISING];
+	size_t last, measured[POSTERIOR_RUNS];
+	/* Answers at the speeds of the grid, which do not fall from one to the
 	 * next, and which of them are not as they were drawn, each
 	 * [n * DRAWS]; made for its speeds slowest to fastest, NULL for the
 	 * others. */
 	double *rising[RISING];
 	bool *moved[RISING];
 	size_t slowest, fastest;
-	/* Answers at the measured speeds, without the straight line, [n *
-	 * DRAWS] each, or NULL. */
-	double *measured[POSTERIOR_RUNS];
 	double more, bypass; /* k and bypass of another machine */
 };
 
@@ -156,6 +161,33 @@ set_exact(struct ensemble *e, struct params fit)
 	model_set(e->exact, &p);
 }
 
+/* The speeds of the grid: even over those that are looked at, with the measured
+ * ones among them, and 2 % apart beyond, down to a fifth of the slowest and up
+ * to five times the fastest. */
+static void
+ensemble_lay_grid(struct ensemble *e)
+{
+	const struct posterior *p = e->of;
+	const double apart = 0.02;
+	size_t at = SLOWEST, even = 0, held = 0;
+	while (even <= EVEN || held < p->n_speed) {
+		double next = p->from + (p->to - p->from) * (double)even / EVEN;
+		bool measured = held < p->n_speed &&
+				(even > EVEN || p->speed[held] <= next);
+		if (measured)
+			e->measured[held] = at;
+		even += !measured || p->speed[held] == next;
+		e->speed[at] = measured ? p->speed[held++] : next;
+		e->counts[at++] = measured ? HELD : 1;
+	}
+	e->last = at - 1;
+	for (size_t k = 1; k <= BEYOND; k++) {
+		double far = el_exp(apart * (double)k);
+		e->speed[SLOWEST - k] = e->speed[SLOWEST] / far;
+		e->speed[e->last + k] = e->speed[e->last] * far;
+	}
+}
+
 struct ensemble *
 ensemble_new(const struct posterior *p, const struct psd *measured,
     const double *size, size_t n)
@@ -181,6 +213,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		e->part[i] = xdoubles((n + 1) * DRAWS);
 	find_knots(e, size);
+	ensemble_lay_grid(e);
 	psd_free(&curve);
 	return e;
 }
@@ -188,10 +221,6 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 static void
 forget_rising(struct ensemble *e)
 {
-	for (size_t k = 0; k < POSTERIOR_RUNS; k++) {
-		free(e->measured[k]);
-		e->measured[k] = NULL;
-	}
 	for (size_t k = 0; k < RISING; k++) {
 		free(e->rising[k]);
 		free(e->moved[k]);
@@ -301,13 +330,15 @@ fill_knots(struct ensemble *e, double v)
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 			factor[j][d] = left[d] * term[j];
 	}
-	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS)
+	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS) {
+		double lack = lack_of_fit_at(p, at, i / DRAWS);
 		for (size_t d = 0; d < DRAWS; d++) {
-			double sum = 0;
+			double sum = left[d] * lack;
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 				sum += factor[j][d] * p->term[j][i + d];
 			e->delta[i + d] = sum;
 		}
+	}
 }
 
 void
@@ -392,21 +423,6 @@ ensemble_draws_at(struct ensemble *e, double v)
 	e->sampled = false;
 }
 
-/* Speed k of the grid, m/s: even over the speeds that are looked at, and 2 %
- * apart beyond them, down to a fifth of the slowest and up to five times the
- * fastest. */
-static double
-grid_speed(const struct ensemble *e, size_t k)
-{
-	const struct posterior *p = e->of;
-	const double apart = 0.02;
-	if (k < SLOWEST)
-		return p->from * el_exp(-apart * (double)(SLOWEST - k));
-	if (k > FASTEST)
-		return p->to * el_exp(apart * (double)(k - FASTEST));
-	return p->from + (p->to - p->from) * (double)(k - SLOWEST) / EVEN;
-}
-
 /* The grid's last speed but one that is made and not above v, or the first. */
 static size_t
 grid_place(const struct ensemble *e, double v)
@@ -414,25 +430,27 @@ grid_place(const struct ensemble *e, double v)
 	size_t low = e->slowest, high = e->fastest;
 	while (low + 1 < high) {
 		size_t middle = (low + high) / 2;
-		*(grid_speed(e, middle) <= v ? &low : &high) = middle;
+		*(e->speed[middle] <= v ? &low : &high) = middle;
 	}
 	return low;
 }
 
 size_t
-ensemble_pool(double *value, size_t *count, size_t n)
+ensemble_pool(double *value, double *weight, size_t *length, size_t n)
 {
 	size_t blocks = 0;
 	for (size_t k = 0; k < n; k++) {
 		value[blocks] = value[k];
-		count[blocks++] = 1;
+		weight[blocks] = weight[k];
+		length[blocks++] = 1;
 		for (; blocks > 1 && value[blocks - 2] > value[blocks - 1];
 		     blocks--) {
-			double *last = value + blocks - 2;
-			double a = (double)count[blocks - 2],
-			       b = (double)count[blocks - 1];
-			last[0] = (a * last[0] + b * last[1]) / (a + b);
-			count[blocks - 2] += count[blocks - 1];
+			double *last = value + blocks - 2,
+			       *w = weight + blocks - 2;
+			last[0] = (w[0] * last[0] + w[1] * last[1]) /
+				  (w[0] + w[1]);
+			w[0] += w[1];
+			length[blocks - 2] += length[blocks - 1];
 		}
 	}
 	return blocks;
@@ -443,15 +461,17 @@ ensemble_pool(double *value, size_t *count, size_t n)
 static void
 pool_falling(struct ensemble *e, size_t i)
 {
-	double mean[EVEN + 1];
-	size_t count[EVEN + 1], k = SLOWEST;
-	for (size_t j = 0; j <= EVEN; j++)
+	double mean[RISING], weight[RISING];
+	size_t length[RISING], k = SLOWEST, all = e->last - SLOWEST + 1;
+	for (size_t j = 0; j < all; j++) {
 		mean[j] = e->rising[SLOWEST + j][i];
-	size_t n = ensemble_pool(mean, count, EVEN + 1);
+		weight[j] = e->counts[SLOWEST + j];
+	}
+	size_t n = ensemble_pool(mean, weight, length, all);
 	for (size_t block = 0; block < n; block++)
-		for (size_t j = 0; j < count[block]; j++, k++) {
+		for (size_t j = 0; j < length[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
-			e->moved[k][i] = count[block] > 1;
+			e->moved[k][i] = length[block] > 1;
 		}
 }
 
@@ -460,7 +480,7 @@ static void
 draw_grid(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
-	ensemble_draws_at(e, grid_speed(e, k));
+	ensemble_draws_at(e, e->speed[k]);
 	e->rising[k] = xdoubles(size);
 	e->moved[k] = xcalloc(size, sizeof **e->moved);
 	memcpy(e->rising[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
@@ -469,12 +489,12 @@ draw_grid(struct ensemble *e, size_t k)
 static void
 make_rising(struct ensemble *e)
 {
-	for (size_t k = SLOWEST; k <= FASTEST; k++)
+	for (size_t k = SLOWEST; k <= e->last; k++)
 		draw_grid(e, k);
 	for (size_t i = 0; i < e->n * DRAWS; i++)
 		pool_falling(e, i);
 	e->slowest = SLOWEST;
-	e->fastest = FASTEST;
+	e->fastest = e->last;
 }
 
 /* What is asked for beyond the speeds that are looked at changes nothing within
@@ -482,7 +502,7 @@ make_rising(struct ensemble *e)
 static void
 widen_rising(struct ensemble *e, double v)
 {
-	while (e->slowest > 0 && v < grid_speed(e, e->slowest)) {
+	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
 		draw_grid(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
@@ -491,7 +511,7 @@ widen_rising(struct ensemble *e, double v)
 			e->rising[k][i] = fmin(e->rising[k][i], above);
 		}
 	}
-	while (e->fastest + 1 < RISING && v > grid_speed(e, e->fastest)) {
+	while (e->fastest + 1 < RISING && v > e->speed[e->fastest]) {
 		size_t k = ++e->fastest;
 		draw_grid(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
@@ -510,7 +530,7 @@ keep_rising(struct ensemble *e, double v)
 {
 	size_t k = grid_place(e, v);
 	const double *below = e->rising[k], *above = e->rising[k + 1];
-	double from = grid_speed(e, k), to = grid_speed(e, k + 1);
+	double from = e->speed[k], to = e->speed[k + 1];
 	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
 	for (size_t i = 0; i < e->n * DRAWS; i++) {
 		if (v < from)
@@ -535,19 +555,6 @@ rising_at(struct ensemble *e, double v)
 	keep_rising(e, v);
 }
 
-/* Those at the measured speed of that number. */
-static const double *
-ensemble_measured_at(struct ensemble *e, size_t k)
-{
-	size_t size = e->n * DRAWS;
-	if (e->measured[k] != NULL)
-		return e->measured[k];
-	rising_at(e, e->of->speed[k]);
-	e->measured[k] = xdoubles(size);
-	memcpy(e->measured[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
-	return e->measured[k];
-}
-
 /* Whether v lies between two measured speeds: number *k and the next. */
 static bool
 ensemble_is_between(const struct posterior *p, double v, size_t *k)
@@ -558,13 +565,13 @@ ensemble_is_between(const struct posterior *p, double v, size_t *k)
 	return false;
 }
 
-/* The weight of the straight line in a draw: draws next to one another, which
- * may be in order, have others. */
-static double
-straight_weight(const struct posterior *p, size_t draw)
+/* Whether a draw is straight between measured speeds: of draws next to one
+ * another, which may be in order, as many as of all. */
+static bool
+ensemble_is_straight(const struct posterior *p, size_t draw)
 {
 	size_t place = draw * 97 % DRAWS;
-	return p->straight * ((double)place + 0.5) / DRAWS;
+	return (double)place + 0.5 < p->straight * DRAWS;
 }
 
 /* At a speed between two measured ones (D25, straight.h). */
@@ -572,20 +579,16 @@ static void
 ensemble_straighten(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
-	const double *below = ensemble_measured_at(e, k),
-		     *above = ensemble_measured_at(e, k + 1);
-	double a = p->speed[k], b = p->speed[k + 1], weight[DRAWS];
+	double a = p->speed[k], b = p->speed[k + 1];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
-	for (size_t d = 0; d < DRAWS; d++)
-		weight[d] = straight_weight(p, d);
 	rising_at(e, v);
-	for (size_t i = 0; i < e->n * DRAWS; i += DRAWS)
-		for (size_t d = 0; d < DRAWS; d++) {
-			double from = below[i + d], to = above[i + d];
-			double line = from + t * (to - from);
-			answer[i + d] += weight[d] * (line - answer[i + d]);
-		}
+	const double *below = e->rising[e->measured[k]],
+		     *above = e->rising[e->measured[k + 1]];
+	for (size_t d = 0; d < DRAWS; d++)
+		for (size_t i = d;
+		     ensemble_is_straight(p, d) && i < e->n * DRAWS; i += DRAWS)
+			answer[i] = below[i] + t * (above[i] - below[i]);
 }
 
 void

@@ -20,6 +20,7 @@
 #include "core/posterior/coordinates.h"
 #include "core/posterior/covariance.h"
 #include "core/posterior/guide.h"
+#include "core/posterior/lack_of_fit.h"
 #include "core/posterior/thin.h"
 #include "core/numeric/elementary.h"
 #include "core/search/kernel.h"
@@ -1124,6 +1125,7 @@ posterior_step(struct posterior_run *run)
 	if (s->generation < WARM_UP + KEPT)
 		return false;
 	choose_draws(run);
+	lack_of_fit_find(run->p, run->m);
 	thin_look(run->thin, run->p);
 	find_convergence(run->p, s, run->sums);
 	return true;
@@ -1167,6 +1169,7 @@ posterior_free(struct posterior *p)
 	if (p == NULL)
 		return;
 	free_processes(p);
+	free(p->lack);
 	free(p->knot);
 	free(p);
 }

@@ -8,10 +8,12 @@
 #include "base/xalloc.h"
 #include "core/posterior/ensemble.h"
 
-/* How many times the share that the model misses of what the speed does counts
- * against it: of twice, five times and no limit the one that won most without
- * loss where a law fits (doc/decisions/straight-answers.md). */
-static const double TIMES = 5;
+/* How far the straight line is taken to be off between measured speeds, as a
+ * share of what the speed changes (doc/decisions/straight-answers.md). */
+static const double LINE = 0.15;
+
+/* The largest share: some draws stay, so that a band of 80 % has both ways. */
+static const double MOST = 0.75;
 
 /* The means of model and answer at a speed, [n] each. */
 static void
@@ -29,7 +31,7 @@ find_means(struct ensemble *e, double v, double *model, double *answer)
 }
 
 double
-straight_most(const struct posterior *p, const struct psd *feed,
+straight_share(const struct posterior *p, const struct psd *feed,
     const double *sieve, size_t n)
 {
 	double missed = 0, all = 0;
@@ -49,5 +51,6 @@ straight_most(const struct posterior *p, const struct psd *feed,
 	}
 	free(model);
 	ensemble_free(e);
-	return all > 0 ? fmin(1, TIMES * sqrt(missed / all)) : 0;
+	double line = LINE * LINE * all;
+	return all > 0 ? MOST * missed / (missed + line) : 0;
 }

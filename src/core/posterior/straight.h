@@ -1,4 +1,4 @@
-/* How much of an answer between two measured speeds is the straight line.
+/* How many of the draws are straight between two measured speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_STRAIGHT_H
 #define TIPSPEED_CORE_POSTERIOR_STRAIGHT_H
@@ -6,22 +6,25 @@
 #include "core/posterior/draws.h"
 #include "core/psd/psd.h"
 
-/* D25: between two measured speeds a draw is, with P its product as drawn,
- *   (1 - q) P(v) + q (P(v_a) + (P(v_b) - P(v_a)) (v^2 - v_a^2) /
- *       (v_b^2 - v_a^2))
- * its own straight line through the next measured speeds below and above, with
- * the weight q: evenly spread over the draws, from 0 to the largest,
- *   min(1, 5 missed),  missed^2 = sum (change of the correction)^2 /
- *       sum (change of the answer)^2
+/* D25: between two measured speeds an answer is an average over two ways that
+ * the truth may go on: as the draws have it, or along their straight lines in
+ * v^2.  A share q of the draws are, with P the product as drawn,
+ *   P(v_a) + (P(v_b) - P(v_a)) (v^2 - v_a^2) / (v_b^2 - v_a^2)
+ * through the next measured speeds below and above, all others P(v).  The
+ * weights are those by which two estimates are averaged best,
+ *   q = 0.75 missed^2 / (missed^2 + 0.15^2)
+ *   missed^2 = sum (change of the correction)^2 / sum (change of the answer)^2
  * over the sieves and from each measured speed to the next, by the means of the
- * draws.  A model with an effect of the speed that must be corrected at the
- * measured speeds is not reliable between them.  At the measured speeds and
- * beyond them nothing changes; anything that rises with the speed still
- * rises. */
+ * draws: a model that misses a share of what the speed does from one measured
+ * speed to the next errs in proportion to that share between them; the straight
+ * line by what the truth bends, which 0.15 stands for.  A quarter of the draws
+ * stay however wrong the model is, as the line may be as wrong, so that the band
+ * holds both.  At the measured speeds and beyond them nothing changes; anything
+ * that rises with the speed still rises. */
 
-/* Returns the largest weight, for a feed at sieves [n], coarsest first; 0 with
- * fewer than two speeds. */
-double straight_most(const struct posterior *p, const struct psd *feed,
+/* Returns q for a feed at sieves [n], coarsest first; 0 with fewer than two
+ * speeds. */
+double straight_share(const struct posterior *p, const struct psd *feed,
     const double *sieve, size_t n);
 
 #endif

@@ -159,15 +159,17 @@ thin_line_up(const double *by, size_t n, size_t *list)
 static void
 keep_from_falling(struct thin *t)
 {
-	size_t size = t->n_sieve * t->n, count[SPEEDS];
-	double value[SPEEDS];
+	size_t size = t->n_sieve * t->n, length[SPEEDS];
+	double value[SPEEDS], weight[SPEEDS];
 	for (size_t i = 0; i < size; i++) {
 		double *to = t->answer + i;
-		for (size_t k = 0; k < SPEEDS; k++)
+		for (size_t k = 0; k < SPEEDS; k++) {
 			value[k] = to[k * size];
-		size_t blocks = ensemble_pool(value, count, SPEEDS);
+			weight[k] = 1;
+		}
+		size_t blocks = ensemble_pool(value, weight, length, SPEEDS);
 		for (size_t b = 0; b < blocks; b++)
-			for (size_t j = 0; j < count[b]; j++, to += size)
+			for (size_t j = 0; j < length[b]; j++, to += size)
 				*to = value[b];
 	}
 }
@@ -194,5 +196,5 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 void
 thin_look(const struct thin *t, struct posterior *p)
 {
-	p->straight = straight_most(p, &t->feed, t->sieve, t->n_sieve);
+	p->straight = straight_share(p, &t->feed, t->sieve, t->n_sieve);
 }

@@ -24,8 +24,8 @@ void thin_add(struct thin *t, const struct posterior *batch);
  * answers on either side as all draws. */
 void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
-/* Sets the weight of the straight line (straight.h) in the draws kept, for the
- * same feed and sieves. */
+/* Sets the share of the draws kept that are straight (straight.h), for the same
+ * feed and sieves. */
 void thin_look(const struct thin *t, struct posterior *p);
 
 #endif
