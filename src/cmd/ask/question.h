@@ -43,8 +43,8 @@ bool question_run(struct session *s, const struct args *args,
 void question_make(const struct session *s, const struct entry *loaded,
     const struct scenario *scenario, struct question *q);
 
-/* If the call names no speed, the question takes the speed and the feed last
- * predicted at the site in use, if there are any. */
+/* If the call names no speed, the question takes the speed that was last asked
+ * about at the site in use, and the feed last predicted, if there are any. */
 void question_as_last(
     const struct session *s, const struct args *args, struct question *q);
 
