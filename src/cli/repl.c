@@ -35,13 +35,14 @@
 /* What readline calls has no argument to pass this by.  before: the lines of a
  * command that goes on, joined; given: bytes that no_key made up; offer: what
  * Return alone does now; stage: of what was said of the next step last, for
- * which site and fit. */
+ * which site and fit; declined: it was, and an empty line offers it anew. */
 static struct {
 	struct session *session;
 	char *before;
 	size_t given;
 	struct next offer;
 	int stage;
+	bool declined;
 	const struct site *site;
 	const struct history *history;
 } at;
@@ -354,12 +355,18 @@ answers_offer(struct session *s, const char *typed, int *number)
 	size_t which;
 	char *word = xstrdup(typed);
 	const char *said = text_trim(word);
-	bool yes = said[0] == '\0' || text_choice(YES, said, &which);
+	bool empty = said[0] == '\0';
+	bool yes = empty || text_choice(YES, said, &which);
 	bool no = text_choice(NO, said, &which);
+	bool again = empty && at.declined && at.offer.line == NULL;
 	free(word);
-	if (at.offer.line == NULL || at.before[0] != '\0' || !(yes || no))
+	if (at.before[0] != '\0' ||
+	    !(again || (at.offer.line != NULL && (yes || no))))
 		return false;
-	if (yes)
+	at.declined = no;
+	if (again)
+		at.stage = -1;
+	else if (yes)
 		take_offer(s, number);
 	return true;
 }

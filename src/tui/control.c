@@ -335,11 +335,11 @@ control_begins(const char *what)
 	open->begun = NULL;
 }
 
-/* The speed last predicted, else the usual one of the site. */
+/* The speed last asked about, else the usual one of the site. */
 static int
 first_speed(const struct session *s)
 {
-	double speed = session_known(s, "predict find", "speed");
+	double speed = s->asked > 0 ? s->asked : NAN;
 	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	struct slider_range range = tui_range_of(s, e);
 	if (slider_has(range, speed))

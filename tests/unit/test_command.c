@@ -131,11 +131,12 @@ names_may_be_cut_short_at_a_prompt(void **state)
 	(void)state;
 	static const char *const called[][2] = {{"pred", "predict"},
 	    {"PREDICT", "predict"}, {"SeE", "seed"}, {"set", "set"},
-	    {"fit", "calibrate"}, {"exi", "quit"}, {"qu", "quit"}};
+	    {"fit", "calibrate"}, {"exi", "quit"}, {"qu", "quit"},
+	    {"q", "quit"}};
 	for (size_t i = 0; i < ARRAY_LEN(called); i++)
 		assert_string_equal(
 		    command_called(called[i][0], true)->name, called[i][1]);
-	static const char *const none[] = {"", "s", "se", "predicts", "x", "q"};
+	static const char *const none[] = {"", "s", "se", "predicts", "x"};
 	for (size_t i = 0; i < ARRAY_LEN(none); i++)
 		assert_null(command_called(none[i], true));
 	assert_null(command_called("pred", false));

@@ -513,6 +513,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct question at = *q;
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
+	s->asked = p.speed;
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);

@@ -13,6 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
@@ -294,8 +295,10 @@ take_words(const struct args *args, struct question *q, bool *draws,
 		double v;
 		bool number = value_number(word, "m/s", &v) && v >= 1 &&
 			      v <= SITE_FASTEST && !given;
-		if (number)
+		if (number) {
 			q->speed = v;
+			q->speed_given = true;
+		}
 		else if (strcmp(word, "draws") == 0 && !*draws)
 			*draws = true;
 		else
@@ -316,6 +319,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	bool draws = false;
 	if (!take_words(args, q, &draws, error))
 		return false;
+	question_as_last(s, args, q);
 	take_settings(s, args);
 	if (!screened_tells(q, error))
 		return false;

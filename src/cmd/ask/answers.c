@@ -161,6 +161,7 @@ answers_keep(struct session *s, const struct entry *entry,
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep(s, answer);
+	s->asked = p->speed;
 }
 
 static char *

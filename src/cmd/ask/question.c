@@ -331,6 +331,8 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
 	bool ok = (!known || answers_ready(s, error)) &&
 		  question_read(s, args, &q, error) &&
 		  answer(s, args, &q, error);
+	if (ok && q.speed_given)
+		s->asked = q.speed;
 	question_free(s, &q);
 	return ok;
 }
@@ -424,7 +426,7 @@ void
 question_as_last(
     const struct session *s, const struct args *args, struct question *q)
 {
-	double last = session_known(s, "predict", "speed");
+	double last = s->asked > 0 ? s->asked : NAN;
 	double fed = session_known(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
 	if (q->speed_given || isnan(last))

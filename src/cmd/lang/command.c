@@ -122,10 +122,11 @@ command_called(const char *name, bool prompt)
 	const struct command *found = command_find(name);
 	if (found != NULL || !prompt)
 		return found;
-	/* Less leaves by q, and one too many is not to leave the program. */
+	/* Screens and pagers are left by q, and so is the program. */
 	enum { LEAST = 2 };
 	char *start = text_fold(name);
-	size_t n = strlen(start) < LEAST ? LEAST : 0;
+	bool leaves = strcmp(start, "q") == 0;
+	size_t n = strlen(start) < LEAST && !leaves ? LEAST : 0;
 	const struct command *exact = command_find(start);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (!begins_with(c, start))
@@ -155,9 +156,11 @@ command_nearest(const char *name)
 {
 	/* What other programs call it. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
-	    {"delete", "drop"}, {"goal", "set goal"}, {"open", "load"},
-	    {"remove", "drop"}, {"rm", "drop"}, {"run", "calibrate"},
-	    {"speed", "predict"}, {"store", "store list"}, {"unload", "drop"}};
+	    {"delete", "drop"}, {"full", "tui"}, {"full screen", "tui"},
+	    {"fullscreen", "tui"}, {"goal", "set goal"}, {"open", "load"},
+	    {"q", "quit"}, {"remove", "drop"}, {"rm", "drop"},
+	    {"run", "calibrate"}, {"speed", "predict"}, {"store", "store list"},
+	    {"unload", "drop"}};
 	const char *nearest = NULL;
 	size_t least = 3; /* more edits than this is another word */
 	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)

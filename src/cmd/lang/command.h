@@ -164,8 +164,8 @@ const struct command *command_meant(
 /* Finds a command by full name or alias; NULL if there is none. */
 const struct command *command_find(const char *name);
 
-/* As command_find; at a prompt also without case, and by a prefix of two
- * letters or more that only one command has. */
+/* As command_find; at a prompt also without case, by a prefix of two letters
+ * or more that only one command has, and quit by q. */
 const struct command *command_called(const char *name, bool prompt);
 
 /* Returns the names that begin with `name`, without case: "calibrate, check".

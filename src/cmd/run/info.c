@@ -122,6 +122,15 @@ unknown(const char *name, struct error *error)
 	    name, near != NULL ? near : name);
 }
 
+/* The command of two words, or what other programs call so: "full screen". */
+static const struct command *
+meant(const char *words)
+{
+	const struct command *command = command_find(words);
+	const char *other = command != NULL ? NULL : command_nearest(words);
+	return other != NULL ? command_find(other) : command;
+}
+
 bool
 cmd_help(struct session *s, const struct args *args, struct error *error)
 {
@@ -130,8 +139,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	bool example = args->n_operand == 2;
 	char *both =
 	    example ? xasprintf("%s %s", name, args->operand[1]) : NULL;
-	const struct command *command =
-	    both != NULL ? command_find(both) : NULL;
+	const struct command *command = both != NULL ? meant(both) : NULL;
 	free(both);
 	if (command != NULL)
 		example = false;

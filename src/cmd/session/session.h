@@ -124,6 +124,7 @@ struct session {
 	const struct spec *spec; /* envelope chosen, or NULL */
 	size_t n_spec;
 	struct spec **specs; /* every one there was */
+	double asked;        /* speed that was last asked about, or 0 */
 	struct moved *moved; /* see moved.h */
 	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
 	struct standing *standing; /* see question_standing; NULL: none made */

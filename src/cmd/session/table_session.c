@@ -162,11 +162,11 @@ const struct command TABLE_SESSION[] = {
 	.example = "version",
 	.run = cmd_version},
     {.name = "tui",
-	.brief = "open full-screen mode",
-	.flags = COMMAND_UNSAVED,
+	.brief = "open the full screen: the product as the speed moves",
+	.flags = COMMAND_UNSAVED | COMMAND_DAILY,
 	.text =
-	    "Opens on the site in use, at the speed last predicted, else at a "
-	    "held-out speed, else at 74 m/s. The arrow keys change the speed "
+	    "Opens on the site in use, at the speed last asked about, else at "
+	    "a held-out speed, else at 74 m/s. The arrow keys change the speed "
 	    "by 0.1 m/s, ? lists the keys and q returns. Needs a terminal.",
 	.example = "help tui",
 	.run = cmd_tui},
@@ -174,7 +174,8 @@ const struct command TABLE_SESSION[] = {
 	.alias = "exit",
 	.brief = "quit the program",
 	.flags = COMMAND_UNSAVED,
-	.text = "The rest of a script is not run.",
+	.text = "The rest of a script is not run. At the prompt q does it, "
+		"too.",
 	.example = "quit",
 	.run = cmd_quit},
     {.name = NULL}};

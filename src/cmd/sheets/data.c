@@ -62,8 +62,10 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 	size_t before = s->current;
 	if (!session_find(s, args->operand[0], &s->current, error))
 		return false;
-	if (s->current != before)
+	if (s->current != before) {
 		session_forget(s);
+		s->asked = 0;
+	}
 	return true;
 }
 

@@ -48,6 +48,7 @@ forget_all(struct session *s, const struct choices *choices)
 	s->pin = NULL;
 	s->energy = NULL;
 	s->n_entry = s->current = 0;
+	s->asked = 0;
 	s->set = *choices;
 	session_forget(s);
 	journal_restart(s);
