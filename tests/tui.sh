@@ -50,7 +50,8 @@ same 80x24
 before=$(p50)
 keys : 'screen > shot' Enter
 want ': screen > shot'
-diff "$golden/80x24" shot >difference
+# A terminal does not tell blanks in reverse at the end of a row.
+sed 's/ *$//' shot | diff "$golden/80x24" - >difference
 good=$?
 remark difference
 result $good "screen writes what the terminal shows"
@@ -104,7 +105,7 @@ want '74\.0 m/s  vs pinned 74\.0' "a prediction is kept beside"
 keys 7 8 Enter
 want '78\.0 m/s  vs pinned 74\.0'
 want 'P50  *2\.69±0\.0[0-9]  *-0\.16' "with what is now less than it"
-want '%.*pin' "and a curve of its own"
+want '╌ pinned' "and a curve of its own"
 keys : 'flow tph=120' Enter
 want '120 t/h at 78 m.s' "a command with a speed takes the slider's"
 keys q
@@ -358,7 +359,7 @@ want '^shell: *$' "^Z there stops the program"
 keys fg Enter
 sleep 0.3
 keys Enter
-want '^ 65 [?]' "and Return: back after it"
+want '^ 65 ╌' "and Return: back after it"
 keys : 'show params | { echo begun; exec sleep 100; }' Enter
 want '^begun'
 keys C-z
@@ -368,7 +369,7 @@ sleep 0.3
 keys C-c
 want 'Return: back' "fg goes on with both"
 keys Enter
-want '^ 65 [?]'
+want '^ 65 ╌'
 keys q
 want 'shell:$'
 

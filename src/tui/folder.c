@@ -255,7 +255,7 @@ folder_say(FILE *out, const char *what, const char *text)
 }
 
 static void
-say_site(const struct site *site, FILE *out)
+folder_say_site(const struct site *site, FILE *out)
 {
 	size_t n, products = site_products(site);
 	char *label = session_label(site);
@@ -282,6 +282,17 @@ say_site(const struct site *site, FILE *out)
 	free(sieve);
 	free(speeds);
 	free(label);
+}
+
+char *
+folder_site(const struct site *site)
+{
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = text_memory(&text, &n);
+	folder_say_site(site, out);
+	fclose(out);
+	return text;
 }
 
 static void
@@ -316,7 +327,7 @@ say_sheet(const char *path, FILE *out)
 	struct site_ask ask = {0};
 	struct site *site = site_read_as(&request, &errors, &ask);
 	if (site != NULL)
-		say_site(site, out);
+		folder_say_site(site, out);
 	else
 		say_faults(&errors, &ask, out);
 	site_ask_clear(&ask);

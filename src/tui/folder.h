@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/psd/site.h"
+
 /* Kinds of items, in the order in which they are listed. */
 enum folder_kind {
 	FOLDER_SHEET,
@@ -55,6 +57,9 @@ char *folder_into(const struct folder *folder, size_t item);
 /* Returns the command that opens an item other than a folder; anew: a session
  * replaces the present one.  The caller frees. */
 char *folder_command(const struct folder_item *item, bool anew);
+
+/* Returns what was read of a site, in lines.  The caller frees. */
+char *folder_site(const struct site *site);
 
 /* Returns what load would say of a file, in lines, or what it would ask.  The
  * file is not read where that could take long.  The caller frees. */

@@ -310,6 +310,20 @@ pane_curves_words(const struct tui *t)
 }
 
 int
+pane_lines(const struct area *area, int row, const char *text)
+{
+	for (unsigned look = LOOK_BOLD; *text != '\0' && row < area->rows;
+	     look = LOOK_PLAIN) {
+		size_t n = strcspn(text, "\n");
+		char *line = xstrndup(text, n);
+		row = screen_words(area, row, look, line);
+		free(line);
+		text += n + (text[n] == '\n');
+	}
+	return row;
+}
+
+int
 pane_moved(int at, int by, size_t n)
 {
 	int to = at + by;

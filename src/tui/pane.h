@@ -90,6 +90,10 @@ int pane_typed(const struct area *area, const char *prompt,
 int pane_word(struct tui *t, const struct area *area, const char *word,
     const char *found, const char *keys);
 
+/* Draws lines of text from a row on, the first one bold.  Returns the row after
+ * them. */
+int pane_lines(const struct area *area, int row, const char *text);
+
 /* Cuts off the words, separated by two spaces, that there is no room for. */
 void pane_cut(char *words, int columns);
 

@@ -213,6 +213,19 @@ made_sites_need_no_installation(void **state)
 
 /* Not keys of the page behind it. */
 static void
+enter_calibrates_what_was_read(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	type(t, ":load data/sites/tierp.csv");
+	press(t, "Enter");
+	assert_true(shows("Enter calibrates"));
+	assert_true(shows("3 runs: 69, 74, 79 m/s"));
+	press(t, "Enter");
+	assert_true(session_busy(t->session));
+	assert_int_equal(t->ui.page, PAGE_FIT);
+}
+
+static void
 letters_narrow_the_list(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
@@ -407,6 +420,7 @@ main(void)
 	    ON_STAGE(left_goes_to_the_folder_above),
 	    ON_STAGE(without_a_site_all_keys_lead_to_a_sheet),
 	    ON_STAGE(made_sites_need_no_installation),
+	    ON_STAGE(enter_calibrates_what_was_read),
 	    ON_STAGE(letters_narrow_the_list),
 	    ON_STAGE(a_site_of_the_program_is_tried),
 	    ON_STAGE(a_feed_fills_the_guess),

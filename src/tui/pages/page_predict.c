@@ -66,12 +66,18 @@ act_level(struct tui *t, const struct key *key)
 	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
-/* What the panel has no room for. */
+/* What the panel has no room for; before a calibration it is that. */
 void
 act_numbers(struct tui *t, const struct key *key)
 {
 	if (tui_entry(t) == NULL) {
 		act_choose(t, key);
+		return;
+	}
+	if (!tui_entry(t)->has_params &&
+	    site_products(tui_entry(t)->site) > 0 &&
+	    !session_busy(t->session)) {
+		act_fit(t, key);
 		return;
 	}
 	char *line = tui_asks(t);

@@ -252,22 +252,6 @@ draw_item(struct tui *t, const struct area *line, size_t i, unsigned look,
 }
 
 static void
-draw_preview(const struct tui *t, const struct area *area)
-{
-	const char *text = t->picker.preview;
-	int row = 0;
-	for (unsigned look = LOOK_BOLD;
-	     text != NULL && *text != '\0' && row < area->rows;
-	     look = LOOK_PLAIN) {
-		size_t n = strcspn(text, "\n");
-		char *line = xstrndup(text, n);
-		row = screen_words(area, row, look, line);
-		free(line);
-		text += n + (text[n] == '\n');
-	}
-}
-
-static void
 draw_title(const struct tui *t, const struct area *area)
 {
 	const struct picker *c = &t->picker;
@@ -333,7 +317,8 @@ picker_draw(struct tui *t)
 		preview.rows = body.row + body.rows - preview.row;
 	}
 	rows_draw(t, &list, draw_item, NULL);
-	draw_preview(t, &preview);
+	if (t->picker.preview != NULL)
+		pane_lines(&preview, 0, t->picker.preview);
 	if (t->message[0] != '\0') {
 		file_picker_draw_message(t);
 		return;

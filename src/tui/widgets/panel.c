@@ -21,6 +21,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/sieve_table.h"
 #include "tui/cmdline.h"
+#include "tui/folder.h"
 
 /* A row of numbers: its name, then these columns; where the panel is wide a
  * band stands between value and change. */
@@ -438,14 +439,16 @@ draw_sieves(struct panel *p, const struct area *area)
 }
 
 /* As many rows whether there is a doubt or not, or the numbers below would move
- * with the speed; `why` has all reasons. */
+ * with the speed; what is red says all of its reason. */
 static struct wish
 light_wish(const struct panel *p)
 {
 	enum { TALL = 30, MANY = 4, FEW = 2 };
-	bool red = p->light.light == LIGHT_RED,
-	     many = red || p->t->layout.side.rows > TALL;
-	return (struct wish){red ? MANY : 1, many ? MANY : FEW};
+	const struct area *side = &p->t->layout.side;
+	if (p->light.light == LIGHT_RED && p->reason != NULL)
+		return (struct wish){
+		    MANY, 1 + text_rows(p->reason, side->columns)};
+	return (struct wish){1, side->rows > TALL ? MANY : FEW};
 }
 
 static void
@@ -615,23 +618,26 @@ take_light(struct panel *p)
 	p->reason = p->light.reason[first].text;
 }
 
-/* Without a prediction there is what is pinned, and what to do. */
+/* Without a prediction there is what to do, and what is pinned or was read. */
 static void
 draw_nothing(const struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	const struct entry *entry = tui_entry(t);
+	const struct site *site = tui_entry(t)->site;
+	int row = 0;
 	/* The row of numbers has said it already. */
-	int row = t->layout.numbers.rows == 0;
-	if (row > 0)
-		screen_text(side, 0, 0, 0, "nothing predicted yet");
-	screen_text(side, row, 0, 0,
-	    entry == NULL                    ? N_("o opens a sheet")
-	    : site_products(entry->site) > 0 ? N_("f calibrates")
-					     : N_("no product: type :guess"));
-	if (!is_pinned(t))
+	if (t->layout.numbers.rows == 0)
+		screen_text(side, row++, 0, 0, "nothing predicted yet");
+	screen_text(side, row++, 0, 0,
+	    site_products(site) > 0 ? N_("Enter calibrates")
+				    : N_("no product: type :guess"));
+	row++;
+	if (!is_pinned(t)) {
+		char *read = folder_site(site);
+		pane_lines(side, row, read);
+		free(read);
 		return;
-	row += 2;
+	}
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
 	    t->view.pinned.speed, t->view.pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {

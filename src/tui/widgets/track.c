@@ -130,18 +130,21 @@ track_draw_cell(const struct tui *t, const struct area *track, int column,
 	    text);
 }
 
-/* Without a site nothing is beyond anything. */
 static int
 make_cells(const struct tui *t, const struct area *track,
     struct slider_cell *cell, const bool *kept)
 {
 	const struct entry *entry = tui_entry(t);
 	struct slider_range range = tui_range(t);
-	struct slider_mark mark[MOST_MARKS] = {
-	    {range.least, true}, {range.most, true}};
+	struct slider_mark mark[MOST_MARKS];
 	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
-	return slider_draw(cell, track->columns, range, t->ui.tenths, mark, n,
+	int at = slider_draw(cell, track->columns, range, t->ui.tenths, mark, n,
 	    kept, entry != NULL ? tr("extrapolated") : "");
+	/* Without a site nothing is beyond anything. */
+	for (int c = 0; c < track->columns && entry == NULL; c++)
+		if (cell[c].sign == 'x')
+			cell[c].sign = '-';
+	return at;
 }
 
 void
