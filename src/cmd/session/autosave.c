@@ -164,8 +164,8 @@ keep_end(struct session *s)
 	kept_free(k->kept);
 	free(k->restored);
 	free(k->restoring);
-	free(k);
 	s->keep = NULL;
+	free(k);
 }
 
 char *
