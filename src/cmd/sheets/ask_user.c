@@ -171,10 +171,9 @@ with_speed(const struct site_ask_column *c, const struct head *head,
 		free(role);
 		role = xstrdup("product");
 	}
-	char *said =
+	FREED char *said =
 	    xasprintf(rpm ? "%s %s rpm" : "%s@%s", role, text_exact(v, number));
 	char *text = with_role(c, said);
-	free(said);
 	free(role);
 	return text;
 }
@@ -200,11 +199,9 @@ with_words(const struct site_ask_column *c, const char *said,
 	if ((means & quantity) != 0)
 		return xstrdup(said);
 	if (bare && (means & WORD_PRODUCT) != 0) {
-		char *product = xasprintf(
+		FREED char *product = xasprintf(
 		    "product@%s", text_exact(head->number[0], number));
-		char *text = with_role(c, product);
-		free(product);
-		return text;
+		return with_role(c, product);
 	}
 	return with_role(c, said);
 }
@@ -461,13 +458,12 @@ ask_option(struct session *s, const struct site_ask *ask,
 		}
 	bool good = false, given_up = false;
 	while (!good && !given_up) {
-		char *answer = s->hooks.question(s, &q);
+		FREED char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		wrong[0] = '\0';
 		good =
 		    !given_up && ask_user_take_option(ask->settle,
 				     text_trim(answer), said, &given_up, wrong);
-		free(answer);
 		q.first = false;
 	}
 	free(about);
@@ -499,7 +495,7 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 	    .first = true};
 	bool good = false, given_up = !is_attended(s);
 	while (!good && !given_up) {
-		char *answer = s->hooks.question(s, &q);
+		FREED char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		char *said = given_up ? NULL : text_trim(answer);
 		for (size_t i = 0; i < 2 && said != NULL && !good; i++) {
@@ -510,7 +506,6 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 		snprintf(wrong, sizeof wrong,
 		    tr("expected %s or %s, got '%.30s'"), either[0], either[1],
 		    said != NULL ? said : "");
-		free(answer);
 		q.first = false;
 	}
 	free(about);
