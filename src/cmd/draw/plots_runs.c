@@ -120,10 +120,9 @@ add_further(struct chart *chart, const struct session *s,
 		runs_add_predicted(
 		    chart, s, q->entry, params, q->speeds[i], feed, look, "");
 	}
-	char *words = feed_words(site, feed);
+	FREED char *words = feed_words(site, feed);
 	if (q->n_speed > 0 && words != NULL)
 		chart_note(chart, "feed of the speeds not measured: %s", words);
-	free(words);
 }
 
 static bool
@@ -192,7 +191,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 		return NULL;
 	}
 	size_t n;
-	double *size = site_sieves(site, &n);
+	FREED double *size = site_sieves(site, &n);
 	for (size_t i = 0; i < n; i++)
 		size[i] = units_mm(size[i]);
 	struct chart *chart =
@@ -201,7 +200,6 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 		site_products(site) == 0 ? N_("feed")
 		: known                  ? N_("products measured and predicted")
 					 : N_("feed and products"));
-	free(size);
 	runs_add_all(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);

@@ -68,12 +68,11 @@ part_read(const struct value *option, struct part *part, struct error *error)
 		return true;
 	uint64_t number = 0, of = 0;
 	const char *slash = strchr(option->text, '/');
-	char *before = slash != NULL ? xstrndup(option->text,
-					   (size_t)(slash - option->text))
-				     : xstrdup("");
+	FREED char *before = slash != NULL ? xstrndup(option->text,
+						 (size_t)(slash - option->text))
+					   : xstrdup("");
 	bool good = slash != NULL && text_whole(before, &number) &&
 		    text_whole(slash + 1, &of);
-	free(before);
 	*part = (struct part){(size_t)number, (size_t)of, "part"};
 	if (good)
 		return check(part, error);
