@@ -2,7 +2,6 @@
  * for each departure what the printed form would come to at the site in use.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"

@@ -12,7 +12,6 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/envelope.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"

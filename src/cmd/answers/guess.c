@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/question.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
 #include "core/search/misfit.h"

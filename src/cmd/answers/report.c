@@ -18,8 +18,6 @@
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/run/line.h"
-#include "cmd/ask/outlook.h"
-#include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 #include "config.h"
 #include "io/cells/datetime.h"

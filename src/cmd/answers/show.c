@@ -2,7 +2,6 @@
  * table of all that can be shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"

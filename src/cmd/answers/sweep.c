@@ -1,7 +1,6 @@
 /* sweep: products over a range of speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"

@@ -1,7 +1,6 @@
 /* uncertainty: what makes an answer uncertain, and its draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_cdf.h>

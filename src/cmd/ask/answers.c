@@ -12,7 +12,6 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/screened.h"
-#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/quantity_words.h"

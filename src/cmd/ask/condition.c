@@ -13,7 +13,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/envelope.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 

@@ -11,7 +11,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"

@@ -3,10 +3,8 @@
 #include "cmd/ask/feed.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"

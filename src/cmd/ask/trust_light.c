@@ -4,7 +4,6 @@
 #include "cmd/ask/trust_light.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/text.h"
 #include "base/tr.h"

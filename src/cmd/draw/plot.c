@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/answers.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/question.h"

@@ -10,7 +10,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/draw/site_chart.h"
-#include "cmd/session/sites.h"
 #include "core/model/breakage.h"
 
 /* So many have their names written beside them, where there is room. */

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/tr.h"
@@ -12,7 +11,6 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots_past.h"
 #include "cmd/draw/site_chart.h"
-#include "cmd/session/sites.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 

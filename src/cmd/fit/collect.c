@@ -1,7 +1,6 @@
 /* collect: the parts of many sites become the answer of one run, and the stores
  * that they remembered sites in one store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* drift: routine cuts on control charts against their predictions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"

@@ -3,7 +3,6 @@
 #include "cmd/fit/fit_report.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"

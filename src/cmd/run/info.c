@@ -3,7 +3,6 @@
 #include <assert.h>
 #include <gsl/gsl_version.h>
 #include <jansson.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"

@@ -10,7 +10,6 @@
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
-#include "cmd/session/journal.h"
 #include "cmd/lang/table.h"
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"

@@ -5,10 +5,8 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"

@@ -1,6 +1,5 @@
 /* What is loaded and set as a whole, and small things about the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 

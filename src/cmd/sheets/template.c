@@ -1,6 +1,5 @@
 /* template: an empty site file for who starts from nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
