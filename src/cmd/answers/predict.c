@@ -102,7 +102,7 @@ interpolated(const struct session *s, const struct entry *entry,
 		site->run[r].product =
 		    psd_copy(moved_product(s, entry, params, r, p->feed_run));
 	}
-	bool *measured = xcalloc(site->n_run, sizeof *measured);
+	FREED bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
 	for (size_t r = 0; r < site->n_run; r++)
 		measured[r] = site->run[r].product.n > 0;
@@ -112,7 +112,6 @@ interpolated(const struct session *s, const struct entry *entry,
 			passing[i] = validate_interpolation(
 			    site, measured, p->speed, p->product.size[i]);
 	}
-	free(measured);
 	site_free(site);
 	return passing;
 }

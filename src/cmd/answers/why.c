@@ -229,14 +229,13 @@ say_fit(const struct subject *a)
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
-		char *details = origin_details(entry->origin);
+		FREED char *details = origin_details(entry->origin);
 		bool own = entry->origin->whose[0] == '\0';
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not calibrated on this "
 		    "site's runs",
 		    origin_words(entry), own ? "" : " (", own ? "" : details,
 		    own ? "" : ")");
-		free(details);
 		return;
 	}
 	say_parameters(a, fit);

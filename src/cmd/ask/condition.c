@@ -288,7 +288,7 @@ bool
 conditions_read(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
-	char *with = with_sign(text);
+	FREED char *with = with_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
 		if (!is_decimal(with, at))
@@ -298,7 +298,6 @@ conditions_read(const char *text, const struct fraction *fraction,
 		*at = '.';
 	}
 	ok = ok && read_signed(with, fraction, c, error);
-	free(with);
 	return ok;
 }
 

@@ -135,7 +135,7 @@ break_lines(struct press *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
-	char *shown = text_shown(words);
+	FREED char *shown = text_shown(words);
 	const char *text = shown;
 	do {
 		size_t n = p->pen->width(p->pen, text, style) <= width
@@ -147,7 +147,6 @@ break_lines(struct press *p, const char *words, double width,
 		text += n;
 		text += strspn(text, " ");
 	} while (*text != '\0');
-	free(shown);
 	return lines;
 }
 

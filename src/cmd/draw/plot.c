@@ -331,7 +331,7 @@ screen_request(const struct session *s, const struct args *args, bool picture)
 static struct answer *
 screen_answer(const struct canvas *canvas)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	struct answer *r = answer_new("screen");
 	FILE *memory = text_memory(&text, &n);
@@ -342,7 +342,6 @@ screen_answer(const struct canvas *canvas)
 		line[strcspn(line, "\n")] = '\0';
 		answer_cells(r, "%s", line);
 	}
-	free(text);
 	return r;
 }
 

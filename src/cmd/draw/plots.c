@@ -116,7 +116,7 @@ static struct axis
 sieves_of(const struct curves *c)
 {
 	size_t n = 0;
-	double *size = NULL;
+	FREED double *size = NULL;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct psd *psd = c->item[i].psd;
 		size = xrealloc(size, n + psd->n + 1, sizeof *size);
@@ -124,7 +124,6 @@ sieves_of(const struct curves *c)
 			size[n++] = units_mm(psd->size[j]);
 	}
 	struct axis axis = axis_sieves(tr("size, mm"), size, n);
-	free(size);
 	return axis;
 }
 

@@ -302,13 +302,12 @@ remarks(const struct session *s, const struct entry *entry)
 static void
 summarise(struct session *s, struct answer *r, const struct entry *entry)
 {
-	char *words = remarks(s, entry);
+	FREED char *words = remarks(s, entry);
 	const struct params *p = &entry->fit.params;
 	part_add(r, &(struct part_row){entry->key, words,
 			params_value(p, "f_mat"), params_value(p, "e0_min"),
 			params_value(p, "alpha"), entry->fit.misfit,
 			100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
-	free(words);
 }
 
 /* A job of one calibration has its site and its runs from the start. */

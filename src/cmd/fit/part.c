@@ -160,11 +160,10 @@ part_digest_of(const struct session *s)
 {
 	uint64_t digest = 0xcbf29ce484222325;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		char *text = xasprintf("%s %016" PRIx64 "\n", s->entry[i].key,
-		    s->entry[i].site->digest);
+		FREED char *text = xasprintf("%s %016" PRIx64 "\n",
+		    s->entry[i].key, s->entry[i].site->digest);
 		for (const char *p = text; *p != '\0'; p++)
 			digest = (digest ^ (unsigned char)*p) * 0x100000001b3;
-		free(text);
 	}
 	return digest;
 }

@@ -453,7 +453,7 @@ numbers(const struct command_option *option, const char *word,
 	size_t all;
 	if (option->choices != NULL && text_choice(option->choices, word, &all))
 		return true;
-	char *text = xstrdup(word);
+	FREED char *text = xstrdup(word);
 	char *dots = strstr(text, "..");
 	bool ok = true;
 	if (dots != NULL) {
@@ -467,7 +467,6 @@ numbers(const struct command_option *option, const char *word,
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
-	free(text);
 	if (ok && value->n == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected numbers (65,74 or 65..85:5)", option->name);

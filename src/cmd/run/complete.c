@@ -221,7 +221,7 @@ static void
 offer_shipped(struct work *w)
 {
 	static const char END[] = ".csv";
-	char *typed = text_fold(w->typed);
+	FREED char *typed = text_fold(w->typed);
 	bool other = w->session->safe || typed[0] == '\0';
 	for (size_t i = 0; i < w->result->n; i++)
 		other = other || w->result->candidate[i].append != '=';
@@ -237,7 +237,6 @@ offer_shipped(struct work *w)
 	}
 	if (dir != NULL)
 		closedir(dir);
-	free(typed);
 }
 
 /* The words in capitals of the table. */

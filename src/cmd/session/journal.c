@@ -304,12 +304,11 @@ static void
 put_provenance(FILE *out, const struct site *site)
 {
 	FREED char *kind = site_source(site, "provenance not stated");
-	char *line = xasprintf("# %s: %s", site->name, kind);
+	FREED char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		*p = *p == '\\' ? ' ' : *p;
 	text_put(line, out);
 	fputc('\n', out);
-	free(line);
 }
 
 void

@@ -318,8 +318,8 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 		table.column[i] = ask->column[i];
 		table.column[i].guess = xstrdup(ask->column[i].guess);
 	}
-	char *about = xasprintf(tr("%s: what are the %s marked with ?"), file,
-	    ask->across ? tr("lines") : tr("columns"));
+	FREED char *about = xasprintf(tr("%s: what are the %s marked with ?"),
+	    file, ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
 	said->columns = xstrdup("");
@@ -343,7 +343,6 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 	for (size_t i = 0; i < ask->n; i++)
 		free(table.column[i].guess);
 	free(table.column);
-	free(about);
 	return good;
 }
 
@@ -433,7 +432,7 @@ ask_option(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
 	char wrong[WRONG] = "", *text = NULL;
-	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
 	    .ask = ask,
 	    .text = ask->settle,
@@ -466,7 +465,6 @@ ask_option(struct session *s, const struct site_ask *ask,
 				     text_trim(answer), said, &given_up, wrong);
 		q.first = false;
 	}
-	free(about);
 	free(text);
 	return good;
 }
@@ -485,7 +483,7 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 {
 	const struct site_ask none = {0};
 	char wrong[WRONG] = "";
-	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
 	    .ask = &none,
 	    .text = text,
@@ -508,7 +506,6 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 		    said != NULL ? said : "");
 		q.first = false;
 	}
-	free(about);
 	return good;
 }
 
