@@ -38,6 +38,15 @@ xrealloc(void *p, size_t n, size_t size)
 	return q;
 }
 
+/* Pointers of several types come here. */
+void
+xfree_held(void *pointer)
+{
+	void *held;
+	memcpy(&held, pointer, sizeof held);
+	free(held);
+}
+
 char *
 xstrndup(const char *s, size_t n)
 {

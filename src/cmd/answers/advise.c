@@ -64,7 +64,7 @@ advise_candidates(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
-	double *round = answers_speeds(s, site, &more);
+	FREED double *round = answers_speeds(s, site, &more);
 	struct advised *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (misfit_covered(&site->run[r]) > 0)
@@ -72,7 +72,6 @@ advise_candidates(
 	k = add_candidate(site, c, k, asked);
 	for (size_t i = 0; i < more; i++)
 		k = add_candidate(site, c, k, round[i]);
-	free(round);
 	*n = k;
 	return c;
 }
@@ -90,17 +89,14 @@ by_width(const void *a, const void *b)
 static struct forecast *
 sieved(const struct session *s, const struct question *q, size_t *n)
 {
-	double *sieve = site_sieves(q->entry->site, n);
+	FREED double *sieve = site_sieves(q->entry->site, n);
 	while (*n > 0 && !psd_covers(question_feed(q), sieve[*n - 1]))
 		(*n)--;
-	struct quantity *asked = xcalloc(*n, sizeof *asked);
+	FREED struct quantity *asked = xcalloc(*n, sizeof *asked);
 	for (size_t i = 0; i < *n; i++)
 		asked[i] =
 		    (struct quantity){.kind = QUANTITY_PASSING, .x = sieve[i]};
-	struct forecast *f = forecast_open(s, q, asked, *n);
-	free(asked);
-	free(sieve);
-	return f;
+	return forecast_open(s, q, asked, *n);
 }
 
 /* Sorts the candidates by what they leave of a width. */
@@ -111,7 +107,7 @@ advise_weigh(const struct session *s, const struct wanted *w,
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
 	struct forecast *f = sieved(s, w->question, &sieves);
-	double *sample = xdoubles(sieves * N);
+	FREED double *sample = xdoubles(sieves * N);
 	for (size_t i = 0; i < n; i++) {
 		forecast_part_at(f, c[i].speed, ENSEMBLE_SAMPLE);
 		for (size_t k = 0; k < sieves; k++)
@@ -120,7 +116,6 @@ advise_weigh(const struct session *s, const struct wanted *w,
 		double share = advise_share(answer, sample, sieves);
 		c[i].width = width * sqrt(1 - share);
 	}
-	free(sample);
 	forecast_close(f);
 	qsort(c, n, sizeof *c, by_width);
 }
@@ -203,12 +198,11 @@ advise_best(const struct session *s, const struct question *q,
 	size_t n;
 	if (!answer_draws(s, &w, answer))
 		return false;
-	struct advised *c = weighed(s, &w, answer, ends, &n);
+	FREED struct advised *c = weighed(s, &w, answer, ends, &n);
 	if (c == NULL)
 		return false;
 	*best = c[0];
 	*width = ends[1] - ends[0];
-	free(c);
 	return true;
 }
 
@@ -219,7 +213,7 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 	const struct entry *entry = w->question->entry;
 	size_t n;
 	double ends[2];
-	struct advised *c = weighed(s, w, answer, ends, &n);
+	FREED struct advised *c = weighed(s, w, answer, ends, &n);
 	if (c == NULL)
 		return NULL;
 	double width = ends[1] - ends[0];
@@ -241,7 +235,6 @@ advice(const struct session *s, const struct wanted *w, double *answer)
 	answer_put_rows(r, "samples");
 	advise_note_best(r, w, &c[0], width);
 	note_feed(r, s, w);
-	free(c);
 	return r;
 }
 
@@ -254,14 +247,13 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 	bool size = args->n_operand > 1 &&
 		    value_number(args->operand[1], "mm", &mm) && mm > 0;
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		char *name = xasprintf("p%.0f", 100 * PSD_PASSING[i]);
+		FREED char *name = xasprintf("p%.0f", 100 * PSD_PASSING[i]);
 		if (strcmp(word, name) == 0 && args->n_operand < 2) {
 			w->q.kind = QUANTITY_SIZE;
 			w->q.x = PSD_PASSING[i];
 			w->name = xasprintf("P%.0f", 100 * PSD_PASSING[i]);
 			w->unit = "mm";
 		}
-		free(name);
 	}
 	if (strcmp(word, "passing") == 0 && size) {
 		w->q.kind = QUANTITY_PASSING;
@@ -269,10 +261,9 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 		w->name = xasprintf(tr("the passing at %g mm"), mm);
 		w->unit = tr("points");
 	}
-	char *of = quantities_fraction_words(&w->q.fraction);
+	FREED char *of = quantities_fraction_words(&w->q.fraction);
 	if (w->name != NULL && fraction_screens(&w->q.fraction))
 		xappend(&w->name, tr(" of %s"), of);
-	free(of);
 	return w->name != NULL ||
 	       error_set(error, ERROR_USAGE,
 		   "advise: expected p20, p50, p80, or passing and a size in "

@@ -103,14 +103,13 @@ is_as_saved(const struct session *s, const char *path, const char *wanted,
 		    "%s cannot be read, and the session needs it\n"
 		    "put it back where it was, or take out its lines",
 		    path);
-	char *found = xasprintf("%016" PRIx64, digest);
+	FREED char *found = xasprintf("%016" PRIx64, digest);
 	bool good = strcmp(found, wanted) == 0;
 	if (!good)
 		error_set(error, ERROR_DATA,
 		    "expected %s with digest %s, got %s: the file has changed\n"
 		    "take out this line to read it anyway; results will change",
 		    path, wanted, found);
-	free(found);
 	return good;
 }
 

@@ -46,7 +46,7 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
 {
 	const struct fraction *fraction = &all->question->fraction;
 	size_t n;
-	struct quantity *q =
+	FREED struct quantity *q =
 	    quantities_list(text, &fraction->partition, &n, error);
 	bool ok = q != NULL;
 	for (size_t i = 0; ok && i < n; i++)
@@ -56,7 +56,6 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
 		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
 		all->q[all->n++] = q[i];
 	}
-	free(q);
 	return ok;
 }
 
@@ -70,16 +69,14 @@ add_usual(struct asked *all, const struct psd *feed, struct error *error)
 		if (fabs(log(feed->size[i] / 2e-3)) <
 		    fabs(log(feed->size[near] / 2e-3)))
 			near = i;
-	char *middle = xasprintf("passing %.12g", units_mm(feed->size[near]));
-	char *finest =
+	FREED char *middle =
+	    xasprintf("passing %.12g", units_mm(feed->size[near]));
+	FREED char *finest =
 	    psd_covers(feed, 6.3e-5)
 		? xstrdup("fines")
 		: xasprintf("passing %.12g", units_mm(feed->size[feed->n - 1]));
-	bool ok = add_list(all, middle, feed, error) &&
-		  add_list(all, finest, feed, error);
-	free(middle);
-	free(finest);
-	return ok;
+	return add_list(all, middle, feed, error) &&
+	       add_list(all, finest, feed, error);
 }
 
 static bool
@@ -451,10 +448,9 @@ flow_keys(struct answer *r, const struct asked *all)
 {
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
-		char *key = xasprintf("%s_%s",
+		FREED char *key = xasprintf("%s_%s",
 		    line->unit == NULL ? "back_tph" : "tph", line->name);
 		add_key(r, key);
-		free(key);
 	}
 	if (all->flows)
 		add_key(r, "kwh_per_t");
@@ -469,9 +465,8 @@ add_keys(struct answer *r, const struct asked *all, bool rpm)
 	if (rpm)
 		add_key(r, "rpm");
 	for (size_t i = 0; i < all->n; i++) {
-		char *key = quantities_key(&all->q[i]);
+		FREED char *key = quantities_key(&all->q[i]);
 		add_key(r, key);
-		free(key);
 	}
 	add_key(r, "p80_low_mm");
 	add_key(r, "p80_high_mm");
@@ -504,12 +499,11 @@ card_add_row(struct answer *r, const struct asked *all,
 		answer_cells(r, "%.0f", row->earned);
 	if (all->list.n > 0) {
 		bool met = isnan(row->share) ? row->holds : row->share >= 0.5;
-		char *certain = isnan(row->share)
-				    ? xstrdup("-")
-				    : conditions_percent(row->share);
+		FREED char *certain = isnan(row->share)
+					  ? xstrdup("-")
+					  : conditions_percent(row->share);
 		answer_cells(r, "%s", met ? tr("met") : tr("missed"));
 		answer_text(r, "%s", certain);
-		free(certain);
 	}
 	answer_cells(r, "%s", tr(LIGHT_NAME[row->light]));
 }
@@ -536,12 +530,11 @@ note_flow(struct answer *r, const struct asked *all)
 static void
 note_limits(struct answer *r, const struct asked *all)
 {
-	char *words = conditions_list_words(&all->list);
+	FREED char *words = conditions_list_words(&all->list);
 	if (all->list.n > 0)
 		answer_note(r, "limits: %s", words);
 	if (all->limits != NULL)
 		answer_say(r, ANSWER_REMARK, "%s", all->limits);
-	free(words);
 }
 
 /* What the figures are, of which machine, found how, and who answers for
@@ -552,8 +545,8 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
-	char *speeds = session_speeds(site, ", ", NULL, true);
-	char *feed = feed_words(site, q->feed);
+	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	FREED char *feed = feed_words(site, q->feed);
 	bool fines = false;
 	for (size_t i = 0; i < all->n; i++)
 		fines = fines || (all->q[i].kind == QUANTITY_PASSING &&
@@ -562,9 +555,8 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 	    fines ? tr(", fines under 0.063 mm") : "",
 	    all->flows ? tr(", fractions in t/h") : "");
 	if (fraction_screens(&q->fraction)) {
-		char *cut = quantities_fraction_words(&q->fraction);
+		FREED char *cut = quantities_fraction_words(&q->fraction);
 		answer_note(r, "all of these of the fraction %s", cut);
-		free(cut);
 	}
 	if (dropped[0] != '\0')
 		answer_note(r, "left out for want of room: %s", dropped);
@@ -586,8 +578,6 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 	    "alone, or a doubt; red: do not rely on it; ?: beyond the measured "
 	    "speeds",
 	    speeds);
-	free(speeds);
-	free(feed);
 }
 
 /* The lights stand in the rows.  Where none of them is green the least bad says
@@ -607,13 +597,12 @@ note_light(struct answer *r, const struct session *s, const struct question *q,
 	}
 	answers_note_basis(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
-		char *said =
+		FREED char *said =
 		    light_said_at(s, q->entry, row[best].speed, q->feed);
 		answer_say(r,
 		    row[best].light == LIGHT_RED ? ANSWER_WARNING
 						 : ANSWER_REMARK,
 		    "%s", said);
-		free(said);
 	}
 	light_put(answer_fields(r), worst);
 	trust_free(worst);
@@ -634,7 +623,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 {
 	const struct entry *entry = all->question->entry;
 	bool rpm = entry->site->rotor > 0;
-	char *today = moment_today();
+	FREED char *today = moment_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
 	struct trust light = light_of(s, entry, NULL);
@@ -642,7 +631,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	for (size_t i = 0; i < n; i++)
 		card_work_out(s, all, speed[i], &row[i], &light);
 	struct page page = page_of(all, row, n, 100 * all->question->level);
-	char *dropped = page_fit(&page, r);
+	FREED char *dropped = page_fit(&page, r);
 	add_page(r, &page);
 	answer_for_programs(r);
 	add_keys(r, all, rpm);
@@ -657,8 +646,6 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	while (page.n > 0)
 		page_drop(&page, page.n - 1);
 	free(page.column);
-	free(dropped);
-	free(today);
 	rows_free(row, n);
 	return r;
 }

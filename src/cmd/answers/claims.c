@@ -87,14 +87,13 @@ claim_range(struct answer *r, const struct shown *c)
 static void
 claim_sizes(struct answer *r, const struct shown *c)
 {
-	const struct validation **v = xcalloc(c->n_run + 1, sizeof(*v));
+	FREED const struct validation **v = xcalloc(c->n_run + 1, sizeof(*v));
 	double rms[PSD_SIZES];
 	for (size_t j = 0; j < c->n_run; j++)
 		v[j] = &c->v[j];
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		rms[i] =
 		    100 * validate_score(v, c->n_run, VALIDATE_MODEL, i).rms;
-	free(v);
 	claim(r, N_("P50 differs least"), rms[1] < rms[0] && rms[1] < rms[2],
 	    xasprintf(tr("relative RMS of P20 %.2f %%, P50 %.2f %%, P80 %.2f "
 			 "%% over %zu held-out runs"),
@@ -146,10 +145,8 @@ claim_opposite(struct answer *r, const struct shown *c)
 static const struct stored *
 claims_row_of(const struct shown *c, const struct entry *entry)
 {
-	char *name = xasprintf("table3/%s", entry->key);
-	const struct stored *m = stored_find(&c->paper, name);
-	free(name);
-	return m;
+	FREED char *name = xasprintf("table3/%s", entry->key);
+	return stored_find(&c->paper, name);
 }
 
 static int
@@ -165,7 +162,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 {
 	static const double SPEED[] = {65, 85};
 	const double far = 1;
-	double *off = xdoubles(2 * c->n + 1);
+	FREED double *off = xdoubles(2 * c->n + 1);
 	size_t n = 0, well = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct site *site = c->fit[i]->site;
@@ -197,7 +194,6 @@ claim_beyond(struct answer *r, const struct shown *c)
 			off[n / 2], n, off[n - 1],
 			100 * (65 * 65 / (69. * 69) - 1),
 			100 * (85 * 85 / (79. * 79) - 1)));
-	free(off);
 }
 
 static void
@@ -256,7 +252,7 @@ bool
 show_claims(struct session *s, const struct args *args, struct error *error)
 {
 	struct shown c = {0};
-	char *about = xstrdup("");
+	FREED char *about = xstrdup("");
 	(void)args;
 	collect(&c, s);
 	bool any = c.n > 0 && c.n_run > 0;
@@ -282,7 +278,6 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 		answer_say(r, ANSWER_REMARK,
 		    "reconstructed data are made by the model itself: they can "
 		    "show that its calibration works, not that rock breaks so");
-	free(about);
 	free(c.fit);
 	free(c.v);
 	stored_list_free(&c.paper);

@@ -71,7 +71,7 @@ static struct forecast *
 side_forecast(
     const struct session *s, const struct side *side, const double *x, size_t n)
 {
-	struct quantity *q = xcalloc(n + PSD_SIZES, sizeof *q);
+	FREED struct quantity *q = xcalloc(n + PSD_SIZES, sizeof *q);
 	for (size_t i = 0; i < n + PSD_SIZES; i++)
 		q[i] = (struct quantity){
 		    .kind = i < n ? QUANTITY_PASSING : QUANTITY_SIZE,
@@ -81,7 +81,6 @@ side_forecast(
 	    side->pinned ? NULL : forecast_open(s, &side->q, q, n + PSD_SIZES);
 	if (f != NULL)
 		forecast_at(f, side->p.speed);
-	free(q);
 	return f;
 }
 
@@ -270,12 +269,12 @@ name_sides(bool sites, struct side side[2])
 	for (size_t i = 0; i < 2; i++) {
 		const char *key = side[i].entry->key;
 		double v = side[i].p.speed;
-		char *speed = side[i].pinned ? xasprintf(tr("pinned %g m/s"), v)
-					     : xasprintf("%g m/s", v);
+		FREED char *speed = side[i].pinned
+					? xasprintf(tr("pinned %g m/s"), v)
+					: xasprintf("%g m/s", v);
 		side[i].head = sites && !side[i].pinned ? xstrdup(key)
 			       : two ? xasprintf("%s %s", key, speed)
 				     : xstrdup(speed);
-		free(speed);
 	}
 }
 
@@ -284,8 +283,8 @@ static void
 head_sites(struct answer *r, const struct side side[2], const char *fraction)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
-	char *both = xasprintf("%s, %s", a->name, b->name);
-	char *data = provenance(side);
+	FREED char *both = xasprintf("%s, %s", a->name, b->name);
+	FREED char *data = provenance(side);
 	if (side[0].p.speed != side[1].p.speed)
 		answer_title(r, "%s and %s, %% passing%s", side[0].head,
 		    side[1].head, fraction);
@@ -297,22 +296,20 @@ head_sites(struct answer *r, const struct side side[2], const char *fraction)
 		    b->name, side[0].p.speed, fraction);
 	answers_put_variant(r, a);
 	answer_sites(r, both, data);
-	free(both);
-	free(data);
 }
 
 static struct answer *
 comparison(const struct session *s, const struct side side[2])
 {
 	size_t n;
-	double *x = all_sieves(side, &n);
+	FREED double *x = all_sieves(side, &n);
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++)
 		f[i] = side_forecast(s, &side[i], x, n);
 	bool band = f[0] != NULL && f[1] != NULL &&
 		    forecast_draws(f[0], n) != NULL &&
 		    forecast_draws(f[1], n) != NULL;
-	char *fraction = screened_title(&side[0].p.fraction);
+	FREED char *fraction = screened_title(&side[0].p.fraction);
 	struct answer *r = are_two(side)
 			       ? answer_new("compare")
 			       : answers_new(side[0].entry->site, "compare",
@@ -332,8 +329,6 @@ comparison(const struct session *s, const struct side side[2])
 		put_side(answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
 		forecast_close(f[i]);
 	}
-	free(fraction);
-	free(x);
 	return r;
 }
 

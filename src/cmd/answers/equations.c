@@ -2,7 +2,6 @@
  * for each departure what the printed form would come to at the site in use.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -130,13 +129,12 @@ static double
 points(const struct worked *w, struct model_settings settings,
     const struct params *p, size_t run)
 {
-	bool *train = xcalloc(w->site->n_run, sizeof *train);
+	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
 	train[w->low] = run != w->high;
 	train[w->high] = run != w->low;
 	struct misfit *m = misfit_new(w->site, train, NULL, false, settings);
 	double rmse = 100 * misfit_rmse(m, p);
 	misfit_free(m);
-	free(train);
 	return rmse;
 }
 
@@ -203,10 +201,9 @@ say_minus(struct answer *r, const struct worked *w)
 {
 	struct misfit *m[2];
 	for (size_t i = 0; i < 2; i++) {
-		bool *train = xcalloc(w->site->n_run, sizeof *train);
+		FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
 		train[i == 0 ? w->low : w->high] = true;
 		m[i] = misfit_new(w->site, train, NULL, false, w->settings);
-		free(train);
 	}
 	struct params best = *w->p;
 	double own = misfit_at(m[1], &best) - misfit_at(m[0], &best);
@@ -233,7 +230,7 @@ say_minus(struct answer *r, const struct worked *w)
 static bool
 find_runs(struct worked *w)
 {
-	bool *train = xcalloc(w->site->n_run, sizeof *train);
+	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
 	size_t n = misfit_default_train(w->site, train), found = 0;
 	for (size_t i = 0; i < w->site->n_run && n > 0; i++) {
 		if (!train[i])
@@ -241,7 +238,6 @@ find_runs(struct worked *w)
 		w->low = found++ == 0 ? i : w->low;
 		w->high = i;
 	}
-	free(train);
 	return found > 1 &&
 	       w->site->run[w->low].speed < w->site->run[w->high].speed;
 }

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
+#include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
@@ -60,7 +61,7 @@ add_figure(struct answer *r, struct fields *list, struct forecast *all,
 	       low = quantities_shown(q, f.low),
 	       high = quantities_shown(q, f.high);
 	bool whole = quantities_decimals(q) == 1;
-	char *words = quantities_words(q), *key = quantities_key(q);
+	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	answer_name(r, key, words);
 	answer_cells(
 	    r, whole ? "%.1f %s" : "%.2f %s", value, quantities_unit(q));
@@ -73,8 +74,6 @@ add_figure(struct answer *r, struct fields *list, struct forecast *all,
 		fields_put(fields_object(list, NULL),
 		    "quantity %s value %g unit %s low %g high %g", key, value,
 		    quantities_unit(q), low, high);
-	free(words);
-	free(key);
 }
 
 static void
@@ -98,7 +97,7 @@ cmd_figures(struct session *s, const struct args *args,
 	const struct entry *entry = question->entry;
 	double v = question->speed;
 	size_t n;
-	struct quantity *q = read_wanted(args, question, &n, error);
+	FREED struct quantity *q = read_wanted(args, question, &n, error);
 	if (q == NULL)
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);
@@ -114,6 +113,5 @@ cmd_figures(struct session *s, const struct args *args,
 	figure_rows(r, NULL, all, q, n, true);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
-	free(q);
 	return session_answer(s, r);
 }

@@ -12,7 +12,6 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/envelope.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
@@ -98,8 +97,8 @@ read_operand(const char *text, const struct fraction *fraction,
 static bool
 no_goal(const struct args *args, const struct goal *goal, struct error *error)
 {
-	char *all = xstrdup("");
-	char *first =
+	FREED char *all = xstrdup("");
+	FREED char *first =
 	    xstrndup(args->operand[0], strcspn(args->operand[0], "<>="));
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend(&all, " \"%s\"", args->operand[i]);
@@ -114,8 +113,6 @@ no_goal(const struct args *args, const struct goal *goal, struct error *error)
 		     "for the speeds at which this holds write window%s; for "
 		     "the speed that gives most add \"max %s\""),
 	    all, text_trim(first));
-	free(first);
-	free(all);
 	return false;
 }
 
@@ -212,9 +209,9 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 	bool passing =
 	    q->kind == QUANTITY_PASSING && !fraction_screens(&q->fraction);
 	bool value = goal->kind == GOAL_VALUE;
-	char *key =
+	FREED char *key =
 	    passing && value ? xstrdup("passing_pct") : quantities_key(q);
-	char *wanted = xasprintf("%s%s",
+	FREED char *wanted = xasprintf("%s%s",
 	    value                     ? ""
 	    : goal->kind == GOAL_MOST ? "max "
 				      : "min ",
@@ -231,8 +228,6 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    find_within(f->range[0]), find_within(f->range[1]),
 	    find_within(f->cut[0]), find_within(f->cut[1]));
-	free(key);
-	free(wanted);
 }
 
 /* The speed of what was found, NAN: none. */
@@ -267,14 +262,12 @@ find_note_speed(struct answer *r, const struct goal *goal,
 	if (isnan(f->range[0])) {
 		answer_note(r, "%s at %.2f m/s", words, f->found);
 	} else {
-		char *range = range_words(goal, f->range);
-		char *cut = range_words(goal, f->cut);
+		FREED char *range = range_words(goal, f->range);
+		FREED char *cut = range_words(goal, f->cut);
 		answer_note(r,
 		    "%s at %.2f m/s (%.0f %% range: %s; a belt cut may show it "
 		    "from %s)",
 		    words, f->found, 100 * goal->wanted.level, range, cut);
-		free(range);
-		free(cut);
 	}
 	answers_note_rpm(
 	    r, goal->question->entry->site, f->found, f->range[0], f->range[1]);
@@ -356,10 +349,9 @@ note_sure(
 		return;
 	}
 	forecast_at(goal->wanted.forecast, v);
-	char *words = value_words(goal, goal->wanted.n);
+	FREED char *words = value_words(goal, goal->wanted.n);
 	answer_note(
 	    r, "with %.0f %% certainty at %.1f m/s: %s", level, v, words);
-	free(words);
 }
 
 static void
@@ -375,7 +367,7 @@ note_other(struct answer *r, const struct goal *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
-	char *words = conditions_words(c), *value = value_words(goal, i);
+	FREED char *words = conditions_words(c), *value = value_words(goal, i);
 	double missed = -100 * wanted_margin(&goal->wanted, i).passing;
 	if (wanted_holds(&goal->wanted, i))
 		answer_note(r, "%s: met, %s", words, value);
@@ -383,8 +375,6 @@ note_other(struct answer *r, const struct goal *goal, size_t i)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
 		note_missed(r, words, missed, value);
-	free(words);
-	free(value);
 }
 
 /* Each other condition at the speed found, and how sure all of them are. */
@@ -399,13 +389,12 @@ note_others(struct answer *r, const struct goal *goal,
 	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
 		return;
-	char *words = conditions_percent(certain);
+	FREED char *words = conditions_percent(certain);
 	answer_note(r,
 	    goal->wanted.n > 1
 		? N_("at %.2f m/s these conditions hold with %s certainty")
 		: N_("at %.2f m/s this condition holds with %s certainty"),
 	    v, words);
-	free(words);
 	if (goal->kind != GOAL_VALUE && certain < goal->wanted.level)
 		note_sure(r, goal, f);
 }
@@ -489,7 +478,7 @@ answer_goal(struct session *s, struct goal *goal)
 	for (size_t i = 0; i < n; i++)
 		p[i] = forecast_whole(s, entry, speed[i], q->feed);
 	session_forget(s);
-	char *words = goal_words(goal);
+	FREED char *words = goal_words(goal);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(r, entry, p, n);
@@ -506,7 +495,6 @@ answer_goal(struct session *s, struct goal *goal)
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	speed_search_free(f);
-	free(words);
 }
 
 /* Where none meets it: what is missed at the nearest speed. */
@@ -516,21 +504,19 @@ note_window(struct answer *r, const struct goal *goal, const struct grading *g,
 {
 	const struct speed_range *in = speed_search_around(w);
 	if (in != NULL) {
-		char *speeds = conditions_speeds_words(w);
+		FREED char *speeds = conditions_speeds_words(w);
 		answer_note(r,
 		    "meets the envelope at %s m/s, most surely at %.1f; table: "
 		    "%.1f m/s",
 		    speeds, w->best, in->from);
-		free(speeds);
 		return;
 	}
 	answer_note(r,
 	    "no speed from %g to %g m/s meets the envelope; the nearest is "
 	    "%.1f m/s",
 	    goal->wanted.from, goal->wanted.to, w->best);
-	char *missed = grading_missed(g);
+	FREED char *missed = grading_missed(g);
 	answer_note(r, "%s", missed);
-	free(missed);
 }
 
 static void
@@ -562,10 +548,9 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	struct speed_search *w = speed_search_all(&g.conditions);
 	const struct speed_range *in = speed_search_around(w);
 	double v = in != NULL ? in->from : w->best;
-	char *words = grading_words(&g);
+	FREED char *words = grading_words(&g);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speeds for %s", words);
-	free(words);
 	grading_rows(r, &g, v);
 	note_window(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL)

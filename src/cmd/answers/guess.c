@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/question.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
 #include "core/search/misfit.h"
@@ -203,7 +202,7 @@ static void
 note_sizes(struct answer *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
-	char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
+	FREED char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
 	char *words[ANSWERS_SIZES];
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		words[i] = range_words(
@@ -213,7 +212,6 @@ note_sizes(struct answer *r, const struct guess *guess)
 	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		free(words[i]);
-	free(none);
 }
 
 /* Names of the materials picked (or, with `left`, left out). */
@@ -237,7 +235,7 @@ note_nearest(struct answer *r, const struct basis *b)
 	for (size_t i = 0; i < b->n; i++)
 		same +=
 		    text_same(b->list.item[b->pick[i]].rock, b->wanted.rock);
-	char *picked = names(b, false);
+	FREED char *picked = names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
@@ -249,7 +247,6 @@ note_nearest(struct answer *r, const struct basis *b)
 			: N_("nearest by rock (%s, %zu of %zu; no top size "
 			     "stated): %s"),
 		    b->wanted.rock, same, b->n, picked);
-	free(picked);
 }
 
 /* It may be one more, or spelt wrongly. */
@@ -321,11 +318,10 @@ note_materials(struct answer *r, const struct basis *b)
 		answer_say(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
 		    "data");
-	char *left = names(b, true);
+	FREED char *left = names(b, true);
 	if (left[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "left out because they are this site's own: %s", left);
-	free(left);
 }
 
 /* A speed that one of the materials, or more, was not trained at; nothing is
@@ -395,7 +391,7 @@ guess_note_best(
 	while (misfit_covered(&site->run[run]) == 0)
 		if (++run == site->n_run)
 			return;
-	bool *train = xcalloc(site->n_run, sizeof *train);
+	FREED bool *train = xcalloc(site->n_run, sizeof *train);
 	for (size_t i = 0; i < b->list.n; i++) {
 		const struct guess_material *m = &b->m[i];
 		if (b->leave_out[i])
@@ -407,7 +403,6 @@ guess_note_best(
 			best = i;
 		}
 	}
-	free(train);
 	if (best == b->list.n)
 		return;
 	const char *name = b->list.item[best].name;

@@ -189,21 +189,19 @@ sizes_of(const struct findings *f, bool sharp, char **speeds)
 static void
 add_sizes(char **text, const struct findings *f, bool sharp)
 {
-	char *speeds = xstrdup(""), *sizes = sizes_of(f, sharp, &speeds);
+	FREED char *speeds = xstrdup(""), *sizes = sizes_of(f, sharp, &speeds);
 	if (sizes[0] != '\0')
 		xlist(text, "; ",
 		    sharp ? tr("the data fix the break size at %s m/s: %s mm")
 			  : tr("the data leave the break size at %s m/s open: "
 			       "%s mm"),
 		    speeds, sizes);
-	free(speeds);
-	free(sizes);
 }
 
 static void
 add_names(char **text, const struct findings *f, enum identify_grade grade)
 {
-	char *names = xstrdup("");
+	FREED char *names = xstrdup("");
 	size_t n = 0, left = 0;
 	for (size_t j = 0; j < f->of->n; j++)
 		left += f->param[j].grade == grade;
@@ -220,7 +218,6 @@ add_names(char **text, const struct findings *f, enum identify_grade grade)
 			      "%s are determined poorly", left)
 			: tr_n("%s is determined", "%s are determined", left),
 		    names);
-	free(names);
 }
 
 /* The one sentence.  The caller frees. */
@@ -285,7 +282,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	struct findings f = identify_find(p, entry->site);
 	struct answer *r =
 	    answers_new(entry->site, "identify", "what the data determine");
-	char *text = sentence(&f);
+	FREED char *text = sentence(&f);
 	identify_add_rows(r, &f);
 	identify_put(answer_fields(r), &f, text);
 	say_ridges(r, &f);
@@ -294,7 +291,6 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	    "of made-up plants that follow Eqs 1 to 3 the middle 80 %% of the "
 	    "draws of the break size held the true one in 63 to 82 of 100");
 	answer_note(r, "%s", text);
-	free(text);
 	free(f.speed);
 	free(f.at);
 	return session_answer(s, r);

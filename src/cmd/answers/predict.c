@@ -65,7 +65,7 @@ note_feed_gaps(
     struct answer *r, const struct site *site, const struct prediction *p)
 {
 	const struct psd *feed = site_feed(site, p->feed_run);
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
 		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
 			xlist(&list, ", ", "%g", units_mm(p->feed.size[i]));
@@ -74,7 +74,6 @@ note_feed_gaps(
 		    "the feed was not sieved at %s mm: its passing there is "
 		    "interpolated",
 		    list);
-	free(list);
 }
 
 static void
@@ -103,7 +102,7 @@ interpolated(const struct session *s, const struct entry *entry,
 		site->run[r].product =
 		    psd_copy(moved_product(s, entry, params, r, p->feed_run));
 	}
-	bool *measured = xcalloc(site->n_run, sizeof *measured);
+	FREED bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
 	for (size_t r = 0; r < site->n_run; r++)
 		measured[r] = site->run[r].product.n > 0;
@@ -113,7 +112,6 @@ interpolated(const struct session *s, const struct entry *entry,
 			passing[i] = validate_interpolation(
 			    site, measured, p->speed, p->product.size[i]);
 	}
-	free(measured);
 	site_free(site);
 	return passing;
 }
@@ -160,7 +158,7 @@ predict_add_rows(struct answer *r, const struct session *s,
 {
 	const struct run *run;
 	size_t n = predict_measured_at(entry->site, p->speed, &run);
-	struct psd *part = measured_parts(s, entry, params, run, n, p);
+	FREED struct psd *part = measured_parts(s, entry, params, run, n, p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -197,7 +195,6 @@ predict_add_rows(struct answer *r, const struct session *s,
 	}
 	for (size_t k = 0; k < n; k++)
 		psd_free(&part[k]);
-	free(part);
 }
 
 static struct answer *
@@ -206,18 +203,15 @@ prediction_answer(const struct session *s, const struct entry *entry,
     const double *between, bool detail)
 {
 	const char *model = breakage_of(params)->name;
-	char *fraction = screened_title(&p->fraction);
-	char *more =
+	FREED char *fraction = screened_title(&p->fraction);
+	FREED char *more =
 	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
-	char *band =
+	FREED char *band =
 	    !detail && p->low != NULL
 		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
 		: xstrdup("");
 	struct answer *r = answers_new(entry->site, "predict",
 	    "product at %.1f m/s%s%s%s", p->speed, more, fraction, band);
-	free(band);
-	free(more);
-	free(fraction);
 	/* One who hears a table wants a sieve's numbers in a line. */
 	if (!s->linear)
 		answer_across(r);
@@ -238,14 +232,13 @@ note_only_check(
 	    !cut_is_only_check(entry, &run))
 		return;
 	struct cut cut = cut_compare(s, entry, run);
-	char *words = cut_words(&cut);
+	FREED char *words = cut_words(&cut);
 	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
 	    cut.missed ? N_("the prediction misses the cut at %g m/s, the one "
 			    "product of this site: %s")
 		       : N_("the prediction meets the cut at %g m/s, the one "
 			    "product of this site: %s"),
 	    entry->site->run[run].speed, words);
-	free(words);
 	fields_put(fields_object(answer_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
 	    100 * cut.rms, cut.n);
@@ -261,7 +254,7 @@ note_floor(
 	const double shown = 5e-4;
 	const struct site *site = q->entry->site;
 	const struct psd *feed = question_feed(q);
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i], fed = psd_at_sieve(feed, x);
 		double least = INFINITY;
@@ -279,7 +272,6 @@ note_floor(
 		    "crushing cannot bring about: the answer is the feed's "
 		    "there; sample the feed again",
 		    list);
-	free(list);
 }
 
 /* Whether what corrects the model is worth a word. */
@@ -333,7 +325,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
 	if (p->low == NULL || fraction_screens(&p->fraction))
 		return NULL;
-	char *chance = chance_words(q->level);
+	FREED char *chance = chance_words(q->level);
 	struct forecast *f = forecast_open(s, q, &passing, 1);
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
@@ -353,7 +345,6 @@ predict_sure(const struct session *s, const struct question *q,
 		words = more;
 	}
 	forecast_close(f);
-	free(chance);
 	return words;
 }
 
@@ -361,10 +352,9 @@ static void
 note_sure(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	char *words = predict_sure(s, q, p);
+	FREED char *words = predict_sure(s, q, p);
 	if (words != NULL)
 		answer_note(r, "%s", words);
-	free(words);
 }
 
 /* The largest move of what was measured and stands beside the answer, passing
@@ -390,7 +380,8 @@ explained(const struct session *s, const struct question *q,
     bool detail)
 {
 	const struct entry *entry = q->entry;
-	double *between = wanted ? interpolated(s, entry, params, p) : NULL;
+	FREED double *between =
+	    wanted ? interpolated(s, entry, params, p) : NULL;
 	struct answer *r =
 	    prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
@@ -426,7 +417,6 @@ explained(const struct session *s, const struct question *q,
 	at.moved = largest_move(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
 	    p->low != NULL && (detail || is_unusual(s, entry)));
-	free(between);
 	return r;
 }
 

@@ -18,8 +18,6 @@
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/run/line.h"
-#include "cmd/ask/outlook.h"
-#include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 #include "config.h"
 #include "io/cells/datetime.h"
@@ -172,14 +170,12 @@ put_sections(struct session *s, const struct ask *ask)
 		const struct section *row = &SECTIONS[i];
 		if (!is_met(s, ask, row->need))
 			continue;
-		char *line = filled(row->line, ask);
+		FREED char *line = filled(row->line, ask);
 		if (row->heading != NULL) {
-			char *heading = filled(tr(row->heading), ask);
+			FREED char *heading = filled(tr(row->heading), ask);
 			document_heading(s->document, heading);
-			free(heading);
 		}
 		run_line(s, line);
-		free(line);
 	}
 }
 
@@ -187,7 +183,7 @@ put_sections(struct session *s, const struct ask *ask)
 static void
 put_data(struct document *d, const struct site *site)
 {
-	char *from = site_source(site, "");
+	FREED char *from = site_source(site, "");
 	if (from[0] == '\0')
 		document_say(d, DOCUMENT_WARNING,
 		    "The site file does not state where its data are from.");
@@ -196,7 +192,6 @@ put_data(struct document *d, const struct site *site)
 		    "The data were not measured at a plant: %s.", from);
 	else
 		document_say(d, DOCUMENT_WORDS, "Data: %s.", from);
-	free(from);
 }
 
 static void
@@ -204,17 +199,17 @@ put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
-	char *words = xasprintf(tr("Trust: %s. %s the answer at %.1f m/s%s"),
-	    tr(LIGHT_NAME[t.light]),
-	    t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
-	    : t.light == LIGHT_RED ? tr("Do not rely on")
-				   : tr("Take care with"),
-	    ask->speed, t.n == 0 ? "." : ":");
+	FREED char *words =
+	    xasprintf(tr("Trust: %s. %s the answer at %.1f m/s%s"),
+		tr(LIGHT_NAME[t.light]),
+		t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
+		: t.light == LIGHT_RED ? tr("Do not rely on")
+				       : tr("Take care with"),
+		ask->speed, t.n == 0 ? "." : ":");
 	document_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
 		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
 		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
-	free(words);
 	trust_free(&t);
 }
 
@@ -223,10 +218,9 @@ static void
 append_window(char **words, const struct ask *ask)
 {
 	const struct speed_search *w = ask->found;
-	char *speeds = conditions_speeds_words(w);
+	FREED char *speeds = conditions_speeds_words(w);
 	if (w->n_inside > 0)
 		xlist(words, "; ", tr("met at %s m/s"), speeds);
-	free(speeds);
 	if (w->n_inside > 0)
 		return;
 	xlist(words, "; ",
@@ -249,18 +243,15 @@ put_conditions(struct session *s, const struct ask *ask)
 	forecast_at(ask->wanted.forecast, ask->speed);
 	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
 	double share = wanted_certainty(&ask->wanted);
-	char *list = conditions_list_words(&ask->list);
-	char *chance = conditions_chance(share, met);
-	char *words = xasprintf(
+	FREED char *list = conditions_list_words(&ask->list);
+	FREED char *chance = conditions_chance(share, met);
+	FREED char *words = xasprintf(
 	    tr("Conditions: %s: at %.1f m/s %s"), list, ask->speed, chance);
 	append_window(&words, ask);
 	document_say(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS
 						: DOCUMENT_WARNING,
 	    "%s.", words);
-	free(chance);
-	free(words);
-	free(list);
 }
 
 /* What is asked for first: the answer, and how sure it is. */
@@ -271,10 +262,9 @@ report_put_answer(struct session *s, const struct ask *ask)
 	if (!is_met(s, ask, NEED_PARAMS))
 		return;
 	struct prediction p = forecast_whole(s, q->entry, ask->speed, q->feed);
-	char *sure = predict_sure(s, q, &p);
+	FREED char *sure = predict_sure(s, q, &p);
 	if (sure != NULL)
 		document_say(s->document, DOCUMENT_WORDS, "%s.", sure);
-	free(sure);
 	prediction_free(&p);
 }
 
@@ -282,20 +272,18 @@ report_put_answer(struct session *s, const struct ask *ask)
 static void
 put_missing(struct session *s, const struct ask *ask)
 {
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
 		if (row->heading == NULL || !is_asked(ask, row->need))
 			continue;
-		char *heading = filled(tr(row->heading), ask);
+		FREED char *heading = filled(tr(row->heading), ask);
 		xlist(&list, "; ", "%s", heading);
-		free(heading);
 	}
 	document_say(s->document, DOCUMENT_WARNING,
 	    "The site is not calibrated. Missing here: %s. Next step: run "
 	    "'calibrate', then 'report' again.",
 	    list);
-	free(list);
 }
 
 static void
@@ -325,9 +313,9 @@ static void
 compose(struct session *s, const struct ask *ask)
 {
 	const struct site *site = ask->q->entry->site;
-	char *label = session_label(site);
-	char *today = moment_today();
-	char *title = xasprintf(tr("Report: %s, %s"), label, today);
+	FREED char *label = session_label(site);
+	FREED char *today = moment_today();
+	FREED char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_title(s->document, title);
 	report_put_answer(s, ask);
 	put_conditions(s, ask);
@@ -338,9 +326,6 @@ compose(struct session *s, const struct ask *ask)
 	put_data(s->document, site);
 	put_sections(s, ask);
 	report_put_script(s, ask);
-	free(title);
-	free(today);
-	free(label);
 }
 
 /* Adds " name\"words\"". */
@@ -360,10 +345,9 @@ options_words(const struct args *args, const char *const *name, size_t n)
 	char *words = xstrdup("");
 	for (size_t i = 0; i < n; i++) {
 		const struct value *value = args_value(args, name[i]);
-		char *key = xasprintf("%s=", name[i]);
+		FREED char *key = xasprintf("%s=", name[i]);
 		if (value->given)
 			add_quoted(&words, key, value->text);
-		free(key);
 	}
 	return words;
 }
@@ -403,13 +387,12 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 	const struct site *site = entry->site;
 	const struct psd *feed = site_feed(site, ask->q->feed);
 	const struct fraction *fraction = &ask->q->fraction;
-	char *remark = NULL;
+	FREED char *remark = NULL;
 	take_words(args, ask);
 	if (!conditions_add_operands(args, fraction, feed, &ask->list, error) ||
 	    !conditions_add_option(
 		s, args, fraction, feed, &ask->list, &remark, error))
 		return false;
-	free(remark);
 	ask->speed = ask->q->speed;
 	if (!is_met(s, ask, NEED_CONDITIONS))
 		return true;

@@ -2,7 +2,6 @@
  * table of all that can be shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -27,8 +26,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct site *site = session_entry(s)->site;
 	struct answer *r = answer_new("show");
-	char *label = session_label(site);
-	char *speeds = session_speeds(site, " ", NULL, true);
+	FREED char *label = session_label(site);
+	FREED char *speeds = session_speeds(site, " ", NULL, true);
 	answer_title(r, "%s", label);
 	answer_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
@@ -47,8 +46,6 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < site->n_note; i++)
 		answer_cells(
 		    r, "%s %s", site->note[i].key, site->note[i].value);
-	free(label);
-	free(speeds);
 	return session_answer(s, r);
 }
 
@@ -68,13 +65,10 @@ static void
 show_add_curve(struct answer *r, const struct run *run, bool feed)
 {
 	const char *key = feed ? N_("feed") : N_("product");
-	char *at = xasprintf("@%g%s", run->speed, run->repeat);
-	char *name = xasprintf("%s%s", key, at);
-	char *head = xasprintf("%s%s", tr(key), at);
+	FREED char *at = xasprintf("@%g%s", run->speed, run->repeat);
+	FREED char *name = xasprintf("%s%s", key, at);
+	FREED char *head = xasprintf("%s%s", tr(key), at);
 	answer_column(r, name, head);
-	free(head);
-	free(name);
-	free(at);
 }
 
 /* Columns feed@69, or the one feed of all runs, or product@69; their curves go
@@ -105,7 +99,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct site *site = session_entry(s)->site;
 	bool feed = strcmp(args->operand[0], "feed") == 0;
-	const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
+	FREED const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
 	struct answer *r = answers_new(site, "show",
 	    feed ? N_("feed, %% passing")
 		 : N_("measured products, %% passing"));
@@ -120,7 +114,6 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 			answer_cells(
 			    r, "%.2f", units_pct(psd_at_sieve(curve[i], x)));
 	}
-	free(curve);
 	return session_answer(s, r);
 }
 
@@ -129,12 +122,10 @@ static void
 note_equations(struct answer *r, const struct params *p, double k)
 {
 	answer_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
-	char *S = breakage_of(p)->selection_text(p, k);
-	char *B = breakage_of(p)->appearance_text(p);
+	FREED char *S = breakage_of(p)->selection_text(p, k);
+	FREED char *B = breakage_of(p)->appearance_text(p);
 	answer_note(r, "Eq 3: %s", S);
 	answer_note(r, "Eq 1: %s", B);
-	free(S);
-	free(B);
 }
 
 static bool
@@ -232,7 +223,7 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	const struct psd *feed = question_feed(q);
 	struct prediction p = forecast_whole(s, entry, q->speed, q->feed);
-	double *S = xdoubles(feed->n);
+	FREED double *S = xdoubles(feed->n);
 	(void)args;
 	(void)error;
 	predict_selection(feed, &entry->params, s->set.model, q->speed, S);
@@ -251,7 +242,6 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
 	feed_note(r, entry->site, q->feed, NULL, 0);
-	free(S);
 	prediction_free(&p);
 	return session_answer(s, r);
 }
@@ -307,7 +297,7 @@ matrix_long(
 static void
 note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 {
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	for (int i = 1; i < 10; i++)
 		xlist(&text, ", ", "1/%d: %.1f %%", 1 << i,
 		    100 * answers_finer(b, ldexp(1, -i), site));
@@ -316,7 +306,6 @@ note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 	    "as used by the method continuous: %s; nothing is finer than "
 	    "1/1024",
 	    text);
-	free(text);
 }
 
 static void
@@ -343,7 +332,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	struct breaker b;
 	breaker_set(&b, &p, &s->set.model);
 	breaker_at(&b, site_middle(entry->site));
-	double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
+	FREED double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
 	struct answer *r = answers_new(entry->site, "show",
@@ -360,8 +349,6 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	if (s->set.model.appearance == APPEARANCE_RATIO)
 		note_passing(r, &b, entry->site);
 	put_matrix(answer_fields(r), s->set.model.appearance, feed->n, x, a);
-	free(x);
-	free(a);
 	return session_answer(s, r);
 }
 

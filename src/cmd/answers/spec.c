@@ -36,20 +36,18 @@ cut_words(const struct spec *spec)
 static bool
 use_spec(struct session *s, const struct args *args, struct error *error)
 {
-	char *words = words_from(args, 1);
+	FREED char *words = words_from(args, 1);
 	if (words == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "spec use: expected an envelope\n"
 		    "write spec use and a name of 'spec list', or a file");
 	const struct spec *spec = grading_spec(s, words, error);
-	free(words);
 	if (spec == NULL)
 		return false;
 	s->spec = spec;
-	char *cut = cut_words(spec);
+	FREED char *cut = cut_words(spec);
 	session_note(s, "envelope: %s (%s): %s", spec->name, cut,
 	    spec->source[0] != '\0' ? spec->source : tr("source not stated"));
-	free(cut);
 	return true;
 }
 
@@ -82,11 +80,9 @@ spec_add_limits(struct answer *r, const struct standards *all)
 	answer_columns(r, "limit, is");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];
-		char *words = limit_words(l);
-		char *name = xasprintf("%s: %s", l->standard, l->item);
+		FREED char *words = limit_words(l);
+		FREED char *name = xasprintf("%s: %s", l->standard, l->item);
 		answer_cells(r, "%s %s", name, words);
-		free(words);
-		free(name);
 	}
 	answer_for_programs(r);
 	answer_columns(r, "standard, limit, min, max, unit, note");
@@ -115,9 +111,8 @@ static bool
 list_one(struct session *s, const struct spec *spec)
 {
 	struct answer *r = answer_new("spec");
-	char *cut = cut_words(spec);
+	FREED char *cut = cut_words(spec);
 	answer_title(r, "%s: limits of passing, %%; for %s", spec->name, cut);
-	free(cut);
 	answer_columns(
 	    r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max %%");
 	for (size_t i = 0; i < spec->n; i++)
@@ -136,12 +131,11 @@ list_all(struct session *s, const struct standards *all, const bool *match)
 			  "to mm, name");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct spec *spec = all->spec[i];
-		char *cut = cut_words(spec);
+		FREED char *cut = cut_words(spec);
 		if (match == NULL || match[i])
 			answer_cells(r, "%s %g %g %g %s", cut, (double)spec->n,
 			    units_mm(spec->size[spec->n - 1]),
 			    units_mm(spec->size[0]), spec->name);
-		free(cut);
 	}
 	if (s->spec != NULL)
 		answer_note(r, "in use: %s", s->spec->name);
@@ -155,7 +149,7 @@ list_all(struct session *s, const struct standards *all, const bool *match)
 static bool
 list_specs(struct session *s, const struct args *args, struct error *error)
 {
-	char *words = words_from(args, 1);
+	FREED char *words = words_from(args, 1);
 	struct standards *all = standards_shipped();
 	bool *match = xcalloc(all->n, sizeof *match), ok;
 	size_t n = words != NULL ? standards_match(all, words, match) : 0;
@@ -172,7 +166,6 @@ list_specs(struct session *s, const struct args *args, struct error *error)
 		ok = n == 1 ? list_one(s, all->spec[at])
 			    : list_all(s, all, match);
 	free(match);
-	free(words);
 	standards_free(all);
 	return ok;
 }
@@ -183,11 +176,10 @@ note_verdict(struct answer *r, const struct grading *g, double v)
 {
 	forecast_at(g->conditions.forecast, v);
 	double certain = wanted_certainty(&g->conditions);
-	char *missed = grading_missed(g);
+	FREED char *missed = grading_missed(g);
 	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
 	answer_note(
 	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
-	free(missed);
 	if (isfinite(certain))
 		answer_note(r,
 		    "the true product meets the checked limits with %.0f %% "
@@ -203,16 +195,14 @@ spec_compare(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	struct grading g;
-	char *words = words_from(args, 0);
+	FREED char *words = words_from(args, 0);
 	const struct spec *spec = grading_spec(s, words, error);
-	free(words);
 	if (spec == NULL || !answers_ready(s, error) ||
 	    !grading_open(s, args, spec, q, &g, error))
 		return false;
-	char *name = grading_words(&g);
+	FREED char *name = grading_words(&g);
 	struct answer *r =
 	    answers_new(entry->site, "spec", "%s at %g m/s", name, v);
-	free(name);
 	grading_rows(r, &g, v);
 	note_verdict(r, &g, v);
 	grading_notes(r, &g);

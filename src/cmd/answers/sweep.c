@@ -1,7 +1,6 @@
 /* sweep: products over a range of speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -105,11 +104,10 @@ sweep_answer(const struct session *s, const struct question *q,
 	const struct entry *entry = q->entry;
 	enum { ACROSS = 7 };
 	bool band = p[0].low != NULL, across = n <= ACROSS;
-	char *fraction = screened_title(&p[0].fraction);
+	FREED char *fraction = screened_title(&p[0].fraction);
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? outlook_words(s, entry) : "");
-	free(fraction);
 	(across ? sweep_across : answers_speed_rows)(r, entry, p, n);
 	answer_for_programs(r);
 	sweep_long(r, entry, p, n);
@@ -130,7 +128,7 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	(void)args;
 	question_usual_speeds(s, q, false);
 	size_t n = q->n_at;
-	struct prediction *p = xcalloc(n, sizeof *p);
+	FREED struct prediction *p = xcalloc(n, sizeof *p);
 	bool outside = false, ok = screened_tells(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
 		p[i] = forecast_product(s, q, q->at[i]);
@@ -140,6 +138,5 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 		session_answer(s, sweep_answer(s, q, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
-	free(p);
 	return ok;
 }

@@ -1,7 +1,6 @@
 /* uncertainty: what makes an answer uncertain, and its draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_cdf.h>
@@ -126,10 +125,9 @@ draws_answer(const struct session *s, const struct question *q,
 	size_t sieves = at->product.n;
 	forecast_at(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
-	char *fraction = screened_title(&at->fraction);
+	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(q->entry->site, "uncertainty",
 	    "draws at %.1f m/s%s", at->speed, fraction);
-	free(fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -243,11 +241,10 @@ parts_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, double speed_sd)
 {
 	const struct entry *entry = q->entry;
-	char *fraction = screened_title(&at->fraction);
+	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    "half width of the %.0f %% band at %.1f m/s%s, points",
 	    100 * q->level, at->speed, fraction);
-	free(fraction);
 	if (!s->linear)
 		answer_across(r);
 	add_parts(r, s, q, at);

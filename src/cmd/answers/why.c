@@ -145,12 +145,11 @@ say_fraction(const struct subject *a)
 	forecast_at(slow, v);
 	forecast_at(fast, v + 1);
 	struct figure more = forecast_difference(slow, fast, 0);
-	char *band =
+	FREED char *band =
 	    quantities_band(units_pct(more.low), units_pct(more.high), 2);
 	answer_note(a->answer,
 	    "1 m/s more changes that share by %+.2f points%s",
 	    units_pct(more.value), band);
-	free(band);
 	forecast_close(slow);
 	forecast_close(fast);
 	prediction_free(&part);
@@ -166,10 +165,9 @@ say_trained(const struct subject *a)
 		    "The training speeds of these parameters are not known");
 		return;
 	}
-	char *speeds = answers_reach(entry, slow, fast);
+	FREED char *speeds = answers_reach(entry, slow, fast);
 	if (!answers_extrapolates(entry, v)) {
 		answer_note(a->answer, "%.4g m/s is within the %s", v, speeds);
-		free(speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
@@ -182,13 +180,12 @@ say_trained(const struct subject *a)
 			  "less energy than at %g m/s, and no measurement "
 			  "shows the effect"),
 	    v, speeds, 100 * fabs(more), near);
-	free(speeds);
 }
 
 static void
 say_parameters(const struct subject *a, const struct fit *fit)
 {
-	char *flat = xstrdup("");
+	FREED char *flat = xstrdup("");
 	const struct breakage *of = breakage_of(&fit->params);
 	for (size_t j = 0; j < of->n; j++)
 		if (fit_is_flat(fit, j))
@@ -199,7 +196,6 @@ say_parameters(const struct subject *a, const struct fit *fit)
 		    "changed together, raise the misfit by only 10 %%; rely on "
 		    "the curves, not on these values",
 		    flat);
-	free(flat);
 }
 
 /* The light, each reason with its number. */
@@ -240,14 +236,13 @@ say_fit(const struct subject *a)
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
-		char *details = origin_details(entry->origin);
+		FREED char *details = origin_details(entry->origin);
 		bool own = entry->origin->whose[0] == '\0';
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not calibrated on this "
 		    "site's runs",
 		    origin_words(entry), own ? "" : " (", own ? "" : details,
 		    own ? "" : ")");
-		free(details);
 		return;
 	}
 	say_parameters(a, fit);
@@ -283,7 +278,7 @@ say_measured(const struct subject *a)
 static void
 say_data(const struct subject *a)
 {
-	char *from = site_source(a->entry->site, "");
+	FREED char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
 		answer_note(a->answer,
 		    "The site file does not state where its data are from");
@@ -294,7 +289,6 @@ say_data(const struct subject *a)
 			: N_("The site file states the provenance of its data: "
 			     "%s"),
 		    from);
-	free(from);
 }
 
 /* The site in use at two speeds with one feed. */
@@ -394,7 +388,8 @@ note_ways(struct answer *r, const struct balance *b)
 	const struct ledger *low = faster ? a : z, *high = faster ? z : a;
 	size_t out = ledger_most(high->left, low->left, a->n);
 	size_t in = ledger_most(high->arrived, low->arrived, a->n);
-	char *from = class_words(b->feed, out), *to = class_words(b->feed, in);
+	FREED char *from = class_words(b->feed, out),
+		   *to = class_words(b->feed, in);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
 		    "From %g to %g m/s no more and no less of the feed breaks: "
@@ -413,8 +408,6 @@ note_ways(struct answer *r, const struct balance *b)
 		    b->p[0].speed, b->p[1].speed, 100 * fabs(more),
 		    100 * a->broken, 100 * z->broken, from, to);
 	fields_put(answer_fields(r), "broken_change_pct %g", 100 * more);
-	free(from);
-	free(to);
 }
 
 /* By how much the answer's change differs from the model's: the largest, and

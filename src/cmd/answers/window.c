@@ -57,33 +57,32 @@ static void
 note_binding(struct answer *r, const struct asking *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
-	char *words = xstrdup("");
+	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
-		char *q = quantities_words(&a->list.at[in->low.i].quantity);
+		FREED char *q =
+		    quantities_words(&a->list.at[in->low.i].quantity);
 		if (in->high.i == in->low.i)
 			xappend(&words, tr("%s sets both ends: %.1f and %.1f"),
 			    q, in->from, in->to);
 		else
 			xappend(&words, tr("%s sets the lower end, %.1f"), q,
 			    in->from);
-		free(q);
 	}
 	if (in->high.i != SIZE_MAX && in->high.i != in->low.i) {
-		char *q = quantities_words(&a->list.at[in->high.i].quantity);
+		FREED char *q =
+		    quantities_words(&a->list.at[in->high.i].quantity);
 		if (words[0] == '\0')
 			xappend(&words, tr("%s sets the upper end, %.1f"), q,
 			    in->to);
 		else
 			xlist(
 			    &words, ", ", tr("%s the upper, %.1f"), q, in->to);
-		free(q);
 	}
 	if (words[0] != '\0')
 		answer_note(r, "%s m/s", words);
 	else
 		answer_note(r, "no condition sets a limit from %g to %g m/s",
 		    a->wanted.from, a->wanted.to);
-	free(words);
 }
 
 /* "1.2 points, 0.9 times the width of its band". */
@@ -94,7 +93,7 @@ note_margin(struct answer *r, const struct asking *a)
 	double widths = conditions_widths(&a->wanted, *m);
 	if (!isfinite(m->passing))
 		return;
-	char *limit = conditions_limit(&a->list, m->limit);
+	FREED char *limit = conditions_limit(&a->list, m->limit);
 	if (isfinite(widths))
 		answer_note(r,
 		    "nearest limit there: %s, %.1f points away, %.1f times the "
@@ -103,14 +102,13 @@ note_margin(struct answer *r, const struct asking *a)
 	else
 		answer_note(r, "nearest limit there: %s, %.1f points away",
 		    limit, 100 * m->passing);
-	free(limit);
 }
 
 static void
 note_inside(struct answer *r, const struct asking *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
-	char *speeds = conditions_speeds_words(a->w);
+	FREED char *speeds = conditions_speeds_words(a->w);
 	answer_note(r,
 	    a->list.n > 1 ? N_("all conditions hold at %s m/s")
 			  : N_("it holds at %s m/s"),
@@ -119,7 +117,6 @@ note_inside(struct answer *r, const struct asking *a)
 	conditions_note_farther(r, &a->wanted,
 	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
 	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
-	free(speeds);
 }
 
 static void
@@ -129,7 +126,7 @@ note_none_sure(struct answer *r, const struct speed_search *w, double level)
 	for (size_t k = 0; k < w->n; k++)
 		if (w->certain[k] > w->certain[most])
 			most = k;
-	char *highest = conditions_percent(w->certain[most]);
+	FREED char *highest = conditions_percent(w->certain[most]);
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty: it is "
@@ -140,7 +137,6 @@ note_none_sure(struct answer *r, const struct speed_search *w, double level)
 		    "at no speed does it hold with %.0f %% certainty; most at "
 		    "%.1f m/s, with %s",
 		    100 * level, w->speed[most], highest);
-	free(highest);
 }
 
 /* The best speed, and how sure it and those about it are. */
@@ -150,7 +146,7 @@ note_certain(struct answer *r, const struct session *s, const struct asking *a)
 	const struct speed_search *w = a->w;
 	double level = a->wanted.level;
 	bool drawn = !isnan(w->best_certain), sure = isfinite(w->sure[0]);
-	char *best = conditions_percent(w->best_certain);
+	FREED char *best = conditions_percent(w->best_certain);
 	if (w->n_inside > 0 && drawn)
 		answer_note(
 		    r, "best %.1f m/s, with %s certainty", w->best, best);
@@ -169,7 +165,6 @@ note_certain(struct answer *r, const struct session *s, const struct asking *a)
 		    100 * level, w->sure[0], w->sure[1]);
 	else
 		note_none_sure(r, w, level);
-	free(best);
 }
 
 static void
@@ -194,9 +189,8 @@ put_limits(struct fields *o, const struct asking *a)
 			    o, k == 0 ? "binds_low" : "binds_high", NAN);
 			continue;
 		}
-		char *words = conditions_limit(&a->list, limit[k]);
+		FREED char *words = conditions_limit(&a->list, limit[k]);
 		fields_put(o, k == 0 ? "binds_low %s" : "binds_high %s", words);
-		free(words);
 	}
 }
 
@@ -238,12 +232,11 @@ put_window(struct fields *o, const struct asking *a, bool outside)
 static void
 note_picture(struct answer *r, const struct args *args)
 {
-	char *limits = xstrdup("");
+	FREED char *limits = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
 		xlist(&limits, ",", "%s", args->operand[i]);
 	if (args->n_operand > 0 && strchr(limits, '"') == NULL)
 		answer_note(r, "picture: plot response limits=\"%s\"", limits);
-	free(limits);
 }
 
 bool

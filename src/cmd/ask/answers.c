@@ -12,7 +12,6 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/screened.h"
-#include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/quantity_words.h"
@@ -41,13 +40,12 @@ answers_new(
 	struct answer *r = answer_new(command);
 	va_list ap;
 	va_start(ap, format);
-	char *title = xvasprintf(tr(format), ap), *label = session_label(site);
+	FREED char *title = xvasprintf(tr(format), ap),
+		   *label = session_label(site);
 	va_end(ap);
 	answer_title(r, "%s: %s", label, title);
 	answer_site(r, site->name, site->provenance);
 	answers_put_variant(r, site);
-	free(label);
-	free(title);
 	return r;
 }
 
@@ -181,12 +179,11 @@ answers_size(const struct prediction *p, size_t i)
 void
 answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
 {
-	char *words = i == ANSWERS_BREAK
-			  ? xstrdup(tr("none"))
-			  : outside_words(&p->curve, PSD_PASSING[i]);
+	FREED char *words = i == ANSWERS_BREAK
+				? xstrdup(tr("none"))
+				: outside_words(&p->curve, PSD_PASSING[i]);
 	answer_missing(r, words);
 	answer_cells(r, "%.2f", answers_size(p, i));
-	free(words);
 }
 
 /* Adds "P50 2.81", or "P20 below 0.063 mm", to a list, whose first has the
@@ -216,11 +213,10 @@ add_size(
 void
 answers_note_sizes(struct answer *r, const struct prediction *p)
 {
-	char *sizes = xstrdup("");
+	FREED char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		add_size(&sizes, &p->curve, PSD_PASSING[i], p->range[i]);
 	answer_note(r, "%s", sizes);
-	free(sizes);
 }
 
 /* Which model it is, where that is not the paper's. */
@@ -259,7 +255,7 @@ note_other_feed(struct answer *r, const struct entry *entry)
 	const struct site *site = entry->site;
 	const struct psd *feed = &site->run[site->n_run - 1].feed;
 	size_t n;
-	double *sieve = site_sieves(site, &n);
+	FREED double *sieve = site_sieves(site, &n);
 	if (!psd_covers(feed, sieve[n - 1]))
 		answer_say(r, ANSWER_REMARK,
 		    "finer than %g mm nothing is known: the feed was not "
@@ -270,7 +266,6 @@ note_other_feed(struct answer *r, const struct entry *entry)
 		    "rock of the feed not stated; that of the site assumed "
 		    "(%s)",
 		    site->rock);
-	free(sieve);
 }
 
 /* What is to be said of another feed or machine beside title and light. */
@@ -315,10 +310,9 @@ note_beyond(struct answer *r, const struct entry *entry, double speed,
 	    !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
 	    !answers_extrapolates(entry, speed))
 		return;
-	char *speeds = answers_reach(entry, slowest, fastest);
+	FREED char *speeds = answers_reach(entry, slowest, fastest);
 	answer_say(
 	    r, ANSWER_WARNING, "%.1f m/s is outside the %s", speed, speeds);
-	free(speeds);
 }
 
 void
@@ -448,12 +442,11 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm, "
 			  "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm");
 	double size = p[0].product.size[p[0].product.n - 1];
-	char *head = fabs(size - QUANTITIES_FINES) < 1e-9
-			 ? xstrdup(tr("fines %"))
-			 : xasprintf("< %g mm, %%", units_mm(size));
+	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
+			       ? xstrdup(tr("fines %"))
+			       : xasprintf("< %g mm, %%", units_mm(size));
 	answer_column(r, "finest_pct", head);
 	answer_columns(r, "extrapolated: extrapolated");
-	free(head);
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;

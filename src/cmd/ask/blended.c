@@ -48,12 +48,11 @@ sources(const struct blended *b)
 	for (int rank = 0; rank <= 2; rank++)
 		for (size_t i = 0; i < b->n; i++) {
 			const struct site *sheet = b->part[i].sheet;
-			char *one = site_source(sheet, "not stated");
+			FREED char *one = site_source(sheet, "not stated");
 			if (source_rank(sheet) == rank &&
 			    strstr(list, one) == NULL)
 				xlist(&list, ", ", "%s", one);
 			any = any || source_rank(sheet) != 1;
-			free(one);
 		}
 	if (!any)
 		list[0] = '\0';
@@ -80,8 +79,8 @@ rocks(const struct blended *b)
 void
 blended_mix(struct blended *b)
 {
-	const struct psd **feed = xcalloc(b->n, sizeof *feed);
-	double *share = xdoubles(b->n);
+	FREED const struct psd **feed = xcalloc(b->n, sizeof *feed);
+	FREED double *share = xdoubles(b->n);
 	b->words = xstrdup("");
 	for (size_t i = 0; i < b->n; i++) {
 		feed[i] = b->part[i].feed;
@@ -94,8 +93,6 @@ blended_mix(struct blended *b)
 	b->feed = blend_new(feed, share, b->n);
 	b->of = sources(b);
 	b->rock = rocks(b);
-	free(feed);
-	free(share);
 }
 
 /* The feed of one sheet as it is. */
@@ -119,7 +116,7 @@ static bool
 add_term(struct session *s, const char *at, size_t length, double share,
     struct blended *b, struct error *error)
 {
-	char *file = xstrndup(at, length);
+	FREED char *file = xstrndup(at, length);
 	bool ok = length > 0 && share > 0 && share <= 1;
 	if (!ok)
 		error_set(error, ERROR_USAGE,
@@ -132,7 +129,6 @@ add_term(struct session *s, const char *at, size_t length, double share,
 			     "write: feed=a.csv*0.6+b.csv*0.4"),
 		    file);
 	ok = ok && blended_add(s, file, share, b, error);
-	free(file);
 	return ok;
 }
 

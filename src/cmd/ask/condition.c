@@ -13,7 +13,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/envelope.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
@@ -93,13 +92,13 @@ conditions_beyond(const char *text, const struct quantity *q, double most,
     struct error *error)
 {
 	const char *unit = quantities_unit(q);
-	char *range = isfinite(most) ? xasprintf(tr("0 to %g %s"), most, unit)
-				     : xstrdup(tr("0 or more"));
+	FREED char *range = isfinite(most)
+				? xasprintf(tr("0 to %g %s"), most, unit)
+				: xstrdup(tr("0 or more"));
 	error_set(error, ERROR_USAGE,
 	    "expected %s, got %s\nwrite a limit within that, or after = a "
 	    "range such as 40..50",
 	    range, text);
-	free(range);
 	return false;
 }
 
@@ -164,11 +163,10 @@ read_range(const char *text, struct condition *c, struct error *error)
 		c->most = c->least;
 		return ok;
 	}
-	char *low = xstrndup(text, (size_t)(sign - text));
+	FREED char *low = xstrndup(text, (size_t)(sign - text));
 	bool ok =
 	    condition_read_limit(low, &c->quantity, &c->least, error) &&
 	    condition_read_limit(sign + length, &c->quantity, &c->most, error);
-	free(low);
 	if (!ok || c->least <= c->most)
 		return ok;
 	double least = quantities_shown(&c->quantity, c->least);
@@ -196,12 +194,10 @@ no_comma(const char *text, const char *comma, struct error *error)
 		from--;
 	size_t n = (size_t)(comma - from);
 	size_t all = n + 1 + strspn(comma + 1, DIGITS);
-	char *got = xstrndup(from, all), *right = xstrdup(got);
+	FREED char *got = xstrndup(from, all), *right = xstrdup(got);
 	right[n] = '.';
 	error_set(error, ERROR_USAGE,
 	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
-	free(got);
-	free(right);
 	return false;
 }
 
@@ -262,23 +258,22 @@ no_sign(const char *text, const struct fraction *fraction, struct error *error)
 {
 	struct condition c;
 	char *name, *passing = xasprintf("passing %s", text);
-	char *turned = limit_last(text);
+	FREED char *turned = limit_last(text);
 	bool found =
 	    split_blank(text, fraction, &name, &c) ||
 	    split_blank(passing, fraction, &name, &c) ||
 	    (turned != NULL && split_blank(turned, fraction, &name, &c));
 	free(passing);
-	free(turned);
 	if (!found)
 		return conditions_expected(text, error);
-	char *limit = xasprintf("%g", quantities_shown(&c.quantity, c.least));
+	FREED char *limit =
+	    xasprintf("%g", quantities_shown(&c.quantity, c.least));
 	if (c.least != c.most)
 		xappend(&limit, "..%g", quantities_shown(&c.quantity, c.most));
 	error_set(error, ERROR_USAGE,
 	    "expected <, > or = after the quantity, got '%s'\n"
 	    "write: %s = %s",
 	    text, text_trim(name), limit);
-	free(limit);
 	free(name);
 	return false;
 }
@@ -292,11 +287,10 @@ read_signed(const char *text, const struct fraction *fraction,
 		return conditions_expected(text, error);
 	if (text[n] == '\0')
 		return no_sign(text, fraction, error);
-	char *name = xstrndup(text, n);
+	FREED char *name = xstrndup(text, n);
 	bool ok =
 	    quantities_read(name, &fraction->partition, &c->quantity, error) &&
 	    quantities_cut(&c->quantity, fraction, error);
-	free(name);
 	if (!ok)
 		return false;
 	const char *limit = text + n + 1;
@@ -312,7 +306,7 @@ bool
 conditions_read(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
-	char *with = with_sign(text);
+	FREED char *with = with_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
 		if (!is_decimal(with, at))
@@ -322,7 +316,6 @@ conditions_read(const char *text, const struct fraction *fraction,
 		*at = '.';
 	}
 	ok = ok && read_signed(with, fraction, c, error);
-	free(with);
 	return ok;
 }
 
@@ -367,9 +360,8 @@ conditions_read_list(const char *text, const struct fraction *fraction,
 	for (const char *at = text; *at != '\0';) {
 		struct condition c;
 		size_t length = conditions_length(at);
-		char *copy = xstrndup(at, length);
+		FREED char *copy = xstrndup(at, length);
 		bool ok = conditions_read(text_trim(copy), fraction, &c, error);
-		free(copy);
 		if (!ok)
 			return false;
 		conditions_add(list, c);
@@ -417,7 +409,7 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 		f.coarse = spec->cut[1];
 	}
 	size_t before = list->n;
-	char *unknown = add_spec(list, spec, &f, feed);
+	FREED char *unknown = add_spec(list, spec, &f, feed);
 	bool any = list->n > before;
 	if (any)
 		*words = spec->source[0] != '\0'
@@ -426,7 +418,6 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 			     : xasprintf(tr("limits of %s"), spec->name);
 	if (any && unknown[0] != '\0')
 		xlist(words, "; ", tr("not checked: %s"), unknown);
-	free(unknown);
 	return any ||
 	       error_set(error, ERROR_DATA,
 		   "%s: none of its sieves is in the range of the feed's "
@@ -530,9 +521,8 @@ conditions_list_words(const struct condition_list *list)
 {
 	char *words = xstrdup("");
 	for (size_t i = 0; i < list->n; i++) {
-		char *one = conditions_words(&list->at[i]);
+		FREED char *one = conditions_words(&list->at[i]);
 		xlist(&words, ", ", "%s", one);
-		free(one);
 	}
 	return words;
 }
@@ -590,7 +580,7 @@ add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
 		     points = 100 * margin.passing, *alone = found->alone[i];
 	const char *unit = quantities_unit(q);
 	bool whole = quantities_decimals(q) == 1;
-	char *words = quantities_words(q), *key = quantities_key(q);
+	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
 	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
@@ -607,8 +597,6 @@ add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
 			    band[0], band[1]);
 		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
 	}
-	free(words);
-	free(key);
 }
 
 void
@@ -649,9 +637,8 @@ note_ways(struct answer *r, const struct wanted *wanted,
 	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
 	    limit[0].i != SIZE_MAX && found->best > end[0] + 1e-3 &&
 	    found->best < end[1] - 1e-3) {
-		char *words = conditions_limit(list, limit[0]);
+		FREED char *words = conditions_limit(list, limit[0]);
 		answer_note(r, "what is in the way: %s", words);
-		free(words);
 		return;
 	}
 	for (size_t k = 0; k < 2; k++) {
@@ -663,12 +650,11 @@ note_ways(struct answer *r, const struct wanted *wanted,
 					"searched: to= searches faster ones"),
 			    end[k]);
 		} else if (limit[k].i != SIZE_MAX) {
-			char *words = conditions_limit(list, limit[k]);
+			FREED char *words = conditions_limit(list, limit[k]);
 			answer_note(r,
 			    k == 0 ? N_("limiting at lower speeds: %s")
 				   : N_("limiting at higher speeds: %s"),
 			    words);
-			free(words);
 		}
 	}
 }
@@ -692,13 +678,12 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		    "condition",
 		    wanted->from, wanted->to);
 	} else if (found->alike) {
-		char *words = conditions_limit(list, found->margin.limit);
+		FREED char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s: every speed misses "
 		    "%s alike, by %.*f points",
 		    wanted->from, wanted->to, what, words,
 		    conditions_digits(misses), misses);
-		free(words);
 	} else {
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
@@ -741,8 +726,6 @@ conditions_chance(double share, bool holds)
 			    : share > 0.3  ? tr("as likely as not")
 			    : share > 0.1  ? tr("likely missed")
 					   : tr("missed");
-	char *percent = conditions_percent(share);
-	char *chance = xasprintf("%s, %s", percent, words);
-	free(percent);
-	return chance;
+	FREED char *percent = conditions_percent(share);
+	return xasprintf("%s, %s", percent, words);
 }

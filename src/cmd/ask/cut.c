@@ -4,7 +4,6 @@
 #include "cmd/ask/cut.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -49,7 +48,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	const struct run *r = &entry->site->run[run];
 	const struct question q = asked_of(s, entry, run);
 	struct cut c = {.level = q.level, .no_band = true};
-	struct quantity *asked = changed_sieves(r, &c.n);
+	FREED struct quantity *asked = changed_sieves(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;
 	forecast_part_at(f, r->speed, ENSEMBLE_SAMPLE);
@@ -70,7 +69,6 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	c.missed = is_missed(&c);
 	c.off = !c.missed && !c.no_band && 2 * c.inside < c.n;
 	forecast_close(f);
-	free(asked);
 	return c;
 }
 
@@ -103,12 +101,10 @@ static bool
 is_of_speed(const struct site_note *note, double speed)
 {
 	double said;
-	char *number =
+	FREED char *number =
 	    xstrndup(note->value, strspn(note->value, "0123456789."));
-	bool same = strcmp(note->key, "cut") == 0 &&
-		    text_number(number, &said) && fabs(said - speed) < 1e-3;
-	free(number);
-	return same;
+	return strcmp(note->key, "cut") == 0 && text_number(number, &said) &&
+	       fabs(said - speed) < 1e-3;
 }
 
 const char *

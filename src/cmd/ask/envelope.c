@@ -11,7 +11,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
-#include "cmd/ask/outlook.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
@@ -288,13 +287,10 @@ grading_close(struct grading *g)
 char *
 grading_words(const struct grading *g)
 {
-	char *fraction = quantities_fraction_words(&g->fraction);
-	char *words =
-	    fraction_screens(&g->fraction)
-		? xasprintf(tr("%s, fraction %s"), g->spec->name, fraction)
-		: xstrdup(g->spec->name);
-	free(fraction);
-	return words;
+	FREED char *fraction = quantities_fraction_words(&g->fraction);
+	return fraction_screens(&g->fraction)
+		   ? xasprintf(tr("%s, fraction %s"), g->spec->name, fraction)
+		   : xstrdup(g->spec->name);
 }
 
 static const char *
@@ -346,12 +342,10 @@ missed_words(const struct grading *g, size_t i)
 	double is = quantities_shown(&q, grading_value(g, i));
 	const char *unit = quantities_after(&q);
 	q.fraction = (struct fraction){0};
-	char *name = quantities_words(&q);
-	char *words = xasprintf(tr("%s %.*f%s is %s %g%s"), name,
+	FREED char *name = quantities_words(&q);
+	return xasprintf(tr("%s %.*f%s is %s %g%s"), name,
 	    fabs(is - most) < near ? 4 : 2, is, unit,
 	    limit.most ? tr("above") : tr("below"), most, unit);
-	free(name);
-	return words;
 }
 
 char *
@@ -371,12 +365,11 @@ grading_missed(const struct grading *g)
 		    worst.limit.most ? tr("above max") : tr("below min"));
 	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
 		if (!wanted_holds(&g->conditions, i)) {
-			char *one = missed_words(g, i);
+			FREED char *one = missed_words(g, i);
 			bool first = words[0] == '\0';
 			xlist(&words, "; ",
 			    first ? tr("inside on all sieves, but %s") : "%s",
 			    one);
-			free(one);
 		}
 	return words;
 }
@@ -430,7 +423,7 @@ static char *
 modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
 {
 	const struct standard_limit *own = modulus_limit(all, spec->standard);
-	char *in = xstrdup("");
+	FREED char *in = xstrdup("");
 	const struct standard_limit *l = NULL;
 	bool categories = next_limit(all, spec->standard, CATEGORY, l) != NULL;
 	while ((l = next_limit(all, spec->standard, CATEGORY, l)) != NULL)
@@ -445,7 +438,6 @@ modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
 	else if (categories)
 		words = in[0] == '\0' ? xstrdup(tr("in no category"))
 				      : xasprintf(tr("category %s"), in);
-	free(in);
 	return words;
 }
 
@@ -468,12 +460,11 @@ note_modulus(
 		    g->modulus->mm[g->modulus->n - 1]);
 		return;
 	}
-	char *band = quantities_band(fm.low, fm.high, 2);
+	FREED char *band = quantities_band(fm.low, fm.high, 2);
 	answer_note(r, "fineness modulus (%s) %.2f%s: %s", g->modulus->standard,
 	    fm.value, band, is);
 	fields_put(answer_fields(r), "fm %g fm_standard %s fm_verdict %s",
 	    fm.value, g->modulus->standard, is);
-	free(band);
 	free(is);
 }
 
@@ -518,7 +509,7 @@ note_steps(
 	size_t at = 0;
 	double range[2], step = 100 * largest_step(g, &at);
 	step_range(g, at, range);
-	char *band = quantities_band(range[0], range[1], 1);
+	FREED char *band = quantities_band(range[0], range[1], 1);
 	const char *is = verdict_of(step, -INFINITY, l->most);
 	answer_note(r,
 	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
@@ -526,7 +517,6 @@ note_steps(
 	    units_mm(g->spec->size[at + 1]), is, l->most);
 	fields_put(answer_fields(r), "step_pct %g step_mm %g step_verdict %s",
 	    step, units_mm(g->spec->size[at]), is);
-	free(band);
 }
 
 /* Tolerances are about a grading that somebody has declared. */
@@ -554,7 +544,7 @@ grading_notes(struct answer *r, const struct grading *g)
 	note_steps(r, g, all);
 	if (fraction_screens(&g->fraction)) {
 		double share = 100 * grading_value(g, g->limits.n);
-		char *words = quantities_fraction_words(&g->fraction);
+		FREED char *words = quantities_fraction_words(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0
 			? N_("the fraction %s is %.1f %% of the product")
@@ -562,7 +552,6 @@ grading_notes(struct answer *r, const struct grading *g)
 			     "ideal screens"),
 		    words, share);
 		fields_put(answer_fields(r), "share_pct %g", share);
-		free(words);
 	}
 	if (g->limits.n_sieve < spec->n)
 		answer_say(r, ANSWER_REMARK,
@@ -581,9 +570,8 @@ grading_put(struct answer *r, const struct grading *g)
 	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
 	    g->spec->source);
 	if (fraction_screens(&g->fraction)) {
-		char *words = quantities_fraction_words(&g->fraction);
+		FREED char *words = quantities_fraction_words(&g->fraction);
 		fields_put(answer_fields(r), "cut %s", words);
-		free(words);
 	}
 	answer_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
 }

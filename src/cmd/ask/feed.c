@@ -3,10 +3,8 @@
 #include "cmd/ask/feed.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/units.h"
@@ -50,19 +48,17 @@ feed_words(const struct site *site, size_t run)
 	most = site_feeds_differ(site, &sieve);
 	if (!(most > 0))
 		return NULL;
-	char *speeds = sampled_speeds(site);
-	char *words = xasprintf(tr("mean of those sampled at %s m/s, which "
-				   "differ by up to %.1f points at %g mm"),
+	FREED char *speeds = sampled_speeds(site);
+	return xasprintf(tr("mean of those sampled at %s m/s, which "
+			    "differ by up to %.1f points at %g mm"),
 	    speeds, 100 * most, units_mm(sieve));
-	free(speeds);
-	return words;
 }
 
 void
 feed_note(struct answer *r, const struct site *site, size_t run,
     const char *whose, double moved)
 {
-	char *words = feed_words(site, run);
+	FREED char *words = feed_words(site, run);
 	if (words != NULL && whose != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed of %s: %s", whose, words);
 	} else if (words != NULL && moved > 0) {
@@ -75,7 +71,6 @@ feed_note(struct answer *r, const struct site *site, size_t run,
 	}
 	if (words != NULL && whose == NULL)
 		fields_put(answer_fields(r), "feed %s", words);
-	free(words);
 }
 
 void

@@ -44,11 +44,9 @@ forecast_table(const struct session *s, const struct question *q)
 {
 	const struct site *site = q->entry->site;
 	size_t n;
-	struct quantity *asked =
+	FREED struct quantity *asked =
 	    predict_asks(site, site_feed(site, q->feed), &q->fraction, &n);
-	struct forecast *f = forecast_open(s, q, asked, n);
-	free(asked);
-	return f;
+	return forecast_open(s, q, asked, n);
 }
 
 void

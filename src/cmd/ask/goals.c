@@ -39,11 +39,9 @@ goals_clear(struct goal *g)
 bool
 goals_is_condition(const char *text)
 {
-	char *extreme = conditions_extreme(text);
-	bool is = extreme != NULL || text[strcspn(text, "<>=%")] != '\0' ||
-		  quantities_begins(text);
-	free(extreme);
-	return is;
+	FREED char *extreme = conditions_extreme(text);
+	return extreme != NULL || text[strcspn(text, "<>=%")] != '\0' ||
+	       quantities_begins(text);
 }
 
 static bool
@@ -58,7 +56,7 @@ static bool
 read_spec(struct session *s, const char *name, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
-	char *words = NULL;
+	FREED char *words = NULL;
 	const struct spec *spec = grading_spec(s, name, error);
 	size_t i = list->n;
 	bool ok =
@@ -71,7 +69,6 @@ read_spec(struct session *s, const char *name, const struct psd *feed,
 		else if (is_value(c))
 			c->least = NAN;
 	}
-	free(words);
 	return ok;
 }
 
@@ -365,9 +362,7 @@ goals_words(const struct session *s, const struct entry *entry,
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	char *end = outcome(s, entry, g, speed, length != GOALS_SHORT);
-	char *words = full ? xasprintf(tr("goal %s: met %s"), text, end)
-			   : xasprintf(tr("goal %s"), end);
-	free(end);
-	return words;
+	FREED char *end = outcome(s, entry, g, speed, length != GOALS_SHORT);
+	return full ? xasprintf(tr("goal %s: met %s"), text, end)
+		    : xasprintf(tr("goal %s"), end);
 }

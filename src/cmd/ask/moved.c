@@ -56,13 +56,12 @@ static struct forecast *
 passings(const struct session *s, const struct question *q,
     const struct psd *sieves, double speed)
 {
-	struct quantity *asked = xcalloc(sieves->n, sizeof *asked);
+	FREED struct quantity *asked = xcalloc(sieves->n, sizeof *asked);
 	for (size_t i = 0; i < sieves->n; i++)
 		asked[i] = (struct quantity){
 		    .kind = QUANTITY_PASSING, .x = sieves->size[i]};
 	struct forecast *f = forecast_open(s, q, asked, sieves->n);
 	forecast_at(f, speed);
-	free(asked);
 	return f;
 }
 

@@ -85,12 +85,11 @@ outlook_drawn(const struct session *s, const struct entry *entry,
 {
 	struct history *h = entry->origin->spread;
 	size_t place;
-	bool *use = used_runs(h, correction, &place);
+	FREED bool *use = used_runs(h, correction, &place);
 	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
 		history_redraw(h, s->set.noise, s->set.draw_seed);
 	if (h->posterior[place] == NULL)
 		draw_steps(s, entry, use, place, steps);
-	free(use);
 	return h->posterior[place];
 }
 
@@ -156,7 +155,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 		return NULL;
 	struct history *h = entry->origin->spread;
 	size_t place;
-	bool *use = used_runs(h, informing(s, entry), &place);
+	FREED bool *use = used_runs(h, informing(s, entry), &place);
 	struct evidence **e = &h->evidence[place];
 	/* They may have been stopped before. */
 	const struct posterior *p = outlook_draws(s, entry);
@@ -166,7 +165,6 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 		**e = trust_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
 	}
-	free(use);
 	return *e;
 }
 
@@ -175,11 +173,9 @@ outlook_undrawn(const struct session *s, const struct entry *entry)
 {
 	struct history *h = entry->origin->spread;
 	size_t place;
-	bool *use = used_runs(h, informing(s, entry), &place);
-	struct evidence e = trust_evidence(h->site, h->train, use,
-	    origin_fit(entry), &h->bounds, NULL, s->set.noise);
-	free(use);
-	return e;
+	FREED bool *use = used_runs(h, informing(s, entry), &place);
+	return trust_evidence(h->site, h->train, use, origin_fit(entry),
+	    &h->bounds, NULL, s->set.noise);
 }
 
 double
@@ -189,13 +185,12 @@ outlook_feed_difference(
 	const struct history *h = entry->origin->spread;
 	double least = INFINITY;
 	size_t place;
-	bool *use = used_runs(h, informing(s, entry), &place);
+	FREED bool *use = used_runs(h, informing(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
 			least = fmin(
 			    least, trust_feed_difference(&h->site->run[r].feed,
 				       site_feed(entry->site, feed_run)));
-	free(use);
 	return least;
 }
 
@@ -326,10 +321,9 @@ too_many(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->spread;
 	size_t place, n = 0;
-	bool *use = used_runs(h, informing(s, entry), &place);
+	FREED bool *use = used_runs(h, informing(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
-	free(use);
 	return n > POSTERIOR_RUNS;
 }
 

@@ -28,13 +28,12 @@ quantities_expected(const char *text, struct error *error)
 static bool
 read_size(const char *text, double *m)
 {
-	char *word = xstrdup(text);
+	FREED char *word = xstrdup(text);
 	double mm = sieve_names_mm(text, SIEVE_NONE);
 	if (text_ends(word, "mm"))
 		word[strlen(word) - 2] = '\0';
 	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&
 		  mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
-	free(word);
 	if (ok)
 		*m = mm / 1000;
 	return ok;
@@ -47,11 +46,10 @@ quantities_fraction(
 	const char *slash = strchr(text, '/');
 	double coarse = 0, fine = 0;
 	if (slash != NULL) {
-		char *lower = xstrndup(text, (size_t)(slash - text));
+		FREED char *lower = xstrndup(text, (size_t)(slash - text));
 		bool zero = text_number(lower, &fine) && fine == 0;
 		if (!zero && !read_size(lower, &fine))
 			slash = NULL;
-		free(lower);
 	}
 	if (slash == NULL || !read_size(slash + 1, &coarse) || fine >= coarse)
 		return error_set(error, ERROR_USAGE,
@@ -152,12 +150,10 @@ quantities_begins(const char *text)
 	static const struct partition SHARP = {0, 1};
 	struct quantity q;
 	struct error error = {0};
-	char *word = xstrndup(text, strcspn(text, " \t<>="));
-	bool ok = strcasecmp(word, "passing") == 0 ||
-		  strcasecmp(word, "share") == 0 ||
-		  quantities_read(word, &SHARP, &q, &error);
-	free(word);
-	return ok;
+	FREED char *word = xstrndup(text, strcspn(text, " \t<>="));
+	return strcasecmp(word, "passing") == 0 ||
+	       strcasecmp(word, "share") == 0 ||
+	       quantities_read(word, &SHARP, &q, &error);
 }
 
 struct quantity *
@@ -168,9 +164,8 @@ quantities_list(const char *text, const struct partition *partition, size_t *n,
 	*n = 0;
 	for (const char *at = text; *at != '\0';) {
 		size_t length = strcspn(at, ",;");
-		char *word = xstrndup(at, length);
+		FREED char *word = xstrndup(at, length);
 		bool ok = quantities_read(word, partition, &list[*n], error);
-		free(word);
 		if (!ok) {
 			free(list);
 			return NULL;
@@ -251,9 +246,8 @@ quantities_words(const struct quantity *q)
 	char *words = kind_words(q);
 	if (q->kind == QUANTITY_SHARE || !fraction_screens(&q->fraction))
 		return words;
-	char *fraction = quantities_fraction_words(&q->fraction);
+	FREED char *fraction = quantities_fraction_words(&q->fraction);
 	xappend(&words, " of %s", fraction);
-	free(fraction);
 	return words;
 }
 
@@ -313,9 +307,8 @@ quantities_typed(const struct quantity *q)
 		return quantities_words(q);
 	}
 	if (fraction_screens(&q->fraction)) {
-		char *of = quantities_fraction_words(&q->fraction);
+		FREED char *of = quantities_fraction_words(&q->fraction);
 		xappend(&words, " of %s", of);
-		free(of);
 	}
 	return words;
 }

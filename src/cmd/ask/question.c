@@ -354,8 +354,8 @@ question_forget(struct session *s)
 	question_free(s, &a->q);
 	entry_clear(&a->of);
 	free(a->text);
-	free(a);
 	s->standing = NULL;
+	free(a);
 }
 
 /* The sheets that are set, NULL where none are. */

@@ -30,12 +30,11 @@ put_date(struct routine_cut *c, const char *note)
 	struct moment m;
 	const char *at = note != NULL ? strstr(note, ", ") : NULL;
 	size_t n = at != NULL ? strcspn(at + 2, ",") : 0;
-	char *text = xstrndup(at != NULL ? at + 2 : "", n);
+	FREED char *text = xstrndup(at != NULL ? at + 2 : "", n);
 	c->time = NAN;
 	if (moment_read(text, &m) && m.has_date)
 		c->time = moment_seconds(&m, MOMENT_OPEN);
 	c->when = xstrdup(isnan(c->time) ? "" : text);
-	free(text);
 }
 
 /* Whether a run is a cut to be followed.  One that the calibration had seen is
@@ -163,8 +162,8 @@ residual(const struct routine_cut *c, size_t i)
 static void
 follow_cuts(struct routine *r)
 {
-	struct drift_cut *cut = xcalloc(r->n, sizeof *cut);
-	double **residuals = xcalloc(r->n, sizeof(*residuals));
+	FREED struct drift_cut *cut = xcalloc(r->n, sizeof *cut);
+	FREED double **residuals = xcalloc(r->n, sizeof(*residuals));
 	r->point = xcalloc(r->n, sizeof *r->point);
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
@@ -180,8 +179,6 @@ follow_cuts(struct routine *r)
 	r->first = drift_follow(cut, r->n, &r->rule, r->point, &r->since);
 	for (size_t j = 0; j < r->n; j++)
 		free(residuals[j]);
-	free(residuals);
-	free(cut);
 }
 
 /* How many of the last cuts lie on one side, and where these differ most, of
@@ -318,18 +315,16 @@ routine_words(const struct routine *r)
 				    "at cut %zu"),
 				 r->first + 1)
 			   : xstrdup(tr("no drift is signalled"));
-	char *most = xasprintf(tr("most at %g mm (%+.1f points on average)"),
-	    units_mm(r->worst), 100 * r->by);
+	FREED char *most =
+	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
+		units_mm(r->worst), 100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
-	char *count = routine_times(r->running);
-	char *words =
-	    tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
-		       tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
-		 : xasprintf(tr("%s than predicted %s, %s: %s"),
-		       tr(ROUTINE_STATE[state]), count, most, tr(LOOK[state]));
-	free(count);
-	free(most);
-	return words;
+	FREED char *count = routine_times(r->running);
+	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
+			  tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
+		    : xasprintf(tr("%s than predicted %s, %s: %s"),
+			  tr(ROUTINE_STATE[state]), count, most,
+			  tr(LOOK[state]));
 }
 
 char *

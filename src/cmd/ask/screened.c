@@ -4,7 +4,6 @@
 #include "cmd/ask/screened.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -56,10 +55,9 @@ measured_part(
 	for (size_t i = 0; i < whole.n; i++)
 		whole.passing[i] = psd_passing(product, whole.size[i]);
 	struct psd part = psd_copy(&whole);
-	double *kept = xdoubles(whole.n);
+	FREED double *kept = xdoubles(whole.n);
 	fraction_classes(fraction, whole.size, whole.n, kept);
 	*share = screening_part(&whole, kept, &part);
-	free(kept);
 	psd_free(&whole);
 	return part;
 }
@@ -90,10 +88,8 @@ screened_title(const struct fraction *fraction)
 {
 	if (!fraction_screens(fraction))
 		return xstrdup("");
-	char *words = quantities_fraction_words(fraction);
-	char *title = xasprintf(tr(", fraction %s"), words);
-	free(words);
-	return title;
+	FREED char *words = quantities_fraction_words(fraction);
+	return xasprintf(tr(", fraction %s"), words);
 }
 
 void
@@ -102,10 +98,10 @@ screened_note(struct answer *r, const struct prediction *p)
 	const struct partition *screen = &p->fraction.partition;
 	if (!fraction_screens(&p->fraction))
 		return;
-	char *words = quantities_fraction_words(&p->fraction);
-	char *range = quantities_band(
+	FREED char *words = quantities_fraction_words(&p->fraction);
+	FREED char *range = quantities_band(
 	    units_pct(p->share_range[0]), units_pct(p->share_range[1]), 1);
-	char *how =
+	FREED char *how =
 	    screen->sharpness > 0
 		? xasprintf(tr("screens of sharpness %g, cut size %g %% "
 			       "of the opening"),
@@ -117,9 +113,6 @@ screened_note(struct answer *r, const struct prediction *p)
 		: xstrdup(tr("ideal screens"));
 	answer_note(r, "%s is %.1f %%%s of the product; %s", words,
 	    units_pct(p->share), range, how);
-	free(how);
-	free(range);
-	free(words);
 }
 
 void
@@ -127,7 +120,7 @@ screened_put(struct fields *o, const struct prediction *p)
 {
 	if (!fraction_screens(&p->fraction))
 		return;
-	char *words = quantities_fraction_words(&p->fraction);
+	FREED char *words = quantities_fraction_words(&p->fraction);
 	fields_put(o,
 	    "fraction %s share_pct %g share_low_pct %g share_high_pct %g "
 	    "sharpness %g cut_size_pct %g",
@@ -137,5 +130,4 @@ screened_put(struct fields *o, const struct prediction *p)
 		? p->fraction.partition.sharpness
 		: NAN,
 	    100 * p->fraction.partition.cut_size);
-	free(words);
 }

@@ -39,7 +39,7 @@ struct wanted
 wanted_of(const struct session *s, const struct question *q, size_t n,
     const struct condition *at, size_t n_more, const struct quantity *more)
 {
-	struct quantity *asked = xcalloc(n + n_more, sizeof *asked);
+	FREED struct quantity *asked = xcalloc(n + n_more, sizeof *asked);
 	for (size_t i = 0; i < n; i++)
 		asked[i] = at[i].quantity;
 	for (size_t i = 0; i < n_more; i++)
@@ -51,7 +51,6 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
 	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))
 		w.measured[0] = w.measured[1] = site_middle(q->entry->site);
-	free(asked);
 	return w;
 }
 

@@ -4,7 +4,6 @@
 #include "cmd/ask/trust_light.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -288,9 +287,8 @@ light_said_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
 	struct trust t = light_at(s, entry, speed, feed);
-	char *words = light_words(&t);
+	FREED char *words = light_words(&t);
 	char *said = xasprintf(tr("trust at %g m/s: %s"), speed, words);
-	free(words);
 	trust_free(&t);
 	return said;
 }
@@ -309,10 +307,9 @@ light_show(struct answer *r, struct trust t)
 {
 	static const enum answer_grade GRADE[] = {
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
-	char *words = light_words(&t);
+	FREED char *words = light_words(&t);
 	answer_say(r, GRADE[t.light], "trust: %s%s", words,
 	    t.n > 0 ? tr(" ('why' explains)") : "");
-	free(words);
 	light_put(answer_fields(r), &t);
 	trust_free(&t);
 }

@@ -71,10 +71,9 @@ draw_foot(struct press *p)
 	pdf_draw_line(p, p->width - MARGIN, y - 10, 0.4);
 	p->pen->text(p->pen, MARGIN, y, p->document->made_by, &style);
 	style.anchor = PEN_END;
-	char *number =
+	FREED char *number =
 	    xasprintf(tr("page %zu of %zu"), p->page, p->layout.pages);
 	p->pen->text(p->pen, p->width - MARGIN, y, number, &style);
-	free(number);
 }
 
 static void
@@ -114,9 +113,8 @@ line_length(struct press *p, const char *text, double width,
 		const char *next = text + n;
 		text_next(&next);
 		size_t end = (size_t)(next - text);
-		char *part = xstrndup(text, end);
+		FREED char *part = xstrndup(text, end);
 		bool wide = p->pen->width(p->pen, part, style) > width;
-		free(part);
 		if (wide && n > 0)
 			return fits > 0 ? fits : n;
 		n = end;
@@ -137,7 +135,7 @@ break_lines(struct press *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
-	char *shown = text_shown(words);
+	FREED char *shown = text_shown(words);
 	const char *text = shown;
 	do {
 		size_t n = p->pen->width(p->pen, text, style) <= width
@@ -149,7 +147,6 @@ break_lines(struct press *p, const char *words, double width,
 		text += n;
 		text += strspn(text, " ");
 	} while (*text != '\0');
-	free(shown);
 	return lines;
 }
 
@@ -284,7 +281,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 {
 	struct pen_style style = letters(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
-	struct lines *cell = xcalloc(g->n, sizeof *cell);
+	FREED struct lines *cell = xcalloc(g->n, sizeof *cell);
 	size_t most = 1;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
@@ -313,7 +310,6 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 	}
 	for (size_t i = 0; i < g->n; i++)
 		lines_free(&cell[i]);
-	free(cell);
 }
 
 static double
@@ -401,9 +397,8 @@ pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 	if (v.title != NULL && !top)
 		put_words(p, v.title, &title);
 	if (v.provenance != NULL) {
-		char *text = xasprintf(tr("Data: %s"), v.provenance);
+		FREED char *text = xasprintf(tr("Data: %s"), v.provenance);
 		put_words(p, text, &about);
-		free(text);
 	}
 	pdf_put_sentences(p, &v, true);
 	skip(p, 3);

@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/answers.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/question.h"
@@ -132,10 +131,10 @@ key_of(const struct axis *axis)
 {
 	size_t n = strlen(axis->title);
 	bool share = n > 0 && axis->title[n - 1] == '%';
-	char *words = share ? xasprintf("%.*spct", (int)n - 1, axis->title)
-			    : xstrdup(axis->title);
+	FREED char *words = share
+				? xasprintf("%.*spct", (int)n - 1, axis->title)
+				: xstrdup(axis->title);
 	char *key = text_slug(words);
-	free(words);
 	for (n = strlen(key); n > 0 && key[n - 1] == '-'; n--)
 		key[n - 1] = '\0';
 	for (char *c = key; *c != '\0'; c++)
@@ -223,7 +222,7 @@ chart_answer(const struct session *s, const struct chart *chart)
 		add_fields(r, chart);
 		return r;
 	}
-	char *x = key_of(&chart->x), *y = key_of(&chart->y);
+	FREED char *x = key_of(&chart->x), *y = key_of(&chart->y);
 	answer_columns(r, "series: series");
 	answer_column(r, x, chart->x.title);
 	if (next_chart(chart) == NULL)
@@ -235,8 +234,6 @@ chart_answer(const struct session *s, const struct chart *chart)
 		for (size_t i = 0; i < c->n; i++)
 			add_points(r, c->series[i], several,
 			    next_chart(chart) != NULL ? c->y.title : NULL);
-	free(x);
-	free(y);
 	return r;
 }
 
@@ -334,7 +331,7 @@ screen_request(const struct session *s, const struct args *args, bool picture)
 static struct answer *
 screen_answer(const struct canvas *canvas)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	struct answer *r = answer_new("screen");
 	FILE *memory = text_memory(&text, &n);
@@ -345,7 +342,6 @@ screen_answer(const struct canvas *canvas)
 		line[strcspn(line, "\n")] = '\0';
 		answer_cells(r, "%s", line);
 	}
-	free(text);
 	return r;
 }
 
@@ -356,28 +352,24 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	enum picture_form form;
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	char *label = entry != NULL ? session_label(entry->site)
-				    : xstrdup(tr("no site loaded"));
+	FREED char *label = entry != NULL ? session_label(entry->site)
+					  : xstrdup(tr("no site loaded"));
 	double speed = session_known(s, "predict", "speed");
-	char *title =
+	FREED char *title =
 	    isfinite(speed)
 		? xasprintf(tr("tipspeed, full-screen mode: %s at %.1f m/s"),
 		      label, speed)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
-	char *from = entry != NULL ? site_source(entry->site, "") : xstrdup("");
-	char *about = xasprintf(
+	FREED char *from =
+	    entry != NULL ? site_source(entry->site, "") : xstrdup("");
+	FREED char *about = xasprintf(
 	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
 		    : tr("A text screen of %d columns and %d rows.%s"),
 	    canvas->columns, canvas->rows, from);
-	bool ok =
-	    (picture_form_of(s->file, &form) &&
-		picture_cells(canvas, colours, form, title, about, s->out)) ||
-	    cannot_draw(s, error);
-	free(about);
-	free(from);
-	free(title);
-	free(label);
-	return ok;
+	return (picture_form_of(s->file, &form) &&
+		   picture_cells(
+		       canvas, colours, form, title, about, s->out)) ||
+	       cannot_draw(s, error);
 }
 
 /* One row for a screen reader: a sign drawn again and again is left out, and so
@@ -416,10 +408,8 @@ say_screen(struct session *s, const struct canvas *canvas, const char *picture,
 	if (picture == NULL)
 		return true;
 	size_t next;
-	char *line = xasprintf("describe %s", picture);
-	bool ok = session_line(s, line, 0, "screen", 1, &next, error);
-	free(line);
-	return ok;
+	FREED char *line = xasprintf("describe %s", picture);
+	return session_line(s, line, 0, "screen", 1, &next, error);
 }
 
 bool
@@ -508,7 +498,7 @@ say_curve(struct tale *t, const struct chart_series *s)
 	       (isnan(s->y[last]) || s->y[last] == s->y[last - step]))
 		last -= step;
 	const char *x = axis_unit(&t->chart->x), *y = axis_unit(&t->chart->y);
-	char *sizes = sizes_of(t, s);
+	FREED char *sizes = sizes_of(t, s);
 	if (first == last)
 		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
 		    s->y[first], y);
@@ -517,7 +507,6 @@ say_curve(struct tale *t, const struct chart_series *s)
 		    "%s: from %.3g%s at %.3g%s to %.3g%s at %.3g%s%s", s->name,
 		    s->y[first], y, s->x[first], x, s->y[last], y, s->x[last],
 		    x, sizes);
-	free(sizes);
 }
 
 /* Points of a map or of a comparison; all of them where they are few. */
@@ -526,7 +515,7 @@ say_points(struct tale *t, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	for (size_t i = 0; i < s->n && shown < FEW; i++) {
 		if (isnan(s->y[i]))
 			continue;
@@ -538,7 +527,6 @@ say_points(struct tale *t, const struct chart_series *s)
 		       : tr_n("%s, %zu point, across and up:%s",
 			     "%s, %zu points, across and up:%s", s->n),
 	    s->name, s->n, text);
-	free(text);
 }
 
 /* The three points of a parameter in the spread: its ends, and the best. */
@@ -567,7 +555,7 @@ say_fields(struct tale *t)
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
-		char *list = xstrdup("");
+		FREED char *list = xstrdup("");
 		for (size_t j = 0; j < s->n; j++)
 			if (fabs(s->field[j].value) >= worth_saying &&
 			    s->x[j] + s->y[j] < (double)c->y.n + 1)
@@ -576,7 +564,6 @@ say_fields(struct tale *t)
 				    tick_at(&c->y, s->y[j]), s->field[j].label);
 		if (list[0] != '\0')
 			answer_note(t->answer, "%s: %s", s->name, list);
-		free(list);
 	}
 	answer_note(t->answer,
 	    "All other pairs of the %zu parameters are "
@@ -707,10 +694,9 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 	while (goals_pending(s, &goal, feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, entry, &goal, feed);
-	char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
+	FREED char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);
 	fields_put(answer_fields(t->answer), "goal %s", words);
-	free(words);
 	goals_clear(&goal);
 }
 

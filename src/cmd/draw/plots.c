@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
@@ -117,7 +116,7 @@ static struct axis
 sieves_of(const struct curves *c)
 {
 	size_t n = 0;
-	double *size = NULL;
+	FREED double *size = NULL;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct psd *psd = c->item[i].psd;
 		size = xrealloc(size, n + psd->n + 1, sizeof *size);
@@ -125,7 +124,6 @@ sieves_of(const struct curves *c)
 			size[n++] = units_mm(psd->size[j]);
 	}
 	struct axis axis = axis_sieves(tr("size, mm"), size, n);
-	free(size);
 	return axis;
 }
 
@@ -213,11 +211,10 @@ note_measured(
 static void
 add_strip(struct chart *chart, const struct curves *c, int rows)
 {
-	bool *near = xcalloc(chart->n, sizeof *near);
+	FREED bool *near = xcalloc(chart->n, sizeof *near);
 	for (size_t i = 0; i < c->n; i++)
 		near[chart->n - c->n + i] = c->item[i].near;
 	plots_difference(chart, rows, near);
-	free(near);
 }
 
 /* What is read at a place: chart_at at a size, chart_at_y at a passing. */
@@ -301,8 +298,8 @@ note_crosshair(struct chart *chart, const struct session *s,
 		read_pinned(q, p, band);
 	else if (p != NULL)
 		read_bands(s, q, params, p, band);
-	char *at = xasprintf(tr("at %g mm:"), x);
-	char *sizes = xasprintf(tr("%g %% pass:"), level);
+	FREED char *at = xasprintf(tr("at %g mm:"), x);
+	FREED char *sizes = xasprintf(tr("%g %% pass:"), level);
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
@@ -313,8 +310,6 @@ note_crosshair(struct chart *chart, const struct session *s,
 	}
 	chart_note(chart, "%s", at);
 	chart_note(chart, "%s", sizes);
-	free(at);
-	free(sizes);
 }
 
 /* A rule at the break size and a note; whose: the site it is of, or NULL where
@@ -341,20 +336,18 @@ note_prediction(struct chart *chart, const struct session *s,
 		snprintf(words[i], sizeof p20,
 		    isnan(p->size[i]) ? tr("outside") : "%.2f mm",
 		    1000 * p->size[i]);
-	char *text =
+	FREED char *text =
 	    xasprintf("%s: P20 %s, P50 %s, P80 %s", name, p20, p50, p80);
 	if (whose != NULL && answers_extrapolates(whose, p->speed))
 		xlist(&text, "; ", "%s", tr("extrapolated"));
 	if (whose != NULL && p->low != NULL)
 		xlist(&text, "; ", "%s", outlook_words(s, whose));
 	chart_note(chart, "%s", text);
-	free(text);
 	if (whose == NULL || origin_key(whose) == whose->key)
 		return;
-	char *from = origin_sentence(whose);
+	FREED char *from = origin_sentence(whose);
 	chart_note(
 	    chart, "%s%s", origin_is_other(whose) ? tr("warning: ") : "", from);
-	free(from);
 }
 
 /* The shade of a prediction with the site's own parameters, whose series is the
@@ -479,9 +472,8 @@ add_part(struct curves *c, const struct session *s, const struct entry *entry,
 	if (!plots_limits_fraction(s, entry, whole, part))
 		return;
 	c->n_prediction++;
-	char *words = plots_limits_words(s);
+	FREED char *words = plots_limits_words(s);
 	add_product(c, part, xasprintf(tr("fraction %s"), words), PART);
-	free(words);
 }
 
 /* Dashed where it is extrapolated. */
@@ -543,14 +535,13 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	}
 	if (known)
 		plots_add_predicted(&c, s, q, one);
-	char *fraction = screened_title(&q->fraction);
+	FREED char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
 		known                     ? N_("product at %.1f m/s%s")
 		: site_products(site) > 0 ? N_("feed and products")
 					  : N_("feed"),
 		speed, fraction);
-	free(fraction);
 	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	put_curves(chart, &c);
 	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
@@ -587,19 +578,17 @@ sweep_chart(
 	}
 	size_t feed = feed_at(site, q->feed_speed);
 	plots_add_curve(&c, site_feed(site, feed), xstrdup(tr("feed")), FEED);
-	double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
+	FREED double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
 	for (size_t i = 0; i < n; i++)
 		add_product(&c,
 		    make_prediction(&c, s, q, entry, &params, speed[i], feed),
 		    xasprintf(tr("predicted %g m/s"), speed[i]),
 		    site_chart_style(i));
-	free(usual);
-	char *fraction = screened_title(&q->fraction);
+	FREED char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
 		"products at %zu speeds%s", n, fraction);
-	free(fraction);
 	put_curves(chart, &c);
 	free_curves(&c);
 	return chart;
@@ -756,7 +745,7 @@ put_pairs(
 static void
 note_scores(struct chart *chart, const struct pairs *pairs)
 {
-	const struct validation **v = xcalloc(pairs->n, sizeof(*v));
+	FREED const struct validation **v = xcalloc(pairs->n, sizeof(*v));
 	for (size_t j = 0; j < pairs->n; j++)
 		v[j] = &pairs->v[j];
 	for (size_t i = 0; i < PSD_SIZES; i++) {
@@ -774,7 +763,6 @@ note_scores(struct chart *chart, const struct pairs *pairs)
 		    100 * PSD_PASSING[i], 100 * score.bias, 100 * score.rms, r2,
 		    score.n);
 	}
-	free(v);
 }
 
 static struct chart *
@@ -797,12 +785,11 @@ parity_chart(
 	if (high > 0) {
 		struct axis x = axis_log(tr("measured, mm"), low, high);
 		struct axis y = axis_log(tr("predicted, mm"), low, high);
-		char *title = xasprintf(
+		FREED char *title = xasprintf(
 		    tr_n("sizes at held-out speeds, %zu site",
 			"sizes at held-out speeds, %zu sites", pairs.n_site),
 		    pairs.n_site);
 		chart = chart_new(title, pairs.about, x, y);
-		free(title);
 		put_pairs(chart, &pairs, x.low, x.high);
 		note_scores(chart, &pairs);
 	} else {
@@ -971,15 +958,12 @@ found_words(const struct chart_found *f)
 	const struct chart_series *of = f->series;
 	if (of == NULL)
 		return NULL;
-	char *x = with_unit(&f->chart->x, of->x[f->point]),
-	     *y = with_unit(&f->chart->y, of->y[f->point]);
+	FREED char *x = with_unit(&f->chart->x, of->x[f->point]),
+		   *y = with_unit(&f->chart->y, of->y[f->point]);
 	bool whose = of->whose != NULL && of->whose[f->point].site != NULL;
-	char *words =
-	    xasprintf("%s%s%s: %s, %s", whose ? of->whose[f->point].site : "",
-		whose ? ", " : "", of->name, x, y);
-	free(x);
-	free(y);
-	return words;
+	return xasprintf("%s%s%s: %s, %s",
+	    whose ? of->whose[f->point].site : "", whose ? ", " : "", of->name,
+	    x, y);
 }
 
 bool

@@ -5,7 +5,6 @@
 #include "cmd/draw/plots.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -281,12 +280,11 @@ plots_draws_profile(
 		draws[d] = a.p->draw[d].params.at[a.own];
 	}
 	find_reach(&a, draw, reach);
-	char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
+	FREED char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
 	struct chart *chart =
 	    site_chart(q->entry->site, axis_linear(title, reach[0], reach[1]),
 		axis_percent(tr("relative to the most probable, %")),
 		"what the data say of %s", a.info->name);
-	free(title);
 	add_profile(chart, &a);
 	if (draw != NULL)
 		add_density(chart, &a, draw);

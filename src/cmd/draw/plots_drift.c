@@ -4,7 +4,6 @@
 #include "cmd/draw/plots.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -69,12 +68,11 @@ static void
 drift_say(struct chart *chart, const struct routine *r)
 {
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
-	char *words = routine_words(r);
+	FREED char *words = routine_words(r);
 	if (r->dated)
 		chart_note(chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
 	chart_note(chart, "up: finer than predicted; down: coarser");
 	chart_note(chart, "%s", words);
-	free(words);
 }
 
 /* The control charts of the site in use, as `drift` has them. */
@@ -98,9 +96,8 @@ plots_drift(
 	struct axis x = {.title = xstrdup(tr("cut")), .low = 0, .high = last};
 	size_t step = r->n / 20 + 1;
 	for (size_t j = 0; j < r->n; j += step) {
-		char *label = xasprintf("%zu", j + 1);
+		FREED char *label = xasprintf("%zu", j + 1);
 		axis_add(&x, (double)(j + 1), label, 0);
-		free(label);
 	}
 	struct chart *chart = site_chart(entry->site, x,
 	    axis_linear(tr("share of the limit, -"), low, high),

@@ -4,7 +4,6 @@
 #include "cmd/draw/plots.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -47,12 +46,12 @@ energy_add(
     struct chart *chart, const struct energies *e, bool main, size_t place)
 {
 	const struct spectrum *s = e->c.spectrum;
-	struct spectrum_size *whole = spectrum_whole(s);
+	FREED struct spectrum_size *whole = spectrum_whole(s);
 	const struct chart_series look = {
 	    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 	const struct chart_series of_first = {
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
-	char *speed =
+	FREED char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
 	energy_fill(chart_add(chart, main ? look : site_chart_style(place),
 			POINTS, "%s%s", e->name, speed),
@@ -61,8 +60,6 @@ energy_add(
 		energy_fill(chart_add(chart, of_first, POINTS,
 				"first above %g J/kg", e->cut),
 		    s, whole, true);
-	free(speed);
-	free(whole);
 }
 
 /* How often particles are hit at which energy: those in use, the first impact

@@ -4,7 +4,6 @@
 #include "cmd/draw/plots_limits.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -41,7 +40,7 @@ limits_add_limits(struct chart *chart, const struct spec *spec, bool least)
 {
 	const double *limit = least ? spec->least : spec->most;
 	size_t n = 0;
-	double *at = xdoubles(2 * spec->n);
+	FREED double *at = xdoubles(2 * spec->n);
 	for (size_t i = 0; i < spec->n; i++) {
 		double mm = units_mm(spec->size[i]);
 		if (mm < chart->x.low || mm > chart->x.high || isnan(limit[i]))
@@ -58,7 +57,6 @@ limits_add_limits(struct chart *chart, const struct spec *spec, bool least)
 			series->y[i] = at[2 * i + 1];
 		}
 	}
-	free(at);
 }
 
 void
@@ -69,14 +67,13 @@ plots_limits_add(struct chart *chart, const struct session *s, bool notes)
 		return;
 	limits_add_limits(chart, spec, false);
 	limits_add_limits(chart, spec, true);
-	char *cut = plots_limits_words(s);
+	FREED char *cut = plots_limits_words(s);
 	const char *source =
 	    spec->source[0] != '\0' ? spec->source : spec->name;
 	if (notes && cut[0] != '\0')
 		chart_note(chart, "limits of the fraction %s: %s", cut, source);
 	else if (notes)
 		chart_note(chart, "limits: %s", source);
-	free(cut);
 }
 
 bool

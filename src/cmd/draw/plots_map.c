@@ -10,7 +10,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/draw/site_chart.h"
-#include "cmd/session/sites.h"
 #include "core/model/breakage.h"
 
 /* So many have their names written beside them, where there is room. */
@@ -164,11 +163,10 @@ plots_map(struct session *s, const struct plot_request *q, struct error *error)
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
 			reach(&e, &s->entry[i].params);
-	char *about = about_of(s, apart);
+	FREED char *about = about_of(s, apart);
 	struct chart *chart = chart_new(tr("materials by rock"), about,
 	    axis_linear("f_mat, kg/(J m)", 0, e.f_mat),
 	    axis_linear("e0_min, J m/kg", e.low, e.high));
-	free(about);
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first(&list, i))
 			map_add_rock(chart, &list, list.item[i].rock);

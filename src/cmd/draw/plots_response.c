@@ -69,11 +69,8 @@ take_usual(struct session *s, struct drawn *d)
 static bool
 same_quantity(const struct quantity *a, const struct quantity *b)
 {
-	char *one = quantities_key(a), *two = quantities_key(b);
-	bool same = strcmp(one, two) == 0;
-	free(one);
-	free(two);
-	return same;
+	FREED char *one = quantities_key(a), *two = quantities_key(b);
+	return strcmp(one, two) == 0;
 }
 
 /* One that is there already is not drawn twice.  False where there are too
@@ -112,7 +109,7 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 	for (size_t i = 0; i < d->limits.n; i++)
 		if (!conditions_covered(&d->limits.at[i], feed, error))
 			return false;
-	struct quantity *of =
+	FREED struct quantity *of =
 	    of_words != NULL
 		? quantities_list(of_words, &d->fraction.partition, &n, error)
 		: NULL;
@@ -123,7 +120,6 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 		ok = quantities_cut(&of[i], &d->fraction, error) &&
 		     quantities_covered(&of[i], feed, error) &&
 		     (response_take(d, &of[i]) || too_many(error));
-	free(of);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
 		ok = response_take(d, &d->limits.at[i].quantity) ||
 		     too_many(error);
@@ -175,10 +171,9 @@ static void
 response_add_line(struct chart *chart, const struct drawn *d, size_t i)
 {
 	const double(*value)[3] = (const double(*)[3])(d->value + i * POINTS);
-	char *name = quantities_words(&d->q[i]);
+	FREED char *name = quantities_words(&d->q[i]);
 	struct chart_series *line =
 	    chart_add(chart, line_look(i), POINTS, "%s", name);
-	free(name);
 	bool band = isfinite(value[0][1]) || isfinite(value[POINTS - 1][1]);
 	if (band)
 		chart_add_band(line);
@@ -202,10 +197,9 @@ add_measured(struct chart *chart, const struct session *s,
 	look.line = CHART_MARKS;
 	if (site_products(site) == 0 || site->with[0] != '\0')
 		return;
-	char *name = quantities_words(q);
+	FREED char *name = quantities_words(q);
 	struct chart_series *points =
 	    chart_add(chart, look, site->n_run, "measured %s", name);
-	free(name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *product =
@@ -234,11 +228,10 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 		double limit = k % 2 == 0 ? c->least : c->most;
 		if (!same_quantity(&c->quantity, &d->q[i]) || isnan(limit))
 			continue;
-		char *words = conditions_limit(
+		FREED char *words = conditions_limit(
 		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
 		struct chart_series *line =
 		    chart_add(chart, look, 2, "%s", words);
-		free(words);
 		for (size_t end = 0; end < 2; end++) {
 			line->x[end] = end == 0 ? d->from : d->to;
 			line->y[end] = quantities_shown(&c->quantity, limit);
@@ -270,9 +263,8 @@ add_reach(struct chart *chart, const struct entry *entry)
 	double slowest, fastest;
 	if (!origin_reach(entry, &slowest, &fastest))
 		return;
-	char *words = answers_reach(entry, slowest, fastest);
+	FREED char *words = answers_reach(entry, slowest, fastest);
 	chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
-	free(words);
 	if (fastest > slowest)
 		chart_add_rule(
 		    chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
@@ -384,10 +376,9 @@ make_charts(struct session *s, struct drawn *d)
 		chart_note(last, "%s", outlook_why_none(s, entry));
 	/* Lines reach where nothing was measured, which add_reach tells: the
 	 * light is that of the middle, where it is as good as it gets. */
-	char *light =
+	FREED char *light =
 	    light_said_at(s, entry, site_middle(entry->site), d->feed);
 	chart_note(last, "%s", light);
-	free(light);
 	return first;
 }
 

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/tr.h"
@@ -12,7 +11,6 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots_past.h"
 #include "cmd/draw/site_chart.h"
-#include "cmd/session/sites.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -120,10 +118,9 @@ add_further(struct chart *chart, const struct session *s,
 		runs_add_predicted(
 		    chart, s, q->entry, params, q->speeds[i], feed, look, "");
 	}
-	char *words = feed_words(site, feed);
+	FREED char *words = feed_words(site, feed);
 	if (q->n_speed > 0 && words != NULL)
 		chart_note(chart, "feed of the speeds not measured: %s", words);
-	free(words);
 }
 
 static bool
@@ -192,7 +189,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 		return NULL;
 	}
 	size_t n;
-	double *size = site_sieves(site, &n);
+	FREED double *size = site_sieves(site, &n);
 	for (size_t i = 0; i < n; i++)
 		size[i] = units_mm(size[i]);
 	struct chart *chart =
@@ -201,7 +198,6 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 		site_products(site) == 0 ? N_("feed")
 		: known                  ? N_("products measured and predicted")
 					 : N_("feed and products"));
-	free(size);
 	runs_add_all(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);

@@ -4,7 +4,6 @@
 #include "cmd/draw/plots_search.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -116,14 +115,13 @@ static struct axis
 sieves_of(const struct candidates *c)
 {
 	const double margin = 1.1;
-	double *size = xdoubles(c->n);
+	FREED double *size = xdoubles(c->n);
 	for (size_t k = 0; k < c->n; k++)
 		size[k] = units_mm(c->cell[k].size);
 	struct axis axis = axis_sieves(tr("size, mm"), size, c->n);
 	/* Room for what is drawn beside the last one. */
 	axis.low /= margin;
 	axis.high *= margin;
-	free(size);
 	return axis;
 }
 
@@ -168,9 +166,8 @@ plots_search(
 		runs++;
 	for (size_t k = 0, nth = 0; k < c.n; k += cells_of_run(&c, k), nth++)
 		search_add_run(chart, &c, past.site, k, nth, runs);
-	char *words = plots_search_words(s, &past, q->generation);
+	FREED char *words = plots_search_words(s, &past, q->generation);
 	chart_note(chart, "%s", words);
-	free(words);
 	candidates_clear(&c);
 	return chart;
 }

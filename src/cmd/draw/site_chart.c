@@ -3,7 +3,6 @@
 #include "cmd/draw/site_chart.h"
 
 #include <stdarg.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -16,16 +15,12 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 {
 	va_list ap;
 	va_start(ap, format);
-	char *words = xvasprintf(tr(format), ap), *label = session_label(site);
+	FREED char *words = xvasprintf(tr(format), ap),
+		   *label = session_label(site);
 	va_end(ap);
-	char *title = xasprintf("%s: %s", label, words);
-	char *about = site_source(site, "provenance not stated");
-	struct chart *c = chart_new(title, about, x, y);
-	free(about);
-	free(words);
-	free(title);
-	free(label);
-	return c;
+	FREED char *title = xasprintf("%s: %s", label, words);
+	FREED char *about = site_source(site, "provenance not stated");
+	return chart_new(title, about, x, y);
 }
 
 struct chart_series

@@ -1,7 +1,6 @@
 /* collect: the parts of many sites become the answer of one run, and the stores
  * that they remembered sites in one store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -187,7 +186,7 @@ put_materials(struct session *s, const struct shelf *shelf,
     const struct parts *parts, const struct part_site *const *site, size_t n,
     bool replace, struct error *error)
 {
-	struct stored *item = xcalloc(n + 1, sizeof *item);
+	FREED struct stored *item = xcalloc(n + 1, sizeof *item);
 	bool ok = true;
 	for (size_t i = 0; ok && i < n; i++) {
 		struct material *m = collect_material_of(
@@ -207,7 +206,6 @@ put_materials(struct session *s, const struct shelf *shelf,
 	if (ok)
 		session_note(s, "remembered %zu materials in %s", n,
 		    store_path(s->store));
-	free(item);
 	return ok;
 }
 
@@ -236,13 +234,12 @@ collect_give(struct session *s, const struct parts *parts,
     const char *const *store, size_t n_store, bool replace, struct error *error)
 {
 	size_t n;
-	const struct part_site **site = sorted(parts, &n);
+	FREED const struct part_site **site = sorted(parts, &n);
 	bool scores = strcmp(parts->part[0].command, "validate") == 0;
 	struct answer *r = NULL;
 	if (join_stores(s, parts, site, n, store, n_store, replace, error))
 		r = scores ? join_validated(parts, site, n, error)
 			   : join_calibrated(site, n);
-	free(site);
 	return r != NULL && session_answer(s, r);
 }
 

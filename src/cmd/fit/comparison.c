@@ -157,9 +157,9 @@ put_sizes(struct fields *o, const struct validation *v)
 		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
 		    1000 * v->size[VALIDATE_CORRECTED][i]);
 		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-			char *key = xasprintf("%s_mm", SCORES_WAYS[way].key);
+			FREED char *key =
+			    xasprintf("%s_mm", SCORES_WAYS[way].key);
 			fields_number(size, key, 1000 * v->size[way][i]);
-			free(key);
 		}
 	}
 }
@@ -172,11 +172,9 @@ put_sieves(struct fields *o, const struct compared *item)
 	fields_numbers(o, "sieve_mm", product->size, n, units_mm);
 	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-		double *passing = way_passing(item, way);
-		char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
+		FREED double *passing = way_passing(item, way);
+		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
 		fields_numbers(o, key, passing, n, units_pct);
-		free(key);
-		free(passing);
 	}
 }
 
@@ -334,7 +332,7 @@ note_winner(struct answer *r, const struct validation *v, const char *run)
 	bool clearly = own > 1.1 * least && own - least > CLEARLY;
 	bool between =
 	    best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
-	char *who = xstrdup(tr(SCORES_WAYS[best].noun));
+	FREED char *who = xstrdup(tr(SCORES_WAYS[best].noun));
 	if (best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", v->nearest);
 	if (best < VALIDATE_NULL)
@@ -357,14 +355,13 @@ note_winner(struct answer *r, const struct validation *v, const char *run)
 		    "  the model predicts no better than %s at this speed; the "
 		    "difference is too small for sampling to show",
 		    who);
-	free(who);
 }
 
 static void
 note_run(struct answer *r, const struct compared *item, double level)
 {
 	const struct validation *v = &item->v;
-	char *run =
+	FREED char *run =
 	    xasprintf("%g m/s%s", v->speed, item->site->run[v->run].repeat);
 	answer_note(r,
 	    "at %s: largest error %+.2f points at %g mm (model alone - "
@@ -380,7 +377,6 @@ note_run(struct answer *r, const struct compared *item, double level)
 		answer_say(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
 		    "how its error changes with the speed");
-	free(run);
 	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
 		answer_say(r, ANSWER_REMARK,
 		    isnan(v->line[1])

@@ -1,7 +1,6 @@
 /* drift: routine cuts on control charts against their predictions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -33,10 +32,9 @@ drift_add_rows(struct answer *a, const struct routine *r)
 		const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
 		const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
 		double worst = c->measured[c->worst] - c->predicted[c->worst];
-		char *day = xstrndup(c->when, strcspn(c->when, " T"));
+		FREED char *day = xstrndup(c->when, strcspn(c->when, " T"));
 		answer_cells(a, "%g", (double)(j + 1));
 		answer_name(a, c->when, day[0] != '\0' ? day : "-");
-		free(day);
 		answer_cells(a, "%g %.1f %.1f %g", c->speed, 100 * level->value,
 		    100 * worst, units_mm(c->size[c->worst]));
 		answer_cells(a, "%.1f %.1f %.1f %.1f %.1f %s", level->ewma,
@@ -88,9 +86,9 @@ say_what_next(struct answer *a, const struct routine *r)
 			answer_note(a, "no need to calibrate anew");
 		return;
 	}
-	char *since = drift_name_of(r, r->since),
-	     *first = drift_name_of(r, r->first);
-	char *speeds = speeds_from(r, r->since, &n);
+	FREED char *since = drift_name_of(r, r->since),
+		   *first = drift_name_of(r, r->first);
+	FREED char *speeds = speeds_from(r, r->since, &n);
 	answer_note(a,
 	    "it began at about cut %s and was signalled after cut %s", since,
 	    first);
@@ -102,9 +100,6 @@ say_what_next(struct answer *a, const struct routine *r)
 		       "%zu, on a site file of its own with the feed and the "
 		       "cuts from %s on (%s m/s) and one at another speed"),
 	    r->n, since, speeds);
-	free(since);
-	free(first);
-	free(speeds);
 }
 
 /* What the limits are, and how often they are passed by chance. */
@@ -181,7 +176,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    r->n);
 	drift_add_rows(a, r);
 	drift_put_fields(a, r);
-	char *words = routine_words(r);
+	FREED char *words = routine_words(r);
 	answer_say(a,
 	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN
 						   : ANSWER_WARNING,
@@ -189,7 +184,6 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	say_what_next(a, r);
 	say_limits(a, r);
 	answers_show_basis_of_fit(s, a, entry, false);
-	free(words);
 	routine_free(r);
 	return session_answer(s, a);
 }

@@ -3,7 +3,6 @@
 #include "cmd/fit/fit_report.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -137,7 +136,7 @@ say_flat(struct answer *r, const char *list, bool several, bool both)
 static void
 add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	size_t n = 0;
 	bool ahead = step_fits(fit, bounds, 1),
 	     back = step_fits(fit, bounds, -1);
@@ -162,7 +161,6 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 		    list);
 	else if (n > 0)
 		say_flat(r, list, n > 1, ahead && back);
-	free(list);
 }
 
 /* What speaks against the fit. */
@@ -314,9 +312,10 @@ add_summary(
 	const struct fit *fit = &entry->fit;
 	const char *verdict = light_verdict(s, entry, NULL);
 	bool of_fit = strchr(verdict, ' ') == NULL;
-	char *held = session_speeds(entry->site, ", ", entry->train, false);
+	FREED char *held =
+	    session_speeds(entry->site, ", ", entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
-	char *words = xasprintf(
+	FREED char *words = xasprintf(
 	    of_fit ? tr("%s fit: RMSE %.2f percentage points over %zu passings")
 		   : tr("%s: RMSE %.2f percentage points over %zu passings"),
 	    verdict, 100 * fit->rmse, fit->n_residual);
@@ -329,8 +328,6 @@ add_summary(
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
 		note_untested(r, entry);
-	free(words);
-	free(held);
 }
 
 static struct answer *
@@ -339,11 +336,10 @@ new_answer(const struct entry *entry, const char *command, bool detail)
 	if (detail)
 		return answers_new(
 		    entry->site, command, "calibrated parameters");
-	char *speeds = session_speeds(entry->site, ", ", entry->train, true);
-	struct answer *r =
-	    answers_new(entry->site, command, "calibrated on %s m/s", speeds);
-	free(speeds);
-	return r;
+	FREED char *speeds =
+	    session_speeds(entry->site, ", ", entry->train, true);
+	return answers_new(
+	    entry->site, command, "calibrated on %s m/s", speeds);
 }
 
 struct answer *

@@ -25,16 +25,17 @@ announce(struct session *s)
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
 	size_t model = o->settings.breakage;
-	char *train = session_speeds(entry->site, ", ", s->job.train, true);
-	char *holdout = session_speeds(entry->site, ", ", s->job.train, false);
-	char *words = xasprintf(
+	FREED char *train =
+	    session_speeds(entry->site, ", ", s->job.train, true);
+	FREED char *holdout =
+	    session_speeds(entry->site, ", ", s->job.train, false);
+	FREED char *words = xasprintf(
 	    holdout[0] != '\0' ? tr("calibrating %s on %s m/s (held out: %s)")
 			       : tr("calibrating %s on %s m/s%s"),
 	    entry->site->name, train, holdout);
 	if (model > 0)
 		xlist(&words, ", ", tr("model %s"), BREAKAGES[model]->name);
 	session_note(s, "%s", words);
-	free(words);
 	if (s->job.detail)
 		session_note(s,
 		    "  population %zu, generations %zu, tolerance %g, stall "
@@ -43,8 +44,6 @@ announce(struct session *s)
 		    o->population, o->generations, o->tolerance, o->stall,
 		    o->polish ? "on" : "off", (unsigned long long)o->seed,
 		    o->threads);
-	free(train);
-	free(holdout);
 }
 
 /* What is to be paused after some step goes one after the other. */
@@ -203,9 +202,8 @@ take_entry(struct session *s)
 	entry->fit = calibration_fit(s->job.calibration);
 	if (s->job.lowest != NULL && entry->fit.plain)
 		entry->fit.lowest = calibration_fit(s->job.lowest).misfit;
-	char *options = options_words(s, &entry->fit);
+	FREED char *options = options_words(s, &entry->fit);
 	snprintf(entry->options, sizeof entry->options, "%s", options);
-	free(options);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
 	session_forget(s);
@@ -304,13 +302,12 @@ remarks(const struct session *s, const struct entry *entry)
 static void
 summarise(struct session *s, struct answer *r, const struct entry *entry)
 {
-	char *words = remarks(s, entry);
+	FREED char *words = remarks(s, entry);
 	const struct params *p = &entry->fit.params;
 	part_add(r, &(struct part_row){entry->key, words,
 			params_value(p, "f_mat"), params_value(p, "e0_min"),
 			params_value(p, "alpha"), entry->fit.misfit,
 			100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
-	free(words);
 }
 
 /* A job of one calibration has its site and its runs from the start. */
@@ -564,13 +561,12 @@ session_rounds(struct session *s)
 	}
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
-	struct ahead *ahead = xcalloc(most, sizeof *ahead);
+	FREED struct ahead *ahead = xcalloc(most, sizeof *ahead);
 	size_t n = look_ahead(s, ahead, most);
 	struct pool *pool = pool_new(threads);
 	pool_run(pool, n, run_ahead, ahead);
 	pool_free(pool);
 	take_ahead(s, ahead, n);
-	free(ahead);
 }
 
 /* What the parameters of the job's site come to by all that the job goes by:

@@ -470,8 +470,8 @@ league_names_of(
 static void
 say_verdict(struct answer *r, const struct verdict *v)
 {
-	char *open = league_names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
-	char *out = league_names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
+	FREED char *open = league_names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+	FREED char *out = league_names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
 	const char *best = name_of_row(v->best);
 	if (v->can_tell)
 		answer_note(r,
@@ -499,8 +499,6 @@ say_verdict(struct answer *r, const struct verdict *v)
 		    "than the first of them, %s: RMSE %.2f against %.2f points",
 		    tr(SCORES_WAYS[v->winner].noun), best,
 		    100 * v->rmse[v->winner], 100 * v->model[v->best].rmse);
-	free(open);
-	free(out);
 }
 
 /* How to read it. */
@@ -620,7 +618,7 @@ all_answer(const struct session *s, const struct league *l)
 {
 	struct answer *r = answer_new("league");
 	struct fields *sites = fields_list(answer_fields(r), "sites");
-	char *about = xstrdup("");
+	FREED char *about = xstrdup("");
 	answer_title(r,
 	    tr_n("breakage models compared, %zu site",
 		"breakage models compared, %zu sites", l->n),
@@ -632,7 +630,7 @@ all_answer(const struct session *s, const struct league *l)
 		const struct ground *g = i < l->n ? &l->ground[i] : NULL;
 		struct verdict v =
 		    g != NULL ? verdict_of(g, 1) : verdict_of(l->ground, l->n);
-		char *open =
+		FREED char *open =
 		    league_names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
@@ -654,11 +652,9 @@ all_answer(const struct session *s, const struct league *l)
 			say_verdict(r, &v);
 			note_rule(r, &v, false, false);
 		}
-		free(open);
 		verdict_free(&v);
 	}
 	answer_sites(r, "all", about);
-	free(about);
 	return r;
 }
 

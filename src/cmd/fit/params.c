@@ -98,7 +98,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	struct params p = has ? entry->params : params_start(model);
 	if (!check_named(args, of, error))
 		return false;
-	char *missing = xstrdup("");
+	FREED char *missing = xstrdup("");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct value *v = args_value(args, of->parameter[j].name);
 		if (v->given)
@@ -112,7 +112,6 @@ set_params(struct session *s, const struct args *args, struct error *error)
 		    "model %s yet",
 		    missing, entry->site->name, of->name);
 	bool whole = missing[0] == '\0';
-	free(missing);
 	if (!whole)
 		return false;
 	model_take_params(s, session_entry(s), &p, origin_by_hand());
@@ -283,13 +282,12 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
 	size_t j = breakage_parameter(of, args->operand[0]);
 	if (j == of->n) {
-		char *names = xstrdup(of->parameter[0].name);
+		FREED char *names = xstrdup(of->parameter[0].name);
 		for (size_t i = 1; i < of->n; i++)
 			xappend(&names, " %s", of->parameter[i].name);
 		error_set(error, ERROR_USAGE,
 		    "there is no parameter '%s'\n%s, or default",
 		    args->operand[0], names);
-		free(names);
 		return false;
 	}
 	const struct param_info *info = &of->parameter[j];

@@ -68,12 +68,11 @@ part_read(const struct value *option, struct part *part, struct error *error)
 		return true;
 	uint64_t number = 0, of = 0;
 	const char *slash = strchr(option->text, '/');
-	char *before = slash != NULL ? xstrndup(option->text,
-					   (size_t)(slash - option->text))
-				     : xstrdup("");
+	FREED char *before = slash != NULL ? xstrndup(option->text,
+						 (size_t)(slash - option->text))
+					   : xstrdup("");
 	bool good = slash != NULL && text_whole(before, &number) &&
 		    text_whole(slash + 1, &of);
-	free(before);
 	*part = (struct part){(size_t)number, (size_t)of, "part"};
 	if (good)
 		return check(part, error);
@@ -161,11 +160,10 @@ part_digest_of(const struct session *s)
 {
 	uint64_t digest = 0xcbf29ce484222325;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		char *text = xasprintf("%s %016" PRIx64 "\n", s->entry[i].key,
-		    s->entry[i].site->digest);
+		FREED char *text = xasprintf("%s %016" PRIx64 "\n",
+		    s->entry[i].key, s->entry[i].site->digest);
 		for (const char *p = text; *p != '\0'; p++)
 			digest = (digest ^ (unsigned char)*p) * 0x100000001b3;
-		free(text);
 	}
 	return digest;
 }

@@ -26,9 +26,9 @@ scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
 	struct fields *null = fields_object(o, "null");
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		char *key = xasprintf("%s_rmse_pct", SCORES_WAYS[way].key);
+		FREED char *key =
+		    xasprintf("%s_rmse_pct", SCORES_WAYS[way].key);
 		fields_number(null, key, 100 * rmse[way]);
-		free(key);
 	}
 }
 
@@ -67,7 +67,7 @@ static void
 add_scores(struct answer *r, const struct scores *c)
 {
 	struct fields *o = answer_fields(r), *null = NULL;
-	const struct validation **v = xcalloc(c->n + 1, sizeof(*v));
+	FREED const struct validation **v = xcalloc(c->n + 1, sizeof(*v));
 	for (size_t k = 0; k < c->n; k++)
 		v[k] = &c->item[k].v;
 	answer_columns(r, "size, by: predicted by, n: runs, bias_pct: bias %%, "
@@ -95,7 +95,6 @@ add_scores(struct answer *r, const struct scores *c)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			put_score(own, i, validate_score(v, c->n, way, i));
 	}
-	free(v);
 }
 
 /* At how many runs each way is the best. */
@@ -104,7 +103,7 @@ add_wins(struct answer *r, const struct scores *c)
 {
 	size_t wins[VALIDATE_WAYS] = {0};
 	struct fields *o = fields_object(answer_fields(r), "wins");
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t k = 0; k < c->n; k++)
 		wins[validate_winner(c->item[k].v.rmse)]++;
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
@@ -114,14 +113,13 @@ add_wins(struct answer *r, const struct scores *c)
 	}
 	answer_note(
 	    r, "best at how many of the %zu runs (RMSE): %s", c->n, list);
-	free(list);
 }
 
 struct answer *
 scores_answer(const struct scores *c)
 {
 	struct answer *r = answer_new("validate");
-	char *about = xstrdup("");
+	FREED char *about = xstrdup("");
 	size_t sites = 0;
 	for (size_t k = 0; k < c->n; k++) {
 		if (k > 0 && c->item[k].index == c->item[k - 1].index)
@@ -156,7 +154,6 @@ scores_answer(const struct scores *c)
 				  "held-out run: not compared",
 				  c->left_out),
 		    c->left_out);
-	free(about);
 	return r;
 }
 

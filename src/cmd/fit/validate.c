@@ -56,15 +56,15 @@ static void
 give_all(struct session *s, const struct comparison *c)
 {
 	struct scores scores = {.each = c->each, .left_out = c->left_out};
-	size_t *index = xcalloc(c->n + 1, sizeof *index);
+	FREED size_t *index = xcalloc(c->n + 1, sizeof *index);
 	for (size_t i = 0; i < c->n; i++) {
 		const struct compared *item = &c->item[i];
-		char *source = site_source(item->site, "provenance not stated");
+		FREED char *source =
+		    site_source(item->site, "provenance not stated");
 		index[i] = item->entry;
 		scores_add(
 		    &scores, &(struct scored){item->entry,
 				 s->entry[item->entry].key, source, item->v});
-		free(source);
 	}
 	struct answer *r = scores_answer(&scores);
 	if (c->part.of > 0) {
@@ -75,7 +75,6 @@ give_all(struct session *s, const struct comparison *c)
 	}
 	session_answer(s, r);
 	scores_clear(&scores);
-	free(index);
 }
 
 /* Sites that `validate all` cannot compare though they are calibrated. */
@@ -130,7 +129,7 @@ compare_sites(
 {
 	enum { EACH_THREAD = 2 };
 	size_t most = EACH_THREAD * s->set.threads;
-	struct beside *beside = xcalloc(most, sizeof *beside);
+	FREED struct beside *beside = xcalloc(most, sizeof *beside);
 	struct pool *pool = pool_new(s->set.threads);
 	bool all = true;
 	for (size_t from = 0; all && from < n; from += most) {
@@ -147,7 +146,6 @@ compare_sites(
 		}
 	}
 	pool_free(pool);
-	free(beside);
 	return all;
 }
 
@@ -206,12 +204,11 @@ fits_words(const struct session *s, const size_t *index, size_t n)
 	char *words = xstrdup("fits");
 	for (size_t i = 0; i < n; i++) {
 		const struct entry *entry = &s->entry[index[i]];
-		char *own = xasprintf(" [seed=%llu model=%s %s]",
+		FREED char *own = xasprintf(" [seed=%llu model=%s %s]",
 		    (unsigned long long)entry->fit.seed,
 		    breakage_of(&entry->fit.params)->name, entry->options);
 		if (strstr(words, own) == NULL)
 			xappend(&words, "%s", own);
-		free(own);
 	}
 	return words;
 }
@@ -220,14 +217,12 @@ static bool
 validate_all(struct session *s, struct comparison *c, struct error *error)
 {
 	struct failed failed = {.keys = xstrdup("")};
-	size_t *index = xcalloc(s->n_entry + 1, sizeof *index);
+	FREED size_t *index = xcalloc(s->n_entry + 1, sizeof *index);
 	size_t n = find_calibrated(s, c, index, &failed);
-	char *fits = fits_words(s, index, n);
+	FREED char *fits = fits_words(s, index, n);
 	struct calibrate_options o = job_options(s);
 	bool whole = compare_sites(s, c, index, n);
-	free(index);
 	c->options = part_options(s, &o, fits);
-	free(fits);
 	if (!whole)
 		session_note(s, "stopped before all sites were compared");
 	else if (c->n > 0 || may_be_empty(s, &c->part))

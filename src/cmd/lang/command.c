@@ -70,11 +70,10 @@ static bool
 takes_word(const struct command *command, const char *word)
 {
 	size_t n = strcspn(word, "=");
-	char *name = xstrndup(word, n);
+	FREED char *name = xstrndup(word, n);
 	bool bare = word[n] == '\0' && strstr(word, "..") != NULL &&
 		    command->bare != NULL;
 	size_t i = command_option_index(command, bare ? command->bare : name);
-	free(name);
 	return bare ? i < OPTIONS &&
 			  command_option_at(command, i)->kind == VALUE_NUMBERS
 		    : word[n] != '\0' && i < OPTIONS;
@@ -124,7 +123,7 @@ command_called(const char *name, bool prompt)
 		return found;
 	/* Screens and pagers are left by q, and so is the program. */
 	enum { LEAST = 2 };
-	char *start = text_fold(name);
+	FREED char *start = text_fold(name);
 	bool leaves = strcmp(start, "q") == 0;
 	size_t n = strlen(start) < LEAST && !leaves ? LEAST : 0;
 	const struct command *exact = command_find(start);
@@ -134,7 +133,6 @@ command_called(const char *name, bool prompt)
 		found = c;
 		n++;
 	}
-	free(start);
 	return exact != NULL ? exact : n == 1 ? found : NULL;
 }
 
@@ -309,12 +307,12 @@ command_usage(const struct command *command)
 		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_own_option(command, i)) != NULL; i++) {
-		char *part = xasprintf(" [%s=%s]", o->name, placeholder(o));
+		FREED char *part =
+		    xasprintf(" [%s=%s]", o->name, placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
 			if (*p == ' ')
 				*p = '|';
 		xappend(&usage, "%s", part);
-		free(part);
 	}
 	return usage;
 }
@@ -351,7 +349,7 @@ command_limits(const struct command_option *o)
 			xappend(&list, *c == ' ' ? ", " : "%c", *c);
 		return list;
 	}
-	char *least = limit_text(o->least), *most = limit_text(o->most);
+	FREED char *least = limit_text(o->least), *most = limit_text(o->most);
 	const char *blank = o->unit[0] != '\0' ? " " : "";
 	char *text =
 	    most[0] != '\0'
@@ -362,20 +360,16 @@ command_limits(const struct command_option *o)
 		text = xasprintf(tr("%s, or file"), range);
 		free(range);
 	}
-	free(least);
-	free(most);
 	return text;
 }
 
 char *
 command_option_words(const struct command_option *o)
 {
-	char *limits = command_limits(o);
-	char *words = xasprintf(
+	FREED char *limits = command_limits(o);
+	return xasprintf(
 	    o->fallback[0] != '\0' ? tr("%s (%s), default %s") : "%s (%s)%s",
 	    tr(o->brief), limits, o->fallback);
-	free(limits);
-	return words;
 }
 
 /* A number cannot be 0, see SHARED_FEED. */

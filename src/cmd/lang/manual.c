@@ -47,10 +47,9 @@ print_text(const char *text, FILE *out)
 static void
 print_brief(const struct command *c, FILE *out)
 {
-	char *line = xasprintf(
+	FREED char *line = xasprintf(
 	    "%c%s.", toupper((unsigned char)c->brief[0]), c->brief + 1);
 	print_text(line, out);
-	free(line);
 }
 
 /* A word as an argument of a macro: quoted, so that no letter acts. */
@@ -66,23 +65,21 @@ print_quoted(const char *text, FILE *out)
 static void
 print_option(const struct command_option *o, FILE *out)
 {
-	char *words = command_option_words(o);
+	FREED char *words = command_option_words(o);
 	fprintf(out, ".It Cm %s\n", o->name);
 	print_text(words, out);
-	free(words);
 }
 
 static void
 manual_print_options(const struct command *c, FILE *out)
 {
 	const struct command_option *o = command_own_option(c, 0);
-	char *shared = command_shared(c);
+	FREED char *shared = command_shared(c);
 	if (shared[0] != '\0') {
-		char *line = xasprintf("Also takes %s (see above).", shared);
+		FREED char *line =
+		    xasprintf("Also takes %s (see above).", shared);
 		print_text(line, out);
-		free(line);
 	}
-	free(shared);
 	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
@@ -114,7 +111,7 @@ static void
 print_contents(FILE *out)
 {
 	const char *group = "";
-	char *names = xstrdup("");
+	FREED char *names = xstrdup("");
 	fputs(".Bl -tag -width calibration -compact\n", out);
 	for (const struct command *c = command_next(NULL); c != NULL;) {
 		if (strcmp(group, command_group(c)) != 0) {
@@ -130,7 +127,6 @@ print_contents(FILE *out)
 		names[0] = '\0';
 	}
 	fputs(".El\n", out);
-	free(names);
 }
 
 void
@@ -149,11 +145,10 @@ manual_commands(FILE *out)
 			fputs(".Bl -tag -width Ds\n", out);
 		}
 		group = its;
-		char *usage = command_usage(c);
+		FREED char *usage = command_usage(c);
 		fputs(".It ", out);
 		print_quoted(usage, out);
 		fputc('\n', out);
-		free(usage);
 		if (c->alias != NULL)
 			fprintf(out, "Also called\n.Cm %s .\n",
 			    command_other_name(c));

@@ -90,11 +90,10 @@ parse_skip_blanks(const char *line, size_t i)
 static bool
 take_pipe(const char *line, size_t i, struct words *words)
 {
-	char *rest = xstrdup(line + i + 1);
+	FREED char *rest = xstrdup(line + i + 1);
 	words->to = TO_PIPE;
 	words->target = xstrdup(text_trim(rest));
 	words->next = i + strlen(line + i);
-	free(rest);
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
 
@@ -179,16 +178,16 @@ join_unit(const struct command *command, struct words *words)
 	char **word = &words->text[words->n - 2];
 	const char *unit = word[1], *equals = strchr(*word, '=');
 	const char *number = equals != NULL ? equals + 1 : *word;
-	char *name = equals != NULL
-			 ? xstrndup(*word, (size_t)(equals - *word))
-			 : xstrdup(command->bare != NULL ? command->bare : "");
+	FREED char *name =
+	    equals != NULL
+		? xstrndup(*word, (size_t)(equals - *word))
+		: xstrdup(command->bare != NULL ? command->bare : "");
 	size_t i = command_option_index(command, name);
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
 			     : command->operands.most > 0 ? "m/s"
 							  : "";
 	bool turns = equals == NULL && strcmp(unit, "rpm") == 0 &&
 		     command_option_index(command, "rpm") < OPTIONS;
-	free(name);
 	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
 	    *number < '0' || *number > '9')
 		return;
@@ -240,11 +239,9 @@ is_limit_sign(
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = parse_skip_blanks(line, at);
 	size_t n = strcspn(line + at, " \t;%");
-	char *number = xstrndup(line + at, n);
+	FREED char *number = xstrndup(line + at, n);
 	double limit;
-	bool is = text_typed_number(number, &limit);
-	free(number);
-	return is;
+	return text_typed_number(number, &limit);
 }
 
 /* The > of a limit, or >=, is a word. */
@@ -312,11 +309,9 @@ parse_cut_unit(char *text, const char *unit)
 bool
 value_number(const char *word, const char *unit, double *value)
 {
-	char *text = xstrdup(word);
+	FREED char *text = xstrdup(word);
 	parse_cut_unit(text, unit);
-	bool ok = text_typed_number(text, value);
-	free(text);
-	return ok;
+	return text_typed_number(text, value);
 }
 
 const char *
@@ -327,10 +322,9 @@ value_feed(const char *text, size_t *length, double *share)
 		size_t n = strspn(star + 1, "0123456789.");
 		bool percent = star[1 + n] == '%';
 		const char *end = star + 1 + n + (percent ? 1 : 0);
-		char *number = xstrndup(star + 1, n);
+		FREED char *number = xstrndup(star + 1, n);
 		bool ok =
 		    (*end == '+' || *end == '\0') && text_number(number, share);
-		free(number);
 		if (!ok)
 			continue;
 		*length = (size_t)(star - text);
@@ -351,7 +345,7 @@ static bool
 hint_number(
     const struct command_option *option, const char *word, struct error *error)
 {
-	char *copy = xstrdup(word);
+	FREED char *copy = xstrdup(word);
 	char *comma = strchr(copy, ',');
 	char *dash = copy[0] != '\0' ? strchr(copy + 1, '-') : NULL;
 	double low, high;
@@ -370,7 +364,6 @@ hint_number(
 			    "write a range with two points: %s..%s", copy,
 			    dash + 1);
 	}
-	free(copy);
 	return false;
 }
 
@@ -459,7 +452,7 @@ numbers(const struct command_option *option, const char *word,
 	size_t all;
 	if (option->choices != NULL && text_choice(option->choices, word, &all))
 		return true;
-	char *text = xstrdup(word);
+	FREED char *text = xstrdup(word);
 	char *dots = strstr(text, "..");
 	bool ok = true;
 	if (dots != NULL) {
@@ -473,7 +466,6 @@ numbers(const struct command_option *option, const char *word,
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
-	free(text);
 	if (ok && value->n == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected numbers (65,74 or 65..85:5)", option->name);
@@ -489,11 +481,10 @@ static bool
 wrong_whole(
     const struct command_option *option, const char *word, struct error *error)
 {
-	char *limits = command_limits(option);
+	FREED char *limits = command_limits(option);
 	error_set(error, ERROR_USAGE,
 	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
 	    word);
-	free(limits);
 	return false;
 }
 
@@ -501,10 +492,9 @@ wrong_whole(
 static bool
 value_wanted(const struct command_option *option, struct error *error)
 {
-	char *limits = command_limits(option);
+	FREED char *limits = command_limits(option);
 	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
 	    limits);
-	free(limits);
 	return false;
 }
 
@@ -517,12 +507,11 @@ wrong_choice(
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option_choices(option), word);
 	char *copy = xstrdup(option_choices(option)), *save = NULL;
-	char *folded = text_fold(word);
+	FREED char *folded = text_fold(word);
 	for (char *choice = strtok_r(copy, " ", &save); choice != NULL;
 	     choice = strtok_r(NULL, " ", &save))
 		if (text_distance(choice, folded) <= strlen(choice) / 3)
 			error_hint(error, "did you mean '%s'?", choice);
-	free(folded);
 	free(copy);
 	return false;
 }
@@ -572,9 +561,8 @@ unknown_option(
 		error_hint(error, "did you mean '%s'?", o->name);
 		return;
 	}
-	char *usage = command_usage(command);
+	FREED char *usage = command_usage(command);
 	error_hint(error, "usage: %s", usage);
-	free(usage);
 }
 
 /* Index of the option so called; OPTIONS, with an error, where there is none or
@@ -615,9 +603,8 @@ take_argument(
 	    strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_") == key;
 	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
-		char *name = xstrndup(word, key);
+		FREED char *name = xstrndup(word, key);
 		i = new_option(args, name, error);
-		free(name);
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
@@ -669,7 +656,7 @@ is_lone_option(
     const struct command *command, const char *word, struct error *error)
 {
 	size_t n = strcspn(word, "=");
-	char *cut = xstrndup(word, n), *name = text_fold(cut);
+	FREED char *cut = xstrndup(word, n), *name = text_fold(cut);
 	bool is = command_option_index(command, name) < OPTIONS;
 	if (is && word[n] == '=') {
 		error_set(error, ERROR_USAGE,
@@ -682,8 +669,6 @@ is_lone_option(
 		    "write %s=VALUE",
 		    name, name);
 	}
-	free(cut);
-	free(name);
 	return is;
 }
 
@@ -698,7 +683,7 @@ check_operands(const struct args *args, struct error *error)
 		return true;
 	if (more != NULL && is_lone_option(command, more, error))
 		return false;
-	char *usage = command_usage(command);
+	FREED char *usage = command_usage(command);
 	error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
 			      "usage: %s")
@@ -706,7 +691,6 @@ check_operands(const struct args *args, struct error *error)
 			      "usage: %s"),
 	    command->name, more != NULL ? more : command->operands.usage,
 	    usage);
-	free(usage);
 	return false;
 }
 
@@ -724,13 +708,12 @@ hint_blanks(const struct command *command, const struct words *words,
 		const char *value = !alone             ? word + signs
 				    : i + 1 < words->n ? words->text[i + 1]
 						       : "..";
-		char *key = xstrndup(name, ends ? n - 1 : n);
+		FREED char *key = xstrndup(name, ends ? n - 1 : n);
 		if ((signs == 1 || ends) &&
 		    command_option_index(command, key) < OPTIONS)
 			error_hint(error,
 			    "write it without spaces around =: %s=%s", key,
 			    value);
-		free(key);
 	}
 }
 
@@ -746,7 +729,7 @@ put_place(struct error *error, struct place place,
 static void
 unknown_command(const char *name, bool prompt, struct error *error)
 {
-	char *several = command_candidates(name);
+	FREED char *several = command_candidates(name);
 	bool one = prompt && several[0] != '\0';
 	const char *near = one ? several : command_nearest(name);
 	double speed;
@@ -759,7 +742,6 @@ unknown_command(const char *name, bool prompt, struct error *error)
 		error_hint(error, "did you mean '%s'?", near);
 	else
 		error_hint(error, "run 'help' for the commands");
-	free(several);
 }
 
 const struct command *

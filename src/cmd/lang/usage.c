@@ -89,11 +89,10 @@ void
 usage_brief(const struct command *c, FILE *out)
 {
 	const char *title = command_title(c), *other = command_other_name(c);
-	char *name = other != NULL && title == c->name
-			 ? xasprintf("%s, %s", title, other)
-			 : xstrdup(title);
+	FREED char *name = other != NULL && title == c->name
+			       ? xasprintf("%s, %s", title, other)
+			       : xstrdup(title);
 	fprintf(out, "  %-19s %s\n", name, tr(c->brief));
-	free(name);
 }
 
 void
@@ -121,14 +120,12 @@ static void
 print_command_option(const struct command_option *o, FILE *out)
 {
 	enum { MARGIN = 15 };
-	char *words = command_option_words(o), *lines = NULL;
+	FREED char *words = command_option_words(o), *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&lines, &n);
 	text_wrap(words, MARGIN, 78, memory);
 	fclose(memory);
 	fprintf(out, "  %-*s%s", MARGIN - 2, o->name, lines + MARGIN);
-	free(lines);
-	free(words);
 }
 
 void
@@ -145,12 +142,10 @@ usage_example(const struct command *c, const char *margin, FILE *out)
 static void
 usage_print_shared(const struct command *c, FILE *out)
 {
-	char *names = command_shared(c);
-	char *line = xasprintf(tr("also takes %s: help options"), names);
+	FREED char *names = command_shared(c);
+	FREED char *line = xasprintf(tr("also takes %s: help options"), names);
 	if (names[0] != '\0')
 		text_wrap(line, 2, 78, out);
-	free(line);
-	free(names);
 }
 
 void
@@ -170,7 +165,7 @@ usage_command(const struct command *c, FILE *out)
 	const char *operands = c->operands.usage;
 	const struct command_option *o = command_option_at(c, 0);
 	fprintf(out, "%s - %s\n\n", command_title(c), tr(c->brief));
-	char *usage = xstrdup(command_title(c));
+	FREED char *usage = xstrdup(command_title(c));
 	if (operands != NULL)
 		xappend(&usage, " %s", operands);
 	if (c->bare != NULL)
@@ -178,7 +173,6 @@ usage_command(const struct command *c, FILE *out)
 	if (o != NULL)
 		xappend(&usage, " %s", tr("[OPTION=VALUE...]"));
 	text_hang(usage, 2, 6, 78, out);
-	free(usage);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));
 	usage_print_shared(c, out);
@@ -201,7 +195,7 @@ usage_print_options(FILE *out)
 	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
 		char letter[3] = {o->code < 256 ? '-' : '\0',
 		    o->code < 256 ? (char)o->code : '\0', '\0'};
-		char *option = xasprintf("%s%s%s%s%s%s", letter,
+		FREED char *option = xasprintf("%s%s%s%s%s%s", letter,
 		    letter[0] != '\0' && o->name != NULL ? ", " : "",
 		    o->name != NULL ? "--" : "", o->name != NULL ? o->name : "",
 		    o->argument == NULL ? ""
@@ -211,7 +205,6 @@ usage_print_options(FILE *out)
 		fprintf(out, "  %-16s %s%s%s\n", option, tr(o->brief),
 		    o->choices != NULL ? ": " : "",
 		    o->choices != NULL ? o->choices : "");
-		free(option);
 	}
 }
 

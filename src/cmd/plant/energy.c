@@ -105,7 +105,8 @@ static void
 energy_put_fields(struct answer *r, const struct question *q,
     const struct spectrum_size *whole)
 {
-	double *e = xdoubles(SPECTRUM_BINS), *share = xdoubles(SPECTRUM_BINS);
+	FREED double *e = xdoubles(SPECTRUM_BINS),
+		     *share = xdoubles(SPECTRUM_BINS);
 	double all = spectrum_above(whole, 0, false).mass;
 	size_t n = 0;
 	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
@@ -129,18 +130,15 @@ energy_put_fields(struct answer *r, const struct question *q,
 	fields_numbers(list, "j_kg", e, n, NULL);
 	fields_numbers(list, "mass_share", share, n, NULL);
 	answer_put_rows(r, "sizes");
-	free(e);
-	free(share);
 }
 
 /* How many of the impacts can be taken as independent. */
 static double
 independent(const struct energies *e)
 {
-	struct spectrum_size *whole = spectrum_whole(e->c.spectrum);
+	FREED struct spectrum_size *whole = spectrum_whole(e->c.spectrum);
 	double n =
 	    e->c.spectrum->counted ? whole->particles : (double)e->c.impacts;
-	free(whole);
 	return fmax(n, 1);
 }
 
@@ -283,7 +281,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	q.E = q.speed > 0 ? energy_specific(q.speed) : NAN;
 	if (s->n_entry > 0 && usable(session_entry(s)))
 		q.entry = session_entry(s);
-	struct spectrum_size *whole = spectrum_whole(spectrum);
+	FREED struct spectrum_size *whole = spectrum_whole(spectrum);
 	struct answer *r = answer_new("energy");
 	answer_title(r,
 	    q.speed > 0 ? N_("%s: collision energies above %g J/kg")
@@ -301,7 +299,6 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	note_site(r, &q);
 	note_basis(r, &q);
 	energy_put_fields(r, &q, whole);
-	free(whole);
 	return session_answer(s, r);
 }
 
@@ -340,11 +337,10 @@ energy_load_file(
 	way.cut = args_number(args, "cut", way.cut);
 	/* A file that is there comes before a shipped one of its name. */
 	const char *asked = args->operand[1];
-	char *shipped =
+	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
 	bool read = energies_read(s, path, &way, error) != NULL;
-	free(shipped);
 	if (!read)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];

@@ -51,7 +51,7 @@ static void
 show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	const struct circuit *c = p->circuit;
-	struct plant_line *line =
+	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
 	struct fields *list = fields_list(answer_fields(r), "fractions");
 	size_t n = plant_lines(p, o, line);
@@ -85,7 +85,6 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 		    line[i].name, tph, share, range[0], range[1], around,
 		    unit != NULL ? unit->price : NAN);
 	}
-	free(line);
 }
 
 /* All streams, for programs. */
@@ -111,12 +110,11 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 	struct fields *f = answer_fields(r);
 	flow_range_of(
 	    p, o, o->flow.circulating_draw, o->flow.circulating, range);
-	char *band = quantities_band(range[0], range[1], 1);
+	FREED char *band = quantities_band(range[0], range[1], 1);
 	if (o->flow.circulating > 0)
 		answer_note(r,
 		    "circulating load %.1f t/h%s, %.0f %% of the new feed",
 		    o->flow.circulating, band, 100 * o->flow.circulating / tph);
-	free(band);
 	answer_note(r, "balance: %g t/h in, %g t/h out", tph,
 	    round((tph - o->flow.balance) * 1e6) / 1e6);
 	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
@@ -177,7 +175,7 @@ static void
 note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	double range[2] = {NAN, NAN}, idle[2], factor = 0, t = p->circuit->tph;
-	char *words = plant_power_words(p, o);
+	FREED char *words = plant_power_words(p, o);
 	struct fields *f = answer_fields(r);
 	if (!p->power.least)
 		ensemble_range(o->kw_draw, p->level, o->kw, range);
@@ -197,7 +195,6 @@ note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 	    p->power.n > 0 ? "readings" : "Q v2", p->power.n,
 	    plant_idle(p, o->speed, idle), factor);
 	answers_put_pair(f, "idle_range_kw", idle[0], idle[1]);
-	free(words);
 }
 
 /* Earnings, which a product without a price adds nothing to. */
@@ -207,14 +204,14 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	double range[2];
 	if (!p->plan->priced)
 		return;
-	char *none = xstrdup("");
+	FREED char *none = xstrdup("");
 	flow_range_of(p, o, o->money_draw, o->money, range);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind == UNIT_STOCKPILE && isnan(unit->price))
 			xlist(&none, ", ", "%s", unit->name);
 	}
-	char *band = quantities_band(range[0], range[1], 2);
+	FREED char *band = quantities_band(range[0], range[1], 2);
 	answer_note(r,
 	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
@@ -223,7 +220,6 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 		     "power "
 		     "there can be"),
 	    o->money, band, o->speed);
-	free(band);
 	if (none[0] != '\0')
 		answer_say(
 		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
@@ -231,7 +227,6 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	    "earnings %g earnings_low %g "
 	    "earnings_high %g",
 	    o->money, range[0], range[1]);
-	free(none);
 }
 
 /* The speeds that were looked at, m/s, what they earn, NAN where the circuit
@@ -414,7 +409,7 @@ answer_flow(const struct plant *p, const struct outcome *o)
 {
 	const struct entry *entry = p->plan->question->entry;
 	const char *back = p->plan->back != NULL ? p->plan->back : "";
-	char *what =
+	FREED char *what =
 	    p->plan->from_file
 		? xstrdup(p->circuit->name[0] != '\0' ? p->circuit->name
 						      : "circuit of a file")
@@ -429,7 +424,6 @@ answer_flow(const struct plant *p, const struct outcome *o)
 	    "circuit %s",
 	    o->speed, answers_extrapolates(entry, o->speed), p->circuit->tph,
 	    what);
-	free(what);
 	warn_power(p, r);
 	show_lines(p, o, r);
 	note_balance(p, o, r);
@@ -511,7 +505,7 @@ add_products(struct chart *chart, const struct plant *p,
     const struct outcome *o, const struct unit **unit)
 {
 	const struct circuit *c = p->circuit;
-	struct plant_line *line =
+	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
 	size_t n = plant_lines(p, o, line), products = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -525,7 +519,6 @@ add_products(struct chart *chart, const struct plant *p,
 			chart_add_band(s);
 		unit[products++] = line[i].unit;
 	}
-	free(line);
 	return products;
 }
 
@@ -558,7 +551,7 @@ flow_chart(const struct plant *p, double from, double to)
 	    axis_linear(tr("tip speed, m/s"), from, to),
 	    axis_linear("t/h", 0, c->tph), "products of %g t/h against speed",
 	    c->tph);
-	const struct unit **unit =
+	FREED const struct unit **unit =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *unit);
 	size_t n = 0;
 	for (size_t k = 0; k < POINTS; k++) {
@@ -573,11 +566,9 @@ flow_chart(const struct plant *p, double from, double to)
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
 	/* That of the middle speed: further out it is as good at most. */
-	char *light = light_said_at(p->s, p->plan->question->entry,
+	FREED char *light = light_said_at(p->s, p->plan->question->entry,
 	    (from + to) / 2, p->plan->question->feed);
 	chart_note(chart, "%s", light);
-	free(light);
-	free(unit);
 	return chart;
 }
 

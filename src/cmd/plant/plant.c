@@ -135,7 +135,7 @@ add_screen(struct circuit *c, const struct args *args, double opening,
     const char *name, bool last, size_t *now)
 {
 	struct unit *screen = one_in(c, UNIT_SCREEN, "", *now);
-	char *under =
+	FREED char *under =
 	    last ? edge_name(0, opening) : xasprintf("-%g", units_mm(opening));
 	screen->opening = opening;
 	screen->partition.sharpness = args_value(args, "sharpness")->number;
@@ -143,7 +143,6 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 	screen->n_out = 2;
 	screen->out[0] = circuit_stream(c, name);
 	screen->out[1] = *now = circuit_stream(c, under);
-	free(under);
 	return screen->out[0];
 }
 
@@ -172,7 +171,7 @@ build(const struct args *args, const struct cuts *cuts, struct flow_plan *plan,
 	struct unit *crusher = add_crusher(c, args, &now);
 	for (size_t i = 0; i <= cuts->n_edge; i++) {
 		bool pan = i == cuts->n_edge;
-		char *name = edge_name(
+		FREED char *name = edge_name(
 		    pan ? 0 : cuts->edge[i], i > 0 ? cuts->edge[i - 1] : 0);
 		size_t over = pan ? now
 				  : add_screen(c, args, cuts->edge[i], name,
@@ -182,7 +181,6 @@ build(const struct args *args, const struct cuts *cuts, struct flow_plan *plan,
 			crusher->in[crusher->n_in++] = over;
 		else
 			one_in(c, UNIT_STOCKPILE, name, over);
-		free(name);
 	}
 	if (taken == count_parts(plan->back) && taken < UNIT_STREAMS)
 		return true;
@@ -346,7 +344,7 @@ read_prices(
     const struct args *args, struct flow_plan *plan, struct error *error)
 {
 	const struct value *prices = args_value(args, "prices");
-	bool *priced = xcalloc(plan->circuit->n_unit + 1, sizeof *priced);
+	FREED bool *priced = xcalloc(plan->circuit->n_unit + 1, sizeof *priced);
 	char *part;
 	bool ok = true;
 	if (prices->given)
@@ -357,7 +355,6 @@ read_prices(
 		plan->priced =
 		    plan->priced || isfinite(plan->circuit->unit[u].price);
 	plan->kwh = args_value(args, "kwh")->number;
-	free(priced);
 	return ok;
 }
 
@@ -542,14 +539,13 @@ plant_at(const struct plant *p, double speed)
 {
 	struct outcome o = {.speed = speed};
 	struct transfer *t = crusher_at(p->crusher, speed);
-	struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
+	FREED struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
 	o.flow =
 	    circuit_flow(p->circuit, p->feed, p->plan->size, p->plan->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		count_draw(p, &o, d);
-	free(of);
 	transfer_free(t);
 	return o;
 }

@@ -56,13 +56,12 @@ offer(struct work *w, const char *text, char append)
 static void
 offer_name(struct work *w, const char *name)
 {
-	char *word = xstrndup(name, strcspn(name, " "));
+	FREED char *word = xstrndup(name, strcspn(name, " "));
 	bool there = false;
 	for (size_t i = 0; i < w->result->n && !there; i++)
 		there = strcmp(w->result->candidate[i].text, word) == 0;
 	if (!there)
 		offer(w, word, ' ');
-	free(word);
 }
 
 static void
@@ -112,13 +111,12 @@ offer_parameters(struct work *w)
 static void
 offer_sites(struct work *w)
 {
-	char *folded = text_fold(w->typed);
+	FREED char *folded = text_fold(w->typed);
 	for (size_t i = 0; i < w->session->n_entry; i++) {
 		const char *key = w->session->entry[i].key;
 		if (strncmp(key, folded, strlen(folded)) == 0)
 			complete_put(w, key, ' ');
 	}
-	free(folded);
 }
 
 static void
@@ -130,9 +128,8 @@ offer_speeds(struct work *w)
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (site_run_repeats(site, r))
 			continue;
-		char *text = xasprintf("%g", site->run[r].speed);
+		FREED char *text = xasprintf("%g", site->run[r].speed);
 		offer(w, text, ' ');
-		free(text);
 	}
 }
 
@@ -142,9 +139,8 @@ put_material(void *data, const char *name)
 {
 	struct work *w = data;
 	bool quotes = w->quoted || name[strcspn(name, " ;|<>")] != '\0';
-	char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
+	FREED char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
 	complete_put(w, text, ' ');
-	free(text);
 }
 
 /* Without case and accents, as `recall` finds them; no more than one would
@@ -157,11 +153,10 @@ offer_materials(struct work *w)
 	struct error error = {0};
 	store_begin(w->session->store, w->typed, MOST, put_material, w, &error);
 	stored_table3(&paper);
-	char *folded = text_fold(w->typed);
+	FREED char *folded = text_fold(w->typed);
 	for (size_t i = 0; i < paper.n; i++)
 		if (strncmp(paper.item[i].name, folded, strlen(folded)) == 0)
 			put_material(w, paper.item[i].name);
-	free(folded);
 	stored_list_free(&paper);
 }
 
@@ -170,16 +165,13 @@ static void
 offer_specs(struct work *w)
 {
 	struct standards *all = standards_shipped();
-	char *folded = text_fold(w->typed);
+	FREED char *folded = text_fold(w->typed);
 	for (size_t i = 0; i < all->n; i++) {
-		char *name = text_fold(all->spec[i]->name);
-		char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
+		FREED char *name = text_fold(all->spec[i]->name);
+		FREED char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
 		if (strncmp(name, folded, strlen(folded)) == 0)
 			complete_put(w, quoted, ' ');
-		free(quoted);
-		free(name);
 	}
-	free(folded);
 	standards_free(all);
 }
 
@@ -191,10 +183,9 @@ complete_put_file(struct work *w, const char *path)
 	bool quotes =
 	    w->quoted || path[strcspn(path, " ;|<>")] != '\0' || path[0] == '#';
 	/* The quote of a folder stays open for what is in it. */
-	char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
+	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
 	complete_put(w, text, folder ? '\0' : ' ');
-	free(text);
 }
 
 static void
@@ -205,9 +196,8 @@ offer_files(struct work *w)
 	const char *slash = strrchr(w->typed, '/');
 	size_t head = slash != NULL ? (size_t)(slash - w->typed) + 1 : 0;
 	const char *tail = w->typed + head;
-	char *folder = head > 0 ? xstrndup(w->typed, head) : xstrdup(".");
+	FREED char *folder = head > 0 ? xstrndup(w->typed, head) : xstrdup(".");
 	DIR *dir = opendir(folder);
-	free(folder);
 	if (dir == NULL)
 		return;
 	for (struct dirent *e; (e = readdir(dir)) != NULL;) {
@@ -218,10 +208,9 @@ offer_files(struct work *w)
 		if (hidden || self || strchr(name, '"') != NULL ||
 		    strncmp(name, tail, strlen(tail)) != 0)
 			continue;
-		char *path =
+		FREED char *path =
 		    xasprintf("%.*s%s", (int)head, w->typed, e->d_name);
 		complete_put_file(w, path);
-		free(path);
 	}
 	closedir(dir);
 }
@@ -232,25 +221,22 @@ static void
 offer_shipped(struct work *w)
 {
 	static const char END[] = ".csv";
-	char *typed = text_fold(w->typed);
+	FREED char *typed = text_fold(w->typed);
 	bool other = w->session->safe || typed[0] == '\0';
 	for (size_t i = 0; i < w->result->n; i++)
 		other = other || w->result->candidate[i].append != '=';
-	char *path = shipped_folder();
+	FREED char *path = shipped_folder();
 	DIR *dir = other ? NULL : opendir(path);
-	free(path);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
-		char *name = xstrdup(e->d_name);
+		FREED char *name = xstrdup(e->d_name);
 		if (text_ends(name, END) &&
 		    strncmp(name, typed, strlen(typed)) == 0) {
 			name[strlen(name) - strlen(END)] = '\0';
 			complete_put(w, name, ' ');
 		}
-		free(name);
 	}
 	if (dir != NULL)
 		closedir(dir);
-	free(typed);
 }
 
 /* The words in capitals of the table. */
@@ -322,10 +308,9 @@ use_up(const struct command *command, const struct words *words)
 		size_t key = strcspn(word, "=");
 		bool pair = word[key] == '\0' && command->setting != NULL;
 		bool named = word[key] == '=' || pair;
-		char *name = xstrndup(word, key);
+		FREED char *name = xstrndup(word, key);
 		size_t option =
 		    named ? command_option_index(command, name) : OPTIONS;
-		free(name);
 		if (option == OPTIONS && command->bare != NULL) {
 			option = command_option_index(command, command->bare);
 			option = used.given[option] ? OPTIONS : option;
@@ -378,10 +363,9 @@ option_at(const struct command *command, const char *typed,
     const struct used *used, bool *named)
 {
 	size_t key = strcspn(typed, "="), i = OPTIONS;
-	char *name = xstrndup(typed, key);
+	FREED char *name = xstrndup(typed, key);
 	if (typed[key] == '=')
 		i = command_option_index(command, name);
-	free(name);
 	*named = i < OPTIONS;
 	if (!*named && command->bare != NULL)
 		i = command_option_index(command, command->bare);
@@ -475,7 +459,7 @@ complete_end(struct work *w, const char *line)
 	size_t start = w->result->start;
 	w->typed = text_unquoted(line + start, strlen(line + start));
 	w->quoted = line[start] == '"';
-	char *before = xstrndup(line + from, start - from);
+	FREED char *before = xstrndup(line + from, start - from);
 	struct words words;
 	struct error error = {0};
 	struct place place = {.file = "", .prompt = true};
@@ -489,7 +473,6 @@ complete_end(struct work *w, const char *line)
 		offer_behind(w, &words, line);
 	}
 	words_free(&words);
-	free(before);
 	free(w->typed);
 	sort(w->result);
 }
@@ -500,9 +483,8 @@ complete(const struct session *s, const char *line, size_t cursor)
 	struct work w = {.session = s};
 	w.result = xcalloc(1, sizeof *w.result);
 	w.result->start = cursor;
-	char *head = xstrndup(line, cursor);
+	FREED char *head = xstrndup(line, cursor);
 	complete_end(&w, head);
-	free(head);
 	return w.result;
 }
 

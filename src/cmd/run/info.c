@@ -3,7 +3,6 @@
 #include <assert.h>
 #include <gsl/gsl_version.h>
 #include <jansson.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -26,7 +25,7 @@ print_start(FILE *out)
 		 "predict 74\n\n"),
 	    out);
 	const char *last = "";
-	char *groups = xstrdup("");
+	FREED char *groups = xstrdup("");
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->flags & COMMAND_DAILY)
 			usage_brief(c, out);
@@ -35,7 +34,6 @@ print_start(FILE *out)
 		last = command_group(c);
 	}
 	fprintf(out, tr("\ngroups: %s\n"), groups);
-	free(groups);
 	fputs(tr("help all lists all commands, help GROUP those of a group, "
 		 "help COMMAND explains\none, help options what many take; "
 		 "apropos WORD searches.\n"
@@ -64,10 +62,8 @@ is_group(const char *name)
 static bool
 info_holds(const char *text, const char *folded)
 {
-	char *here = text_fold(text);
-	bool found = strstr(here, folded) != NULL;
-	free(here);
-	return found;
+	FREED char *here = text_fold(text);
+	return strstr(here, folded) != NULL;
 }
 
 /* Whether anything the table says of a command holds a word. */
@@ -94,14 +90,13 @@ tells_of(const struct command *c, const char *folded)
 static size_t
 list_telling(const struct session *s, const char *word)
 {
-	char *folded = text_fold(word);
+	FREED char *folded = text_fold(word);
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (tells_of(c, folded)) {
 			usage_brief(c, help_stream(s));
 			found++;
 		}
-	free(folded);
 	return found;
 }
 
@@ -137,10 +132,9 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	FILE *out = help_stream(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
 	bool example = args->n_operand == 2;
-	char *both =
+	FREED char *both =
 	    example ? xasprintf("%s %s", name, args->operand[1]) : NULL;
 	const struct command *command = both != NULL ? meant(both) : NULL;
-	free(both);
 	if (command != NULL)
 		example = false;
 	else if (name != NULL)

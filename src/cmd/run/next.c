@@ -4,11 +4,11 @@
 #include "cmd/run/next.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
 #include "cmd/ask/cut.h"
+#include "base/xalloc.h"
 #include "core/search/misfit.h"
 
 /* Runs with a product to compare; *held_out: some are not trained on. */
@@ -138,9 +138,9 @@ next_step(const struct session *s)
 static void
 tell_held_out(const struct session *s, const struct entry *entry)
 {
-	char *speeds = session_speeds(entry->site, ", ", entry->train, false);
+	FREED char *speeds =
+	    session_speeds(entry->site, ", ", entry->train, false);
 	session_note(s, "validated at %s m/s:", speeds);
-	free(speeds);
 }
 
 void

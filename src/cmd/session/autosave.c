@@ -36,16 +36,15 @@ autosave_put_script(const void *data, FILE *out)
 	const struct session *s = data;
 	struct mark now = journal_mark(s);
 	size_t n = now.n - now.start;
-	char *name = s->n_entry > 0
-			 ? xasprintf(", %s", s->entry[s->current].site->name)
-			 : xstrdup("");
+	FREED char *name =
+	    s->n_entry > 0 ? xasprintf(", %s", s->entry[s->current].site->name)
+			   : xstrdup("");
 	for (char *p = name; *p != '\0'; p++)
 		*p = (unsigned char)*p < ' ' || *p == '\\' ? ' ' : *p;
 	fprintf(out,
 	    "# %zu command%s%s\n# A session of tipspeed %s that was not "
 	    "saved.\n",
 	    n, n == 1 ? "" : "s", name, PACKAGE_VERSION);
-	free(name);
 	journal_put(s, out);
 }
 
@@ -164,8 +163,8 @@ keep_end(struct session *s)
 	kept_free(k->kept);
 	free(k->restored);
 	free(k->restoring);
-	free(k);
 	s->keep = NULL;
+	free(k);
 }
 
 char *

@@ -163,9 +163,9 @@ is_store(const struct session *s, const struct stat *file)
 	static const char *const PARTS[] = {"", "-wal", "-shm"};
 	bool same = false;
 	for (size_t i = 0; i < ARRAY_LEN(PARTS); i++) {
-		char *path = xasprintf("%s%s", store_path(s->store), PARTS[i]);
+		FREED char *path =
+		    xasprintf("%s%s", store_path(s->store), PARTS[i]);
 		same = same || is_file(path, file);
-		free(path);
 	}
 	return same;
 }
@@ -215,9 +215,8 @@ files_may_replace(struct session *s, const char *path, struct error *error)
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;
-	char *question = xasprintf(tr("%s exists: replace it?"), path);
+	FREED char *question = xasprintf(tr("%s exists: replace it?"), path);
 	bool yes = s->hooks.confirm(s, question);
-	free(question);
 	return yes || error_set(error, ERROR_USAGE,
 			  "%s was not replaced\n"
 			  "use another file name",

@@ -136,11 +136,10 @@ journal_settings(struct session *s)
 	if (s->set.seed != 1)
 		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
 	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
-		char *text = settings_text(r, &s->set);
+		FREED char *text = settings_text(r, &s->set);
 		if (r->option.fallback[0] != '\0' &&
 		    strcmp(text, r->option.fallback) != 0)
 			journal_add(s, NULL, "set %s %s", r->option.name, text);
-		free(text);
 	}
 }
 
@@ -170,19 +169,17 @@ add_rooted(char **word, const char *path)
 static void
 put_path(char **line, const char *key, const char *path)
 {
-	char *whole = key != NULL ? xasprintf("%s=", key) : xstrdup("");
+	FREED char *whole = key != NULL ? xasprintf("%s=", key) : xstrdup("");
 	for (const char *at = path, *next; at != NULL; at = next) {
 		size_t length;
 		double share;
 		next = value_feed(at, &length, &share);
-		char *one = xstrndup(at, length);
+		FREED char *one = xstrndup(at, length);
 		add_rooted(&whole, one);
 		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
 		xappend(&whole, "%.*s", (int)(rest - length), at + length);
-		free(one);
 	}
 	journal_append_word(line, whole);
-	free(whole);
 }
 
 void
@@ -282,11 +279,11 @@ journal_load(const struct site *site, size_t n, const char *const *path,
 {
 	char *line = xstrdup("load"), number[32];
 	for (size_t i = 0; i < n; i++) {
-		char *word = speed[i] > 0 ? xasprintf("%s@%s", path[i],
-						text_exact(speed[i], number))
-					  : xstrdup(path[i]);
+		FREED char *word = speed[i] > 0
+				       ? xasprintf("%s@%s", path[i],
+					     text_exact(speed[i], number))
+				       : xstrdup(path[i]);
 		put_path(&line, NULL, word);
-		free(word);
 	}
 	xappend(&line, " digest=%016" PRIx64, site->digest);
 	return line;
@@ -306,14 +303,12 @@ journal_label(const struct command *command, const struct words *words)
 static void
 put_provenance(FILE *out, const struct site *site)
 {
-	char *kind = site_source(site, "provenance not stated");
-	char *line = xasprintf("# %s: %s", site->name, kind);
+	FREED char *kind = site_source(site, "provenance not stated");
+	FREED char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		*p = *p == '\\' ? ' ' : *p;
 	text_put(line, out);
 	fputc('\n', out);
-	free(line);
-	free(kind);
 }
 
 void

@@ -267,13 +267,12 @@ origin_details(const struct origin *o)
 {
 	if (!o->found)
 		return xstrdup(tr("set by hand"));
-	char *speeds = xstrdup("");
+	FREED char *speeds = xstrdup("");
 	for (size_t i = 0; i < o->n_speed; i++)
 		xlist(&speeds, i + 1 < o->n_speed ? ", " : tr(" and "), "%g",
 		    o->speed[i]);
 	char *text = o->n_speed > 0 ? xasprintf(tr("trained at %s m/s"), speeds)
 				    : xstrdup(tr("training speeds not known"));
-	free(speeds);
 	const char *kind = tr(site_data_kind(o->provenance));
 	if (o->provenance[0] == '\0')
 		xlist(&text, "; ", "%s",
@@ -304,8 +303,8 @@ origin_sentence(const struct entry *entry)
 	if (o->whose[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
 	bool own = !origin_is_other(entry);
-	char *details = origin_details(o);
-	char *sentence = xasprintf(
+	FREED char *details = origin_details(o);
+	return xasprintf(
 	    own && origin_is_stored(o)
 		? tr("parameters from the store: %s (%s), calibrated on the "
 		     "same data as this site")
@@ -317,21 +316,18 @@ origin_sentence(const struct entry *entry)
 		: tr("parameters from %s (%s), not calibrated on this "
 		     "site"),
 	    o->whose, details);
-	free(details);
-	return sentence;
 }
 
 void
 origin_note(struct answer *r, const struct entry *entry)
 {
-	char *sentence = origin_sentence(entry);
+	FREED char *sentence = origin_sentence(entry);
 	const struct origin *o = entry->origin;
 	bool whose = o != NULL && (o->whose[0] != '\0' || origin_is_stored(o));
 	if (sentence[0] != '\0' && whose)
 		answer_say(r,
 		    origin_is_other(entry) ? ANSWER_WARNING : ANSWER_REMARK,
 		    "%s", sentence);
-	free(sentence);
 }
 
 void

@@ -75,17 +75,15 @@ no_book(const struct command *command, const struct words *words,
     struct error *error)
 {
 	const char *target = words->target, *end = strrchr(target, '.');
-	char *line = xstrdup(command->name);
+	FREED char *line = xstrdup(command->name);
 	for (size_t i = 1; i < words->n; i++)
 		journal_append_word(&line, words->text[i]);
-	char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
+	FREED char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
 	xappend(&line, " >");
 	journal_append_word(&line, file);
 	error_set(error, ERROR_USAGE,
 	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
 	    target, line);
-	free(file);
-	free(line);
 	return false;
 }
 
@@ -172,10 +170,9 @@ open_whole(struct session *s, struct redirect *r, struct error *error)
 	if (r->kind == OUTPUT_BOOK && (r->book = book_new(error)) == NULL)
 		return false;
 	if (r->kind == OUTPUT_HTML || r->kind == OUTPUT_PDF) {
-		char *made_by =
+		FREED char *made_by =
 		    xasprintf("tipspeed " PACKAGE_VERSION ": %s", r->line);
 		r->document = document_new(made_by);
-		free(made_by);
 	}
 	s->book = r->book;
 	s->document = r->document;
@@ -278,11 +275,10 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	char *what = extent(r, s->rows);
+	FREED char *what = extent(r, s->rows);
 	files_wrote(s, r->target);
 	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
 	    r->target, what);
-	free(what);
 	return true;
 }
 
@@ -296,25 +292,22 @@ tell_about(struct session *s, const struct redirect *r)
 		return;
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	char *label = session_label(site);
-	char *speeds = session_speeds(site, ", ", NULL, true);
+	FREED char *label = session_label(site);
+	FREED char *speeds = session_speeds(site, ", ", NULL, true);
 	book_about(r->book, "site", label);
 	book_about(r->book, "file", site->path);
 	book_about(r->book, "provenance", site->provenance);
 	book_about(r->book, "speeds, m/s", speeds);
 	book_about(r->book, "parameters", origin_words(entry));
-	free(label);
-	free(speeds);
 	const struct breakage *model = BREAKAGES[entry->params.breakage];
 	for (size_t j = 0; entry->has_params && j < model->n; j++) {
 		const struct param_info *p = &model->parameter[j];
 		char number[32];
 		bool bare = strcmp(p->unit, "-") == 0;
-		char *name = xasprintf(
+		FREED char *name = xasprintf(
 		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
 		book_about(r->book, name,
 		    text_exact(params_value(&entry->params, p->name), number));
-		free(name);
 	}
 }
 

@@ -46,7 +46,7 @@ is_command(const char *line)
 static size_t
 script_count(FILE *in)
 {
-	char *line = NULL;
+	FREED char *line = NULL;
 	size_t n = 0, room = 0, commands = 0;
 	long begin = ftell(in);
 	bool more = false;
@@ -57,7 +57,6 @@ script_count(FILE *in)
 		more = script_goes_on(line);
 		n = 0;
 	}
-	free(line);
 	return fseek(in, begin, SEEK_SET) == 0 ? commands : 0;
 }
 

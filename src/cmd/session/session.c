@@ -168,13 +168,12 @@ session_clock(void)
 char *
 session_label(const struct site *site)
 {
-	char *size = site->top_size > 0
-			 ? xasprintf(tr(", %g mm"), units_mm(site->top_size))
-			 : xstrdup("");
+	FREED char *size = site->top_size > 0 ? xasprintf(tr(", %g mm"),
+						    units_mm(site->top_size))
+					      : xstrdup("");
 	bool rock = site->rock[0] != '\0', with = site->with[0] != '\0';
 	char *label = xasprintf(
 	    "%s%s%s%s", site->name, rock ? ", " : "", site->rock, size);
-	free(size);
 	if (!with)
 		return label;
 	char *all = xasprintf(tr("%s, with %s"), label, site->with);

@@ -4,7 +4,6 @@
 
 #include <assert.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -119,10 +118,9 @@ settings_same(const struct choices *a, const struct choices *b)
 		    a->energy == b->energy && a->timing == b->timing &&
 		    memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
 	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
-		char *mine = settings_text(r, a), *other = settings_text(r, b);
+		FREED char *mine = settings_text(r, a),
+			   *other = settings_text(r, b);
 		same = same && (r->looks || strcmp(mine, other) == 0);
-		free(mine);
-		free(other);
 	}
 	return same;
 }

@@ -75,12 +75,11 @@ new_key(struct session *s, const struct site *site)
 		free(key);
 		key = sized_key(slug, site);
 	}
-	char *stem = xstrdup(key);
+	FREED char *stem = xstrdup(key);
 	for (int i = 2; key_taken(s, name, key); i++) {
 		free(key);
 		key = xasprintf("%s/%d", stem, i);
 	}
-	free(stem);
 	free(slug);
 	return key;
 }
@@ -105,12 +104,11 @@ static struct mark_of
 sites_mark_of(const struct site *site)
 {
 	struct stat file;
-	char *slug = name_slug(site->name);
+	FREED char *slug = name_slug(site->name);
 	struct mark_of mark = {
 	    sites_digest_of(slug), sites_digest_of(site->path), 0};
 	if (stat(site->path, &file) == 0)
 		mark.file = digest_of_file(&file);
-	free(slug);
 	return mark;
 }
 
@@ -247,10 +245,11 @@ loose_slug(const char *name)
 static int
 answers(const struct entry *entry, const char *wanted)
 {
-	char *name = name_slug(entry->site->name);
-	char *sized = xasprintf("%s/%g", name, units_mm(entry->site->top_size));
-	char *folded = text_fold(wanted), *slug = loose_slug(wanted);
-	char *loose = loose_slug(entry->site->name);
+	FREED char *name = name_slug(entry->site->name);
+	FREED char *sized =
+	    xasprintf("%s/%g", name, units_mm(entry->site->top_size));
+	FREED char *folded = text_fold(wanted), *slug = loose_slug(wanted);
+	FREED char *loose = loose_slug(entry->site->name);
 	int match = 0;
 	if (strcmp(entry->key, folded) == 0)
 		match = 3;
@@ -258,11 +257,6 @@ answers(const struct entry *entry, const char *wanted)
 		match = 2;
 	else if (strcmp(loose, slug) == 0)
 		match = 1;
-	free(name);
-	free(sized);
-	free(folded);
-	free(slug);
-	free(loose);
 	return match;
 }
 
@@ -295,14 +289,13 @@ session_find(
 		*index = last;
 		return true;
 	}
-	char *keys = sites_list_keys(s, best > 0 ? name : NULL);
+	FREED char *keys = sites_list_keys(s, best > 0 ? name : NULL);
 	error_set(error, ERROR_USAGE,
 	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
 	    : keys[0] != '\0'
 		? N_("no site '%s' is loaded\nloaded: %s")
 		: N_("no site '%s' is loaded\nload its file first%s"),
 	    name, keys);
-	free(keys);
 	return false;
 }
 

@@ -228,7 +228,7 @@ note_check(struct session *s, size_t run)
 	if (!entry->has_params || misfit_covered(&site->run[run]) == 0)
 		return;
 	struct cut cut = cut_compare(s, entry, run);
-	char *words = cut_words(&cut);
+	FREED char *words = cut_words(&cut);
 	session_note(s,
 	    cut.off
 		? N_("  the cut at %g m/s%s is off the prediction, though by "
@@ -240,7 +240,6 @@ note_check(struct session *s, size_t run)
 		: N_("  warning: the prediction misses the cut at %g m/s%s: "
 		     "%s"),
 	    site->run[run].speed, site->run[run].repeat, words);
-	free(words);
 }
 
 /* Of each run that is new, or of many in sum; from: see site_with_cuts. */
@@ -276,7 +275,7 @@ static void
 note_next(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
-	char *speeds = session_speeds(entry->site, ", ", NULL, true);
+	FREED char *speeds = session_speeds(entry->site, ", ", NULL, true);
 	session_note(s,
 	    entry->has_fit ? N_("  %s has products at %s m/s; 'calibrate' "
 				"takes the new ones into account")
@@ -285,14 +284,13 @@ note_next(struct session *s)
 		: N_("  %s has products at %s m/s; no parameters "
 		     "yet: run 'calibrate'"),
 	    entry->key, speeds);
-	free(speeds);
 }
 
 static bool
 is_expected(const struct site *site, const struct value *digest,
     struct session *s, struct error *error)
 {
-	char *found = xasprintf("%016" PRIx64, site->digest);
+	FREED char *found = xasprintf("%016" PRIx64, site->digest);
 	bool good = !digest->given || strcmp(digest->text, found) == 0;
 	if (!good)
 		error_set(error, ERROR_DATA,
@@ -303,7 +301,6 @@ is_expected(const struct site *site, const struct value *digest,
 		    digest->text, found);
 	if (good && !digest->given)
 		invocation_adds(s, "digest", found);
-	free(found);
 	return good;
 }
 
@@ -312,7 +309,7 @@ static void
 note_cuts(struct session *s, struct site *site, const struct site *cuts,
     const struct origins *all)
 {
-	size_t *order = xcalloc(cuts->n_run + 1, sizeof *order);
+	FREED size_t *order = xcalloc(cuts->n_run + 1, sizeof *order);
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		size_t i = k;
 		for (; i > 0; i--) {
@@ -325,12 +322,11 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 	}
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		double v = cuts->run[order[k]].speed;
-		char *note = note_of(cuts, order[k], add_origin_of(all, v));
+		FREED char *note =
+		    note_of(cuts, order[k], add_origin_of(all, v));
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
-		free(note);
 	}
-	free(order);
 }
 
 /* Puts the cuts into a copy of the site in use, which takes its place. */
@@ -339,7 +335,7 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
     const struct origins *all, struct error *error)
 {
 	const struct site *old = session_entry(s)->site;
-	size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
+	FREED size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
 	struct site *site = site_with_cuts(old, cuts, from);
 	char number[32];
 	if (site_assumed_top(cuts) > site_assumed_top(old))
@@ -347,7 +343,6 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 		    text_exact(site_assumed_top(cuts), number));
 	if (!is_expected(site, args_value(args, "digest"), s, error)) {
 		site_free(site);
-		free(from);
 		return false;
 	}
 	if (!(site->rotor > 0))
@@ -359,7 +354,6 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	check_warn_coarser(s, site);
 	note_next(s);
 	note_checks(s, old, from, cuts->n_run);
-	free(from);
 	return true;
 }
 
@@ -370,7 +364,7 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	double day, rotor = session_entry(s)->site->rotor;
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
-	const char **word = xcalloc(args->n_operand, sizeof(*word));
+	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
 	bool good = add_read_date(args_value(args, "date"), &day, error);
 	if (rotor_mm->given)
 		rotor = rotor_mm->number / 1000;
@@ -384,6 +378,5 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	good = cuts != NULL && add_cuts(s, args, cuts, &all, error);
 	site_free(cuts);
 	origins_clear(&all);
-	free(word);
 	return good;
 }

@@ -176,10 +176,9 @@ with_speed(const struct site_ask_column *c, const struct head *head,
 		free(role);
 		role = xstrdup("product");
 	}
-	char *said =
+	FREED char *said =
 	    xasprintf(rpm ? "%s %s rpm" : "%s@%s", role, text_exact(v, number));
 	char *text = with_role(c, said);
-	free(said);
 	free(role);
 	return text;
 }
@@ -205,11 +204,9 @@ with_words(const struct site_ask_column *c, const char *said,
 	if ((means & quantity) != 0)
 		return xstrdup(said);
 	if (bare && (means & WORD_PRODUCT) != 0) {
-		char *product = xasprintf(
+		FREED char *product = xasprintf(
 		    "product@%s", text_exact(head->number[0], number));
-		char *text = with_role(c, product);
-		free(product);
-		return text;
+		return with_role(c, product);
 	}
 	return with_role(c, said);
 }
@@ -326,8 +323,8 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 		table.column[i] = ask->column[i];
 		table.column[i].guess = xstrdup(ask->column[i].guess);
 	}
-	char *about = xasprintf(tr("%s: what are the %s marked with ?"), file,
-	    ask->across ? tr("lines") : tr("columns"));
+	FREED char *about = xasprintf(tr("%s: what are the %s marked with ?"),
+	    file, ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
 	said->columns = xstrdup("");
@@ -351,7 +348,6 @@ ask_columns(struct session *s, const struct site_ask *ask, const char *file,
 	for (size_t i = 0; i < ask->n; i++)
 		free(table.column[i].guess);
 	free(table.column);
-	free(about);
 	return good;
 }
 
@@ -476,7 +472,7 @@ ask_option(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
 	char wrong[WRONG] = "", *text = NULL;
-	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
 	    .ask = ask,
 	    .text = ask->settle,
@@ -510,15 +506,13 @@ ask_option(struct session *s, const struct site_ask *ask,
 	}
 	bool good = false, given_up = false;
 	while (!good && !given_up) {
-		char *answer = s->hooks.question(s, &q);
+		FREED char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		wrong[0] = '\0';
 		good = !given_up && ask_user_take_option(ask, text_trim(answer),
 					said, &given_up, wrong);
-		free(answer);
 		q.first = false;
 	}
-	free(about);
 	free(text);
 	free(tables);
 	return good;
@@ -538,7 +532,7 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 {
 	const struct site_ask none = {0};
 	char wrong[WRONG] = "";
-	char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
 	struct inquiry q = {.about = about,
 	    .ask = &none,
 	    .text = text,
@@ -548,7 +542,7 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 	    .first = true};
 	bool good = false, given_up = !is_attended(s);
 	while (!good && !given_up) {
-		char *answer = s->hooks.question(s, &q);
+		FREED char *answer = s->hooks.question(s, &q);
 		given_up = answer == NULL;
 		char *said = given_up ? NULL : text_trim(answer);
 		for (size_t i = 0; i < 2 && said != NULL && !good; i++) {
@@ -559,10 +553,8 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 		snprintf(wrong, sizeof wrong,
 		    tr("expected %s or %s, got '%.30s'"), either[0], either[1],
 		    said != NULL ? said : "");
-		free(answer);
 		q.first = false;
 	}
-	free(about);
 	return good;
 }
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
@@ -33,10 +32,8 @@ blend_read_part(
 		    "'%s'\n"
 		    "for instance: blend a.csv=60 b.csv=40",
 		    word);
-	char *file = xstrndup(word, (size_t)(equals - word));
-	bool ok = blended_add(s, file, share, b, error);
-	free(file);
-	return ok;
+	FREED char *file = xstrndup(word, (size_t)(equals - word));
+	return blended_add(s, file, share, b, error);
 }
 
 /* A row a sieve: each feed, the blend and, where there is one, its product. */
@@ -46,11 +43,10 @@ blend_add_rows(struct answer *r, const struct blended *b,
 {
 	answer_columns(r, "sieve_mm: sieve mm");
 	for (size_t i = 0; i < b->n; i++) {
-		char *key = xasprintf("feed_%zu_pct", i + 1);
-		char *head = xasprintf("%s %%", feed_file(b->part[i].file));
+		FREED char *key = xasprintf("feed_%zu_pct", i + 1);
+		FREED char *head =
+		    xasprintf("%s %%", feed_file(b->part[i].file));
 		answer_column(r, key, head);
-		free(key);
-		free(head);
 	}
 	answer_columns(r, "feed_pct: blend %%");
 	if (p != NULL)
@@ -101,7 +97,7 @@ static void
 note_finest(struct answer *r, const struct blended *b)
 {
 	double finest = b->feed.size[b->feed.n - 1];
-	char *unknown = xstrdup("");
+	FREED char *unknown = xstrdup("");
 	for (size_t i = 0; i < b->n; i++) {
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
@@ -112,7 +108,6 @@ note_finest(struct answer *r, const struct blended *b)
 		answer_say(r, ANSWER_REMARK,
 		    "the blend is known down to %g mm, the finest sieve of %s",
 		    units_mm(finest), unknown);
-	free(unknown);
 }
 
 /* Only the feed: there is nothing to predict with. */

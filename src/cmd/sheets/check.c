@@ -75,11 +75,10 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 {
 	va_list ap;
 	va_start(ap, format);
-	char *text = xvasprintf(tr(format), ap);
+	FREED char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
 	answer_cells(r, "%s %s %s %s", entry->key,
 	    fault ? tr("FAULT") : tr("remark"), where, text);
-	free(text);
 }
 
 /* Where a finding is: "69 m/s"; of the feed of all runs, NULL: "feed". */
@@ -146,11 +145,10 @@ check_copies(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k], *b = &site->run[i];
 			if (!psd_same(&a->product, &b->product))
 				continue;
-			char *where = place_of_two(a, b);
+			FREED char *where = place_of_two(a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
-			free(where);
 		}
 }
 
@@ -170,13 +168,12 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 				fall = rise;
 			if (fall.most <= far)
 				continue;
-			char *where = place_of_two(a, b);
+			FREED char *where = place_of_two(a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
 			    "were samples mixed up or digits transposed?",
 			    100 * fall.most, units_mm(fall.at));
-			free(where);
 		}
 }
 
@@ -191,7 +188,7 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 	bool fault = !site->individual_feeds && order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
-	char *where = place_of_two(slow, fast);
+	FREED char *where = place_of_two(slow, fast);
 	const char *why =
 	    site->individual_feeds ? tr("its feed may have been coarser")
 	    : fault ? tr("were speeds swapped or digits transposed?")
@@ -200,7 +197,6 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 	finding(r, entry, fault, where,
 	    "the faster run's product is coarser by %.2f points at %g mm: %s",
 	    100 * fall.most, units_mm(fall.at), why);
-	free(where);
 	return !fault;
 }
 
@@ -289,8 +285,9 @@ check_gaps(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char buf[40];
-	const struct psd **curve = xcalloc(2 * site->n_run, sizeof(*curve));
-	const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
+	FREED const struct psd **curve =
+	    xcalloc(2 * site->n_run, sizeof(*curve));
+	FREED const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
 	size_t feeds = check_gather(site, true, curve, run, 0);
 	size_t n = check_gather(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
@@ -308,8 +305,6 @@ check_gaps(struct answer *r, const struct entry *entry)
 				     "whole curve is wrong"),
 			    units_mm(x));
 	}
-	free(curve);
-	free(run);
 }
 
 /* The cells that the doctor found, each in words; column mends stand beside
@@ -324,11 +319,10 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 		bool shared = m->feed && !entry->site->individual_feeds;
 		if (m->kind != MEND_READ && m->kind != MEND_OUT)
 			continue;
-		char *words = mend_finding(entry->site, f);
+		FREED char *words = mend_finding(entry->site, f);
 		finding(r, entry, false,
 		    check_place(shared ? NULL : &entry->site->run[m->run], buf),
 		    "%s", words);
-		free(words);
 	}
 }
 
@@ -379,16 +373,14 @@ check_counts(struct answer *r, struct fields *read, const struct entry *entry)
 	for (size_t i = 0; i < site->n_left_out; i++)
 		finding(r, entry, false, site->left_out[i].key, "not read: %s",
 		    site->left_out[i].value);
-	char *in =
+	FREED char *in =
 	    xasprintf(tr_n("%zu column", "%zu columns", columns), columns);
-	char *runs =
+	FREED char *runs =
 	    xasprintf(tr_n("%zu run", "%zu runs", site->n_run), site->n_run);
 	answer_note(r,
 	    tr_n("%s: read %zu sieve in %s, %s",
 		"%s: read %zu sieves in %s, %s", n),
 	    entry->key, n, in, runs);
-	free(in);
-	free(runs);
 	if (site->named[0] != '\0')
 		answer_note(r, "  by ASTM E11, mm: %s", site->named);
 	fields_put(fields_object(read, NULL),

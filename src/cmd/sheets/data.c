@@ -10,7 +10,6 @@
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
-#include "cmd/session/journal.h"
 #include "cmd/lang/table.h"
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"
@@ -29,11 +28,11 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	    "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		char *speeds = session_speeds(entry->site, " ", NULL, true);
-		char *marked =
+		FREED char *speeds =
+		    session_speeds(entry->site, " ", NULL, true);
+		FREED char *marked =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
 		answer_name(r, entry->key, marked);
-		free(marked);
 		answer_cells(r, "%s %s %g %s %s %s", entry->site->name,
 		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
@@ -44,7 +43,6 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    : origin_is_stored(entry->origin) ? tr("from store")
 						      : origin_words(entry),
 		    site_data_kind(entry->site->provenance));
-		free(speeds);
 	}
 	answer_note(r, s->n_entry > 0
 			   ? N_("* is the site in use")
@@ -160,10 +158,8 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 static char *
 file_name(const struct entry *entry, const char *folder)
 {
-	char *stem = text_slug(entry->key);
-	char *path = xasprintf("%s/%s.csv", folder, stem);
-	free(stem);
-	return path;
+	FREED char *stem = text_slug(entry->key);
+	return xasprintf("%s/%s.csv", folder, stem);
 }
 
 static bool
@@ -194,9 +190,8 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	if (!folder)
 		return write_one(s, args, session_entry(s)->site, path, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
-		char *file = file_name(&s->entry[i], path);
+		FREED char *file = file_name(&s->entry[i], path);
 		bool ok = write_one(s, args, s->entry[i].site, file, error);
-		free(file);
 		if (!ok)
 			return false;
 	}

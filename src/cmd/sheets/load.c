@@ -116,7 +116,7 @@ static void
 note_loaded(struct session *s, const struct site *site)
 {
 	size_t n, products = site_products(site);
-	char *label = session_label(site);
+	FREED char *label = session_label(site);
 	free(site_sieves(site, &n));
 	if (products > 0)
 		session_note(s,
@@ -134,7 +134,6 @@ note_loaded(struct session *s, const struct site *site)
 		    "  one product: it cannot show what the speed does; "
 		    "'guess' and 'recall' take that from other quarries, 'add' "
 		    "adds a cut at another speed");
-	free(label);
 }
 
 /* Puts one answer instead of another. */
@@ -175,7 +174,7 @@ load_write_journal(
     struct session *s, const struct load *l, const struct site *site)
 {
 	char number[32];
-	char *line =
+	FREED char *line =
 	    journal_load(site, l->request.n, l->request.path, l->request.speed);
 	if (l->columns != NULL)
 		xappend(&line, " columns=\"%s\"", l->columns);
@@ -193,7 +192,6 @@ load_write_journal(
 	if (l->request.top > 0)
 		xappend(&line, " top=%s", text_exact(l->request.top, number));
 	journal_add(s, NULL, "%s", line);
-	free(line);
 }
 
 /* Reads the request as one site, asking where somebody can be asked.  NULL:
@@ -385,11 +383,10 @@ load_is_sheet(const char *name)
 {
 	static const char *const ENDS[] = {
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	char *folded = text_fold(name);
+	FREED char *folded = text_fold(name);
 	bool sheet = false;
 	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
 		sheet = sheet || text_ends(folded, ENDS[i]);
-	free(folded);
 	return sheet && name[0] != '.' && strchr(name, '"') == NULL;
 }
 
@@ -405,7 +402,7 @@ leave_out_results(struct listed *list, size_t from)
 {
 	size_t n = from;
 	for (size_t i = from; i < list->n; i++) {
-		char *command = results_command_in(list->word[i]);
+		FREED char *command = results_command_in(list->word[i]);
 		if (command == NULL) {
 			list->word[n++] = list->word[i];
 			continue;
@@ -414,7 +411,6 @@ leave_out_results(struct listed *list, size_t from)
 		    "left out %s: results of tipspeed's own (%s)",
 		    list->word[i], command);
 		free(list->word[i]);
-		free(command);
 	}
 	list->n = n;
 }
@@ -510,9 +506,8 @@ save_answer(struct session *s, const struct args *args, const char *option,
 {
 	if (text == NULL || args_value(args, option)->given)
 		return;
-	char *value = xasprintf("\"%s\"", text);
+	FREED char *value = xasprintf("\"%s\"", text);
 	invocation_adds(s, option, value);
-	free(value);
 }
 
 static void
@@ -560,7 +555,7 @@ find_feed(const struct site *site, const char *word, double speed, size_t *run,
 	*run = several || speed > 0 ? site_run_at(site, speed) : 0;
 	if (*run < site->n_run)
 		return true;
-	char *speeds = xstrdup("");
+	FREED char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
 		if (!site_run_repeats(site, r))
 			xlist(&speeds, ", ", "%g", site->run[r].speed);
@@ -587,7 +582,6 @@ find_feed(const struct site *site, const char *word, double speed, size_t *run,
 		    "%s: expected one feed, got one for each speed\n"
 		    "say which, as in %s@%g; they were sampled at %s m/s",
 		    site->path, word, site->run[0].speed, speeds);
-	free(speeds);
 	return false;
 }
 

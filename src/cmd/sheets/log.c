@@ -5,10 +5,8 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
@@ -36,13 +34,11 @@ range_text(double least, double most)
 static char *
 span_text(double from, double to)
 {
-	char *a = moment_text(from);
-	char *b = floor(from / 86400) == floor(to / 86400) ? moment_clock(to)
-							   : moment_text(to);
-	char *text = xasprintf(tr("%s to %s"), a, b);
-	free(a);
-	free(b);
-	return text;
+	FREED char *a = moment_text(from);
+	FREED char *b = floor(from / 86400) == floor(to / 86400)
+			    ? moment_clock(to)
+			    : moment_text(to);
+	return xasprintf(tr("%s to %s"), a, b);
 }
 
 /* "rpm 1180 to 1420, kW 150 to 210" */
@@ -55,9 +51,8 @@ contents(const struct plant_log *log)
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
-		char *range = range_text(all.least[k], all.most[k]);
+		FREED char *range = range_text(all.least[k], all.most[k]);
 		xlist(&text, ", ", "%s %s", LOG_UNITS[k], range);
-		free(range);
 	}
 	return text;
 }
@@ -72,8 +67,8 @@ has_gap(const struct plant_log *log)
 static void
 note_log(struct session *s, const struct plant_log *log)
 {
-	char *rows = rows_text(log->n), *all = contents(log);
-	char *span = span_text(log->time[0], log->time[log->n - 1]);
+	FREED char *rows = rows_text(log->n), *all = contents(log);
+	FREED char *span = span_text(log->time[0], log->time[log->n - 1]);
 	session_note(s, "log: %s from %s, %s", rows, span, all);
 	session_note(s, "  read: %s", log->read_as);
 	if (log->assumed[0] != '\0')
@@ -82,13 +77,10 @@ note_log(struct session *s, const struct plant_log *log)
 		session_note(
 		    s, "  not read: %zu rows without a time", log->passed);
 	if (has_gap(log)) {
-		char *gap = span_text(log->gap_from, log->gap_from + log->gap);
+		FREED char *gap =
+		    span_text(log->gap_from, log->gap_from + log->gap);
 		session_note(s, "  the longest gap: %s", gap);
-		free(gap);
 	}
-	free(rows);
-	free(all);
-	free(span);
 }
 
 static void
@@ -96,9 +88,9 @@ log_write_journal(struct session *s, const struct args *args,
     const struct log_request *q, const struct plant_log *log)
 {
 	struct site digest = {.digest = log->digest};
-	double *speed = xdoubles(q->n);
+	FREED double *speed = xdoubles(q->n);
 	memset(speed, 0, q->n * sizeof *speed);
-	char *line = journal_load(&digest, q->n, q->path, speed);
+	FREED char *line = journal_load(&digest, q->n, q->path, speed);
 	xappend(&line, " as=log");
 	if (q->columns != NULL)
 		xappend(&line, " columns=\"%s\"", q->columns);
@@ -111,8 +103,6 @@ log_write_journal(struct session *s, const struct args *args,
 		xappend(&line, " dates=%s",
 		    q->order == MOMENT_DAY_FIRST ? "day-first" : "month-first");
 	journal_add(s, NULL, "%s", line);
-	free(line);
-	free(speed);
 	(void)args;
 }
 
@@ -151,7 +141,7 @@ static bool
 check_digest(
     const struct plant_log *log, const struct value *digest, struct error *e)
 {
-	char *found = xasprintf("%016" PRIx64, log->digest);
+	FREED char *found = xasprintf("%016" PRIx64, log->digest);
 	bool good = !digest->given || strcmp(digest->text, found) == 0;
 	if (!good)
 		error_at(e, ERROR_DATA, log->path, 0, 0,
@@ -159,7 +149,6 @@ check_digest(
 		    "changed\n"
 		    "leave out digest= to load it anyway; results will change",
 		    digest->text, found);
-	free(found);
 	return good;
 }
 
@@ -211,9 +200,10 @@ log_note_speed(struct session *s, const struct plant_log *log, double time,
 {
 	const double steady = 0.02;
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
-	char *at = moment_text(time);
-	char *span = span_text(time - within, time + within);
-	char *range = range_text(w->least[k], w->most[k]), *more = xstrdup("");
+	FREED char *at = moment_text(time);
+	FREED char *span = span_text(time - within, time + within);
+	FREED char *range = range_text(w->least[k], w->most[k]),
+		   *more = xstrdup("");
 	if (k == LOG_RPM)
 		xappend(&more, tr(" = %.1f m/s with a rotor of %g mm"),
 		    speed_of(log, w, rotor), 1000 * rotor);
@@ -231,10 +221,6 @@ log_note_speed(struct session *s, const struct plant_log *log, double time,
 		    "  warning: %s changed from %.4g to %.4g within the "
 		    "window: was the rotor steady at the cut?",
 		    LOG_UNITS[k], w->least[k], w->most[k]);
-	free(at);
-	free(span);
-	free(range);
-	free(more);
 }
 
 static bool
@@ -242,16 +228,13 @@ nothing_at(const struct plant_log *log, double time, double within,
     struct error *error)
 {
 	double near = log->time[plant_log_nearest(log, time)];
-	char *at = moment_text(time), *nearest = moment_text(near);
-	char *span = span_text(log->time[0], log->time[log->n - 1]);
+	FREED char *at = moment_text(time), *nearest = moment_text(near);
+	FREED char *span = span_text(log->time[0], log->time[log->n - 1]);
 	error_set(error, ERROR_USAGE,
 	    "the log has no row within %g minutes of %s; the nearest is of "
 	    "%s\n"
 	    "the log has %s; window= looks further, or give the speed",
 	    within / 60, at, nearest, span);
-	free(at);
-	free(nearest);
-	free(span);
 	return false;
 }
 
@@ -282,13 +265,12 @@ log_at(struct session *s, double time, double within, double rotor,
 		return nothing_at(log, time, within, error);
 	double v = speed_of(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
-		char *at = moment_text(time);
+		FREED char *at = moment_text(time);
 		error_set(error, ERROR_USAGE,
 		    "expected a running rotor at %s, got %s %.4g\n"
 		    "check the time, or give the speed: add FILE@SPEED",
 		    at, rpm ? tr("rpm") : "m/s",
 		    w.median[rpm ? LOG_RPM : LOG_SPEED]);
-		free(at);
 		return false;
 	}
 	log_note_speed(s, log, time, within, rotor, &w);
@@ -308,8 +290,8 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	struct log_window all =
 	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
-	char *from = moment_text(log->time[0]);
-	char *to = moment_text(log->time[log->n - 1]);
+	FREED char *from = moment_text(log->time[0]);
+	FREED char *to = moment_text(log->time[log->n - 1]);
 	answer_title(r, "the plant's log");
 	answer_columns(r, "what, value");
 	answer_pair(r, "file", "%s", log->path);
@@ -320,18 +302,15 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
-		char *range = range_text(all.least[k], all.most[k]);
+		FREED char *range = range_text(all.least[k], all.most[k]);
 		answer_pair(
 		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
-		free(range);
 	}
 	answer_pair(r, "read", "%s", log->read_as);
 	if (has_gap(log)) {
-		char *gap = span_text(log->gap_from, log->gap_from + log->gap);
+		FREED char *gap =
+		    span_text(log->gap_from, log->gap_from + log->gap);
 		answer_pair(r, "longest gap", "%s", gap);
-		free(gap);
 	}
-	free(from);
-	free(to);
 	return session_answer(s, r);
 }

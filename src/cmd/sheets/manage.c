@@ -1,6 +1,5 @@
 /* What is loaded and set as a whole, and small things about the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -92,15 +91,14 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 		return keep_list(s);
 	const char *typed = args->operand[0];
 	bool last = strcmp(typed, "last") == 0;
-	char *path = last                       ? keep_last(s, error)
-		     : access(typed, F_OK) == 0 ? xstrdup(typed)
-						: script_name(typed);
+	FREED char *path = last                       ? keep_last(s, error)
+			   : access(typed, F_OK) == 0 ? xstrdup(typed)
+						      : script_name(typed);
 	if (!last)
 		invocation_saved(s);
 	bool ok = path != NULL && restore(s, path, error);
 	if (ok && !last)
 		files_holds(s, path, false);
-	free(path);
 	return ok;
 }
 
@@ -108,7 +106,7 @@ bool
 cmd_echo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->set.format == ANSWER_JSON) {
@@ -119,7 +117,6 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		text_put(text, s->out);
 		fputc('\n', s->out);
 	}
-	free(text);
 	return true;
 }
 
@@ -151,9 +148,8 @@ show_settings(struct session *s)
 	answer_columns(r, "setting, value");
 	for (const struct setting *row = SETTINGS; row->option.name != NULL;
 	     row++) {
-		char *text = settings_text(row, &s->set);
+		FREED char *text = settings_text(row, &s->set);
 		answer_cells(r, "%s %s", row->option.name, text);
-		free(text);
 	}
 	return session_answer(s, r);
 }
@@ -284,18 +280,15 @@ save_as(struct session *s, const struct args *args, const char *path,
 bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
-	char *path = script_name(args->operand[0]);
-	bool good =
-	    text_ends(path, ".tip")
-		? save_as(s, args, path, error)
-		: error_set(error, ERROR_USAGE,
-		      "save: expected a name that ends in .tip, got "
-		      "'%s'\n"
-		      "use > FILE to save results, write to save a site "
-		      "file",
-		      path);
-	free(path);
-	return good;
+	FREED char *path = script_name(args->operand[0]);
+	return text_ends(path, ".tip")
+		   ? save_as(s, args, path, error)
+		   : error_set(error, ERROR_USAGE,
+			 "save: expected a name that ends in .tip, got "
+			 "'%s'\n"
+			 "use > FILE to save results, write to save a site "
+			 "file",
+			 path);
 }
 
 /* Goes to another session.  A calibration that was stopped is kept only where

@@ -104,20 +104,18 @@ mend_finding(const struct site *site, const struct finding *f)
 		free(effect);
 		return words;
 	}
-	char *expected =
+	FREED char *expected =
 	    isnan(f->expected)
 		? xstrdup(tr("is off the line between its neighbours"))
 		: xasprintf(tr("where %.1f (sd %.1f) is expected"),
 		      100 * f->expected, 100 * f->sd);
-	char *words = xasprintf(tr("%s passing %g %% at %g mm, %s %s: %s"),
+	return xasprintf(tr("%s passing %g %% at %g mm, %s %s: %s"),
 	    m->feed ? tr("feed") : tr("product"), units_pct(f->measured),
 	    units_mm(m->size), expected,
 	    isnan(f->surprise) ? tr("by its neighbours and the other runs")
 			       : tr("by all other passings and the fit"),
 	    m->kind == MEND_READ ? tr("were digits transposed?")
 				 : tr("measure it again, or leave it out"));
-	free(expected);
-	return words;
 }
 
 static void
@@ -127,9 +125,9 @@ put_one(struct answer *r, struct fields *list, const struct entry *entry,
 	const struct site *site = entry->site;
 	const struct mend *m = &f->mend;
 	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
-	char *words = mend_words(site, m), *effect = effect_of(f);
-	char *name = mend_column(site, m->feed, m->run);
-	char *call = mend_call(site, m);
+	FREED char *words = mend_words(site, m), *effect = effect_of(f);
+	FREED char *name = mend_column(site, m->feed, m->run);
+	FREED char *call = mend_call(site, m);
 	answer_note(r,
 	    effect[0] != '\0' ? "mend %zu: %s; %s" : "mend %zu: %s%s", number,
 	    words, effect);
@@ -142,10 +140,6 @@ put_one(struct answer *r, struct fields *list, const struct entry *entry,
 	    100 * f->sd, f->surprise);
 	fields_put(o, "rmse_pct %g mended_rmse_pct %g words %s call %s",
 	    100 * f->rmse[0], 100 * f->rmse[1], words, call);
-	free(words);
-	free(effect);
-	free(name);
-	free(call);
 }
 
 /* A number that another list of mends, or of another site, has not. */
@@ -155,9 +149,8 @@ mend_mark_of(const struct entry *entry, const struct doctor *d)
 	uint64_t h = TEXT_DIGEST_START;
 	h = text_digest(h, &entry->site->digest, sizeof entry->site->digest);
 	for (size_t i = 0; i < d->n; i++) {
-		char *call = mend_call(entry->site, &d->finding[i].mend);
+		FREED char *call = mend_call(entry->site, &d->finding[i].mend);
 		h = text_digest(h, call, strlen(call) + 1);
-		free(call);
 	}
 	return (double)(h >> 12);
 }
@@ -255,22 +248,20 @@ take_kind(const struct args *args, struct mend *mend)
 static bool
 no_column(const struct site *site, const char *name, struct error *error)
 {
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
 		bool feed = i < site->n_run;
 		size_t r = i % site->n_run;
 		if (feed ? r > 0 && !site->individual_feeds
 			 : site->run[r].product.n == 0)
 			continue;
-		char *own = mend_column(site, feed, r);
+		FREED char *own = mend_column(site, feed, r);
 		xlist(&list, ", ", "%s", own);
-		free(own);
 	}
 	error_set(error, ERROR_USAGE,
 	    "the site has no column '%s'\n"
 	    "use a number that check gave, or one of: %s",
 	    name, list);
-	free(list);
 	return false;
 }
 
@@ -325,8 +316,8 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	struct site *site = found ? mend_site(entry->site, &mend, error) : NULL;
 	if (site == NULL)
 		return false;
-	char *words = mend_words(entry->site, &mend);
-	char *call = mend_call(entry->site, &mend);
+	FREED char *words = mend_words(entry->site, &mend);
+	FREED char *call = mend_call(entry->site, &mend);
 	invocation_reads(s, call);
 	bool fitted = session_mend(s, s->current, site);
 	session_note(s, "mended: %s", words);
@@ -336,7 +327,5 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	session_note(s,
 	    "  its file stays as it is: 'write FILE' saves the mended sheet, "
 	    "'undo' takes the mend back");
-	free(words);
-	free(call);
 	return true;
 }

@@ -226,9 +226,8 @@ find_material(struct store *store, const char *name, struct stored_list *list,
 	stored_table3(list);
 	*found = stored_find(list, name);
 	if (*found == NULL) {
-		char *paper = xasprintf("table3/%s", name);
+		FREED char *paper = xasprintf("table3/%s", name);
 		*found = stored_find(list, paper);
-		free(paper);
 	}
 	return *found != NULL || refuse_name(store, list, name, error);
 }
@@ -342,7 +341,7 @@ static void
 give_remembered(struct session *s, const struct stored *item, size_t n)
 {
 	struct answer *r = answer_new("remember");
-	char *about = xstrdup("");
+	FREED char *about = xstrdup("");
 	if (n == 1)
 		answer_title(r, "remembered %s", item->name);
 	else
@@ -363,7 +362,6 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 		answer_sites(r, "all", about);
 	answer_note(r, "in %s", store_path(s->store));
 	session_answer(s, r);
-	free(about);
 }
 
 /* A material by that name; false where it is none to remember. */
@@ -428,25 +426,23 @@ note_parameters(
 	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"),
 	    store_origin_of(m));
 	const struct origin *o = entry->origin;
-	char *details = origin_details(o);
+	FREED char *details = origin_details(o);
 	session_note(s,
 	    o->found && o->digest == entry->site->digest
 		? N_("  calibrated on the same data as this site (%s)")
 		: N_("  not calibrated on this site (%s)"),
 	    details);
-	free(details);
 }
 
 /* A site that is as it was when it was remembered. */
 static void
 note_remembered(struct session *s, const struct entry *entry)
 {
-	char *label = session_label(entry->site);
+	FREED char *label = session_label(entry->site);
 	session_note(s,
 	    tr_n("%s: %zu run, %s", "%s: %zu runs, %s", entry->site->n_run),
 	    label, entry->site->n_run, origin_words(entry));
 	load_note_reading(s, entry->site);
-	free(label);
 }
 
 /* What was recalled, and what keeps it from being used as it was. */
@@ -544,8 +540,8 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand > 1 &&
 	    !session_find(s, args->operand[1], &index, error))
 		return false;
-	char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
-					 : only_name(s, error);
+	FREED char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
+					       : only_name(s, error);
 	struct stored_list list = {0};
 	const struct stored *m;
 	bool ok = name != NULL &&
@@ -553,7 +549,6 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 		  check_recalled(s, args, m, error) &&
 		  take_recalled(s, m, index, error);
 	stored_list_free(&list);
-	free(name);
 	return ok;
 }
 
@@ -578,13 +573,12 @@ static void
 give_forgotten(struct session *s, const struct stored *m)
 {
 	struct answer *r = answer_new("forget");
-	char *line = bring_back(m);
+	FREED char *line = bring_back(m);
 	answer_title(
 	    r, "forgot %s: %s of %s", m->name, store_origin_of(m), m->site);
 	answer_site(r, m->site, m->provenance);
 	answer_columns(r, "again: to bring its parameters back");
 	answer_cells(r, "%s", line);
-	free(line);
 	session_answer(s, r);
 }
 

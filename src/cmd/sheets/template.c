@@ -1,6 +1,5 @@
 /* template: an empty site file for who starts from nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -60,7 +59,7 @@ template_put_rows(
     const struct form *f, const struct value *sieves, size_t columns)
 {
 	size_t n = sieves->given ? sieves->n : ARRAY_LEN(SIEVES);
-	double *mm = xdoubles(n);
+	FREED double *mm = xdoubles(n);
 	memcpy(mm, sieves->given ? sieves->list : SIEVES, n * sizeof *mm);
 	n = psd_sort(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
@@ -69,7 +68,6 @@ template_put_rows(
 			fputc(f->separator, f->sheet);
 		fputc('\n', f->sheet);
 	}
-	free(mm);
 	return n;
 }
 
@@ -83,9 +81,8 @@ put_form(const struct form *f, const struct args *args)
 	    "fill in what you have and remove lines that you do not need; "
 	    "lines with # are remarks");
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++) {
-		char *text = xasprintf("%s: %s", KEYS[i][0], KEYS[i][1]);
+		FREED char *text = xasprintf("%s: %s", KEYS[i][0], KEYS[i][1]);
 		template_say(f, text);
-		free(text);
 	}
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
 		fprintf(f->sheet, "%s%c\n", KEYS[i][0], f->separator);
@@ -118,7 +115,7 @@ bool
 cmd_template(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	struct form f = {s->set.semicolon ? ';' : ',', s->out};
 	if (s->book == NULL) {
@@ -130,6 +127,5 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 	s->rows += put_form(&f, args);
 	fclose(f.sheet);
 	book_add_text(s->book, "template", text);
-	free(text);
 	return true;
 }
