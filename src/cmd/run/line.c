@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/xalloc.h"
 #include "cmd/session/energies.h"
@@ -77,11 +78,54 @@ session_free(struct session *s)
 	free(s);
 }
 
+/* Whether a word, or what is before its @, names something on the disk. */
 static bool
-run_words(struct session *s, const struct words *words, struct place place,
+is_there(const char *word)
+{
+	const char *at = strrchr(word, '@');
+	char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
+	bool there = access(word, F_OK) == 0 ||
+		     (at != NULL && access(name, F_OK) == 0);
+	free(name);
+	return there;
+}
+
+/* "load belt cuts may.csv": the words after a command that takes files are one
+ * name where none of them is there by itself and the whole is. */
+static void
+join_name(struct words *words, const struct command *command)
+{
+	size_t n = 1;
+	char *whole = xstrdup("");
+	bool any = false;
+	for (; n < words->n && strchr(words->text[n], '=') == NULL; n++) {
+		xlist(&whole, " ", "%s", words->text[n]);
+		any = any || is_there(words->text[n]);
+	}
+	if ((command->flags & COMMAND_FILES) && n > 2 && !any &&
+	    is_there(whole)) {
+		for (size_t i = 1; i < n; i++)
+			free(words->text[i]);
+		words->text[1] = whole;
+		for (size_t i = n; i < words->n; i++) {
+			words->text[i - n + 2] = words->text[i];
+			words->column[i - n + 2] = words->column[i];
+		}
+		words->n -= n - 2;
+		return;
+	}
+	free(whole);
+}
+
+static bool
+run_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
+	const struct command *called =
+	    command_called(words->text[0], place.prompt);
+	if (called != NULL)
+		join_name(words, called);
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_AT_SITE) ||

@@ -281,9 +281,9 @@ struct unread {
 	struct error *fault;
 };
 
-/* All of them: the first that is not there, or else the first, as the error,
- * which is told last: the others may lack no more than what it has.  skip: none
- * is an error. */
+/* All of them in their order; the error, which is told last, is the last that is
+ * not there, or else the last: the others may lack no more than what that file
+ * has.  skip: none is an error. */
 static bool
 tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)
@@ -291,10 +291,11 @@ tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
 	if (u->n == 0)
 		return true;
 	session_note(s, "%zu of %zu files are loaded, not these:", n - u->n, n);
-	size_t last = 0;
-	while (last < u->n && u->fault[last].kind != ERROR_SYSTEM)
-		last++;
-	last = last < u->n ? last : 0;
+	size_t last = u->n - 1;
+	while (last > 0 && u->fault[last].kind != ERROR_SYSTEM)
+		last--;
+	if (u->fault[last].kind != ERROR_SYSTEM)
+		last = u->n - 1;
 	for (size_t i = 0; i < u->n && s->notes != NULL; i++)
 		if (skip || i != last)
 			error_print(&u->fault[i], s->notes);

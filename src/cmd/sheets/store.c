@@ -438,11 +438,18 @@ note_parameters(
 static void
 note_remembered(struct session *s, const struct entry *entry)
 {
-	FREED char *label = session_label(entry->site);
-	session_note(s,
-	    tr_n("%s: %zu run, %s", "%s: %zu runs, %s", entry->site->n_run),
-	    label, entry->site->n_run, origin_words(entry));
-	load_note_reading(s, entry->site);
+	const struct site *site = entry->site;
+	FREED char *label = session_label(site);
+	FREED char *speeds = session_speeds(site, ", ", NULL, false);
+	if (site_products(site) > 0)
+		session_note(s,
+		    tr_n("%s: %zu run at %s m/s, %s",
+			"%s: %zu runs at %s m/s, %s", site->n_run),
+		    label, site->n_run, speeds, origin_words(entry));
+	else
+		session_note(s, "%s: a feed, no product, %s", label,
+		    origin_words(entry));
+	load_note_reading(s, site);
 }
 
 /* What was recalled, and what keeps it from being used as it was. */
