@@ -134,7 +134,7 @@ start 80 24 PS1='shell: ' HISTFILE= sh -i
 want 'shell:$'
 keys 'stty brkint; stty -a >before' Enter
 keys "sh -c 'echo \$\$ >pid; exec \"\$TIPSPEED\" data/sites/tierp.csv -c tui'" Enter
-want 'f calibrates'
+want 'calibrates'
 keys - - f
 want 'generation [2-9] of 800'
 for how in '^Z' SIGTSTP; do
