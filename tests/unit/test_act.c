@@ -303,10 +303,10 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	assert_float_equal(
 	    session_known(t->session, "find", "speed"), best, 1e-6);
 	words = goal_words(t, GOALS_SHORT);
-	assert_string_equal(words, "goal at 75.7");
+	assert_string_equal(words, "goal at 75.6");
 	free(words);
 	words = goal_words(t, GOALS_FULL);
-	assert_string_equal(words, "goal p80=5.2: met at 75.7 m/s");
+	assert_string_equal(words, "goal p80=5.2: met at 75.6 m/s");
 	free(words);
 }
 

@@ -367,8 +367,8 @@ outlook_note(struct answer *r, const struct session *s,
 		    "low, high: the middle %.0f %% of the draws; the value is "
 		    "the fit to the training runs, and may lie outside. Of "
 		    "made-up plants that follow Eqs 1 to 3 such ranges held "
-		    "the truth in 73 to 85 of 100, those of the break "
-		    "size in 57 to 78",
+		    "the truth in 72 to 87 of 100, those of the break "
+		    "size in 52 to 77",
 		    100 * settings_level(&s->set));
 		if (!entry->has_fit)
 			answer_say(r, ANSWER_REMARK,

@@ -14,7 +14,6 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
-#include "core/posterior/lack_of_fit.h"
 #include "core/search/kernel.h"
 #include "core/model/product.h"
 #include "core/model/selection.h"
@@ -316,6 +315,24 @@ correction_left(const struct posterior *p, double v, double *left)
 	return at;
 }
 
+/* The lack of fit (lack_of_fit.h) at tip speed v, m/s, and a knot: straight in
+ * v^2 between measured speeds, beyond them as at the next; 0 before it is
+ * found. */
+static double
+ensemble_lack(const struct posterior *p, double v, size_t knot)
+{
+	if (p->lack == NULL)
+		return 0;
+	size_t k = 0;
+	while (k + 2 < p->n_speed && v > p->speed[k + 1])
+		k++;
+	double a = p->speed[k], b = p->speed[k + 1];
+	double t = (v * v - a * a) / (b * b - a * a);
+	t = fmin(fmax(t, 0), 1);
+	const double *at = p->lack + k * p->n_knot + knot;
+	return (1 - t) * at[0] + t * at[p->n_knot];
+}
+
 /* What the model leaves out at speed v, at the knots of each draw. */
 static void
 fill_knots(struct ensemble *e, double v)
@@ -331,7 +348,7 @@ fill_knots(struct ensemble *e, double v)
 			factor[j][d] = left[d] * term[j];
 	}
 	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS) {
-		double lack = lack_of_fit_at(p, at, i / DRAWS);
+		double lack = ensemble_lack(p, at, i / DRAWS);
 		for (size_t d = 0; d < DRAWS; d++) {
 			double sum = left[d] * lack;
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)

@@ -95,18 +95,3 @@ lack_of_fit_find(struct posterior *p, const struct misfit *m)
 			lack[k * p->n_knot + i] /= repeats[k];
 	p->lack = lack;
 }
-
-double
-lack_of_fit_at(const struct posterior *p, double v, size_t knot)
-{
-	if (p->lack == NULL)
-		return 0;
-	size_t k = 0;
-	while (k + 2 < p->n_speed && v > p->speed[k + 1])
-		k++;
-	double a = p->speed[k], b = p->speed[k + 1];
-	double t = (v * v - a * a) / (b * b - a * a);
-	t = fmin(fmax(t, 0), 1);
-	const double *at = p->lack + k * p->n_knot + knot;
-	return (1 - t) * at[0] + t * at[p->n_knot];
-}

@@ -20,8 +20,4 @@
  * m: the runs that inform the draws. */
 void lack_of_fit_find(struct posterior *p, const struct misfit *m);
 
-/* Returns it at tip speed v, m/s, and a knot: straight in v^2 between measured
- * speeds, beyond them as at the next; 0 before it was found. */
-double lack_of_fit_at(const struct posterior *p, double v, size_t knot);
-
 #endif

@@ -18,9 +18,9 @@
  * draws: a model that misses a share of what the speed does from one measured
  * speed to the next errs in proportion to that share between them; the straight
  * line by what the truth bends, which 0.15 stands for.  A quarter of the draws
- * stay however wrong the model is, as the line may be as wrong, so that the band
- * holds both.  At the measured speeds and beyond them nothing changes; anything
- * that rises with the speed still rises. */
+ * stay however wrong the model is, as the line may be as wrong, so that the
+ * band holds both.  At the measured speeds and beyond them nothing changes;
+ * anything that rises with the speed still rises. */
 
 /* Returns q for a feed at sieves [n], coarsest first; 0 with fewer than two
  * speeds. */
