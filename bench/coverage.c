@@ -104,8 +104,7 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 static enum light
 light_at(const struct evidence *e, double v, const struct score *score)
 {
-	struct trust_question q = {
-	    .speed = v,
+	struct trust_question q = {.speed = v,
 	    .corrected = true,
 	    .width = score->width / (double)score->cells};
 	struct trust t = {0};

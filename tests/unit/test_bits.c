@@ -219,8 +219,8 @@ predictions_are_the_same_to_the_last_bit(void **state)
 	made = fmemopen(got, size, "r");
 	assert_non_null(made);
 	while (fgets(line, sizeof line, made) != NULL) {
-		bool same = find_line(golden, line, want) &&
-			    strcmp(line, want) == 0;
+		bool same =
+		    find_line(golden, line, want) && strcmp(line, want) == 0;
 		if (!same)
 			print_message("# got %s", line);
 		other += !same;

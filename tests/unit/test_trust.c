@@ -241,9 +241,9 @@ measurements_answer_between_their_speeds(void **state)
 	    {&wrong, 79.1, true, LIGHT_AMBER}, {&wrong, 74, false, LIGHT_AMBER},
 	    {&wrong, 0, false, LIGHT_AMBER}, {&two, 74, true, LIGHT_AMBER}};
 	for (size_t i = 0; i < ARRAY_LEN(want); i++) {
-		struct trust t = asked(want[i].e,
-		    (struct trust_question){
-			.speed = want[i].speed, .corrected = want[i].corrected});
+		struct trust t = asked(
+		    want[i].e, (struct trust_question){.speed = want[i].speed,
+				   .corrected = want[i].corrected});
 		bool green = want[i].light == LIGHT_GREEN;
 		assert_int_equal(t.light, want[i].light);
 		assert_int_equal(t.remarks, green ? 2 : 0);

@@ -295,8 +295,7 @@ take_words(const struct args *args, struct question *q, bool *draws,
 		if (number) {
 			q->speed = v;
 			q->speed_given = true;
-		}
-		else if (strcmp(word, "draws") == 0 && !*draws)
+		} else if (strcmp(word, "draws") == 0 && !*draws)
 			*draws = true;
 		else
 			return error_set(error, ERROR_USAGE,
@@ -316,7 +315,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	bool draws = false;
 	if (!take_words(args, q, &draws, error))
 		return false;
-	question_as_last(s, args, q);
+	question_as_asked(s, args, q);
 	take_settings(s, args);
 	if (!screened_tells(q, error))
 		return false;

@@ -426,7 +426,7 @@ void
 question_as_last(
     const struct session *s, const struct args *args, struct question *q)
 {
-	double last = s->asked > 0 ? s->asked : NAN;
+	double last = session_known(s, "predict", "speed");
 	double fed = session_known(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
 	if (q->speed_given || isnan(last))
@@ -435,6 +435,16 @@ question_as_last(
 	if (given(args, "feed") == NULL && !q->variant.feed && isfinite(fed) &&
 	    site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);
+}
+
+void
+question_as_asked(
+    const struct session *s, const struct args *args, struct question *q)
+{
+	bool given = q->speed_given;
+	question_as_last(s, args, q);
+	if (!given && s->asked > 0)
+		q->speed = s->asked;
 }
 
 const struct psd *

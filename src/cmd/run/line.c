@@ -84,8 +84,8 @@ is_there(const char *word)
 {
 	const char *at = strrchr(word, '@');
 	char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
-	bool there = access(word, F_OK) == 0 ||
-		     (at != NULL && access(name, F_OK) == 0);
+	bool there =
+	    access(word, F_OK) == 0 || (at != NULL && access(name, F_OK) == 0);
 	free(name);
 	return there;
 }
@@ -93,7 +93,7 @@ is_there(const char *word)
 /* "load belt cuts may.csv": the words after a command that takes files are one
  * name where none of them is there by itself and the whole is. */
 static void
-join_name(struct words *words, const struct command *command)
+join_file_name(struct words *words, const struct command *command)
 {
 	size_t n = 1;
 	char *whole = xstrdup("");
@@ -125,7 +125,7 @@ run_words(struct session *s, struct words *words, struct place place,
 	const struct command *called =
 	    command_called(words->text[0], place.prompt);
 	if (called != NULL)
-		join_name(words, called);
+		join_file_name(words, called);
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_AT_SITE) ||

@@ -128,7 +128,7 @@ struct session {
 	struct moved *moved; /* see moved.h */
 	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
 	struct standing *standing; /* see question_standing; NULL: none made */
-	const struct pin *pin; /* see pin.h, or NULL */
+	const struct pin *pin;     /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* every one there was */
 	const struct energies *energy; /* shown, or NULL */

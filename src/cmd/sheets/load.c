@@ -281,9 +281,9 @@ struct unread {
 	struct error *fault;
 };
 
-/* All of them in their order; the error, which is told last, is the last that is
- * not there, or else the last: the others may lack no more than what that file
- * has.  skip: none is an error. */
+/* All of them in their order; the error, which is told last, is the last that
+ * is not there, or else the last: the others may lack no more than what that
+ * file has.  skip: none is an error. */
 static bool
 tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)

@@ -377,8 +377,8 @@ strength(double value, struct sign sign)
 static bool
 is_measured_around(const struct evidence *e, const struct trust_question *q)
 {
-	bool between = q->speed >= e->slowest - 1e-9 &&
-		       q->speed <= e->fastest + 1e-9;
+	bool between =
+	    q->speed >= e->slowest - 1e-9 && q->speed <= e->fastest + 1e-9;
 	return q->corrected && e->speeds >= 3 && (q->speed == 0 || between);
 }
 

@@ -464,8 +464,8 @@ ensemble_pool(double *value, double *weight, size_t *length, size_t n)
 		     blocks--) {
 			double *last = value + blocks - 2,
 			       *w = weight + blocks - 2;
-			last[0] = (w[0] * last[0] + w[1] * last[1]) /
-				  (w[0] + w[1]);
+			last[0] =
+			    (w[0] * last[0] + w[1] * last[1]) / (w[0] + w[1]);
 			w[0] += w[1];
 			length[blocks - 2] += length[blocks - 1];
 		}
