@@ -13,8 +13,8 @@
  *   (sum r_i r_i+1 - (2 sigma_s)^2 sum h_i h_i+1) / sum r_i^2,  0 to 1
  * is taken for the product's own (as James and Stein 1961 shrink means):
  * independent errors of neighbours cancel in the first sum, and the second has
- * what a sample may err by along its curve, twice the prior's sigma_s; of a site
- * with repeats, which show sigma_s, twice the mean of the draws'.
+ * what a sample may err by along its curve, twice the prior's sigma_s; of a
+ * site with repeats, which show sigma_s, twice the mean of the draws'.
  *
  * Sets p->lack: that share, over h, at the measured speeds and the knots.
  * m: the runs that inform the draws. */
