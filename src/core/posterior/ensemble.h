@@ -78,7 +78,8 @@ double ensemble_halves(struct ensemble *e, double v);
 /* Puts values [n] into blocks of neighbours that do not fall from one to the
  * next, each the mean of its own by weights [n]: the nearest in the least
  * squares sense (Barlow and others 1972, ch. 1).  Returns how many; value,
- * weight, length [n]: of each its mean, its weight and how many values it has. */
+ * weight, length [n]: of each its mean, its weight and how many values it has.
+ */
 size_t ensemble_pool(double *value, double *weight, size_t *length, size_t n);
 
 #endif
