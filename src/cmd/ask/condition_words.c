@@ -36,7 +36,7 @@ goes_on(const struct command *command, const char *before, const char *word)
 
 /* Where the conditions begin; 0 where the command takes none. */
 static size_t
-first_word(const struct command *command, const struct words *words)
+conditions_first_word(const struct command *command, const struct words *words)
 {
 	bool takes =
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
@@ -73,7 +73,7 @@ conditions_join(struct words *words, bool prompt)
 {
 	const struct command *command =
 	    words->n > 0 ? command_called(words->text[0], prompt) : NULL;
-	size_t from = first_word(command, words), n = words->n;
+	size_t from = conditions_first_word(command, words), n = words->n;
 	if (from == 0)
 		return;
 	words->n = from;

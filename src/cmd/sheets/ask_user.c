@@ -24,8 +24,8 @@ enum { CELLS = 4 };
 /* The cells of a row, which live as long as the question; number: of at least
  * 24 bytes. */
 static void
-row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
-    const char *cell[static CELLS])
+ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
+    char *number, const char *cell[static CELLS])
 {
 	bool tables = q->ask->tables;
 	const char *const HEADS[] = {"", tables ? tr("title") : tr("head"),
@@ -60,7 +60,7 @@ fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 	for (int i = 0; i < CELLS; i++)
 		width[i] = 0;
 	for (size_t r = 0; r <= q->ask->n; r++) {
-		row_cells(q, r, narrow, number, cell);
+		ask_user_row_cells(q, r, narrow, number, cell);
 		for (int i = 0; i < CELLS; i++) {
 			int w = text_width(cell[i]);
 			width[i] = w > width[i] ? w : width[i];
@@ -110,7 +110,7 @@ inquiry_row(const struct inquiry *q, size_t row, int columns)
 	const char *cell[CELLS];
 	fit_widths(
 	    q, columns - mark - (CELLS - 1) * (narrow ? 1 : 2), narrow, width);
-	row_cells(q, row, narrow, number, cell);
+	ask_user_row_cells(q, row, narrow, number, cell);
 	bool open = row > 0 && q->ask->column[row - 1].open;
 	char *line = xstrdup(open ? "? " : "  ");
 	for (int i = 0; i < CELLS; i++) {
@@ -185,7 +185,7 @@ with_speed(const struct site_ask_column *c, const struct head *head,
 
 /* Words that say a role, a quantity or both. */
 static char *
-with_words(const struct site_ask_column *c, const char *said,
+ask_user_with_words(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
 {
 	uint64_t quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
@@ -259,7 +259,7 @@ read_answer(const struct site_ask_column *c, const char *answer,
 		snprintf(wrong, WRONG,
 		    tr("expected what this column is, got '%.40s'"), said);
 	else if ((means & known) != 0)
-		text = with_words(c, said, &head, means);
+		text = ask_user_with_words(c, said, &head, means);
 	else if (speed && head.unknown == 0)
 		text = with_speed(c, &head, wrong);
 	else if (strcmp(said, "-") != 0)
@@ -410,8 +410,8 @@ take_place(const char *settle, const char *said, struct inquired *into)
 /* Tables by their numbers, "2" or "1-3", or cells; nothing is what is offered.
  */
 static bool
-take_tables(const struct site_ask *ask, const char *said, struct inquired *into,
-    char *wrong)
+ask_user_take_tables(const struct site_ask *ask, const char *said,
+    struct inquired *into, char *wrong)
 {
 	struct site_box box;
 	char *end;
@@ -445,7 +445,7 @@ ask_user_take_option(const struct site_ask *ask, const char *said,
 {
 	const char *settle = ask->settle;
 	if (ask->tables)
-		return take_tables(ask, said, into, wrong);
+		return ask_user_take_tables(ask, said, into, wrong);
 	if (strncmp(settle, "top=", 4) == 0)
 		return take_top(settle, said, into, given_up, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)

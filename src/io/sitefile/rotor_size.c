@@ -172,7 +172,7 @@ read_number(struct search *s, const char **text)
 }
 
 static void
-read_word(struct search *s, const char *word, size_t n)
+rotor_read_word(struct search *s, const char *word, size_t n)
 {
 	uint64_t means = vocabulary_word(word, n);
 	double unit = unit_mm(word, n);
@@ -223,7 +223,7 @@ rotor_size_mm(const char *text, bool machine)
 		}
 		bool joins = *p == '-' && p > folded && p[-1] != ' ';
 		if (n > 0)
-			read_word(&s, p, n);
+			rotor_read_word(&s, p, n);
 		else if (*p != ' ' && !joins)
 			s.ahead = 0;
 		p += n > 0 ? n : 1;

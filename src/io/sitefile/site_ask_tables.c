@@ -28,7 +28,7 @@ has_products(const struct table *t, const struct columns *all)
 }
 
 static bool
-has_feed(const struct table *t, const struct columns *all)
+tables_have_feed(const struct table *t, const struct columns *all)
 {
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].table == t && all->column[i].role == FEED)
@@ -58,11 +58,11 @@ site_ask_tables_guess(struct tables *s)
 {
 	size_t feed = 0;
 	const struct table *like = NULL;
-	while (feed < s->n && !has_feed(s->table[feed], s->all))
+	while (feed < s->n && !tables_have_feed(s->table[feed], s->all))
 		feed++;
 	feed = feed < s->n ? feed : 0;
 	s->first = s->last = feed;
-	if (!has_feed(s->table[feed], s->all))
+	if (!tables_have_feed(s->table[feed], s->all))
 		return;
 	while (s->last + 1 < s->n && goes_with(s, s->last + 1, feed, like)) {
 		s->last++;
@@ -120,7 +120,7 @@ site_ask_table_range(const struct table *t, size_t n_row)
 
 /* "feed, product@69": what a table seems to have. */
 static char *
-contents(const struct table *t, const struct columns *all)
+tables_contents(const struct table *t, const struct columns *all)
 {
 	enum { MOST = 3 };
 	size_t n = 0;
@@ -162,7 +162,7 @@ site_ask_tables_list(const struct tables *s, struct site_ask *ask)
 		ask->column[i] = (struct site_ask_column){.number = i + 1,
 		    .head = xstrndup(line, (size_t)sheet_cut(line)),
 		    .values = xasprintf(tr("%d to %d"), box.top, box.bottom),
-		    .guess = contents(t, s->all),
+		    .guess = tables_contents(t, s->all),
 		    .box = box};
 		free(line);
 	}

@@ -110,7 +110,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 
 /* The lines of a title. */
 static const char *
-next_line(const char *line, size_t *n)
+title_next_line(const char *line, size_t *n)
 {
 	*n = strcspn(line, "\n");
 	return line[*n] == '\n' ? line + *n + 1 : NULL;
@@ -122,7 +122,7 @@ title_line(const struct table *t)
 	char *found = NULL;
 	for (const char *p = t->title; p != NULL;) {
 		size_t n;
-		const char *next = next_line(p, &n);
+		const char *next = title_next_line(p, &n);
 		char *line = xstrndup(p, n);
 		bool feed = (vocabulary_text(line, NULL) & WORD_FEED) != 0;
 		free(found);
@@ -246,7 +246,7 @@ has_product(const struct table *t, const struct column *c)
 
 /* Whether product k is like those before it, at another speed. */
 static bool
-goes_on(struct table *const *table, size_t k, const struct columns *all)
+title_goes_on(struct table *const *table, size_t k, const struct columns *all)
 {
 	const struct column *own = title_sample(all, table[k]);
 	for (size_t i = 0; i < k; i++) {
@@ -269,9 +269,9 @@ title_is_series(
 		if (c == NULL || table[k]->sheet != table[0]->sheet)
 			return false;
 		bool is_feed = c->role == FEED && !(c->speed > 0);
-		if (is_feed
-			? feed != NULL
-			: !has_product(table[k], c) || !goes_on(table, k, all))
+		if (is_feed ? feed != NULL
+			    : !has_product(table[k], c) ||
+				  !title_goes_on(table, k, all))
 			return false;
 		feed = is_feed ? table[k] : feed;
 	}
