@@ -34,7 +34,7 @@ chmod +x "$dir/bin/tipspeed"
 is_command() {
 	case $1 in *[!a-z]* | '') return 1 ;; esac
 	[ -e "$dir/.known/$1" ] || {
-		"$REAL" -c "help $1" 2>/dev/null | grep -q "^$1 - "
+		"$REAL" -c "help $1" 2>/dev/null | sed -n '1s, - .*,,p' | grep -q .
 		echo $? >"$dir/.known/$1"
 	}
 	[ "$(cat "$dir/.known/$1")" -eq 0 ]
