@@ -192,7 +192,7 @@ chart_dash(enum chart_line line, int *on, int *off)
 	static const int DASHES[][2] = {[CHART_MARKS] = {0, 1},
 	    [CHART_SOLID] = {1, 0},
 	    [CHART_DASHED] = {4, 3},
-	    [CHART_LONG] = {9, 3},
+	    [CHART_LONG] = {12, 4},
 	    [CHART_DOTTED] = {1, 2}};
 	*on = DASHES[line][0];
 	*off = DASHES[line][1];
