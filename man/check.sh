@@ -42,6 +42,9 @@ PATH=$top/bin:$PATH
 HOME=$top/home XDG_STATE_HOME=$top/home XDG_CONFIG_HOME=$top/home
 export PATH HOME XDG_STATE_HOME XDG_CONFIG_HOME
 unset TIPSPEED_COLOR
+# The day of tests/tap.sh, by whichever of the two this is run.
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-1795564800}
+export SOURCE_DATE_EPOCH
 tests=0
 failed=0
 
