@@ -83,11 +83,9 @@ static bool
 is_there(const char *word)
 {
 	const char *at = strrchr(word, '@');
-	char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
-	bool there =
-	    access(word, F_OK) == 0 || (at != NULL && access(name, F_OK) == 0);
-	free(name);
-	return there;
+	FREED char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
+	return access(word, F_OK) == 0 ||
+	       (at != NULL && access(name, F_OK) == 0);
 }
 
 /* "load belt cuts may.csv": the words after a command that takes files are one
@@ -96,25 +94,26 @@ static void
 join_file_name(struct words *words, const struct command *command)
 {
 	size_t n = 1;
-	char *whole = xstrdup("");
-	bool any = false;
-	for (; n < words->n && strchr(words->text[n], '=') == NULL; n++) {
-		xlist(&whole, " ", "%s", words->text[n]);
-		any = any || is_there(words->text[n]);
-	}
-	if ((command->flags & COMMAND_FILES) && n > 2 && !any &&
-	    is_there(whole)) {
-		for (size_t i = 1; i < n; i++)
-			free(words->text[i]);
-		words->text[1] = whole;
-		for (size_t i = n; i < words->n; i++) {
-			words->text[i - n + 2] = words->text[i];
-			words->column[i - n + 2] = words->column[i];
-		}
-		words->n -= n - 2;
+	if (command == NULL || (command->flags & COMMAND_FILES) == 0)
 		return;
+	while (n < words->n && strchr(words->text[n], '=') == NULL)
+		n++;
+	FREED char *whole = xstrdup("");
+	for (size_t i = 1; i < n; i++) {
+		if (is_there(words->text[i]))
+			return;
+		xlist(&whole, " ", "%s", words->text[i]);
 	}
-	free(whole);
+	if (n <= 2 || !is_there(whole))
+		return;
+	for (size_t i = 1; i < n; i++)
+		free(words->text[i]);
+	words->text[1] = xstrdup(whole);
+	for (size_t i = n; i < words->n; i++) {
+		words->text[i - n + 2] = words->text[i];
+		words->column[i - n + 2] = words->column[i];
+	}
+	words->n -= n - 2;
 }
 
 static bool
@@ -122,10 +121,7 @@ run_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
-	const struct command *called =
-	    command_called(words->text[0], place.prompt);
-	if (called != NULL)
-		join_file_name(words, called);
+	join_file_name(words, command_called(words->text[0], place.prompt));
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_AT_SITE) ||
