@@ -256,6 +256,22 @@ print_rms(double squares, const struct score *score)
 	printf("%6.2f", 100 * sqrt(squares / (double)score->cells));
 }
 
+/* How much the 80 % band holds of a law's plants at a speed, %, with the standard
+ * error of plants: of one plant all passings may lie within it, or none. */
+static void
+print_share(const struct task *task, size_t a, const struct score *sum)
+{
+	double share = (double)sum->in80 / (double)sum->cells, squares = 0;
+	double n = (double)task->plants;
+	for (size_t i = 0; i < task->plants; i++) {
+		const struct score *s = &task->score[i * ASKED + a];
+		double off = (double)s->in80 - share * (double)s->cells;
+		squares += off * off;
+	}
+	printf("%5.0f+-%-4.1f", 100 * share,
+	    100 * sqrt(squares * n / (n - 1)) / (double)sum->cells);
+}
+
 static void
 print_law(struct task *task, const struct score sum[static ASKED])
 {
@@ -264,8 +280,7 @@ print_law(struct task *task, const struct score sum[static ASKED])
 		unconverged += task->convergence[i] > 0.5;
 	printf("%-32s", LAW_NAME[task->law]);
 	for (size_t a = 0; a < ASKED; a++)
-		printf("%7.0f",
-		    100.0 * (double)sum[a].in80 / (double)sum[a].cells);
+		print_share(task, a, &sum[a]);
 	for (size_t a = 0; a < ASKED; a++)
 		printf("%7.0f",
 		    100.0 * (double)sum[a].in90 / (double)sum[a].cells);
@@ -354,7 +369,7 @@ main(int argc, char **argv)
 	size_t runs = argc > 4 ? (size_t)atoi(argv[4]) : 0;
 	struct pool *pool = pool_new(measure_threads());
 	struct score sum[ASKED] = {{0}};
-	printf("%-32s%21s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",
+	printf("%-32s%33s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",
 	    "90 % holds", "width", "answer", "model", "line", "drift",
 	    "green amber red, error of green");
 	for (size_t law = 0; law < LAWS; law++)

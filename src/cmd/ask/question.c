@@ -365,6 +365,8 @@ set_sheets(struct session *s)
 	struct error none = {0};
 	struct value value = {.given = true};
 	const struct setting *row = SETTINGS;
+	if (s->set.feed[0] == '\0')
+		return NULL;
 	while (row->offset != offsetof(struct choices, feed))
 		row++;
 	return value_take(&row->option, s->set.feed, &value, &none) &&
