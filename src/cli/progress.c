@@ -41,7 +41,8 @@ clear_line(void)
 }
 
 static void
-progress_line(struct progress *p, const struct calibrate_status *st)
+progress_line(const struct session *s, struct progress *p,
+    const struct calibrate_status *st)
 {
 	double now = session_clock();
 	if (now - p->shown < 0.25)
@@ -49,12 +50,13 @@ progress_line(struct progress *p, const struct calibrate_status *st)
 	p->shown = now;
 	char text[128];
 	if (st->state == CALIBRATE_POLISHING)
-		snprintf(text, sizeof text, "  polish %zu  best %.4g",
-		    st->starts_done, st->best);
+		snprintf(text, sizeof text,
+		    "  calibrating: polishing, misfit %.4g", st->best);
 	else
 		snprintf(text, sizeof text,
-		    "  generation %zu  best %.4g  median %.4g  stall %zu",
-		    st->generation, st->best, st->median, st->stall);
+		    "  calibrating: generation %zu of at most %zu, misfit "
+		    "%.4g",
+		    st->generation, s->job.options.generations, st->best);
 	int rows, columns, width = text_width(text);
 	terminal_size(&rows, &columns);
 	int room = columns > 12 ? columns - 3 : 9; /* with the echo of ^C */
@@ -138,7 +140,7 @@ progress_watch(
 	size_t before = p->row;
 	if (st->state == CALIBRATE_SEARCHING)
 		draw_watched(s, p, st);
-	progress_line(p, st);
+	progress_line(s, p, st);
 	if (p->row != before)
 		pace_watched(s);
 }
@@ -152,7 +154,7 @@ progress(struct session *s, struct progress *p)
 	if (can_watch(s, p))
 		progress_watch(s, p, &st);
 	else if (p->terminal)
-		progress_line(p, &st);
+		progress_line(s, p, &st);
 	else
 		progress_row(s, p, &st);
 }
