@@ -22,8 +22,9 @@ static const struct {
 	const char *name;
 	void (*print)(FILE *out);
 } PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
-    {"status", manual_status}, {"models", manual_models}, {"bash", manual_bash},
-    {"keys", keys_manual}, {"texts", print_texts}};
+    {"status", manual_status}, {"trust", manual_trust},
+    {"models", manual_models}, {"bash", manual_bash}, {"keys", keys_manual},
+    {"texts", print_texts}};
 
 int
 main(int argc, char **argv)

@@ -47,16 +47,12 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
 	const struct fraction *fraction = &all->question->fraction;
 	size_t n;
 	FREED struct quantity *q =
-	    quantities_list(text, &fraction->partition, &n, error);
-	bool ok = q != NULL;
-	for (size_t i = 0; ok && i < n; i++)
-		ok = quantities_cut(&q[i], fraction, error) &&
-		     quantities_covered(&q[i], feed, error);
-	for (size_t i = 0; ok && i < n; i++) {
+	    quantities_asked(text, fraction, feed, true, &n, error);
+	for (size_t i = 0; q != NULL && i < n; i++) {
 		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
 		all->q[all->n++] = q[i];
 	}
-	return ok;
+	return q != NULL;
 }
 
 /* Of the site's own sieves: what passes 2 mm or the one nearest to it, and the

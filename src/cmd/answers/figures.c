@@ -12,44 +12,6 @@
 /* What is shown unless told otherwise, as far as the feed tells. */
 #define USUAL "P10,P20,P50,P80,P90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
 
-/* Those of the list that the feed tells of, in place; for a list that was asked
- * for false where it does not. */
-static bool
-keep_covered(struct quantity *q, size_t *n, const struct psd *feed, bool asked,
-    struct error *error)
-{
-	size_t kept = 0;
-	for (size_t i = 0; i < *n; i++) {
-		struct error none = {0};
-		if (quantities_covered(&q[i], feed, asked ? error : &none))
-			q[kept++] = q[i];
-		else if (asked)
-			return false;
-	}
-	*n = kept;
-	return true;
-}
-
-/* The quantities of a call; the caller frees. */
-static struct quantity *
-read_wanted(const struct args *args, const struct question *question, size_t *n,
-    struct error *error)
-{
-	const struct value *of = args_value(args, "of");
-	const struct fraction *all = &question->fraction;
-	const struct psd *feed = question_feed(question);
-	struct quantity *q = quantities_list(
-	    of->given ? of->text : USUAL, &all->partition, n, error);
-	bool ok = q != NULL;
-	for (size_t i = 0; ok && i < *n; i++)
-		ok = quantities_cut(&q[i], all, error);
-	if (!ok || !keep_covered(q, n, feed, of->given, error)) {
-		free(q);
-		return NULL;
-	}
-	return q;
-}
-
 /* A row, and an object of the list or for NULL none; model: with the model
  * alone, for programs; people have not the room. */
 static void
@@ -97,7 +59,10 @@ cmd_figures(struct session *s, const struct args *args,
 	const struct entry *entry = question->entry;
 	double v = question->speed;
 	size_t n;
-	FREED struct quantity *q = read_wanted(args, question, &n, error);
+	const struct value *of = args_value(args, "of");
+	FREED struct quantity *q =
+	    quantities_asked(of->given ? of->text : USUAL, &question->fraction,
+		question_feed(question), of->given, &n, error);
 	if (q == NULL)
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);

@@ -285,9 +285,8 @@ is_unusual(const struct session *s, const struct entry *entry)
 /* Feeds that move the answer by less than it shows are not worth a word. */
 static const double FEEDS_TOLD = 0.0005;
 
-/* "8 times in 10", "with 95 % probability".  The caller frees. */
-static char *
-chance_words(double level)
+char *
+predict_chance(double level)
 {
 	double tenths = 10 * level;
 	return fabs(tenths - round(tenths)) < 1e-9
@@ -325,7 +324,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
 	if (p->low == NULL || fraction_screens(&p->fraction))
 		return NULL;
-	FREED char *chance = chance_words(q->level);
+	FREED char *chance = predict_chance(q->level);
 	struct forecast *f = forecast_open(s, q, &passing, 1);
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);

@@ -22,6 +22,9 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
 double predict_feeds_move(const struct session *s, const struct question *q,
     const struct prediction *at, size_t i);
 
+/* Returns "8 times in 10" or "with 95 % probability".  The caller frees. */
+char *predict_chance(double level);
+
 /* Returns a sentence on how sure the answer is at one passing (D22); NULL for a
  * screened fraction, and without draws.  The caller frees. */
 char *predict_sure(const struct session *s, const struct question *q,

@@ -129,6 +129,10 @@ static const struct command_option WINDOW_OPTIONS[] = {
     {.name = NULL}};
 
 static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
+    {"of", VALUE_TEXT, "", 0, 0, NULL, "",
+	"figures, see figures; default: what passes 2 mm, P20, P50 and P80"},
+    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"on: show each sieve, and the sizes of the errors"},
     {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
 	"probability of the bands; 'set level' sets it too"},
     {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
@@ -145,6 +149,8 @@ static const struct command_option DRIFT_OPTIONS[] = {
 	"allowance of the CUSUM: half of the shift to be found soonest"},
     {"h", VALUE_NUMBER, "sd", 0.1, 100, NULL, "5",
 	"limit of the CUSUM: higher signals later and less often by chance"},
+    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
+	"on: show the numbers of the control charts too"},
     {.name = NULL}};
 
 /* Of spec and advise; of why. */
@@ -158,7 +164,7 @@ const struct command TABLE_ANSWERS[] = {
 	.others = {"sweep", "figures"},
 	.brief = "the product at a tip speed",
 	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
-		 COMMAND_BESIDE | COMMAND_DAILY,
+		 COMMAND_BESIDE | COMMAND_DAILY | COMMAND_QUANTITIES,
 	.bare = "speed",
 	.option = PREDICT_OPTIONS,
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
@@ -181,7 +187,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "whose name "
 	    "ends in .svg, .png "
 	    "or .pdf gets the curves, as plot psd draws them.",
-	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74",
+	.more =
+	    "The names of figures after the speed give these alone: predict "
+	    "72 passing 2 P80; several speeds stand side by side: predict "
+	    "65..85:5.",
+	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
+		   "predict 72 passing 2 P80",
 	.answer = cmd_predict},
     {.name = "blend",
 	.brief = "mix feeds by mass, and predict the product",
@@ -268,13 +279,14 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_pin},
     {.name = "figures",
 	.brief = "sizes, moduli and shares of a product",
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
 	.bare = "speed",
 	.option = FIGURES_OPTIONS,
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "What predict does with of=, predict 72 of=fm,D10,0/2. "
+	    "What predict does with the names of figures, predict 72 passing 2 "
+	    "P80, or with of=, predict 72 of=fm,D10,0/2. "
 	    "Single numbers of the product at a speed, with their bands: P and "
 	    "a number, or D and a number, the size that so much passes; "
 	    "passing and a size; fines, the passing at 0.063 mm; cu, D60/D10; "
@@ -415,27 +427,30 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
 	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
-	.flags =
-	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CHANGES | COMMAND_LOOKS,
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CHANGES |
+		 COMMAND_LOOKS | COMMAND_QUANTITIES,
 	.option = UNCERTAINTY_OPTIONS,
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT, SHARED_SCREENS},
 	.text =
-	    "Shows half the width of the uncertainty band at a speed, sieve by "
-	    "sieve: of the model alone, which is what its parameters leave "
-	    "open; of the answer, with what the model leaves out, which is the "
-	    "band of predict; and of one more sample with its error, which is "
-	    "where a new measurement is expected. Below it are the sizes of "
-	    "these errors as the data show "
-	    "them, and where feeds were sampled with several runs, how far the "
-	    "product moves with them, what errors of the stated tip speeds "
-	    "add, and which sample next would help most, as advise has it. "
+	    "Shows what passes 2 mm, P20, P50 and P80 at a speed, or the "
+	    "figures that are named, with the range in which the true value "
+	    "lies and the one in which a new belt cut is expected; where feeds "
+	    "were sampled with several runs, how far the product moves with "
+	    "them; what errors of the stated tip speeds add; and which sample "
+	    "next would help most, as advise has it. detail=on shows half the "
+	    "width of the band sieve by sieve: of the model alone, which is "
+	    "what its parameters leave open; of the answer, with what the "
+	    "model leaves out, which is the band of predict; and of one more "
+	    "sample with its error. Below it are the sizes of these errors as "
+	    "the data show them. "
 	    "level= and noise= are settings, kept for "
 	    "the commands that "
 	    "follow. 'uncertainty draws > FILE.csv' writes the draws: "
 	    "parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
-	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 85",
+	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 72 P80\n"
+		   "uncertainty 85 detail=on",
 	.answer = cmd_uncertainty},
     {.name = "advise",
 	.alias = "uncertainty next",
@@ -521,10 +536,11 @@ const struct command TABLE_ANSWERS[] = {
 	    "Compares each cut that was added after the calibration with what "
 	    "is predicted at its own speed from its own feed, by runs that "
 	    "have not seen it. A row has the mean of the residuals (measured "
-	    "less predicted, points), the largest with its sieve, and the "
-	    "control charts: EWMA (weight 0.2) with its limit and CUSUM in "
-	    "both directions, of the mean and of the tilt (coarse sieves less "
-	    "fine ones). The limits come from the draws of the uncertainty, or "
+	    "less predicted, points), the largest with its sieve, and what "
+	    "the control charts say; with detail=on the charts themselves: "
+	    "EWMA (weight 0.2) with its limit and CUSUM in both directions, of "
+	    "the mean and of the tilt (coarse sieves less fine ones). The "
+	    "limits come from the draws of the uncertainty, or "
 	    "from 'set noise' if there are none; see DRIFT in "
 	    "tipspeed-model(7). Reports how often they signal by chance, what "
 	    "drifts, where to look and when to calibrate anew. A signal makes "

@@ -12,6 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "cmd/session/settings.h"
@@ -51,9 +52,82 @@ add_parts(struct answer *r, const struct session *s, const struct question *q,
 		forecast_close(of[part]);
 }
 
-/* Median and range of the hyperparameters beside their priors. */
+/* What is shown unless told otherwise: what passes the sieves that are asked
+ * for, or else the middle one, and sizes. */
+static char *
+usual_figures(const struct prediction *p, bool sieves)
+{
+	if (!sieves)
+		return xasprintf("passing %g,P20,P50,P80",
+		    units_mm(p->product.size[answers_sieve(&p->product)]));
+	char *list = xstrdup("");
+	for (size_t i = 0; i < p->product.n; i++)
+		xlist(&list, ",", "passing %g", units_mm(p->product.size[i]));
+	return list;
+}
+
+/* A row, and an object for programs. */
 static void
-add_hyper(struct answer *r, const struct session *s, const struct posterior *p)
+add_sure(struct answer *r, struct fields *list, const struct quantity *q,
+    struct figure answer, struct figure sample)
+{
+	const double values[] = {
+	    answer.value, answer.low, answer.high, sample.low, sample.high};
+	double shown[ARRAY_LEN(values)];
+	for (size_t i = 0; i < ARRAY_LEN(values); i++)
+		shown[i] = quantities_shown(q, values[i]);
+	FREED char *words = quantities_words(q), *key = quantities_key(q);
+	const char *unit = quantities_unit(q);
+	answer_name(r, key, words);
+	answer_cells(r,
+	    quantities_decimals(q) == 1 ? "%.1f %s %.1f %.1f %.1f %.1f"
+					: "%.2f %s %.2f %.2f %.2f %.2f",
+	    shown[0], unit, shown[1], shown[2], shown[3], shown[4]);
+	fields_put(fields_object(list, NULL),
+	    "quantity %s value %g unit %s low %g high %g cut_low %g cut_high "
+	    "%g",
+	    key, shown[0], unit, shown[1], shown[2], shown[3], shown[4]);
+}
+
+/* A row a figure, with the range of the true value and that of a new sample. */
+static bool
+add_figures(struct answer *r, const struct session *s,
+    const struct question *question, const struct prediction *p,
+    const struct args *args, struct error *error)
+{
+	const struct value *of = args_value(args, "of");
+	FREED char *usual = usual_figures(p, args_value(args, "sieves")->given);
+	size_t n;
+	FREED struct quantity *q =
+	    quantities_asked(of->given ? of->text : usual, &question->fraction,
+		question_feed(question), of->given, &n, error);
+	if (q == NULL)
+		return false;
+	struct forecast *answer = forecast_open(s, question, q, n);
+	struct forecast *sample = forecast_open(s, question, q, n);
+	forecast_at(answer, p->speed);
+	forecast_part_at(sample, p->speed, ENSEMBLE_SAMPLE);
+	answer_columns(r, "quantity: figure, value, unit, low, high, "
+			  "cut_low: cut low, cut_high: cut high");
+	struct fields *list = fields_list(answer_fields(r), "figures");
+	for (size_t i = 0; i < n; i++)
+		add_sure(r, list, &q[i], forecast_figure(answer, i),
+		    forecast_figure(sample, i));
+	forecast_close(answer);
+	forecast_close(sample);
+	FREED char *chance = predict_chance(question->level);
+	answer_note(r,
+	    "low, high: the true value lies between them %s; cut low, cut "
+	    "high: so does a new belt cut",
+	    chance);
+	return true;
+}
+
+/* Median and range of the hyperparameters beside their priors; in words where
+ * these are asked for. */
+static void
+add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
+    bool words)
 {
 	double value[POSTERIOR_DRAWS], range[2], median, unused;
 	struct fields *o = fields_object(answer_fields(r), "errors");
@@ -67,17 +141,18 @@ add_hyper(struct answer *r, const struct session *s, const struct posterior *p)
 		struct fields *one = fields_object(o, HYPER[h].name);
 		fields_put(one, "median %g low %g high %g", median, range[0],
 		    range[1]);
-		answer_note(r,
-		    size ? N_("%s: %.2f points (%.2f to %.2f): %s")
-			 : N_("%s: %.2f (%.2f to %.2f): %s"),
-		    HYPER[h].name, median, range[0], range[1],
-		    tr(HYPER[h].meaning));
+		if (words)
+			answer_note(r,
+			    size ? N_("%s: %.2f points (%.2f to %.2f): %s")
+				 : N_("%s: %.2f (%.2f to %.2f): %s"),
+			    HYPER[h].name, median, range[0], range[1],
+			    tr(HYPER[h].meaning));
 	}
 }
 
 /* In how many draws the rock has two strengths, and which. */
 static void
-note_strengths(struct answer *r, const struct posterior *p)
+note_strengths(struct answer *r, const struct posterior *p, bool words)
 {
 	double two = 0, share = 0, ratio = 0;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
@@ -91,7 +166,7 @@ note_strengths(struct answer *r, const struct posterior *p)
 	struct fields *o = fields_object(answer_fields(r), "two_strengths");
 	fields_put(o, "draws_pct %g harder_share_pct %g ratio %g",
 	    100 * two / POSTERIOR_DRAWS, 100 * share / two, ratio / two);
-	if (two > 0)
+	if (words && two > 0)
 		answer_note(r,
 		    "two strengths: in %.0f %% of the draws; there %.0f %% of "
 		    "the rock has a threshold %.2f times the other's",
@@ -100,20 +175,23 @@ note_strengths(struct answer *r, const struct posterior *p)
 }
 
 static void
-note_draws(
-    struct answer *r, const struct posterior *p, const struct evidence *e)
+note_draws(struct answer *r, const struct posterior *p,
+    const struct evidence *e, bool words)
 {
 	bool settled = !(e->halves > DRAWS_SETTLED);
 	fields_put(answer_fields(r),
 	    "draws %g halves_pct %g ratio %g drift %g accepted %g",
 	    (double)POSTERIOR_DRAWS, 100 * e->halves, p->ratio, p->drift,
 	    p->accepted);
-	answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
-	    settled ? N_("%d draws: their two halves differ by %.0f %% of the "
-			 "band's width")
-		    : N_("%d draws that have not settled: their two halves "
-			 "differ by %.0f %% of the band's width"),
-	    POSTERIOR_DRAWS, 100 * e->halves);
+	if (words || !settled)
+		answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
+		    settled
+			? N_("%d draws: their two halves differ by %.0f %% of "
+			     "the "
+			     "band's width")
+			: N_("%d draws that have not settled: their two halves "
+			     "differ by %.0f %% of the band's width"),
+		    POSTERIOR_DRAWS, 100 * e->halves);
 }
 
 /* A row a draw: what it was made of and what it answers. */
@@ -236,17 +314,27 @@ note_speeds(struct answer *r, const struct session *s, const struct question *q,
 	    100 * sd, 100 * most);
 }
 
+/* people: the figures, unless detail= has them see what programs do. */
 static struct answer *
 parts_answer(const struct session *s, const struct question *q,
-    const struct posterior *p, const struct prediction *at, double speed_sd)
+    const struct prediction *at, const struct args *args, struct error *error)
 {
 	const struct entry *entry = q->entry;
+	const struct posterior *p = outlook_draws(s, entry);
+	bool detail = args_value(args, "detail")->choice == 1;
 	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
-	    "half width of the %.0f %% band at %.1f m/s%s, points",
+	    detail ? N_("half width of the %.0f %% band at %.1f m/s%s, points")
+		   : N_("how sure, %.0f %% bands at %.1f m/s%s"),
 	    100 * q->level, at->speed, fraction);
-	if (!s->linear)
+	if (!detail && !add_figures(r, s, q, at, args, error)) {
+		answer_free(r);
+		return NULL;
+	}
+	if (detail && !s->linear)
 		answer_across(r);
+	if (!detail)
+		answer_for_programs(r);
 	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
@@ -256,12 +344,13 @@ parts_answer(const struct session *s, const struct question *q,
 	answer_put_columns(r, "sieve_mm passing_pct");
 	screened_note(r, at);
 	screened_put(answer_fields(r), at);
-	answer_note(r, "%s", outlook_words(s, entry));
-	add_hyper(r, s, p);
-	note_strengths(r, p);
+	if (detail)
+		answer_note(r, "%s", outlook_words(s, entry));
+	add_hyper(r, s, p, detail);
+	note_strengths(r, p, detail);
 	note_feeds(r, s, q, at);
-	note_speeds(r, s, q, at, speed_sd);
-	note_draws(r, p, outlook_evidence(s, entry));
+	note_speeds(r, s, q, at, args_value(args, "speed_sd")->number / 100);
+	note_draws(r, p, outlook_evidence(s, entry), detail);
 	note_next(r, s, q, at);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
@@ -327,12 +416,10 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		    origin_fit(entry) == NULL ? tr("run 'calibrate' first")
 					      : tr("'set' shows the settings"));
 	}
-	const struct posterior *p = outlook_draws(s, entry);
 	size_t n = (size_t)args_value(args, "n")->whole;
-	session_answer(
-	    s, draws ? draws_answer(s, q, p, &at, n)
-		     : parts_answer(s, q, p, &at,
-			   args_value(args, "speed_sd")->number / 100));
+	struct answer *r =
+	    draws ? draws_answer(s, q, outlook_draws(s, entry), &at, n)
+		  : parts_answer(s, q, &at, args, error);
 	prediction_free(&at);
-	return true;
+	return r != NULL && session_answer(s, r);
 }

@@ -198,6 +198,44 @@ say_parameters(const struct subject *a, const struct fit *fit)
 		    flat);
 }
 
+/* What the user can do about reasons of a kind; NULL where these say it
+ * themselves. */
+static const char *const REMEDY[] = {
+    [TRUST_PATTERN] = N_("look at 'check' and 'plot residuals' for a sample "
+			 "that is off; where all are right, 'league' compares "
+			 "other models"),
+    [TRUST_HOLDOUT] = N_("sample that speed again; if the sample was right, "
+			 "'league' compares other models"),
+    [TRUST_BEYOND] = N_("take a belt cut at this speed, or as near to it as "
+			"the crusher goes, 'add' it and calibrate again"),
+    [TRUST_SLOW] = N_("take a belt cut slower than all others, 'add' it and "
+		      "calibrate again"),
+    [TRUST_BAND] = N_("'uncertainty next' names the sample that narrows the "
+		      "band most"),
+    [TRUST_FEED] = N_("take a belt cut with this feed, 'add' it and calibrate "
+		      "again"),
+    [TRUST_BOUND] = N_("widen it with 'params bounds', if the rock allows, and "
+		       "calibrate again"),
+    [TRUST_MACHINE] = N_("take a belt cut on that machine and 'load' it as a "
+			 "site of its own"),
+    [TRUST_ORIGIN] = N_("calibrate on products of this site, measured at two "
+			"speeds or more"),
+};
+
+/* Reason i, and after the last of its kind what to do about it. */
+static void
+say_reason(const struct subject *a, const struct trust *t, size_t i)
+{
+	enum trust_cause cause = t->reason[i].cause;
+	answer_note(a->answer, "  %s: %s", tr(LIGHT_NAME[t->reason[i].light]),
+	    t->reason[i].text);
+	for (size_t k = i + 1; k < t->n; k++)
+		if (t->reason[k].cause == cause)
+			return;
+	if (cause < ARRAY_LEN(REMEDY) && REMEDY[cause] != NULL)
+		answer_note(a->answer, "  what to do: %s", tr(REMEDY[cause]));
+}
+
 /* The light, each reason with its number. */
 static void
 say_light(const struct subject *a)
@@ -222,8 +260,7 @@ say_light(const struct subject *a)
 		    "sieves do not err alike; %zu passings for %zu parameters",
 		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
 	for (size_t i = 0; i < t.n; i++)
-		answer_note(a->answer, "  %s: %s",
-		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
+		say_reason(a, &t, i);
 	for (size_t i = 0; i < t.remarks; i++)
 		answer_note(a->answer, "  remark: %s", t.remark[i]);
 	light_put(answer_fields(a->answer), &t);

@@ -1,7 +1,8 @@
-/* Joins the words of each condition of a line.
+/* Joins the words of each condition, and of quantities, of a line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition_words.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,12 +69,56 @@ join_from(const struct command *command, char **text, size_t i, size_t n)
 	return i;
 }
 
+/* Whether a text is a quantity as it stands: "passing 2", but not "passing". */
+static bool
+is_whole_quantity(const char *text)
+{
+	static const struct partition SHARP = {0, 1};
+	const char *comma = strrchr(text, ',');
+	struct quantity q;
+	struct error none = {0};
+	return quantities_read(
+	    comma != NULL ? comma + 1 : text, &SHARP, &q, &none);
+}
+
+/* Makes "of=passing 2,P80" of the words that name quantities, where the command
+ * or one that it stands for lists them. */
+static void
+join_quantities(const struct command *command, struct words *words)
+{
+	size_t i = 1, n = words->n;
+	while (i < n && !quantities_begins(words->text[i]))
+		i++;
+	if (i == n || (command->flags & COMMAND_QUANTITIES) == 0)
+		return;
+	char *list = xasprintf("of=%s", words->text[i]);
+	size_t kept = i++;
+	for (; i < n; i++) {
+		const char *word = words->text[i];
+		bool whole = is_whole_quantity(list + strlen("of="));
+		bool begins = quantities_begins(word);
+		if (strchr(word, '=') != NULL ||
+		    (whole && !begins && isdigit((unsigned char)word[0])))
+			break;
+		xappend(&list, whole && begins ? ",%s" : " %s", word);
+		free(words->text[i]);
+	}
+	free(words->text[kept]);
+	words->text[kept++] = list;
+	for (words->n = kept; i < n; i++) {
+		words->text[words->n] = words->text[i];
+		words->column[words->n++] = words->column[i];
+	}
+}
+
 void
 conditions_join(struct words *words, bool prompt)
 {
 	const struct command *command =
 	    words->n > 0 ? command_called(words->text[0], prompt) : NULL;
 	size_t from = conditions_first_word(command, words), n = words->n;
+	if (command != NULL)
+		join_quantities(command, words);
 	if (from == 0)
 		return;
 	words->n = from;

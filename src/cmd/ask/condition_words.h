@@ -1,4 +1,4 @@
-/* Conditions that stand in a line without quotes.
+/* Conditions and quantities that stand in a line without quotes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_CONDITION_WORDS_H
 #define TIPSPEED_CMD_ASK_CONDITION_WORDS_H
@@ -8,7 +8,9 @@
 /* Makes one word of each condition, where the command takes conditions:
  * "window P80 < 8.5 passing 2 = 30..38" has two.  A condition ends before an
  * option, before a word with blanks in it, which was quoted, and, once it has
- * its limit, before the next word that is a quantity. */
+ * its limit, before the next word that is a quantity.  Where the command takes
+ * quantities, "predict 70 passing 2 P80" becomes "predict 70
+ * of='passing 2,P80'". */
 void conditions_join(struct words *words, bool prompt);
 
 #endif

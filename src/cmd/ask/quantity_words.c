@@ -207,6 +207,31 @@ quantities_covered(
 	return true;
 }
 
+struct quantity *
+quantities_asked(const char *text, const struct fraction *cut,
+    const struct psd *feed, bool all, size_t *n, struct error *error)
+{
+	struct quantity *list =
+	    quantities_list(text, &cut->partition, n, error);
+	bool ok = list != NULL;
+	size_t kept = 0;
+	for (size_t i = 0; ok && i < *n; i++) {
+		struct error none = {0};
+		ok = quantities_cut(&list[i], cut, error);
+		if (!ok)
+			break;
+		if (quantities_covered(&list[i], feed, all ? error : &none))
+			list[kept++] = list[i];
+		else
+			ok = !all;
+	}
+	*n = kept;
+	if (ok)
+		return list;
+	free(list);
+	return NULL;
+}
+
 char *
 quantities_fraction_words(const struct fraction *fraction)
 {

@@ -35,6 +35,11 @@ bool quantities_cut(
 bool quantities_covered(
     const struct quantity *q, const struct psd *feed, struct error *error);
 
+/* Reads a list as quantities_list does, and applies cut= to each.  What the
+ * feed does not cover is an error or, without `all`, left out. */
+struct quantity *quantities_asked(const char *text, const struct fraction *cut,
+    const struct psd *feed, bool all, size_t *n, struct error *error);
+
 /* quantities_words returns "passing 2 mm", "P80 of 0/4", "fineness modulus (EN
  * 12620)", "0/2"; quantities_key a key with the unit, "passing_2_pct",
  * "p80_mm", "share_0_2_pct".  The caller frees. */

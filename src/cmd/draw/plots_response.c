@@ -110,16 +110,14 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 		if (!conditions_covered(&d->limits.at[i], feed, error))
 			return false;
 	FREED struct quantity *of =
-	    of_words != NULL
-		? quantities_list(of_words, &d->fraction.partition, &n, error)
-		: NULL;
+	    of_words != NULL ? quantities_asked(of_words, &d->fraction, feed,
+				   true, &n, error)
+			     : NULL;
 	if (of_words != NULL && of == NULL)
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = quantities_cut(&of[i], &d->fraction, error) &&
-		     quantities_covered(&of[i], feed, error) &&
-		     (response_take(d, &of[i]) || too_many(error));
+		ok = response_take(d, &of[i]) || too_many(error);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
 		ok = response_take(d, &d->limits.at[i].quantity) ||
 		     too_many(error);

@@ -19,13 +19,16 @@ larger(const struct drift_chart *c)
 	return c->down > c->up ? -c->down : c->up;
 }
 
+/* charts: with the numbers that decide. */
 static void
-drift_add_rows(struct answer *a, const struct routine *r)
+drift_add_rows(struct answer *a, const struct routine *r, bool charts)
 {
-	answer_columns(a,
-	    "cut, date, speed: m/s, mean_points: mean, worst_points: most, "
-	    "worst_mm: mm, ewma: EWMA, ewma_limit: limit, cusum_up: up, "
-	    "cusum_down: down, tilt_cusum: tilt, state");
+	answer_columns(a, "cut, date, speed: m/s, mean_points: mean, "
+			  "worst_points: most, worst_mm: mm");
+	if (charts)
+		answer_columns(a, "ewma: EWMA, ewma_limit: limit, cusum_up: "
+				  "up, cusum_down: down, tilt_cusum: tilt");
+	answer_columns(a, "state");
 	for (size_t j = 0; j < r->n; j++) {
 		const struct routine_cut *c = &r->cut[j];
 		const struct drift_point *p = &r->point[j];
@@ -37,9 +40,11 @@ drift_add_rows(struct answer *a, const struct routine *r)
 		answer_name(a, c->when, day[0] != '\0' ? day : "-");
 		answer_cells(a, "%g %.1f %.1f %g", c->speed, 100 * level->value,
 		    100 * worst, units_mm(c->size[c->worst]));
-		answer_cells(a, "%.1f %.1f %.1f %.1f %.1f %s", level->ewma,
-		    level->ewma_limit, level->up, level->down, larger(tilt),
-		    ROUTINE_STATE[p->state]);
+		if (charts)
+			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f", level->ewma,
+			    level->ewma_limit, level->up, level->down,
+			    larger(tilt));
+		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
 
@@ -104,18 +109,30 @@ say_what_next(struct answer *a, const struct routine *r)
 
 /* What the limits are, and how often they are passed by chance. */
 static void
-say_limits(struct answer *a, const struct routine *r)
+say_limits(struct answer *a, const struct routine *r, bool detail)
 {
 	const double shift = 0.005;
 	double quiet = drift_run_length(&r->rule, 0, SEED);
 	double found = drift_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
-	answer_note(a,
-	    "a signal: EWMA beyond its limit or a CUSUM above %g, of the mean "
-	    "residual or of its tilt (coarse sieves less fine ones), in "
-	    "standard deviations; by chance, without drift, once in about %.0f "
-	    "cuts",
-	    r->rule.h, quiet > 100 ? 10 * round(quiet / 10) : quiet);
+	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
+	answer_say(
+	    a, ANSWER_REMARK, "mean, most: points, measured less predicted");
+	if (detail)
+		answer_note(a,
+		    "a signal: EWMA beyond its limit or a CUSUM above %g, of "
+		    "the mean "
+		    "residual or of its tilt (coarse sieves less fine ones), "
+		    "in "
+		    "standard deviations; by chance, without drift, once in "
+		    "about %.0f "
+		    "cuts",
+		    r->rule.h, about);
+	else
+		answer_note(a,
+		    "by chance, without drift, one cut in about %.0f is "
+		    "signalled",
+		    about);
 	if (found <= LATE)
 		answer_note(a,
 		    "of shifts by %.1f points, in the mean of the sieves, half "
@@ -174,7 +191,12 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    tr_n("%zu routine cut against their predictions",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
-	drift_add_rows(a, r);
+	bool detail = args_value(args, "detail")->choice == 1;
+	drift_add_rows(a, r, detail);
+	if (!detail) {
+		answer_for_programs(a);
+		drift_add_rows(a, r, true);
+	}
 	drift_put_fields(a, r);
 	FREED char *words = routine_words(r);
 	answer_say(a,
@@ -182,7 +204,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 						   : ANSWER_WARNING,
 	    "%s", words);
 	say_what_next(a, r);
-	say_limits(a, r);
+	say_limits(a, r, detail);
 	answers_show_basis_of_fit(s, a, entry, false);
 	routine_free(r);
 	return session_answer(s, a);

@@ -94,7 +94,8 @@ enum command_flag {
 	COMMAND_BESIDE = 1024, /* on the screen a search runs on beside it */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
 	COMMAND_DAILY = 4096,  /* of a day's work: help alone shows it */
-	COMMAND_CONDITIONS = 8192 /* a condition needs no quotes */
+	COMMAND_CONDITIONS = 8192, /* a condition needs no quotes */
+	COMMAND_QUANTITIES = 16384 /* words that name quantities are its of= */
 };
 
 /* Operands of a command: usage: as shown in help, or NULL; at least `least` and

@@ -173,13 +173,25 @@ manual_environment(FILE *out)
 	}
 }
 
+static void
+manual_items(const struct usage_word *word, FILE *out)
+{
+	for (; word->name != NULL; word++) {
+		fprintf(out, ".It %s\n", word->name);
+		print_text(word->meaning, out);
+	}
+}
+
 void
 manual_status(FILE *out)
 {
-	for (const struct usage_word *w = USAGE_STATUS; w->name != NULL; w++) {
-		fprintf(out, ".It %s\n", w->name);
-		print_text(w->meaning, out);
-	}
+	manual_items(USAGE_STATUS, out);
+}
+
+void
+manual_trust(FILE *out)
+{
+	manual_items(USAGE_TRUST, out);
 }
 
 void
@@ -320,4 +332,5 @@ manual_texts(FILE *out)
 	}
 	print_meanings(USAGE_ENVIRONMENT, out);
 	print_meanings(USAGE_STATUS, out);
+	print_meanings(USAGE_TRUST, out);
 }

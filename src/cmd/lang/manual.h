@@ -10,9 +10,11 @@
  * table. */
 void manual_commands(FILE *out);
 
-/* Print the items of the ENVIRONMENT and EXIT STATUS lists. */
+/* Print the items of the lists ENVIRONMENT and EXIT STATUS, and of TRUST in
+ * tipspeed-model(7). */
 void manual_environment(FILE *out);
 void manual_status(FILE *out);
+void manual_trust(FILE *out);
 
 /* Prints the breakage models, each with its parameters. */
 void manual_models(FILE *out);

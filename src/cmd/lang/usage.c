@@ -65,6 +65,11 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 		 "locale C."},
     {.name = NULL}};
 
+const struct usage_word USAGE_TRUST[] = {
+    {"green", "Nothing that was seen speaks against the answer and its band."},
+    {"amber", "Use the answer with the reason in mind."},
+    {"red", "Do not rely on the answer."}, {.name = NULL}};
+
 const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {"1", "A check found a fault, or an assertion failed."},
     {"2", "Usage error: the command line or a command cannot be understood, or "
@@ -213,9 +218,27 @@ print_words(const char *title, const struct usage_word *word, FILE *out)
 {
 	fprintf(out, "\n%s\n", tr(title));
 	for (; word->name != NULL; word++) {
-		fprintf(out, "  %s\n", word->name);
+		fprintf(out, "  %s\n", tr(word->name));
 		text_wrap(tr(word->meaning), 6, 78, out);
 	}
+}
+
+void
+usage_trust(FILE *out)
+{
+	text_wrap(tr("Every answer ends in a light, which says whether it can "
+		     "be trusted, and the worst reason. 'why' lists all "
+		     "reasons, and what to do about each."),
+	    0, 78, out);
+	print_words(N_("trust"), USAGE_TRUST, out);
+	fputs("\n", out);
+	text_wrap(tr("Between three or more measured speeds the measurements "
+		     "correct the model, and the light is green unless they "
+		     "contradict each other or are too few. Beyond them it is "
+		     "amber, and far beyond red: no measurement shows what the "
+		     "machine does there. 'man model' has the rules, and how "
+		     "often each light was right."),
+	    0, 78, out);
 }
 
 void

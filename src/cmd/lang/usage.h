@@ -30,18 +30,23 @@ enum {
 /* Ends with a code of 0.  An option without a name has only its letter. */
 extern const struct usage_option USAGE_OPTIONS[];
 
-/* A variable or an exit status with its meaning; ends with a name of NULL. */
+/* A variable, an exit status or a light with its meaning; ends with a name of
+ * NULL. */
 struct usage_word {
 	const char *name, *meaning;
 };
 
-extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[];
+extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[],
+    USAGE_TRUST[];
 
 /* Prints the list of commands of one group, or of all groups for NULL. */
 void usage_list(const char *group, FILE *out);
 
 /* Prints the options that many commands share. */
 void usage_shared(FILE *out);
+
+/* Explains the light that answers end in. */
+void usage_trust(FILE *out);
 
 /* Print a command in one line; all that the table says of it; the lines of its
  * example, each after the margin. */

@@ -35,8 +35,8 @@ print_start(FILE *out)
 	}
 	fprintf(out, tr("\ngroups: %s\n"), groups);
 	fputs(tr("help all lists all commands, help GROUP those of a group, "
-		 "help COMMAND explains\none, help options what many take; "
-		 "apropos WORD searches.\n"
+		 "help COMMAND explains\none, help options what many take, "
+		 "help trust the light; apropos WORD searches.\n"
 		 "undo undoes the last change, quit exits; man tutorial is for "
 		 "the first hour.\n"),
 	    out);
@@ -153,6 +153,8 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		usage_list(NULL, out);
 	else if (strcmp(name, "options") == 0 && !example)
 		usage_shared(out);
+	else if (strcmp(name, "trust") == 0 && !example)
+		usage_trust(out);
 	else if (is_group(name) && !example)
 		usage_list(name, out);
 	else

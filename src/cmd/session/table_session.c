@@ -123,13 +123,14 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_assert},
     {.name = "help",
 	.brief = "list the commands or explain one",
-	.operands = {"[COMMAND|GROUP|all|options] [example]",
-	    {"COMMAND GROUP all options", "example"}, 0, 2},
+	.operands = {"[COMMAND|GROUP|all|options|trust] [example]",
+	    {"COMMAND GROUP all options trust", "example"}, 0, 2},
 	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
 	.text = "Alone, shows the commands of a day's work; with the name of a "
 		"command, explains it; with the name of a group, or all, lists "
 		"its commands; with options, explains those that many "
-		"commands take. 'help COMMAND example' prints an example that "
+		"commands take; with trust, the light of answers. 'help "
+		"COMMAND example' prints an example that "
 		"can be run as printed.",
 	.example = "help predict",
 	.run = cmd_help},
