@@ -793,14 +793,35 @@ product_speeds(const struct columns *all)
 	return list;
 }
 
+/* The feed of a table is that of its product. */
+static void
+give_feeds_speeds(struct columns *all)
+{
+	for (size_t i = 0; i < all->n; i++)
+		for (size_t k = 0; k < all->n; k++) {
+			struct column *feed = &all->column[i],
+				      *product = &all->column[k];
+			if (feed->role != FEED || product->role != PRODUCT ||
+			    feed->table != product->table)
+				continue;
+			feed->speed = product->speed;
+			feed->rpm = product->rpm;
+			feed->nth = product->nth;
+		}
+}
+
 /* Tables under titles that differ in the speed alone are no question. */
 static void
 settle_series(struct reading *r)
 {
 	bool parts = r->request->parts;
-	if (r->open.other == NULL ||
-	    !title_is_series(r->table, r->n_table, &r->all, parts))
+	bool tests = title_is_tests(r->table, r->n_table, &r->all);
+	if (!tests &&
+	    (r->open.other == NULL ||
+		!title_is_series(r->table, r->n_table, &r->all, parts)))
 		return;
+	if (tests)
+		give_feeds_speeds(&r->all);
 	r->open.other = NULL;
 	char *speeds = product_speeds(&r->all);
 	if (count_role(&r->all, FEED) > 0)

@@ -80,7 +80,10 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 {
 	uint64_t means = vocabulary_text(t->sheet->name, NULL);
 	struct head name = head_read(t->sheet->name);
-	near->speed = near->speed > 0 ? near->speed : name.speed;
+	if (!(near->speed > 0)) {
+		near->speed = name.speed;
+		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
+	}
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
@@ -286,4 +289,88 @@ title_is_series(
 				 !title_names_differ(line, table[k]->title));
 	free(line);
 	return one;
+}
+
+/* Removes, in the form of text_fold, what may differ from test to test: speeds,
+ * dates, the number behind "test", and names that programs give to sheets.  The
+ * caller frees. */
+static char *
+name_of_test(const char *text)
+{
+	static const char *const COUNTED[] = {"ark", "blad", "feuil", "hoja",
+	    "prov", "run", "sheet", "tabelle", "test", "trial", "versuch"};
+	char *from = head_without_speeds(text), *name = xstrdup("");
+	bool counts = false;
+	for (const char *p = from; *p != '\0';) {
+		size_t n = strcspn(p, " ,;:()[]@\n_");
+		size_t letters = strcspn(p, "0123456789");
+		letters = letters < n ? letters : n;
+		bool date = strspn(p, "0123456789-./") == n && n >= 6;
+		bool number = strspn(p, "0123456789") == n;
+		bool named = false;
+		for (size_t i = 0; i < ARRAY_LEN(COUNTED); i++)
+			named =
+			    named || (strlen(COUNTED[i]) == letters && n > 0 &&
+					 strncmp(p, COUNTED[i], letters) == 0);
+		if (n > 0 && !date && !named && !(number && counts))
+			xlist(&name, " ", "%.*s", (int)n, p);
+		counts = n > 0 ? named : counts;
+		p += n + (p[n] != '\0');
+	}
+	free(from);
+	return name;
+}
+
+static bool
+tests_alike(const char *a, const char *b)
+{
+	char *one = name_of_test(a), *other = name_of_test(b);
+	bool same = strcmp(one, other) == 0;
+	free(one);
+	free(other);
+	return same;
+}
+
+/* The product of a table that has one, beside one feed; or NULL.  *feed out. */
+static const struct column *
+test_sample(const struct columns *all, const struct table *t,
+    const struct column **feed)
+{
+	const struct column *product = NULL;
+	*feed = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		const struct column **of = c->role == FEED      ? feed
+					   : c->role == PRODUCT ? &product
+								: NULL;
+		if (of == NULL || *of != NULL || c->open)
+			return NULL;
+		*of = c;
+	}
+	return *feed != NULL && !((*feed)->speed > 0) ? product : NULL;
+}
+
+bool
+title_is_tests(struct table *const *table, size_t n, const struct columns *all)
+{
+	const struct column *feed;
+	for (size_t k = 0; k < n; k++) {
+		const struct table *t = table[k], *first = table[0];
+		const struct column *c = test_sample(all, t, &feed);
+		if (c == NULL || !(c->speed > 0 || c->rpm > 0) ||
+		    title_is_limit(t) ||
+		    !tests_alike(first->sheet->name, t->sheet->name) ||
+		    !tests_alike(first->title != NULL ? first->title : "",
+			t->title != NULL ? t->title : ""))
+			return false;
+		for (size_t i = 0; i < k; i++) {
+			const struct column *other =
+			    test_sample(all, table[i], &feed);
+			if (c->speed == other->speed && c->rpm == other->rpm)
+				return false;
+		}
+	}
+	return n > 1;
 }
