@@ -367,7 +367,7 @@ act_back(struct tui *t, const struct key *key)
 	else if (!predict)
 		pages_go(t, PAGE_PREDICT);
 	else
-		tui_say(t, false, "nothing is left to go back from: q quits");
+		tui_say(t, false, "there is nothing to go back to: q quits");
 }
 
 void

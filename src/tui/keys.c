@@ -47,7 +47,7 @@ const struct key KEYS[] = {
 	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none",
 	"goal"},
     {'n', "n", ON_ALL | AT_SPEED, act_limit, 1, NULL,
-	"to the next speed where the goal begins or ends, or run",
+	"to the next speed at which the goal begins or ends, or the next run",
 	"its limits, or runs"},
     {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, NULL, "to the one before",
 	NULL},

@@ -165,7 +165,7 @@ what_is_none_is_refused(void **state)
 		const char *text, *expected;
 		const struct collisions_way *way;
 		int line;
-	} bad[] = {{"1\n2\n", "heads above the numbers", &PLAIN, 1},
+	} bad[] = {{"1\n2\n", "headings above the numbers", &PLAIN, 1},
 	    {"a,b\n1,2\n", "column of specific energy", &PLAIN, 1},
 	    {"energy_j,b\n1,2\n", "mass of the particle", &PLAIN, 1},
 	    {"1,2\n", "mass of the particle", &two, 1},

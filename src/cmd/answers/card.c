@@ -555,7 +555,7 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 		answer_note(r, "all of these of the fraction %s", cut);
 	}
 	if (dropped[0] != '\0')
-		answer_note(r, "left out for want of room: %s", dropped);
+		answer_note(r, "left out, as there is no room: %s", dropped);
 	if (range)
 		answer_note(r,
 		    "%.0f %% range: the true P80 lies in it with %.0f %% "
@@ -570,9 +570,9 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 		answer_note(r, "feed: %s",
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
 	answer_note(r,
-	    "green: measurements at %s m/s answer for it; amber: the model "
-	    "alone, or a doubt; red: do not rely on it; ?: beyond the measured "
-	    "speeds",
+	    "green: confirmed by measurements at %s m/s; amber: from the model "
+	    "alone, or doubtful; red: do not rely on it; ?: beyond the "
+	    "measured speeds",
 	    speeds);
 }
 

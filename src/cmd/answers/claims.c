@@ -186,11 +186,11 @@ claim_beyond(struct answer *r, const struct shown *c)
 	if (n > 0)
 		claim(r, N_("65 and 85 m/s can be predicted from 69 and 79"),
 		    well == n,
-		    xasprintf(tr("from the product that the row's own "
-				 "parameters give: RMSE %.2f points (median of "
-				 "%zu), %.2f at worst, of which none is to be "
-				 "above 1; energies %+.1f and "
-				 "%+.1f %% (the text has -12 and 15)"),
+		    xasprintf(
+			tr("against the product that the row's own parameters "
+			   "give: RMSE %.2f points (median of %zu), %.2f at "
+			   "worst, of which none is to be above 1; energies "
+			   "%+.1f and %+.1f %% (the text has -12 and 15)"),
 			off[n / 2], n, off[n - 1],
 			100 * (65 * 65 / (69. * 69) - 1),
 			100 * (85 * 85 / (79. * 79) - 1)));

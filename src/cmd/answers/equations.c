@@ -252,9 +252,8 @@ equations_work_out(struct answer *r, const struct session *s)
 	struct worked w = {.settings = s->set.model};
 	if (entry == NULL || !entry->has_params ||
 	    entry->params.breakage != 0) {
-		answer_note(r,
-		    "load and calibrate a site for what the printed forms come "
-		    "to there");
+		answer_note(r, "load and calibrate a site to see what the "
+			       "printed forms give there");
 		return;
 	}
 	w.site = entry->site;

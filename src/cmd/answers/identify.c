@@ -276,8 +276,8 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	const struct posterior *p = outlook_draws(s, entry);
 	if (p == NULL)
 		return error_set(error, ERROR_USAGE,
-		    "nothing was drawn to identify parameters by (%s)\n"
-		    "run 'calibrate' first",
+		    "there are no draws to judge the parameters by (%s)\nrun "
+		    "'calibrate' first",
 		    outlook_why_none(s, entry));
 	struct findings f = identify_find(p, entry->site);
 	struct answer *r =

@@ -130,7 +130,7 @@ note_none_sure(struct answer *r, const struct speed_search *w, double level)
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty: it is "
-		    "under 1 %% at all of them",
+		    "under 1 %% at all speeds",
 		    100 * level);
 	else
 		answer_note(r,

@@ -164,8 +164,8 @@ judge_variant(struct trust *t, const struct session *s,
 	if (v->feed && evidence == NULL)
 		trust_add(t, LIGHT_AMBER, TRUST_FEED,
 		    xstrdup(
-			tr("which feeds the parameters were found with is not "
-			   "known: this one may break differently")));
+			tr("it is not known with which feeds the parameters "
+			   "were found: this feed may break differently")));
 	if (v->other_rotor)
 		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(

@@ -16,7 +16,7 @@
 	    {"site", VALUE_TEXT, "", 0, 0, "SITE", "",                     \
 		"a loaded site, or pinned, instead of the one in use"},    \
 	    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",    \
-		"sweep: default 65..85:5; runs: further ones"},            \
+		"sweep: default 65..85:5; runs: added ones"},              \
 	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",              \
 		"psd: shade the 80 % uncertainty band"},                   \
 	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                         \
@@ -61,7 +61,7 @@ static const struct command_option SCREEN_OPTIONS[] = {
 
 static const struct command_option DESCRIBE_OPTIONS[] = {WHAT_OPTIONS,
     {"as", VALUE_CHOICE, "", 0, 0, "words", "words",
-	"of plot: words for a picture"},
+	"for plot: words, no picture"},
     {.name = NULL}};
 
 const struct command TABLE_PICTURES[] = {

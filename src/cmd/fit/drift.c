@@ -98,12 +98,12 @@ say_what_next(struct answer *a, const struct routine *r)
 	    "it began at about cut %s and was signalled after cut %s", since,
 	    first);
 	answer_note(a,
-	    n > 1 ? N_("calibrate anew only if it is to stay so: after cut "
-		       "%zu, on a site file of its own with the feed and the "
-		       "cuts from %s on (%s m/s)")
-		  : N_("calibrate anew only if it is to stay so: after cut "
-		       "%zu, on a site file of its own with the feed and the "
-		       "cuts from %s on (%s m/s) and one at another speed"),
+	    n > 1 ? N_("calibrate anew only if the change is to last: after "
+		       "cut %zu, on a site file of its own with the feed and "
+		       "the cuts from %s on (%s m/s)")
+		  : N_("calibrate anew only if the change is to last: after "
+		       "cut %zu, on a site file of its own with the feed and "
+		       "the cuts from %s on (%s m/s) and one at another speed"),
 	    r->n, since, speeds);
 }
 

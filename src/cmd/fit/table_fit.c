@@ -16,7 +16,7 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
     {"generations", VALUE_WHOLE, "", 1, 1e6, NULL, "800",
 	"largest number of generations"},
     {"tolerance", VALUE_NUMBER, "", 0, 1e3, NULL, "0.05",
-	"stop when the median misfit is so near the best; 0: never"},
+	"stop when the median misfit is within this of the best; 0: never"},
     {"stall", VALUE_WHOLE, "", 0, 1e6, NULL, "20",
 	"stop after so many generations without gain; 0: never"},
     {"polish", VALUE_CHOICE, "", 0, 0, "on off", "on",
@@ -32,7 +32,7 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
     {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
 	"paper: the paper's search and bounds, no polish"},
     {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: show what 'show fit' has, too"},
+	"on: also show what 'show fit' has"},
     {"watch", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"on: draw the best curves at a terminal"},
     {"part", VALUE_TEXT, "", 0, 0, NULL, "",
@@ -56,7 +56,7 @@ static const struct command_option VALIDATE_OPTIONS[] = {
     {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"also compare sieve by sieve"},
     {"part", VALUE_TEXT, "", 0, 0, NULL, "",
-	"I/N: with all, every N-th site, as of 'calibrate all'"},
+	"I/N: with all, every N-th site, as in 'calibrate all'"},
     {.name = NULL}};
 
 const struct command TABLE_FIT[] = {

@@ -48,7 +48,7 @@ const struct setting SETTINGS[] = {
 	 "colours"},
 	AT(theme)},
     {{"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "mean",
-	 "feed of answers: mean, or as feed= names it"},
+	 "feed that answers assume: mean, or one named as in feed="},
 	AT(feed)},
     {{"slider", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, "usual", "usual",
 	 "speeds that slider, find, window, sweep and card cover"},

@@ -184,7 +184,7 @@ usage_command(const struct command *c, FILE *out)
 	fputc('\n', out);
 	text_wrap(tr(c->text), 2, 78, out);
 	if (c->more != NULL)
-		fputs(tr("  tipspeed(1) says more of it.\n"), out);
+		fputs(tr("  tipspeed(1) says more.\n"), out);
 	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++) {
 		if (i == 0)
 			fputs(tr("\noptions\n"), out);

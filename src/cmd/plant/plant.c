@@ -623,7 +623,7 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 		    w->rms);
 	if (range[1] - range[0] > 0.1 * o->kw)
 		xlist(&words, "; ", "%s",
-		    tr("the readings do not tell idle from load: read the "
+		    tr("the readings cannot separate idle from load: read the "
 		       "empty crusher at two speeds, too, as in "
 		       "power=66:kW:0,78:kW:0"));
 	return words;

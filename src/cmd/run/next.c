@@ -73,8 +73,8 @@ after_fit(const struct session *s, const struct entry *entry)
 		    N_("validate at the speed held out?"), true, NEXT_VALIDATE};
 	if (session_known(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
-		    N_("next: 'check' and 'why' tell what speaks against it; "
-		       "'predict' answers nevertheless"),
+		    N_("next: 'check' and 'why' say what is wrong; 'predict' "
+		       "works all the same"),
 		    false, NEXT_ANSWER};
 	if (s->linear || s->hooks.run_screen == NULL)
 		return (struct next){NULL,
@@ -83,9 +83,9 @@ after_fit(const struct session *s, const struct entry *entry)
 		    false, NEXT_ANSWER};
 	return (struct next){"tui",
 	    origin_is_stored(entry->origin)
-		? N_("open the full screen? 'predict' answers here, too; "
-		     "'add' takes new cuts")
-		: N_("open the full screen? 'predict' answers here, too; "
+		? N_("open the full screen? 'predict' works here, too; 'add' "
+		     "takes new cuts")
+		: N_("open the full screen? 'predict' works here, too; "
 		     "'remember' keeps the calibration for another day"),
 	    false, NEXT_ANSWER};
 }

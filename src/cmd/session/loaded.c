@@ -276,7 +276,7 @@ origin_details(const struct origin *o)
 	const char *kind = tr(site_data_kind(o->provenance));
 	if (o->provenance[0] == '\0')
 		xlist(&text, "; ", "%s",
-		    tr("where their data are from is not stated"));
+		    tr("the origin of their data is not stated"));
 	else if (site_data_made_up(o->provenance))
 		xlist(&text, "; ", tr("%s, not measured"), kind);
 	else

@@ -151,8 +151,8 @@ const struct command TABLE_SESSION[] = {
 	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
 	.option = MAN_OPTIONS,
 	.text = "At the prompt, shows the page with man(1). Elsewhere, or "
-		"without man(1), prints the list of commands. Of a COMMAND "
-		"that no page is called after it prints what help does.",
+		"without man(1), prints the list of commands. For a COMMAND "
+		"without a page of its own it prints what help does.",
 	.example = "help page find",
 	.run = cmd_man},
     {.name = "version",
@@ -175,8 +175,7 @@ const struct command TABLE_SESSION[] = {
 	.alias = "exit",
 	.brief = "quit the program",
 	.flags = COMMAND_UNSAVED,
-	.text = "The rest of a script is not run. At the prompt q does it, "
-		"too.",
+	.text = "The rest of a script is not run. At the prompt q quits, too.",
 	.example = "quit",
 	.run = cmd_quit},
     {.name = NULL}};

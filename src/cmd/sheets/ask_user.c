@@ -257,7 +257,8 @@ read_answer(const struct site_ask_column *c, const char *answer,
 		text = sieve_answer(c, said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
-		    tr("expected what this column is, got '%.40s'"), said);
+		    tr("expected a description of this column, got '%.40s'"),
+		    said);
 	else if ((means & known) != 0)
 		text = ask_user_with_words(c, said, &head, means);
 	else if (speed && head.unknown == 0)

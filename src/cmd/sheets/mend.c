@@ -88,7 +88,7 @@ effect_of(const struct finding *f)
 	if (!isnan(f->rmse[0]) && !isnan(f->rmse[1]))
 		xlist(&text, "; ",
 		    tr("RMSE of the fit %.2f points now, %.2f then, and less "
-		       "once calibrated again"),
+		       "after another calibration"),
 		    100 * f->rmse[0], 100 * f->rmse[1]);
 	return text;
 }
@@ -163,9 +163,9 @@ mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
 		put_one(r, list, entry, &d->finding[i], i + 1);
 	fields_put(answer_fields(r), ".mark %g", mend_mark_of(entry, d));
 	if (d->n > 0)
-		answer_note(r,
-		    "'mend N' takes one, once the laboratory's sheet says so; "
-		    "'undo' takes it back; nothing is changed until then");
+		answer_note(r, "'mend N' makes one of these corrections, once "
+			       "the laboratory's sheet confirms it; 'undo' "
+			       "takes it back; nothing is changed until then");
 }
 
 /* ---- Taking ---- */
@@ -322,8 +322,8 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	bool fitted = session_mend(s, s->current, site);
 	session_note(s, "mended: %s", words);
 	if (fitted)
-		session_note(
-		    s, "  the fit was of other numbers: calibrate again");
+		session_note(s, "  the data have changed since the "
+				"calibration: calibrate again");
 	session_note(s,
 	    "  its file stays as it is: 'write FILE' saves the mended sheet, "
 	    "'undo' takes the mend back");

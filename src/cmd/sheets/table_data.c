@@ -103,7 +103,7 @@ static const struct command_option ENERGY_OPTIONS[] = {
     {"particles", VALUE_FILE, "", 0, 0, NULL, "",
 	"load: file with columns id and radius, for a dump of contacts"},
     {"unit", VALUE_CHOICE, "", 0, 0, "j_kg m_s", "",
-	"load: of a list of numbers without heads"},
+	"load: of a list of numbers without headings"},
     {"density", VALUE_NUMBER, "kg/m3", 100, 20000, NULL, "2700",
 	"load: of the particles"},
     {"note", VALUE_TEXT, "", 0, 0, NULL, "",

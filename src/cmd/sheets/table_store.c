@@ -10,7 +10,7 @@ static const struct command_option MATERIALS_OPTIONS[] = {
     {"origin", VALUE_CHOICE, "", 0, 0, "all table3 own", "all",
 	"materials of the paper, your own, or both"},
     {"most", VALUE_WHOLE, "", 0, 1e9, NULL, "1000",
-	"of your own list only so many, by name; 0: all"},
+	"list at most so many of your own, by name; 0: all"},
     {.name = NULL}};
 
 static const struct command_option RECALL_OPTIONS[] = {

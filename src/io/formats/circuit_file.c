@@ -368,16 +368,15 @@ check_ways(struct reading_circuit *r)
 	size_t unfed = circuit_unfed(c), trapped = circuit_trapped(c);
 	if (unfed < c->n_unit)
 		sheet_fault(r->sheet, r->row[unfed],
-		    "expected a way from the feed to this %s, got none\n"
-		    "what it takes comes from itself: see the lines of its "
+		    "expected a path from the feed to this %s, got none\nits "
+		    "input comes from itself alone: see the lines of its "
 		    "streams",
 		    WORDS[c->unit[unfed].kind]);
 	else if (trapped < c->n_stream)
 		sheet_fault(r->sheet, r->made[trapped],
-		    "expected a way from '%.40s' to a stockpile, got a loop "
-		    "that never empties\n"
-		    "send a part of it, or of what becomes of it, to a "
-		    "stockpile",
+		    "expected a path from '%.40s' to a stockpile, got a loop "
+		    "that never empties\nsend a part of it, or of what becomes "
+		    "of it, to a stockpile",
 		    c->stream[trapped]);
 }
 

@@ -547,7 +547,7 @@ table_columns(struct reading *r, bool *is_row)
 		collisions_take_columns(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
-		    "expected heads above the numbers, got none",
+		    "expected headings above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
 		collisions_take_columns(r,

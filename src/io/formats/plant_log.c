@@ -286,10 +286,9 @@ plant_log_find_columns(struct reading *r)
 		return sheet_fault(r->sheet,
 		    sheet_cell(&r->sheet->row[r->first > 0 ? r->first - 1 : 0],
 			r->date),
-		    "expected heads that name rpm, m/s, kW or t/h, got none "
-		    "that does\n"
-		    "name the columns: load %s as=log columns=\"%zu=time, "
-		    "2=rpm, ..\"",
+		    "expected headings that name rpm, m/s, kW or t/h, got none "
+		    "that does\nname the columns: load %s as=log "
+		    "columns=\"%zu=time, 2=rpm, ..\"",
 		    r->sheet->path, r->date + 1);
 	return good;
 }

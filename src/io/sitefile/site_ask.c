@@ -507,10 +507,10 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 		return true;
 	}
 	char *what = xasprintf(
-	    speed ? tr("expected heads and numbers that tell what column %zu "
-		       "is and its tip speed, got '%.*s' above %s")
-		  : tr("expected heads and numbers that tell what column %zu "
-		       "is, got '%.*s' above %s"),
+	    speed ? tr("expected headings and numbers that tell what column "
+		       "%zu is and its tip speed, got '%.*s' above %s")
+		  : tr("expected headings and numbers that tell what column "
+		       "%zu is, got '%.*s' above %s"),
 	    first->table->number[first->at], sheet_cut(first->head.text),
 	    first->head.text, values);
 	site_ask_refuse(q, first->table, first->head, ask, errors, what);

@@ -84,7 +84,7 @@ tell_no_table(struct sheet *sheet)
 		return;
 	}
 	sheet_wanted(sheet, found, "a table of sieves",
-	    "begin it with a line of heads, "
+	    "begin it with a line of headings, "
 	    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for each "
 	    "sieve; or see: template",
 	    c, c, c);
@@ -221,9 +221,9 @@ check_roles(struct reading *r)
 	bool parts = r->request->parts;
 	if (r->all.n == 0)
 		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
-		    "expected numbers below the heads, got none\n"
-		    "fill in the columns from this cell on; leave a cell empty "
-		    "only where a sieve was not used");
+		    "expected numbers below the headings, got none\nfill in "
+		    "the columns from this cell on; leave a cell empty only "
+		    "where a sieve was not used");
 	else if (count_role(&r->all, FEED) == 0 && !parts)
 		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
 		    "expected a feed column, got none\n"

@@ -115,8 +115,8 @@ static void
 site_samples_refuse(const struct column *c, const char *text)
 {
 	sheet_fault(c->table->sheet, c->head,
-	    "expected what this head states, got '%s' in samples=\n"
-	    "leave out what differs from it, or correct the sheet",
+	    "expected what this heading states, got '%s' in samples=\nleave "
+	    "out what differs from it, or correct the sheet",
 	    text);
 }
 

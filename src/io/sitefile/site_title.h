@@ -39,9 +39,9 @@ char *title_line(const struct table *t);
 bool title_is_series(struct table *const *table, size_t n,
     const struct columns *all, bool parts);
 
-/* Whether each of several tables is a test: a feed and a product of its own, with
- * a speed that the title or the name of the sheet states; and these differ in
- * speeds, dates and numbers of tests alone. */
+/* Whether each of several tables is a test: a feed and a product of its own,
+ * with a speed that the title or the name of the sheet states; and these differ
+ * in speeds, dates and numbers of tests alone. */
 bool title_is_tests(
     struct table *const *table, size_t n, const struct columns *all);
 

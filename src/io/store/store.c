@@ -816,8 +816,8 @@ store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
 		return schema_fail(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
-	    "the store has a material '%s' already\n"
-	    "choose another name, or add replace=on to the line",
+	    "the store already has a material '%s'\nchoose another name, or "
+	    "add replace=on to the line",
 	    m->name);
 }
 

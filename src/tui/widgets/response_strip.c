@@ -491,7 +491,7 @@ response_strip_draw_none(const struct tui *t)
 	else if (!has_curve(t))
 		why = tr("known after a calibration");
 	else if (is_fresh(t))
-		why = tr("the feed's sieves do not tell it: y goes to another");
+		why = tr("the feed's sieves cannot show it: y chooses another");
 	screen_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
 }
 

@@ -377,7 +377,7 @@ search_side_draw(struct tui *t)
 	bool can = entry == NULL || site_products(entry->site) > 0;
 	bool before = entry != NULL && entry->has_fit;
 	screen_text(side, 0, 0, 0, "%s",
-	    before ? tr("its search is not kept: f starts")
+	    before ? tr("its search was not kept: f starts a new one")
 	    : can  ? tr("not calibrated yet: f starts")
 		   : tr("no product: type :guess"));
 	screen_text(side, 1, 0, 0, "%s",
