@@ -299,7 +299,7 @@ for size in '40 12' '20 5' '100 30' '80 24'; do
 done
 want 'Esc gives up'
 keys Escape
-want 'what column 3 is and' "Escape gives up"
+want 'what column 3 is' "Escape gives up"
 keys q : 'load open.csv' Enter
 want "column 3 'Product 1'"
 paste 'banana'
@@ -310,7 +310,7 @@ keys C-z 6 8 Left Delete 9 Enter
 want "column 4 'Product 2'" "it is edited as commands are, ^Z is no answer"
 want '3  Product 1 .*product@69' "answers stand in the table"
 keys C-c
-want 'what column 3 is and' "^C gives up"
+want 'what column 3 is' "^C gives up"
 keys q : 'load open.csv' Enter
 want "column 3 'Product 1'"
 keys 69 Enter

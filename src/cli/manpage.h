@@ -5,9 +5,9 @@
 
 #include <stdbool.h>
 
-/* Shows a page ("tipspeed-site.5") by man(1): the one beside the program where
- * it has not been installed, else the installed one.  False where there is no
- * man(1) or no such page. */
+/* Shows a page ("tipspeed-site.5") with man(1): the one beside the program
+ * where it has not been installed, else the installed one.  False where there
+ * is no man(1) or no such page. */
 bool manpage_show(const char *page);
 
 #endif

@@ -427,7 +427,7 @@ all_give_the_same(void **state)
 				     " cascade=12.5", " k=1.2",
 				     " correction=off", " rotor_mm=900",
 				     " correction=train cascade=5"};
-	size_t times = often(2, 4);
+	size_t times = often(1, 4);
 	struct desk *desk = *state;
 	struct draw draw = draw_start(30);
 	for (size_t n = 0; n < ARRAY_LEN(SITE); n++) {
@@ -472,7 +472,7 @@ find_holds_what_was_measured(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	double held = 0, held_true = 0, stated = 0, tried = 0;
-	size_t every = often(0, 1) > 0 ? 1 : 12;
+	size_t every = often(0, 1) > 0 ? 1 : 24;
 	glob_t found;
 	assert_int_equal(glob("data/sites/*.csv", 0, NULL, &found), 0);
 	for (size_t f = 0; f < found.gl_pathc; f++) {

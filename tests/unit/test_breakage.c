@@ -344,7 +344,7 @@ search_of(size_t m, const struct params *truth)
 	struct calibrate_options o = calibrate_options_default();
 	o.settings.breakage = (unsigned)m;
 	o.bounds = bounds_default(m);
-	o.population = often(500, 2000);
+	o.population = often(300, 2000);
 	o.train = train;
 	struct fit fit = fitted(site, &o);
 	/* Sites are rounded to 0.01 %. */

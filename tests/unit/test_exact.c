@@ -169,7 +169,7 @@ static void
 any_seed_finds_the_lowest_misfit_and_its_curves(void **state)
 {
 	(void)state;
-	size_t sheets = often(12, 200), missed = 0, open = 0;
+	size_t sheets = often(6, 200), missed = 0, open = 0;
 	size_t n = often(2, 10);
 	for (size_t k = 0; k < sheets; k++) {
 		enum kind kind = (enum kind)(k % KINDS);

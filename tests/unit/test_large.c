@@ -53,8 +53,12 @@ the_cost_of_reading_grows_with_the_cells(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(LARGE); i++) {
-		const struct large *large = &LARGE[i];
+		struct large shorter = LARGE[i], *large = &shorter;
 		struct error_list errors;
+		/* What is refused for its size keeps it. */
+		size_t share = large->wanted[0] == '\0' ? often(3, 1) : 1;
+		shorter.n /= share;
+		shorter.cells /= share;
 		size_t quarter = asked_of_quarter(large);
 		assert_true(put_large(large, large->n, PATH));
 		struct site *site = read_large(&errors, 0);

@@ -241,7 +241,7 @@ claim_resistance(struct answer *r, const struct shown *c)
 		more += share[1] > share[0];
 		sum += (share[1] - share[0]) / (double)c->n;
 	}
-	claim(r, N_("f_mat is a resistance: less of it, more breakage"),
+	claim(r, N_("f_mat is a resistance: the lower it is, the more breaks"),
 	    more == 0,
 	    xasprintf(tr("by Eq 3 10 %% more f_mat breaks more of the feed at "
 			 "%zu of %zu sites, by %+.2f points on average"),

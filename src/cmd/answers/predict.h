@@ -7,10 +7,10 @@
 
 struct question;
 
-/* Runs the command `predict` of the line without its words, for the site in use
- * as question_standing has it: the session keeps the answer, the journal the
- * line, and *p is the prediction (prediction_free).  False where there is
- * nothing to predict with. */
+/* Runs the `predict` command in `line` without producing its text, for the site
+ * in use as given by question_standing.  The session keeps the answer, the
+ * journal keeps the line, and *p gets the prediction (prediction_free).  False
+ * where there is nothing to predict with. */
 bool predict_step(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error);

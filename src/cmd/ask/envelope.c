@@ -57,9 +57,9 @@ of_file(struct session *s, const char *path, struct error *error)
 	struct error_list errors = {.stop = s->hooks.stop};
 	if (s->safe) {
 		error_set(error, ERROR_USAGE,
-		    "%s is off: it is a file\n"
-		    "name an envelope of 'spec list', or start the program "
-		    "without --safe",
+		    "%s is a file, and --safe allows no files\nname an "
+		    "envelope of 'spec list', or start the program without "
+		    "--safe",
 		    path);
 		return NULL;
 	}

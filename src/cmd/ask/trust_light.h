@@ -29,8 +29,8 @@ char *light_said_at(const struct session *s, const struct entry *entry,
 /* Puts "trust" and "reasons". */
 void light_put(struct fields *o, const struct trust *t);
 
-/* Puts the light into the answer's fields and says the sentence about it, a
- * warning if it is red; frees it. */
+/* Puts the light into the answer's fields and adds the sentence about it, as a
+ * warning if the light is red; frees it. */
 void light_show(struct answer *r, struct trust t);
 
 /* Returns the verdict on the fit behind an answer p, or for NULL alone: "poor",

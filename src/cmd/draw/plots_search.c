@@ -335,9 +335,8 @@ plots_search_spread(
 		best->x[j] = search_share_of(&strip, strip.best);
 		best->y[j] = row;
 	}
-	chart_note(chart,
-	    "of beta only the ratios count: each over the largest "
-	    "of its candidate, from -1 to 1");
+	chart_note(chart, "of beta only the ratios matter: each is divided by "
+			  "the largest of its candidate, from -1 to 1");
 	return chart;
 }
 
@@ -366,10 +365,9 @@ search_words(
 			units_mm(worst->size), miss < 9.95 ? 1 : 0, miss,
 			past->site->run[worst->run].speed);
 	else
-		words = xasprintf(
-		    tr("most candidates meet all sieves within %.2g "
-		       "points, with break sizes from %.2f to %.2f "
-		       "mm at %g m/s"),
+		words = xasprintf(tr("most candidates match all sieves to "
+				     "within %.2g points, with break sizes "
+				     "from %.2f to %.2f mm at %g m/s"),
 		    fmax(miss, 0.01), units_mm(x[0]), units_mm(x[2]), c.speed);
 	candidates_clear(&c);
 	return words;

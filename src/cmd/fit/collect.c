@@ -173,9 +173,9 @@ collect_material_of(const struct shelf *shelf, const struct part_site *site,
 	    strcmp(m->version, version) == 0)
 		return found;
 	error_at(error, ERROR_DATA, found->path, 0, 0,
-	    "expected '%s' as its part found it (misfit %.6g, version %s), got "
-	    "another calibration (misfit %.6g, version %s)\n"
-	    "make part and store again, in one run",
+	    "expected the calibration of '%s' that its part has (misfit %.6g, "
+	    "version %s), got another (misfit %.6g, version %s)\nmake the part "
+	    "and the store again, in one run",
 	    m->name, site->number[MISFIT], version, m->misfit, m->version);
 	return NULL;
 }

@@ -47,9 +47,9 @@ struct predicted_by {
 	double rmse;
 };
 
-/* Returns the answer of the draws at the run's covered sieves, and in `within`
- * how many of its passings lie in the draws' band for a sample; NULL and 0
- * without draws.  The caller frees. */
+/* Returns the draws' answer at the run's covered sieves; `within` gets the
+ * number of its passings that lie in the draws' band for one more sample; NULL
+ * and 0 without draws.  The caller frees. */
 double *comparison_corrected(const struct run *run,
     const struct posterior *posterior, double level, size_t *within);
 

@@ -48,8 +48,8 @@ void usage_shared(FILE *out);
 /* Explains the light that answers end in. */
 void usage_trust(FILE *out);
 
-/* Print a command in one line; all that the table says of it; the lines of its
- * example, each after the margin. */
+/* Print a command in one line; everything the table says about it; the lines of
+ * its example, each after the margin. */
 void usage_brief(const struct command *command, FILE *out);
 void usage_command(const struct command *command, FILE *out);
 void usage_example(

@@ -161,9 +161,9 @@ warn_power(const struct plant *p, struct answer *r)
 {
 	if (power_falls(p->plan->reading, p->plan->n_reading))
 		answer_say(r, ANSWER_WARNING,
-		    "the readings contradict the estimate of power: it cannot "
-		    "fall while the speed rises and the t/h do not fall; check "
-		    "them");
+		    "the readings contradict the estimate of power: power "
+		    "cannot fall while the speed rises and the t/h do not "
+		    "fall; check the readings");
 	if (p->power.below)
 		answer_say(r, ANSWER_WARNING,
 		    "the readings give less power than Q v2, which bringing "

@@ -580,10 +580,10 @@ plant_not_steady(
     const struct plant *p, const struct outcome *o, struct error *error)
 {
 	return error_set(error, ERROR_NUMERIC,
-	    "the circuit does not become steady at %g m/s: after %d passes "
-	    "%.4g t/h circulate for %g t/h of new feed, and it still grows\n"
-	    "what goes back hardly breaks: send a coarser fraction back, take "
-	    "some of it out, or use a higher speed",
+	    "the circuit does not reach a steady state at %g m/s: after %d "
+	    "passes %.4g t/h circulate for %g t/h of new feed, and the load "
+	    "still grows\nwhat goes back hardly breaks: send a coarser "
+	    "fraction back, take some of it out, or use a higher speed",
 	    o->speed, (int)CIRCUIT_PASSES, o->flow.circulating,
 	    p->circuit->tph);
 }

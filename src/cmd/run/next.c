@@ -73,8 +73,8 @@ after_fit(const struct session *s, const struct entry *entry)
 		    N_("validate at the speed held out?"), true, NEXT_VALIDATE};
 	if (session_known(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
-		    N_("next: 'check' and 'why' say what is wrong; 'predict' "
-		       "works all the same"),
+		    N_("next: 'check' and 'why' show the reasons to doubt it; "
+		       "'predict' still answers"),
 		    false, NEXT_ANSWER};
 	if (s->linear || s->hooks.run_screen == NULL)
 		return (struct next){NULL,

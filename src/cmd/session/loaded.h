@@ -63,7 +63,7 @@ struct history {
 struct origin {
 	size_t holders;
 	char *words;      /* "found by calibration", "taken from bro" */
-	char *whose;      /* site or material they are of; "": this site */
+	char *whose;      /* site or material they belong to; "": this site */
 	char *material;   /* of the store, recalled from there */
 	char *date;       /* when the material was remembered */
 	bool found;       /* by a calibration, not set by hand */

@@ -357,7 +357,8 @@ judge_shell(const struct redirect *r, int status, struct error *error)
 		    "the shell command '%s' ended with status %d\n"
 		    "check the text after |: all of it goes to the shell",
 		    r->target, WEXITSTATUS(status));
-	error_set(error, ERROR_SYSTEM, "'%s' was ended by a signal", r->target);
+	error_set(
+	    error, ERROR_SYSTEM, "'%s' was terminated by a signal", r->target);
 	if (status != -1 && WTERMSIG(status) == SIGINT)
 		raise(SIGINT);
 	return false;

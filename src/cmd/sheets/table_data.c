@@ -21,7 +21,7 @@ static const struct command_option SHOW_OPTIONS[] = {
 	    {"range", VALUE_TEXT, "", 0, 0, NULL, "",                         \
 		"part of a sheet, as A3:F20; default: all"},                  \
 	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
-		"decimal sign of the numbers, where they do not tell"},       \
+		"decimal sign, if the numbers do not show which it is"},      \
 	    {"top", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                  \
 		"size that all of the feed passes, an assumption"},           \
 	{                                                                     \
@@ -33,7 +33,7 @@ static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
     {"as", VALUE_CHOICE, "", 0, 0, "site log", "site",
 	"log: the plant's log of rpm, kW and t/h, for 'add FILE@TIME'"},
     {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
-	"order in dates of a log such as 5/3/2026, where they do not tell"},
+	"order in dates of a log such as 5/3/2026, if they do not show it"},
     {"skip", VALUE_CHOICE, "", 0, 0, "off on", "off",
 	"on: files that cannot be read are listed and left out, and a script "
 	"goes on"},
@@ -236,10 +236,10 @@ const struct command TABLE_DATA[] = {
 	.shared = {SHARED_FEED},
 	.text =
 	    "site: the site file, its source and contents; feed and product: "
-	    "the measured curves; params and bounds: like those commands; fit: "
-	    "the last calibration: parameters and search; "
-	    "model: settings, energy and break size at each run's speed, and "
-	    "the equations with their numbers; models: the breakage models and "
+	    "the measured curves; params and bounds: as those commands print "
+	    "them; fit: the last calibration: parameters and search; model: "
+	    "settings, energy and break size at each run's speed, and the "
+	    "equations with their numbers; models: the breakage models and "
 	    "their parameters; selection: how much of each size class breaks "
 	    "at a speed (selection function, Eq 3), and its share of the feed; "
 	    "appearance: the size classes of the progeny of each broken class "
@@ -247,10 +247,8 @@ const struct command TABLE_DATA[] = {
 	    "equations: Eqs 1 to 5 as printed and as used, and what the "
 	    "printed forms would come to at the site; claims: what the paper "
 	    "concludes, held against the calibrated sites; search: the "
-	    "generations "
-	    "of the last calibration, as history; "
-	    "store: where remembered materials are kept; log: what the "
-	    "plant's log has.",
+	    "generations of the last calibration, as history; store: where "
+	    "remembered materials are kept; log: what the plant's log has.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "show model\nshow selection speed=79",

@@ -57,8 +57,9 @@ struct guess {
 	};
 };
 
-/* How many beta represent an unknown one, from coarse progeny to fine: 5 to 67
- * % of what breaks is finer than a tenth of its parent (default: 14 %). */
+/* The number of betas that stand for an unknown one, from coarse to fine
+ * progeny: 5 to 67 % of what breaks is finer than a tenth of its parent
+ * (default: 14 %). */
 enum { GUESS_LAWS = 8 };
 
 /* Guesses from the products of the run's feed at tip speed v (m/s), with each

@@ -26,7 +26,7 @@ void response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
 /* Return quantity i at the response's speed: of the answer, and of the model
- * alone.  NAN where the curve does not reach so far. */
+ * alone.  NAN where the curve does not reach that far. */
 double response_value(const struct response *r, size_t i);
 double response_model(struct response *r, size_t i);
 

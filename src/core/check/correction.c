@@ -283,8 +283,8 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
 	if (cell && correction_sieve_of(psd, mend->size) == psd->n) {
 		error_set(error, ERROR_USAGE,
-		    "the column has no sieve of %g mm\n"
-		    "use a sieve of its own: see 'show product', 'show feed'",
+		    "the column has no sieve of %g mm\nuse one of its sieves: "
+		    "see 'show product', 'show feed'",
 		    1000 * mend->size);
 		return NULL;
 	}

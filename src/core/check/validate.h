@@ -77,8 +77,8 @@ double validate_interpolation(
 /* The score of one size over many runs: mean and root mean square of the
  * relative errors (predicted - measured) / measured; and the coefficient of
  * determination, 1 - sum (predicted - measured)^2 / sum (measured - their
- * mean)^2.  n: runs where both sizes are known; NAN with no run; r2 is NAN also
- * where all measured sizes are equal. */
+ * mean)^2.  n: runs where both sizes are known; NAN with no run; r2 is also
+ * NAN where all measured sizes are equal. */
 struct validate_score {
 	size_t n;
 	double bias, rms, r2;

@@ -112,8 +112,8 @@ const char *breakage_names(void);
 /* Returns the index of the model of that name, or breakage_count(). */
 size_t breakage_find(const char *name);
 
-/* True if a model has all parameters of another, and further parameters that
- * change nothing at their start. */
+/* True if a model has all the parameters of another, and its further parameters
+ * have no effect at their start. */
 bool breakage_extends(size_t wide, size_t narrow);
 
 /* Returns the parameters in a model that extends theirs, the others at their

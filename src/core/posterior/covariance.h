@@ -8,13 +8,12 @@
 
 #include "core/posterior/discrepancy.h"
 
-/* Up to COVARIANCE_FEW cells: one matrix of all.  More: runs share only the
- * processes f of the discrepancy, whose values at the sizes of the cells are
- * few, whatever the number of runs.  With B the factors of these values in the
- * cells, K their covariance and E that of the samples' errors, a block for each
- * run, the covariance is
- *   C = B K B' + E,   K = L L',   A = 1 + L' B' E^-1 B L
- *   C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
+/* Up to COVARIANCE_FEW cells: one matrix for all of them.  More: runs share
+ * only the processes f of the discrepancy, whose values at the sizes of the
+ * cells are few, whatever the number of runs.  With B the factors of these
+ * values in the cells, K their covariance and E that of the samples' errors, a
+ * block for each run, the covariance is C = B K B' + E,   K = L L',   A = 1 +
+ * L' B' E^-1 B L C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
  * (Rasmussen and Williams 2006, A.9): exact, in time and room proportional to
  * the runs.  With more than COVARIANCE_SIZES different sizes the discrepancy
  * and the shared errors, but not the model, are taken at the nearest of

@@ -32,7 +32,8 @@ struct posterior {
 	double middle;   /* ln of the mean energy, J/kg, where t is 0 */
 	double from, to; /* speeds that are looked at, see site_reach */
 	/* The speeds of the runs that inform it, m/s, slowest first, and the
-	 * share of the draws that are straight between two (straight.h). */
+	 * share of the draws that are straight between neighbouring speeds
+	 * (straight.h). */
 	size_t n_speed;
 	double speed[POSTERIOR_RUNS], straight;
 	size_t n_knot;

@@ -16,7 +16,7 @@
  * not fallen by 0.1 % within this many generations; 0: never.  Neither applies
  * in the first 25 generations, nor in the 25 after a change of the bounds.
  * train, run_weight [n_run] or NULL for the default (slowest and fastest, all
- * weights 1); by_sd: weigh sieves by the sheet's standard deviations. */
+ * weights 1); by_sd: weight the sieves by the sheet's standard deviations. */
 struct calibrate_options {
 	uint64_t seed;
 	size_t population, generations, stall;

@@ -74,7 +74,7 @@ struct ga_status ga_status(const struct ga *ga);
 /* Genes [n_gene] of the best candidate ever told. */
 const double *ga_best(const struct ga *ga);
 
-/* Index, within the last generation told, of candidates in order of rising
+/* Index, within the last generation told, of candidates in order of increasing
  * misfit; the first `n` places are sorted.  Genes through ga_told. */
 void ga_leaders(const struct ga *ga, size_t n, size_t *index);
 const double *const *ga_told(const struct ga *ga);

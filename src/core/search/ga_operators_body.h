@@ -33,8 +33,8 @@ choose(const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
 		index[l] = b->parent[draw[l]];
 }
 
-/* Uses one random number for two decisions: whether to mutate, and by how much,
- * of about unit size; most steps are small, a few reach far. */
+/* Uses one random number for two decisions: whether to mutate, and by how much;
+ * the step is about 1 in size; most steps are small, a few reach far. */
 static inline lanes
 mutation_step(const struct breed *b, lanes u)
 {

@@ -19,7 +19,7 @@
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
 	    over_total, own[7];
-	/* Two strengths, where any lane has them: of the softer rock. */
+	/* Set if any lane has two strengths: values for the softer rock. */
 	bool two;
 	lanes softer, share;
 	const struct impacts *impacts; /* NULL: a single one at v^2/2 */
@@ -129,7 +129,7 @@ tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
     const struct room *room)
 {
 	lanes sum = m->nodes(b, plan, room->node);
-	/* Where p is 0 everywhere nothing moves: product = feed. */
+	/* Where p is 0 everywhere, nothing breaks: product = feed. */
 	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
 	if (plan->bypass > 0)
 		b->over_total *= b->kept;

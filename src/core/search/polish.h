@@ -17,7 +17,7 @@ void polish_free(struct polish *polish);
 struct polish_result {
 	double misfit;
 	int evaluations; /* of the misfit, derivatives included */
-	bool converged;  /* at rest: started again, it gains less than 1e-11 */
+	bool converged;  /* at rest: a restart would gain less than 1e-11 */
 	bool stopped;    /* by the misfit, on the way */
 };
 

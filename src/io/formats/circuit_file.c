@@ -330,7 +330,8 @@ check_streams(struct reading_circuit *r)
 			sheet_wanted(r->sheet, r->used[i],
 			    "a stream that a unit makes",
 			    "no feed, crusher, screen or split of the file "
-			    "has it: is it written the same way there?");
+			    "makes this stream: is it spelled the same way "
+			    "there?");
 		else if (r->used[i].text == NULL)
 			sheet_wanted(r->sheet, r->made[i],
 			    "a stream that a unit takes",

@@ -338,8 +338,7 @@ standards_find(
 		    words, nearest(all, words));
 	else if (n > 1)
 		error_set(error, ERROR_USAGE,
-		    "'%s' is the name of %zu envelopes\n"
-		    "add a word: %s",
+		    "'%s' matches %zu envelopes\ngive more of the name: %s",
 		    words, n, list);
 	free(list);
 	return n == 1 ? all->spec[at] : NULL;

@@ -34,8 +34,8 @@ struct head {
 /* Reads one cell of a heading. */
 struct head head_read(const char *text);
 
-/* Returns the text in the form of text_fold without its speeds, their units
- * included.  The caller frees. */
+/* Returns the text as text_fold gives it, with the speeds and their units
+ * removed.  The caller frees. */
 char *head_without_speeds(const char *text);
 
 /* Returns a speed in m/s from a number in a unit; SPEED_RPM needs the rotor's

@@ -508,7 +508,7 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 	}
 	char *what = xasprintf(
 	    speed ? tr("expected headings and numbers that tell what column "
-		       "%zu is and its tip speed, got '%.*s' above %s")
+		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
 		       "%zu is, got '%.*s' above %s"),
 	    first->table->number[first->at], sheet_cut(first->head.text),

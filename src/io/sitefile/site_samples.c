@@ -116,7 +116,7 @@ site_samples_refuse(const struct column *c, const char *text)
 {
 	sheet_fault(c->table->sheet, c->head,
 	    "expected what this heading states, got '%s' in samples=\nleave "
-	    "out what differs from it, or correct the sheet",
+	    "out what contradicts it, or correct the sheet",
 	    text);
 }
 

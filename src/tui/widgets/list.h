@@ -16,7 +16,7 @@ typedef void row_way(struct tui *t, const struct area *line, size_t i,
     unsigned look, const void *of);
 
 /* Draws the rows that there is room for, with the one under the cursor.  A
- * click chooses a row, a click on the chosen row opens it.  Returns how many
+ * click selects a row; a click on the selected row opens it.  Returns how many
  * were drawn. */
 int rows_draw(
     struct tui *t, const struct area *area, row_way *draw, const void *of);
