@@ -148,7 +148,7 @@ count_league(size_t n)
 	counts_print(&score.made, 100);
 	printf("\n%-36s", "not ruled out");
 	counts_print(&score.open, 100);
-	printf("\n%-36s", "named where it can tell");
+	printf("\nnamed, of %2.0f that can be told apart ", score.right.n);
 	counts_print(&score.right, 100);
 	printf("\nall %zu plants\n%-36s", n, "said to tell them apart, %");
 	counts_print(&score.told, 100);
