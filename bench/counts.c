@@ -21,7 +21,7 @@ static const struct kind {
     {"doctor", count_doctor, 140},
     {"drift", count_drift, 60},
     {"guess", count_guess, 360},
-    {"league", count_league, 42},
+    {"league", count_league, 84},
     {"params", count_params, 100},
     {"power", count_power, 2000},
     {"speeds", count_speeds, 60},
