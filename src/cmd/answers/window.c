@@ -110,8 +110,8 @@ note_inside(struct answer *r, const struct asking *a)
 	const struct speed_range *in = speed_search_around(a->w);
 	FREED char *speeds = conditions_speeds_words(a->w);
 	answer_note(r,
-	    a->list.n > 1 ? N_("all conditions hold at %s m/s")
-			  : N_("it holds at %s m/s"),
+	    a->list.n > 1 ? N_("the answer meets all conditions at %s m/s")
+			  : N_("the answer meets it at %s m/s"),
 	    speeds);
 	note_binding(r, a);
 	conditions_note_farther(r, &a->wanted,

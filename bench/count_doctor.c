@@ -1,6 +1,5 @@
-/* Wrong cells, counted: sheets of made-up plants, as they are and with one
- * passing changed, are checked before and after they are calibrated.  Prints a
- * row a law; bench/README.md says how to read it.
+/* Counts the wrong cells that check finds: sheets as they are and with one
+ * passing changed, before and after they are calibrated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -14,6 +13,7 @@
 #include "core/search/calibrate.h"
 #include "core/check/outliers.h"
 #include "core/numeric/rng.h"
+#include "counts.h"
 #include "measure.h"
 #include "plants.h"
 
@@ -77,30 +77,8 @@ make_wrong(struct site *site, uint64_t number, double off, bool feed)
 
 /* outcome [sheets * KINDS] */
 struct task {
-	enum law law;
-	size_t first;
 	struct outcome *outcome;
 };
-
-static struct posterior *
-calibrated(const struct site *site, uint64_t seed)
-{
-	bool use[6] = {true, true, true, true, true, true};
-	struct calibrate_options o = calibrate_options_default();
-	o.seed = seed;
-	struct calibration *c = calibration_new(site, &o);
-	while (calibration_step(c) <= CALIBRATE_POLISHING)
-		;
-	struct fit fit = calibration_fit(c);
-	calibration_free(c);
-	return posterior_new(site, &fit.params,
-	    &(struct posterior_options){.use = use,
-		.settings = fit.settings,
-		.bounds = o.bounds,
-		.seed = seed,
-		.threads = 1,
-		.isa = ISA_BEST});
-}
 
 static void
 look(const struct site *site, const struct posterior *posterior,
@@ -126,8 +104,8 @@ one_sheet(void *data, size_t piece, unsigned thread)
 	struct task *task = data;
 	struct outcome *o = &task->outcome[piece];
 	size_t kind = piece % KINDS;
-	uint64_t number = task->first + piece / KINDS;
-	struct plant p = plant_of(task->law, number);
+	uint64_t number;
+	struct plant p = counts_plant(piece / KINDS, &number);
 	p.feed_own = FEED_OWN;
 	struct site *site = plant_site(&p, number);
 	struct wrong w = {.off = 0};
@@ -137,7 +115,9 @@ one_sheet(void *data, size_t piece, unsigned thread)
 	o->made = kind == 0 || w.off != 0;
 	o->refused = w.refused;
 	if (o->made) {
-		struct posterior *posterior = calibrated(site, number);
+		struct fit fit;
+		struct posterior *posterior =
+		    counts_calibrate(site, number, &fit);
 		look(site, NULL, &w, &o->found[0], &o->other[0]);
 		look(site, posterior, &w, &o->found[1], &o->other[1]);
 		posterior_free(posterior);
@@ -145,91 +125,62 @@ one_sheet(void *data, size_t piece, unsigned thread)
 	site_free(site);
 }
 
-/* Of all sheets of a kind of error. */
-struct count {
-	size_t made, refused, found[TWICE], other[TWICE];
-};
-
-static void
-add_up(const struct outcome *o, size_t n, struct count sum[static KINDS])
+/* Of the sheets with an error of this kind. */
+static bool
+print_kind(const struct outcome *o, size_t n, size_t kind)
 {
-	for (size_t i = 0; i < n * KINDS; i++) {
-		struct count *to = &sum[i % KINDS];
-		to->made += o[i].made;
-		to->refused += o[i].refused;
-		for (size_t k = 0; k < TWICE; k++) {
-			to->found[k] += o[i].found[k];
-			to->other[k] += o[i].other[k];
+	struct counts_mean found[TWICE] = {{0}}, other[TWICE] = {{0}};
+	size_t refused = 0;
+	for (size_t i = 0; i < n; i++, o += KINDS) {
+		refused += o[kind].refused;
+		for (size_t k = 0; k < TWICE && o[kind].made; k++) {
+			counts_add(&found[k], o[kind].found[k]);
+			counts_add(&other[k], o[kind].other[k]);
 		}
 	}
-}
-
-static double
-share(size_t n, const struct count *of)
-{
-	return 100 * (double)n / fmax((double)of->made, 1);
-}
-
-/* Alarms in sheets without an error; then wrong cells named, and sheets in
- * which others were; each before and after. */
-static void
-print_row(const char *name, const struct count sum[static KINDS])
-{
-	printf("%-32s%4.0f%4.0f", name, share(sum[0].other[0], &sum[0]),
-	    share(sum[0].other[1], &sum[0]));
-	for (size_t k = 1; k < KINDS; k++)
-		printf(" |%4.0f%4.0f%4.0f%4.0f",
-		    share(sum[k].found[0], &sum[k]),
-		    share(sum[k].found[1], &sum[k]),
-		    share(sum[k].other[0], &sum[k]),
-		    share(sum[k].other[1], &sum[k]));
-	printf("\n");
-	fflush(stdout);
-}
-
-static void
-print_head(void)
-{
-	printf("%-32s%8s", "law", "clean");
-	for (size_t k = 1; k < KINDS; k++)
-		printf(" |%10s %1.0f pt ", KIND[k].feed ? "feed" : "product",
-		    100 * KIND[k].off);
-	printf("\n");
-}
-
-static void
-print_refused(const struct count sum[static KINDS])
-{
-	for (size_t k = 1; k < KINDS; k++)
-		printf("%s by %g points: %zu made; %zu more broke the order, "
-		       "which the reader refuses\n",
-		    KIND[k].feed ? "feed" : "product", 100 * KIND[k].off,
-		    sum[k].made, sum[k].refused);
-}
-
-/* doctor [PLANTS [LAWS [FIRST]]]: as coverage has them. */
-int
-main(int argc, char **argv)
-{
-	size_t n = argc > 1 ? (size_t)atoi(argv[1]) : 40;
-	size_t first = argc > 3 ? (size_t)atoi(argv[3]) : 1;
-	struct pool *pool = pool_new(measure_threads());
-	struct count all[KINDS] = {{0}};
-	print_head();
-	for (enum law law = 0; law < LAWS; law++) {
-		if (argc > 2 && strchr(argv[2], 'a' + (int)law) == NULL)
-			continue;
-		struct task task = {
-		    law, first, xcalloc(n * KINDS, sizeof *task.outcome)};
-		struct count own[KINDS] = {{0}};
-		pool_run(pool, n * KINDS, one_sheet, &task);
-		add_up(task.outcome, n, own);
-		add_up(task.outcome, n, all);
-		print_row(LAW_NAME[law], own);
-		free(task.outcome);
+	if (kind == 0)
+		printf("%-22s", "nothing");
+	else
+		printf("%g points in a %-7s ", 100 * KIND[kind].off,
+		    KIND[kind].feed ? "feed" : "product");
+	printf("%5.0f %5zu", found[0].n, refused);
+	for (size_t k = 0; k < TWICE; k++) {
+		counts_print(&found[k], 100);
+		counts_print(&other[k], 100);
 	}
-	print_row("all", all);
-	print_refused(all);
+	printf("\n");
+	if (kind == 0)
+		return counts_between(&other[1], 0, 0.1);
+	return KIND[kind].feed || counts_between(&found[1], 0.75, 1);
+}
+
+static void
+print_accused(const struct outcome *o, size_t n)
+{
+	size_t accused[LAWS] = {0};
+	for (size_t i = 0; i < n; i++)
+		accused[i % LAWS] += o[i * KINDS].other[1];
+	printf("sheets without a wrong cell in which one was named:");
+	for (size_t law = 0; law < LAWS; law++)
+		if (accused[law] > 0)
+			printf(" %zu of %s", accused[law], LAW_NAME[law]);
+	printf("\n");
+}
+
+bool
+count_doctor(size_t n)
+{
+	struct pool *pool = pool_new(measure_threads());
+	struct task task = {xcalloc(n * KINDS, sizeof *task.outcome)};
+	bool ok = true;
+	pool_run(pool, n * KINDS, one_sheet, &task);
 	pool_free(pool);
-	return 0;
+	printf("%-22s%5s %5s%28s%28s\n%-34s%14s%14s%14s%14s\n", "wrong by",
+	    "made", "(ref.)", "before a calibration", "after", "", "named %",
+	    "another %", "named %", "another %");
+	for (size_t kind = 0; kind < KINDS; kind++)
+		ok = print_kind(task.outcome, n, kind) && ok;
+	print_accused(task.outcome, n);
+	free(task.outcome);
+	return ok;
 }
