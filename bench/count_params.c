@@ -25,8 +25,8 @@ finer(const struct params *p, double u)
 {
 	struct model_settings settings = model_settings_default();
 	struct breaker b;
-	breaker_set(&b, p, &settings);
-	breaker_at(&b, 74);
+	breaker_set_params(&b, p, &settings);
+	breaker_set_speed(&b, 74);
 	return b.model->finer(&b, log(u), NULL);
 }
 

@@ -37,7 +37,7 @@ made_up(const struct stored_list *paper, size_t number)
 {
 	const struct stored *of = &paper->item[number % paper->n];
 	struct rng_key key = rng_key(1, number, 90);
-	struct stored m = stored_new();
+	struct stored m = stored_empty();
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
 			stored_set_text(

@@ -40,7 +40,7 @@ xrealloc(void *p, size_t n, size_t size)
 
 /* Pointers of several types come here. */
 void
-xfree_held(void *pointer)
+xfree_at(void *pointer)
 {
 	void *held;
 	memcpy(&held, pointer, sizeof held);

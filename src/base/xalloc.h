@@ -24,8 +24,8 @@ char *xvasprintf(const char *format, va_list ap)
 /* Before a declaration of pointers, each with a value of one of these functions
  * or NULL: they are freed where their block ends, after the value of a return
  * is worked out. */
-#define FREED __attribute__((cleanup(xfree_held)))
-void xfree_held(void *pointer);
+#define FREED __attribute__((cleanup(xfree_at)))
+void xfree_at(void *pointer);
 
 /* Append to a text that one of the functions above returned; xlist puts the
  * separator first if the list is not empty. */

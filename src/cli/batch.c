@@ -161,7 +161,7 @@ batch_file(struct session *s, const char *path)
 void
 batch_attend(struct session *s)
 {
-	char *offer = keep_begin(s);
+	char *offer = autosave_begin(s);
 	if (offer != NULL)
 		session_note(s, "%s", offer);
 	free(offer);

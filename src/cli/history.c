@@ -37,7 +37,7 @@ append(const char *bytes)
 }
 
 void
-typed_open(bool with_file)
+typed_history_open(bool with_file)
 {
 	opened = true;
 	using_history();

@@ -8,7 +8,7 @@
 /* Reads the history into readline.  If it cannot be read or kept, one remark
  * goes to stderr, and lines are held in memory only, as they are without
  * with_file. */
-void typed_open(bool with_file);
+void typed_history_open(bool with_file);
 
 /* Adds a line, in memory and at the end of the file, before it is run, so that
  * it is kept however the program ends.  Lines of several sessions at a time are

@@ -414,7 +414,7 @@ set_up(struct session *s)
 	rl_variable_bind("input-meta", "on");
 	rl_variable_bind("output-meta", "on");
 	rl_variable_bind("convert-meta", "off");
-	typed_open(!s->safe);
+	typed_history_open(!s->safe);
 }
 
 void

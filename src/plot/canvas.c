@@ -152,13 +152,13 @@ canvas_print(const struct canvas *canvas, int depth, FILE *out)
 }
 
 int
-canvas_dots_across(enum charset charset)
+canvas_cell_dots_across(enum charset charset)
 {
 	return charset == CHARSET_ASCII ? 1 : 2;
 }
 
 int
-canvas_dots_down(enum charset charset)
+canvas_cell_dots_down(enum charset charset)
 {
 	return charset == CHARSET_ASCII       ? 1
 	       : charset == CHARSET_QUADRANTS ? 2

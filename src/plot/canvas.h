@@ -57,11 +57,11 @@ bool canvas_is_faint(
  * escape sequences if depth > 0. */
 void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 
-/* canvas_dots_across and canvas_dots_down return the number of dots of a cell
- * in each direction.  canvas_dots_code returns the character with the given
- * dots set, bit 2 * row + column; ASCII has none. */
-int canvas_dots_across(enum charset charset);
-int canvas_dots_down(enum charset charset);
+/* canvas_cell_dots_across and canvas_cell_dots_down return the number of dots
+ * of a cell in each direction.  canvas_dots_code returns the character with the
+ * given dots set, bit 2 * row + column; ASCII has none. */
+int canvas_cell_dots_across(enum charset charset);
+int canvas_cell_dots_down(enum charset charset);
 uint32_t canvas_dots_code(enum charset charset, unsigned dots);
 
 #endif

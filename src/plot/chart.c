@@ -98,7 +98,7 @@ chart_add_finer(struct chart_series *series, size_t n)
 }
 
 void
-chart_add_whose(struct chart_series *series)
+chart_add_point_sites(struct chart_series *series)
 {
 	series->whose = xcalloc(series->n, sizeof *series->whose);
 }

@@ -96,7 +96,7 @@ struct chart_series *chart_add(struct chart *chart, struct chart_series look,
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
  * then owns. */
-void chart_add_whose(struct chart_series *series);
+void chart_add_point_sites(struct chart_series *series);
 
 /* Adds arrays low and high to a series, for its shade. */
 void chart_add_band(struct chart_series *series);

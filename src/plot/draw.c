@@ -423,8 +423,8 @@ draw_put(struct brush *p, int column, int row, uint32_t code,
 static void
 put_dot(struct brush *p, const struct chart_series *s, int x, int y)
 {
-	int across = canvas_dots_across(p->at.charset),
-	    down = canvas_dots_down(p->at.charset);
+	int across = canvas_cell_dots_across(p->at.charset),
+	    down = canvas_cell_dots_down(p->at.charset);
 	int column = x / across, row = y / down;
 	if (x < 0 || column >= p->at.width || y < 0 || row >= p->at.height)
 		return;
@@ -442,8 +442,8 @@ put_dot(struct brush *p, const struct chart_series *s, int x, int y)
 static void
 draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 {
-	int across = canvas_dots_across(p->at.charset),
-	    down = canvas_dots_down(p->at.charset);
+	int across = canvas_cell_dots_across(p->at.charset),
+	    down = canvas_cell_dots_down(p->at.charset);
 	int x0 = layout_column(&p->at, s->x[i], across);
 	int y0 = layout_row(&p->at, s->y[i], down);
 	int dx = layout_column(&p->at, s->x[i + 1], across) - x0;
@@ -510,7 +510,7 @@ draw_column_of(const struct brush *p, const struct chart_series *s, size_t i)
 static void
 draw_small(struct brush *p, const struct chart_series *s, size_t i)
 {
-	int down = canvas_dots_down(p->at.charset), high = down / 2;
+	int down = canvas_cell_dots_down(p->at.charset), high = down / 2;
 	int row = layout_row(&p->at, s->y[i], down);
 	int top = row % down - high / 2, x = 2 * draw_column_of(p, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
@@ -578,8 +578,8 @@ static void
 draw_chart_bars(struct brush *p, const struct chart_series *s)
 {
 	enum { DOTTED = 2 };
-	int across = canvas_dots_across(p->at.charset),
-	    down = canvas_dots_down(p->at.charset);
+	int across = canvas_cell_dots_across(p->at.charset),
+	    down = canvas_cell_dots_down(p->at.charset);
 	int wide = s->line == CHART_LONG ? across : 1;
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
@@ -636,9 +636,9 @@ draw_chart_band(struct brush *p, const struct chart_series *s)
 {
 	enum { EVERY = 2 };
 	const struct chart_series edge = {.series = palette_tint(s->series)};
-	int across = canvas_dots_across(p->at.charset),
+	int across = canvas_cell_dots_across(p->at.charset),
 	    parts = p->at.width * across;
-	int down = canvas_dots_down(p->at.charset);
+	int down = canvas_cell_dots_down(p->at.charset);
 	for (int i = 0; i < parts && s->low != NULL; i++) {
 		double x = x_at(p, i, parts);
 		double low = edge_at(p, s, s->low, x);

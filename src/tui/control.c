@@ -175,9 +175,10 @@ control_follow_speed(struct tui *t, const char *line, bool ok)
 		    "%.1f m/s is off the slider: type :set slider %.0f..%.0f",
 		    said, fmin(floor(said), range.least / 10.0),
 		    fmax(ceil(said), range.most / 10.0));
-	if (tui_entry(t) != NULL && !slider_has(range, t->ui.tenths / 10.0))
+	if (tui_current_entry(t) != NULL &&
+	    !slider_has(range, t->ui.tenths / 10.0))
 		t->ui.tenths =
-		    slider_tenths(range, answers_usual(tui_entry(t)));
+		    slider_tenths(range, answers_usual(tui_current_entry(t)));
 }
 
 static bool
@@ -187,8 +188,8 @@ control_run_line(struct tui *t, const char *line)
 	const struct choices was = s->set;
 	bool was_busy = session_busy(s);
 	char site[sizeof t->view.current.site] = "";
-	if (tui_entry(t) != NULL)
-		snprintf(site, sizeof site, "%s", tui_entry(t)->key);
+	if (tui_current_entry(t) != NULL)
+		snprintf(site, sizeof site, "%s", tui_current_entry(t)->key);
 	captured_forget(t);
 	const struct driver d = {.session = s,
 	    .of = t,
@@ -203,7 +204,8 @@ control_run_line(struct tui *t, const char *line)
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
 	control_follow_speed(t, line, ok);
-	bool other = tui_entry(t) != NULL && strcmp(site, tui_entry(t)->key);
+	bool other = tui_current_entry(t) != NULL &&
+		     strcmp(site, tui_current_entry(t)->key);
 	if (other) {
 		t->ui.list[PAGE_SITES].at = s->current;
 		t->ui.feed = 0;
@@ -234,7 +236,7 @@ control_run(struct tui *t, const char *line)
 }
 
 const struct tui *
-control_open(void)
+control_screen(void)
 {
 	return open;
 }
@@ -271,7 +273,7 @@ copy_words(struct tui *t)
 /* What follows from what is chosen is worked out for the new state, so that the
  * two own nothing together. */
 struct tui *
-control_beside(void)
+control_new_copy(void)
 {
 	struct tui *t = xcalloc(1, sizeof *t);
 	*t = (struct tui){.session = open->session,
@@ -297,7 +299,7 @@ control_beside(void)
 }
 
 void
-control_drop(struct tui *t)
+control_free_copy(struct tui *t)
 {
 	free_all(t);
 	free(t);

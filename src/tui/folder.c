@@ -185,7 +185,7 @@ add_made(struct folder *folder)
 }
 
 void
-folder_shipped(struct folder *folder)
+folder_list_shipped(struct folder *folder)
 {
 	char *path = shipped_folder();
 	folder_list(folder, path);

@@ -43,7 +43,7 @@ void folder_list(struct folder *folder, const char *path);
 
 /* Lists the sites that come with the program: those of the source tree if it
  * runs in one, else those installed. */
-void folder_shipped(struct folder *folder);
+void folder_list_shipped(struct folder *folder);
 
 /* Keeps only folders and items of that kind. */
 void folder_only(struct folder *folder, enum folder_kind kind);

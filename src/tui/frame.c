@@ -41,7 +41,7 @@ static void
 draw_header(struct tui *t)
 {
 	const struct area *area = &t->layout.header;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	char text[24];
 	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
 	for (size_t p = 0; p < PAGES; p++)
@@ -131,7 +131,7 @@ static void
 draw_state(struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	char *verdict = panel_words(t);
 	int column;
 	if (session_busy(s) && !s->job.fits) {
@@ -362,7 +362,7 @@ frame_draw_page(struct tui *t)
 	const struct area *caption = &t->layout.caption;
 	if (caption->rows > 0 &&
 	    (page->caption == NULL || !page->caption(t, caption)))
-		track_heading(t);
+		track_draw_heading(t);
 	if (page->strip)
 		strip_draw(t);
 	panel_row(t);

@@ -69,7 +69,7 @@ act_list(struct tui *t, const struct key *key)
 void
 act_run_speed(struct tui *t, const struct key *key)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	t->wish = NULL;
 	if (entry == NULL)
 		return;
@@ -105,7 +105,9 @@ keymap_propose(struct tui *t, const char *line, char *name)
 static char *
 slug_of(const struct tui *t)
 {
-	return text_slug(tui_entry(t) != NULL ? tui_entry(t)->key : "session");
+	return text_slug(tui_current_entry(t) != NULL
+			     ? tui_current_entry(t)->key
+			     : "session");
 }
 
 /* The script that holds the session, or the first name that is free. */
@@ -134,7 +136,7 @@ void
 act_export(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	if (entry == NULL || !entry->has_params) {
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
@@ -200,7 +202,7 @@ static bool
 may_replace(struct tui *t)
 {
 	struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	if (!entry->has_params)
 		return true;
 	char *asks = xasprintf(entry->has_fit
@@ -226,7 +228,7 @@ void
 act_fit(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (tui_entry(t) == NULL) {
+	if (tui_current_entry(t) == NULL) {
 		tui_say(t, true, TUI_NO_SITE);
 		return;
 	}
@@ -304,7 +306,7 @@ void
 act_band(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	t->ui.band = !t->ui.band;
 	t->message[0] = '\0';
 	if (!t->ui.band || t->view.current.site[0] == '\0')

@@ -174,7 +174,7 @@ keys_find(int code, enum page page)
 }
 
 bool
-keys_code(const char *name, int *code)
+keys_code_of_name(const char *name, int *code)
 {
 	static const struct {
 		const char *name;

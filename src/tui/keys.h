@@ -19,7 +19,7 @@ const struct key *keys_find(int code, enum page page);
 /* Finds the code of a key by its name ("Left", "^L", "Esc") or its character;
  * false where there is no such key.  Codes above 255 are special keys of
  * ncurses. */
-bool keys_code(const char *name, int *code);
+bool keys_code_of_name(const char *name, int *code);
 
 /* For the ? page: keys_list prints a line for each key whose line contains the
  * word, without case, the page's own first; for "" all keys of the page, in

@@ -121,9 +121,9 @@ pane_draw_runs(
 	}
 	if (moved)
 		column = pane_draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
-	if (site_chart_left_out(site) > 0) {
+	if (site_chart_speeds_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
-		    site_chart_left_out(site));
+		    site_chart_speeds_left_out(site));
 		column = pane_draw_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
@@ -134,7 +134,7 @@ pane_draw_runs(
 static void
 pane_draw_legend(const struct tui *t, const struct plot_request *request)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	char text[40], sample[16] = "";
 	int column = 0;
@@ -216,7 +216,7 @@ touch_hint(struct tui *t, int row, int column, const char *hint, size_t n)
 		char *name = xstrndup(hint + from, end - from);
 		size_t till = from == 0 && end == word ? n : end;
 		int code;
-		if (keys_code(name, &code))
+		if (keys_code_of_name(name, &code))
 			hits_add_key(&t->hits,
 			    (struct area){
 				row, column + (int)from, 1, (int)(till - from)},

@@ -104,7 +104,7 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 		else
 			tui_say(t, false, "stopped: %s", t->under_way);
 	} else if (ok && t->of_script) {
-		const struct entry *entry = tui_entry(t);
+		const struct entry *entry = tui_current_entry(t);
 		const size_t n = t->session->n_entry;
 		if (restores)
 			captured_forget(t);

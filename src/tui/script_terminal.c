@@ -46,7 +46,7 @@ script_terminal_answer(struct tui *t, int *code, bool *special)
 	if (letters == NULL || *letters == '\0')
 		letters =
 		    keys_left != NULL ? strtok_r(NULL, " ", &keys_left) : NULL;
-	if (letters != NULL && keys_code(letters, code)) {
+	if (letters != NULL && keys_code_of_name(letters, code)) {
 		*special = *code > 255;
 		letters = NULL;
 		return true;
@@ -109,7 +109,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 		    "^Z needs a shell, and there is none here");
 		return error_hint(error, "leave it out");
 	}
-	bool key = keys_code(word, &code);
+	bool key = keys_code_of_name(word, &code);
 	if (!count_keys(word, key ? n : text_width(word), pressed, error))
 		return false;
 	if (key) {
@@ -169,12 +169,12 @@ draw_open(struct screen_request *request, struct error *error)
 		return error_hint(
 		    error, "press the keys here, then type :screen");
 	}
-	struct tui *t = control_beside();
+	struct tui *t = control_new_copy();
 	if (request->page > 0)
 		pages_go(t, (enum page)(request->page - 1));
 	pages_update(t);
 	frame_draw(t);
-	control_drop(t);
+	control_free_copy(t);
 	return true;
 }
 
@@ -206,7 +206,7 @@ script_draw(
     struct session *s, struct screen_request *request, struct error *error)
 {
 	struct screen_request r = *request;
-	bool open = control_open() != NULL;
+	bool open = control_screen() != NULL;
 	int rows = 30, columns = 100;
 	if (open)
 		screen_size(&rows, &columns);

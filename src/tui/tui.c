@@ -195,7 +195,7 @@ show_page(const char *page)
 static void
 offer_last(struct tui *t)
 {
-	char *offer = keep_begin(t->session);
+	char *offer = autosave_begin(t->session);
 	if (offer != NULL)
 		tui_say(t, false, "%s", offer);
 	free(offer);
@@ -211,7 +211,7 @@ tui_run(struct session *s)
 	bool history = typed_is_open();
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)
-		typed_open(!s->safe);
+		typed_history_open(!s->safe);
 	restore_note();
 	signals_hold();
 	signals_take_terminal(was);

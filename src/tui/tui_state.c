@@ -18,7 +18,7 @@
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
 const struct entry *
-tui_entry(const struct tui *t)
+tui_current_entry(const struct tui *t)
 {
 	const struct session *s = t->session;
 	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -27,14 +27,16 @@ tui_entry(const struct tui *t)
 const struct entry *
 tui_asked(const struct tui *t)
 {
-	return t->ui.feed > 0 ? tui_entry(t) : question_standing(t->session);
+	return t->ui.feed > 0 ? tui_current_entry(t)
+			      : question_standing(t->session);
 }
 
 const char *
 tui_why_none(const struct tui *t)
 {
-	return tui_entry(t) == NULL ? TUI_NO_SITE
-				    : tr("no prediction yet: f calibrates");
+	return tui_current_entry(t) == NULL
+		   ? TUI_NO_SITE
+		   : tr("no prediction yet: f calibrates");
 }
 
 struct slider_range
@@ -48,7 +50,7 @@ tui_range_of(const struct session *s, const struct entry *entry)
 struct slider_range
 tui_range(const struct tui *t)
 {
-	return tui_range_of(t->session, tui_entry(t));
+	return tui_range_of(t->session, tui_current_entry(t));
 }
 
 size_t
@@ -105,7 +107,7 @@ tui_take_feed(struct tui *t)
 char *
 tui_where(const struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	double speed = t->ui.tenths / 10.0;
 	/* A sheet that is set, but cannot be read. */
 	bool mean = !(t->ui.feed > 0) && tui_asked(t) == entry &&
@@ -133,8 +135,9 @@ tui_asks(const struct tui *t)
 struct plots_past
 tui_past(const struct tui *t)
 {
-	return tui_entry(t) != NULL ? plots_past(t->session, tui_entry(t))
-				    : (struct plots_past){0};
+	return tui_current_entry(t) != NULL
+		   ? plots_past(t->session, tui_current_entry(t))
+		   : (struct plots_past){0};
 }
 
 size_t

@@ -327,7 +327,7 @@ size_t tui_generation(const struct tui *t);
 double tui_searched(const struct tui *t);
 
 /* Returns the site in use, or NULL. */
-const struct entry *tui_entry(const struct tui *t);
+const struct entry *tui_current_entry(const struct tui *t);
 
 /* Returns the site in use as the slider's predictions have it: with the feed of
  * the sheet that is set, unless a run's feed is taken; or NULL. */

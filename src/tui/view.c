@@ -73,7 +73,7 @@ static void
 look_at_basis(struct tui *t)
 {
 	struct basis *b = &t->view.basis;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	const struct choices *set = &t->session->set;
 	if (entry != NULL && b->site == entry->site &&
 	    b->origin == entry->origin &&
@@ -99,7 +99,7 @@ look_at_basis(struct tui *t)
 void
 view_look(struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	t->view.revision++;
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
@@ -132,7 +132,7 @@ void
 view_predict(struct tui *t)
 {
 	struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	track_wished(t, false);
 	bool told = t->told;
 	t->told = false;
@@ -182,14 +182,14 @@ void
 view_form(struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
 	if (!answers_forming(s, entry, &params) && !entry->has_params)
 		return;
 	prediction_free(&t->view.shown);
-	struct question q = asked_of(s, tui_asked(t), tui_feed(t));
+	struct question q = asked_whole(s, tui_asked(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
 	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);

@@ -79,7 +79,7 @@ watch_finish(struct tui *t)
 		captured_error(t, &error, "", "");
 	t->held = false;
 	control_look(t);
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
 		    t->ui.page == PAGE_FIT

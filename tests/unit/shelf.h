@@ -73,7 +73,7 @@ put_text(struct stored *m, const char *name, const char *text)
 static inline struct stored
 full(const char *name)
 {
-	struct stored m = stored_new();
+	struct stored m = stored_empty();
 	put_text(&m, "name", name);
 	put_text(&m, "site", "Gävle, \"södra\"");
 	put_text(&m, "rock", "Granite");
@@ -106,7 +106,7 @@ full(const char *name)
 static inline struct stored
 sparse(const char *name)
 {
-	struct stored m = stored_new();
+	struct stored m = stored_empty();
 	put_text(&m, "name", name);
 	put_text(&m, "site", "Nowhere");
 	put_text(&m, "origin", "hand");

@@ -114,7 +114,7 @@ static void
 press(struct tui *t, const char *name)
 {
 	int code = 0;
-	assert_true(keys_code(name, &code));
+	assert_true(keys_code_of_name(name, &code));
 	keymap_key(t, code, code > 255);
 }
 
@@ -678,7 +678,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	type(t, ":set feed mean\n");
 	draw_all(t);
 	assert_true(t->view.shown.p50 != mean);
-	assert_ptr_equal(tui_asked(t), tui_entry(t));
+	assert_ptr_equal(tui_asked(t), tui_current_entry(t));
 }
 
 /* Not only from the next step of the slider on. */
@@ -711,7 +711,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	draw_all(t);
 	for (; strip_point(t, n, &speed, value); n++) {
 		struct question q =
-		    asked_of(t->session, tui_entry(t), tui_feed(t));
+		    asked_whole(t->session, tui_current_entry(t), tui_feed(t));
 		struct prediction p = forecast_product(t->session, &q, speed);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
 		assert_true(fabs(value[1] - 1000 * p.range[2][0]) < 1e-9);
@@ -737,7 +737,7 @@ a_point_makes_one_generation(void **state)
 	assert_int_equal(tui_past(t).n, 3);
 	while (session_busy(t->session))
 		type(t, ".");
-	assert_true(tui_entry(t)->has_fit);
+	assert_true(tui_current_entry(t)->has_fit);
 	size_t steps = tui_steps(t);
 	assert_int_equal(tui_step(t), steps);
 	type(t, "\t");
@@ -1106,7 +1106,7 @@ what_is_left_is_found_again(void **state)
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "u");
 	assert_int_equal(t->view.pinned.site[0], '\0');
-	assert_true(tui_entry(t)->has_fit);
+	assert_true(tui_current_entry(t)->has_fit);
 	type(t, "UU");
 	assert_string_equal(s->set.goal, "p80<5.2");
 	assert_true(t->view.pinned.speed == 74);
@@ -1187,7 +1187,7 @@ long_commands_leave_the_screen_live(void **state)
 		assert_null(strstr(t->viewer.text, "calibrating G"));
 		assert_float_equal(
 		    session_known(s, name, LONG[i].field), want, 1e-12);
-		assert_true(tui_entry(t)->has_fit);
+		assert_true(tui_current_entry(t)->has_fit);
 		type(t, "\033");
 		assert_null(t->viewer.text);
 		type(t, LONG[i].line);
@@ -1195,7 +1195,7 @@ long_commands_leave_the_screen_live(void **state)
 		type(t, "\033");
 		assert_false(session_busy(s));
 		assert_non_null(strstr(t->message, LONG[i].stopped));
-		assert_true(tui_entry(t)->has_fit);
+		assert_true(tui_current_entry(t)->has_fit);
 		t->aside = true;
 		free(plain);
 		free(name);
@@ -1229,7 +1229,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 		free(frame);
 	}
 	assert_in_range(drawing, 2, 10000);
-	assert_true(tui_entry(t)->has_fit);
+	assert_true(tui_current_entry(t)->has_fit);
 	t->aside = true;
 }
 
@@ -1457,11 +1457,11 @@ undo_says_what_it_took_and_how_it_comes_back(void **state)
 	draw_all(t);
 	assert_null(strstr(pages_open(t)->hints_now(t), "U redo"));
 	type(t, "u");
-	assert_false(tui_entry(t)->has_fit);
+	assert_false(tui_current_entry(t)->has_fit);
 	assert_non_null(strstr(t->message, "population=200; U brings"));
 	assert_non_null(strstr(pages_open(t)->hints_now(t), "U redo"));
 	type(t, "U");
-	assert_true(tui_entry(t)->has_fit);
+	assert_true(tui_current_entry(t)->has_fit);
 	assert_null(strstr(t->message, "U brings"));
 }
 
@@ -1487,16 +1487,16 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	    t->view.pinned.speed == 74 && t->view.pinned.size[1] == p50);
 	assert_true(t->view.pinned_whole.speed == 74 &&
 		    t->view.pinned_whole.product.n > 0);
-	assert_true(tui_entry(t)->has_fit);
+	assert_true(tui_current_entry(t)->has_fit);
 	draw_all(t);
 	/* x again pins what is shown; each is a step of undo. */
 	type(t, "xx");
 	assert_true(t->view.pinned.speed == 77);
 	type(t, "x:set k 2\nuuuuu");
 	assert_int_equal(t->view.pinned.site[0], '\0');
-	assert_true(tui_entry(t)->has_fit);
+	assert_true(tui_current_entry(t)->has_fit);
 	type(t, "u");
-	assert_false(tui_entry(t)->has_fit);
+	assert_false(tui_current_entry(t)->has_fit);
 }
 
 /* What only reads leaves a search alone; what stops it tells. */
@@ -1509,7 +1509,7 @@ a_line_stops_no_search_unsaid(void **state)
 	    TIERP_CALIBRATED "; predict speed=74");
 	t->session->hooks.confirm = says_yes;
 	control_look(t);
-	const double best = tui_entry(t)->fit.misfit;
+	const double best = tui_current_entry(t)->fit.misfit;
 	type(t, "f.. ");
 	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
 	    ":bounds\n\033", ":predict 75 \n", ":show\n\033"};
@@ -1524,13 +1524,13 @@ a_line_stops_no_search_unsaid(void **state)
 	assert_false(session_busy(s));
 	assert_non_null(strstr(t->message, "was stopped"));
 	assert_non_null(strstr(t->message, ":accept"));
-	assert_true(tui_entry(t)->fit.misfit == best);
+	assert_true(tui_current_entry(t)->fit.misfit == best);
 	type(t, " ");
 	assert_true(session_busy(s));
 	type(t, ":accept\n\033");
-	assert_true(tui_entry(t)->fit.misfit > best);
+	assert_true(tui_current_entry(t)->fit.misfit > best);
 	type(t, "u");
-	assert_true(tui_entry(t)->fit.misfit == best);
+	assert_true(tui_current_entry(t)->fit.misfit == best);
 }
 
 /* A re-fit that is half done replaces no better one, whatever stops it. */
@@ -1546,7 +1546,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	t->session->hooks.confirm = says_yes;
 	control_look(t);
 	draw_all(t);
-	const double best = tui_entry(t)->fit.misfit;
+	const double best = tui_current_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
 	 * use is only looked at. */
 	t->ui.list[PAGE_SITES].at = s->current;
@@ -1568,8 +1568,8 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 			type(t, "s");
 		type(t, ":use tierp\n");
 		draw_all(t);
-		assert_string_equal(tui_entry(t)->key, "tierp");
-		assert_true(tui_entry(t)->fit.misfit == best);
+		assert_string_equal(tui_current_entry(t)->key, "tierp");
+		assert_true(tui_current_entry(t)->fit.misfit == best);
 	}
 	/* The last way is to quit, or a signal. */
 	type(t, "1f..");

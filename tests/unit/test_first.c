@@ -35,7 +35,7 @@ static void
 press(struct tui *t, const char *name)
 {
 	int code = 0;
-	assert_true(keys_code(name, &code));
+	assert_true(keys_code_of_name(name, &code));
 	keymap_key(t, code, code > 255);
 	t->clock++;
 	watch_pump(t);
@@ -206,7 +206,7 @@ made_sites_need_no_installation(void **state)
 	assert_in_range(t->picker.folder.n, 15, 19);
 	type(t, "forsby");
 	press(t, "Enter");
-	assert_string_equal(tui_entry(t)->site->name, "Forsby");
+	assert_string_equal(tui_current_entry(t)->site->name, "Forsby");
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
 }
@@ -243,7 +243,7 @@ letters_narrow_the_list(void **state)
 	assert_true(shows("nothing here has 'tierz'"));
 	assert_string_equal(t->picker.word.text, "tier");
 	press(t, "Enter");
-	assert_string_equal(tui_entry(t)->site->name, "Tierp");
+	assert_string_equal(tui_current_entry(t)->site->name, "Tierp");
 	/* Left is the folder above, narrowed or not. */
 	press(t, "o");
 	type(t, "data");

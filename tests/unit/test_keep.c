@@ -36,7 +36,7 @@ attend(struct desk *desk)
 {
 	store_free(desk->session->store);
 	desk->session->store = store_new("/tmp/tipspeed-keep-no-store");
-	return keep_begin(desk->session);
+	return autosave_begin(desk->session);
 }
 
 static struct desk *
@@ -321,7 +321,7 @@ safe_and_without_trace_keep_nothing(void **state)
 	void *desk;
 	(void)state;
 	desk_open(&desk);
-	assert_null(keep_begin(((struct desk *)desk)->session));
+	assert_null(autosave_begin(((struct desk *)desk)->session));
 	desk_expect(desk, "bounds alpha 0.5");
 	desk_close(&desk);
 	desk_open(&desk);
@@ -340,7 +340,7 @@ where_it_cannot_be_kept_it_says_so_at_the_end(void **state)
 	assert_true(say(desk, "bounds alpha 0.5"));
 	fflush(desk->notes_file);
 	assert_int_equal(desk->n_notes, 0);
-	keep_end(desk->session);
+	autosave_end(desk->session);
 	fflush(desk->notes_file);
 	setenv("XDG_STATE_HOME", folder, 1);
 	assert_string_equal(desk->notes,

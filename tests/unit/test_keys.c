@@ -120,7 +120,7 @@ keys_are_called_by_every_name(void **state)
 		for (char *name = strtok_r(names, ",", &save); name != NULL;
 		     name = strtok_r(NULL, ",", &save)) {
 			name += name[0] == ' ';
-			assert_true(keys_code(name, &code));
+			assert_true(keys_code_of_name(name, &code));
 			enum page page = PAGE_PREDICT;
 			while (!(k->where & (1U << page)))
 				page++;
@@ -131,11 +131,11 @@ keys_are_called_by_every_name(void **state)
 		}
 		free(names);
 	}
-	assert_true(keys_code("Esc", &code) && code == 27);
-	assert_true(keys_code("x", &code) && code == 'x');
-	assert_false(keys_code("Rigth", &code));
-	assert_false(keys_code("", &code));
-	assert_false(keys_code("\u00e5", &code));
+	assert_true(keys_code_of_name("Esc", &code) && code == 27);
+	assert_true(keys_code_of_name("x", &code) && code == 'x');
+	assert_false(keys_code_of_name("Rigth", &code));
+	assert_false(keys_code_of_name("", &code));
+	assert_false(keys_code_of_name("\u00e5", &code));
 }
 
 int

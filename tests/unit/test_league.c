@@ -213,10 +213,10 @@ the_scale_of_beta_does_not_count(void **state)
 	(void)state;
 	struct fit fit = {.parameters = 7};
 	struct bounds b = bounds_default(0);
-	assert_int_equal(league_parameters(&fit, &b), 6);
+	assert_int_equal(league_count_fitted(&fit, &b), 6);
 	b.lower[2] = b.upper[2] = 1;
 	fit.parameters = 6;
-	assert_int_equal(league_parameters(&fit, &b), 6);
+	assert_int_equal(league_count_fitted(&fit, &b), 6);
 }
 
 int

@@ -273,8 +273,8 @@ matrix_of(const double beta[4], enum appearance_form form, const double *x,
 	struct breaker b;
 	struct params p = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
 	struct model_settings settings = model_settings_default();
-	breaker_set(&b, &p, &settings);
-	breaker_at(&b, 74);
+	breaker_set_params(&b, &p, &settings);
+	breaker_set_speed(&b, 74);
 	classes_matrix(&b, form, x, n, m);
 }
 

@@ -47,7 +47,7 @@ press(struct tui *t, const char *names)
 	for (char *name = strtok_r(copy, " ", &left); name != NULL;
 	     name = strtok_r(NULL, " ", &left)) {
 		int code = 0;
-		assert_true(keys_code(name, &code));
+		assert_true(keys_code_of_name(name, &code));
 		keymap_key(t, code, code > 255);
 		view_update(t);
 		frame_draw(t);

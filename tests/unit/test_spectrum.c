@@ -18,9 +18,9 @@ made_spectrum(uint64_t seed, size_t particles, size_t each)
 	s->speed = 74;
 	s->counted = true;
 	for (size_t i = 0; i < particles; i++) {
-		spectrum_particles(s, 0.008, 1, 0.001);
+		spectrum_add_particles(s, 0.008, 1, 0.001);
 		for (size_t j = 0; j < each; j++)
-			spectrum_impact(s, 0.008, 0.001,
+			spectrum_add_impact(s, 0.008, 0.001,
 			    draw_log(&draw, 1, j == 0 ? 2738 : 1000), j == 0);
 	}
 	return s;
@@ -48,10 +48,10 @@ counts_what_was_put_in(void **state)
 	struct spectrum *s = spectrum_new();
 	s->speed = 100;
 	s->counted = true;
-	spectrum_particles(s, 0.008, 2, 4);
-	spectrum_impact(s, 0.008, 2, 5000, true);
-	spectrum_impact(s, 0.008, 2, 5, false);
-	spectrum_impact(s, 0.008, 2, 40, true);
+	spectrum_add_particles(s, 0.008, 2, 4);
+	spectrum_add_impact(s, 0.008, 2, 5000, true);
+	spectrum_add_impact(s, 0.008, 2, 5, false);
+	spectrum_add_impact(s, 0.008, 2, 40, true);
 	struct spectrum_size *all = spectrum_whole(s);
 	expect_near("impacts", spectrum_per_particle(s, all, 0), 1.5, 1e-12);
 	expect_near("above", spectrum_per_particle(s, all, 10), 1, 1e-12);
@@ -128,8 +128,8 @@ summed(const struct psd *feed, const struct params *p,
 	double sum = psd_passing(feed, s), low = log(s);
 	double high = log(feed->size[0]);
 	enum { STEPS = 40000 };
-	breaker_set(&b, p, settings);
-	breaker_at(&b, v);
+	breaker_set_params(&b, p, settings);
+	breaker_set_speed(&b, v);
 	for (size_t i = 0; i < STEPS; i++) {
 		double a = low + (high - low) * (double)i / STEPS;
 		double z = low + (high - low) * (double)(i + 1) / STEPS;
@@ -248,11 +248,11 @@ scaled_spectra_of_two_speeds_are_one(void **state)
 	b->counted = true;
 	for (size_t i = 0; i < 3000; i++)
 		for (size_t j = 0; j < 3; j++)
-			spectrum_impact(b, 0.008, 0.001,
+			spectrum_add_impact(b, 0.008, 0.001,
 			    4 * draw_log(&draw, 1, j == 0 ? 2738 : 1000),
 			    j == 0);
 	expect_near("same", spectrum_distance(a, b, 10), 0, 1e-3);
-	spectrum_impact(b, 0.008, 3, 4 * 2000, false);
+	spectrum_add_impact(b, 0.008, 3, 4 * 2000, false);
 	assert_true(spectrum_distance(a, b, 10) > 0.2);
 	spectrum_free(a);
 	spectrum_free(b);

@@ -50,7 +50,7 @@ press(struct stage *stage, const char *names)
 	for (char *name = strtok_r(copy, " ", &save); name != NULL;
 	     name = strtok_r(NULL, " ", &save)) {
 		int code;
-		bool named = keys_code(name, &code);
+		bool named = keys_code_of_name(name, &code);
 		const char *rest = name;
 		do {
 			if (!named)

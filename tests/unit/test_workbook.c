@@ -207,13 +207,13 @@ formats_are_told_apart(void **state)
 	    {1.5, false, SHOWN_SPAN, "36:00"}};
 	for (size_t i = 0; i < ARRAY_LEN(dates); i++) {
 		char text[32];
-		assert_true(shown_date(
+		assert_true(shown_serial_date(
 		    dates[i].serial, dates[i].from_1904, dates[i].kind, text));
 		assert_string_equal(text, dates[i].text);
 	}
 	char text[32];
-	assert_false(shown_date(-1, false, SHOWN_DATE, text));
-	assert_false(shown_date(2958466, false, SHOWN_DATE, text));
+	assert_false(shown_serial_date(-1, false, SHOWN_DATE, text));
+	assert_false(shown_serial_date(2958466, false, SHOWN_DATE, text));
 }
 
 static void

@@ -184,7 +184,7 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 	light_worse(&light, light_of(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q =
-		    asked_of(s, side[i].entry, side[i].p.feed_run);
+		    asked_whole(s, side[i].entry, side[i].p.feed_run);
 		const char *whose = feeds ? side[i].head : NULL;
 		if (i == 0 || two)
 			answers_note_basis(s, r, &q, 0, whose, &light);

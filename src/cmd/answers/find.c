@@ -293,7 +293,7 @@ value_words(const struct goal *goal, size_t i)
 	struct figure f = forecast_figure(goal->wanted.forecast, i);
 	char *words = quantities_words(q);
 	xappend(&words, " %.*f%s", digits, quantities_shown(q, f.value),
-	    quantities_after(q));
+	    quantities_unit_suffix(q));
 	if (isfinite(f.low) && isfinite(f.high))
 		xappend(&words, tr(" (%.*f to %.*f)"), digits,
 		    quantities_shown(q, f.low), digits,
@@ -421,7 +421,7 @@ note_unreached(struct answer *r, const struct goal *goal, const char *words)
 	else
 		answer_note(r, "no speed from %g to %g m/s gives %s", c->from,
 		    c->to, words);
-	const char *unit = quantities_after(q);
+	const char *unit = quantities_unit_suffix(q);
 	if (isfinite(low) && isfinite(high))
 		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
 		    low, unit, c->from, high, unit, c->to);

@@ -43,7 +43,7 @@ basis_free(struct basis *b)
 }
 
 static bool
-basis_read(struct basis *b, struct store *store, struct error *error)
+basis_from_material(struct basis *b, struct store *store, struct error *error)
 {
 	struct store_query query = {0};
 	if (!store_count(store, &b->own, error))
@@ -434,7 +434,7 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 	const struct site *site = q->entry->site;
 	struct basis b = {.n = 0};
 	bool ok = find_wanted(site, args, &b.wanted, error) &&
-		  basis_read(&b, s->store, error);
+		  basis_from_material(&b, s->store, error);
 	if (ok) {
 		basis_fill(&b);
 		basis_pick(&b, args_value(args, "nearest"), q->speed);

@@ -468,7 +468,7 @@ predict_step(struct session *s, const struct entry *entry, double speed,
 	struct params params;
 	if (!take_params(s, entry, &params, error))
 		return false;
-	struct question q = asked_of(s, entry, feed_run);
+	struct question q = asked_whole(s, entry, feed_run);
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
 	answers_keep(s, entry, &params, p);

@@ -330,8 +330,8 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 			      ? entry->params
 			      : params_start(s->set.model.breakage);
 	struct breaker b;
-	breaker_set(&b, &p, &s->set.model);
-	breaker_at(&b, site_middle(entry->site));
+	breaker_set_params(&b, &p, &s->set.model);
+	breaker_set_speed(&b, site_middle(entry->site));
 	FREED double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);

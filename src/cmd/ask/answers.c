@@ -333,7 +333,7 @@ answers_show_basis(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band, struct trust light)
 {
 	if (band)
-		outlook_note(r, s, q->entry, true);
+		outlook_note_low_high(r, s, q->entry, true);
 	answers_note_basis(s, r, q, speed, NULL, &light);
 	light_show(r, light);
 }
@@ -353,7 +353,7 @@ answers_show_basis_of_fit(const struct session *s, struct answer *r,
     const struct entry *entry, bool band)
 {
 	if (band)
-		outlook_note(r, s, entry, false);
+		outlook_note_low_high(r, s, entry, false);
 	origin_note(r, entry);
 	feed_note_assumed(r, entry->site, NULL);
 	note_model(s, r, entry);

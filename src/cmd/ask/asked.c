@@ -3,7 +3,7 @@
 #include "cmd/ask/asked.h"
 
 struct question
-asked_of(const struct session *s, const struct entry *entry, size_t feed)
+asked_whole(const struct session *s, const struct entry *entry, size_t feed)
 {
 	return (struct question){
 	    .entry = entry, .feed = feed, .level = settings_level(&s->set)};

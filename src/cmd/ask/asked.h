@@ -34,7 +34,7 @@ struct question {
 
 /* Returns the question about the whole product of an entry as it is, with the
  * feed of a run; it owns nothing. */
-struct question asked_of(
+struct question asked_whole(
     const struct session *s, const struct entry *entry, size_t feed);
 
 #endif

@@ -320,7 +320,7 @@ conditions_read(const char *text, const struct fraction *fraction,
 }
 
 bool
-conditions_ends(const char *text)
+conditions_may_be_whole(const char *text)
 {
 	bool most;
 	const char *of = conditions_most_of(text, &most);
@@ -501,7 +501,7 @@ conditions_words(const struct condition *c)
 {
 	const struct quantity *q = &c->quantity;
 	char *of = quantities_words(q), *words;
-	const char *unit = quantities_after(q);
+	const char *unit = quantities_unit_suffix(q);
 	double least = quantities_shown(q, c->least);
 	double most = quantities_shown(q, c->most);
 	if (isnan(least))

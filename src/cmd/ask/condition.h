@@ -29,7 +29,7 @@ const char *conditions_most_of(const char *text, bool *most);
 
 /* True if a text may be a whole condition: a quantity with its limit, of which
  * the sign may be missing, or max and a quantity. */
-bool conditions_ends(const char *text);
+bool conditions_may_be_whole(const char *text);
 
 /* Puts the place of operand i to an error.  Returns false. */
 bool conditions_place(const struct args *args, size_t i, struct error *error);

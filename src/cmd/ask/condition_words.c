@@ -32,7 +32,7 @@ goes_on(const struct command *command, const char *before, const char *word)
 			    conditions_most_of(with, &most) != NULL;
 	free(with);
 	return !is_option(command, word) && strchr(word, ' ') == NULL &&
-	       !(begins && conditions_ends(before));
+	       !(begins && conditions_may_be_whole(before));
 }
 
 /* Where the conditions begin; 0 where the command takes none. */

@@ -273,7 +273,7 @@ grading_in_use(const struct session *s, const struct entry *entry, size_t feed,
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
-	struct question q = asked_of(s, entry, feed);
+	struct question q = asked_whole(s, entry, feed);
 	return open_limits(s, &q, g, error);
 }
 
@@ -340,7 +340,7 @@ missed_words(const struct grading *g, size_t i)
 	struct wanted_limit limit = wanted_margin(&g->conditions, i).limit;
 	double most = quantities_shown(&q, limit.most ? c->most : c->least);
 	double is = quantities_shown(&q, grading_value(g, i));
-	const char *unit = quantities_after(&q);
+	const char *unit = quantities_unit_suffix(&q);
 	q.fraction = (struct fraction){0};
 	FREED char *name = quantities_words(&q);
 	return xasprintf(tr("%s %.*f%s is %s %g%s"), name,

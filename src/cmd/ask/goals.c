@@ -247,7 +247,7 @@ goals_step(
 		goals_begin(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
-	struct question q = asked_of(s, entry, feed);
+	struct question q = asked_whole(s, entry, feed);
 	struct condition_list ranges = {g->list.n - g->n_value, g->list.at};
 	struct wanted w = conditions_ask(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);

@@ -75,7 +75,7 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	*product = psd_copy(&r->product);
 	if (product->n == 0 || psd_same(&r->feed, site_feed(m->site, m->feed)))
 		return;
-	struct question q = asked_of(s, entry, m->feed);
+	struct question q = asked_whole(s, entry, m->feed);
 	q.params = &m->params;
 	struct question own = q;
 	own.feed = run;

@@ -359,7 +359,7 @@ outlook_short(const struct session *s, const struct entry *entry,
 }
 
 void
-outlook_note(struct answer *r, const struct session *s,
+outlook_note_low_high(struct answer *r, const struct session *s,
     const struct entry *entry, bool product)
 {
 	if (!product) {

@@ -95,7 +95,7 @@ const char *outlook_words(const struct session *s, const struct entry *entry);
 /* Notes what low and high mean, for parameters or for a product, and for a
  * product which runs correct it.  With another site's parameters they show what
  * its data leave open, not how the two sites differ. */
-void outlook_note(struct answer *r, const struct session *s,
+void outlook_note_low_high(struct answer *r, const struct session *s,
     const struct entry *entry, bool product);
 
 /* Returns the words of outlook_words to follow a name in a legend: ", all

@@ -348,7 +348,7 @@ quantities_band(double low, double high, int decimals)
 }
 
 const char *
-quantities_after(const struct quantity *q)
+quantities_unit_suffix(const struct quantity *q)
 {
 	static const char *const UNITS[] = {[QUANTITY_PASSING] = " %",
 	    [QUANTITY_SIZE] = " mm",
@@ -363,7 +363,7 @@ quantities_after(const struct quantity *q)
 const char *
 quantities_unit(const struct quantity *q)
 {
-	const char *after = quantities_after(q);
+	const char *after = quantities_unit_suffix(q);
 	return after[0] == ' ' ? after + 1 : after;
 }
 

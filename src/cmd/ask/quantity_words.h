@@ -56,10 +56,10 @@ char *quantities_fraction_words(const struct fraction *fraction);
 /* Returns " (2.91 to 3.02)", or "" without a band.  The caller frees. */
 char *quantities_band(double low, double high, int decimals);
 
-/* quantities_after returns the unit as written after a number, " mm", " %" or
- * ""; quantities_unit without the space; quantities_shown a value in that unit;
- * quantities_decimals how many decimals people see. */
-const char *quantities_after(const struct quantity *q);
+/* quantities_unit_suffix returns the unit as written after a number, " mm", "
+ * %" or ""; quantities_unit without the space; quantities_shown a value in that
+ * unit; quantities_decimals how many decimals people see. */
+const char *quantities_unit_suffix(const struct quantity *q);
 const char *quantities_unit(const struct quantity *q);
 double quantities_shown(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);

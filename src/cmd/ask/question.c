@@ -68,7 +68,7 @@ question_make(const struct session *s, const struct entry *loaded,
 	bool feed = w->feed != NULL;
 	double rotor = measured_rotor(loaded);
 	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
-	*q = asked_of(s, loaded, SITE_MEAN_FEED);
+	*q = asked_whole(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
 	    w->correction == s->set.correction)
 		return;

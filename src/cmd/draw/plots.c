@@ -104,7 +104,7 @@ make_prediction(struct curves *c, const struct session *s,
     const struct params *params, double speed, size_t feed)
 {
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	struct question q = asked_of(s, entry, feed);
+	struct question q = asked_whole(s, entry, feed);
 	q.fraction = request->fraction;
 	q.params = params;
 	*p = forecast_product(s, &q, speed);
@@ -202,9 +202,9 @@ note_measured(
 				       mark_of(c->item[i].look.mark)->hollow);
 	if (hollow)
 		chart_note(chart, "hollow marks: held out from the fit");
-	if (site_chart_left_out(site) > 0)
+	if (site_chart_speeds_left_out(site) > 0)
 		chart_note(chart, "%zu measured runs are not drawn",
-		    site_chart_left_out(site));
+		    site_chart_speeds_left_out(site));
 }
 
 /* Below curves whose last one is the prediction. */
@@ -262,7 +262,7 @@ read_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
     struct figure band[static 2])
 {
-	struct question question = asked_of(s, q->entry, p->feed_run);
+	struct question question = asked_whole(s, q->entry, p->feed_run);
 	question.params = params;
 	const struct quantity asked[] = {{.kind = QUANTITY_PASSING,
 					     .x = q->crosshair_mm / 1000,
@@ -730,7 +730,7 @@ put_pairs(
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
-		chart_add_whose(p);
+		chart_add_point_sites(p);
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct entry *of = pairs->entry[j];
 			p->whose[j] = (struct chart_whose){
@@ -825,8 +825,8 @@ add_selection(struct chart *chart, const struct session *s,
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	struct breaker b;
-	breaker_set(&b, params, &settings);
-	breaker_at(&b, speed);
+	breaker_set_params(&b, params, &settings);
+	breaker_set_speed(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = sample(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * b.model->selection(
@@ -880,8 +880,8 @@ appearance_chart(
 	const struct site *site = q->entry->site;
 	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	struct breaker b;
-	breaker_set(&b, &params, &s->set.model);
-	breaker_at(&b, speed);
+	breaker_set_params(&b, &params, &s->set.model);
+	breaker_set_speed(&b, speed);
 	struct chart *chart =
 	    site_chart(site, axis_log(tr("progeny / parent u, -"), 0.001, 1),
 		axis_percent(tr("finer than u B(u), %")),

@@ -31,7 +31,7 @@ map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
     const char *name)
 {
 	struct chart_series *series = chart_add(chart, look, most, "%s", name);
-	chart_add_whose(series);
+	chart_add_point_sites(series);
 	series->named = named;
 	series->n = 0;
 	return series;

@@ -43,7 +43,7 @@ static void
 take_usual(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
-	struct question asked = asked_of(s, d->entry, d->feed);
+	struct question asked = asked_whole(s, d->entry, d->feed);
 	asked.fraction = d->fraction;
 	struct prediction p =
 	    forecast_product(s, &asked, site_middle(d->entry->site));
@@ -136,7 +136,7 @@ response_speed_at(const struct drawn *d, size_t k)
 static void
 response_look(struct session *s, struct drawn *d)
 {
-	const struct question q = asked_of(s, d->entry, d->feed);
+	const struct question q = asked_whole(s, d->entry, d->feed);
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
 	for (size_t k = 0; k < POINTS; k++) {
@@ -351,7 +351,7 @@ make_charts(struct session *s, struct drawn *d)
 		}
 	}
 	if (d->limits.n > 0) {
-		struct question q = asked_of(s, entry, d->feed);
+		struct question q = asked_whole(s, entry, d->feed);
 		struct wanted wanted = conditions_ask(s, &q, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;

@@ -159,9 +159,9 @@ runs_add_all(struct chart *chart, const struct session *s,
 	}
 	if (hollow)
 		chart_note(chart, "hollow marks: held out from the fit");
-	if (site_chart_left_out(site) > 0)
+	if (site_chart_speeds_left_out(site) > 0)
 		chart_note(chart, "%zu measured runs are not drawn",
-		    site_chart_left_out(site));
+		    site_chart_speeds_left_out(site));
 	if (params == NULL)
 		return;
 	chart_note(chart,

@@ -59,7 +59,7 @@ site_chart_moved(struct chart *chart, double most)
 }
 
 size_t
-site_chart_left_out(const struct site *site)
+site_chart_speeds_left_out(const struct site *site)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < site->n_run; i++)

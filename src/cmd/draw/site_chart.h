@@ -29,8 +29,8 @@ struct chart_series site_chart_run(
 void site_chart_moved(struct chart *chart, double most);
 
 /* psd shows the measured products of SITE_CHART_RUNS speeds, the nearest to its
- * own; site_chart_left_out returns how many speeds are left out. */
+ * own; site_chart_speeds_left_out returns how many speeds are left out. */
 enum { SITE_CHART_RUNS = 12 };
-size_t site_chart_left_out(const struct site *site);
+size_t site_chart_speeds_left_out(const struct site *site);
 
 #endif

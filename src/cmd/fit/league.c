@@ -198,7 +198,7 @@ take_round(struct session *s)
 	t->last = calibration_fit(job->calibration);
 	if (l->speed == 0) {
 		t->fit = t->last;
-		t->parameters = league_parameters(
+		t->parameters = league_count_fitted(
 		    &t->fit, calibration_bounds(job->calibration));
 	}
 	for (size_t r = 0; r < g->site->n_run; r++) {

@@ -49,7 +49,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		answer_cells(r, "%s %s", info->unit, tr(info->meaning));
 	}
 	if (u != NULL)
-		outlook_note(r, s, entry, false);
+		outlook_note_low_high(r, s, entry, false);
 	origin_note(r, entry);
 	return session_answer(s, r);
 }
@@ -114,7 +114,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	bool whole = missing[0] == '\0';
 	if (!whole)
 		return false;
-	model_take_params(s, session_entry(s), &p, origin_by_hand());
+	model_take_params(s, session_entry(s), &p, origin_new_by_hand());
 	return true;
 }
 

@@ -48,7 +48,7 @@ session_free(struct session *s)
 	script_close(s, 0);
 	struct error stopped = {0};
 	session_settle(s, false, &stopped);
-	keep_end(s);
+	autosave_end(s);
 	question_forget(s);
 	moved_free(s->moved);
 	blended_free(s->fed);

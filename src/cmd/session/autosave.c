@@ -49,7 +49,7 @@ autosave_put_script(const void *data, FILE *out)
 }
 
 char *
-keep_begin(struct session *s)
+autosave_begin(struct session *s)
 {
 	if (s->keep != NULL || s->safe ||
 	    strcmp(store_path(s->store), ":memory:") == 0)
@@ -88,7 +88,7 @@ write_it(struct session *s)
 	/* What reset or restore has put aside is still there for who did not
 	 * mean it. */
 	if (now.start != k->written.start)
-		kept_leave(k->kept);
+		kept_close_file(k->kept);
 	if (now.state == k->saved)
 		kept_remove(k->kept);
 	else if (is_missed(s)) {
@@ -126,7 +126,7 @@ failed_to_restore(struct keep *k, bool ok)
 /* Predictions in a row, which the slider makes, are one line of the journal
  * and change nothing: they cost no writing. */
 void
-keep_turn(struct session *s, bool ok, bool saved)
+autosave_turn(struct session *s, bool ok, bool saved)
 {
 	struct keep *k = s->keep;
 	struct mark now = journal_mark(s);
@@ -146,7 +146,7 @@ keep_turn(struct session *s, bool ok, bool saved)
 }
 
 void
-keep_end(struct session *s)
+autosave_end(struct session *s)
 {
 	struct keep *k = s->keep;
 	if (k == NULL)
@@ -168,7 +168,7 @@ keep_end(struct session *s)
 }
 
 char *
-keep_last(struct session *s, struct error *error)
+autosave_last(struct session *s, struct error *error)
 {
 	size_t n;
 	struct kept_file *file = kept_files(&n);
@@ -184,7 +184,7 @@ keep_last(struct session *s, struct error *error)
 }
 
 bool
-keep_list(struct session *s)
+autosave_list(struct session *s)
 {
 	size_t n;
 	struct kept_file *file = kept_files(&n);

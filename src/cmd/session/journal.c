@@ -28,7 +28,7 @@ journal_mark(const struct session *s)
 }
 
 void
-journal_changed(struct session *s)
+journal_new_state(struct session *s)
 {
 	s->journal->state = ++s->journal->states;
 }

@@ -41,7 +41,7 @@ void journal_check(
     struct session *s, const char *latest, const char *path, uint64_t digest);
 
 /* Gives the session's state a new number. */
-void journal_changed(struct session *s);
+void journal_new_state(struct session *s);
 
 /* What came before is no part of the session any more. */
 void journal_restart(struct session *s);

@@ -132,7 +132,7 @@ origin_of_fit(const struct entry *entry)
 }
 
 struct origin *
-origin_by_hand(void)
+origin_new_by_hand(void)
 {
 	return origin_new(xstrdup("set by hand"), "", "");
 }

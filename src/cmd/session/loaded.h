@@ -143,7 +143,7 @@ void history_forget(struct history *history, const struct site *site);
  * hand; taken over from another entry; of a material of the store; of the
  * site's own fit that a material kept.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
-struct origin *origin_by_hand(void);
+struct origin *origin_new_by_hand(void);
 struct origin *origin_taken(const struct entry *from);
 struct origin *origin_stored(const struct stored *m);
 struct origin *origin_remembered(

@@ -211,7 +211,7 @@ invocation_asked(struct session *s, const char *command, const char *line)
 {
 	if (!is_redirected(s->invocation) && !session_busy(s))
 		journal_add(s, command, "%s", line);
-	keep_turn(s, true, false);
+	autosave_turn(s, true, false);
 }
 
 /* Where the outermost invocation began, for one within it. */
@@ -276,8 +276,8 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	/* The commands of a script may have told of it already. */
 	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
 	    journal_mark(s).state == t->state)
-		journal_changed(s);
-	keep_turn(s, ok, t->saved);
+		journal_new_state(s);
+	autosave_turn(s, ok, t->saved);
 	invocation_free(t);
 	return ok;
 }

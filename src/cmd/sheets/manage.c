@@ -88,10 +88,10 @@ bool
 cmd_restore(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
-		return keep_list(s);
+		return autosave_list(s);
 	const char *typed = args->operand[0];
 	bool last = strcmp(typed, "last") == 0;
-	FREED char *path = last                       ? keep_last(s, error)
+	FREED char *path = last                       ? autosave_last(s, error)
 			   : access(typed, F_OK) == 0 ? xstrdup(typed)
 						      : script_name(typed);
 	if (!last)
@@ -209,7 +209,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		session_forget(s);
 	/* What is wanted is work, not looks. */
 	if (strcmp(was.goal, s->set.goal) != 0)
-		journal_changed(s);
+		journal_new_state(s);
 	/* What a site has stays as it is. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);

@@ -50,7 +50,7 @@ static const char *const KINDS[] = {[MEND_READ] = "read",
     [MEND_DROP] = "drop run"};
 
 char *
-mend_call(const struct site *site, const struct mend *m)
+mend_command_line(const struct site *site, const struct mend *m)
 {
 	static const char *const DO[] = {[MEND_OUT] = "out",
 	    [MEND_SWAP] = "swap",
@@ -127,7 +127,7 @@ put_one(struct answer *r, struct fields *list, const struct entry *entry,
 	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
 	FREED char *words = mend_words(site, m), *effect = effect_of(f);
 	FREED char *name = mend_column(site, m->feed, m->run);
-	FREED char *call = mend_call(site, m);
+	FREED char *call = mend_command_line(site, m);
 	answer_note(r,
 	    effect[0] != '\0' ? "mend %zu: %s; %s" : "mend %zu: %s%s", number,
 	    words, effect);
@@ -149,7 +149,8 @@ mend_mark_of(const struct entry *entry, const struct doctor *d)
 	uint64_t h = TEXT_DIGEST_START;
 	h = text_digest(h, &entry->site->digest, sizeof entry->site->digest);
 	for (size_t i = 0; i < d->n; i++) {
-		FREED char *call = mend_call(entry->site, &d->finding[i].mend);
+		FREED char *call =
+		    mend_command_line(entry->site, &d->finding[i].mend);
 		h = text_digest(h, call, strlen(call) + 1);
 	}
 	return (double)(h >> 12);
@@ -317,7 +318,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (site == NULL)
 		return false;
 	FREED char *words = mend_words(entry->site, &mend);
-	FREED char *call = mend_call(entry->site, &mend);
+	FREED char *call = mend_command_line(entry->site, &mend);
 	invocation_reads(s, call);
 	bool fitted = session_mend(s, s->current, site);
 	session_note(s, "mended: %s", words);

@@ -131,7 +131,7 @@ remembered_take(struct session *s, const struct stored *m, size_t *index,
 {
 	struct basis b;
 	error->kind = ERROR_NONE;
-	if (!basis_read(m, &b, error)) {
+	if (!basis_from_material(m, &b, error)) {
 		basis_clear(&b);
 		return error->kind == ERROR_NONE ? REMEMBERED_NONE
 						 : REMEMBERED_FAILED;
@@ -288,7 +288,7 @@ store_material_of(const struct session *s, const struct entry *entry)
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
 	    entry->has_fit ? &entry->fit.settings : &s->set.model;
-	struct stored m = stored_new();
+	struct stored m = stored_empty();
 	set_copy(&m.site, site->name);
 	set_copy(&m.rock, site->rock);
 	set_copy(&m.machine, site->machine);

@@ -79,7 +79,7 @@ circuit_source(const struct circuit *c, size_t stream)
 }
 
 size_t
-circuit_use(const struct circuit *c, size_t stream)
+circuit_destination(const struct circuit *c, size_t stream)
 {
 	size_t u = 0;
 	while (u < c->n_unit && !has(c->unit[u].in, c->unit[u].n_in, stream))
@@ -104,7 +104,7 @@ walk_from(struct walk *w, size_t u)
 	const struct unit *unit = &w->c->unit[u];
 	w->state[u] = WALK_UNDER_WAY;
 	for (size_t i = 0; i < unit->n_out; i++) {
-		size_t next = circuit_use(w->c, unit->out[i]);
+		size_t next = circuit_destination(w->c, unit->out[i]);
 		if (next == w->c->n_unit)
 			continue;
 		if (w->state[next] == WALK_UNDER_WAY)
@@ -149,13 +149,14 @@ circuit_trapped(const struct circuit *c)
 			if (unit->kind == UNIT_STOCKPILE)
 				leads[u] = true;
 			for (size_t i = 0; i < unit->n_out; i++) {
-				size_t to = circuit_use(c, unit->out[i]);
+				size_t to =
+				    circuit_destination(c, unit->out[i]);
 				if (to < c->n_unit && leads[to])
 					leads[u] = true;
 			}
 		}
 	for (size_t i = 0; i < c->n_stream; i++) {
-		size_t to = circuit_use(c, i);
+		size_t to = circuit_destination(c, i);
 		if (to < c->n_unit && !leads[to])
 			return i;
 	}
@@ -280,7 +281,7 @@ keep(struct flow *flow, const struct solving *s, size_t draw, size_t passes)
 	double closing = s->c->tph,
 	       *tph = flow->tph_draw + draw * flow->n_stream;
 	for (size_t i = 0; i < flow->n_stream; i++) {
-		size_t to = circuit_use(s->c, i);
+		size_t to = circuit_destination(s->c, i);
 		tph[i] = circuit_total(s->mass + i * n, n);
 		flow->tph[i] += tph[i] / (double)flow->draws;
 		if (flow->back[i])

@@ -58,7 +58,7 @@ size_t circuit_stream(struct circuit *c, const char *name);
 /* Return the index of the unit that a stream comes from, or goes to; n_unit
  * where there is none. */
 size_t circuit_source(const struct circuit *c, size_t stream);
-size_t circuit_use(const struct circuit *c, size_t stream);
+size_t circuit_destination(const struct circuit *c, size_t stream);
 
 /* Return a unit that no part of the feed reaches, and a stream from which
  * nothing reaches a stockpile; n_unit and n_stream where there is none.  Every

@@ -25,7 +25,7 @@ league_aicc(double misfit, size_t cells, size_t parameters)
 }
 
 size_t
-league_parameters(const struct fit *fit, const struct bounds *bounds)
+league_count_fitted(const struct fit *fit, const struct bounds *bounds)
 {
 	size_t gauge = breakage_of(&fit->params)->gauge;
 	bool scale = gauge > 0;

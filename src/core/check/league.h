@@ -20,7 +20,7 @@ double league_aicc(double misfit, size_t cells, size_t parameters);
 
 /* Returns the number of parameters that a fit found: all that were searched,
  * without the free scale of a gauge that no bound holds. */
-size_t league_parameters(const struct fit *fit, const struct bounds *bounds);
+size_t league_count_fitted(const struct fit *fit, const struct bounds *bounds);
 
 /* A passing of a run that was held out, 0..1; log_size: ln of its sieve, m;
  * noise: standard deviation of its sampling error.  The cells of a run follow

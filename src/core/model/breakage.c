@@ -189,7 +189,7 @@ bounds_default(size_t breakage)
 }
 
 void
-breaker_set(struct breaker *b, const struct params *p,
+breaker_set_params(struct breaker *b, const struct params *p,
     const struct model_settings *settings)
 {
 	b->p = *p;
@@ -199,7 +199,7 @@ breaker_set(struct breaker *b, const struct params *p,
 }
 
 void
-breaker_at(struct breaker *b, double v)
+breaker_set_speed(struct breaker *b, double v)
 {
 	b->v = v;
 	b->E = energy_specific(v);

@@ -37,11 +37,11 @@ typedef void kernel_block(const struct plan *plan, const double *const *theta,
  * energy for each, plus KERNEL_BINS for the smooth ones, whose S rises so
  * slowly that fewer Gauss points suffice. */
 enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
-typedef void kernel_bins(const struct plan *plan, const double *const *theta,
-    size_t first, uint16_t *bin);
+typedef void kernel_bin_candidates(const struct plan *plan,
+    const double *const *theta, size_t first, uint16_t *bin);
 
-/* Parameters at a tip speed, prepared by breaker_at.  own: values that a model
- * computes once for them. */
+/* Parameters at a tip speed, prepared by breaker_set_speed.  own: values that a
+ * model computes once for them. */
 struct breaker {
 	struct params p;
 	const struct breakage *model;
@@ -98,7 +98,7 @@ struct breakage {
 
 	struct {
 		kernel_block *block;
-		kernel_bins *bins;
+		kernel_bin_candidates *bins;
 	} kernel[ISA_BEST]; /* of the search */
 };
 
@@ -176,9 +176,9 @@ bool model_settings_same(
 
 /* Prepare b for parameters, with the k and the impacts of the settings, and for
  * a tip speed (m/s). */
-void breaker_set(struct breaker *b, const struct params *p,
+void breaker_set_params(struct breaker *b, const struct params *p,
     const struct model_settings *settings);
-void breaker_at(struct breaker *b, double v);
+void breaker_set_speed(struct breaker *b, double v);
 
 /* The last row of a parameter table, for the models with a bypass.
  * D14: product = (1 - bypass) crushed + bypass feed. */
@@ -212,10 +212,11 @@ void breaker_at(struct breaker *b, double v);
 		}         \
 	}
 #else
-#define KERNELS(model)                                       \
-	kernel_block model##_block_base, model##_block_avx2, \
-	    model##_block_avx512;                            \
-	kernel_bins model##_bins_base, model##_bins_avx2, model##_bins_avx512
+#define KERNELS(model)                                              \
+	kernel_block model##_block_base, model##_block_avx2,        \
+	    model##_block_avx512;                                   \
+	kernel_bin_candidates model##_bins_base, model##_bins_avx2, \
+	    model##_bins_avx512
 #define KERNEL_ROW(model)                                         \
 	{                                                         \
 		{model##_block_base, model##_bins_base},          \

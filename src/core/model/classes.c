@@ -89,14 +89,14 @@ classes_free(struct classes *c)
 void
 classes_set(struct classes *c, const struct params *p)
 {
-	breaker_set(&c->b, p, &c->settings);
+	breaker_set_params(&c->b, p, &c->settings);
 }
 
 /* The breaker, the matrix and S at that speed. */
 static void
 classes_go_to(struct classes *c, double v)
 {
-	breaker_at(&c->b, v);
+	breaker_set_speed(&c->b, v);
 	classes_matrix(
 	    &c->b, c->settings.appearance, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)

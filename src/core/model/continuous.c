@@ -92,7 +92,7 @@ continuous_free(struct continuous *c)
 void
 continuous_set(struct continuous *c, const struct params *p)
 {
-	breaker_set(&c->b, p, &c->settings);
+	breaker_set_params(&c->b, p, &c->settings);
 }
 
 /* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
@@ -120,7 +120,7 @@ stop_at_impacts(struct continuous *c)
 static void
 continuous_go_to(struct continuous *c, double v)
 {
-	breaker_at(&c->b, v);
+	breaker_set_speed(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
 		c->stop[i] = c->b.model->size_at(&c->b, STOP_AT[i]);
 	c->n_stop = STOPS;

@@ -147,8 +147,8 @@ model_breaks(struct model *model, double v)
 		return classes_breaks(model->classes, v);
 	struct breaker b;
 	struct model_settings settings = model_settings_default();
-	breaker_set(&b, &model->p, &settings);
-	breaker_at(&b, v);
+	breaker_set_params(&b, &model->p, &settings);
+	breaker_set_speed(&b, v);
 	return b.model->breaks(&b);
 }
 

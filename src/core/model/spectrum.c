@@ -106,7 +106,7 @@ spectrum_add(struct spectrum_bin *to, double mass, double energy)
 }
 
 void
-spectrum_impact(
+spectrum_add_impact(
     struct spectrum *s, double size, double mass, double energy, bool first)
 {
 	struct spectrum_size *of = of_size(s, size);
@@ -117,14 +117,15 @@ spectrum_impact(
 }
 
 void
-spectrum_first(struct spectrum *s, double size, double mass, double energy)
+spectrum_add_first(struct spectrum *s, double size, double mass, double energy)
 {
 	struct spectrum_size *of = of_size(s, size);
 	spectrum_add(&of->first[bin_of(energy)], mass, mass * energy);
 }
 
 void
-spectrum_particles(struct spectrum *s, double size, double number, double mass)
+spectrum_add_particles(
+    struct spectrum *s, double size, double number, double mass)
 {
 	struct spectrum_size *of = of_size(s, size);
 	of->particles += number;

@@ -39,14 +39,14 @@ struct spectrum *spectrum_new(void);
 void spectrum_free(struct spectrum *s);
 
 /* Adds an impact of a particle of that size (m, 0: not known) and mass (kg, or
- * any weight), of energy J/kg.  spectrum_particles: adds `number` particles
- * with the total mass `mass`.  spectrum_first: adds to the first impacts
+ * any weight), of energy J/kg.  spectrum_add_particles: adds `number` particles
+ * with the total mass `mass`.  spectrum_add_first: adds to the first impacts
  * alone. */
-void spectrum_impact(
+void spectrum_add_impact(
     struct spectrum *s, double size, double mass, double energy, bool first);
-void spectrum_particles(
+void spectrum_add_particles(
     struct spectrum *s, double size, double number, double mass);
-void spectrum_first(
+void spectrum_add_first(
     struct spectrum *s, double size, double mass, double energy);
 
 /* Returns all sizes as one, with size 0. */

@@ -115,8 +115,8 @@ has_daughters(const struct coordinates *c, const double *gauge)
 	struct params p = c->fit;
 	struct breaker b;
 	memcpy(p.at, gauge, c->of->gauge * sizeof *gauge);
-	breaker_set(&b, &p, &c->settings);
-	breaker_at(&b, sqrt(2 * el_exp(c->middle)));
+	breaker_set_params(&b, &p, &c->settings);
+	breaker_set_speed(&b, sqrt(2 * el_exp(c->middle)));
 	return c->of->breaks(&b);
 }
 

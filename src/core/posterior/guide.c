@@ -62,7 +62,7 @@ guide_blend(struct guide *g, const struct guide *other, double generations)
 }
 
 void
-guide_factor(
+guide_factor_part(
     const struct guide *g, const size_t *at, size_t n, struct guide_part *part)
 {
 	const double more = 1.0005; /* variance: ridges are narrow */

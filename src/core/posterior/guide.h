@@ -37,7 +37,7 @@ struct guide_part {
 	size_t n, at[GUIDE_MOST];
 	double mean[GUIDE_MOST], L[GUIDE_MOST][GUIDE_MOST];
 };
-void guide_factor(
+void guide_factor_part(
     const struct guide *g, const size_t *at, size_t n, struct guide_part *part);
 
 /* Moves from x to y.  In the basis of L coordinates would be independent and

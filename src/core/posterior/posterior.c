@@ -328,14 +328,14 @@ factor_guides(struct sampler *s)
 	struct guide all = s->guide[0];
 	guide_blend(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
-		guide_factor(&all, at, n, &s->hypers);
+		guide_factor_part(&all, at, n, &s->hypers);
 		return;
 	}
 	for (size_t kind = 0; kind < 2; kind++) {
 		struct guide g = s->guide[kind];
 		double share = g.n / all.n;
 		guide_blend(&g, &all, generations);
-		guide_factor(&g, at,
+		guide_factor_part(&g, at,
 		    s->two && kind == 0 ? n - STRENGTHS_COORDINATES : n,
 		    &s->kind[kind]);
 		s->log_share[kind] = el_log((share + least) / (1 + 2 * least));
@@ -1126,7 +1126,7 @@ posterior_step(struct posterior_run *run)
 		return false;
 	choose_draws(run);
 	lack_of_fit_find(run->p, run->m);
-	thin_look(run->thin, run->p);
+	thin_set_straight(run->thin, run->p);
 	find_convergence(run->p, s, run->sums);
 	return true;
 }

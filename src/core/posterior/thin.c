@@ -194,7 +194,7 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 }
 
 void
-thin_look(const struct thin *t, struct posterior *p)
+thin_set_straight(const struct thin *t, struct posterior *p)
 {
 	p->straight = straight_share(p, &t->feed, t->sieve, t->n_sieve);
 }

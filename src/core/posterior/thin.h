@@ -26,6 +26,6 @@ void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
 /* Sets the share of the draws kept that are straight (straight.h), for the same
  * feed and sieves. */
-void thin_look(const struct thin *t, struct posterior *p);
+void thin_set_straight(const struct thin *t, struct posterior *p);
 
 #endif

@@ -11,7 +11,7 @@
 struct kernel {
 	struct plan plan;
 	kernel_block *block;
-	kernel_bins *bins;
+	kernel_bin_candidates *bins;
 	unsigned threads;
 	double **scratch; /* [threads] */
 };

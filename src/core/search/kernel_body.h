@@ -573,7 +573,7 @@ bins(const struct lane_model *m, const struct plan *plan,
 #define KERNEL_NAME(model, what, isa) KERNEL_JOIN(model, what, isa)
 #define KERNEL(model, ...)                                                     \
 	kernel_block KERNEL_NAME(model, block, ISA);                           \
-	kernel_bins KERNEL_NAME(model, bins, ISA);                             \
+	kernel_bin_candidates KERNEL_NAME(model, bins, ISA);                   \
 	static const struct lane_model model##_lanes = {__VA_ARGS__};          \
 	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,           \
 	    const double *const *theta, const uint32_t *index, bool smooth,    \

@@ -139,7 +139,7 @@ shown_builtin(unsigned id)
 }
 
 bool
-shown_date(
+shown_serial_date(
     double serial, bool from_1904, enum shown_kind kind, char text[static 32])
 {
 	enum { DAY = 86400, TO_1899 = -25569, TO_1904 = -24107 };

@@ -26,7 +26,7 @@ struct shown shown_builtin(unsigned id);
 /* Writes "2026-05-03", "2026-05-03T10:15" or, for a time, "10:15", with seconds
  * if they are not zero.  serial: days since 1899-12-30, or since 1904-01-01.
  * False before the first of these days and from the year 10000 on. */
-bool shown_date(
+bool shown_serial_date(
     double serial, bool from_1904, enum shown_kind kind, char text[static 32]);
 
 #endif

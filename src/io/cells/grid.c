@@ -63,7 +63,7 @@ grid_notes(struct grid *g)
 }
 
 void
-grid_more(struct grid *g, int most)
+grid_note_more_sheets(struct grid *g, int most)
 {
 	grid_note(g, "more than %d sheets: the others are not read", most);
 }

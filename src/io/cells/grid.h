@@ -58,6 +58,6 @@ void grid_note(struct grid *grid, const char *format, ...)
 void grid_notes(struct grid *grid);
 
 /* Adds the remark that the workbook contains more than `most` sheets. */
-void grid_more(struct grid *grid, int most);
+void grid_note_more_sheets(struct grid *grid, int most);
 
 #endif

@@ -104,7 +104,7 @@ begin_table(struct reading *r, const char *const *attribute)
 	if (r->visible)
 		grid_begin(r->grid, name);
 	else if (more && r->n_table == MOST_TABLES + 1)
-		grid_more(r->grid, MOST_TABLES);
+		grid_note_more_sheets(r->grid, MOST_TABLES);
 	else if (!more)
 		grid_note(r->grid, "sheet %s is hidden and not read", name);
 }

@@ -92,7 +92,7 @@ begin_workbook(void *data, const char *name, const char *const *attribute)
 		return;
 	if (b->n_tab == MOST_TABS) {
 		if (b->more++ == 0)
-			grid_more(b->grid, MOST_TABS);
+			grid_note_more_sheets(b->grid, MOST_TABS);
 		return;
 	}
 	b->tab = xrealloc(b->tab, b->n_tab + 1, sizeof *b->tab);
@@ -319,7 +319,7 @@ xlsx_put_number(struct reading *r)
 	if (!text_number(r->value.text, &value))
 		xlsx_put_text(r, r->value.text);
 	else if (shown.kind != SHOWN_NUMBER &&
-		 shown_date(value, b->from_1904, shown.kind, date))
+		 shown_serial_date(value, b->from_1904, shown.kind, date))
 		grid_put_date(b->grid, r->at, date);
 	else
 		grid_put_number(b->grid, r->at, value, shown.unit);

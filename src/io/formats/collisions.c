@@ -483,12 +483,12 @@ take_impact(struct reading *r)
 		    "expected an energy and a weight of at least 0, got less",
 		    "check this row");
 	if (r->has[COL_PARTICLES] && v[COL_PARTICLES] > 0)
-		spectrum_particles(
+		spectrum_add_particles(
 		    s, size, v[COL_PARTICLES], v[COL_PARTICLES_KG]);
 	if (mass > 0)
-		spectrum_impact(s, size, mass, e, false);
+		spectrum_add_impact(s, size, mass, e, false);
 	if (r->has[COL_FIRST_KG] && r->has[COL_FIRST_J] && v[COL_FIRST_KG] > 0)
-		spectrum_first(
+		spectrum_add_first(
 		    s, size, v[COL_FIRST_KG], v[COL_FIRST_J] / v[COL_FIRST_KG]);
 	r->to->impacts++;
 	return true;

@@ -185,7 +185,7 @@ add_half(struct contacts *c, uint32_t id, uint32_t other, bool fixed,
 	bool first = !p->hit && e >= c->cut;
 	p->hit = p->hit || first;
 	p->seen = true;
-	spectrum_impact(c->to, 2 * (double)p->radius, m, e, first);
+	spectrum_add_impact(c->to, 2 * (double)p->radius, m, e, first);
 	c->impacts++;
 }
 
@@ -220,7 +220,7 @@ contacts_end(struct contacts *c)
 	for (size_t id = 0; id < c->n_particle; id++) {
 		const struct particle *p = &c->particle[id];
 		if (p->seen)
-			spectrum_particles(
+			spectrum_add_particles(
 			    c->to, 2 * (double)p->radius, 1, mass_of(c, p));
 	}
 	c->to->counted = true;

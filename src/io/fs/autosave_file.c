@@ -41,7 +41,7 @@ kept_new(void)
 }
 
 void
-kept_leave(struct kept *kept)
+kept_close_file(struct kept *kept)
 {
 	if (kept->fd >= 0)
 		close(kept->fd);
@@ -55,7 +55,7 @@ kept_free(struct kept *kept)
 {
 	if (kept == NULL)
 		return;
-	kept_leave(kept);
+	kept_close_file(kept);
 	free(kept);
 }
 
@@ -64,7 +64,7 @@ kept_remove(struct kept *kept)
 {
 	if (kept->path != NULL)
 		unlink(kept->path);
-	kept_leave(kept);
+	kept_close_file(kept);
 }
 
 /* False for the file of a program that runs, and for none. */
@@ -194,7 +194,7 @@ kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
 {
 	bool first = kept->fd < 0;
 	if (first && !make_file(kept, error)) {
-		kept_leave(kept);
+		kept_close_file(kept);
 		return false;
 	}
 	if (!file_replace_by(kept->path, FILE_PRIVATE, write, data, error)) {

@@ -18,9 +18,9 @@ struct kept;
 struct kept *kept_new(void);
 
 /* Closes the file, which is kept; the next write makes another file. */
-void kept_leave(struct kept *kept);
+void kept_close_file(struct kept *kept);
 
-/* As kept_leave, and frees kept; NULL is allowed. */
+/* As kept_close_file, and frees kept; NULL is allowed. */
 void kept_free(struct kept *kept);
 
 /* Replaces the content of the file by what `write` prints, whole or not at all.

@@ -408,8 +408,8 @@ find_end(const struct grid *g, struct place *p)
 		p->last = r + 1;
 		standard +=
 		    kind == SIEVE_IS_SIZE &&
-		    (isnan(mm) || sieve_names_standard(mm) ||
-			sieve_names_standard(mm / 1000) ||
+		    (isnan(mm) || sieve_names_is_standard(mm) ||
+			sieve_names_is_standard(mm / 1000) ||
 			sieve_names_series(layout_cell_at(g, r, p->c)->text) !=
 			    SIEVE_NONE);
 	}
@@ -879,7 +879,7 @@ rows_free(struct row *row, size_t n)
 }
 
 char *
-layout_keep(struct table *t, char *text)
+layout_own_text(struct table *t, char *text)
 {
 	t->text = xrealloc(t->text, t->n_text + 1, sizeof *t->text);
 	return t->text[t->n_text++] = text;
@@ -901,7 +901,8 @@ layout_name(struct table *t, const size_t *number, const char *const *text,
 		struct cell cell = t->n_head > 0
 				       ? t->head[t->n_head - 1].cell[c]
 				       : t->row[0].cell[c];
-		char *said = layout_keep(t, xstrdup(i < n_text ? text[i] : ""));
+		char *said =
+		    layout_own_text(t, xstrdup(i < n_text ? text[i] : ""));
 		head.cell[n] = number_cell(t->sheet, cell, said);
 		t->number[n] = t->number[c];
 		for (size_t r = 0; r < t->n_row; r++)

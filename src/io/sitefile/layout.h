@@ -57,7 +57,7 @@ struct layout_range {
 };
 
 /* Takes over a text, which is freed with the table; returns it. */
-char *layout_keep(struct table *t, char *text);
+char *layout_own_text(struct table *t, char *text);
 
 /* Returns the headings of column c of a table, from the top, as one text.  The
  * caller frees. */

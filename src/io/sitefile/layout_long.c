@@ -350,12 +350,13 @@ head_samples(const struct longer *l, struct table *wide)
 	const struct table *t = l->table;
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++) {
-		char *name = layout_keep(wide, sample_name(l, s));
+		char *name = layout_own_text(wide, sample_name(l, s));
 		for (size_t c = 1; c < t->n_col; c++) {
 			if (l->use[c] != VALUE)
 				continue;
 			struct cell head = t->row[l->lead[s]].cell[c];
-			char *text = layout_keep(wide, sample_head(l, s, c));
+			char *text =
+			    layout_own_text(wide, sample_head(l, s, c));
 			wide->head[0].cell[at] =
 			    number_cell(t->sheet, head, text);
 			wide->name[at] = name;
@@ -387,7 +388,7 @@ layout_long_widen(struct longer *l)
 	for (size_t i = 0; i < wide.n_row; i++)
 		wide.row[i] = empty_row(wide.n_col, &t->row[l->first[i]]);
 	char *size = layout_head(t, 0);
-	wide.head[0].cell[0].text = layout_keep(&wide, size);
+	wide.head[0].cell[0].text = layout_own_text(&wide, size);
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
 	head_samples(l, &wide);

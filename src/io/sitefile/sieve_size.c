@@ -230,7 +230,7 @@ sieve_names_is_number(const char *text)
 }
 
 bool
-sieve_names_standard(double mm)
+sieve_names_is_standard(double mm)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
 		if (fabs(SIEVES[i].mm - mm) < 0.01 * mm)

@@ -38,7 +38,7 @@ bool sieve_names_is_number(const char *text);
 
 /* True if a size in mm is that of a sieve of ISO 565, EN 933-2 or ASTM E11, to
  * 1 %. */
-bool sieve_names_standard(double mm);
+bool sieve_names_is_standard(double mm);
 
 /* Returns the next coarser sieve of those that plants have, mm: of EN 933, or
  * in inches and numbers of ASTM E11.  Above all of them, it returns the next

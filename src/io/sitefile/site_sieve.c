@@ -102,7 +102,7 @@ standard_share(const struct table *t, double factor, double *most)
 		    isnan(mm))
 			continue;
 		n++;
-		known += sieve_names_standard(mm * factor);
+		known += sieve_names_is_standard(mm * factor);
 		*most = fmax(*most, mm * factor);
 	}
 	return n > 0 ? known / n : 0;
@@ -289,7 +289,7 @@ split_micro(struct table *t)
 		if (isnan(v[i]))
 			continue;
 		*cell = number_cell(t->sheet, *cell,
-		    layout_keep(t, xasprintf("%s um", cell->text)));
+		    layout_own_text(t, xasprintf("%s um", cell->text)));
 	}
 	free(v);
 	return split;

@@ -217,7 +217,7 @@ title_is_like(const struct table *a, const struct table *b)
 }
 
 const struct column *
-title_sample(const struct columns *all, const struct table *t)
+title_only_sample(const struct columns *all, const struct table *t)
 {
 	const struct column *found = NULL;
 	for (size_t i = 0; i < all->n; i++) {
@@ -251,9 +251,9 @@ has_product(const struct table *t, const struct column *c)
 static bool
 title_goes_on(struct table *const *table, size_t k, const struct columns *all)
 {
-	const struct column *own = title_sample(all, table[k]);
+	const struct column *own = title_only_sample(all, table[k]);
 	for (size_t i = 0; i < k; i++) {
-		const struct column *c = title_sample(all, table[i]);
+		const struct column *c = title_only_sample(all, table[i]);
 		if (c->role == PRODUCT &&
 		    (!title_is_like(table[i], table[k]) ||
 			(c->speed == own->speed && c->rpm == own->rpm)))
@@ -268,7 +268,7 @@ title_is_series(
 {
 	const struct table *feed = NULL;
 	for (size_t k = 0; k < n; k++) {
-		const struct column *c = title_sample(all, table[k]);
+		const struct column *c = title_only_sample(all, table[k]);
 		if (c == NULL || table[k]->sheet != table[0]->sheet)
 			return false;
 		bool is_feed = c->role == FEED && !(c->speed > 0);

@@ -22,7 +22,7 @@ bool title_names_differ(const char *a, const char *b);
 bool title_is_like(const struct table *a, const struct table *b);
 
 /* The only sample of a table; NULL: it has none, or several. */
-const struct column *title_sample(
+const struct column *title_only_sample(
     const struct columns *all, const struct table *t);
 
 /* Whether a title names limits or a mean: such a table has no sample. */

@@ -297,7 +297,8 @@ basis_read_text(struct basis *b, char *text)
 }
 
 bool
-basis_read(const struct stored *m, struct basis *b, struct error *error)
+basis_from_material(
+    const struct stored *m, struct basis *b, struct error *error)
 {
 	*b = (struct basis){.weight = 0};
 	if (m->basis[0] == '\0')

@@ -28,7 +28,7 @@ char *basis_written(const struct basis *basis);
  * no basis.  A basis that basis_written wrote reads back with the same bits.
  * False with ERROR_DATA for a text that no calibration writes, as a store may
  * come from others.  Clear the basis in any case. */
-bool basis_read(
+bool basis_from_material(
     const struct stored *m, struct basis *basis, struct error *error);
 void basis_clear(struct basis *basis);
 

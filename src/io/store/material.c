@@ -112,7 +112,7 @@ stored_set_whole(struct stored *m, const struct field *f, int64_t value)
 }
 
 struct stored
-stored_new(void)
+stored_empty(void)
 {
 	struct stored m = {0};
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
@@ -448,7 +448,7 @@ material_read_row(
 		    "use the columns of data/table3.csv; read a site file with "
 		    "load",
 		    (int)CELLS, row->n);
-	struct stored m = stored_new();
+	struct stored m = stored_empty();
 	m.params = params_start(0); /* beta is not printed */
 	const struct {
 		double *number, most;

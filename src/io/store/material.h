@@ -55,7 +55,7 @@ enum { FIELD_COUNT = 25, FIELD_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
 /* Returns a material with no field known. */
-struct stored stored_new(void);
+struct stored stored_empty(void);
 void stored_free(struct stored *m);
 void stored_list_free(struct stored_list *list);
 

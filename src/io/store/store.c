@@ -569,7 +569,7 @@ static bool
 store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
     struct error *error)
 {
-	*m = stored_new();
+	*m = stored_empty();
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		bool none = sqlite3_column_type(stmt, i + 2) == SQLITE_NULL;

@@ -285,7 +285,7 @@ static void
 store_csv_read_row(struct sheet *sheet, const struct row *row,
     const struct column *column, size_t n, struct stored_list *list)
 {
-	struct stored m = stored_new();
+	struct stored m = stored_empty();
 	if (row->n > sheet->row[0].n)
 		sheet_fault(sheet, row->cell[sheet->row[0].n],
 		    "expected %zu cells, got more\n"

@@ -68,8 +68,9 @@ data_head_text(const struct tui *t, size_t column, char text[static 48])
 	else
 		snprintf(text, 48, "%s%g%s%s", feed ? tr("feed@") : "",
 		    run->speed, run->repeat,
-		    !feed && tui_entry(t)->train[h->column[column].run] ? "*"
-									: "");
+		    !feed && tui_current_entry(t)->train[h->column[column].run]
+			? "*"
+			: "");
 }
 
 /* How many digits after the point all cells want. */
@@ -115,7 +116,7 @@ static void
 data_update(struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
 	if (entry == NULL || entry->site->n_run == 0)
 		return;
@@ -200,7 +201,7 @@ mend(struct tui *t)
 		    "mend: any other");
 		return;
 	}
-	char *line = mend_call(h->site, &f->mend);
+	char *line = mend_command_line(h->site, &f->mend);
 	char *words = mend_words(h->site, &f->mend);
 	watch_keep(t);
 	if (control_run(t, line))
@@ -404,7 +405,7 @@ cell_words(const struct tui *t)
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
 		char *why = mend_finding(h->site, f),
-		     *call = mend_call(h->site, &f->mend);
+		     *call = mend_command_line(h->site, &f->mend);
 		words = xasprintf(tr("! %s; Enter: %s"), why, call);
 		free(why);
 		free(call);
@@ -472,7 +473,7 @@ draw_residuals(struct tui *t, int behind)
 	if (area.columns > MOST)
 		area.columns = MOST;
 	if (area.columns < LEAST || area.rows < TALL ||
-	    !tui_entry(t)->has_params)
+	    !tui_current_entry(t)->has_params)
 		return false;
 	struct plot_request request = plots_request(PLOT_RESIDUALS);
 	pane_plot(t, &request, &area);
@@ -483,7 +484,7 @@ static void
 data_draw(struct tui *t)
 {
 	const struct area area = pane_list_area(t);
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
 	if (entry == NULL || entry->site->n_run == 0) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
@@ -514,7 +515,7 @@ data_draw(struct tui *t)
 static bool
 has_cells(const struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->site->n_run > 0;
 }
 
@@ -539,8 +540,8 @@ move_sideways(struct tui *t, int amount)
 static bool
 takes_cells(struct tui *t)
 {
-	if (has_cells(t) && t->view.sheet.site != tui_entry(t)->site)
-		take_sheet(t, tui_entry(t)->site);
+	if (has_cells(t) && t->view.sheet.site != tui_current_entry(t)->site)
+		take_sheet(t, tui_current_entry(t)->site);
 	return has_cells(t);
 }
 

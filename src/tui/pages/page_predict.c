@@ -31,7 +31,7 @@ predict_draw(struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	struct plot_request request = plots_request(PLOT_PSD);
-	if (tui_entry(t) == NULL) {
+	if (tui_current_entry(t) == NULL) {
 		start_draw(t);
 		return;
 	}
@@ -70,12 +70,12 @@ act_level(struct tui *t, const struct key *key)
 void
 act_numbers(struct tui *t, const struct key *key)
 {
-	if (tui_entry(t) == NULL) {
+	if (tui_current_entry(t) == NULL) {
 		act_choose(t, key);
 		return;
 	}
-	if (!tui_entry(t)->has_params &&
-	    site_products(tui_entry(t)->site) > 0 &&
+	if (!tui_current_entry(t)->has_params &&
+	    site_products(tui_current_entry(t)->site) > 0 &&
 	    !session_busy(t->session)) {
 		act_fit(t, key);
 		return;
@@ -92,7 +92,7 @@ void
 act_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->ui.runs = tui_entry(t) != NULL && !t->ui.runs;
+	t->ui.runs = tui_current_entry(t) != NULL && !t->ui.runs;
 }
 
 static bool
@@ -173,7 +173,7 @@ predict_hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	bool goal = goals_set(t->session);
-	if (tui_entry(t) == NULL)
+	if (tui_current_entry(t) == NULL)
 		return tr(START_HINTS);
 	if (t->ui.runs)
 		return tr("r this speed  <-/-> speed  ? keys  q "

@@ -77,7 +77,7 @@ sites_row_at(struct site_row *row, const struct tui *t)
 	row->beyond = false;
 	if (!answers_known(s, e, &error))
 		return;
-	bool here = e == tui_entry(t);
+	bool here = e == tui_current_entry(t);
 	struct prediction p = forecast_whole(s, here ? tui_asked(t) : e, speed,
 	    here ? tui_feed(t) : SITE_MEAN_FEED);
 	row->p50 = 1000 * p.p50;

@@ -38,7 +38,7 @@ static const struct {
 static size_t
 ways_count(const struct tui *t)
 {
-	return tui_entry(t) == NULL ? ARRAY_LEN(WAYS) : 0;
+	return tui_current_entry(t) == NULL ? ARRAY_LEN(WAYS) : 0;
 }
 
 static void

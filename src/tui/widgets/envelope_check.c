@@ -21,7 +21,7 @@ struct envelope_check {
 static bool
 envelope_check_is_wanted(const struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->has_params && t->session->spec != NULL &&
 	       !session_busy(t->session) && t->view.shown.product.n > 0;
 }

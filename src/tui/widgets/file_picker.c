@@ -34,7 +34,7 @@ list_all(struct picker *c, const char *path)
 	edit_begin(&c->word, "");
 	folder_free(&c->folder);
 	if (c->what == PICK_SHIPPED)
-		folder_shipped(&c->folder);
+		folder_list_shipped(&c->folder);
 	else
 		folder_list(&c->folder, copy);
 	if (c->what == PICK_FEEDS || c->what == PICK_SESSIONS)
@@ -59,7 +59,7 @@ static void
 type_guess(struct tui *t)
 {
 	static const char BEGIN[] = "guess rock=";
-	const struct site *site = tui_entry(t)->site;
+	const struct site *site = tui_current_entry(t)->site;
 	const char *quote = strchr(site->rock, ' ') != NULL ? "\"" : "";
 	char *line = xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
 	if (site->top_size > 0)
@@ -79,9 +79,9 @@ static bool
 file_picker_run(struct tui *t, const char *line, bool estimates)
 {
 	watch_keep(t);
-	if (!control_run(t, line) || tui_entry(t) == NULL)
+	if (!control_run(t, line) || tui_current_entry(t) == NULL)
 		return false;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	size_t products = site_products(entry->site);
 	char *label = session_label(entry->site);
 	if (estimates || products == 0)

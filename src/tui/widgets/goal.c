@@ -98,7 +98,7 @@ void
 act_goal(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	/* What a search has found so far is shown, too. */
 	if (entry == NULL ||
 	    (!entry->has_params && t->view.shown.product.n == 0)) {

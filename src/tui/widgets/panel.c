@@ -473,7 +473,8 @@ draw_reason(const struct area *area, const char *reason)
 static void
 draw_worth(const struct tui *t, const struct area *area)
 {
-	double fit = 100 * tui_entry(t)->fit.rmse, held = t->view.holdout;
+	double fit = 100 * tui_current_entry(t)->fit.rmse,
+	       held = t->view.holdout;
 	screen_text(area, 1, 0, 0,
 	    !isfinite(held)        ? N_("fit %.2f points")
 	    : area->columns < WIDE ? N_("fit %.2f, held out %.1f")
@@ -506,7 +507,7 @@ draw_light(struct panel *p, const struct area *area)
 	hits_add(&p->t->hits, HIT_PRESS, *area, touch_light, 0);
 	if (p->reason != NULL)
 		draw_reason(area, p->reason);
-	else if (tui_entry(p->t)->has_fit)
+	else if (tui_current_entry(p->t)->has_fit)
 		draw_worth(p->t, area);
 }
 
@@ -592,8 +593,8 @@ take_tonnes(struct panel *p)
 		const struct answer *a = s->answer[i];
 		if (strcmp(answer_command(a), "flow") != 0)
 			continue;
-		if (strcmp(answer_view(a).site, tui_entry(p->t)->site->name) !=
-		    0)
+		if (strcmp(answer_view(a).site,
+			tui_current_entry(p->t)->site->name) != 0)
 			return;
 		p->tph = answer_number(a, "feed_tph");
 		p->back = answer_number(a, "circulating_tph") +
@@ -623,7 +624,7 @@ static void
 draw_nothing(const struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	const struct site *site = tui_entry(t)->site;
+	const struct site *site = tui_current_entry(t)->site;
 	int row = 0;
 	/* The row of numbers has said it already. */
 	if (t->layout.numbers.rows == 0)

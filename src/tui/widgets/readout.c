@@ -60,7 +60,7 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	const struct quantity size = {
 	    .kind = QUANTITY_SIZE, .x = t->ui.level / 100.0};
 	const struct question q =
-	    asked_of(t->session, tui_asked(t), p->feed_run);
+	    asked_whole(t->session, tui_asked(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
 	forecast_at(f, p->speed);
 	struct figure at = forecast_figure(f, 0);
@@ -77,7 +77,7 @@ readout_rows(const struct tui *t)
 	enum { OTHERS = 3, BAND = 2 };
 	if (!t->ui.cross || t->ui.cross_at >= t->view.shown.product.n)
 		return 0;
-	return OTHERS + (int)site_products(tui_entry(t)->site) +
+	return OTHERS + (int)site_products(tui_current_entry(t)->site) +
 	       (t->ui.band && t->view.shown.low != NULL ? BAND : 0) +
 	       (t->view.pinned.site[0] != '\0');
 }
@@ -86,7 +86,7 @@ void
 readout_draw(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->view.shown;
-	const struct site *site = tui_entry(t)->site;
+	const struct site *site = tui_current_entry(t)->site;
 	bool pin = t->view.pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;

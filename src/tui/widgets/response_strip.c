@@ -76,7 +76,7 @@ act_quantity(struct tui *t, const struct key *key)
 	const int n = ARRAY_LEN(all);
 	struct error error = {0};
 	int by = key->amount, at = by > 0 ? n - 1 : 0;
-	if (tui_entry(t) == NULL)
+	if (tui_current_entry(t) == NULL)
 		return;
 	for (int i = 0; i < n; i++)
 		if (quantity_same(&all[i], &t->ui.quantity))
@@ -94,7 +94,7 @@ static bool
 has_curve(const struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->has_params &&
 	       session_fitting(s) != entry;
 }
@@ -133,7 +133,8 @@ response_strip_work_out(struct tui *t)
 	a->basis = t->view.n_basis;
 	a->feed = tui_feed(t);
 	a->of = t->ui.quantity;
-	const struct question q = asked_of(t->session, tui_asked(t), a->feed);
+	const struct question q =
+	    asked_whole(t->session, tui_asked(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
@@ -274,7 +275,7 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 	for (size_t i = 0; i < POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
 			response_strip_hold(axis, t->view.strip->value[i][k]);
-	for (size_t r = 0; r < tui_entry(t)->site->n_run; r++)
+	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
 		response_strip_hold(axis, response_strip_measured_at(t, r));
 	if (!(axis->low <= axis->high))
 		return false;
@@ -329,7 +330,8 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 	bool was = false;
 	for (size_t i = 0; i < POINTS; i++) {
 		double value = t->view.strip->value[i][0];
-		bool is = answers_extrapolates(tui_entry(t), within->x[i]);
+		bool is =
+		    answers_extrapolates(tui_current_entry(t), within->x[i]);
 		if (!is)
 			within->y[i] = value;
 		if (is || was)
@@ -455,7 +457,7 @@ response_strip_draw_marks(
 {
 	struct track_signs signs = track_signs();
 	struct slider_range range = tui_range(t);
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	double share =
 	    (double)(t->ui.tenths - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
@@ -481,7 +483,7 @@ response_strip_draw_marks(
 static void
 response_strip_draw_none(const struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	const struct area *area = &t->layout.strip;
 	const char *why = "";
 	if (entry == NULL)
@@ -511,7 +513,7 @@ strip_draw(struct tui *t)
 		response_strip_draw_none(t);
 		return;
 	}
-	int dots = area.rows * canvas_dots_down(screen_charset());
+	int dots = area.rows * canvas_cell_dots_down(screen_charset());
 	end_in_middles(&x, area.columns);
 	end_in_middles(&y, dots);
 	x.title = xstrdup("");

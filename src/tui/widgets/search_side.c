@@ -232,7 +232,7 @@ verdict_words(const struct tui *t, const struct entry *entry)
 	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	if (!plots_past_runs(t->session, tui_entry(t)) ||
+	if (!plots_past_runs(t->session, tui_current_entry(t)) ||
 	    !t->session->job.held_back)
 		return words;
 	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
@@ -253,7 +253,7 @@ draws_words(const struct evidence *e)
 static int
 draw_found(const struct tui *t, int row)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	const struct area *side = &t->layout.side;
 	if (!entry->has_fit || t->ui.generation > 0)
 		return row;
@@ -337,7 +337,7 @@ static void
 draw_low(const struct tui *t, const struct plots_past *past)
 {
 	const struct area *side = &t->layout.side;
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	size_t at = tui_generation(t);
 	bool over = t->ui.generation == 0 && !session_busy(t->session) &&
 		    entry->has_fit;
@@ -373,7 +373,7 @@ search_side_draw(struct tui *t)
 		draw_convergence(t, draw_parameters(t, &past, row));
 		return;
 	}
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	bool can = entry == NULL || site_products(entry->site) > 0;
 	bool before = entry != NULL && entry->has_fit;
 	screen_text(side, 0, 0, 0, "%s",

@@ -23,7 +23,7 @@ enum { COMPARED = 18, BAR = 25, BAR_CELLS = 4 };
 static const struct psd *
 compared(const struct tui *t, char name[static 40], enum series *series)
 {
-	const struct site *site = tui_entry(t)->site;
+	const struct site *site = tui_current_entry(t)->site;
 	const struct run *nearest = NULL;
 	if (t->view.pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));

@@ -134,7 +134,7 @@ static int
 make_cells(const struct tui *t, const struct area *track,
     struct slider_cell *cell, const bool *kept)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	struct slider_range range = tui_range(t);
 	struct slider_mark mark[MOST_MARKS];
 	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
@@ -198,7 +198,7 @@ static void
 say_quantity(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
-	if (tui_entry(t) == NULL) {
+	if (tui_current_entry(t) == NULL) {
 		track_say(part, xstrdup(""));
 		return;
 	}
@@ -225,7 +225,7 @@ say_goal(const struct tui *t, struct part *part)
 static void
 say_speed(const struct tui *t, struct part *part)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	double v = t->ui.tenths / 10.0;
 	double rotor = entry != NULL ? entry->site->rotor : 0;
 	char *words =
@@ -246,15 +246,15 @@ static void
 say_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
-	if (tui_entry(t) == NULL) {
+	if (tui_current_entry(t) == NULL) {
 		track_say(part, xstrdup(""));
 		return;
 	}
 	enum { REASONS = 34 };
 	/* Where the panel is wide its light says so. */
-	bool beyond = t->layout.side.columns < REASONS &&
-		      t->view.shown.product.n > 0 &&
-		      answers_extrapolates(tui_entry(t), t->view.shown.speed);
+	bool beyond =
+	    t->layout.side.columns < REASONS && t->view.shown.product.n > 0 &&
+	    answers_extrapolates(tui_current_entry(t), t->view.shown.speed);
 	char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
 	char *marks = xasprintf(
@@ -309,7 +309,7 @@ fit_parts(struct part part[static PARTS], int columns)
 }
 
 void
-track_heading(struct tui *t)
+track_draw_heading(struct tui *t)
 {
 	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
 	const struct area *area = &t->layout.caption;
@@ -345,9 +345,9 @@ track_stops(const struct tui *t, int tenths[static MOST_MARKS])
 	size_t n = goal_limits(t, speed, MOST_MARKS);
 	for (size_t i = 0; i < n; i++)
 		tenths[i] = slider_tenths(range, speed[i]);
-	if (n > 0 || tui_entry(t) == NULL)
+	if (n > 0 || tui_current_entry(t) == NULL)
 		return n;
-	n = take_marks(tui_entry(t), range, mark);
+	n = take_marks(tui_current_entry(t), range, mark);
 	for (size_t i = 0; i < n; i++)
 		tenths[i] = mark[i].tenths;
 	return n;
@@ -391,14 +391,15 @@ to_best(struct tui *t)
 static bool
 is_pending(const struct tui *t)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->has_params && goal_pending(t);
 }
 
 static void
 track_go(struct tui *t, const struct key *key)
 {
-	if (is_pending(t) && session_fitting(t->session) == tui_entry(t)) {
+	if (is_pending(t) &&
+	    session_fitting(t->session) == tui_current_entry(t)) {
 		tui_say(t, false,
 		    "the goal's speeds are known when the calibration ends");
 		return;

@@ -10,7 +10,7 @@ void track_draw(struct tui *t);
 
 /* Draws a rule with what is above the track: the goal, the speed, and the
  * meaning of the signs. */
-void track_heading(struct tui *t);
+void track_draw_heading(struct tui *t);
 
 /* Moves the slider to where the mouse is pressed or dragged; see hit_way. */
 void track_touch(struct tui *t, const struct touched *touched);

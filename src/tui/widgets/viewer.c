@@ -273,7 +273,7 @@ moves(struct tui *t, const struct key *key, int code)
 static bool
 changes(const struct tui *t, const struct key *key)
 {
-	const struct entry *entry = tui_entry(t);
+	const struct entry *entry = tui_current_entry(t);
 	bool first =
 	    entry != NULL && !entry->has_params && !session_busy(t->session);
 	return key->where & CHANGES && !(key->act == act_fit && first);
