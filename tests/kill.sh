@@ -63,7 +63,7 @@ enter() {
 		;;
 	'prompt calibrating')
 		keys 'calibrate generations=1000000 tolerance=0 stall=0' Enter
-		want '^  generation [1-9]'
+		want '^  calibrating: generation [1-9]'
 		;;
 	esac
 }

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "base/xalloc.h"
+#include "cmd/ask/condition_words.h"
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
 
@@ -29,7 +30,11 @@ static inline struct call *
 call_parse(const char *line)
 {
 	struct call *call = xcalloc(1, sizeof *call);
-	if (words_split(line, 0, CALL_PLACE, &call->words, &call->error))
+	bool split =
+	    words_split(line, 0, CALL_PLACE, &call->words, &call->error);
+	if (split)
+		conditions_join(&call->words, CALL_PLACE.prompt);
+	if (split)
 		call->command = parse_call(
 		    &call->words, CALL_PLACE, &call->args, &call->error);
 	return call;

@@ -449,7 +449,7 @@ logs_that_are_open_are_refused(void **state)
 	    {"time,rpm\n2026-05-03,1350\n2026-05-04,1350\n",
 		"expected times of day", ""},
 	    {"n,rpm\n1,1350\n2,1350\n", "a column of dates and times", ""},
-	    {"time,a\n2026-05-03 10:00,1350\n", "heads that name", "columns="},
+	    {"time,a\n2026-05-03 10:00,1350\n", "headings that name", "columns="},
 	    {"time,speed\n2026-05-03 10:00,65\n", "rpm or m/s", "columns="},
 	    {"time,motor 1 kW,motor 2 kW\n2026-05-03 10:00,65,66\n",
 		"expected one column of kW", "columns="},

@@ -38,7 +38,7 @@ static const struct {
     {"size_mm,product@69,product@79\n8,100,100\n4,80,90\n", 1, 1, "feed",
 	"add a column feed"},
     {"size_mm,feed,product,product@79\n" ROWS, 1, 14,
-	"what column 3 is and its tip speed",
+	"what column 3 is, and its tip speed",
 	"3=product@SPEED passing_pct, 4=product@79"},
     {"size_mm,feed,product@,product@79\n" ROWS, 1, 14, "tip speed", "@"},
     {"size_mm,feed,product@fast,product@79\n" ROWS, 1, 14, "product@fast", "@"},

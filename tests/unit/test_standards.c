@@ -83,11 +83,11 @@ what_is_none_or_several_says_so(void **state)
 	struct standards *all = standards_shipped();
 	struct error error = {0};
 	assert_null(standards_find(all, "BS 882", &error));
-	assert_string_equal(error.text, "'BS 882' is the name of 5 envelopes");
+	assert_string_equal(error.text, "'BS 882' matches 5 envelopes");
 	assert_non_null(strstr(error.hint, "BS 882:1992 M"));
 	assert_null(standards_find(all, "zone", &error));
 	assert_null(standards_find(all, "ASTM", &error));
-	assert_string_equal(error.text, "'ASTM' is the name of 3 envelopes");
+	assert_string_equal(error.text, "'ASTM' matches 3 envelopes");
 	assert_null(standards_find(all, "ASTM C34", &error));
 	assert_non_null(
 	    strstr(error.hint, "did you mean 'ASTM C33 fine aggregate'?"));
