@@ -528,9 +528,10 @@ trust_judge(
 	judge_data(t, e);
 	judge_sense(t, e);
 	judge_holdout(t, e);
-	judge_pattern(t, e, is_measured_around(e, q));
+	/* An answer shows its first reason. */
 	if (q->speed > 0)
 		judge_speed(t, e, q->speed);
+	judge_pattern(t, e, is_measured_around(e, q));
 	judge_question(t, q);
 }
 
