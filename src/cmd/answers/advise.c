@@ -300,7 +300,7 @@ bool
 cmd_advise(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	question_as_asked(s, args, q);
+	question_as_last(s, args, q);
 	struct wanted w = {.question = q, .q.fraction = q->fraction};
 	bool ok = take_quantity(args, &w, error) && advise(s, &w, error);
 	free(w.name);

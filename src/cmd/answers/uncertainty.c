@@ -265,13 +265,14 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 	double share = 1 - best.width / width;
 	answer_note(r,
 	    share < ADVISE_WORTH
-		? N_("what would help most: several samples, as at %g m/s; one "
+		? N_("what would help most: several samples, as at %.4g m/s; "
+		     "one "
 		     "narrows the band at %g mm by %.0f %% only")
 	    : best.repeat
-		? N_("what would help most: another sample at %g m/s; "
+		? N_("what would help most: another sample at %.4g m/s; "
 		     "it is expected to narrow the band at %g mm by "
 		     "%.0f %%")
-		: N_("what would help most: a sample at %g m/s; it is "
+		: N_("what would help most: a sample at %.4g m/s; it is "
 		     "expected to narrow the band at %g mm by %.0f "
 		     "%%"),
 	    best.speed, units_mm(passing.x), 100 * fmax(share, 0));
@@ -404,7 +405,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	bool draws = false;
 	if (!take_words(args, q, &draws, error))
 		return false;
-	question_as_asked(s, args, q);
+	question_as_last(s, args, q);
 	take_settings(s, args);
 	if (!screened_tells(q, error))
 		return false;

@@ -431,22 +431,12 @@ question_as_last(
 	double last = session_known(s, "predict", "speed");
 	double fed = session_known(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
-	if (q->speed_given || isnan(last))
+	if (q->speed_given || (isnan(last) && !(s->asked > 0)))
 		return;
-	q->speed = last;
+	q->speed = s->asked > 0 ? s->asked : last;
 	if (given(args, "feed") == NULL && !q->variant.feed && isfinite(fed) &&
 	    site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);
-}
-
-void
-question_as_asked(
-    const struct session *s, const struct args *args, struct question *q)
-{
-	bool given = q->speed_given;
-	question_as_last(s, args, q);
-	if (!given && s->asked > 0)
-		q->speed = s->asked;
 }
 
 const struct psd *

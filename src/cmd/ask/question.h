@@ -56,12 +56,10 @@ void question_forget(struct session *s);
 void question_usual_speeds(
     const struct session *s, struct question *q, bool each);
 
-/* If the call names no speed, the question takes the speed and the feed last
- * predicted at the site in use, if there are any; question_as_asked: the speed
- * that was last asked about by any command. */
+/* If the call names no speed, the question takes the speed that was last asked
+ * about by any command, and the feed last predicted with, at the site in use,
+ * if there are any. */
 void question_as_last(
-    const struct session *s, const struct args *args, struct question *q);
-void question_as_asked(
     const struct session *s, const struct args *args, struct question *q);
 
 void question_free(struct session *s, struct question *q);
