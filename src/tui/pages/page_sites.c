@@ -438,19 +438,10 @@ sites_id(const struct tui *t, size_t i)
 	return t->view.row[i].entry;
 }
 
-/* All columns, whether there is room for them or not. */
 static char *
-text(const struct tui *t, size_t i)
+sites_name(const struct tui *t, size_t i)
 {
-	char *line = xstrdup(""), cell[64];
-	for (int c = 0; c < COLUMNS; c++) {
-		cell_text(
-		    t, &t->view.row[i], (enum column)c, cell, sizeof cell);
-		xappend(&line, "%s ", cell);
-	}
-	xappend(
-	    &line, "%s", t->session->entry[t->view.row[i].entry].site->name);
-	return line;
+	return xstrdup(t->session->entry[t->view.row[i].entry].site->name);
 }
 
 static void
@@ -506,7 +497,7 @@ act_sort(struct tui *t, const struct key *key)
 
 static const struct page_list LIST = {.n = sites_count,
     .id = sites_id,
-    .text = text,
+    .text = sites_name,
     .open = sites_choose,
     .update = sites_update,
     .table = &TABLE};

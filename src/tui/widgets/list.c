@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 #include "tui/acts.h"
 #include "tui/pages.h"
 #include "tui/screen.h"
@@ -66,12 +67,25 @@ list_go(struct tui *t, size_t i)
 }
 
 static bool
+list_has_words(const struct page_list *of)
+{
+	return of != NULL && (of->text != NULL || of->table != NULL);
+}
+
+/* All columns, whether there is room for them or not. */
+static bool
 list_has_word(const struct tui *t, size_t i)
 {
 	const struct edit *word = t->picker.on ? &t->picker.word : &t->filter;
-	if (word->n == 0 || list_of(t)->text == NULL)
+	const struct page_list *of = list_of(t);
+	if (word->n == 0 || !list_has_words(of))
 		return true;
-	char *text = list_of(t)->text(t, i);
+	char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
+	for (int c = 0; of->table != NULL && c < of->table->n; c++) {
+		char cell[128];
+		of->table->cell(t, i, c, cell, sizeof cell);
+		xappend(&text, " %s", cell);
+	}
 	bool has = text_has(text, word->text);
 	free(text);
 	return has;
@@ -386,7 +400,7 @@ void
 act_filter(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (list_of(t) == NULL || list_of(t)->text == NULL) {
+	if (!list_has_words(list_of(t))) {
 		tui_say(t, false,
 		    "this page has no list to look through: Sites, ? and texts "
 		    "have");
