@@ -78,6 +78,11 @@ chart_sample(const struct chart_series *series, enum charset charset)
 						       : LINES[series->line];
 	if (series->mark != '\0')
 		canvas_utf8(draw_mark_code(series, charset), mark);
+	/* A heavy line would be no dashes; a bar is heavy. */
+	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
+		return xasprintf(
+		    charset == CHARSET_ASCII ? "%s %s" : "\u2500 \u2500", ascii,
+		    ascii);
 	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 

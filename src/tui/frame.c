@@ -126,30 +126,40 @@ frame_draw_message(const struct tui *t, const struct area *row)
 	return hints;
 }
 
+/* How a search, or another job, stands. */
+static int
+draw_work(const struct tui *t, const struct area *area)
+{
+	const struct session *s = t->session;
+	if (!s->job.fits) {
+		char *at = s->job.rounds->at(s);
+		int column = screen_text(area, 0, 0, LOOK_BOLD,
+		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
+		    t->held ? tr("PAUSED") : tr("WORKING"), at);
+		free(at);
+		return column;
+	}
+	struct calibrate_status st = calibration_status(s->job.calibration);
+	return screen_text(area, 0, 0, LOOK_BOLD,
+	    area->columns < 34 ? "%s %zu/%zu"
+	    : st.state == CALIBRATE_POLISHING
+		? N_("%s  generation %zu of %zu, polishing")
+		: N_("%s  generation %zu of %zu"),
+	    t->held ? tr("PAUSED") : tr("CALIBRATING"), st.generation,
+	    s->job.options.generations);
+}
+
 /* What the site's parameters are worth, or how the search stands. */
 static void
 draw_state(struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
-	char *verdict = panel_words(t);
+	const int room = area->columns - text_width(tr("READY  %s")) + 2;
+	char *verdict = panel_words(t, room, area->columns);
 	int column;
-	if (session_busy(s) && !s->job.fits) {
-		char *at = s->job.rounds->at(s);
-		column = screen_text(area, 0, 0, LOOK_BOLD,
-		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
-		    t->held ? tr("PAUSED") : tr("WORKING"), at);
-		free(at);
-	} else if (session_busy(s)) {
-		struct calibrate_status st =
-		    calibration_status(s->job.calibration);
-		column = screen_text(area, 0, 0, LOOK_BOLD,
-		    area->columns < 34 ? "%s %zu/%zu"
-		    : st.state == CALIBRATE_POLISHING
-			? N_("%s  generation %zu of %zu, polishing")
-			: N_("%s  generation %zu of %zu"),
-		    t->held ? tr("PAUSED") : tr("CALIBRATING"), st.generation,
-		    s->job.options.generations);
+	if (session_busy(s)) {
+		column = draw_work(t, area);
 	} else if (entry == NULL) {
 		column = screen_text(
 		    area, 0, 0, 0, "READY  no site: o opens a sheet");
@@ -159,7 +169,9 @@ draw_state(struct tui *t, const struct area *area)
 			? tr("not calibrated: f calibrates")
 			: tr("no product: type :guess"));
 	} else if (verdict[0] != '\0') {
-		column = screen_text(area, 0, 0, 0, "READY  %s", verdict);
+		column = screen_text(area, 0, 0, 0,
+		    text_width(verdict) > room ? "%s" : N_("READY  %s"),
+		    verdict);
 	} else if (entry->has_fit) {
 		column = screen_text(area, 0, 0, 0, "READY  %s%s",
 		    fit_too_few(&entry->fit) ? "" : tr("fit "),

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/draw/plots_limits.h"
@@ -136,7 +137,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 {
 	const struct entry *entry = tui_current_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
-	char text[40], sample[16] = "";
+	char text[40], sample[16];
 	int column = 0;
 	if (entry == NULL)
 		return;
@@ -146,8 +147,11 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		column = pane_draw_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
 	else if (!runs && t->view.current.site[0] != '\0') {
-		snprintf(text, sizeof text, tr("%s predicted%s"),
-		    ascii ? "#" : "\u2500",
+		bool dashed = answers_extrapolates(entry, t->ui.tenths / 10.0);
+		const char *line = ascii ? "#" : "\u2500";
+		snprintf(sample, sizeof sample, "%s%s%s", line,
+		    dashed ? " " : "", dashed ? line : "");
+		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
 		    outlook_short(t->session, tui_asked(t), &t->view.shown));
 		column = pane_draw_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
@@ -156,6 +160,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		column = pane_draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	column = pane_draw_runs(t, column, entry, !runs);
+	sample[0] = '\0';
 	if (site->individual_feeds && t->ui.feed > 0 && !runs)
 		snprintf(sample, sizeof sample, " %g", t->ui.feed);
 	snprintf(text, sizeof text, tr("%s feed%s"),

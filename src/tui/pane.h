@@ -8,15 +8,18 @@
 
 /* Rows that a cursor moves through, see list.h.  n: how many; id: what the
  * cursor is on in a row, whatever their order; NULL: its number; text: returns
- * all text of a row, to search for a word, which the caller frees, or NULL;
- * chosen: called when the cursor has moved; open: what Enter does there;
- * update: computes what is shown of the list.  Each of these may be NULL. */
+ * the text of a row beside its columns, to search for a word, which the caller
+ * frees; chosen: called when the cursor has moved; open: what Enter does there;
+ * update: computes what is shown of the list; table: its columns.  Each of
+ * these may be NULL. */
+struct list_table;
 struct page_list {
 	size_t (*n)(const struct tui *t);
 	size_t (*id)(const struct tui *t, size_t i);
 	char *(*text)(const struct tui *t, size_t i);
 	void (*chosen)(struct tui *t), (*open)(struct tui *t),
 	    (*update)(struct tui *t);
+	const struct list_table *table;
 };
 
 /* The operations of a page, which are in its own file; pages.c lists the pages.

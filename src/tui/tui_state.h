@@ -94,8 +94,8 @@ struct parity {
 	struct error error;
 };
 
-/* Columns of the Sites page. */
-enum { SITE_COLUMNS = 12 };
+/* Most columns of a list. */
+enum { LIST_COLUMNS = 12 };
 
 /* Text being pasted: how many of its characters were typed, whether its first
  * line has ended, and whether something was not accepted. */
@@ -217,7 +217,7 @@ struct view {
 	struct parity parity;                  /* of the Parity page */
 	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
 	size_t n_row;
-	int site_width[SITE_COLUMNS]; /* width of each one's texts */
+	int site_width[LIST_COLUMNS]; /* width of each one's texts */
 	int rows_at; /* slider of these rows, tenths; 0: out of date */
 };
 
@@ -277,6 +277,7 @@ struct tui {
 	bool bad;             /* the message is an error */
 	bool told;            /* it is from the command that moved the slider */
 	bool left_out;        /* the panel has more than it shows */
+	bool reason_shown;    /* the panel has room for that of the light */
 	const char *question; /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */

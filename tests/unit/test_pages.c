@@ -19,6 +19,7 @@
 #include "tui/cmdline.h"
 #include "tui/watch.h"
 #include "tui/view.h"
+#include "tui/widgets/list.h"
 
 static int
 stage_open(void **state)
@@ -287,6 +288,17 @@ parity_has_the_statistics_of_validate(void **state)
 		assert_true(own[i]->y[0] == of->y[2] && own[i]->lifted);
 		assert_int_equal(own[i]->mark, of->mark);
 	}
+	/* A word shows the runs that have it, and chooses one. */
+	size_t chosen = t->ui.list[PAGE_PARITY].at == 0 ? 1 : 0;
+	const char *key = s->entry[t->view.parity.point[chosen].entry].key;
+	press(t, "/");
+	for (; *key != '\0'; key++)
+		keymap_key(t, *key, false);
+	press(t, "Enter");
+	assert_int_equal(rows_count(t), 1);
+	assert_int_equal(t->ui.list[PAGE_PARITY].at, chosen);
+	press(t, "Esc");
+	assert_int_equal(rows_count(t), 3);
 	/* A step of the slider compares nothing. */
 	const struct parity_point *was = t->view.parity.point;
 	press(t, "= 7 2 Enter");

@@ -193,69 +193,60 @@ off_by(const struct validation *v, size_t i)
 	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
 }
 
-/* What there is room for beside the longest name: columns of the figures. */
-enum { FEW = 16, FIGURES = 32, ALL = 48 };
+/* ---- The list of points ---- */
 
-static int
-figures_of(const struct tui *t, const struct area *area)
-{
-	static const int SETS[] = {ALL, FIGURES, FEW};
-	enum { LEAST = 8 };
-	int most = 0;
-	for (size_t k = 0; k < t->view.parity.n; k++) {
-		size_t entry = t->view.parity.point[k].entry;
-		int width = text_width(t->session->entry[entry].key);
-		most = width > most ? width : most;
-	}
-	for (size_t i = 0; i < ARRAY_LEN(SETS); i++)
-		if (area->columns - SETS[i] > most)
-			return SETS[i];
-	return area->columns > FEW + LEAST ? FEW : 0;
-}
+enum column {
+	SITE,
+	SPEED,
+	MEASURED,
+	MODEL,
+	OFF_P50,
+	OFF_P20,
+	OFF_P80,
+	COLUMNS
+};
+
+static const struct list_column COLUMN[COLUMNS] = {[SITE] = {N_("site"), 1, 0},
+    [SPEED] = {"m/s", 5, 1, .right = true},
+    [MEASURED] = {N_("P50 mm"), 8, 3, .right = true},
+    [MODEL] = {N_("model"), 7, 4, .right = true},
+    [OFF_P50] = {N_("P50 off"), 9, 2, .right = true},
+    [OFF_P20] = {N_("P20 off"), 9, 5, .right = true},
+    [OFF_P80] = {N_("P80 off"), 9, 6, .right = true}};
 
 static void
-draw_point(struct tui *t, const struct area *line, size_t k, unsigned look,
-    const void *of)
+parity_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
-	const int figures = *(const int *)of;
-	const struct parity_point *p = &t->view.parity.point[k];
+	static const size_t SIZE[COLUMNS] = {
+	    [OFF_P50] = 1, [OFF_P20] = 0, [OFF_P80] = 2};
+	const struct parity_point *p = &t->view.parity.point[i];
 	const struct entry *e = &t->session->entry[p->entry];
 	const struct run *run = &e->site->run[p->v.run];
-	int from = line->columns - figures;
-	struct area name = *line;
-	name.columns = figures > 0 ? from - 1 : line->columns;
-	screen_text(&name, 0, 0, look, "%s", e->key);
-	if (figures == 0)
-		return;
-	from = screen_text(line, 0, from, look, "%*g%s",
-	    8 - (int)strlen(run->repeat), run->speed, run->repeat);
-	if (figures >= FIGURES)
-		from = screen_text(line, 0, from, look, "%8.2f%8.2f",
-		    1000 * p->v.measured[1],
-		    1000 * p->v.size[VALIDATE_MODEL][1]);
-	from = screen_text(line, 0, from, look, "%+7.1f%%", off_by(&p->v, 1));
-	if (figures == ALL)
-		screen_text(line, 0, from, look, "%+7.1f%%%+7.1f%%",
-		    off_by(&p->v, 0), off_by(&p->v, 2));
+	if (column == SITE)
+		snprintf(text, n, "%s", e->key);
+	else if (column == SPEED)
+		snprintf(text, n, "%g%s", run->speed, run->repeat);
+	else if (column == MEASURED)
+		snprintf(text, n, "%.2f", 1000 * p->v.measured[1]);
+	else if (column == MODEL)
+		snprintf(text, n, "%.2f", 1000 * p->v.size[VALIDATE_MODEL][1]);
+	else
+		snprintf(text, n, "%+.1f%%", off_by(&p->v, SIZE[column]));
 }
 
-static void
-draw_points(struct tui *t, const struct area *area, int row)
+static const struct list_table TABLE = {
+    .column = COLUMN, .n = COLUMNS, .cell = parity_cell};
+
+static size_t
+parity_count(const struct tui *t)
 {
-	int figures = figures_of(t, area), from = area->columns - figures;
-	struct area rows = *area;
-	rows.row += row + 1;
-	rows.rows -= row + 1;
-	if (rows.rows < 1)
-		return;
-	screen_text(area, row, 0, LOOK_BOLD, "site");
-	if (figures > 0)
-		screen_text(area, row, from, LOOK_BOLD, "%8s%s%s", "m/s",
-		    figures == FEW ? tr(" P50 off")
-				   : tr("  P50 mm   model  off by"),
-		    figures == ALL ? "     P20     P80" : "");
-	rows_draw(t, &rows, draw_point, &figures);
+	return t->view.parity.chart != NULL ? t->view.parity.n : 0;
 }
+
+static const struct page_list POINTS = {.n = parity_count,
+    .chosen = choose_points,
+    .update = parity_update,
+    .table = &TABLE};
 
 /* Statistics and points beside the plot. */
 static void
@@ -275,7 +266,13 @@ draw_panel(struct tui *t, const struct area *area)
 	row = draw_scores(area, row, tr("corrected by the training runs"),
 	    y->score[VALIDATE_CORRECTED]);
 	row = draw_each(t, area, row);
-	draw_points(t, area, row + 1 < area->rows - 4 ? row + 1 : row);
+	row += row + 1 < area->rows - 4;
+	struct area points = *area;
+	points.row += row;
+	points.rows -= row;
+	int wanted[LIST_COLUMNS];
+	table_measure(t, &TABLE, y->n, wanted);
+	table_draw(t, &points, &TABLE, wanted);
 }
 
 /* Where there is no room for a panel. */
@@ -343,17 +340,6 @@ parity_draw(struct tui *t)
 	}
 	draw_chart(t, &plot);
 }
-
-/* ---- The list of points ---- */
-
-static size_t
-parity_count(const struct tui *t)
-{
-	return t->view.parity.chart != NULL ? t->view.parity.n : 0;
-}
-
-static const struct page_list POINTS = {
-    .n = parity_count, .chosen = choose_points, .update = parity_update};
 
 static char *
 parity_words(const struct tui *t)

@@ -37,30 +37,24 @@ enum column {
 	MISFIT,
 	GENERATIONS,
 	MACHINE,
-	COLUMNS = SITE_COLUMNS
+	COLUMNS
 };
 
-/* Between two columns. */
-enum { GAP = 2 };
-
-/* Those of low rank have room first; least: columns that one wants to be shown
- * at all, where it wants as many; right: numbers. */
-static const struct {
-	const char *head;
-	int least, rank;
-	bool right;
-} TABLE[COLUMNS] = {[LIGHT] = {N_("light"), 7, 1, false},
-    [NAME] = {N_("site"), 1, 0, false},
-    [ROCK] = {N_("rock"), 8, 6, false},
-    [TOP] = {N_("top mm"), 7, 7, true},
-    [RUNS] = {N_("runs m/s"), 20, 8, false},
-    [PARAMETERS] = {N_("parameters"), 18, 5, false},
-    [RMS] = {"RMSE", 7, 3, true},
-    [HOLDOUT] = {N_("hold-out"), 9, 4, true},
-    [P50] = {N_("P50 mm"), 8, 2, true},
-    [MISFIT] = {N_("misfit"), 10, 9, true},
-    [GENERATIONS] = {N_("generations"), 12, 10, true},
-    [MACHINE] = {N_("machine"), 12, 11, false}};
+/* The light of a site under way is in other words, so that its width is
+ * fixed. */
+static const struct list_column COLUMN[COLUMNS] = {
+    [LIGHT] = {N_("light"), 7, 1, .fixed = true},
+    [NAME] = {N_("site"), 1, 0, .indent = 2},
+    [ROCK] = {N_("rock"), 8, 6},
+    [TOP] = {N_("top mm"), 7, 7, .right = true},
+    [RUNS] = {N_("runs m/s"), 20, 8},
+    [PARAMETERS] = {N_("parameters"), 18, 5},
+    [RMS] = {"RMSE", 7, 3, .right = true},
+    [HOLDOUT] = {N_("hold-out"), 9, 4, .right = true},
+    [P50] = {N_("P50 mm"), 8, 2, .right = true},
+    [MISFIT] = {N_("misfit"), 10, 9, .right = true},
+    [GENERATIONS] = {N_("generations"), 12, 10, .right = true},
+    [MACHINE] = {N_("machine"), 12, 11}};
 
 /* ---- What is known of each ---- */
 
@@ -299,24 +293,42 @@ sites_sort_rows(struct tui *t)
 	}
 }
 
-/* From what each column's texts take, a gap among it. */
 static void
-sites_measure(struct tui *t)
+cell_at(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
-	for (int c = 0; c < COLUMNS; c++) {
-		int most = text_width(tr(TABLE[c].head)) + (c == NAME ? 2 : 0);
-		for (size_t i = 0; i < t->view.n_row; i++) {
-			char text[128];
-			cell_text(t, &t->view.row[i], (enum column)c, text,
-			    sizeof text);
-			int width = text_width(text);
-			most = width > most ? width : most;
-		}
-		/* The light of a site under way is in other words. */
-		most = c == LIGHT ? TABLE[c].least : most + GAP;
-		t->view.site_width[c] = most;
-	}
+	cell_text(t, &t->view.row[i], (enum column)column, text, n);
 }
+
+/* 0: as they were loaded, else 1 + the column; again: the other way round. */
+static void
+sort_by(struct tui *t, int by)
+{
+	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
+	t->ui.sort = by;
+	sites_sort_rows(t);
+}
+
+static void
+sort_by_column(struct tui *t, int column)
+{
+	sort_by(t, column + 1);
+}
+
+static bool
+light_series(const struct tui *t, size_t i, int column, const char *text,
+    enum series *series)
+{
+	static const enum series LIGHT_LOOK[] = {[LIGHT_GREEN] = SERIES_GREEN,
+	    [LIGHT_AMBER] = SERIES_AMBER,
+	    [LIGHT_RED] = SERIES_RED};
+	const struct site_row *row = &t->view.row[i];
+	*series = LIGHT_LOOK[row->light];
+	return column == LIGHT && row->lit &&
+	       strcmp(text, LIGHT_NAME[row->light]) == 0;
+}
+
+static const struct list_table TABLE = {
+    COLUMN, COLUMNS, cell_at, light_series, sort_by_column};
 
 /* What does not depend on the speed is worked out when the session has changed
  * only (rows_at 0). */
@@ -337,121 +349,13 @@ sites_update(struct tui *t)
 	for (size_t i = 0; i < t->view.n_row; i++)
 		sites_row_at(&t->view.row[i], t);
 	if (other)
-		sites_measure(t);
+		table_measure(t, &TABLE, t->view.n_row, t->view.site_width);
 	if (other || t->ui.sort == P50 + 1)
 		sites_sort_rows(t);
 	t->view.rows_at = t->ui.tenths;
 }
 
 /* ---- On the screen ---- */
-
-/* How wide each column is drawn, 0: not; the name gives way last. */
-static void
-share_out(const struct tui *t, int columns, int width[static COLUMNS])
-{
-	memset(width, 0, COLUMNS * sizeof *width);
-	for (int rank = 0; rank < COLUMNS; rank++) {
-		int c = 0;
-		while (TABLE[c].rank != rank)
-			c++;
-		int wanted = t->view.site_width[c];
-		int least = TABLE[c].least < wanted ? TABLE[c].least : wanted;
-		if (columns < least)
-			return;
-		width[c] = wanted < columns ? wanted : columns;
-		columns -= width[c];
-		/* The light has room beside a long name. */
-		if (c == NAME && columns < TABLE[LIGHT].least &&
-		    width[c] > 3 * TABLE[LIGHT].least) {
-			width[c] += columns - TABLE[LIGHT].least;
-			columns = TABLE[LIGHT].least;
-		}
-	}
-}
-
-/* 0: as they were loaded, else 1 + the column; again: the other way round. */
-static void
-sort_by(struct tui *t, int by)
-{
-	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
-	t->ui.sort = by;
-	sites_sort_rows(t);
-}
-
-/* A click on a heading. */
-static void
-touch_head(struct tui *t, const struct touched *touched)
-{
-	sort_by(t, (int)touched->item + 1);
-}
-
-static const enum series LIGHT_LOOK[] = {[LIGHT_GREEN] = SERIES_GREEN,
-    [LIGHT_AMBER] = SERIES_AMBER,
-    [LIGHT_RED] = SERIES_RED};
-
-/* The part of a cell that has text: a gap is before it, but at the edge. */
-static struct area
-text_area(const struct area *area, int at, int column, int width)
-{
-	int gap = at == 0 || TABLE[column].right ? 0 : GAP;
-	struct area cell = *area;
-	cell.column += at + gap;
-	cell.columns = width - gap;
-	return cell;
-}
-
-/* A cell is set by itself, as names may have wide letters. */
-static void
-sites_draw_cell(const struct tui *t, const struct area *cell, unsigned look,
-    int column, const struct site_row *of)
-{
-	char text[128];
-	cell_text(t, of, (enum column)column, text, sizeof text);
-	if (TABLE[column].right)
-		screen_text(cell, 0, 0, look, "%*s", cell->columns, text);
-	else if (column == LIGHT && of->lit &&
-		 strcmp(text, LIGHT_NAME[of->light]) == 0)
-		screen_series(
-		    cell, 0, 0, LIGHT_LOOK[of->light], look | LOOK_BOLD, text);
-	else
-		screen_text(cell, 0, 0, look, "%s", text);
-}
-
-/* That of the column sorted by is marked, with its direction. */
-static void
-draw_head(struct tui *t, const struct area *cell, int column)
-{
-	bool sorted = column + 1 == t->ui.sort;
-	char text[32];
-	snprintf(text, sizeof text, "%s%s", column == NAME ? "  " : "",
-	    tr(TABLE[column].head));
-	int room = cell->columns - text_width(text);
-	int from = TABLE[column].right && room > 0 ? room : 0;
-	int end = screen_text(cell, 0, from,
-	    LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN), "%s", text);
-	if (sorted && (from > 0 || end < cell->columns))
-		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
-		    t->ui.sort_down ? "v" : "^");
-	hits_add(
-	    &t->hits, HIT_PRESS, area_row(cell, 0), touch_head, (size_t)column);
-}
-
-/* i: SIZE_MAX of the heads. */
-static void
-draw_row(struct tui *t, const struct area *line, size_t i, unsigned look,
-    const void *of)
-{
-	const int *width = of;
-	int at = 0;
-	for (int c = 0; c < COLUMNS; c++) {
-		struct area cell = text_area(line, at, c, width[c]);
-		at += width[c];
-		if (width[c] > 0 && i == SIZE_MAX)
-			draw_head(t, &cell, c);
-		else if (width[c] > 0)
-			sites_draw_cell(t, &cell, look, c, &t->view.row[i]);
-	}
-}
 
 /* More of the site under the cursor: what the mark of its P50 means, its
  * parameters, what it is, where its data are from; the last is left out first.
@@ -510,21 +414,14 @@ sites_draw(struct tui *t)
 {
 	enum { HEAD = 1 };
 	const struct area area = pane_list_area(t);
-	const struct session *s = t->session;
-	int width[COLUMNS];
 	sites_update(t);
-	if (s->n_entry == 0) {
+	if (t->session->n_entry == 0) {
 		screen_text(&area, 0, 2, 0, "none is loaded: o opens a sheet");
 		return;
 	}
-	struct area rows = area;
-	rows.row += HEAD;
-	rows.rows -= HEAD;
-	share_out(t, area.columns, width);
-	draw_row(t, &area, SIZE_MAX, LOOK_PLAIN, width);
-	rows_draw(t, &rows, draw_row, width);
+	table_draw(t, &area, &TABLE, t->view.site_width);
 	if (rows_count(t) == 0)
-		screen_text(&rows, 0, 2, 0, "no site has this word: Esc");
+		screen_text(&area, HEAD, 2, 0, "no site has this word: Esc");
 	else if ((int)rows_count(t) + HEAD + 1 < area.rows)
 		draw_site(t, &area, (int)rows_count(t) + HEAD);
 }
@@ -541,19 +438,10 @@ sites_id(const struct tui *t, size_t i)
 	return t->view.row[i].entry;
 }
 
-/* All columns, whether there is room for them or not. */
 static char *
-text(const struct tui *t, size_t i)
+sites_name(const struct tui *t, size_t i)
 {
-	char *line = xstrdup(""), cell[64];
-	for (int c = 0; c < COLUMNS; c++) {
-		cell_text(
-		    t, &t->view.row[i], (enum column)c, cell, sizeof cell);
-		xappend(&line, "%s ", cell);
-	}
-	xappend(
-	    &line, "%s", t->session->entry[t->view.row[i].entry].site->name);
-	return line;
+	return xstrdup(t->session->entry[t->view.row[i].entry].site->name);
 }
 
 static void
@@ -585,8 +473,9 @@ sites_choose(struct tui *t)
 static void
 sort_on(struct tui *t)
 {
-	int width[COLUMNS], by = t->ui.sort;
-	share_out(t, pane_list_area(t).columns, width);
+	int width[LIST_COLUMNS], by = t->ui.sort;
+	table_share(
+	    &TABLE, pane_list_area(t).columns, t->view.site_width, width);
 	do
 		by = (by + 1) % (COLUMNS + 1);
 	while (by > 0 && width[by - 1] == 0);
@@ -608,9 +497,10 @@ act_sort(struct tui *t, const struct key *key)
 
 static const struct page_list LIST = {.n = sites_count,
     .id = sites_id,
-    .text = text,
+    .text = sites_name,
     .open = sites_choose,
-    .update = sites_update};
+    .update = sites_update,
+    .table = &TABLE};
 
 static const char *
 sites_hints(const struct tui *t)

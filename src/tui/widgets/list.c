@@ -1,12 +1,15 @@
-/* Choosing, opening, filtering and drawing rows, whatever they show.
+/* Choosing, opening, filtering and drawing rows, whatever they show, and the
+ * columns of those that have some.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/list.h"
 
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
+#include "base/xalloc.h"
 #include "tui/acts.h"
 #include "tui/pages.h"
 #include "tui/screen.h"
@@ -64,12 +67,25 @@ list_go(struct tui *t, size_t i)
 }
 
 static bool
+list_has_words(const struct page_list *of)
+{
+	return of != NULL && (of->text != NULL || of->table != NULL);
+}
+
+/* All columns, whether there is room for them or not. */
+static bool
 list_has_word(const struct tui *t, size_t i)
 {
 	const struct edit *word = t->picker.on ? &t->picker.word : &t->filter;
-	if (word->n == 0 || list_of(t)->text == NULL)
+	const struct page_list *of = list_of(t);
+	if (word->n == 0 || !list_has_words(of))
 		return true;
-	char *text = list_of(t)->text(t, i);
+	char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
+	for (int c = 0; of->table != NULL && c < of->table->n; c++) {
+		char cell[128];
+		of->table->cell(t, i, c, cell, sizeof cell);
+		xappend(&text, " %s", cell);
+	}
 	bool has = text_has(text, word->text);
 	free(text);
 	return has;
@@ -198,6 +214,145 @@ rows_draw(struct tui *t, const struct area *area, row_way *draw, const void *of)
 	return row;
 }
 
+/* ---- Columns ---- */
+
+/* Between two columns. */
+enum { GAP = 2 };
+
+void
+table_measure(const struct tui *t, const struct list_table *table, size_t rows,
+    int wanted[static LIST_COLUMNS])
+{
+	for (int c = 0; c < table->n; c++) {
+		const struct list_column *column = &table->column[c];
+		int most = text_width(tr(column->head)) + column->indent;
+		for (size_t i = 0; i < rows; i++) {
+			char text[128];
+			table->cell(t, i, c, text, sizeof text);
+			int width = text_width(text);
+			most = width > most ? width : most;
+		}
+		wanted[c] = column->fixed ? column->least : most + GAP;
+	}
+}
+
+static int
+table_ranked(const struct list_table *table, int rank)
+{
+	int c = 0;
+	while (table->column[c].rank != rank)
+		c++;
+	return c;
+}
+
+/* The first in rank gives way last, but leaves the second one room. */
+void
+table_share(const struct list_table *table, int columns,
+    const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS])
+{
+	memset(width, 0, LIST_COLUMNS * sizeof *width);
+	int second = table->column[table_ranked(table, 1)].least;
+	for (int rank = 0; rank < table->n; rank++) {
+		int c = table_ranked(table, rank);
+		int least = table->column[c].least;
+		if (columns < (least < wanted[c] ? least : wanted[c]))
+			return;
+		width[c] = wanted[c] < columns ? wanted[c] : columns;
+		columns -= width[c];
+		if (rank == 0 && columns < second && width[c] > 3 * second) {
+			width[c] += columns - second;
+			columns = second;
+		}
+	}
+}
+
+struct table_drawn {
+	const struct list_table *table;
+	int width[LIST_COLUMNS];
+};
+
+static void
+table_touch_head(struct tui *t, const struct touched *touched)
+{
+	const struct page_list *list = list_of(t);
+	if (list != NULL && list->table != NULL && list->table->sort != NULL)
+		list->table->sort(t, (int)touched->item);
+}
+
+/* That of the column sorted by is marked, with its direction. */
+static void
+table_draw_head(struct tui *t, const struct list_table *table,
+    const struct area *cell, int column)
+{
+	const struct list_column *of = &table->column[column];
+	bool sorted = table->sort != NULL && column + 1 == t->ui.sort;
+	char text[32];
+	snprintf(text, sizeof text, "%*s%s", of->indent, "", tr(of->head));
+	int room = cell->columns - text_width(text);
+	int from = of->right && room > 0 ? room : 0;
+	int end = screen_text(cell, 0, from,
+	    LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN), "%s", text);
+	if (sorted && (from > 0 || end < cell->columns))
+		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
+		    t->ui.sort_down ? "v" : "^");
+	if (table->sort != NULL)
+		hits_add(&t->hits, HIT_PRESS, area_row(cell, 0),
+		    table_touch_head, (size_t)column);
+}
+
+/* Each cell is drawn by itself, as texts may have wide letters. */
+static void
+table_draw_cell(const struct tui *t, const struct list_table *table,
+    const struct area *cell, size_t i, int column, unsigned look)
+{
+	char text[128];
+	enum series series;
+	table->cell(t, i, column, text, sizeof text);
+	if (table->column[column].right)
+		screen_text(cell, 0, 0, look, "%*s", cell->columns, text);
+	else if (table->series != NULL &&
+		 table->series(t, i, column, text, &series))
+		screen_series(cell, 0, 0, series, look | LOOK_BOLD, text);
+	else
+		screen_text(cell, 0, 0, look, "%s", text);
+}
+
+/* i: SIZE_MAX of the headings.  A gap stands before a text, but at the edge. */
+static void
+table_draw_row(struct tui *t, const struct area *line, size_t i, unsigned look,
+    const void *of)
+{
+	const struct table_drawn *drawn = of;
+	const struct list_table *table = drawn->table;
+	int at = 0;
+	for (int c = 0; c < table->n; c++) {
+		struct area cell = *line;
+		int gap = at == 0 || table->column[c].right ? 0 : GAP;
+		cell.column += at + gap;
+		cell.columns = drawn->width[c] - gap;
+		at += drawn->width[c];
+		if (drawn->width[c] > 0 && i == SIZE_MAX)
+			table_draw_head(t, table, &cell, c);
+		else if (drawn->width[c] > 0)
+			table_draw_cell(t, table, &cell, i, c, look);
+	}
+}
+
+void
+table_draw(struct tui *t, const struct area *area,
+    const struct list_table *table, const int wanted[static LIST_COLUMNS])
+{
+	struct table_drawn drawn = {.table = table};
+	struct area rows = *area;
+	rows.row++;
+	rows.rows--;
+	table_share(table, area->columns, wanted, drawn.width);
+	table_draw_row(t, area, SIZE_MAX, LOOK_PLAIN, &drawn);
+	rows_draw(t, &rows, table_draw_row, &drawn);
+}
+
+/* ---- Keys ---- */
+
 void
 rows_wheel(struct tui *t, struct area area)
 {
@@ -245,7 +400,7 @@ void
 act_filter(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (list_of(t) == NULL || list_of(t)->text == NULL) {
+	if (!list_has_words(list_of(t))) {
 		tui_say(t, false,
 		    "this page has no list to look through: Sites, ? and texts "
 		    "have");

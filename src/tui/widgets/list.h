@@ -21,6 +21,39 @@ typedef void row_way(struct tui *t, const struct area *line, size_t i,
 int rows_draw(
     struct tui *t, const struct area *area, row_way *draw, const void *of);
 
+/* A column of a list.  least: columns of the screen that it wants to be shown
+ * at all, where its texts take as many; rank: those of low rank have room
+ * first; indent: how far its heading stands in; right: numbers; fixed: as wide
+ * as `least`, whatever its texts take. */
+struct list_column {
+	const char *head;
+	int least, rank, indent;
+	bool right, fixed;
+};
+
+/* The n columns of a list.  cell: the text of a row there; series: the colour
+ * of a text that has one, else false; sort: a heading was clicked; then the
+ * column that ui.sort names is marked.  These two may be NULL. */
+struct list_table {
+	const struct list_column *column;
+	int n;
+	void (*cell)(
+	    const struct tui *t, size_t i, int column, char *text, size_t n);
+	bool (*series)(const struct tui *t, size_t i, int column,
+	    const char *text, enum series *series);
+	void (*sort)(struct tui *t, int column);
+};
+
+/* table_measure finds how wide the texts of `rows` rows make each column, a gap
+ * included; table_share how wide each is drawn where there is less room, 0: not
+ * at all.  table_draw draws headings and rows. */
+void table_measure(const struct tui *t, const struct list_table *table,
+    size_t rows, int wanted[static LIST_COLUMNS]);
+void table_share(const struct list_table *table, int columns,
+    const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS]);
+void table_draw(struct tui *t, const struct area *area,
+    const struct list_table *table, const int wanted[static LIST_COLUMNS]);
+
 /* The wheel scrolls the list in the area. */
 void rows_wheel(struct tui *t, struct area area);
 

@@ -567,6 +567,8 @@ draw_blocks(struct panel *p)
 	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
 		p->t->left_out |= rows[i] < BLOCK[i].wish(p).most;
+		if (BLOCK[i].draw == draw_light)
+			p->t->reason_shown = rows[i] > 1;
 	}
 	for (size_t i = 0; i < BLOCKS; i++) {
 		if (rows[i] == 0)
@@ -604,19 +606,24 @@ take_tonnes(struct panel *p)
 }
 
 /* The first reason, but one that came with the slider's speed before those of
- * all speeds. */
+ * all speeds; NULL: none. */
+static const struct trust_reason *
+panel_reason(const struct trust *light)
+{
+	size_t first = 0;
+	for (size_t i = light->n; i-- > 0;)
+		if (light->reason[i].cause == TRUST_BEYOND)
+			first = i;
+	return light->n > 0 ? &light->reason[first] : NULL;
+}
+
 static void
 take_light(struct panel *p)
 {
 	const struct tui *t = p->t;
 	p->light = light_of(t->session, tui_asked(t), &t->view.shown);
-	if (p->light.n == 0)
-		return;
-	size_t first = 0;
-	for (size_t i = p->light.n; i-- > 0;)
-		if (p->light.reason[i].cause == TRUST_BEYOND)
-			first = i;
-	p->reason = p->light.reason[first].text;
+	const struct trust_reason *reason = panel_reason(&p->light);
+	p->reason = reason != NULL ? reason->text : NULL;
 }
 
 /* Without a prediction there is what to do, and what is pinned or was read. */
@@ -652,6 +659,7 @@ panel_draw(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	t->left_out = side->rows == 0 && t->view.current.site[0] != '\0';
+	t->reason_shown = false;
 	if (side->rows == 0)
 		return;
 	screen_wall(side->row, t->layout.wall, side->rows);
@@ -669,22 +677,69 @@ panel_draw(struct tui *t)
 	trust_free(&p.light);
 }
 
+/* The light in so many columns, or in `most` in the shortest words, with its
+ * first reason: what stands before its last colon, or its first, else a few
+ * words on what it is about, as far as there is room. */
+static char *
+light_words(const struct trust *light, int columns, int most)
+{
+	static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
+	    [TRUST_DATA] = N_("few or doubtful data"),
+	    [TRUST_PATTERN] = N_("residuals have a pattern"),
+	    [TRUST_HOLDOUT] = N_("held-out run is missed"),
+	    [TRUST_BEYOND] = N_("beyond the measured speeds"),
+	    [TRUST_SLOW] = N_("slower, less may break"),
+	    [TRUST_BAND] = N_("the band is wide"),
+	    [TRUST_FEED] = N_("unusual feed"),
+	    [TRUST_BOUND] = N_("a parameter at its bound"),
+	    [TRUST_MACHINE] = N_("another machine"),
+	    [TRUST_ORIGIN] = N_("parameters from elsewhere")};
+	const char *name = tr(LIGHT_NAME[light->light]);
+	const struct trust_reason *reason = panel_reason(light);
+	char *words = xasprintf(tr("trust %s"), name);
+	if (reason == NULL)
+		return words;
+	const char *about = tr(ABOUT[reason->cause]);
+	const char *last = strrchr(reason->text, ':');
+	int first = (int)strcspn(reason->text, ":;"),
+	    all = last != NULL ? (int)(last - reason->text) : first;
+	char *way[] = {xasprintf("%s: %.*s", words, all, reason->text),
+	    xasprintf("%s: %.*s", words, first, reason->text),
+	    xasprintf("%s: %s", words, about), xasprintf("%s: %s", name, about),
+	    words};
+	size_t i = 0;
+	while (i + 1 < ARRAY_LEN(way) &&
+	       text_width(way[i]) > (i == 3 ? most : columns))
+		i++;
+	words = way[i];
+	for (size_t k = 0; k < ARRAY_LEN(way); k++)
+		if (k != i)
+			free(way[k]);
+	return words;
+}
+
 char *
-panel_words(struct tui *t)
+panel_words(struct tui *t, int columns, int most)
 {
 	const struct grading *g = envelope_check_now(t);
-	char *words = xstrdup("");
-	if (t->ui.page != PAGE_PREDICT || t->layout.side.rows > 0 ||
-	    t->view.current.site[0] == '\0')
-		return words;
+	bool side = t->layout.side.rows > 0;
+	if (t->ui.page != PAGE_PREDICT || t->view.current.site[0] == '\0' ||
+	    (side && t->reason_shown))
+		return xstrdup("");
 	struct trust light = light_of(t->session, tui_asked(t), &t->view.shown);
-	xlist(&words, ", ", tr("trust %s"), tr(LIGHT_NAME[light.light]));
-	trust_free(&light);
-	if (g != NULL)
-		xlist(&words, ", ",
-		    wanted_holds(&g->conditions, SIZE_MAX) ? tr("in %s")
-							   : tr("out of %s"),
+	char *limits = xstrdup("");
+	if (g != NULL && !side)
+		xappend(&limits,
+		    wanted_holds(&g->conditions, SIZE_MAX) ? tr(", in %s")
+							   : tr(", out of %s"),
 		    t->session->spec->name);
+	int taken = text_width(limits);
+	char *words = side && light.n == 0
+			  ? xstrdup("")
+			  : light_words(&light, columns - taken, most - taken);
+	xappend(&words, "%s", limits);
+	free(limits);
+	trust_free(&light);
 	return words;
 }
 

@@ -8,9 +8,10 @@
 /* Draws the side panel of page Predict. */
 void panel_draw(struct tui *t);
 
-/* Returns what replaces the panel where it has no room: "trust amber, misses
- * ASTM C33", or "".  The caller frees. */
-char *panel_words(struct tui *t);
+/* Returns what the panel has no room for, or what replaces it: "trust amber:
+ * beyond the measured speeds, out of ASTM C33", or "".  It has so many columns,
+ * `most` where that keeps the reason.  The caller frees. */
+char *panel_words(struct tui *t, int columns, int most);
 
 /* Draws the row of numbers that replaces the side panel, on any page. */
 void panel_row(struct tui *t);
