@@ -262,10 +262,13 @@ add_reach(struct chart *chart, const struct entry *entry)
 	if (!origin_reach(entry, &slowest, &fastest))
 		return;
 	FREED char *words = answers_reach(entry, slowest, fastest);
-	chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
-	if (fastest > slowest)
-		chart_add_rule(
-		    chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
+	if (!(fastest > slowest)) {
+		chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
+		return;
+	}
+	chart_add_rule(chart, SERIES_BREAK, slowest, "%.*s from %g m/s",
+	    (int)strcspn(words, ","), words, slowest);
+	chart_add_rule(chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
 }
 
 /* Where all conditions hold, and the best speed. */
