@@ -150,7 +150,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		bool dashed = answers_extrapolates(entry, t->ui.tenths / 10.0);
 		const char *line = ascii ? "#" : "\u2500";
 		snprintf(sample, sizeof sample, "%s%s%s", line,
-		    dashed ? " " : "", dashed ? line : "");
+		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
 		    outlook_short(t->session, tui_asked(t), &t->view.shown));
 		column = pane_draw_name(
