@@ -107,7 +107,9 @@ pager_show(struct pager *pager)
 	pager->shown = pager->n;
 	terminal_size(&rows, &columns);
 	char *command = pager_command();
+	/* What a script prints, or a session that is restored, goes by. */
 	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
+		     pager->session->scripts <= pager->session->typed_at &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall =

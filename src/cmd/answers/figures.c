@@ -16,7 +16,7 @@
  * alone, for programs; people have not the room. */
 static void
 add_figure(struct answer *r, struct fields *list, struct forecast *all,
-    size_t i, const struct quantity *q, bool model)
+    size_t i, const struct quantity *q, double speed, bool model)
 {
 	struct figure f = forecast_figure(all, i);
 	double value = quantities_shown(q, f.value),
@@ -32,6 +32,8 @@ add_figure(struct answer *r, struct fields *list, struct forecast *all,
 	if (forecast_draws(all, i) != NULL && model)
 		answer_cells(
 		    r, "%g", quantities_shown(q, forecast_model(all, i)));
+	if (model)
+		answer_cells(r, "%g", speed);
 	if (list != NULL)
 		fields_put(fields_object(list, NULL),
 		    "quantity %s value %g unit %s low %g high %g", key, value,
@@ -40,7 +42,7 @@ add_figure(struct answer *r, struct fields *list, struct forecast *all,
 
 static void
 figure_rows(struct answer *r, struct fields *list, struct forecast *all,
-    const struct quantity *q, size_t n, bool model)
+    const struct quantity *q, size_t n, double speed, bool model)
 {
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	answer_columns(r, "quantity: figure, value, unit");
@@ -48,8 +50,10 @@ figure_rows(struct answer *r, struct fields *list, struct forecast *all,
 		answer_columns(r, "low, high");
 	if (band && model)
 		answer_column(r, "model", "model");
+	if (model)
+		answer_column(r, "speed", "m/s");
 	for (size_t i = 0; i < n; i++)
-		add_figure(r, list, all, i, &q[i], model);
+		add_figure(r, list, all, i, &q[i], speed, model);
 }
 
 bool
@@ -74,9 +78,9 @@ cmd_figures(struct session *s, const struct args *args,
 	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
 	    answers_extrapolates(entry, v));
 	figure_rows(
-	    r, fields_list(answer_fields(r), "figures"), all, q, n, false);
+	    r, fields_list(answer_fields(r), "figures"), all, q, n, v, false);
 	answer_for_programs(r);
-	figure_rows(r, NULL, all, q, n, true);
+	figure_rows(r, NULL, all, q, n, v, true);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	return session_answer(s, r);

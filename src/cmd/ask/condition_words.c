@@ -92,15 +92,21 @@ join_quantities(const struct command *command, struct words *words)
 	if (i == n || (command->flags & COMMAND_QUANTITIES) == 0)
 		return;
 	char *list = xasprintf("of=%s", words->text[i]);
+	bool fast = i > 1; /* the speed stands before them */
 	size_t kept = i++;
 	for (; i < n; i++) {
 		const char *word = words->text[i];
 		bool whole = is_whole_quantity(list + strlen("of="));
 		bool begins = quantities_begins(word);
 		if (strchr(word, '=') != NULL ||
-		    (whole && !begins && isdigit((unsigned char)word[0])))
+		    (whole && !begins && !fast &&
+			isdigit((unsigned char)word[0])))
 			break;
-		xappend(&list, whole && begins ? ",%s" : " %s", word);
+		xappend(&list,
+		    whole && (begins || isdigit((unsigned char)word[0]))
+			? ",%s"
+			: " %s",
+		    word);
 		free(words->text[i]);
 	}
 	free(words->text[kept]);

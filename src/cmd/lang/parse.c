@@ -338,7 +338,8 @@ value_feed(const char *text, size_t *length, double *share)
 
 /* A control room shows the rotor's turns. */
 static const char TURNS[] =
-    N_("is this rpm? tip speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60");
+    N_("is this rpm? '%.*s rpm' is understood where the rotor is known: tip "
+       "speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60");
 
 /* The next step where a number is written as in another language. */
 static bool
@@ -351,7 +352,8 @@ hint_number(
 	double low, high;
 	parse_cut_unit(copy, option->unit);
 	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
-		error_hint(error, "%s", tr(TURNS));
+		error_hint(
+		    error, TURNS, (int)strspn(word, "0123456789."), word);
 	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_number(copy, &low);
@@ -389,7 +391,8 @@ parse_number(const struct command_option *option, const char *word,
 		    option->least, option->most, space, option->unit, word);
 		return *value > option->most &&
 		       strcmp(option->unit, "m/s") == 0 &&
-		       error_hint(error, "%s", tr(TURNS));
+		       error_hint(error, TURNS,
+			   (int)strspn(word, "0123456789."), word);
 	}
 	return true;
 }
