@@ -338,8 +338,8 @@ value_feed(const char *text, size_t *length, double *share)
 
 /* A control room shows the rotor's turns. */
 static const char TURNS[] =
-    N_("is this rpm? '%.*s rpm' is understood where the rotor is known: tip "
-       "speed (m/s) = 3.1416 x rotor diameter (m) x rpm / 60");
+    N_("is this rpm? '%.*s rpm' works if the rotor is known: m/s = 3.1416 x "
+       "rotor diameter (m) x rpm / 60");
 
 /* The next step where a number is written as in another language. */
 static bool
