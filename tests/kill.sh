@@ -58,8 +58,10 @@ enter() {
 		want '^:predict 7'
 		;;
 	prompt)
+		# Before the prompt the terminal echoes, and takes ^U and ^D itself.
+		want '^tierp> *$'
 		keys 'predict 7'
-		want 'predict 7$'
+		want '^tierp> predict 7$'
 		;;
 	'prompt calibrating')
 		keys 'calibrate generations=1000000 tolerance=0 stall=0' Enter
