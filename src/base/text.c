@@ -240,6 +240,20 @@ text_unquoted(const char *text, size_t n)
 	return word;
 }
 
+char *
+text_quoted(const char *s)
+{
+	char *quoted = xcalloc(2 * strlen(s) + 3, 1), *to = quoted;
+	*to++ = '"';
+	for (; *s != '\0'; s++) {
+		if (*s == '"')
+			*to++ = '"';
+		*to++ = *s;
+	}
+	*to = '"';
+	return quoted;
+}
+
 bool
 text_ends(const char *s, const char *end)
 {

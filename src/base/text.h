@@ -48,6 +48,10 @@ char *text_slug(const char *s);
  * become one.  The caller frees. */
 char *text_unquoted(const char *s, size_t n);
 
+/* Returns a text in quotes ("), with two for each one in it.  The caller
+ * frees. */
+char *text_quoted(const char *s);
+
 /* True if a spreadsheet may take a cell for a formula: a cell that begins with
  * one of = + - @ and is neither a number nor a sign alone.  In a sheet such
  * text is written after an apostrophe, which the reader removes; text that
