@@ -159,9 +159,10 @@ text_fold(const char *s)
 	return folded;
 }
 
-/* Unicode's controls and format characters and the two that are none.  Joiners
- * (U+200C, U+200D) are letters' business in Persian and Hindi. */
-bool
+/* True if text_shown replaces the character: Unicode's controls and format
+ * characters and the two that are none.  Joiners (U+200C, U+200D) are letters'
+ * business in Persian and Hindi. */
+static bool
 text_is_hidden(uint32_t code)
 {
 	static const uint32_t RANGES[][2] = {{0, 0x1F}, {0x7F, 0x9F},

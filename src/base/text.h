@@ -105,10 +105,8 @@ void text_put(const char *s, FILE *out);
 void text_put_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
-/* text_is_plain: true if text_shown changes nothing.  text_is_hidden: true if
- * text_shown replaces the character. */
+/* True if text_shown changes nothing. */
 bool text_is_plain(const char *s);
-bool text_is_hidden(uint32_t code);
 
 /* Prints text as text_shown shows it, in lines of at most width columns, broken
  * at spaces, each after margin spaces; spaces at the start of the text widen
