@@ -128,12 +128,11 @@ write_line(FILE *to, const struct site *site, const char *name,
 static struct impacts
 impacts_of(const char *path)
 {
-	const struct collisions_way way = {
-	    .speed = NAN, .cut = 10, .density = 2700};
+	const struct collisions_way way = {.speed = NAN};
 	struct error_list errors = {0};
 	struct collisions c;
 	assert_true(collisions_read(path, &way, &c, &errors));
-	struct impacts impacts = spectrum_impacts(c.spectrum, way.cut);
+	struct impacts impacts = spectrum_impacts(c.spectrum, 10);
 	collisions_clear(&c);
 	return impacts;
 }
