@@ -44,12 +44,12 @@ typed_history_open(bool with_file)
 	stifle_history(MOST);
 	if (!with_file)
 		return;
-	path = home_path("XDG_STATE_HOME", ".local/state", "history");
+	path = xdg_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
 		history_give_up(tr("HOME is not set"));
 		return;
 	}
-	free(home_make_folders(path));
+	free(xdg_make_folders(path));
 	read_history(path);
 	append("");
 }

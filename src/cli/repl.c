@@ -424,9 +424,8 @@ repl_begin(struct session *s)
 	    tr("tipspeed %s: help lists the commands, quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
-	char *path = s->safe
-			 ? NULL
-			 : home_path("XDG_CONFIG_HOME", ".config", "init.tip");
+	char *path =
+	    s->safe ? NULL : xdg_path("XDG_CONFIG_HOME", ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
 	free(path);

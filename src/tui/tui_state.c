@@ -187,7 +187,7 @@ tui_forget_sheet(struct sheet *sheet)
 {
 	free(sheet->sieve);
 	free(sheet->column);
-	doctor_free(&sheet->doctor);
+	outliers_free(&sheet->doctor);
 	*sheet = (struct sheet){.site = NULL};
 }
 

@@ -35,7 +35,7 @@ new_bytes(size_t *n)
 	assert_int_equal(book_add(b, a), 3);
 	assert_int_equal(book_sheets(b), 2);
 	assert_true(book_has_site(b));
-	book_about(b, "command", "predict 74");
+	book_add_about(b, "command", "predict 74");
 	answer_free(a);
 	char *bytes = book_finish(b, n, &error);
 	assert_non_null(bytes);

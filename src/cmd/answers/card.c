@@ -176,8 +176,9 @@ work_out_flow(const struct asked *all, struct card_row *row)
 	struct outcome o = plant_at(&all->plant, row->speed);
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
-		double tph = line->unit != NULL ? flow_into(&o.flow, line->unit)
-						: o.flow.tph[line->stream];
+		double tph = line->unit != NULL
+				 ? flow_into_unit(&o.flow, line->unit)
+				 : o.flow.tph[line->stream];
 		row->tph[i] = o.flow.open ? NAN : tph;
 	}
 	row->kwh = o.flow.open ? NAN : o.kw / all->plan.circuit->tph;
@@ -395,7 +396,7 @@ page_fit(struct page *page, struct answer *r)
 		if (wide <= ROOM)
 			return dropped;
 		if (page->column[most].spare == NEEDED) {
-			answer_room(r, wide + 1);
+			answer_set_width(r, wide + 1);
 			return dropped;
 		}
 		xlist(&dropped, ", ", "%s", page->column[most].head);
@@ -629,7 +630,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	struct page page = page_of(all, row, n, 100 * all->question->level);
 	FREED char *dropped = page_fit(&page, r);
 	add_page(r, &page);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_keys(r, all, rpm);
 	for (size_t i = 0; i < n; i++)
 		card_add_row(r, all, &row[i], rpm);

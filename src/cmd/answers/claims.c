@@ -257,7 +257,7 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	collect(&c, s);
 	bool any = c.n > 0 && c.n_run > 0;
 	struct answer *r = answer_new("show");
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "claim, borne_out, figures");
 	for (size_t i = 0; i < c.n; i++)
 		site_add_source(&about, c.fit[i]->site);

@@ -110,7 +110,7 @@ comparison_rows(struct answer *r, const struct side side[2],
 		snprintf(key, sizeof key, "passing_pct@%g", units_mm(x[i]));
 		snprintf(head, sizeof head, "%g", units_mm(x[i]));
 		answer_name(r, key, head);
-		answer_missing(r, "-");
+		answer_set_missing(r, "-");
 		answer_cells(r, "%.1f %.1f %+.1f", units_pct(a), units_pct(b),
 		    100 * (b - a));
 		if (band)
@@ -120,7 +120,7 @@ comparison_rows(struct answer *r, const struct side side[2],
 		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
-		answer_missing(r, "-");
+		answer_set_missing(r, "-");
 		answer_cells(r, "%+.2f",
 		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
 		if (band && i != ANSWERS_BREAK)

@@ -281,7 +281,7 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 		    tr("printed"), EQUATIONS[i].printed);
 		answer_cells(r, "%s %s %s", "", tr("used"), EQUATIONS[i].used);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "equation, printed, used");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++)
 		answer_cells(r, "%s %s %s", EQUATIONS[i].equation,

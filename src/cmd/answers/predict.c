@@ -214,9 +214,9 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	    "product at %.1f m/s%s%s%s", p->speed, more, fraction, band);
 	/* One who hears a table wants a sieve's numbers in a line. */
 	if (!s->linear)
-		answer_across(r);
+		answer_set_across(r);
 	predict_add_rows(r, s, entry, params, p, between, NULL, detail);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	predict_add_rows(r, s, entry, params, p, between, model, true);
 	return r;
 }

@@ -107,7 +107,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
 		answer_note(r, "the site file has a feed only");
-	answer_missing(r, "");
+	answer_set_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
@@ -144,7 +144,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		fit_put_params(o, &entry->params);
 	else
 		fields_put(o, "params %g", NAN);
-	answer_missing(r, entry->has_params ? N_("none") : "-");
+	answer_set_missing(r, entry->has_params ? N_("none") : "-");
 	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -184,7 +184,7 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	for (size_t m = 0; m < breakage_count(); m++)
 		answer_cells(r, "%s %g %s", BREAKAGES[m]->name,
 		    (double)BREAKAGES[m]->n, BREAKAGES[m]->brief);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
 	for (size_t m = 0; m < breakage_count(); m++)
 		for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
@@ -273,7 +273,7 @@ matrix_across(struct answer *r, const struct psd *feed, const double *a)
 		answer_columns(r, "%s", class_name(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
 		answer_cells(r, "%s", class_name(feed, j, name));
-		answer_missing(r, "");
+		answer_set_missing(r, "");
 		for (size_t i = 0; i < feed->n; i++)
 			answer_cells(
 			    r, "%.1f", i <= j ? 100 * a[j * feed->n + i] : NAN);
@@ -338,7 +338,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answers_new(entry->site, "show",
 	    "appearance function (Eq 1), %% of each broken size class");
 	matrix_across(r, feed, a);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	matrix_long(r, feed, x, a);
 	answer_say(r, ANSWER_REMARK,
 	    "parent classes across, progeny down; a class is named after the "

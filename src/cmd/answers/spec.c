@@ -84,7 +84,7 @@ spec_add_limits(struct answer *r, const struct standards *all)
 		FREED char *name = xasprintf("%s: %s", l->standard, l->item);
 		answer_cells(r, "%s %s", name, words);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "standard, limit, min, max, unit, note");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];

@@ -333,9 +333,9 @@ parts_answer(const struct session *s, const struct question *q,
 		return NULL;
 	}
 	if (detail && !s->linear)
-		answer_across(r);
+		answer_set_across(r);
 	if (!detail)
-		answer_for_programs(r);
+		answer_fill_for_programs(r);
 	add_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,

@@ -299,7 +299,7 @@ say_measured(const struct subject *a)
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
 		answer_note(a->answer,
-		    validation_loses(&v)
+		    validation_loses_to_interpolation(&v)
 			? N_("The held-out product measured at %g m/s%s "
 			     "differs from the prediction by %.2f points "
 			     "(RMSE); interpolating the training products is "
@@ -523,7 +523,7 @@ why_give(struct balance *b)
 	struct answer *r = answers_new(entry->site, "why",
 	    "where the mass goes, %g and %g m/s", b->p[0].speed, b->p[1].speed);
 	people_rows(r, b);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	program_rows(r, b);
 	note_ways(r, b);
 	note_correction(r, b);

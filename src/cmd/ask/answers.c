@@ -182,7 +182,7 @@ answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
 	FREED char *words = i == ANSWERS_BREAK
 				? xstrdup(tr("none"))
 				: outside_words(&p->curve, PSD_PASSING[i]);
-	answer_missing(r, words);
+	answer_set_missing(r, words);
 	answer_cells(r, "%.2f", answers_size(p, i));
 }
 

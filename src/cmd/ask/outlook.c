@@ -162,7 +162,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	if (*e == NULL || (p != NULL && isnan((*e)->discrepancy))) {
 		free(*e);
 		*e = xcalloc(1, sizeof **e);
-		**e = trust_evidence(
+		**e = trust_gather_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
 	}
 	return *e;
@@ -174,7 +174,7 @@ outlook_undrawn(const struct session *s, const struct entry *entry)
 	struct history *h = entry->origin->spread;
 	size_t place;
 	FREED bool *use = used_runs(h, informing(s, entry), &place);
-	return trust_evidence(h->site, h->train, use, origin_fit(entry),
+	return trust_gather_evidence(h->site, h->train, use, origin_fit(entry),
 	    &h->bounds, NULL, s->set.noise);
 }
 

@@ -1,5 +1,5 @@
 /* Orders the cuts by date, takes the residuals at the sieves that crushing can
- * change, and follows them (drift_follow).
+ * change, and follows them (drift_run_charts).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 
@@ -176,7 +176,7 @@ follow_cuts(struct routine *r)
 		cut[j] = (struct drift_cut){c->n, c->size, off,
 		    c->truth != NULL ? POSTERIOR_DRAWS : 0, c->truth, c->error};
 	}
-	r->first = drift_follow(cut, r->n, &r->rule, r->point, &r->since);
+	r->first = drift_run_charts(cut, r->n, &r->rule, r->point, &r->since);
 	for (size_t j = 0; j < r->n; j++)
 		free(residuals[j]);
 }

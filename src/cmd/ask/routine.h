@@ -19,10 +19,10 @@ struct routine_cut {
 
 /* Cuts [n] in the order of their dates if all have one (dated), else in the
  * order they were added.  drawn: limits are from a calibration's posterior,
- * else from the noise that is set.  first, since: see drift_follow.  running:
- * how many of the last cuts lie on the same side of the prediction, by their
- * mean; worst: m, the sieve at which these differ most; by: how much, passings
- * on average. */
+ * else from the noise that is set.  first, since: see drift_run_charts.
+ * running: how many of the last cuts lie on the same side of the prediction, by
+ * their mean; worst: m, the sieve at which these differ most; by: how much,
+ * passings on average. */
 struct routine {
 	size_t n;
 	struct routine_cut *cut;

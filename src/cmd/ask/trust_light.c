@@ -42,10 +42,11 @@ find_bound(const struct session *s, const struct entry *entry,
 	ensemble_at(e, p->speed);
 	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++) {
 		const char *name = breakage_of(&fit->params)->parameter[j].name;
-		double moves = fit->on_bound[j]
-				   ? trust_moves(outlook_draws(s, entry), e,
-					 ensemble_sizes(e), name)
-				   : 0;
+		double moves =
+		    fit->on_bound[j]
+			? trust_parameter_correlation(outlook_draws(s, entry),
+			      e, ensemble_sizes(e), name)
+			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
 			q->bound_moves = moves;

@@ -48,7 +48,7 @@ plots_past(const struct session *s, const struct entry *entry)
 	if (past.n == 0 || !past.polished)
 		return past;
 	struct params last = past.generation[past.n - 1].params;
-	params_scale(&last);
+	params_scale_to_1(&last);
 	past.polished = memcmp(&last, &past.best, sizeof last) != 0;
 	return past;
 }

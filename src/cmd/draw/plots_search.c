@@ -262,7 +262,7 @@ plots_search_strip(struct session *s, const struct plots_past *past,
 	    .at_bound = sensitivity_on_bound(past->bounds, &best, j)};
 	double range = strip.upper - strip.lower;
 	strip.fixed = !(range > 0);
-	params_scale(&best);
+	params_scale_to_1(&best);
 	strip.best = best.at[j];
 	if (j < of->gauge && !strip.fixed) {
 		candidates_spread(g, j, &strip.p10, &strip.p90);

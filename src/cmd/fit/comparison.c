@@ -193,7 +193,7 @@ put_run(struct fields *o, const struct compared *item)
 	put_sizes(o, v);
 	put_null(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
-	    validation_loses(v), v->nearest);
+	    validation_loses_to_interpolation(v), v->nearest);
 	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
 	put_sieves(o, item);
 }
@@ -232,7 +232,7 @@ comparison_add_sieves(struct answer *r, const struct compared *item, bool exact)
 	double *passing[VALIDATE_WAYS];
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		passing[way] = way_passing(item, way);
-	answer_missing(r, "-");
+	answer_set_missing(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
 		comparison_begin_row(r, item, exact);
 		if (exact)
@@ -252,7 +252,7 @@ add_rmse(struct answer *r, const char *run, const double *rmse)
 {
 	answer_text(r, "%s", run);
 	answer_text(r, "RMSE points");
-	answer_missing(r, "-");
+	answer_set_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
 		answer_cells(r, "%.2f", 100 * rmse[way]);
@@ -262,7 +262,7 @@ static void
 add_sizes(struct answer *r, const struct compared *item, bool exact)
 {
 	const struct validation *v = &item->v;
-	answer_missing(r, "outside");
+	answer_set_missing(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		comparison_begin_row(r, item, exact);
 		answer_text(
@@ -412,7 +412,7 @@ comparison_answer(const struct comparison *c, const struct site *site)
 		run_rmse(c, rmse);
 		add_rmse(r, "all", rmse);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_table(r, c, true);
 	for (size_t i = 0; i < c->n; i++)
 		note_run(r, &c->item[i], c->level);

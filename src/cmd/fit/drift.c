@@ -113,7 +113,7 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 {
 	const double shift = 0.005;
 	double quiet = drift_run_length(&r->rule, 0, SEED);
-	double found = drift_delay(&r->rule, r->point, r->n,
+	double found = drift_detection_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
 	answer_say(
@@ -194,7 +194,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	bool detail = args_value(args, "detail")->choice == 1;
 	drift_add_rows(a, r, detail);
 	if (!detail) {
-		answer_for_programs(a);
+		answer_fill_for_programs(a);
 		drift_add_rows(a, r, true);
 	}
 	drift_put_fields(a, r);

@@ -353,7 +353,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 		add_params(r, s, fit, u, bounds);
 		add_search(r, entry, bounds);
 	} else {
-		answer_for_programs(r);
+		answer_fill_for_programs(r);
 		add_params(r, s, fit, u, bounds);
 		add_summary(r, s, entry);
 		note_lowest(r, fit);
@@ -465,7 +465,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	struct answer *r =
 	    answers_new(entry->site, "history", "%zu generations", h->n);
 	add_generations(r, h, step, false);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_generations(r, h, step, true);
 	answer_put_rows(r, "rows");
 	answer_say(r, ANSWER_REMARK,

@@ -595,7 +595,7 @@ one_answer(const struct session *s, const struct ground *g)
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
 	league_add_rows(r, &v, false);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	league_add_rows(r, &v, true);
 	say_verdict(r, &v);
 	if (is_one_speed(g->site))

@@ -173,8 +173,8 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 		    "%s has parameters of the model %s, %s of %s\n"
 		    "run 'compare' to see the difference between the products",
 		    mine->key, of->name, other->key, breakage_of(&b)->name);
-	params_scale(&a);
-	params_scale(&b);
+	params_scale_to_1(&a);
+	params_scale_to_1(&b);
 	struct answer *r = answers_new(mine->site, "params",
 	    "parameters compared with those of %s", other->key);
 	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
@@ -241,7 +241,7 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	answer_columns(
 	    r, "parameter, lower: lower bound, upper: upper bound, unit");
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
-	answer_missing(r, "by calibrate");
+	answer_set_missing(r, "by calibrate");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct bounds *b = &s->set.bounds;
 		bool open = j == of->reference && !(b->upper[j] > 0);

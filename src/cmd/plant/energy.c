@@ -73,9 +73,9 @@ energy_add_row(struct answer *r, const struct question *q,
     const struct spectrum_size *of, double size)
 {
 	struct spectrum_bin above = spectrum_above(of, q->cut, false);
-	answer_missing(r, "all");
+	answer_set_missing(r, "all");
 	answer_cells(r, "%.1f", size);
-	answer_missing(r, "-");
+	answer_set_missing(r, "-");
 	answer_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
 	    q->spectrum->counted ? of->particles : NAN,
 	    spectrum_per_particle(q->spectrum, of, 0),

@@ -40,10 +40,10 @@ range_tph(const struct plant *p, const struct outcome *o,
 	double draw[DRAWS];
 	for (size_t d = 0; d < o->flow.draws; d++)
 		draw[d] = unit != NULL
-			      ? flow_draw_into(&o->flow, unit, d)
+			      ? flow_draw_into_unit(&o->flow, unit, d)
 			      : o->flow.tph_draw[d * o->flow.n_stream + stream];
 	flow_range_of(p, o, draw,
-	    unit != NULL ? flow_into(&o->flow, unit) : o->flow.tph[stream],
+	    unit != NULL ? flow_into_unit(&o->flow, unit) : o->flow.tph[stream],
 	    range);
 }
 
@@ -66,7 +66,7 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 	for (size_t i = 0; i < n; i++) {
 		const struct unit *unit = line[i].unit;
 		double range[2] = {0, 0},
-		       tph = unit != NULL ? flow_into(&o->flow, unit) : 0,
+		       tph = unit != NULL ? flow_into_unit(&o->flow, unit) : 0,
 		       around = unit != NULL ? 0 : o->flow.tph[line[i].stream];
 		if (unit != NULL)
 			range_tph(p, o, unit, 0, range);
@@ -131,7 +131,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		double all = flow_into(&o->flow, unit),
+		double all = flow_into_unit(&o->flow, unit),
 		       rotor = all * plant_rotor_share(p, unit), range[2];
 		double speed = plant_speed(unit, o->speed);
 		range_tph(p, o, unit, 0, range);
@@ -159,7 +159,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 static void
 warn_power(const struct plant *p, struct answer *r)
 {
-	if (power_falls(p->plan->reading, p->plan->n_reading))
+	if (power_falls_with_speed(p->plan->reading, p->plan->n_reading))
 		answer_say(r, ANSWER_WARNING,
 		    "the readings contradict the estimate of power: power "
 		    "cannot fall while the speed rises and the t/h do not "
@@ -366,7 +366,7 @@ feed_difference(
     const struct plant *p, const struct outcome *o, const struct unit *unit)
 {
 	size_t n = p->plan->n;
-	double most = 0, in = 0, feed = 0, all = flow_into(&o->flow, unit);
+	double most = 0, in = 0, feed = 0, all = flow_into_unit(&o->flow, unit);
 	for (size_t i = n; i-- > 0 && all > 0;) {
 		for (size_t k = 0; k < unit->n_in; k++)
 			in += o->flow.mass[unit->in[k] * n + i] / all;
@@ -528,14 +528,14 @@ take_point(const struct plant *p, const struct outcome *o,
 {
 	double draw[DRAWS], range[2];
 	s->x[k] = o->speed;
-	s->y[k] = o->flow.open ? NAN : flow_into(&o->flow, unit);
+	s->y[k] = o->flow.open ? NAN : flow_into_unit(&o->flow, unit);
 	if (s->low == NULL)
 		return;
 	s->low[k] = s->high[k] = s->y[k];
 	if (o->flow.draws < DRAWS || o->flow.open)
 		return;
 	for (size_t d = 0; d < DRAWS; d++)
-		draw[d] = flow_draw_into(&o->flow, unit, d);
+		draw[d] = flow_draw_into_unit(&o->flow, unit, d);
 	ensemble_range(draw, p->level, s->y[k], range);
 	s->low[k] = range[0];
 	s->high[k] = range[1];

@@ -480,7 +480,7 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	const struct psd *feed = site_feed(entry->site, plan->question->feed);
 	crusher_classes(p.crusher, feed, p.feed);
 	struct psd sieves = predict_sizes(entry->site, feed);
-	crusher_match(p.crusher, feed, sieves.size, sieves.n);
+	crusher_set_feed(p.crusher, feed, sieves.size, sieves.n);
 	psd_free(&sieves);
 	for (size_t u = 0; u < p.circuit->n_unit; u++)
 		if (p.circuit->unit[u].speed > 0)
@@ -520,7 +520,7 @@ count_draw(const struct plant *p, struct outcome *o, size_t d)
 	size_t of = d % o->flow.draws;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
-		double tph = flow_draw_into(&o->flow, unit, of);
+		double tph = flow_draw_into_unit(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
 			kw +=
 			    power_at(&p->power, d, plant_speed(unit, o->speed),

@@ -235,7 +235,7 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	answer_pair(r, "gsl", "%s", GSL_VERSION);
 	answer_pair(r, "jansson", "%s", JANSSON_VERSION);
 	answer_pair(r, "pictures", "%s", picture_forms());
-	answer_pair(r, "instructions", "%s", isa_name(isa_usable(s->isa)));
+	answer_pair(r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
 	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
 	return session_answer(s, r);
 }

@@ -286,19 +286,19 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 static void
 tell_about(struct session *s, const struct redirect *r)
 {
-	book_about(r->book, "program", "tipspeed " PACKAGE_VERSION);
-	book_about(r->book, "command", r->line);
+	book_add_about(r->book, "program", "tipspeed " PACKAGE_VERSION);
+	book_add_about(r->book, "command", r->line);
 	if (!book_has_site(r->book) || s->n_entry == 0)
 		return;
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	FREED char *label = session_label(site);
 	FREED char *speeds = session_speeds(site, ", ", NULL, true);
-	book_about(r->book, "site", label);
-	book_about(r->book, "file", site->path);
-	book_about(r->book, "provenance", site->provenance);
-	book_about(r->book, "speeds, m/s", speeds);
-	book_about(r->book, "parameters", origin_words(entry));
+	book_add_about(r->book, "site", label);
+	book_add_about(r->book, "file", site->path);
+	book_add_about(r->book, "provenance", site->provenance);
+	book_add_about(r->book, "speeds, m/s", speeds);
+	book_add_about(r->book, "parameters", origin_words(entry));
 	const struct breakage *model = BREAKAGES[entry->params.breakage];
 	for (size_t j = 0; entry->has_params && j < model->n; j++) {
 		const struct param_info *p = &model->parameter[j];
@@ -306,7 +306,7 @@ tell_about(struct session *s, const struct redirect *r)
 		bool bare = strcmp(p->unit, "-") == 0;
 		FREED char *name = xasprintf(
 		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
-		book_about(r->book, name,
+		book_add_about(r->book, name,
 		    text_exact(params_value(&entry->params, p->name), number));
 	}
 }

@@ -415,7 +415,7 @@ check_site(
 	check_twins(s, r, index);
 	if (index == s->current)
 		mend_put(r, entry, &d);
-	doctor_free(&d);
+	outliers_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
 		finding(r, entry, false, "site file",
 		    "provenance is not stated: above the table, write "

@@ -627,7 +627,7 @@ hint_remembered(const struct session *s, const char *word, struct error *error)
 {
 	struct remembered_name r = {.name = word};
 	if (access(word, F_OK) != 0 &&
-	    store_each(s->store, STORE_NAMES, compare_name, &r, NULL) &&
+	    store_each_name(s->store, STORE_NAMES, compare_name, &r, NULL) &&
 	    r.found)
 		error_hint(error, "it was remembered: recall %s", word);
 }

@@ -34,7 +34,7 @@ mend_is_calibrated(const struct session *s, const struct entry *entry)
 struct doctor
 mend_look(const struct session *s, const struct entry *entry)
 {
-	return doctor_look(
+	return outliers_find(
 	    entry->site, own_posterior(s, entry), s->set.noise / 100);
 }
 
@@ -210,7 +210,7 @@ find_numbered(
 		*mend = d.finding[n - 1].mend;
 		ok = true;
 	}
-	doctor_free(&d);
+	outliers_free(&d);
 	return ok;
 }
 
@@ -299,7 +299,7 @@ list_mends(struct session *s)
 	mend_put(r, entry, &d);
 	if (d.n == 0)
 		answer_note(r, "no mend is proposed for %s", entry->key);
-	doctor_free(&d);
+	outliers_free(&d);
 	return session_answer(s, r);
 }
 

@@ -8,7 +8,7 @@
 
 /* Looks for faults of an entry's sheet: with the posterior of its own
  * calibration if there is one, else with its curves alone; free with
- * doctor_free. */
+ * outliers_free. */
 struct doctor mend_look(const struct session *s, const struct entry *entry);
 
 /* True if the entry's faults are found with a calibration. */

@@ -199,7 +199,8 @@ refuse_name(struct store *store, const struct stored_list *paper,
     const char *name, struct error *error)
 {
 	struct spelling s = {name, xstrdup(""), 3};
-	bool ok = store_each(store, STORE_NAMES, compare_spelling, &s, error);
+	bool ok =
+	    store_each_name(store, STORE_NAMES, compare_spelling, &s, error);
 	for (size_t i = 0; i < paper->n; i++)
 		compare_spelling(&s, paper->item[i].name);
 	if (ok)
@@ -331,7 +332,7 @@ check_remember(
 	if (date->given && !moment_is_day(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", date->text);
-	return !note->given || stored_is_line(note->text) ||
+	return !note->given || stored_is_one_line(note->text) ||
 	       error_set(error, ERROR_USAGE,
 		   "note: expected one line without control characters");
 }
@@ -521,7 +522,8 @@ static char *
 only_name(const struct session *s, struct error *error)
 {
 	char *names = xstrdup("");
-	if (!store_each(s->store, STORE_NAMES, store_add_name, &names, error)) {
+	if (!store_each_name(
+		s->store, STORE_NAMES, store_add_name, &names, error)) {
 		free(names);
 		return NULL;
 	}
@@ -710,7 +712,8 @@ note_rocks(struct answer *r, struct store *store,
     const struct stored_list *paper, struct error *error)
 {
 	struct rocks rocks = {.words = xstrdup("")};
-	bool ok = store_each(store, STORE_ROCKS, store_add_rock, &rocks, error);
+	bool ok =
+	    store_each_name(store, STORE_ROCKS, store_add_rock, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
 		store_add_rock(&rocks, paper->item[i].rock);
 	answer_note(r, "rocks: %s", rocks.words);
@@ -778,7 +781,7 @@ table3_answer(const struct session *s, const struct args *args,
 	struct answer *r = answer_new("materials");
 	*n = 0;
 	if (s->screen.columns == 0 || s->screen.columns >= WIDE)
-		answer_room(r, WIDE);
+		answer_set_width(r, WIDE);
 	answer_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
 			  "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
@@ -786,7 +789,7 @@ table3_answer(const struct session *s, const struct args *args,
 			add_printed(r, &paper->item[i]);
 			++*n;
 		}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
 			  "origin, data, site, feed_source");
 	for (size_t i = 0; i < paper->n; i++)
@@ -846,7 +849,7 @@ show_one(struct session *s, const struct stored *m)
 	answer_title(r, "%s: %s", m->name, store_origin_of(m));
 	answer_site(r, m->site, m->provenance);
 	answer_columns(r, "field, value");
-	stored_each(m, store_add_field, r);
+	stored_each_field(m, store_add_field, r);
 	session_answer(s, r);
 }
 

@@ -327,7 +327,7 @@ collisions_take_row(struct reading *r)
 }
 
 static bool
-going(struct reading *r)
+report_progress_going(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -366,7 +366,7 @@ read_dump(struct reading *r)
 			if (rows &&
 			    (!collisions_take_row(r) || !add_contact(r)))
 				return false;
-			if (rows && !going(r))
+			if (rows && !report_progress_going(r))
 				return false;
 			continue;
 		}
@@ -380,7 +380,7 @@ read_dump(struct reading *r)
 		    !dump_columns(r, r->line + strlen(ENTRIES)))
 			return false;
 		if (rows && r->to->snapshots++ > 0)
-			contacts_snapshot(r->contacts);
+			contacts_end_snapshot(r->contacts);
 	} while (next_line(r));
 	return true;
 }
@@ -573,7 +573,8 @@ collisions_read_table(struct reading *r)
 		ok = collisions_take_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (collisions_take_row(r) && take_impact(r) && going(r));
+		     (collisions_take_row(r) && take_impact(r) &&
+			 report_progress_going(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];

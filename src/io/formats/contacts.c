@@ -124,7 +124,7 @@ normal_velocity(const double *x, const double *v)
 }
 
 static bool
-at_rest(const double *v)
+is_at_rest(const double *v)
 {
 	return !(v[0] < 0 || v[0] > 0 || v[1] < 0 || v[1] > 0 || v[2] < 0 ||
 		 v[2] > 0);
@@ -136,8 +136,8 @@ contacts_add(struct contacts *c, uint32_t id1, uint32_t id2, const double *x,
 {
 	bool swap = id1 > id2;
 	uint32_t low = swap ? id2 : id1, high = swap ? id1 : id2;
-	bool fixed1 = at_rest(swap ? v + 3 : v);
-	bool fixed2 = at_rest(swap ? v : v + 3);
+	bool fixed1 = is_at_rest(swap ? v + 3 : v);
+	bool fixed2 = is_at_rest(swap ? v : v + 3);
 	double vn = normal_velocity(x, v);
 	if (2 * (c->now.n + 1) > c->now.room)
 		contacts_grow(&c->now);
@@ -170,8 +170,8 @@ mass_of(const struct contacts *c, const struct particle *p)
 /* What an impact is to one of the two; one without a size, where others have
  * one, is not counted: its mass is not known. */
 static void
-add_half(struct contacts *c, uint32_t id, uint32_t other, bool fixed,
-    const struct contact *contact)
+add_impact_of_particle(struct contacts *c, uint32_t id, uint32_t other,
+    bool fixed, const struct contact *contact)
 {
 	struct particle *p = particle_at(c, id);
 	if (c->sized && !(p->radius > 0))
@@ -190,20 +190,20 @@ add_half(struct contacts *c, uint32_t id, uint32_t other, bool fixed,
 }
 
 static void
-over(struct contacts *c, const struct contact *of)
+contact_ended(struct contacts *c, const struct contact *of)
 {
 	if (!of->fixed1)
-		add_half(c, of->id1, of->id2, of->fixed2, of);
+		add_impact_of_particle(c, of->id1, of->id2, of->fixed2, of);
 	if (!of->fixed2)
-		add_half(c, of->id2, of->id1, of->fixed1, of);
+		add_impact_of_particle(c, of->id2, of->id1, of->fixed1, of);
 }
 
 void
-contacts_snapshot(struct contacts *c)
+contacts_end_snapshot(struct contacts *c)
 {
 	for (size_t i = 0; i < c->before.room; i++)
 		if (c->before.at[i].id1 != 0 && !c->before.at[i].kept)
-			over(c, &c->before.at[i]);
+			contact_ended(c, &c->before.at[i]);
 	struct table empty = c->before;
 	if (empty.n > 0)
 		memset(empty.at, 0, empty.room * sizeof *empty.at);
@@ -215,8 +215,8 @@ contacts_snapshot(struct contacts *c)
 uint64_t
 contacts_end(struct contacts *c)
 {
-	contacts_snapshot(c);
-	contacts_snapshot(c);
+	contacts_end_snapshot(c);
+	contacts_end_snapshot(c);
 	for (size_t id = 0; id < c->n_particle; id++) {
 		const struct particle *p = &c->particle[id];
 		if (p->seen)

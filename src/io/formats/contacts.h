@@ -27,7 +27,7 @@ void contacts_add(struct contacts *c, uint32_t id1, uint32_t id2,
     const double *x, const double *v);
 
 /* Begins the next snapshot: a contact that is not in the last one has ended. */
-void contacts_snapshot(struct contacts *c);
+void contacts_end_snapshot(struct contacts *c);
 
 /* Ends the last snapshot, counts the particles and returns the number of
  * impacts. */

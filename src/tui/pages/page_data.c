@@ -130,7 +130,7 @@ data_update(struct tui *t)
 	h->looked = false;
 	if (!t->aside)
 		frame_draw(t);
-	doctor_free(&h->doctor);
+	outliers_free(&h->doctor);
 	h->doctor = mend_look(s, entry);
 	h->looked = true;
 	h->calibrated = calibrated;
