@@ -54,7 +54,7 @@ press(struct stage *stage, const char *names)
 		const char *rest = name;
 		do {
 			if (!named)
-				code = (int)text_next(&rest);
+				code = (int)text_next_code_point(&rest);
 			keymap_key(&stage->t, code, code > 255);
 			stage->keys++;
 		} while (!named && *rest != '\0');

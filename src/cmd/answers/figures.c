@@ -83,5 +83,5 @@ cmd_figures(struct session *s, const struct args *args,
 	figure_rows(r, NULL, all, q, n, v, true);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

@@ -129,13 +129,13 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	question_usual_speeds(s, q, false);
 	size_t n = q->n_at;
 	FREED struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false, ok = screened_tells(q, error);
+	bool outside = false, ok = screened_is_measured_alone(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
 		p[i] = forecast_product(s, q, q->at[i]);
 		outside = outside || answers_extrapolates(entry, q->at[i]);
 	}
 	if (ok)
-		session_answer(s, sweep_answer(s, q, p, n, outside));
+		session_show_answer(s, sweep_answer(s, q, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	return ok;

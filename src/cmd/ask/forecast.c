@@ -62,7 +62,7 @@ void
 forecast_part_at(struct forecast *f, double speed, enum ensemble_part part)
 {
 	struct ensemble *e =
-	    outlook_answering(f->s, f->entry, f->params) != NULL
+	    outlook_posterior_for_answers(f->s, f->entry, f->params) != NULL
 		? outlook_ensemble(f->s, f->entry, f->feed)
 		: NULL;
 	response_at(f->response, e, part, speed);

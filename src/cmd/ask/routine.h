@@ -42,7 +42,7 @@ void routine_free(struct routine *r);
 
 /* Returns "coarser than predicted four times running, most at 4 mm (-3.1 points
  * on average): look at ..", or that nothing drifts.  The caller frees. */
-char *routine_words(const struct routine *r);
+char *routine_state_words(const struct routine *r);
 
 /* If the entry's charts are beyond a limit after its last cut, returns "the
  * last cuts are coarser than predicted: see 'drift'", which the caller frees,

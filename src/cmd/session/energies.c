@@ -15,7 +15,7 @@
 static const double CUT = 10, DENSITY = 2700;
 
 const struct energies *
-energies_last(const struct session *s, struct error *error)
+energies_loaded(const struct session *s, struct error *error)
 {
 	if (s->energy == NULL)
 		error_set(error, ERROR_USAGE,
@@ -25,7 +25,7 @@ energies_last(const struct session *s, struct error *error)
 }
 
 struct collisions_way
-energies_way(void)
+energies_reading_options(void)
 {
 	return (struct collisions_way){
 	    .speed = NAN, .cut = CUT, .density = DENSITY};
@@ -43,7 +43,7 @@ energies_free(struct energies *e)
 /* Whether the user wants no more; tells those who wait at a prompt how far it
  * is. */
 static bool
-on_the_way(void *data, uint64_t rows)
+report_rows_read(void *data, uint64_t rows)
 {
 	const struct session *s = data;
 	const uint64_t often = 1 << 21;
@@ -71,11 +71,11 @@ energies_read(struct session *s, const char *path,
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct collisions_way told = *way;
 	struct collisions c;
-	told.progress = on_the_way;
+	told.progress = report_rows_read;
 	told.data = s;
-	files_reads(s, path);
+	files_note_read(s, path);
 	if (way->particles != NULL)
-		files_reads(s, way->particles);
+		files_note_read(s, way->particles);
 	if (!collisions_read(path, &told, &c, &errors)) {
 		session_tell_faults(s, path, &errors, error);
 		return NULL;
@@ -103,7 +103,7 @@ energies_set(struct session *s, const char *path, struct error *error)
 		if (strcmp(s->energies[i]->path, path) == 0 ||
 		    strcmp(s->energies[i]->name, path) == 0)
 			found = s->energies[i];
-	struct collisions_way way = energies_way();
+	struct collisions_way way = energies_reading_options();
 	if (found == NULL)
 		found = energies_read(s, path, &way, error);
 	if (found == NULL)

@@ -22,11 +22,11 @@ const struct energies *energies_read(struct session *s, const char *path,
 void energies_free(struct energies *e);
 
 /* Returns the energies read last; NULL with an error where there are none. */
-const struct energies *energies_last(
+const struct energies *energies_loaded(
     const struct session *s, struct error *error);
 
 /* Returns the defaults for reading: cut 10 J/kg, 2700 kg/m3. */
-struct collisions_way energies_way(void);
+struct collisions_way energies_reading_options(void);
 
 /* Makes the model use the energies of a file instead of the single energy
  * (D15), or for "off" the single energy again.  False with an error, also for a

@@ -68,7 +68,7 @@ settings_text(const struct setting *row, const struct choices *set)
 }
 
 static unsigned
-processors(void)
+count_processors(void)
 {
 	long n = sysconf(_SC_NPROCESSORS_ONLN);
 	return n < 1 ? 1 : n > 64 ? 64 : (unsigned)n;
@@ -77,15 +77,16 @@ processors(void)
 struct choices
 settings_default(void)
 {
-	struct choices set = {
-	    .bounds = bounds_default(0), .seed = 1, .threads = processors()};
+	struct choices set = {.bounds = bounds_default(0),
+	    .seed = 1,
+	    .threads = count_processors()};
 	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
 		struct value value = {0};
 		struct error error = {0};
 		const char *word = r->option.fallback;
 		if (word[0] == '\0')
 			continue;
-		bool ok = value_take(&r->option, word, &value, &error);
+		bool ok = value_read(&r->option, word, &value, &error);
 		assert(ok);
 		(void)ok;
 		settings_put(r, &value, &set);

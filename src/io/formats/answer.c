@@ -450,7 +450,7 @@ answer_put_columns(struct answer *a, const char *keys)
 	const struct table *t = a->filled;
 	size_t which;
 	for (size_t c = 0; c < t->n_column; c++) {
-		if (!text_choice(keys, t->key[c], &which))
+		if (!text_find_word(keys, t->key[c], &which))
 			continue;
 		struct fields *list = fields_list(&a->fields, t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
@@ -610,7 +610,7 @@ text_json(const char *text)
 {
 	if (text_is_utf8(text, strlen(text)))
 		return json_string(text);
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	json_t *string = json_string(shown);
 	free(shown);
 	return string;
@@ -890,7 +890,7 @@ copy_with_words(char *(*way)(const char *), const struct answer *a)
 struct answer *
 answer_shown(const struct answer *a)
 {
-	return copy_with_words(text_shown, a);
+	return copy_with_words(text_escaped, a);
 }
 
 /* Makes the first column the heads, and the heads the first column. */
@@ -972,7 +972,7 @@ is_markup(const char *text, const char *p)
 static char *
 as_markdown(const char *text)
 {
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"

@@ -153,7 +153,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	if (strlen(shown) > MOST) {
 		size_t n = MOST;
 		while ((shown[n] & 0xC0) == 0x80)
@@ -279,7 +279,7 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 		if (!book_is_curve(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
-		char *name = text_shown(v->head[c]);
+		char *name = text_escaped(v->head[c]);
 		chart_series_set_categories(series, p->name, from, 0, to, 0);
 		chart_series_set_values(
 		    series, p->name, from, (lxw_col_t)c, to, (lxw_col_t)c);

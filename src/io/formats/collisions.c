@@ -113,7 +113,8 @@ static bool
 next_line(struct reading *r)
 {
 	r->length = 0;
-	enum text_line read = text_line(&r->line, &r->length, &r->room, r->in);
+	enum text_line read =
+	    text_read_line(&r->line, &r->length, &r->room, r->in);
 	if (r->length == 0 || read == TEXT_TOO_LONG)
 		return false;
 	r->at++;

@@ -103,7 +103,7 @@ site_column_pct(
 {
 	double v = c->pct[row];
 	if (SITE_UNITS[c->unit].kind == PASSING)
-		return text_apart(v, other, buf);
+		return text_distinguishing(v, other, buf);
 	for (int digits = 1; digits <= 9; digits++) {
 		snprintf(buf, 32, "%.*f", digits, v);
 		if (fabs(strtod(buf, NULL) - other) > 0 || v == other)
@@ -433,8 +433,8 @@ check_rise(struct column *c)
 			    "rise on a finer sieve",
 			    site_column_pct(c, last, c->pct[i], p),
 			    site_column_pct(c, i, c->pct[last], q),
-			    text_apart(t->mm[i], t->mm[last], mm),
-			    text_apart(t->mm[last], t->mm[i], other));
+			    text_distinguishing(t->mm[i], t->mm[last], mm),
+			    text_distinguishing(t->mm[last], t->mm[i], other));
 		last = i;
 	}
 }

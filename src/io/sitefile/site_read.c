@@ -200,8 +200,9 @@ check_twin(const struct columns *all, const struct column *twin)
 			    "say which is to be read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
 			    twin->twin,
-			    text_apart(c->pct[i], twin->pct[i], one),
-			    text_apart(twin->pct[i], c->pct[i], other));
+			    text_distinguishing(c->pct[i], twin->pct[i], one),
+			    text_distinguishing(
+				twin->pct[i], c->pct[i], other));
 			return;
 		}
 	}

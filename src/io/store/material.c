@@ -386,7 +386,7 @@ stored_is_valid(const struct stored *m, const struct field *f)
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
-		return text_choice(f->choices, text, &choice);
+		return text_find_word(f->choices, text, &choice);
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
 	return stored_is_one_line(text) &&

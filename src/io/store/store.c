@@ -511,7 +511,7 @@ static char *
 shown_name(const char *name)
 {
 	enum { MOST = 60 };
-	char *label = text_shown(name);
+	char *label = text_escaped(name);
 	size_t n = strlen(label);
 	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
 		n--;
@@ -587,7 +587,7 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 	if (check_row(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
 	if (error != NULL)
-		error_place(error, store->path, 0, 0);
+		error_set_place(error, store->path, 0, 0);
 	stored_free(m);
 	return false;
 }
