@@ -74,7 +74,7 @@ digest_of(const struct site *site, const struct fit *fit,
 	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
 	struct psd sizes = predict_sizes(site, feed);
 	size_t n;
-	struct quantity *asked = predict_asks(site, feed, &whole, &n);
+	struct quantity *asked = predict_quantities(site, feed, &whole, &n);
 	struct response *r = response_new(
 	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
 	struct ensemble *e = ensemble_new(posterior, feed, sizes.size, sizes.n);

@@ -13,7 +13,7 @@
 #include "cmd/session/files.h"
 
 const struct energies *
-energies_last(const struct session *s, struct error *error)
+energies_loaded(const struct session *s, struct error *error)
 {
 	if (s->energy == NULL)
 		error_set(error, ERROR_USAGE,
@@ -34,7 +34,7 @@ energies_free(struct energies *e)
 /* Whether the user wants no more; tells those who wait at a prompt how far it
  * is. */
 static bool
-on_the_way(void *data, uint64_t rows)
+report_rows_read(void *data, uint64_t rows)
 {
 	const struct session *s = data;
 	const uint64_t often = 1 << 21;
@@ -62,9 +62,9 @@ energies_read(struct session *s, const char *path,
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct collisions_way told = *way;
 	struct collisions c;
-	told.progress = on_the_way;
+	told.progress = report_rows_read;
 	told.data = s;
-	files_reads(s, path);
+	files_note_read(s, path);
 	if (!collisions_read(path, &told, &c, &errors)) {
 		session_tell_faults(s, path, &errors, error);
 		return NULL;

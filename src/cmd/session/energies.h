@@ -26,7 +26,7 @@ const struct energies *energies_read(struct session *s, const char *path,
 void energies_free(struct energies *e);
 
 /* Returns the energies read last; NULL with an error where there are none. */
-const struct energies *energies_last(
+const struct energies *energies_loaded(
     const struct session *s, struct error *error);
 
 /* Makes the model use the energies of a file instead of the single energy

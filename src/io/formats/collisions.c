@@ -99,7 +99,8 @@ static bool
 next_line(struct reading *r)
 {
 	r->length = 0;
-	enum text_line read = text_line(&r->line, &r->length, &r->room, r->in);
+	enum text_line read =
+	    text_read_line(&r->line, &r->length, &r->room, r->in);
 	if (r->length == 0 || read == TEXT_TOO_LONG)
 		return false;
 	r->at++;
@@ -276,7 +277,7 @@ collisions_take_row(struct reading *r)
 }
 
 static bool
-going(struct reading *r)
+report_progress_going(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -410,7 +411,8 @@ collisions_read_table(struct reading *r)
 		ok = collisions_take_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (collisions_take_row(r) && take_impact(r) && going(r));
+		     (collisions_take_row(r) && take_impact(r) &&
+			 report_progress_going(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];
