@@ -57,7 +57,7 @@ drift_name_of(const struct routine *r, size_t cut)
 			       : xasprintf("%zu", cut + 1);
 }
 
-/* The speeds of cuts from one on: "72, 76".  *n out: how many differ. */
+/* The speeds of cuts from one on: "72,76".  *n out: how many differ. */
 static char *
 speeds_from(const struct routine *r, size_t from, size_t *n)
 {
@@ -69,7 +69,7 @@ speeds_from(const struct routine *r, size_t from, size_t *n)
 			known = known || r->cut[i].speed == r->cut[j].speed;
 		if (known)
 			continue;
-		xlist(&list, ", ", "%g", r->cut[j].speed);
+		xlist(&list, ",", "%g", r->cut[j].speed);
 		++*n;
 	}
 	return list;
@@ -78,7 +78,7 @@ speeds_from(const struct routine *r, size_t from, size_t *n)
 /* Cuts that tell little of a drift, and for how many nobody waits. */
 enum { FEW = 5, LATE = 50 };
 
-/* When to calibrate anew, and with what. */
+/* What to do now: when to calibrate anew, and with what. */
 static void
 say_what_next(struct answer *a, const struct routine *r)
 {
@@ -86,9 +86,11 @@ say_what_next(struct answer *a, const struct routine *r)
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
 		if (r->n < FEW)
 			answer_note(a,
-			    "fewer than %d cuts show only a large drift", FEW);
+			    "next: nothing needs to be done, though fewer than "
+			    "%d cuts show only a large drift",
+			    FEW);
 		else
-			answer_note(a, "no need to calibrate anew");
+			answer_note(a, "next: nothing needs to be done");
 		return;
 	}
 	FREED char *since = drift_name_of(r, r->since),
@@ -98,13 +100,15 @@ say_what_next(struct answer *a, const struct routine *r)
 	    "it began at about cut %s and was signalled after cut %s", since,
 	    first);
 	answer_note(a,
-	    n > 1 ? N_("calibrate anew only if the change is to last: after "
-		       "cut %zu, on a site file of its own with the feed and "
-		       "the cuts from %s on (%s m/s)")
-		  : N_("calibrate anew only if the change is to last: after "
-		       "cut %zu, on a site file of its own with the feed and "
-		       "the cuts from %s on (%s m/s) and one at another speed"),
-	    r->n, since, speeds);
+	    n > 1
+		? N_("next: see to that first; 'template speeds=%s > new.csv' "
+		     "begins a sheet to calibrate anew with, if the change is "
+		     "to last: the feed and the cuts from %s on")
+		: N_("next: see to that first; 'template speeds=%s > new.csv' "
+		     "begins a sheet to calibrate anew with, if the change is "
+		     "to last: the feed, the cuts from %s on and one at "
+		     "another speed"),
+	    speeds, since);
 }
 
 /* What the limits are, and how often they are passed by chance. */
