@@ -19,15 +19,18 @@ larger(const struct drift_chart *c)
 	return c->down > c->up ? -c->down : c->up;
 }
 
-/* charts: with the numbers that decide. */
+/* charts: with the numbers that decide.  Programs get what is measured less
+ * predicted; people, as of all other comparisons, the answer less measured. */
 static void
-drift_add_rows(struct answer *a, const struct routine *r, bool charts)
+drift_add_rows(
+    struct answer *a, const struct routine *r, bool charts, bool programs)
 {
+	double sign = programs ? 1 : -1;
 	answer_columns(a, "cut, date, speed: m/s, mean_points: mean, "
 			  "worst_points: most, worst_mm: mm");
 	if (charts)
-		answer_columns(a, "ewma: EWMA, ewma_limit: limit, cusum_up: "
-				  "up, cusum_down: down, tilt_cusum: tilt");
+		answer_columns(a, "ewma: EWMA, ewma_limit: max, cusum_up: "
+				  "fine, cusum_down: coarse, tilt_cusum: tilt");
 	answer_columns(a, "state");
 	for (size_t j = 0; j < r->n; j++) {
 		const struct routine_cut *c = &r->cut[j];
@@ -38,12 +41,13 @@ drift_add_rows(struct answer *a, const struct routine *r, bool charts)
 		FREED char *day = xstrndup(c->when, strcspn(c->when, " T"));
 		answer_cells(a, "%g", (double)(j + 1));
 		answer_name(a, c->when, day[0] != '\0' ? day : "-");
-		answer_cells(a, "%g %.1f %.1f %g", c->speed, 100 * level->value,
-		    100 * worst, units_mm(c->size[c->worst]));
+		answer_cells(a, "%g %.1f %.1f %g", c->speed,
+		    sign * 100 * level->value, sign * 100 * worst,
+		    units_mm(c->size[c->worst]));
 		if (charts)
-			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f", level->ewma,
-			    level->ewma_limit, level->up, level->down,
-			    larger(tilt));
+			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f",
+			    sign * level->ewma, level->ewma_limit, level->up,
+			    level->down, sign * larger(tilt));
 		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
@@ -120,8 +124,9 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 	double found = drift_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
-	answer_say(
-	    a, ANSWER_REMARK, "mean, most: points, measured less predicted");
+	answer_say(a, ANSWER_REMARK,
+	    "mean, most: points, answer - measured: + where "
+	    "the cut is coarser");
 	if (detail)
 		answer_note(a,
 		    "a signal: EWMA beyond its limit or a CUSUM above %g, of "
@@ -196,11 +201,9 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
 	bool detail = args_value(args, "detail")->choice == 1;
-	drift_add_rows(a, r, detail);
-	if (!detail) {
-		answer_for_programs(a);
-		drift_add_rows(a, r, true);
-	}
+	drift_add_rows(a, r, detail, false);
+	answer_for_programs(a);
+	drift_add_rows(a, r, true, true);
 	drift_put_fields(a, r);
 	FREED char *words = routine_words(r);
 	answer_say(a,
