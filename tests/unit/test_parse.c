@@ -154,61 +154,6 @@ a_list_of_numbers_has_an_end(void **state)
 	free(line);
 }
 
-/* Of a rotor of 1 m, where the line states no other. */
-static const struct {
-	const char *line, *words;
-} TURNS[] = {{"sweep 1200rpm", "sweep|62.83"},
-    {"sweep 1200,1300 rpm", "sweep|speeds=62.83,68.07"},
-    {"sweep 1200..1240rpm", "sweep|speeds=62.83,63.88,64.93"},
-    {"predict 1200..1300:100 rpm", "predict|speeds=62.83,68.07"},
-    {"predict 1200 rpm", "predict|rpm=1200"},
-    {"predict speed=1200rpm", "predict|rpm=1200"},
-    {"why 1200 rpm 74", "why|62.83|74"},
-    {"compare 1200 rpm 1300rpm", "compare|62.83|68.07"},
-    {"compare pinned 1200rpm", "compare|pinned|62.83"},
-    {"find p80=5 from=1200,5 rpm", "find|p80=5|from=62.86"},
-    {"find p80=5 to=1200rpm rotor_mm=500", "find|p80=5|to=31.42|rotor_mm=500"},
-    {"sweep 1300..1200rpm", "sweep|68.07..62.83:1.05"},
-    {"sweep 1200,rpm", "sweep|1200,rpm"}, {"sweep 74", "sweep|74"},
-    {"use 1200rpm", "use|1200rpm"}, {"find p80=5rpm", "find|p80=5rpm"}};
-
-static void
-turns_of_the_rotor_become_speeds(void **state)
-{
-	(void)state;
-	for (size_t i = 0; i < ARRAY_LEN(TURNS); i++) {
-		struct words words;
-		struct error error = {0};
-		char *joined = xstrdup("");
-		assert_true(
-		    words_split(TURNS[i].line, 0, CALL_PLACE, &words, &error));
-		words_turns(&words, CALL_PLACE, 1);
-		for (size_t w = 0; w < words.n; w++)
-			xlist(&joined, "|", "%s", words.text[w]);
-		assert_string_equal(joined, TURNS[i].words);
-		free(joined);
-		words_free(&words);
-	}
-}
-
-/* Without a diameter only a command that has the option rpm has it. */
-static void
-turns_of_an_unknown_rotor_stay(void **state)
-{
-	(void)state;
-	static const char *const LINE[] = {
-	    "sweep 1200rpm", "compare 1200rpm 74"};
-	for (size_t i = 0; i < ARRAY_LEN(LINE); i++) {
-		struct words words;
-		struct error error = {0};
-		assert_true(
-		    words_split(LINE[i], 0, CALL_PLACE, &words, &error));
-		words_turns(&words, CALL_PLACE, 0);
-		assert_string_equal(words.text[1], "1200rpm");
-		words_free(&words);
-	}
-}
-
 static void
 faults_are_told_with_their_place(void **state)
 {
@@ -360,8 +305,6 @@ main(void)
 	    cmocka_unit_test(lines_are_split_into_words),
 	    cmocka_unit_test(a_line_can_be_taken_up_in_its_midst),
 	    cmocka_unit_test(a_list_of_numbers_has_an_end),
-	    cmocka_unit_test(turns_of_the_rotor_become_speeds),
-	    cmocka_unit_test(turns_of_an_unknown_rotor_stay),
 	    cmocka_unit_test(faults_are_told_with_their_place),
 	    cmocka_unit_test(results_go_where_the_line_says),
 	    cmocka_unit_test(a_setting_is_given_once),

@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/sitefile/column_header.h"
 
 /* Goes on from the last place asked for, so that a long line costs no more than
  * its length. */
@@ -171,42 +170,29 @@ join_name(struct words *words)
 	words->n = 1;
 }
 
-/* What a word gives the command: an option, with or without its name, or an
- * operand.  option: OPTIONS for an operand.  value: within the word. */
-struct given {
-	size_t option;
-	const char *value, *unit;
-};
-
-static struct given
-parse_given(const struct command *command, const char *word)
-{
-	const char *equals = strchr(word, '=');
-	FREED char *name =
-	    equals != NULL
-		? xstrndup(word, (size_t)(equals - word))
-		: xstrdup(command->bare != NULL ? command->bare : "");
-	size_t i = command_option_index(command, name);
-	return (struct given){.option = i,
-	    .value = equals != NULL ? equals + 1 : word,
-	    .unit = i < OPTIONS ? command_option_at(command, i)->unit
-		    : equals == NULL && command->operands.most > 0 ? "m/s"
-								   : ""};
-}
-
-/* Puts a unit to the number before it, "72 m/s", or "1640 rpm" where a speed
- * is wanted. */
+/* Puts a unit to the number before it, "72 m/s", and makes an option of the
+ * rotor's turns, "1640 rpm", where the command has it. */
 static void
 join_unit(const struct command *command, struct words *words)
 {
 	char **word = &words->text[words->n - 2];
-	struct given to = parse_given(command, word[0]);
-	const char *unit = word[1];
-	bool turns = strcmp(to.unit, "m/s") == 0 && strcmp(unit, "rpm") == 0;
-	if (to.unit[0] == '\0' || (!turns && strcmp(to.unit, unit) != 0) ||
-	    *to.value < '0' || *to.value > '9')
+	const char *unit = word[1], *equals = strchr(*word, '=');
+	const char *number = equals != NULL ? equals + 1 : *word;
+	FREED char *name =
+	    equals != NULL
+		? xstrndup(*word, (size_t)(equals - *word))
+		: xstrdup(command->bare != NULL ? command->bare : "");
+	size_t i = command_option_index(command, name);
+	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
+			     : command->operands.most > 0 ? "m/s"
+							  : "";
+	bool turns = equals == NULL && strcmp(unit, "rpm") == 0 &&
+		     command_option_index(command, "rpm") < OPTIONS;
+	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
+	    *number < '0' || *number > '9')
 		return;
-	char *joined = xasprintf("%s%s", word[0], unit);
+	char *joined =
+	    turns ? xasprintf("rpm=%s", *word) : xasprintf("%s%s", *word, unit);
 	free(word[0]);
 	free(word[1]);
 	word[0] = joined;
@@ -759,124 +745,6 @@ unknown_command(const char *name, bool prompt, struct error *error)
 		error_hint(error, "did you mean '%s'?", near);
 	else
 		error_hint(error, "run 'help' for the commands");
-}
-
-/* Adds a speed in m/s to a list, of one in revolutions a minute. */
-static bool
-add_turns(const char *typed, double rotor, char **list)
-{
-	double rpm;
-	if (!value_number(typed, "rpm", &rpm))
-		return false;
-	xlist(list, ",", "%.15g", head_mps(rpm, SPEED_RPM, rotor));
-	return true;
-}
-
-/* A range in revolutions a minute, as the speeds that are in it; one that is
- * none stays a range, for the parser to refuse. */
-static bool
-range_turns(char *typed, char *dots, double rotor, char **list)
-{
-	double from, to, step = 20;
-	char *colon = strchr(dots + 2, ':');
-	*dots = '\0';
-	if (colon != NULL)
-		*colon = '\0';
-	if (!value_number(typed, "rpm", &from) ||
-	    !value_number(dots + 2, "rpm", &to) ||
-	    (colon != NULL && !value_number(colon + 1, "rpm", &step)))
-		return false;
-	double steps = step > 0 ? floor((to - from) / step + 1e-9) : -1;
-	bool fits = steps >= 0 && steps < NUMBERS_MOST;
-	if (!fits)
-		xappend(list, "%.15g..%.15g:%.15g",
-		    head_mps(from, SPEED_RPM, rotor),
-		    head_mps(to, SPEED_RPM, rotor),
-		    head_mps(step, SPEED_RPM, rotor));
-	for (double i = 0; fits && i <= steps; i++)
-		xlist(list, ",", "%.15g",
-		    head_mps(from + i * step, SPEED_RPM, rotor));
-	return true;
-}
-
-/* The speeds of "1200rpm", "1200,1300rpm" or "1200..1500:50rpm" in m/s; NULL:
- * it is none of them.  The caller frees. */
-static char *
-turns_in_mps(const char *typed, bool several, double rotor)
-{
-	FREED char *copy = xstrdup(typed);
-	char *list = xstrdup(""), *dots = strstr(copy, "..");
-	bool ok = true;
-	if (several && dots != NULL)
-		ok = range_turns(copy, dots, rotor, &list);
-	else if (!several)
-		ok = add_turns(copy, rotor, &list);
-	for (char *part = copy;
-	     several && dots == NULL && ok && part != NULL;) {
-		char *comma = strchr(part, ',');
-		if (comma != NULL)
-			*comma = '\0';
-		ok = add_turns(part, rotor, &list);
-		part = comma != NULL ? comma + 1 : NULL;
-	}
-	if (ok)
-		return list;
-	free(list);
-	return NULL;
-}
-
-/* The word that says a speed given in revolutions a minute.  A question about
- * one speed keeps them, by its option rpm; where it takes a second speed as an
- * operand all are alike. */
-static char *
-turns_word(const struct command *command, const char *word, double rotor)
-{
-	struct given to = parse_given(command, word);
-	const struct command_option *o =
-	    to.option < OPTIONS ? command_option_at(command, to.option) : NULL;
-	const char *usage = command->operands.usage;
-	bool operands = usage != NULL && strstr(usage, "SPEED") != NULL;
-	double rpm;
-	if (strcmp(to.unit, "m/s") != 0 || !text_ends(to.value, "rpm") ||
-	    (o == NULL && !operands))
-		return NULL;
-	if (o != NULL && strcmp(o->name, "speed") == 0 &&
-	    (!operands || !(rotor > 0)) &&
-	    command_option_index(command, "rpm") < OPTIONS &&
-	    value_number(to.value, "rpm", &rpm))
-		return xasprintf("rpm=%.*s",
-		    (int)(strlen(to.value) - strlen("rpm")), to.value);
-	bool several = o != NULL && o->kind == VALUE_NUMBERS;
-	FREED char *mps =
-	    rotor > 0 ? turns_in_mps(to.value, several, rotor) : NULL;
-	if (mps == NULL)
-		return NULL;
-	/* A range names the option, for the command that has it. */
-	bool named =
-	    o != NULL && (to.value != word || strchr(mps, ',') != NULL);
-	return named ? xasprintf("%s=%s", o->name, mps) : xstrdup(mps);
-}
-
-void
-words_turns(struct words *words, struct place place, double rotor)
-{
-	const struct command *command =
-	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
-	double given;
-	if (command == NULL || (command->flags & COMMAND_VERBATIM) != 0)
-		return;
-	command = command_meant(command, words->text + 1, words->n - 1);
-	for (size_t i = 1; i < words->n; i++)
-		if (strncmp(words->text[i], "rotor_mm=", 9) == 0 &&
-		    value_number(words->text[i] + 9, "mm", &given))
-			rotor = given / 1000;
-	for (size_t i = 1; i < words->n; i++) {
-		char *word = turns_word(command, words->text[i], rotor);
-		if (word == NULL)
-			continue;
-		free(words->text[i]);
-		words->text[i] = word;
-	}
 }
 
 const struct command *

@@ -47,11 +47,6 @@ bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
-/* Makes m/s of the speeds that are given in revolutions a minute, "1450rpm", of
- * a rotor of this diameter in m (0: not known), or of that which the words
- * state.  What cannot be one stays as it is, for the parser to refuse. */
-void words_turns(struct words *words, struct place place, double rotor);
-
 /* Finds the command and checks every value against its table.  args borrows
  * from words; free with args_free in any case. */
 const struct command *parse_call(const struct words *words, struct place place,

@@ -116,24 +116,12 @@ join_file_name(struct words *words, const struct command *command)
 	words->n -= n - 2;
 }
 
-/* The rotor of the site in use, where the command is about that site. */
-static double
-rotor_in_use(struct session *s, const struct words *words, struct place place)
-{
-	const struct command *command =
-	    command_called(words->text[0], place.prompt);
-	bool at_site = command != NULL && s->n_entry > 0 &&
-		       (command->flags & COMMAND_FILES) == 0;
-	return at_site ? session_entry(s)->site->rotor : 0;
-}
-
 static bool
 run_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
 	join_file_name(words, command_called(words->text[0], place.prompt));
-	words_turns(words, place, rotor_in_use(s, words, place));
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_AT_SITE) ||
