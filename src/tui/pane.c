@@ -286,7 +286,8 @@ pane_typed(const struct area *area, const char *prompt,
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
 		before -= text_show(&shown, left);
-	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
+	screen_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
+	screen_part(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;
 }

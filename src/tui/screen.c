@@ -303,7 +303,7 @@ screen_put_cell(
 }
 
 int
-screen_series(const struct area *area, int row, int column, enum series series,
+screen_part(const struct area *area, int row, int column, enum series series,
     unsigned look, const char *text)
 {
 	if (row < 0 || row >= area->rows || column < 0)
@@ -312,6 +312,17 @@ screen_series(const struct area *area, int row, int column, enum series series,
 		   area->row + row, area->column + area->columns, text, series,
 		   look) -
 	       area->column;
+}
+
+int
+screen_series(const struct area *area, int row, int column, enum series series,
+    unsigned look, const char *text)
+{
+	char *fitted = text_fitted(text, area->columns - column);
+	bool whole = strcmp(fitted, text) == 0;
+	int end = screen_part(area, row, column, series, look, fitted);
+	free(fitted);
+	return whole || row < 0 || row >= area->rows ? end : area->columns;
 }
 
 int
@@ -331,15 +342,16 @@ screen_words_within(const struct area *area, int row, int rows, unsigned look,
     const char *text, const char *more)
 {
 	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
-	struct area within = *area;
 	for (char *line = strtok_r(wrapped, "\n", &save);
 	     line != NULL && rows > 0; line = strtok_r(NULL, "\n", &save)) {
 		bool cut = --rows == 0 && *save != '\0';
-		within.columns = area->columns - (cut ? text_width(more) : 0);
-		int end =
-		    screen_series(&within, row, 0, SERIES_TEXT, look, line);
+		char *part = text_wrapped(
+		    line, area->columns - (cut ? text_width(more) : 0));
+		part[strcspn(part, "\n")] = '\0';
+		int end = screen_series(area, row, 0, SERIES_TEXT, look, part);
 		if (cut)
 			screen_series(area, row, end, SERIES_TEXT, look, more);
+		free(part);
 		row++;
 	}
 	free(wrapped);
