@@ -206,6 +206,8 @@ struct view {
 	double moved;            /* when the slider last was */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	bool formed;             /* it is of a search that was under way */
+	bool lit;                /* light is of it, see panel.c */
+	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
 	struct prediction
 	    pinned_whole;    /* whose numbers are in pinned, borrowed */

@@ -33,7 +33,7 @@ enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
 struct panel {
 	struct tui *t;
 	const struct numbers *was;
-	struct trust light;
+	const struct trust *light;
 	const char *reason;
 	double tph, back;
 };
@@ -445,7 +445,7 @@ light_wish(const struct panel *p)
 {
 	enum { TALL = 30, MANY = 4, FEW = 2 };
 	const struct area *side = &p->t->layout.side;
-	if (p->light.light == LIGHT_RED && p->reason != NULL)
+	if (p->light->light == LIGHT_RED && p->reason != NULL)
 		return (struct wish){
 		    MANY, 1 + text_rows(p->reason, side->columns)};
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
@@ -489,7 +489,7 @@ draw_light(struct panel *p, const struct area *area)
 {
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
-	const struct trust *light = &p->light;
+	const struct trust *light = p->light;
 	char *words = xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
 		xappend(&words,
@@ -617,12 +617,24 @@ panel_reason(const struct trust *light)
 	return light->n > 0 ? &light->reason[first] : NULL;
 }
 
+/* The light of what is shown, once for all that tells of it. */
+static const struct trust *
+light_shown(struct tui *t)
+{
+	struct view *v = &t->view;
+	if (!v->lit) {
+		trust_free(&v->light);
+		v->light = light_of(t->session, tui_asked(t), &v->shown);
+		v->lit = true;
+	}
+	return &v->light;
+}
+
 static void
 take_light(struct panel *p)
 {
-	const struct tui *t = p->t;
-	p->light = light_of(t->session, tui_asked(t), &t->view.shown);
-	const struct trust_reason *reason = panel_reason(&p->light);
+	p->light = light_shown(p->t);
+	const struct trust_reason *reason = panel_reason(p->light);
 	p->reason = reason != NULL ? reason->text : NULL;
 }
 
@@ -674,7 +686,6 @@ panel_draw(struct tui *t)
 	take_tonnes(&p);
 	take_light(&p);
 	draw_blocks(&p);
-	trust_free(&p.light);
 }
 
 /* The light in so many columns, or in `most` in the shortest words, with its
@@ -726,7 +737,7 @@ panel_words(struct tui *t, int columns, int most)
 	if (t->ui.page != PAGE_PREDICT || t->view.current.site[0] == '\0' ||
 	    (side && t->reason_shown))
 		return xstrdup("");
-	struct trust light = light_of(t->session, tui_asked(t), &t->view.shown);
+	const struct trust *light = light_shown(t);
 	char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,
@@ -734,12 +745,11 @@ panel_words(struct tui *t, int columns, int most)
 							   : tr(", out of %s"),
 		    t->session->spec->name);
 	int taken = text_width(limits);
-	char *words = side && light.n == 0
+	char *words = side && light->n == 0
 			  ? xstrdup("")
-			  : light_words(&light, columns - taken, most - taken);
+			  : light_words(light, columns - taken, most - taken);
 	xappend(&words, "%s", limits);
 	free(limits);
-	trust_free(&light);
 	return words;
 }
 
