@@ -53,13 +53,14 @@ pane_plot(
 	if (area->rows < 1 || area->columns < 1)
 		return;
 	r.charset = screen_charset();
-	r.entry = tui_asked(t);
+	if (r.entry == NULL)
+		r.entry = tui_asked(t);
 	struct canvas *canvas =
 	    plots_draw(t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
 		screen_canvas(area, canvas);
 		canvas_free(canvas);
-		if (t->n_drawn == PLOTS_DRAWN)
+		if (request->entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
 		hits_add(&t->hits, HIT_SLIDE, *area, touch_plot, t->n_drawn++);
