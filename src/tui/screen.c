@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/screen.h"
 
-#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -361,7 +360,8 @@ screen_words_within(const struct area *area, int row, int rows, unsigned look,
 int
 screen_words(const struct area *area, int row, unsigned look, const char *text)
 {
-	return screen_words_within(area, row, INT_MAX, look, text, "");
+	return screen_words_within(
+	    area, row, area->rows - row, look, text, " ..");
 }
 
 void

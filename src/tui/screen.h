@@ -82,8 +82,8 @@ int screen_series(const struct area *area, int row, int column,
 int screen_part(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* Draws text in as many rows of the area as it needs, broken at spaces.
- * Returns the row after it. */
+/* Draws text in as many rows of the area as it needs, broken at spaces; what
+ * these do not hold is " ..".  Returns the row after it. */
 int screen_words(
     const struct area *area, int row, unsigned look, const char *text);
 

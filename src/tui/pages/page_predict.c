@@ -184,6 +184,12 @@ predict_hints(const struct tui *t)
 	if (undone)
 		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
 			  "command  t goal  x pin  e export  u undo");
+	if (t->view.current.site[0] == '\0' && !session_busy(t->session))
+		return site_products(tui_current_entry(t)->site) > 0
+			   ? tr("Enter calibrate  ? keys  q quit  : command  "
+				"o open a sheet  1-5 pages")
+			   : tr(": command  ? keys  q quit  o open a sheet  "
+				"1-5 pages");
 	if (goal && t->left_out)
 		return tr("<-/-> speed  n p limits  N best  ? keys  Enter all "
 			  "numbers  q quit  : command  x pin  e export  t "
