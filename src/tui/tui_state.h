@@ -278,7 +278,6 @@ struct tui {
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is from the command that moved the slider */
-	bool left_out;        /* the panel has more than it shows */
 	bool reason_shown;    /* the panel has room for that of the light */
 	const char *question; /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */

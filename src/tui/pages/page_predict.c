@@ -190,18 +190,12 @@ predict_hints(const struct tui *t)
 				"o open a sheet  1-5 pages")
 			   : tr(": command  ? keys  q quit  o open a sheet  "
 				"1-5 pages");
-	if (goal && t->left_out)
-		return tr("<-/-> speed  n p limits  N best  ? keys  Enter all "
-			  "numbers  q quit  : command  x pin  e export  t "
-			  "goal");
 	if (goal)
-		return tr("<-/-> speed  n p limits  N best  ? keys  q quit  : "
-			  "command  x pin  e export  t goal  Enter numbers");
-	if (t->left_out)
-		return tr("<-/-> speed  t goal  ? keys  Enter all numbers  q "
-			  "quit  f fit  : command  x pin  e export  u undo");
-	return tr("<-/-> speed  t goal  ? keys  q quit  f fit  : command  "
-		  "x pin  e export  Enter numbers  c crosshair  u undo");
+		return tr("<-/-> speed  n p limits  N best  ? keys  Enter "
+			  "numbers  q quit  x pin  e export  : command  t "
+			  "goal");
+	return tr("<-/-> speed  t goal  ? keys  Enter numbers  q quit  f fit  "
+		  "x pin  e export  : command  c crosshair  u undo");
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),

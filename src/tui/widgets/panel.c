@@ -566,7 +566,6 @@ draw_blocks(struct panel *p)
 	panel_share_rows(p, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
-		p->t->left_out |= rows[i] < BLOCK[i].wish(p).most;
 		if (BLOCK[i].draw == draw_light)
 			p->t->reason_shown = rows[i] > 1;
 	}
@@ -670,7 +669,6 @@ void
 panel_draw(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	t->left_out = side->rows == 0 && t->view.current.site[0] != '\0';
 	t->reason_shown = false;
 	if (side->rows == 0)
 		return;

@@ -280,8 +280,8 @@ width_of(const struct part *part)
 static void
 fit_parts(struct part part[static PARTS], int columns)
 {
-	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, SPEED, GOAL,
-	    SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
+	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, SPEED,
+	    GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;
