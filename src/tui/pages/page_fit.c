@@ -52,7 +52,7 @@ caption(struct tui *t, const struct area *area)
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
 	screen_text(area, 0, column, LOOK_REVERSE, "%s", label);
-	t->cursor = (struct cursor){area->row, column + 1};
+	t->cursor = (struct cursor){area->row, column};
 	return true;
 }
 

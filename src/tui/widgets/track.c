@@ -174,7 +174,8 @@ track_draw(struct tui *t)
 	}
 	free(kept);
 	free(cell);
-	t->cursor.column = track.column + at + (end > at + 1);
+	/* On its bracket: a block would stand out of the number. */
+	t->cursor.column = track.column + at;
 }
 
 /* A part of the heading at several lengths, the longest first; at: the one
