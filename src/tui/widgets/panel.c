@@ -34,7 +34,7 @@ struct panel {
 	struct tui *t;
 	const struct numbers *was;
 	const struct trust *light;
-	const char *reason;
+	const struct trust_reason *reason;
 	double tph, back;
 };
 
@@ -447,7 +447,7 @@ light_wish(const struct panel *p)
 	const struct area *side = &p->t->layout.side;
 	if (p->light->light == LIGHT_RED && p->reason != NULL)
 		return (struct wish){
-		    MANY, 1 + text_rows(p->reason, side->columns)};
+		    MANY, 1 + text_rows(p->reason->text, side->columns)};
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
 }
 
@@ -458,16 +458,31 @@ touch_light(struct tui *t, const struct touched *touched)
 	cmdline_run(t, "why");
 }
 
-/* What stands before its colon, where there is no room for all of it. */
+/* What a reason is about, in a few words. */
+static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
+    [TRUST_DATA] = N_("few or doubtful data"),
+    [TRUST_PATTERN] = N_("residuals have a pattern"),
+    [TRUST_HOLDOUT] = N_("held-out run is missed"),
+    [TRUST_BEYOND] = N_("beyond the measured speeds"),
+    [TRUST_SLOW] = N_("slower, less may break"),
+    [TRUST_BAND] = N_("the band is wide"),
+    [TRUST_FEED] = N_("unusual feed"),
+    [TRUST_BOUND] = N_("a parameter at its bound"),
+    [TRUST_MACHINE] = N_("another machine"),
+    [TRUST_ORIGIN] = N_("parameters from elsewhere")};
+
+/* What stands before its colon, or a few words, where there is no room for all
+ * of it. */
 static void
-draw_reason(const struct area *area, const char *reason)
+draw_reason(const struct area *area, const struct trust_reason *reason)
 {
-	char *text = xstrdup(reason), *colon = strchr(text, ':');
-	bool fits = text_rows(text, area->columns) < area->rows;
-	if (!fits && colon != NULL)
+	const int rows = area->rows - 1;
+	FREED char *text = xstrdup(reason->text);
+	char *colon = strchr(text, ':');
+	if (text_rows(text, area->columns) > rows && colon != NULL)
 		*colon = '\0';
-	screen_words_within(area, 1, area->rows - 1, 0, text, " ..");
-	free(text);
+	bool fits = text_rows(text, area->columns) <= rows;
+	screen_words(area, 1, 0, fits ? text : tr(ABOUT[reason->cause]));
 }
 
 static void
@@ -633,8 +648,7 @@ static void
 take_light(struct panel *p)
 {
 	p->light = light_shown(p->t);
-	const struct trust_reason *reason = panel_reason(p->light);
-	p->reason = reason != NULL ? reason->text : NULL;
+	p->reason = panel_reason(p->light);
 }
 
 /* Without a prediction there is what to do, and what is pinned or was read. */
@@ -692,17 +706,6 @@ panel_draw(struct tui *t)
 static char *
 light_words(const struct trust *light, int columns, int most)
 {
-	static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
-	    [TRUST_DATA] = N_("few or doubtful data"),
-	    [TRUST_PATTERN] = N_("residuals have a pattern"),
-	    [TRUST_HOLDOUT] = N_("held-out run is missed"),
-	    [TRUST_BEYOND] = N_("beyond the measured speeds"),
-	    [TRUST_SLOW] = N_("slower, less may break"),
-	    [TRUST_BAND] = N_("the band is wide"),
-	    [TRUST_FEED] = N_("unusual feed"),
-	    [TRUST_BOUND] = N_("a parameter at its bound"),
-	    [TRUST_MACHINE] = N_("another machine"),
-	    [TRUST_ORIGIN] = N_("parameters from elsewhere")};
 	const char *name = tr(LIGHT_NAME[light->light]);
 	const struct trust_reason *reason = panel_reason(light);
 	char *words = xasprintf(tr("trust %s"), name);
