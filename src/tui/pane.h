@@ -61,7 +61,8 @@ extern const struct page_ops page_predict, page_fit, page_data, page_parity,
     page_sites;
 
 /* Draws a plot in an area, or says why there is none.  A click on it says what
- * is there; see point in page_ops. */
+ * is there, see point in page_ops, unless the request names an entry: without
+ * one it is of the site in use. */
 void pane_plot(
     struct tui *t, const struct plot_request *request, const struct area *area);
 

@@ -362,7 +362,7 @@ viewer_draw_line(struct tui *t, int n)
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_escape_next(&shown, left);
-	screen_series(&body, n % rows - v->top, 0, SERIES_TEXT,
+	screen_part(&body, n % rows - v->top, 0, SERIES_TEXT,
 	    n == v->at ? LOOK_REVERSE
 	    : found    ? LOOK_BOLD
 		       : LOOK_PLAIN,
