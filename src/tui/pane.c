@@ -195,7 +195,8 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_plot(t, request, &plot);
 }
 
-void
+/* Cuts off the words, separated by two spaces, that there is no room for. */
+static void
 pane_cut(char *words, int columns)
 {
 	while (text_width(words) > columns) {

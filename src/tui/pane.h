@@ -98,9 +98,6 @@ int pane_word(struct tui *t, const struct area *area, const char *word,
  * them. */
 int pane_lines(const struct area *area, int row, const char *text);
 
-/* Cuts off the words, separated by two spaces, that there is no room for. */
-void pane_cut(char *words, int columns);
-
 /* Returns a place in a list of n, moved by `by` and kept within it. */
 int pane_moved(int at, int by, size_t n);
 
