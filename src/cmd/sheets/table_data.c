@@ -276,13 +276,13 @@ const struct command TABLE_DATA[] = {
 	    "'energy load FILE' reads a LIGGGHTS dump of contacts (dump local "
 	    "with pos, vel and id; contacts in snapshots one after another are "
 	    "one impact at its largest relative normal velocity), a table of "
-	    "impacts from another program by the heads of its columns, a list "
-	    "of energies (J/kg) or velocities (m/s), perhaps with weights, or "
-	    "a binned spectrum (low, high and weight). Without operands, shows "
-	    "impacts a particle, energies above the cut, the share of the "
+	    "impacts from another program by its column headings, a list of "
+	    "energies (J/kg) or velocities (m/s), perhaps with weights, or a "
+	    "binned spectrum (low, high and weight). Without operands, shows "
+	    "impacts per particle, energies above the cut, the share of the "
 	    "first impact and the k with which Eq 3 would break as much. "
-	    "'energy write FILE' writes the spectrum. 'set energy FILE' has "
-	    "the model use it in place of one impact at v^2/2.",
+	    "'energy write FILE' writes the spectrum. 'set energy FILE' makes "
+	    "the model use it instead of one impact at v^2/2.",
 	.example = "energy load data/energy/vsi-69.csv\nenergy cut=100",
 	.run = cmd_energy},
     {.name = "template",
