@@ -60,8 +60,8 @@ struct page_ops {
 extern const struct page_ops page_predict, page_fit, page_data, page_parity,
     page_sites;
 
-/* Draws a plot in an area, or says why there is none.  A click on it says what
- * is there; see point in page_ops. */
+/* Draws a plot in an area, or says why there is none.  A click shows what is
+ * there; see point in page_ops. */
 void pane_plot(
     struct tui *t, const struct plot_request *request, const struct area *area);
 
