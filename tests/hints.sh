@@ -103,8 +103,8 @@ run() (
 PATH=$dir/bin:$PATH
 cases=$(cd "$srcdir/tests/cases" && pwd)
 tried=0
-# One case of sixteen, all in the long tests.
-step=$(often 16 1) at=0
+# One case of eighteen, all in the long tests.
+step=$(often 18 1) at=0
 : >"$dir/.seen"
 for expected in $(grep -l '^ *hint: ' "$cases"/*/expected); do
 	at=$((at + 1))

@@ -24,11 +24,20 @@ result $? "on the command line, too"
 cp "$dir/data/sites/atle.csv" tierp
 "$program" -c 'load tierp' 2>&1 | grep -q '^loaded Atle'
 result $? "a file of that name comes first"
+# The script of the paper: to its first picture, in the long tests all of it.
 mkdir "$dir/paper"
-(cd "$dir/paper" && "$program" -f "$(find "$dir/root" -name paper.tip)") >out 2>err
-[ $? = 0 ] && [ "$(ls "$dir/paper" | wc -l)" = 16 ] || remark err
-[ "$(ls "$dir/paper" | wc -l)" = 16 ] && grep -q 'borne out' out
+paper=$(find "$dir/root" -name paper.tip)
+made=16
+if [ "$(often 0 100)" -eq 0 ]; then
+	made=2
+	sed '/^calibrate/,$d' "$paper" >paper.tip
+	paper=$PWD/paper.tip
+fi
+(cd "$dir/paper" && "$program" -f "$paper") >out 2>err &&
+	[ "$(ls "$dir/paper" | wc -l)" = $made ] &&
+	{ [ $made = 2 ] || grep -q 'borne out' out; }
 result $? "and the script of the paper runs in an empty folder"
+remark err
 for name in tierp.csv ../tierp ./bro nowhere; do
 	"$program" -c "load $name" >out 2>err
 	[ $? -eq 5 ] && grep -q "$name: cannot read" err

@@ -94,6 +94,9 @@ load data/sites/umea.csv
 params set f_mat=2.18 e0_min=16.74 alpha=0.96
 compare tierp umea speed=72
 params diff tierp
+bounds f_mat 2.18
+bounds e0_min 16.74
+bounds alpha 0.96
 calibrate all population=200 generations=30
 validate all
 league

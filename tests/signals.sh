@@ -5,6 +5,15 @@
 . "${srcdir:-.}/tests/tap.sh"
 scratch
 cd "$dir" || exit 99
+# Waits until a search has made generations: it says so only every two seconds.
+searching() {
+	tries=0
+	until grep -q calibrating log || [ $tries -ge 300 ]; do
+		sleep 0.1
+		tries=$((tries + 1))
+	done
+	sleep 0.5
+}
 run='calibrate population=400 generations=60000 tolerance=0 stall=0 polish=off threads=1'
 for signal in INT TERM HUP; do
 	case $signal in
@@ -17,11 +26,7 @@ for signal in INT TERM HUP; do
 	env --default-signal=INT "$TIPSPEED" data/sites/tierp.csv \
 		-c "$run" >out 2>log &
 	pid=$!
-	tries=0
-	until grep -q 'generation  *[0-9]*0 ' log || [ $tries -ge 300 ]; do
-		sleep 0.1
-		tries=$((tries + 1))
-	done
+	searching
 	kill -s $signal $pid
 	wait $pid
 	status=$?
@@ -35,11 +40,7 @@ done
 env --default-signal=INT "$TIPSPEED" data/sites/tierp.csv \
 	-c "$run > fit.json" >out 2>log &
 pid=$!
-tries=0
-until grep -q 'generation  *[0-9]*0 ' log || [ $tries -ge 300 ]; do
-	sleep 0.1
-	tries=$((tries + 1))
-done
+searching
 kill -s INT $pid
 wait $pid
 [ $? -eq 130 ] && [ ! -s out ] && grep -q '"stop":"stopped"' fit.json
@@ -58,7 +59,7 @@ awk 'BEGIN {
 		print ""
 	}
 }' >big.csv
-waits="0.4 1.5"
+waits=0.8
 [ "$(often 0 1)" -eq 0 ] || waits="0.4 0.8 1.5 2.5"
 for seconds in $waits; do
 	env --default-signal=INT "$TIPSPEED" --store=:memory: big.csv \

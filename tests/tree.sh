@@ -92,7 +92,6 @@ circles() {
 # What a header declares is defined in the .c of its name.
 at_home() {
 	for h in $(of "$1" '*.h'); do
-		c=${h%.h}.c
 		sed 's,/\*.*\*/,,; /\/\*/,/\*\//d; /^#/d' "$h" | awk '
 			/^(static|typedef)/ { skip = 1 }
 			/^[a-z].*[ *][a-z_0-9]+\(/ && !skip {
@@ -100,9 +99,13 @@ at_home() {
 				sub(/.*[ *]/, "")
 				print
 			}
-			/[;}]$/ { skip = 0 }' | while read -r name; do
-			grep -qsE "^$name\(" "$c" || echo "$h: $name is not in $c"
-		done
+			/[;}]$/ { skip = 0 }' | awk -v h="$h" -v c="${h%.h}.c" '
+			BEGIN {
+				while ((getline line <c) > 0)
+					if (match(line, /^[a-z_0-9]+\(/))
+						has[substr(line, 1, RLENGTH - 1)]
+			}
+			!($0 in has) { print h ": " $0 " is not in " c }'
 	done >"$tmp"
 	none "headers of $1 declare what the .c of their name defines"
 }
@@ -168,21 +171,20 @@ awk 'length > 0 {
 	}' $(find src -name '*.[ch]') >"$tmp"
 none "no line over 80 columns"
 
-for f in $(find src/*/ -name '*.[ch]'); do
-	head -n 12 "$f" | grep -q 'SPDX-License-Identifier' || echo "$f"
-done >"$tmp"
+awk 'FNR > 12 { nextfile }
+	FNR == 1 { seen[FILENAME] }
+	/SPDX-License-Identifier/ { delete seen[FILENAME] }
+	END { for (f in seen) print f }' $(find src/*/ -name '*.[ch]') >"$tmp"
 none "every file opens with its duty and its licence"
-for f in $(of . '*.c'); do
-	! head -n 1 "$f" | grep -q 'SPDX' || echo "$f"
-done >"$tmp"
+awk '/SPDX/ { print FILENAME }
+	{ nextfile }' $(of . '*.c') >"$tmp"
 none "a .c opens with what it does, before its licence"
 
 # A .c with a header of its name includes that first.
-for f in $(find src -name '*.c'); do
+grep -m1 -H '^#include' $(find src -name '*.c') | while IFS=: read -r f first; do
 	h=${f%.c}.h
-	[ -f "$h" ] || continue
-	first=$(grep -m1 '^#include' "$f")
-	[ "$first" = "#include \"${h#src/}\"" ] || echo "$f: $first"
+	[ ! -f "$h" ] || [ "$first" = "#include \"${h#src/}\"" ] ||
+		echo "$f: $first"
 done >"$tmp"
 none "a file includes its own header first"
 
@@ -197,22 +199,21 @@ none "no marks left"
 # the fuzzer, table3_text.c is made.
 guides="HACKING.md bench/README.md dem/README.md doc/architecture.md
 	doc/experiments.md $(echo doc/decisions/*.md)"
+find src tests bench tools dem -name '*.[ch]' -printf '%f\n' | sort -u >"$tmp.there"
 grep -ohE '[a-z_0-9]+\.[ch]\b' $guides | sort -u | grep -vx table3_text.c |
-	while read -r f; do
-		find src tests bench tools dem -name "$f" | grep -q . || echo "$f"
-	done >"$tmp"
+	comm -23 - "$tmp.there" >"$tmp"
 grep -ohE '[a-z0-9]+(/[a-z_0-9-]+)+\.(c|h|md|sh|tip)\b' $guides | sort -u |
 	while read -r f; do
 		[ -e "$f" ] || [ -e "src/$f" ] || [ -e "doc/$f" ] || echo "$f"
 	done >>"$tmp"
 grep -rohIE '[A-Za-z]+(_[A-Za-z0-9]+)+' src tests tools bench data dem man Makefile.am \
-	configure.ac .ci | sort -u >"$tmp.there"
+	configure.ac .ci | sort -u >"$tmp.words"
 grep -ohE '\b[a-z]+(_[a-z0-9]+)+\b' $guides | grep -vx minimize_crash | sort -u |
-	comm -23 - "$tmp.there" >>"$tmp"
+	comm -23 - "$tmp.words" >>"$tmp"
 grep -rohE 'doc(/[a-z-]+)+\.md' src README.md | sort -u | while read -r f; do
 	[ -e "$f" ] || echo "$f"
 done >>"$tmp"
-rm "$tmp.there"
+rm "$tmp.words"
 none "guides name files and identifiers that there are"
 
 # A name with a file behind it in brackets is a function that the file defines.
@@ -230,10 +231,8 @@ result $? "HACKING.md has 200 lines at most"
 
 # Headers that comments name are there.
 grep -rhE '/\*|^[[:space:]]*\*' src --include='*.[ch]' | grep -oE '\b[a-z_]{4,}\.h\b' |
-	sort -u | grep -vx ctype.h |
-	while read -r f; do
-		find src tests/unit -name "$f" | grep -q . || echo "$f"
-	done >"$tmp"
+	sort -u | grep -vx ctype.h | comm -23 - "$tmp.there" >"$tmp"
+rm "$tmp.there"
 none "comments name headers that there are"
 
 # What the full screen exported by the way is soon committed by the way.

@@ -203,7 +203,8 @@ names_speed(const struct command *asked, const char *rest)
 	double v;
 	for (char *word = strtok_r(copy, " \t", &save); word != NULL;
 	     word = strtok_r(NULL, " \t", &save))
-		named |= value_number(word, "m/s", &v);
+		named |= value_number(word, "m/s", &v) ||
+			 value_number(word, "rpm", &v);
 	free(copy);
 	return named && asked->operands.usage != NULL &&
 	       strstr(asked->operands.usage, "SPEED") != NULL;

@@ -1163,15 +1163,16 @@ long_commands_leave_the_screen_live(void **state)
 		const char *line, *at, *field, *stopped;
 	} LONG[] = {{":validate holdout=each\n", "WORKING  validate: gavle",
 			"overall.rmse_pct", "before all speeds"},
-	    {":validate all holdout=each\n", "WORKING  validate: gavle",
-		"p50.rms_pct", "before all speeds"},
 	    {":league\n", "WORKING  league: gavle, model", "models.aicc",
-		"before all models"}};
+		"before all models"},
+	    {":validate all holdout=each\n", "WORKING  validate: gavle",
+		"p50.rms_pct", "before all speeds"}};
 	/* Held parameters make each of the many searches short. */
 	desk_expect(stage->desk,
 	    "load data/sites/gavle-4.csv; bounds f_mat 0.6; "
 	    "bounds e0_min 15; bounds alpha 1; calibrate");
-	for (size_t i = 0; i < ARRAY_LEN(LONG); i++) {
+	size_t lines = often(1, ARRAY_LEN(LONG));
+	for (size_t i = 0; i < lines; i++) {
 		const char *command = LONG[i].line + 1;
 		char *plain = xstrndup(command, strcspn(command, "\n")),
 		     *name = xstrndup(command, strcspn(command, " \n"));

@@ -478,9 +478,11 @@ find_holds_what_was_measured(void **state)
 	glob_t found;
 	assert_int_equal(glob("data/sites/*.csv", 0, NULL, &found), 0);
 	for (size_t f = 0; f < found.gl_pathc; f++) {
-		ask(desk, "load %s; calibrate population=200",
-		    found.gl_pathv[f]);
+		ask(desk, "load %s", found.gl_pathv[f]);
 		const struct site *site = session_entry(s)->site;
+		if (f % every >= PSD_SIZES * site->n_run)
+			continue;
+		ask(desk, "calibrate population=200");
 		for (size_t k = f % every; k < PSD_SIZES * site->n_run;
 		     k += every) {
 			const struct run *run = &site->run[k / PSD_SIZES];

@@ -285,7 +285,7 @@ runs_that_cannot_be_are_refused(void **state)
 {
 	struct desk *desk = *state;
 	struct store *store = desk->session->store;
-	size_t refused = 0, n = often(60, 200);
+	size_t refused = 0, n = often(30, 200);
 	uint32_t x = 1;
 	desk_expect(desk, TIERP_CALIBRATED);
 	desk_expect(desk, "remember pit; reset");

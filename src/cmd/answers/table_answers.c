@@ -532,9 +532,10 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "Compares each cut that was added after the calibration with what "
 	    "is predicted at its own speed from its own feed, by runs that "
-	    "have not seen it. A row has the mean of the residuals (measured "
-	    "less predicted, points), the largest with its sieve, and what "
-	    "the control charts say; with detail=on the charts themselves: "
+	    "have not seen it. A row has the mean of the residuals (answer "
+	    "less measured, points: + where the cut is coarser), the largest "
+	    "with its sieve, and what the control charts say; with detail=on "
+	    "the charts themselves: "
 	    "EWMA (weight 0.2) with its limit and CUSUM in both directions, of "
 	    "the mean and of the tilt (coarse sieves less fine ones). The "
 	    "limits come from the draws of the uncertainty, or "

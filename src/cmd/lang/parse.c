@@ -171,8 +171,8 @@ join_name(struct words *words)
 	words->n = 1;
 }
 
-/* Puts a unit to the number before it, "72 m/s", and makes an option of the
- * rotor's turns, "1640 rpm", where the command has it. */
+/* Puts a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
+ * wanted. */
 static void
 join_unit(const struct command *command, struct words *words)
 {
@@ -187,13 +187,11 @@ join_unit(const struct command *command, struct words *words)
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
 			     : command->operands.most > 0 ? "m/s"
 							  : "";
-	bool turns = equals == NULL && strcmp(unit, "rpm") == 0 &&
-		     command_option_index(command, "rpm") < OPTIONS;
+	bool turns = strcmp(unit, "rpm") == 0 && strcmp(wanted, "m/s") == 0;
 	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
 	    *number < '0' || *number > '9')
 		return;
-	char *joined =
-	    turns ? xasprintf("rpm=%s", *word) : xasprintf("%s%s", *word, unit);
+	char *joined = xasprintf("%s%s", *word, unit);
 	free(word[0]);
 	free(word[1]);
 	word[0] = joined;

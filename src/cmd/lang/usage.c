@@ -44,6 +44,9 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"TIPSPEED_ISA",
 	"Best instruction set that calibrations may use, for tests: baseline, "
 	"avx2 or avx512. The results are the same."},
+    {"OMP_NUM_THREADS",
+	"Number of threads, where 'set threads' does not say it; default: the "
+	"processors that tipspeed may run on. The results are the same."},
     {"SOURCE_DATE_EPOCH",
 	"Seconds since 1970: the date to use as today's, so that repeated "
 	"output is identical; default: the clock."},

@@ -329,22 +329,20 @@ static bool
 energy_load_file(
     struct session *s, const struct args *args, struct error *error)
 {
-	struct collisions_way way = energies_reading_options();
+	struct collisions_way way = {.speed = NAN};
 	const struct value *unit = args_value(args, "unit");
 	if (!check_one_file(args, error))
 		return false;
 	way.columns = args_value(args, "columns")->text;
-	way.particles = args_value(args, "particles")->text;
 	way.unit = !unit->given ? NULL : unit->choice == 0 ? "J/kg" : "m/s";
 	way.speed = args_number(args, "speed", NAN);
-	way.density = args_value(args, "density")->number;
-	way.cut = args_number(args, "cut", way.cut);
+	double cut = args_number(args, "cut", ENERGIES_CUT);
 	/* A file that is there comes before a shipped one of its name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
-	bool read = energies_read(s, path, &way, error) != NULL;
+	bool read = energies_read(s, path, &way, cut, error) != NULL;
 	if (!read)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];

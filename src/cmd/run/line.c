@@ -18,6 +18,7 @@
 #include "cmd/ask/pin.h"
 #include "cmd/ask/condition_words.h"
 #include "cmd/ask/question.h"
+#include "cmd/run/turns.h"
 #include "cmd/session/script.h"
 #include "cmd/session/turn.h"
 #include "cmd/session/undo.h"
@@ -122,6 +123,8 @@ run_words(struct session *s, struct words *words, struct place place,
 {
 	struct args args;
 	join_file_name(words, command_find_typed(words->text[0], place.prompt));
+	if (!turns_to_speeds(s, words, place, error))
+		return false;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_AT_SITE) ||

@@ -1,11 +1,13 @@
 /* Settings by their rows, and seed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* sched_getaffinity */
 #include "cmd/session/settings.h"
 
 #include <assert.h>
+#include <sched.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/xalloc.h"
 #include "cmd/lang/parse.h"
@@ -67,10 +69,16 @@ settings_text(const struct setting *row, const struct choices *set)
 	return xstrndup(word, strcspn(word, " "));
 }
 
+/* As many as OMP_NUM_THREADS says, else as the processors that this process may
+ * run on: a task of a job system has but some of the machine's. */
 static unsigned
-count_processors(void)
+threads_default(void)
 {
-	long n = sysconf(_SC_NPROCESSORS_ONLN);
+	const char *text = getenv("OMP_NUM_THREADS");
+	long n = text != NULL ? strtol(text, NULL, 10) : 0;
+	cpu_set_t processors;
+	if (n < 1 && sched_getaffinity(0, sizeof processors, &processors) == 0)
+		n = CPU_COUNT(&processors);
 	return n < 1 ? 1 : n > 64 ? 64 : (unsigned)n;
 }
 
@@ -79,7 +87,7 @@ settings_default(void)
 {
 	struct choices set = {.bounds = bounds_default(0),
 	    .seed = 1,
-	    .threads = count_processors()};
+	    .threads = threads_default()};
 	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
 		struct value value = {0};
 		struct error error = {0};
