@@ -701,7 +701,7 @@ hint_remembered(const struct session *s, const char *word, struct error *error)
 	if (access(word, F_OK) != 0 &&
 	    store_each_name(s->store, STORE_NAMES, compare_name, &r, NULL) &&
 	    r.found)
-		error_hint(error, "it was remembered: recall %s", word);
+		error_hint(error, "it is in the store: recall %s", word);
 }
 
 bool
