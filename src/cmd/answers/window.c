@@ -1,5 +1,6 @@
 /* window: the speeds at which conditions hold.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <ctype.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -10,6 +11,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
+#include "cmd/ask/goals.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
@@ -24,6 +26,23 @@ struct asking {
 	struct speed_search *w;
 };
 
+/* The conditions of a goal, each in quotes behind a blank.  A comma before a
+ * digit is in a number. */
+static char *
+goal_words(const char *goal)
+{
+	char *words = xstrdup("");
+	for (size_t n; *goal != '\0'; goal += n) {
+		goal += strspn(goal, ", ");
+		for (n = strcspn(goal, ",");
+		     goal[n] == ',' && isdigit((unsigned char)goal[n + 1]);)
+			n += 1 + strcspn(goal + n + 1, ",");
+		if (n > 0)
+			xappend(&words, " \"%.*s\"", (int)n, goal);
+	}
+	return words;
+}
+
 static bool
 read_conditions(struct session *s, const struct args *args, struct asking *a,
     struct error *error)
@@ -34,6 +53,15 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 	    !conditions_add_option(
 		s, args, fraction, feed, &a->list, &a->limits, error))
 		return false;
+	const char *goal = s->set.goal;
+	bool limits = strpbrk(goal, "<>") != NULL || strstr(goal, "..") != NULL;
+	if (a->list.n == 0 && limits && goals_is_condition(goal)) {
+		FREED char *words = goal_words(goal);
+		return error_set(error, ERROR_USAGE,
+		    "expected conditions, got none\n"
+		    "for the goal that is set write: window%s",
+		    words);
+	}
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
 				    "expected conditions, got none\n"
 				    "write: window \"passing 2 = 40..50\" "

@@ -240,7 +240,7 @@ is_limit_sign(
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = parse_skip_blanks(line, at);
-	size_t n = strcspn(line + at, " \t;%");
+	size_t n = strcspn(line + at, " \t;,%");
 	FREED char *number = xstrndup(line + at, n);
 	double limit;
 	return text_typed_number(number, &limit);
