@@ -220,7 +220,7 @@ meant_by(const char *line, const char *where)
 	const char *word = line + from, *rest = word + n;
 	rest += strspn(rest, " \t");
 	char *name = xstrndup(word, n);
-	const struct command *asked = command_called(name, true);
+	const struct command *asked = command_find_typed(name, true);
 	free(name);
 	if (asked == NULL || !asks_at_speed(asked))
 		return xstrdup(line);

@@ -48,7 +48,7 @@ draw_header(struct tui *t)
 		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
-	char *label = entry != NULL       ? session_label(tui_asked(t)->site)
+	char *label = entry != NULL ? session_site_label(tui_asked(t)->site)
 		      : left.columns < 18 ? xstrdup(tr("no site"))
 					  : xstrdup(tr("no site is loaded"));
 	bool room = text_width(label) + 11 <= left.columns,
@@ -80,7 +80,7 @@ touch_line(struct tui *t, const struct touched *touched)
 	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
 	for (int c = 1; c < touched->column && *at != '\0';)
-		c += text_show(&at, left);
+		c += text_escape_next(&at, left);
 	t->line.at = (size_t)(at - t->line.text);
 }
 
@@ -350,7 +350,7 @@ draw_question(struct tui *t, int rows, int columns)
 {
 	char *asks = xasprintf("%s y/n", t->question),
 	     *text = text_wrapped(asks, columns);
-	int n = text_rows(asks, columns);
+	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
 	screen_clear(&area);
 	screen_words(&area, 0, LOOK_BOLD, asks);

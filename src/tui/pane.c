@@ -32,7 +32,7 @@ touch_plot(struct tui *t, const struct touched *touched)
 		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
 	request->entry = tui_asked(t);
-	if (!plots_find(t->session, request, touched->area.columns,
+	if (!plots_find_at(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
@@ -152,7 +152,8 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
-		    outlook_short(t->session, tui_asked(t), &t->view.shown));
+		    outlook_short_words(
+			t->session, tui_asked(t), &t->view.shown));
 		column = pane_draw_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
@@ -285,7 +286,7 @@ pane_typed(const struct area *area, const char *prompt,
 	const char *shown = typing->text;
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
-		before -= text_show(&shown, left);
+		before -= text_escape_next(&shown, left);
 	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;

@@ -122,7 +122,7 @@ screen_open(bool colour)
 	}
 	restore_screen();
 	is.utf8 = terminal_is_utf8();
-	is.charset = terminal_draws() ? CHARSET_BRAILLE : CHARSET_ASCII;
+	is.charset = terminal_can_draw() ? CHARSET_BRAILLE : CHARSET_ASCII;
 	set_modes();
 	set_colours(colour);
 	mark_pastes(true);

@@ -108,7 +108,7 @@ view_look(struct tui *t)
 	if (entry != NULL && entry == session_fitting(t->session))
 		t->wish = NULL;
 	look_at_pin(t);
-	if (isnan(session_known(t->session, "predict", "speed")))
+	if (isnan(session_answer_number(t->session, "predict", "speed")))
 		forget(t);
 	t->view.holdout = entry != NULL && entry->has_fit
 			      ? 100 * fit_holdout_rmse(entry)
@@ -186,7 +186,7 @@ view_form(struct tui *t)
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
-	if (!answers_forming(s, entry, &params) && !entry->has_params)
+	if (!answers_best_so_far(s, entry, &params) && !entry->has_params)
 		return;
 	prediction_free(&t->view.shown);
 	struct question q = asked_whole(s, tui_asked(t), tui_feed(t));

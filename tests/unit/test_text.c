@@ -146,7 +146,7 @@ a_number_apart_from_another(void **state)
 	char buf[32];
 	for (size_t i = 0; i < ARRAY_LEN(pairs); i++)
 		assert_string_equal(
-		    text_apart(pairs[i].value, pairs[i].other, buf),
+		    text_distinguishing(pairs[i].value, pairs[i].other, buf),
 		    pairs[i].text);
 }
 
@@ -270,7 +270,7 @@ characters_are_read_one_by_one(void **state)
 	    'a', 0xE5, 0x20AC, 0x1D465, 0xFFFD, 0xFFFD, 'z'};
 	const char *p = "aå\u20AC\U0001D465\xE2\x82z";
 	for (size_t i = 0; i < ARRAY_LEN(WANTED); i++)
-		assert_int_equal(text_next(&p), WANTED[i]);
+		assert_int_equal(text_next_code_point(&p), WANTED[i]);
 	assert_int_equal(*p, '\0');
 }
 

@@ -255,7 +255,7 @@ undo_ends_a_running_calibration(void **state)
 	const char *line = "calibrate population=64 generations=9";
 	size_t next;
 	desk_expect(desk, "seed 3");
-	size_t depth = undo_depth(s), lines = journal_mark(s).n;
+	size_t depth = undo_depth(s), lines = journal_place(s).n;
 	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
 	session_step(s);
 	assert_true(session_line(s, "seed", 0, "x", 1, &next, &desk->error));
@@ -266,7 +266,7 @@ undo_ends_a_running_calibration(void **state)
 	assert_true(session_settle(s, true, &desk->error));
 	assert_int_equal(undo_depth(s), depth - 1);
 	/* What was asked since "seed 3" went with it. */
-	assert_int_equal(journal_mark(s).n, lines - 1);
+	assert_int_equal(journal_place(s).n, lines - 1);
 }
 
 static void

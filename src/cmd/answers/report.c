@@ -89,7 +89,7 @@ static const struct section {
 
 /* Whether a section is wanted as soon as there are parameters. */
 static bool
-is_asked(const struct ask *ask, enum need need)
+is_section_wanted(const struct ask *ask, enum need need)
 {
 	return need == NEED_PARAMS ||
 	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
@@ -97,7 +97,8 @@ is_asked(const struct ask *ask, enum need need)
 }
 
 static bool
-is_met(const struct session *s, const struct ask *ask, enum need need)
+has_what_section_needs(
+    const struct session *s, const struct ask *ask, enum need need)
 {
 	const struct entry *entry = &s->entry[s->current];
 	size_t known = 0;
@@ -107,7 +108,7 @@ is_met(const struct session *s, const struct ask *ask, enum need need)
 	case NEED_PARAMS:
 	case NEED_CONDITIONS:
 	case NEED_TPH:
-		return entry->has_params && is_asked(ask, need);
+		return entry->has_params && is_section_wanted(ask, need);
 	case NEED_FIT:
 		return entry->has_params && origin_fit(entry) != NULL;
 	case NEED_NONE:
@@ -115,7 +116,7 @@ is_met(const struct session *s, const struct ask *ask, enum need need)
 	case NEED_SEVERAL:
 		return known > 1;
 	case NEED_CUTS:
-		return entry->has_params && cut_later(s, entry).n > 0;
+		return entry->has_params && cut_compare_later(s, entry).n > 0;
 	case NEED_SPEC:
 		return entry->has_params &&
 		       (s->spec != NULL || ask->spec[0] != '\0');
@@ -126,7 +127,7 @@ is_met(const struct session *s, const struct ask *ask, enum need need)
 
 /* The words with what is asked; the caller frees. */
 static char *
-filled(const char *words, const struct ask *ask)
+fill_in_words(const char *words, const struct ask *ask)
 {
 	char speed[32], *text = xstrdup("");
 	const struct {
@@ -169,11 +170,12 @@ put_sections(struct session *s, const struct ask *ask)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
-		if (!is_met(s, ask, row->need))
+		if (!has_what_section_needs(s, ask, row->need))
 			continue;
-		FREED char *line = filled(row->line, ask);
+		FREED char *line = fill_in_words(row->line, ask);
 		if (row->heading != NULL) {
-			FREED char *heading = filled(tr(row->heading), ask);
+			FREED char *heading =
+			    fill_in_words(tr(row->heading), ask);
 			document_heading(s->document, heading);
 		}
 		run_line(s, line);
@@ -239,7 +241,7 @@ append_window(char **words, const struct ask *ask)
 static void
 put_conditions(struct session *s, const struct ask *ask)
 {
-	if (!is_met(s, ask, NEED_CONDITIONS))
+	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return;
 	forecast_at(ask->wanted.forecast, ask->speed);
 	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
@@ -260,7 +262,7 @@ static void
 report_put_answer(struct session *s, const struct ask *ask)
 {
 	const struct question *q = ask->q;
-	if (!is_met(s, ask, NEED_PARAMS))
+	if (!has_what_section_needs(s, ask, NEED_PARAMS))
 		return;
 	struct prediction p = forecast_whole(s, q->entry, ask->speed, q->feed);
 	FREED char *sure = predict_sure(s, q, &p);
@@ -271,14 +273,14 @@ report_put_answer(struct session *s, const struct ask *ask)
 
 /* Instead of the light. */
 static void
-put_missing(struct session *s, const struct ask *ask)
+put_left_out_sections(struct session *s, const struct ask *ask)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
-		if (row->heading == NULL || !is_asked(ask, row->need))
+		if (row->heading == NULL || !is_section_wanted(ask, row->need))
 			continue;
-		FREED char *heading = filled(tr(row->heading), ask);
+		FREED char *heading = fill_in_words(tr(row->heading), ask);
 		xlist(&list, "; ", "%s", heading);
 	}
 	document_say(s->document, DOCUMENT_WARNING,
@@ -311,19 +313,19 @@ report_put_script(struct session *s, const struct ask *ask)
 }
 
 static void
-compose(struct session *s, const struct ask *ask)
+write_report(struct session *s, const struct ask *ask)
 {
 	const struct site *site = ask->q->entry->site;
-	FREED char *label = session_label(site);
+	FREED char *label = session_site_label(site);
 	FREED char *today = moment_today();
 	FREED char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_title(s->document, title);
 	report_put_answer(s, ask);
 	put_conditions(s, ask);
-	if (is_met(s, ask, NEED_PARAMS))
+	if (has_what_section_needs(s, ask, NEED_PARAMS))
 		put_light(s, ask);
 	else
-		put_missing(s, ask);
+		put_left_out_sections(s, ask);
 	put_data(s->document, site);
 	put_sections(s, ask);
 	report_put_script(s, ask);
@@ -381,7 +383,7 @@ take_words(const struct args *args, struct ask *ask)
 
 /* What could not be used is said before anything is written. */
 static bool
-read_ask(struct session *s, const struct args *args, struct ask *ask,
+read_report_request(struct session *s, const struct args *args, struct ask *ask,
     struct error *error)
 {
 	const struct entry *entry = ask->q->entry;
@@ -395,9 +397,9 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 		s, args, fraction, feed, &ask->list, &remark, error))
 		return false;
 	ask->speed = ask->q->speed;
-	if (!is_met(s, ask, NEED_CONDITIONS))
+	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted = conditions_ask(s, ask->q, &ask->list, NULL);
+	ask->wanted = conditions_open(s, ask->q, &ask->list, NULL);
 	ask->found = speed_search_all(&ask->wanted);
 	if (!ask->q->speed_given && ask->found->n_inside > 0)
 		ask->speed = ask->found->best;
@@ -405,7 +407,7 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 }
 
 static void
-ask_free(struct ask *ask)
+report_request_free(struct ask *ask)
 {
 	speed_search_free(ask->found);
 	forecast_close(ask->wanted.forecast);
@@ -428,19 +430,19 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 		    "report: expected a file for it, .html or .pdf\n"
 		    "write: report > report.html");
 	question_as_last(s, args, q);
-	bool ok = read_ask(s, args, &ask, error);
+	bool ok = read_report_request(s, args, &ask, error);
 	if (ok) {
 		/* What was answered before is still what assert asks. */
 		struct answer **kept = s->answer;
 		size_t n_kept = s->n_answer;
 		s->answer = NULL;
 		s->n_answer = 0;
-		compose(s, &ask);
+		write_report(s, &ask);
 		session_forget(s);
 		free(s->answer);
 		s->answer = kept;
 		s->n_answer = n_kept;
 	}
-	ask_free(&ask);
+	report_request_free(&ask);
 	return ok;
 }

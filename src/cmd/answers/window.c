@@ -72,7 +72,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 static void
 window_look(struct session *s, struct asking *a, double from, double to)
 {
-	a->wanted = conditions_ask(s, a->q, &a->list, NULL);
+	a->wanted = conditions_open(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
 	a->wanted.to = to;
 	a->w = speed_search_all(&a->wanted);
@@ -169,7 +169,8 @@ note_none_sure(struct answer *r, const struct speed_search *w, double level)
 
 /* The best speed, and how sure it and those about it are. */
 static void
-note_certain(struct answer *r, const struct session *s, const struct asking *a)
+note_certain_speeds(
+    struct answer *r, const struct session *s, const struct asking *a)
 {
 	const struct speed_search *w = a->w;
 	double level = a->wanted.level;
@@ -224,7 +225,7 @@ put_limits(struct fields *o, const struct asking *a)
 
 /* The least trusted of the best speed and the ends of the window about it. */
 static struct trust
-light_of_window(const struct session *s, const struct asking *a)
+window_light(const struct session *s, const struct asking *a)
 {
 	const struct entry *entry = a->q->entry;
 	const struct speed_range *in = speed_search_around(a->w);
@@ -289,16 +290,16 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 			conditions_note_missed(r, &a.wanted, &a.list, a.w);
 		put_window(answer_fields(r), &a,
 		    answers_extrapolates(entry, a.w->best));
-		note_certain(r, s, &a);
+		note_certain_speeds(r, s, &a);
 		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
 		answers_show_basis(
-		    s, r, q, a.w->best, false, light_of_window(s, &a));
+		    s, r, q, a.w->best, false, window_light(s, &a));
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
-		ok = session_answer(s, r);
+		ok = session_show_answer(s, r);
 	}
 	conditions_free(&a.list);
 	free(a.limits);

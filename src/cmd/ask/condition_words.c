@@ -131,7 +131,7 @@ void
 conditions_join(struct words *words, bool prompt)
 {
 	const struct command *command =
-	    words->n > 0 ? command_called(words->text[0], prompt) : NULL;
+	    words->n > 0 ? command_find_typed(words->text[0], prompt) : NULL;
 	size_t from = conditions_first_word(command, words), n = words->n;
 	if (command != NULL)
 		join_quantities(command, words);

@@ -35,7 +35,8 @@ char *cut_words(const struct cut *cut);
 /* Returns what was added to the site after the calibration that its parameters
  * are from: how many runs with a product, and the run that they miss by most; n
  * is 0 for none. */
-struct later cut_later(const struct session *s, const struct entry *entry);
+struct later cut_compare_later(
+    const struct session *s, const struct entry *entry);
 
 /* True if the site has one product, and parameters from elsewhere; *run, which
  * has it, is then the only check there is. */

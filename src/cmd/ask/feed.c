@@ -10,7 +10,7 @@
 #include "io/sitefile/units.h"
 
 size_t
-feed_at(const struct site *site, double speed)
+feed_sampled_at(const struct site *site, double speed)
 {
 	size_t run = speed > 0 ? site_run_at(site, speed) : site->n_run;
 	return run < site->n_run ? run : SITE_MEAN_FEED;

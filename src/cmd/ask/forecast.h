@@ -21,7 +21,7 @@ struct forecast *forecast_open(const struct session *s,
 void forecast_close(struct forecast *f);
 
 /* Opens a forecast of what a table of the question's product shows, in the
- * order of predict_asks. */
+ * order of predict_quantities. */
 struct forecast *forecast_table(
     const struct session *s, const struct question *q);
 

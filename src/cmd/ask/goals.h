@@ -40,11 +40,11 @@ bool goals_read(struct session *s, const char *text, const struct psd *feed,
 /* Discards what was computed. */
 void goals_clear(struct goal *goal);
 
-/* goals_known: the goal has been worked out for the feed of a run;
- * goals_pending: a part of that is left; goals_step: does one part, a few
+/* goals_search_done: the goal has been worked out for the feed of a run;
+ * goals_need_search: a part of that is left; goals_step: does one part, a few
  * ms. */
-bool goals_known(const struct session *s, const struct goal *goal);
-bool goals_pending(
+bool goals_search_done(const struct session *s, const struct goal *goal);
+bool goals_need_search(
     const struct session *s, const struct goal *goal, size_t feed);
 void goals_step(struct session *s, const struct entry *entry, struct goal *goal,
     size_t feed);

@@ -23,7 +23,7 @@ pin_free(struct pin *pin)
 }
 
 static bool
-unpin(struct session *s, const char *word, struct error *error)
+unpin_prediction(struct session *s, const char *word, struct error *error)
 {
 	if (strcmp(word, "off") != 0)
 		return error_set(error, ERROR_USAGE,
@@ -41,8 +41,8 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params = entry->params;
-	bool forming = answers_forming(s, entry, &params);
-	if (!forming && !answers_ready(s, error))
+	bool forming = answers_best_so_far(s, entry, &params);
+	if (!forming && !answers_check_current(s, error))
 		return false;
 	if (q->variant.feed)
 		return error_set(error, ERROR_USAGE,
@@ -70,7 +70,8 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 bool
 cmd_pin(struct session *s, const struct args *args, struct error *error)
 {
-	return args->n_operand > 0 ? unpin(s, args->operand[0], error)
-				   : session_need_site(s, "pin", error) &&
-					 question_run(s, args, pin_keep, error);
+	return args->n_operand > 0
+		   ? unpin_prediction(s, args->operand[0], error)
+		   : session_need_site(s, "pin", error) &&
+			 question_run(s, args, pin_keep, error);
 }

@@ -32,7 +32,7 @@ comparison_drop(void *of)
 }
 
 void
-comparison_take(struct comparison *c, struct comparison *from)
+comparison_append(struct comparison *c, struct comparison *from)
 {
 	c->left_out += from->left_out;
 	c->item = xrealloc(c->item, c->n + from->n + 1, sizeof *c->item);
@@ -128,7 +128,7 @@ run_rmse(const struct comparison *c, double rmse[static VALIDATE_WAYS])
 
 /* What a way predicts at the sieves compared, [v.n_sieve]; the caller frees. */
 static double *
-way_passing(const struct compared *item, enum validate_way way)
+passing_of_way(const struct compared *item, enum validate_way way)
 {
 	double *passing = xdoubles(item->v.n_sieve);
 	validate_passing(item->site, item->v.run, item->train, &item->params,
@@ -172,7 +172,7 @@ put_sieves(struct fields *o, const struct compared *item)
 	fields_numbers(o, "sieve_mm", product->size, n, units_mm);
 	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-		FREED double *passing = way_passing(item, way);
+		FREED double *passing = passing_of_way(item, way);
 		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
 		fields_numbers(o, key, passing, n, units_pct);
 	}
@@ -193,7 +193,7 @@ put_run(struct fields *o, const struct compared *item)
 	put_sizes(o, v);
 	put_null(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
-	    validation_loses(v), v->nearest);
+	    validation_loses_to_interpolation(v), v->nearest);
 	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
 	put_sieves(o, item);
 }
@@ -231,8 +231,8 @@ comparison_add_sieves(struct answer *r, const struct compared *item, bool exact)
 	const struct psd *product = &item->site->run[item->v.run].product;
 	double *passing[VALIDATE_WAYS];
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-		passing[way] = way_passing(item, way);
-	answer_missing(r, "-");
+		passing[way] = passing_of_way(item, way);
+	answer_set_missing(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
 		comparison_begin_row(r, item, exact);
 		if (exact)
@@ -252,7 +252,7 @@ add_rmse(struct answer *r, const char *run, const double *rmse)
 {
 	answer_text(r, "%s", run);
 	answer_text(r, "RMSE points");
-	answer_missing(r, "-");
+	answer_set_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
 		answer_cells(r, "%.2f", 100 * rmse[way]);
@@ -262,7 +262,7 @@ static void
 add_sizes(struct answer *r, const struct compared *item, bool exact)
 {
 	const struct validation *v = &item->v;
-	answer_missing(r, "outside");
+	answer_set_missing(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		comparison_begin_row(r, item, exact);
 		answer_text(
@@ -302,7 +302,7 @@ static const double CLEARLY = 0.001;
 
 /* RMSE of the other sieves than the worst, passing 0..1. */
 static double
-rest(const struct validation *v)
+rmse_of_others(const struct validation *v)
 {
 	double n = (double)v->n_sieve;
 	double square = v->misfit - v->worst_difference * v->worst_difference;
@@ -312,11 +312,12 @@ rest(const struct validation *v)
 /* The worst sieve is far beyond the others and beyond sampling: rather a slip
  * of the pen than a fault of the model, which errs on several sieves. */
 static bool
-stands_out(const struct validation *v)
+is_worst_far_off(const struct validation *v)
 {
 	const double times = 4, least = 0.03;
 	double worst = fabs(v->worst_difference);
-	return v->n_sieve > 3 && worst > least && worst > times * rest(v);
+	return v->n_sieve > 3 && worst > least &&
+	       worst > times * rmse_of_others(v);
 }
 
 /* Who predicts best.  worse: that is neither the model nor the corrected
@@ -430,11 +431,11 @@ note_run(struct answer *r, const struct comparison *c, size_t i)
 		    "  interpolation extrapolates here: the line through %g "
 		    "and %g m/s",
 		    v->line[0], v->line[1]);
-	if (stands_out(v))
+	if (is_worst_far_off(v))
 		answer_say(r, ANSWER_REMARK,
 		    "  %g mm stands out (RMSE of the other sieves: %.2f "
 		    "points): check that cell",
-		    units_mm(v->worst_sieve), 100 * rest(v));
+		    units_mm(v->worst_sieve), 100 * rmse_of_others(v));
 	if (v->n_left_out > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "  %zu finer sieves are not compared: the feed was not "
@@ -454,7 +455,7 @@ comparison_answer(const struct comparison *c, const struct site *site)
 		run_rmse(c, rmse);
 		add_rmse(r, "all", rmse);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_table(r, c, true);
 	for (size_t i = 0; i < c->n; i++)
 		note_run(r, c, i);

@@ -15,7 +15,7 @@ static const uint64_t SEED = 1; /* of the simulated run lengths */
 
 /* What the CUSUM of the side that is nearer to its limit says. */
 static double
-larger(const struct drift_chart *c)
+larger_cusum(const struct drift_chart *c)
 {
 	return c->down > c->up ? -c->down : c->up;
 }
@@ -48,7 +48,7 @@ drift_add_rows(
 		if (charts)
 			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
-			    level->down, sign * larger(tilt));
+			    level->down, sign * larger_cusum(tilt));
 		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
@@ -64,7 +64,7 @@ drift_name_of(const struct routine *r, size_t cut)
 
 /* The speeds of cuts from one on: "72,76".  *n out: how many differ. */
 static char *
-speeds_from(const struct routine *r, size_t from, size_t *n)
+speeds_words_from(const struct routine *r, size_t from, size_t *n)
 {
 	char *list = xstrdup("");
 	*n = 0;
@@ -108,7 +108,7 @@ say_what_next(
 	}
 	FREED char *since = drift_name_of(r, r->since),
 		   *first = drift_name_of(r, r->first);
-	FREED char *speeds = speeds_from(r, r->since, &n);
+	FREED char *speeds = speeds_words_from(r, r->since, &n);
 	answer_note(a,
 	    "it began at about cut %s and was signalled after cut %s", since,
 	    first);
@@ -130,7 +130,7 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 {
 	const double shift = 0.005;
 	double quiet = drift_run_length(&r->rule, 0, SEED);
-	double found = drift_delay(&r->rule, r->point, r->n,
+	double found = drift_detection_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
 	answer_say(a, ANSWER_REMARK,
@@ -200,7 +200,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	struct drift_rule rule = DRIFT_RULE;
 	rule.k = args_value(args, "k")->number;
 	rule.h = args_value(args, "h")->number;
-	if (!answers_ready(s, error))
+	if (!answers_check_current(s, error))
 		return false;
 	struct routine *r = routine_follow(s, entry, &rule, error);
 	if (r == NULL)
@@ -211,18 +211,18 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    r->n);
 	bool detail = args_value(args, "detail")->choice == 1;
 	drift_add_rows(a, r, detail, false);
-	answer_for_programs(a);
+	answer_fill_for_programs(a);
 	drift_add_rows(a, r, true, true);
 	drift_put_fields(a, r);
-	FREED char *words = routine_words(r);
+	FREED char *words = routine_state_words(r);
 	answer_say(a,
 	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN
 						   : ANSWER_WARNING,
 	    "%s", words);
-	struct later later = cut_later(s, entry);
+	struct later later = cut_compare_later(s, entry);
 	say_what_next(a, r, &later);
 	say_limits(a, r, detail);
 	answers_show_basis_of_fit(s, a, entry, false);
 	routine_free(r);
-	return session_answer(s, a);
+	return session_show_answer(s, a);
 }

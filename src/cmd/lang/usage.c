@@ -180,7 +180,7 @@ usage_command(const struct command *c, FILE *out)
 		xappend(&usage, " [%s]", c->bare);
 	if (o != NULL)
 		xappend(&usage, " %s", tr("[OPTION=VALUE...]"));
-	text_hang(usage, 2, 6, 78, out);
+	text_print_hanging(usage, 2, 6, 78, out);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));
 	usage_print_shared(c, out);

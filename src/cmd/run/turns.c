@@ -95,7 +95,7 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	const struct command *command =
-	    command_called(words->text[0], place.prompt);
+	    command_find_typed(words->text[0], place.prompt);
 	size_t n = command != NULL ? turns_count(command, words) : 0;
 	double diameter = n > 0 ? diameter_of(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)

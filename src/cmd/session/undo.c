@@ -37,7 +37,7 @@ struct snapshot *
 snapshot_take(const struct session *s)
 {
 	struct snapshot *snapshot = xcalloc(1, sizeof *snapshot);
-	*snapshot = (struct snapshot){.mark = journal_mark(s),
+	*snapshot = (struct snapshot){.mark = journal_place(s),
 	    .n_entry = s->n_entry,
 	    .current = s->current,
 	    .entry = copy_entries(s->entry, s->n_entry),
@@ -184,7 +184,7 @@ undo_back(struct session *s)
 		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
-	step->tail = journal_cut(s, step->before->mark);
+	step->tail = journal_cut_after(s, step->before->mark);
 	snapshot_put(s, step->before);
 	return step->label;
 }
@@ -195,7 +195,7 @@ undo_forth(struct session *s)
 	if (s->undo->done == s->undo->n)
 		return NULL;
 	struct step *step = &s->undo->step[s->undo->done++];
-	step->before->mark = journal_mark(s);
+	step->before->mark = journal_place(s);
 	journal_paste(s, &step->tail);
 	snapshot_put(s, step->after);
 	snapshot_free(step->after);

@@ -150,7 +150,7 @@ cut_note(double speed, const struct cut_origin *o)
 /* The same of a run of a sheet, which may say in its own header when its cuts
  * were taken: then that, with the file. */
 static char *
-note_of(const struct site *cuts, size_t run, const struct cut_origin *o)
+note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
 {
 	const char *said = cut_heading(cuts, run);
 	if (said == NULL || (o != NULL && o->when[0] != '\0'))
@@ -177,7 +177,8 @@ add_origin_of(const struct origins *all, double speed)
 
 /* Products that the site has already, and feeds of their own. */
 static void
-warn_of(struct session *s, const struct site *site, const struct site *cuts)
+warn_of_cuts_loaded(
+    struct session *s, const struct site *site, const struct site *cuts)
 {
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		const struct run *cut = &cuts->run[k];
@@ -340,7 +341,7 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		double v = cuts->run[order[k]].speed;
 		FREED char *note =
-		    note_of(cuts, order[k], add_origin_of(all, v));
+		    note_of_run(cuts, order[k], add_origin_of(all, v));
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 	}
@@ -366,8 +367,8 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 		site->rotor = args_value(args, "rotor_mm")->number / 1000;
 	note_cuts(s, site, cuts, all);
 	load_note_reading(s, cuts);
-	warn_of(s, old, cuts);
-	session_grow(s, site, from);
+	warn_of_cuts_loaded(s, old, cuts);
+	session_replace_site(s, site, from);
 	check_warn_coarser(s, site);
 	note_products(s);
 	enum verdict worst = note_checks(s, old, from, cuts->n_run);

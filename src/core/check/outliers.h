@@ -35,11 +35,11 @@ struct doctor {
 	size_t unseen;
 };
 
-/* Returns the findings; doctor_free.  posterior: of this same site, or NULL.
+/* Returns the findings; outliers_free.  posterior: of this same site, or NULL.
  * noise: known error of a passing, 0..1, or 0.  No cell is checked where a
  * column has a mend. */
-struct doctor doctor_look(
+struct doctor outliers_find(
     const struct site *site, const struct posterior *posterior, double noise);
-void doctor_free(struct doctor *doctor);
+void outliers_free(struct doctor *doctor);
 
 #endif

@@ -60,7 +60,7 @@ enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
 
 /* True when the model at this run is worse than interpolating the measured
  * training products. */
-bool validation_loses(const struct validation *v);
+bool validation_loses_to_interpolation(const struct validation *v);
 
 /* True when interpolation extends beyond its two speeds: there it is the line
  * through the two nearest. */

@@ -65,7 +65,7 @@ half_octaves(double coarse, double fine)
 
 /* The slope of the straight line from sieve i to the next, in ln of size. */
 static double
-chord(const double *x, const double *P, size_t i)
+chord_slope(const double *x, const double *P, size_t i)
 {
 	return (P[i] - P[i + 1]) / (x[i] - x[i + 1]);
 }
@@ -76,8 +76,8 @@ static double
 psd_slope_at(const double *x, const double *P, size_t n, size_t i)
 {
 	if (i == 0 || i + 1 == n)
-		return chord(x, P, i == 0 ? 0 : i - 1);
-	double coarser = chord(x, P, i - 1), finer = chord(x, P, i);
+		return chord_slope(x, P, i == 0 ? 0 : i - 1);
+	double coarser = chord_slope(x, P, i - 1), finer = chord_slope(x, P, i);
 	double above = x[i - 1] - x[i], below = x[i] - x[i + 1];
 	double middle = (finer * above + coarser * below) / (below + above);
 	double sign = (finer < 0 ? -1 : 1) + (coarser < 0 ? -1 : 1);
@@ -91,7 +91,7 @@ static double
 psd_between(const double *x, const double *P, size_t n, size_t i, double at)
 {
 	double h = x[i] - x[i + 1], d = at - x[i + 1];
-	double s = chord(x, P, i);
+	double s = chord_slope(x, P, i);
 	double fine = psd_slope_at(x, P, n, i + 1),
 	       coarse = psd_slope_at(x, P, n, i);
 	double a = (fine + coarse - 2 * s) / h / h;

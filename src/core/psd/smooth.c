@@ -20,7 +20,7 @@ smooth_bend(const struct psd *psd, size_t i)
 /* The bend of a curve at sieve i of another; NAN where it has not the same
  * three sieves side by side. */
 static double
-bend_beside(const struct psd *curve, const struct psd *of, size_t i)
+bend_of_other(const struct psd *curve, const struct psd *of, size_t i)
 {
 	for (size_t j = 1; j + 1 < curve->n; j++)
 		if (curve->size[j - 1] == of->size[i - 1] &&
@@ -37,7 +37,8 @@ compare_bend(const struct psd *const *curve, size_t n, size_t c, size_t i)
 	struct smooth_outlier out = {.curve = c, .sieve = i};
 	double sum = 0;
 	for (size_t o = 0; o < n; o++) {
-		double bend = o == c ? NAN : bend_beside(curve[o], curve[c], i);
+		double bend =
+		    o == c ? NAN : bend_of_other(curve[o], curve[c], i);
 		if (isnan(bend))
 			continue;
 		out.others++;

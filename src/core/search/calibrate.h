@@ -119,7 +119,7 @@ const struct calibrate_generation *calibration_history(
 
 /* The result of a calibration, with its origin. */
 struct fit {
-	struct params params; /* scaled, see params_scale (D4) */
+	struct params params; /* scaled, see params_scale_to_1 (D4) */
 	double misfit;        /* on model_product, at the training runs */
 	double rmse;          /* of passing at the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */

@@ -12,7 +12,7 @@
 struct heading_speed {
 	double mps, rpm;
 };
-void site_heading(const struct layout *layout, struct sheet *sheet,
+void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
 /* The rotor's diameter, mm, as lines outside the tables state it, with the

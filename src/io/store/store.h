@@ -70,7 +70,7 @@ bool store_count(struct store *store, size_t *n, struct error *error);
 /* Calls take for each name of the user's materials, or once for each of their
  * rocks. */
 enum store_word { STORE_NAMES, STORE_ROCKS };
-bool store_each(struct store *store, enum store_word what,
+bool store_each_name(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data,
     struct error *error);
 

@@ -130,7 +130,7 @@ data_update(struct tui *t)
 	h->looked = false;
 	if (!t->aside)
 		frame_draw(t);
-	doctor_free(&h->doctor);
+	outliers_free(&h->doctor);
 	h->doctor = mend_look(s, entry);
 	h->looked = true;
 	h->calibrated = calibrated;
@@ -404,7 +404,7 @@ cell_words(const struct tui *t)
 	double x = data_cell_of(h, t->ui.cell.at, t->ui.cell.row);
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
-		char *why = mend_finding(h->site, f),
+		char *why = mend_finding_words(h->site, f),
 		     *call = mend_command_line(h->site, &f->mend);
 		words = xasprintf(tr("! %s; Enter: %s"), why, call);
 		free(why);

@@ -28,7 +28,7 @@ parity_compare(struct tui *t, const struct entry *entry)
 	const struct session *s = t->session;
 	struct parity *y = &t->view.parity;
 	struct error error = {0};
-	if (!entry->has_params || !answers_known(s, entry, &error))
+	if (!entry->has_params || !answers_check_params(s, entry, &error))
 		return;
 	const struct posterior *posterior =
 	    outlook_posterior(s, entry, CORRECTION_TRAIN);

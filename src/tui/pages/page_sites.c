@@ -69,7 +69,7 @@ sites_row_at(struct site_row *row, const struct tui *t)
 	struct error error = {0};
 	row->p50 = NAN;
 	row->beyond = false;
-	if (!answers_known(s, e, &error))
+	if (!answers_check_params(s, e, &error))
 		return;
 	bool here = e == tui_current_entry(t);
 	struct prediction p = forecast_whole(s, here ? tui_asked(t) : e, speed,
@@ -91,7 +91,7 @@ sites_row_of(const struct session *s, size_t i)
 	/* That of a site under way is not known yet. */
 	row.lit = row.lit && session_fitting(s) != e;
 	if (row.lit) {
-		struct trust t = light_of(s, e, NULL);
+		struct trust t = light_of_prediction(s, e, NULL);
 		row.light = t.light;
 		row.verdict = e->has_fit ? light_verdict(s, e, NULL) : NULL;
 		trust_free(&t);
@@ -377,7 +377,7 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	for (size_t j = 0; e->has_params && j < of->n; j++)
 		xappend(&text[1], "%s%s=%.4g", j > 0 ? "  " : "",
 		    of->parameter[j].name, e->params.at[j]);
-	char *label = session_label(e->site);
+	char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
 	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
@@ -396,7 +396,7 @@ draw_site(const struct tui *t, const struct area *area, int first)
 	int rows[ABOUT], left = area->rows - first;
 	tell_site(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
-		rows[i] = text_rows(text[i], area->columns);
+		rows[i] = text_count_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
 		left -= rows[i];
 	}

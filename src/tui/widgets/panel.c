@@ -447,7 +447,7 @@ light_wish(const struct panel *p)
 	const struct area *side = &p->t->layout.side;
 	if (p->light.light == LIGHT_RED && p->reason != NULL)
 		return (struct wish){
-		    MANY, 1 + text_rows(p->reason, side->columns)};
+		    MANY, 1 + text_count_rows(p->reason, side->columns)};
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
 }
 
@@ -463,7 +463,7 @@ static void
 draw_reason(const struct area *area, const char *reason)
 {
 	char *text = xstrdup(reason), *colon = strchr(text, ':');
-	bool fits = text_rows(text, area->columns) < area->rows;
+	bool fits = text_count_rows(text, area->columns) < area->rows;
 	if (!fits && colon != NULL)
 		*colon = '\0';
 	screen_words_within(area, 1, area->rows - 1, 0, text, " ..");
@@ -621,7 +621,8 @@ static void
 take_light(struct panel *p)
 {
 	const struct tui *t = p->t;
-	p->light = light_of(t->session, tui_asked(t), &t->view.shown);
+	p->light =
+	    light_of_prediction(t->session, tui_asked(t), &t->view.shown);
 	const struct trust_reason *reason = panel_reason(&p->light);
 	p->reason = reason != NULL ? reason->text : NULL;
 }
@@ -726,7 +727,8 @@ panel_words(struct tui *t, int columns, int most)
 	if (t->ui.page != PAGE_PREDICT || t->view.current.site[0] == '\0' ||
 	    (side && t->reason_shown))
 		return xstrdup("");
-	struct trust light = light_of(t->session, tui_asked(t), &t->view.shown);
+	struct trust light =
+	    light_of_prediction(t->session, tui_asked(t), &t->view.shown);
 	char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,

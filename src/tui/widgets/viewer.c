@@ -99,7 +99,7 @@ viewer_message(struct tui *t)
 	const struct layout l =
 	    layout_make(rows, columns, (struct layout_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
-	if (text_rows(t->message, columns) > layout_message_rows(&l) &&
+	if (text_count_rows(t->message, columns) > layout_message_rows(&l) &&
 	    t->viewer.text == NULL)
 		viewer_text(t, text_wrapped(t->message, columns));
 }
@@ -361,7 +361,7 @@ viewer_draw_line(struct tui *t, int n)
 	const char *shown = line;
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
-		c += text_show(&shown, left);
+		c += text_escape_next(&shown, left);
 	screen_series(&body, n % rows - v->top, 0, SERIES_TEXT,
 	    n == v->at ? LOOK_REVERSE
 	    : found    ? LOOK_BOLD
