@@ -79,7 +79,7 @@ bench_kernel(const struct measure_sites *sites)
 	    site->name, m->n_run, m->n_residual, HERD, REPEATS,
 	    1e3 * LEAST_SECONDS, 100 * HERD_NEAR);
 	printf("%-12s%8s%14s%14s\n", "set", "threads", "near", "whole bounds");
-	for (enum isa isa = ISA_BASE; isa <= isa_usable(ISA_BEST); isa++) {
+	for (enum isa isa = ISA_BASE; isa <= isa_is_usable(ISA_BEST); isa++) {
 		kernel_row(m, isa, 1, &near, &wide);
 		if (measure_threads() >= 2)
 			kernel_row(m, isa, 2, &near, &wide);
@@ -122,7 +122,7 @@ drive(const struct site *site, const struct calibrate_options *full)
 	}
 	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
 		parts.best.at[j] = ga_best(ga)[j];
-	params_scale(&parts.best);
+	params_scale_to_1(&parts.best);
 	free(told);
 	ga_free(ga);
 	kernel_free(kernel);

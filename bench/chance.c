@@ -66,7 +66,7 @@ ask(const struct site *site, const struct fit *fit, const struct posterior *p)
 	const struct fraction whole = {0};
 	struct psd sizes = predict_sizes(site, feed);
 	size_t n;
-	struct quantity *asked = predict_asks(site, feed, &whole, &n);
+	struct quantity *asked = predict_quantities(site, feed, &whole, &n);
 	struct response *r = response_new(
 	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
 	struct ensemble *e = ensemble_new(p, feed, sizes.size, sizes.n);

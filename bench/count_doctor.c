@@ -84,7 +84,7 @@ static void
 look(const struct site *site, const struct posterior *posterior,
     const struct wrong *w, bool *found, bool *other)
 {
-	struct doctor d = doctor_look(site, posterior, 0);
+	struct doctor d = outliers_find(site, posterior, 0);
 	for (size_t i = 0; i < d.n; i++) {
 		const struct mend *m = &d.finding[i].mend;
 		const struct run *run = &site->run[w->run];
@@ -95,7 +95,7 @@ look(const struct site *site, const struct posterior *posterior,
 		*found = *found || right;
 		*other = *other || !right;
 	}
-	doctor_free(&d);
+	outliers_free(&d);
 }
 
 static void

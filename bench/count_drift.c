@@ -118,8 +118,9 @@ first_signal(const struct view *v, uint64_t number, size_t n, size_t from,
 		    residual + j * v->n, POSTERIOR_DRAWS, v->truth[k],
 		    v->error[k]};
 	}
-	size_t first = drift_follow(cut, n, &DRIFT_RULE, point, &since);
-	*said = step > 0 ? drift_delay(&DRIFT_RULE, point, from, from, step, 1)
+	size_t first = drift_run_charts(cut, n, &DRIFT_RULE, point, &since);
+	*said = step > 0 ? drift_detection_delay(
+			       &DRIFT_RULE, point, from, from, step, 1)
 			 : (double)NAN;
 	free(cut);
 	free(point);

@@ -38,7 +38,7 @@ static double
 taken(const struct machine *m, const double at[2])
 {
 	return m->idle * pow(at[0] / 72, m->exponent) +
-	       m->factor * power_thrown(at[0], at[1]);
+	       m->factor * power_kinetic(at[0], at[1]);
 }
 
 /* A constant idle and a factor by least squares, none where it would be below
@@ -48,7 +48,7 @@ constant_idle(const struct reading *r, size_t n, const double at[2])
 {
 	double x = 0, y = 0, xx = 0, xy = 0, all = (double)n;
 	for (size_t i = 0; i < n; i++) {
-		double t = power_thrown(r[i].speed, r[i].tph);
+		double t = power_kinetic(r[i].speed, r[i].tph);
 		x += t / all;
 		y += r[i].kw / all;
 		xx += t * t / all;
@@ -59,7 +59,7 @@ constant_idle(const struct reading *r, size_t n, const double at[2])
 		slope = xy / xx;
 		idle = 0;
 	}
-	return idle + slope * power_thrown(at[0], at[1]);
+	return idle + slope * power_kinetic(at[0], at[1]);
 }
 
 struct sums {

@@ -170,8 +170,8 @@ one_plant(void *data, size_t piece, unsigned thread)
 	task->convergence[piece] = posterior->drift;
 	struct ensemble *view = ensemble_new(
 	    posterior, site_feed(site, SITE_MEAN_FEED), p.sieve, p.n_sieve);
-	struct evidence evidence =
-	    trust_evidence(site, use, use, &fit, &o.bounds, posterior, 0);
+	struct evidence evidence = trust_gather_evidence(
+	    site, use, use, &fit, &o.bounds, posterior, 0);
 	for (size_t a = 0; a < ASKED; a++) {
 		struct score *score = &task->score[piece * ASKED + a];
 		score_at(&p, site, &fit, view, ASKED_SPEED[a], score);

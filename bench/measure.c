@@ -74,7 +74,8 @@ measure_print_machine(void)
 	printf("%-17s%s\n", "date", date);
 	print_proc("processor", "/proc/cpuinfo", "model name");
 	printf("%-17s%u\n", "cores", measure_threads());
-	printf("%-17s%s\n", "instruction set", isa_name(isa_usable(ISA_BEST)));
+	printf(
+	    "%-17s%s\n", "instruction set", isa_name(isa_is_usable(ISA_BEST)));
 	printf("%-17s%s\n", "compiler", __VERSION__);
 	print_proc("load at start", "/proc/loadavg", "");
 }

@@ -99,12 +99,12 @@ print_row(size_t runs, bool all)
 	double drawn = lap(&begun, &whole);
 	printf("%10.2f%8.3f%7ld", drawn, step[1], most_memory());
 	struct bounds bounds = bounds_default(0);
-	trust_evidence(site, train, use, &fit, &bounds, p, 0);
+	trust_gather_evidence(site, train, use, &fit, &bounds, p, 0);
 	printf("%10.2f", lap(&begun, &whole));
-	struct doctor d = doctor_look(site, p, 0);
+	struct doctor d = outliers_find(site, p, 0);
 	printf("%10.2f%7ld\n", lap(&begun, &whole), most_memory());
 	fflush(stdout);
-	doctor_free(&d);
+	outliers_free(&d);
 	posterior_free(p);
 	site_free(site);
 }

@@ -212,7 +212,7 @@ static int
 main_run(struct session *s, const struct invocation *in, int argc, char **argv)
 {
 	int status = 0;
-	bool prompt = in->n_action == 0 && terminal_attended();
+	bool prompt = in->n_action == 0 && terminal_is_interactive();
 	if (prompt)
 		repl_begin(s);
 	if (in->first_file < argc)
@@ -286,8 +286,8 @@ main(int argc, char **argv)
 		/* Nor may a script of others touch the user's materials. */
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
-		terminal_choose(in.color);
-		s->screen = terminal_screen();
+		terminal_set_colour(in.color);
+		s->screen = terminal_describe();
 		s->hooks.draw_screen = script_draw;
 		s->hooks.run_screen = in.linear ? repl_for_screen : tui_run;
 		signals_catch();
@@ -303,7 +303,7 @@ main(int argc, char **argv)
 	}
 	free(in.action);
 	/* What could not be read because of a signal ended by that. */
-	if (status != 0 && signals_noted() != 0)
+	if (status != 0 && signals_pending() != 0)
 		status = signals_status();
 	return close_output(status);
 }

@@ -13,7 +13,7 @@
 _Static_assert((int)ERROR_SYSTEM == XALLOC_STATUS, "no memory is a status");
 
 void
-error_place(struct error *e, const char *file, int line, int column)
+error_set_place(struct error *e, const char *file, int line, int column)
 {
 	snprintf(e->file, sizeof e->file, "%s", file);
 	e->line = line;
@@ -22,14 +22,14 @@ error_place(struct error *e, const char *file, int line, int column)
 }
 
 void
-error_told_at(struct error *e, const char *file, int line, int column)
+error_prefix_place(struct error *e, const char *file, int line, int column)
 {
 	if (e->file[0] != '\0') {
 		char *text = xasprintf("%s: %s", e->file, e->text);
 		snprintf(e->text, sizeof e->text, "%s", text);
 		free(text);
 	}
-	error_place(e, file, line, column);
+	error_set_place(e, file, line, column);
 }
 
 /* A copy of the text before the hint, kept in *copy.  The compiler checks what
@@ -54,7 +54,7 @@ error_say(struct error *e, enum error_kind kind, const char *file, int line,
 	const char *rest = all + strlen(text);
 	va_end(again);
 	e->kind = kind;
-	error_place(e, file, line, column);
+	error_set_place(e, file, line, column);
 	snprintf(e->text, sizeof e->text, "%s", text);
 	snprintf(e->hint, sizeof e->hint, "%s", *rest == '\n' ? rest + 1 : "");
 	free(first);
@@ -127,14 +127,15 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 		text_put(line, out);
 		fputc('\n', out);
 	} else {
-		text_hang(line, (int)strspn(line, " "), margin, SCREEN, out);
+		text_print_hanging(
+		    line, (int)strspn(line, " "), margin, SCREEN, out);
 	}
 	free(line);
 }
 
 /* "14:9:" after a file's name, or "B5:". */
 static void
-show_place(const struct error *e, char place[static 32])
+place_text(const struct error *e, char place[static 32])
 {
 	enum { LETTERS = 26 };
 	char name[8] = "", *first = name + sizeof name - 1;
@@ -155,7 +156,7 @@ error_print(const struct error *e, FILE *out)
 		error_print_hint(e, out);
 		return;
 	}
-	show_place(e, place);
+	place_text(e, place);
 	bool known = e->file[0] != '\0' || e->line > 0;
 	const char *sign = e->file[0] == '\0'               ? ""
 			   : e->in_grid && place[0] != '\0' ? ","

@@ -63,11 +63,12 @@ bool error_say(struct error *e, enum error_kind kind, const char *file,
     __attribute__((format(printf, 6, 0)));
 
 /* Changes the place of an error already set. */
-void error_place(struct error *e, const char *file, int line, int column);
+void error_set_place(struct error *e, const char *file, int line, int column);
 
-/* As error_place, for an error about a whole file: the file's name is put
+/* As error_set_place, for an error about a whole file: the file's name is put
  * before the text, and the place becomes the given one in the script. */
-void error_told_at(struct error *e, const char *file, int line, int column);
+void error_prefix_place(
+    struct error *e, const char *file, int line, int column);
 
 /* Changes the hint of an error already set.  Returns false. */
 bool error_hint(struct error *e, const char *format, ...)

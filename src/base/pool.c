@@ -44,7 +44,7 @@ static const uint64_t CLOSED = UINT32_MAX;
 
 /* Takes and runs one piece; false when there is none. */
 static bool
-take_piece(struct pool *pool, unsigned number)
+run_next_piece(struct pool *pool, unsigned number)
 {
 	uint_fast64_t ticket = atomic_load(&pool->ticket);
 	size_t piece = (size_t)(ticket & CLOSED);
@@ -87,7 +87,7 @@ pool_work(void *argument)
 	struct pool *pool = worker->pool;
 	int idle = 0;
 	while (!atomic_load(&pool->quit)) {
-		if (take_piece(pool, worker->number)) {
+		if (run_next_piece(pool, worker->number)) {
 			idle = 0;
 		} else if (++idle > SPINS) {
 			sleep_until_work(pool);
@@ -185,7 +185,7 @@ pool_run(struct pool *pool, size_t n,
 	atomic_store(&pool->done, 0);
 	atomic_store(&pool->ticket, job << 32);
 	wake_all(pool);
-	while (take_piece(pool, 0))
+	while (run_next_piece(pool, 0))
 		;
 	while (atomic_load(&pool->done) < n)
 		sched_yield();

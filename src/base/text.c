@@ -28,7 +28,7 @@ text_is_blank(char c)
 }
 
 static char
-small(char c)
+to_lower(char c)
 {
 	return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
@@ -106,7 +106,7 @@ text_exact(double value, char buf[static 32])
 }
 
 const char *
-text_apart(double value, double other, char buf[static 32])
+text_distinguishing(double value, double other, char buf[static 32])
 {
 	enum { SHORT = 7, LEAST = 4, MOST = 17 };
 	double apart = fabs(value - other) / 10;
@@ -152,14 +152,14 @@ text_fold(const char *s)
 		if (plain != '*' || (accent && d >= 0x80)) {
 			s += 2;
 		} else {
-			folded[n++] = small((char)c);
+			folded[n++] = to_lower((char)c);
 			s++;
 		}
 	}
 	return folded;
 }
 
-/* True if text_shown replaces the character: Unicode's controls and format
+/* True if text_escaped replaces it: Unicode's controls and format
  * characters and the two that are none.  Joiners (U+200C, U+200D) are letters'
  * business in Persian and Hindi. */
 static bool
@@ -191,7 +191,7 @@ letter_bytes(const char *p)
 	    (c == 0xE3 && d == 0x80))
 		return 0;
 	const char *end = p;
-	uint32_t code = text_next(&end);
+	uint32_t code = text_next_code_point(&end);
 	return text_is_hidden(code) || code == 0xFFFD ? 0 : (size_t)(end - p);
 }
 
@@ -283,7 +283,7 @@ text_has(const char *text, const char *word)
 }
 
 bool
-text_choice(const char *list, const char *word, size_t *index)
+text_find_word(const char *list, const char *word, size_t *index)
 {
 	size_t n = strlen(word);
 	for (*index = 0; *list != '\0'; ++*index) {
@@ -297,7 +297,7 @@ text_choice(const char *list, const char *word, size_t *index)
 }
 
 static size_t
-least(size_t a, size_t b, size_t c)
+least_of_three(size_t a, size_t b, size_t c)
 {
 	size_t m = a < b ? a : b;
 	return m < c ? m : c;
@@ -318,8 +318,8 @@ text_distance(const char *a, const char *b)
 	for (size_t i = 1; i <= n; i++) {
 		for (size_t j = 1; j <= m; j++) {
 			size_t other = a[i - 1] != b[j - 1];
-			d[i][j] = least(d[i - 1][j] + 1, d[i][j - 1] + 1,
-			    d[i - 1][j - 1] + other);
+			d[i][j] = least_of_three(d[i - 1][j] + 1,
+			    d[i][j - 1] + 1, d[i - 1][j - 1] + other);
 			bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] &&
 				       a[i - 2] == b[j - 1];
 			if (swapped && d[i - 2][j - 2] + 1 < d[i][j])
@@ -331,7 +331,7 @@ text_distance(const char *a, const char *b)
 
 /* Length of the UTF-8 sequence at s (at most n bytes), 0 when malformed. */
 static size_t
-sequence(const unsigned char *s, size_t n)
+utf8_sequence_length(const unsigned char *s, size_t n)
 {
 	if (s[0] < 0x80)
 		return s[0] != 0;
@@ -353,7 +353,8 @@ bool
 text_is_utf8(const char *s, size_t n)
 {
 	for (size_t i = 0; i < n;) {
-		size_t step = sequence((const unsigned char *)s + i, n - i);
+		size_t step =
+		    utf8_sequence_length((const unsigned char *)s + i, n - i);
 		if (step == 0)
 			return false;
 		i += step;
@@ -362,10 +363,10 @@ text_is_utf8(const char *s, size_t n)
 }
 
 uint32_t
-text_next(const char **text)
+text_next_code_point(const char **text)
 {
 	const unsigned char *p = (const unsigned char *)*text;
-	size_t n = sequence(p, 4);
+	size_t n = utf8_sequence_length(p, 4);
 	*text += n > 0 ? n : 1;
 	if (n < 2)
 		return n > 0 ? p[0] : 0xFFFD;
@@ -376,7 +377,7 @@ text_next(const char **text)
 }
 
 size_t
-text_shared(const char *a, const char *b)
+text_shared_prefix(const char *a, const char *b)
 {
 	size_t n = 0;
 	while (a[n] != '\0' && a[n] == b[n])
@@ -396,7 +397,7 @@ text_memory(char **text, size_t *n)
 }
 
 enum text_line
-text_line(char **text, size_t *n, size_t *room, FILE *in)
+text_read_line(char **text, size_t *n, size_t *room, FILE *in)
 {
 	enum { MOST = 10 * 1000 * 1000 };
 	size_t from = *n;
@@ -432,10 +433,10 @@ text_columns(uint32_t code)
 }
 
 int
-text_show(const char **text, char shown[static TEXT_SHOWN])
+text_escape_next(const char **text, char shown[static TEXT_SHOWN])
 {
 	const char *from = *text;
-	uint32_t code = text_next(text);
+	uint32_t code = text_next_code_point(text);
 	int n = (int)(*text - from);
 	if (n == 1 && (code >= 0x80 || text_is_hidden(code)))
 		return snprintf(shown, TEXT_SHOWN, "\\x%02x",
@@ -449,13 +450,13 @@ text_show(const char **text, char shown[static TEXT_SHOWN])
 }
 
 char *
-text_shown(const char *s)
+text_escaped(const char *s)
 {
 	/* No byte takes more than the four of \x1b. */
 	char *whole = xcalloc(4 * strlen(s) + 1, 1), *end = whole;
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
-		text_show(&s, shown);
+		text_escape_next(&s, shown);
 		end = stpcpy(end, shown);
 	}
 	return whole;
@@ -466,7 +467,7 @@ text_put(const char *s, FILE *out)
 {
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
-		text_show(&s, shown);
+		text_escape_next(&s, shown);
 		fputs(shown, out);
 	}
 }
@@ -474,7 +475,7 @@ text_put(const char *s, FILE *out)
 void
 text_put_xml(const char *s, FILE *out)
 {
-	char *shown = text_shown(s);
+	char *shown = text_escaped(s);
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"
 				     : *p == '>' ? "&gt;"
@@ -494,24 +495,59 @@ text_width(const char *s)
 	int width = 0;
 	char shown[TEXT_SHOWN];
 	while (*s != '\0')
-		width += text_show(&s, shown);
+		width += text_escape_next(&s, shown);
 	return width;
+}
+
+/* What stands for the rest of a text that is cut. */
+static const char MORE[] = " ..";
+
+char *
+text_fitted(const char *s, int columns)
+{
+	enum { LEAST = 2 };
+	const int more = (int)strlen(MORE);
+	size_t n = strlen(s), blank = strspn(s, " "), word = 0, letter = 0;
+	size_t start = blank; /* of the word that has the last letter */
+	while (n > 0 && s[n - 1] == ' ')
+		n--;
+	int width = 0;
+	for (const char *p = s; p < s + n;) {
+		char shown[TEXT_SHOWN];
+		size_t at = (size_t)(p - s);
+		if (*p == ' ' && at > blank + LEAST && width + more <= columns)
+			word = p[-1] == ' ' ? word : at;
+		width += text_escape_next(&p, shown);
+		if (width + more - 1 > columns)
+			continue;
+		start = s[at] == ' ' ? at + 1 : start;
+		letter = (size_t)(p - s);
+	}
+	if (width <= columns)
+		return xstrdup(s);
+	if (word > 0)
+		return xasprintf("%.*s%s", (int)word, s, MORE);
+	char first = s[start + strspn(s + start, "+-.")];
+	return (first >= '0' && first <= '9') || letter < start + LEAST
+		   ? xstrdup("")
+		   : xasprintf("%.*s%s", (int)letter, s, MORE + 1);
 }
 
 bool
 text_is_plain(const char *s)
 {
-	char *shown = text_shown(s);
+	char *shown = text_escaped(s);
 	bool plain = strcmp(shown, s) == 0;
 	free(shown);
 	return plain;
 }
 
 void
-text_hang(const char *text, int first, int margin, int width, FILE *out)
+text_print_hanging(
+    const char *text, int first, int margin, int width, FILE *out)
 {
 	int column = 0;
-	char *copy = text_shown(text), *save = NULL;
+	char *copy = text_escaped(text), *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
 		int wide = text_width(word);
@@ -535,7 +571,7 @@ void
 text_wrap(const char *text, int margin, int width, FILE *out)
 {
 	margin += (int)strspn(text, " ");
-	text_hang(text, margin, margin, width, out);
+	text_print_hanging(text, margin, margin, width, out);
 }
 
 char *
@@ -550,7 +586,7 @@ text_wrapped(const char *text, int width)
 }
 
 int
-text_rows(const char *text, int width)
+text_count_rows(const char *text, int width)
 {
 	char *lines = text_wrapped(text, width);
 	int n = 0;

@@ -29,7 +29,8 @@ const char *text_exact(double value, char buf[static 32]);
 /* Returns a number for a message that compares it with another: unchanged if it
  * is short, as typed numbers are; else with as few digits as distinguish the
  * two, at least four. */
-const char *text_apart(double value, double other, char buf[static 32]);
+const char *text_distinguishing(
+    double value, double other, char buf[static 32]);
 
 /* Removes spaces at both ends, in place; returns a pointer into s. */
 char *text_trim(char *s);
@@ -69,7 +70,7 @@ bool text_has(const char *text, const char *word);
 
 /* Finds the index of a word in a list separated by spaces; false if it is not
  * in the list. */
-bool text_choice(const char *list, const char *word, size_t *index);
+bool text_find_word(const char *list, const char *word, size_t *index);
 
 /* Returns the number of single-letter edits between a and b
  * (Damerau-Levenshtein). */
@@ -77,11 +78,11 @@ size_t text_distance(const char *a, const char *b);
 
 /* Returns the code point at *text and moves *text after it; U+FFFD for a byte
  * that is not UTF-8.  Must not be called at the end of a text. */
-uint32_t text_next(const char **text);
+uint32_t text_next_code_point(const char **text);
 
 /* Returns how many bytes a and b have in common at the start, in whole
  * characters. */
-size_t text_shared(const char *a, const char *b);
+size_t text_shared_prefix(const char *a, const char *b);
 
 /* Returns the columns of a character on a terminal: 1 if the locale does not
  * know it, 0 for marks that combine with the character before. */
@@ -93,40 +94,47 @@ int text_columns(uint32_t code);
  * and that are not text (bytes that are not UTF-8, U+FFFE, U+FFFF) are shown as
  * \x1b, \u202e or \U000e0001.  Everything that is printed for people is shown
  * by these functions, and their output is allowed in XML.
- *
- * text_show: writes the character at *text as it is shown, moves *text after
- * it, and returns its columns.  text_shown: returns a whole text, which the
- * caller frees.  text_put: prints it.  text_put_xml: prints it with < > & as
- * entities, for the text of an element.  text_width: returns its columns. */
+ * 
+ * text_escape_next: writes the character at *text as it is shown, moves *text
+ * after it, and returns its columns.  text_escaped: returns a whole text, which
+ * the caller frees.  text_put: prints it.  text_put_xml: prints it with < > &
+ * as entities, for the text of an element.  text_width: returns its columns. */
 enum { TEXT_SHOWN = 12 };
-int text_show(const char **text, char shown[static TEXT_SHOWN]);
-char *text_shown(const char *s);
+int text_escape_next(const char **text, char shown[static TEXT_SHOWN]);
+char *text_escaped(const char *s);
 void text_put(const char *s, FILE *out);
 void text_put_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
-/* True if text_shown changes nothing. */
+/* Returns a text, or as much of it as so many columns hold: whole words, and
+ * " .." for the rest; where these are little its beginning with "..", but
+ * nothing of a number, which would be another one.  The caller frees. */
+char *text_fitted(const char *s, int columns);
+
+/* True if text_escaped changes nothing. */
 bool text_is_plain(const char *s);
 
-/* Prints text as text_shown shows it, in lines of at most width columns, broken
- * at spaces, each after margin spaces; spaces at the start of the text widen
- * the margin. */
+/* Prints text as text_escaped shows it, in lines of at most width columns,
+ * broken at spaces, each after margin spaces; spaces at the start of the text
+ * widen the margin. */
 void text_wrap(const char *text, int margin, int width, FILE *out);
 
 /* As text_wrap, but with the first line after `first` spaces. */
-void text_hang(const char *text, int first, int margin, int width, FILE *out);
+void text_print_hanging(
+    const char *text, int first, int margin, int width, FILE *out);
 
 /* text_wrapped returns the lines of text_wrap as one string, which the caller
- * frees; text_rows returns how many lines there are, 0 for an empty text. */
+ * frees; text_count_rows returns how many lines there are, 0 for an empty
+ * text. */
 char *text_wrapped(const char *text, int width);
-int text_rows(const char *text, int width);
+int text_count_rows(const char *text, int width);
 
 /* Adds the next line of `in`, including its line end, to *text, which contains
  * *n bytes and has room for *room, and puts a NUL after it.  The last line of a
  * file may lack a line end.  TEXT_END: the file has ended, or cannot be read
  * (ferror).  TEXT_TOO_LONG: *text would exceed 10 MB. */
 enum text_line { TEXT_LINE, TEXT_END, TEXT_TOO_LONG };
-enum text_line text_line(char **text, size_t *n, size_t *room, FILE *in);
+enum text_line text_read_line(char **text, size_t *n, size_t *room, FILE *in);
 
 /* Opens a file in memory.  After it is flushed or closed *text contains its *n
  * bytes, which the caller frees.  Without memory the program ends. */

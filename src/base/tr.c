@@ -39,7 +39,7 @@ bind_catalogues(void)
 /* A path instead of a language would name a catalogue from elsewhere, whose
  * texts are formats that nobody has checked. */
 static bool
-is_path(const char *language)
+is_path_not_language(const char *language)
 {
 	return strchr(language, '/') != NULL;
 }
@@ -59,9 +59,9 @@ bool
 tr_begin(const char *language)
 {
 	const char *wanted = getenv("LANGUAGE");
-	if (language != NULL && is_path(language))
+	if (language != NULL && is_path_not_language(language))
 		return false;
-	if (wanted != NULL && is_path(wanted))
+	if (wanted != NULL && is_path_not_language(wanted))
 		unsetenv("LANGUAGE");
 	if (language != NULL)
 		take_language(language);

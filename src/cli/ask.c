@@ -30,7 +30,7 @@ ask_line(char **line)
 	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
 		sigaddset(&held, ENDS[i]);
 	sigprocmask(SIG_BLOCK, &held, &was);
-	while (c != '\n' && signals_noted() == 0) {
+	while (c != '\n' && signals_pending() == 0) {
 		if (!signals_wait_with(&was, INFINITY))
 			continue;
 		ssize_t got = read(STDIN_FILENO, &c, 1);
@@ -58,7 +58,7 @@ ask_confirm(struct session *s, const char *question)
 
 /* What stands above the questions of a table. */
 static void
-show_table(const struct inquiry *q, int columns)
+print_table_of_questions(const struct inquiry *q, int columns)
 {
 	text_wrap(q->about, 0, columns, stderr);
 	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
@@ -90,12 +90,12 @@ ask_with(
 	if (q->wrong[0] != '\0')
 		text_wrap(q->wrong, 0, columns, stderr);
 	if (q->first)
-		show_table(q, columns);
+		print_table_of_questions(q, columns);
 	fflush(stderr);
 	bool offers = q->offered[0] != '\0';
 	char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
 	    q->offered, offers ? "]" : "");
-	char *shown = text_shown(asks), *answer = read(shown);
+	char *shown = text_escaped(asks), *answer = read(shown);
 	free(shown);
 	free(asks);
 	return answer;

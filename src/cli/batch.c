@@ -28,11 +28,11 @@ print_caret(const char *line, int column, FILE *out)
 	const char *p = line;
 	char shown[TEXT_SHOWN];
 	for (; i <= column - room * 5 / 9 && *p != '\0'; i++)
-		text_next(&p);
+		text_next_code_point(&p);
 	fputs("  ", out);
 	for (; *p != '\0' && wide < room; i++) {
 		bool tab = *p == '\t';
-		int its = text_show(&p, shown);
+		int its = text_escape_next(&p, shown);
 		wide += tab ? 1 : its;
 		at = i < column ? wide : at;
 		fputs(tab ? " " : shown, out);
@@ -88,7 +88,7 @@ struct quiet {
 };
 
 static void
-show_said(struct quiet *q)
+print_captured_messages(struct quiet *q)
 {
 	fflush(q->to);
 	if (!q->shown)
@@ -100,7 +100,7 @@ static void
 print_after_said(
     void *of, const struct error *e, const char *line, const char *name)
 {
-	show_said(of);
+	print_captured_messages(of);
 	print_error(NULL, e, line, name);
 }
 
@@ -118,7 +118,7 @@ batch_quiet(struct session *s, const char *line, int number)
 	s->out = out;
 	s->notes = notes;
 	if (status != 0)
-		show_said(&q);
+		print_captured_messages(&q);
 	fclose(q.to);
 	free(q.said);
 	return status;
@@ -192,7 +192,7 @@ batch_typed(struct session *s)
 	batch_attend(s);
 	for (int number = 1; !s->quit; signals_forget_interrupt()) {
 		print_prompt(s, from > 0);
-		enum text_line got = text_line(&line, &n, &room, stdin);
+		enum text_line got = text_read_line(&line, &n, &room, stdin);
 		bool more = got == TEXT_LINE && script_goes_on(line + from);
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
@@ -200,16 +200,16 @@ batch_typed(struct session *s)
 			script_too_long(ERROR_TYPED, number, &error);
 			error_print(&error, stderr);
 		}
-		if (got != TEXT_LINE && signals_noted() != SIGINT)
+		if (got != TEXT_LINE && signals_pending() != SIGINT)
 			break;
 		n = from = more ? from + strlen(line + from) : 0;
 		if (got == TEXT_END)
 			clearerr(stdin);
 		if (got == TEXT_LINE && !more)
 			batch_line(s, line, number++, NULL);
-		if (signals_ended())
+		if (signals_is_ending())
 			break;
 	}
 	free(line);
-	return signals_ended() ? signals_status() : (int)error.kind;
+	return signals_is_ending() ? signals_status() : (int)error.kind;
 }

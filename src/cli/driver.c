@@ -17,14 +17,14 @@ driver_give_up(
     const struct driver *d, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
-	bool ok = status == 0 || signals_noted() != 0;
+	bool ok = status == 0 || signals_pending() != 0;
 	if (!session_settle(d->session, ok, &error) && ok)
 		d->fail(d->of, &error, line, name);
 }
 
 /* After a signal: what was found stays. */
 static int
-interrupt(
+driver_interrupt(
     const struct driver *d, const char *line, const char *name, int number)
 {
 	pager_hold(d->pager);
@@ -38,24 +38,24 @@ interrupt(
 
 /* A command did nothing: it could not, or a signal came before it was done. */
 static int
-fail(const struct driver *d, const struct error *e, const char *line,
+driver_fail(const struct driver *d, const struct error *e, const char *line,
     const char *name, int number)
 {
 	if (e->kind != ERROR_STOPPED)
 		d->fail(d->of, e, line, name);
 	else if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return signals_noted() != 0 ? signals_status() : (int)e->kind;
+	return signals_pending() != 0 ? signals_status() : (int)e->kind;
 }
 
 /* What the commands so far began. */
 static int
-go_through(const struct driver *d, size_t depth, const char *line,
+driver_finish_work(const struct driver *d, size_t depth, const char *line,
     const char *name, int number)
 {
 	struct session *s = d->session;
 	if (!d->work(s))
-		return interrupt(d, line, name, number);
+		return driver_interrupt(d, line, name, number);
 	pager_show(d->pager);
 	int status = driver_scripts(d, depth);
 	if (status == 0 && s->wants_tui && s->hooks.run_screen != NULL) {
@@ -82,12 +82,12 @@ driver_line(
 		pager_show(d->pager);
 		if (!ok) {
 			fflush(s->out);
-			return fail(d, &error, line, name, number);
+			return driver_fail(d, &error, line, name, number);
 		}
 		if (d->watches && number == 0 && session_busy(s) &&
 		    s->scripts == depth && line[at] == '\0')
 			return 0;
-		status = go_through(d, depth, line, name, number);
+		status = driver_finish_work(d, depth, line, name, number);
 	} while (status == 0 && at > 0 && !s->quit);
 	return status;
 }
@@ -98,13 +98,13 @@ driver_scripts(const struct driver *d, size_t depth)
 	struct session *s = d->session;
 	int status = 0;
 	while (status == 0 && s->scripts > depth && !s->quit &&
-	       signals_noted() == 0) {
+	       signals_pending() == 0) {
 		struct error error = {0};
 		struct place place;
 		char *line = script_line(s, &place, &error);
 		if (line != NULL && d->begins != NULL)
 			d->begins(d->of, line);
-		if (line != NULL && signals_noted() == 0)
+		if (line != NULL && signals_pending() == 0)
 			status = driver_line(d, line, place.file, place.line);
 		else if (error.kind != ERROR_NONE)
 			d->fail(d->of, &error, "", "");
@@ -113,5 +113,5 @@ driver_scripts(const struct driver *d, size_t depth)
 		free(line);
 	}
 	script_close(s, depth);
-	return signals_noted() != 0 ? signals_status() : status;
+	return signals_pending() != 0 ? signals_status() : status;
 }

@@ -28,7 +28,7 @@ history_give_up(const char *why)
 }
 
 static void
-append(const char *bytes)
+append_to_history(const char *bytes)
 {
 	struct error error = {0};
 	if (path != NULL &&
@@ -44,14 +44,14 @@ typed_history_open(bool with_file)
 	stifle_history(MOST);
 	if (!with_file)
 		return;
-	path = home_path("XDG_STATE_HOME", ".local/state", "history");
+	path = xdg_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
 		history_give_up(tr("HOME is not set"));
 		return;
 	}
-	free(home_make_folders(path));
+	free(xdg_make_folders(path));
 	read_history(path);
-	append("");
+	append_to_history("");
 }
 
 void
@@ -65,7 +65,7 @@ typed_add(const char *line)
 		return;
 	add_history(line);
 	char *whole = xasprintf("%s\n", line);
-	append(whole);
+	append_to_history(whole);
 	free(whole);
 }
 

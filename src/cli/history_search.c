@@ -24,7 +24,7 @@ static struct {
 } at;
 
 static void
-put_line(const char *line, int point)
+replace_line(const char *line, int point)
 {
 	rl_begin_undo_group();
 	rl_delete_text(0, rl_end);
@@ -65,68 +65,77 @@ history_search_search(bool on, bool anywhere, bool goes_on)
 		    !history_search_is_wanted(entry->line, anywhere))
 			continue;
 		at.place = place;
-		put_line(entry->line, (int)strlen(at.wanted));
+		replace_line(entry->line, (int)strlen(at.wanted));
 		return 0;
 	}
 	if (on && at.place < history_length) {
 		at.place = history_length;
-		put_line(at.typed, (int)strlen(at.wanted));
+		replace_line(at.typed, (int)strlen(at.wanted));
 		return 0;
 	}
 	rl_ding();
 	return 0;
 }
 
-static int go_back(int count, int key), go_on(int count, int key),
-    look_back(int count, int key), look_on(int count, int key);
+static int search_prefix_backward(int count, int key),
+    search_prefix_forward(int count, int key),
+    search_anywhere_backward(int count, int key),
+    search_anywhere_forward(int count, int key);
 
 static bool
-history_search_goes_on(void)
+history_search_is_continued(void)
 {
-	return rl_last_func == go_back || rl_last_func == go_on ||
-	       rl_last_func == look_back || rl_last_func == look_on;
+	return rl_last_func == search_prefix_backward ||
+	       rl_last_func == search_prefix_forward ||
+	       rl_last_func == search_anywhere_backward ||
+	       rl_last_func == search_anywhere_forward;
 }
 
 /* Lines that begin with what is wanted. */
 static int
-go_back(int count, int key)
+search_prefix_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(false, false, history_search_goes_on());
+	return history_search_search(
+	    false, false, history_search_is_continued());
 }
 
 static int
-go_on(int count, int key)
+search_prefix_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(true, false, history_search_goes_on());
+	return history_search_search(
+	    true, false, history_search_is_continued());
 }
 
 /* Lines that have it anywhere. */
 static int
-look_back(int count, int key)
+search_anywhere_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(false, true, history_search_goes_on());
+	return history_search_search(
+	    false, true, history_search_is_continued());
 }
 
 static int
-look_on(int count, int key)
+search_anywhere_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(true, true, history_search_goes_on());
+	return history_search_search(true, true, history_search_is_continued());
 }
 
 static const struct {
 	const char *name;
 	rl_command_func_t *theirs, *ours;
 } SEARCHES[] = {
-    {"history-search-backward", rl_history_search_backward, go_back},
-    {"history-search-forward", rl_history_search_forward, go_on},
+    {"history-search-backward", rl_history_search_backward,
+	search_prefix_backward},
+    {"history-search-forward", rl_history_search_forward,
+	search_prefix_forward},
     {"history-substring-search-backward", rl_history_substr_search_backward,
-	look_back},
+	search_anywhere_backward},
     {"history-substring-search-forward", rl_history_substr_search_forward,
-	look_on},
+	search_anywhere_forward},
 };
 
 void
@@ -138,7 +147,7 @@ typed_search_names(void)
 }
 
 static void
-replace_in(Keymap map, size_t i)
+replace_bindings_in(Keymap map, size_t i)
 {
 	char **keys = rl_invoking_keyseqs_in_map(SEARCHES[i].theirs, map);
 	for (size_t k = 0; keys != NULL && keys[k] != NULL; k++) {
@@ -152,8 +161,8 @@ void
 typed_search_keys(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++) {
-		replace_in(emacs_standard_keymap, i);
-		replace_in(vi_movement_keymap, i);
-		replace_in(vi_insertion_keymap, i);
+		replace_bindings_in(emacs_standard_keymap, i);
+		replace_bindings_in(vi_movement_keymap, i);
+		replace_bindings_in(vi_insertion_keymap, i);
 	}
 }

@@ -13,7 +13,7 @@
  * stay in the source, beside its folder; NULL where there is none, or its path
  * is none to give to a shell.  The caller frees. */
 static char *
-page_beside(const char *page)
+page_beside_program(const char *page)
 {
 	static const char *const FOLDERS[] = {"man", "../man"};
 	char self[PATH_MAX];
@@ -36,7 +36,7 @@ page_beside(const char *page)
 
 /* True when the shell runs it and it succeeds. */
 static bool
-succeeds(char *command)
+run_shell(char *command)
 {
 	bool ok = system(command) == 0;
 	free(command);
@@ -46,15 +46,15 @@ succeeds(char *command)
 bool
 manpage_show(const char *page)
 {
-	char *beside = page_beside(page);
+	char *beside = page_beside_program(page);
 	if (beside != NULL) {
-		bool shown = succeeds(xasprintf("man -l '%s'", beside));
+		bool shown = run_shell(xasprintf("man -l '%s'", beside));
 		free(beside);
 		return shown;
 	}
 	int name = (int)strcspn(page, ".");
 	const char *section = page + name + 1;
-	return succeeds(xasprintf(
+	return run_shell(xasprintf(
 		   "man -w %s %.*s >/dev/null 2>&1", section, name, page)) &&
-	       succeeds(xasprintf("man %s %.*s", section, name, page));
+	       run_shell(xasprintf("man %s %.*s", section, name, page));
 }

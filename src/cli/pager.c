@@ -47,7 +47,7 @@ pager_command(void)
 }
 
 static void
-pass(int signal)
+ignore_signal(int signal)
 {
 	(void)signal;
 }
@@ -55,9 +55,10 @@ pass(int signal)
 /* The pager's own business: ^C, and to end before all is written.  Handlers
  * and not SIG_IGN, which the pager would inherit. */
 static void
-leave_signals(struct sigaction was[2])
+leave_signals_to_pager(struct sigaction was[2])
 {
-	struct sigaction action = {.sa_handler = pass, .sa_flags = SA_RESTART};
+	struct sigaction action = {
+	    .sa_handler = ignore_signal, .sa_flags = SA_RESTART};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGINT, &action, &was[0]);
 	sigaction(SIGPIPE, &action, &was[1]);
@@ -68,7 +69,7 @@ run_pager(const char *command, const char *text)
 {
 	struct sigaction was[2];
 	fflush(stdout);
-	leave_signals(was);
+	leave_signals_to_pager(was);
 	FILE *in = popen(command, "w");
 	int status = -1;
 	if (in != NULL) {
@@ -113,7 +114,7 @@ pager_show(struct pager *pager)
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall =
-	    paged && !signals_ended() && count_rows(text, columns) >= rows;
+	    paged && !signals_is_ending() && count_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
 	free(command);

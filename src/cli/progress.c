@@ -86,7 +86,7 @@ progress_row(
 
 /* What can move its cursor up and clear below it. */
 static bool
-can_watch(const struct session *s, const struct progress *p)
+can_watch_search(const struct session *s, const struct progress *p)
 {
 	const char *term = getenv("TERM");
 	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
@@ -125,7 +125,7 @@ draw_watched(
 /* A search would be over before it is seen: its first generations take a
  * moment each. */
 static void
-pace_watched(const struct session *s)
+slow_down_watched(const struct session *s)
 {
 	enum { MOMENT_MS = 40 };
 	const double long_s = 4;
@@ -142,16 +142,16 @@ progress_watch(
 		draw_watched(s, p, st);
 	progress_line(s, p, st);
 	if (p->row != before)
-		pace_watched(s);
+		slow_down_watched(s);
 }
 
 static void
-progress(struct session *s, struct progress *p)
+print_progress(struct session *s, struct progress *p)
 {
 	if (!session_busy(s) || s->notes == NULL)
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (can_watch(s, p))
+	if (can_watch_search(s, p))
 		progress_watch(s, p, &st);
 	else if (p->terminal)
 		progress_line(s, p, &st);
@@ -181,14 +181,14 @@ progress_run(struct session *s)
 {
 	struct progress p = {
 	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
-	signals_asked();
+	signals_take_report_wanted();
 	s->hooks.tidy = p.terminal ? clear_line : NULL;
-	while (session_busy(s) && signals_noted() == 0) {
+	while (session_busy(s) && signals_pending() == 0) {
 		session_rounds(s);
-		if (session_busy(s) && signals_asked())
+		if (session_busy(s) && signals_take_report_wanted())
 			progress_answer(s);
-		progress(s, &p);
+		print_progress(s, &p);
 	}
 	clear_line();
-	return signals_noted() == 0;
+	return signals_pending() == 0;
 }

@@ -33,9 +33,10 @@
 #include "cli/history_search.h"
 
 /* What readline calls has no argument to pass this by.  before: the lines of a
- * command that goes on, joined; given: bytes that no_key made up; offer: what
- * Return alone does now; stage: of what was said of the next step last, for
- * which site and fit; declined: it was, and an empty line offers it anew. */
+ * command that goes on, joined; given: bytes that key_at_end made up; offer:
+ * what Return alone does now; stage: of what was said of the next step last,
+ * for which site and fit; declined: it was, and an empty line offers it
+ * anew. */
 static struct {
 	struct session *session;
 	char *before;
@@ -53,7 +54,7 @@ shared_bytes(char **text, size_t n)
 {
 	size_t shared = strlen(text[0]);
 	for (size_t i = 1; i < n; i++) {
-		size_t same = text_shared(text[0], text[i]);
+		size_t same = text_shared_prefix(text[0], text[i]);
 		shared = same < shared ? same : shared;
 	}
 	return shared;
@@ -62,7 +63,8 @@ shared_bytes(char **text, size_t n)
 /* The text to put instead of readline's word, which begins at start; NULL
  * where the two do not go together.  from: where the candidate's begins. */
 static char *
-fit_word(const struct candidate *c, const char *line, long from, long start)
+fit_candidate_to_word(
+    const struct candidate *c, const char *line, long from, long start)
 {
 	const char *tail = c->append == '=' ? "=" : "";
 	if (from >= start)
@@ -84,8 +86,8 @@ on_complete(const char *text, int start, int end)
 	struct completion *c = complete(at.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
-		char *word = fit_word(&c->candidate[i], line, (long)c->start,
-		    (long)before + start);
+		char *word = fit_candidate_to_word(&c->candidate[i], line,
+		    (long)c->start, (long)before + start);
 		if (word != NULL)
 			matches[++n] = word;
 	}
@@ -108,7 +110,7 @@ on_complete(const char *text, int start, int end)
 
 /* "tierp (fit)> ".  Keys are ASCII, whatever the site is called. */
 static char *
-prompt(const struct session *s)
+prompt_text(const struct session *s)
 {
 	if (at.before[0] != '\0')
 		return xstrdup("> ");
@@ -120,7 +122,7 @@ prompt(const struct session *s)
 						: "";
 	const char *name =
 	    entry != NULL && entry->key[0] != '\0' ? entry->key : "tipspeed";
-	bool colour = terminal_colour();
+	bool colour = terminal_has_colour();
 	return xasprintf("%s%s%s%s> ", colour ? "\001\033[1m\002" : "", name,
 	    colour ? "\001\033[0m\002" : "", state);
 }
@@ -130,7 +132,7 @@ prompt(const struct session *s)
  * cannot go up, so that a line is scrolled, it looks for it for ever if the
  * prompt with its invisible characters is as wide as the screen. */
 static void
-take_size(const char *prompt)
+set_readline_size(const char *prompt)
 {
 	enum { ROWS = 2, COLUMNS = 20 };
 	int rows, columns, least = COLUMNS;
@@ -158,11 +160,11 @@ fit_prompt(void)
 static void
 answer_signals(void)
 {
-	int news = signals_news();
+	int news = signals_take_events();
 	if (news & SIGNALS_STOP) {
 		rl_deprep_terminal();
 		signals_suspend();
-		news |= signals_news() | SIGNALS_WAKE;
+		news |= signals_take_events() | SIGNALS_WAKE;
 	}
 	if (news & SIGNALS_WAKE) {
 		/* The shell may have set the terminal to its liking. */
@@ -172,7 +174,7 @@ answer_signals(void)
 	}
 	if (news & (SIGNALS_WAKE | SIGNALS_SIZE)) {
 		rl_clear_visible_line();
-		take_size(rl_prompt);
+		set_readline_size(rl_prompt);
 		fit_prompt();
 		rl_forced_update_display();
 	}
@@ -182,7 +184,7 @@ answer_signals(void)
 static bool
 wait_for_key(void)
 {
-	while (signals_noted() == 0) {
+	while (signals_pending() == 0) {
 		if (signals_wait(INFINITY))
 			return true;
 		answer_signals();
@@ -201,14 +203,14 @@ pastes_in_brackets(void)
  * the end of a paste first, which must not end otherwise (readline 8.2 then
  * reads past its text). */
 static int
-no_key(void)
+key_at_end(void)
 {
 	static const char END[] = "\033[201~";
 	if (!RL_ISSTATE(RL_STATE_READCMD))
 		return at.given < sizeof END - 1 ? END[at.given++] : EOF;
 	rl_point = rl_end;
 	rl_redisplay();
-	if (signals_noted() == SIGINT)
+	if (signals_pending() == SIGINT)
 		fputs("^C", rl_outstream);
 	return READERR;
 }
@@ -217,7 +219,7 @@ no_key(void)
  * here, and readline's own reading would then wait for a key with signals held.
  */
 static int
-on_read(FILE *in)
+on_getc(FILE *in)
 {
 	unsigned char c;
 	/* With it readline 8.2 frees what it undoes twice; a file of settings
@@ -227,7 +229,7 @@ on_read(FILE *in)
 		ssize_t got = -1;
 		errno = EINTR;
 		signals_release();
-		if (signals_noted() == 0)
+		if (signals_pending() == 0)
 			got = read(fileno(in), &c, 1);
 		signals_hold();
 		if (got == 1)
@@ -235,7 +237,7 @@ on_read(FILE *in)
 		if (got == 0 || errno != EINTR)
 			break;
 	}
-	return no_key();
+	return key_at_end();
 }
 
 /* A line as typed, which the caller frees; NULL at the end of input or at a
@@ -248,7 +250,7 @@ read_line(const char *text)
 	signals_hold();
 	signals_take_terminal(was);
 	at.given = 0;
-	take_size(text);
+	set_readline_size(text);
 	restore_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
 	restore_done();
@@ -292,7 +294,7 @@ take_lines(struct session *s, char *typed, int *number)
 		if (!more)
 			run_line(s, joined, (*number)++);
 		free(joined);
-		if (signals_noted() != 0)
+		if (signals_pending() != 0)
 			break;
 	}
 }
@@ -301,7 +303,7 @@ take_lines(struct session *s, char *typed, int *number)
  * anew, but that answers can be had only once of several; it is offered for the
  * line that is typed next. */
 static void
-offer_next(const struct session *s)
+print_next_step(const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -325,7 +327,7 @@ offer_next(const struct session *s)
 
 /* The commands of what was offered one by one, each with what came of it. */
 static void
-take_offer(struct session *s, int *number)
+run_offered_commands(struct session *s, int *number)
 {
 	const char *line = at.offer.line;
 	if (!at.offer.brief) {
@@ -335,13 +337,13 @@ take_offer(struct session *s, int *number)
 	typed_add(line);
 	session_note(s, "  %s", line);
 	int status = 0;
-	while (status == 0 && *line != '\0' && !signals_ended()) {
+	while (status == 0 && *line != '\0' && !signals_is_ending()) {
 		size_t n = strcspn(line, ";");
 		char *command = xstrndup(line, n);
 		status = batch_quiet(s, command, *number);
 		free(command);
 		if (status == 0)
-			next_told(s);
+			next_note_offered(s);
 		line += n + strspn(line + n, "; ");
 	}
 	++*number;
@@ -356,8 +358,8 @@ answers_offer(struct session *s, const char *typed, int *number)
 	char *word = xstrdup(typed);
 	const char *said = text_trim(word);
 	bool empty = said[0] == '\0';
-	bool yes = empty || text_choice(YES, said, &which);
-	bool no = text_choice(NO, said, &which);
+	bool yes = empty || text_find_word(YES, said, &which);
+	bool no = text_find_word(NO, said, &which);
 	bool again = empty && at.declined && at.offer.line == NULL;
 	free(word);
 	if (at.before[0] != '\0' ||
@@ -367,7 +369,7 @@ answers_offer(struct session *s, const char *typed, int *number)
 	if (again)
 		at.stage = -1;
 	else if (yes)
-		take_offer(s, number);
+		run_offered_commands(s, number);
 	return true;
 }
 
@@ -389,7 +391,7 @@ confine_readline(void)
 }
 
 static void
-set_up(struct session *s)
+set_up_readline(struct session *s)
 {
 	at.session = s;
 	at.before = xstrdup("");
@@ -399,7 +401,7 @@ set_up(struct session *s)
 	rl_catch_sigwinch = 0;
 	/* A pager must not see sizes of before a change. */
 	rl_change_environment = 0;
-	rl_getc_function = on_read;
+	rl_getc_function = on_getc;
 	rl_attempted_completion_function = on_complete;
 	rl_completer_word_break_characters = " \t\n;=,";
 	rl_completer_quote_characters = "";
@@ -421,12 +423,12 @@ void
 repl_begin(struct session *s)
 {
 	fprintf(stderr,
-	    tr("tipspeed %s: help lists the commands, quit exits\n"),
+	    tr("tipspeed %s: help lists the commands, tui is the full screen, "
+	       "quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
-	char *path = s->safe
-			 ? NULL
-			 : home_path("XDG_CONFIG_HOME", ".config", "init.tip");
+	char *path =
+	    s->safe ? NULL : xdg_path("XDG_CONFIG_HOME", ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
 	free(path);
@@ -445,7 +447,7 @@ complete_nothing(const char *text, int start, int end)
 }
 
 static char *
-read_answer(const char *text)
+read_line_of_answer(const char *text)
 {
 	rl_attempted_completion_function = complete_nothing;
 	char *line = read_line(text);
@@ -459,31 +461,31 @@ read_answer(const char *text)
 static char *
 repl_question(struct session *s, const struct inquiry *q)
 {
-	return ask_with(s, q, read_answer);
+	return ask_with(s, q, read_line_of_answer);
 }
 
 int
 repl_run(struct session *s)
 {
 	int number = 1;
-	set_up(s);
+	set_up_readline(s);
 	batch_attend(s);
 	s->hooks.question = repl_question;
-	while (!s->quit && !signals_ended()) {
+	while (!s->quit && !signals_is_ending()) {
 		if (at.before[0] == '\0')
-			offer_next(s);
-		char *text = prompt(s);
+			print_next_step(s);
+		char *text = prompt_text(s);
 		char *typed = read_line(text);
 		free(text);
-		s->screen = terminal_screen();
+		s->screen = terminal_describe();
 		if (typed != NULL) {
 			if (!answers_offer(s, typed, &number))
 				take_lines(s, typed, &number);
 			free(typed);
-		} else if (signals_noted() == 0) {
+		} else if (signals_pending() == 0) {
 			break;
 		}
-		if (signals_noted() != 0)
+		if (signals_pending() != 0)
 			at.before[0] = '\0';
 		signals_forget_interrupt();
 	}

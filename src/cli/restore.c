@@ -32,7 +32,7 @@ static struct {
 } at;
 
 static void
-put_right(void)
+restore_terminal(void)
 {
 	if (!at.open)
 		return;
@@ -51,7 +51,7 @@ put_right(void)
 static void
 on_fault(int signal)
 {
-	put_right();
+	restore_terminal();
 	struct sigaction usual = {.sa_handler = SIG_DFL};
 	sigaction(signal, &usual, NULL);
 	raise(signal);
@@ -65,21 +65,21 @@ on_exit_early(void)
 	    "tipspeed: ended with its screen open: out of memory\n";
 	if (!at.open)
 		return;
-	put_right();
+	restore_terminal();
 	ssize_t written =
 	    at.full ? write(STDERR_FILENO, say, sizeof say - 1) : 0;
 	(void)written;
 }
 
 void
-restore_note(void)
+restore_keep_settings(void)
 {
 	at.known = tcgetattr(STDIN_FILENO, &at.usual) == 0;
 }
 
 /* Adds bytes without the pauses old terminals were given. */
 static void
-restore_add(const char *text)
+add_restore_bytes(const char *text)
 {
 	if (text == NULL || text == (const char *)-1)
 		return;
@@ -94,7 +94,7 @@ restore_add(const char *text)
 }
 
 static void
-restore_watch(void)
+catch_faults(void)
 {
 	static bool asked;
 	stack_t stack = {.ss_sp = at.stack, .ss_size = sizeof at.stack};
@@ -119,29 +119,29 @@ restore_screen(void)
 	at.n = 0;
 	at.full = true;
 	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
-		restore_add(MOUSE_OFF);
+		add_restore_bytes(MOUSE_OFF);
 	const char *cup = tigetstr("cup");
 	if (strncmp(cup, "\033[", 2) == 0)
-		restore_add("\033[?2004l");
-	restore_add(tigetstr("rmkx"));
-	restore_add(tigetstr("sgr0"));
-	restore_add(tigetstr("cnorm"));
+		add_restore_bytes("\033[?2004l");
+	add_restore_bytes(tigetstr("rmkx"));
+	add_restore_bytes(tigetstr("sgr0"));
+	add_restore_bytes(tigetstr("cnorm"));
 	if (tigetstr("rmcup") != NULL)
-		restore_add(tigetstr("rmcup"));
+		add_restore_bytes(tigetstr("rmcup"));
 	else
-		restore_add(tparm(tigetstr("cup"), LINES - 1, 0));
-	restore_add("\r\n");
-	restore_watch();
+		add_restore_bytes(tparm(tigetstr("cup"), LINES - 1, 0));
+	add_restore_bytes("\r\n");
+	catch_faults();
 }
 
 void
 restore_prompt(const char *bytes)
 {
-	restore_note();
+	restore_keep_settings();
 	at.n = 0;
 	at.full = false;
-	restore_add(bytes);
-	restore_watch();
+	add_restore_bytes(bytes);
+	catch_faults();
 }
 
 void

@@ -4,7 +4,7 @@
 #define TIPSPEED_CLI_RESTORE_H
 
 /* Records the settings of the terminal, before the screen is opened. */
-void restore_note(void);
+void restore_keep_settings(void);
 
 /* Prepares the bytes that restore the terminal, from what ncurses knows of it,
  * and from now on writes them when a fault, a failed check or a signal that is

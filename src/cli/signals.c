@@ -22,7 +22,7 @@ on_signal(int signal)
 }
 
 static void
-on_ask(int signal)
+on_report_wanted(int signal)
 {
 	asked = signal;
 }
@@ -45,7 +45,7 @@ signals_catch(void)
 	 * the usual end by it, which SIG_IGN would not give back. */
 	action.sa_handler = on_file_size;
 	sigaction(SIGXFSZ, &action, NULL);
-	action.sa_handler = on_ask;
+	action.sa_handler = on_report_wanted;
 	action.sa_flags = SA_RESTART;
 	sigaction(SIGUSR1, &action, NULL);
 }
@@ -102,7 +102,7 @@ signals_wait(double seconds)
 }
 
 void
-signals_let_in(void)
+signals_deliver(void)
 {
 	sigset_t held;
 	sigprocmask(SIG_SETMASK, &let_in, &held);
@@ -138,7 +138,7 @@ signals_give_terminal(const struct sigaction was[static 3])
 }
 
 int
-signals_news(void)
+signals_take_events(void)
 {
 	int news = (stopped ? SIGNALS_STOP : 0) | (woken ? SIGNALS_WAKE : 0) |
 		   (resized ? SIGNALS_SIZE : 0);
@@ -152,18 +152,18 @@ signals_suspend(void)
 	struct sigaction was, usual = {.sa_handler = SIG_DFL};
 	sigaction(SIGTSTP, &usual, &was);
 	raise(SIGTSTP);
-	signals_let_in();
+	signals_deliver();
 	sigaction(SIGTSTP, &was, NULL);
 }
 
 int
-signals_noted(void)
+signals_pending(void)
 {
 	return noted;
 }
 
 bool
-signals_ended(void)
+signals_is_ending(void)
 {
 	return noted != 0 && noted != SIGINT;
 }
@@ -183,7 +183,7 @@ signals_status(void)
 }
 
 bool
-signals_asked(void)
+signals_take_report_wanted(void)
 {
 	bool was = asked != 0;
 	asked = 0;

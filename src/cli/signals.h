@@ -23,15 +23,15 @@ bool signals_wait(double seconds);
 bool signals_wait_with(const sigset_t *mask, double seconds);
 
 /* Lets held signals arrive now. */
-void signals_let_in(void);
+void signals_deliver(void);
 
-/* Between take and give, ^Z, a continue and a change of size are recorded
- * for signals_news, which returns as these bits what arrived since the last
+/* Between take and give, ^Z, a continue and a change of size are recorded for
+ * signals_take_events, which returns as these bits what arrived since the last
  * call. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
 void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
-int signals_news(void);
+int signals_take_events(void);
 
 /* note: between take and give ^Z is recorded; else it stops the program with
  * its child processes. */
@@ -42,10 +42,10 @@ void signals_note_stop(bool note);
 void signals_suspend(void);
 
 /* The signal recorded, or 0; others take precedence over SIGINT. */
-int signals_noted(void);
+int signals_pending(void);
 
 /* Whether the terminal or the system asked the program to end. */
-bool signals_ended(void);
+bool signals_is_ending(void);
 
 /* Forgets a SIGINT that was handled. */
 void signals_forget_interrupt(void);
@@ -55,7 +55,7 @@ void signals_forget_interrupt(void);
 int signals_status(void);
 
 /* Whether SIGUSR1 arrived since the last call. */
-bool signals_asked(void);
+bool signals_take_report_wanted(void);
 
 /* For hooks.stop, from any thread: whether a signal arrived or is held; or,
  * after signals_watch_keys(true), a key was pressed. */

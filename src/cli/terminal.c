@@ -19,7 +19,7 @@ bool
 terminal_colour_word(const char *word, enum colour *colour)
 {
 	size_t i;
-	bool known = text_choice("auto always never", word, &i);
+	bool known = text_find_word("auto always never", word, &i);
 	if (known)
 		*colour = (enum colour)i;
 	return known;
@@ -33,13 +33,13 @@ terminal_is_dumb(void)
 }
 
 void
-terminal_choose(enum colour asked)
+terminal_set_colour(enum colour asked)
 {
 	chosen = asked;
 }
 
 bool
-terminal_colour(void)
+terminal_has_colour(void)
 {
 	const char *own = getenv("TIPSPEED_COLOR"), *no = getenv("NO_COLOR");
 	enum colour asked = chosen;
@@ -53,7 +53,7 @@ terminal_colour(void)
 }
 
 bool
-terminal_attended(void)
+terminal_is_interactive(void)
 {
 	return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
 }
@@ -88,7 +88,7 @@ terminal_is_utf8(void)
 /* The console's fonts, of 512 characters at most, have neither braille nor
  * quadrants, a serial terminal has nothing but ASCII. */
 bool
-terminal_draws(void)
+terminal_can_draw(void)
 {
 	static const char *const PLAIN[] = {"linux", "vt", "ansi", "cons"};
 	if (terminal_is_dumb())
@@ -100,7 +100,7 @@ terminal_draws(void)
 }
 
 struct screen
-terminal_screen(void)
+terminal_describe(void)
 {
 	struct screen screen = {0};
 	const char *term = getenv("TERM");
@@ -108,7 +108,7 @@ terminal_screen(void)
 		return screen;
 	terminal_size(&screen.rows, &screen.columns);
 	screen.colours =
-	    terminal_colour() && term != NULL ? colour_depth(term) : 0;
-	screen.drawing = terminal_draws();
+	    terminal_has_colour() && term != NULL ? colour_depth(term) : 0;
+	screen.drawing = terminal_can_draw();
 	return screen;
 }

@@ -11,17 +11,17 @@
 
 /* Same size, but for how it was computed. */
 static bool
-axis_near(double a, double b)
+axis_is_same_size(double a, double b)
 {
 	return fabs(a - b) <= 1e-6 * fabs(b);
 }
 
 static bool
-is_doubling(double size)
+is_of_doubling_series(double size)
 {
 	static const double SERIES[] = {0.063, 0.125, 0.25, 0.5};
 	for (size_t i = 0; i < ARRAY_LEN(SERIES); i++)
-		if (axis_near(size, SERIES[i]))
+		if (axis_is_same_size(size, SERIES[i]))
 			return true;
 	double power = log2(size);
 	return power >= -1e-6 && fabs(power - round(power)) < 1e-6;
@@ -64,7 +64,7 @@ static bool
 has_tick(const struct axis *axis, double at)
 {
 	for (size_t i = 0; i < axis->n; i++)
-		if (axis_near(axis->tick[i].at, at))
+		if (axis_is_same_size(axis->tick[i].at, at))
 			return true;
 	return false;
 }
@@ -76,9 +76,9 @@ axis_sieves(const char *title, const double *size, size_t n)
 	for (size_t i = 0; i < n; i++)
 		if (!has_tick(&a, size[i]))
 			axis_add_number(&a, size[i],
-			    is_doubling(size[i])       ? 1
-			    : axis_is_between(size[i]) ? 2
-						       : 3);
+			    is_of_doubling_series(size[i]) ? 1
+			    : axis_is_between(size[i])     ? 2
+							   : 3);
 	if (a.n == 0)
 		axis_add_number(&a, 1, 0);
 	qsort(a.tick, a.n, sizeof *a.tick, compare_ticks);
@@ -132,7 +132,7 @@ axis_linear(const char *title, double low, double high)
 
 /* Step i of ..., 1, 2, 5, 10, 20, ...; step 0 is 1. */
 static double
-step_at(int i)
+round_step_at(int i)
 {
 	static const double STEPS[] = {1, 2, 5};
 	int decade = (int)floor(i / 3.0);
@@ -144,13 +144,13 @@ axis_log(const char *title, double low, double high)
 {
 	struct axis a = {.title = xstrdup(title), .log = true};
 	int first = 3 * (int)floor(log10(low));
-	while (step_at(first + 1) <= low * (1 + 1e-9))
+	while (round_step_at(first + 1) <= low * (1 + 1e-9))
 		first++;
 	int last = first + 1;
-	while (step_at(last) < high * (1 - 1e-9))
+	while (round_step_at(last) < high * (1 - 1e-9))
 		last++;
 	for (int i = first; i <= last; i++)
-		axis_add_number(&a, step_at(i),
+		axis_add_number(&a, round_step_at(i),
 		    i == first || i == last ? 0
 		    : i % 3 == 0            ? 1
 					    : 2);
@@ -176,10 +176,11 @@ axis_symlog(const char *title, double straight, double most)
 			if (at > most * 1.001)
 				break;
 			snprintf(label, sizeof label, "%+g", at);
-			axis_add(&a, at, label, axis_near(at, most) ? 0 : rank);
+			axis_add(&a, at, label,
+			    axis_is_same_size(at, most) ? 0 : rank);
 			snprintf(label, sizeof label, "%+g", -at);
-			axis_add(
-			    &a, -at, label, axis_near(at, most) ? 0 : rank);
+			axis_add(&a, -at, label,
+			    axis_is_same_size(at, most) ? 0 : rank);
 		}
 	return a;
 }
@@ -194,7 +195,7 @@ axis_free(struct axis *axis)
 /* Its distance on the axis.  On a symmetric one slopes meet where the straight
  * part ends. */
 static double
-axis_distance(const struct axis *axis, double value)
+axis_transform(const struct axis *axis, double value)
 {
 	double part = value / axis->straight;
 	if (axis->log)
@@ -205,7 +206,7 @@ axis_distance(const struct axis *axis, double value)
 }
 
 const char *
-axis_unit(const struct axis *axis)
+axis_unit_suffix(const struct axis *axis)
 {
 	const char *unit =
 	    axis->title != NULL ? strrchr(axis->title, ',') : NULL;
@@ -215,11 +216,11 @@ axis_unit(const struct axis *axis)
 double
 axis_share(const struct axis *axis, double value)
 {
-	double low = axis_distance(axis, axis->low);
-	double high = axis_distance(axis, axis->high);
+	double low = axis_transform(axis, axis->low);
+	double high = axis_transform(axis, axis->high);
 	if (axis->log && !(value > 0))
 		return 0;
-	double t = (axis_distance(axis, value) - low) / (high - low);
+	double t = (axis_transform(axis, value) - low) / (high - low);
 	return fmin(fmax(t, 0), 1);
 }
 

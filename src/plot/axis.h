@@ -54,7 +54,7 @@ void axis_add(struct axis *axis, double at, const char *label, int rank);
 void axis_free(struct axis *axis);
 
 /* Returns the unit of the title: " mm" for "size, mm", "" if there is none. */
-const char *axis_unit(const struct axis *axis);
+const char *axis_unit_suffix(const struct axis *axis);
 
 /* Returns the place of a value, 0 at low and 1 at high, clamped to these. */
 double axis_share(const struct axis *axis, double value);

@@ -50,9 +50,9 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 	    .series = (unsigned char)series,
 	    .attribute = (unsigned char)attribute,
 	};
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	for (const char *p = shown; *p != '\0';) {
-		cell.code = text_next(&p);
+		cell.code = text_next_code_point(&p);
 		int width = text_columns(cell.code);
 		if (column + width > end)
 			break;

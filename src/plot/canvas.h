@@ -35,8 +35,8 @@ void canvas_free(struct canvas *canvas);
 /* Returns a cell; asserts that it is on the canvas. */
 struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 
-/* Writes text as text_show shows it (base/text.h) from a cell to the right, cut
- * at the edge; text off the canvas is left out. */
+/* Writes text as text_escape_next shows it (base/text.h) from a cell to the
+ * right, cut at the edge; text off the canvas is left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 

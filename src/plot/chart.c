@@ -149,30 +149,31 @@ chart_between(bool by_log, const double *a, const double *b, double at)
 
 /* True when `at` lies between two neighbours, with a rounding of grace. */
 static bool
-chart_holds(const double *a, double at)
+is_between_neighbours(const double *a, double at)
 {
 	double grace = 1e-9 * fabs(at);
 	return at >= fmin(a[0], a[1]) - grace && at <= fmax(a[0], a[1]) + grace;
 }
 
 double
-chart_at(const struct chart *chart, const struct chart_series *series, double x)
+chart_y_at(
+    const struct chart *chart, const struct chart_series *series, double x)
 {
 	for (size_t i = 0; i + 1 < series->n; i++)
-		if (chart_holds(series->x + i, x))
+		if (is_between_neighbours(series->x + i, x))
 			return chart_between(
 			    chart->x.log, series->x + i, series->y + i, x);
 	return NAN;
 }
 
 double
-chart_at_y(
+chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y)
 {
 	if (series->finer != NULL)
 		series = series->finer;
 	for (size_t i = 0; i + 1 < series->n; i++) {
-		if (!chart_holds(series->y + i, y))
+		if (!is_between_neighbours(series->y + i, y))
 			continue;
 		double x[2] = {series->x[i], series->x[i + 1]};
 		bool by_log = chart->x.log;
@@ -187,7 +188,7 @@ chart_at_y(
 }
 
 void
-chart_dash(enum chart_line line, int *on, int *off)
+chart_dash_lengths(enum chart_line line, int *on, int *off)
 {
 	static const int DASHES[][2] = {[CHART_MARKS] = {0, 1},
 	    [CHART_SOLID] = {1, 0},

@@ -43,7 +43,7 @@ struct chart_field {
  * that many cells to the right of x.  lifted: its marks are set off from bars,
  * in reverse, with a gap on either side.  named: the labels of its points are
  * written if there is room.  whose, field [n]: may be NULL.  finer: points of
- * the same curve that chart_at_y reads instead, owned; NULL: none. */
+ * the same curve that chart_x_at reads instead, owned; NULL: none. */
 struct chart_series {
 	char *name;
 	enum series series;
@@ -112,16 +112,16 @@ void chart_add_rule(struct chart *chart, enum series series, double x,
 void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* chart_at returns y at x, on straight lines between the points as the axes
- * show them; NAN outside the points.  chart_at_y returns x at y, for points
+/* chart_y_at returns y at x, on straight lines between the points as the axes
+ * show them; NAN outside the points.  chart_x_at returns x at y, for points
  * whose y only rises or only falls. */
-double chart_at(
+double chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x);
-double chart_at_y(
+double chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y);
 
 /* Sets *on to how many dots of a line's path are drawn, *off to how many are
  * then left out, and so on; off is 0 for a solid line. */
-void chart_dash(enum chart_line line, int *on, int *off);
+void chart_dash_lengths(enum chart_line line, int *on, int *off);
 
 #endif

@@ -26,13 +26,13 @@ struct layout {
 /* Column of an x and row of a y among the data, in parts of a cell: 1 for
  * cells, 2 or 4 for dots.  The part that holds the value; always within. */
 static int
-layout_column(const struct layout *l, double x, int parts)
+column_of_x(const struct layout *l, double x, int parts)
 {
 	return axis_place_of(axis_share(&l->chart->x, x), l->width * parts);
 }
 
 static int
-layout_row(const struct layout *l, double y, int parts)
+row_of_y(const struct layout *l, double y, int parts)
 {
 	return axis_place_of(
 	    1 - axis_share(&l->chart->y, y), l->height * parts);
@@ -96,6 +96,16 @@ legend_text(const struct chart_series *series, enum charset charset)
 	return text;
 }
 
+/* As canvas_text; of what the edge would cut as much as can be read. */
+static void
+put_fitted(struct layout *l, int column, int row, const char *text,
+    enum series series, unsigned attribute)
+{
+	char *fitted = text_fitted(text, l->canvas->columns - column);
+	canvas_text(l->canvas, column, row, fitted, series, attribute);
+	free(fitted);
+}
+
 /* Series that have a name, then rules, side by side in rows as wide as the
  * canvas; from row on, or only counted where row is negative.  Returns the rows
  * they take. */
@@ -123,8 +133,7 @@ flow_legend(struct layout *l, int row)
 			rows++;
 		}
 		if (row >= 0)
-			canvas_text(
-			    l->canvas, column, row + rows - 1, text, series, 0);
+			put_fitted(l, column, row + rows - 1, text, series, 0);
 		if (row >= 0 && rule != NULL && column < l->canvas->columns)
 			*canvas_at(l->canvas, column, row + rows - 1) =
 			    (struct canvas_cell){rule_code(series, l->charset),
@@ -176,7 +185,7 @@ flow_foot(struct layout *l, int row)
  * below one another; none on a canvas that is hardly wider.  The labels of a
  * strip change with its limits: they have room for "+0.5" at any. */
 static int
-gutter(const struct chart *chart, int columns, unsigned words)
+y_label_columns(const struct chart *chart, int columns, unsigned words)
 {
 	enum { NARROW = 3, STRIP = 4 };
 	int wide = 0;
@@ -285,7 +294,7 @@ draw_chart_y_axis(struct layout *l)
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
 			const struct axis_tick *t = &a->tick[i];
-			int row = layout_row(l, t->at, 1);
+			int row = row_of_y(l, t->at, 1);
 			put_code(
 			    l, l->left - 1, l->top + row, ascii ? '+' : 0x2524);
 			if (t->rank != rank || taken[row])
@@ -309,8 +318,8 @@ draw_chart_x_axis(struct layout *l)
 	for (int column = 0; column < l->width; column++)
 		put_code(l, l->left + column, l->axis, ascii ? '-' : 0x2500);
 	for (size_t i = 0; i < a->n; i++)
-		put_code(l, l->left + layout_column(l, a->tick[i].at, 1),
-		    l->axis, ascii ? '+' : 0x252C);
+		put_code(l, l->left + column_of_x(l, a->tick[i].at, 1), l->axis,
+		    ascii ? '+' : 0x252C);
 }
 
 static void
@@ -346,17 +355,6 @@ short_title(const char *title, int columns)
 	return xstrdup(rest + 2);
 }
 
-/* One that is cut ends in "..". */
-static void
-put_title(struct layout *l, const char *title, unsigned attribute)
-{
-	int columns = l->canvas->columns;
-	canvas_text(l->canvas, 0, l->title, title, SERIES_TEXT, attribute);
-	if (text_width(title) > columns && columns > 2)
-		canvas_text(l->canvas, columns - 2, l->title, "..", SERIES_TEXT,
-		    attribute);
-}
-
 static void
 draw_titles(struct layout *l)
 {
@@ -366,9 +364,10 @@ draw_titles(struct layout *l)
 	char *title =
 	    c->strip > 0 ? xstrdup(c->title) : short_title(c->title, columns);
 	if (l->title >= 0)
-		put_title(l, title, c->strip > 0 ? CELL_DIM : CELL_BOLD);
+		put_fitted(l, 0, l->title, title, SERIES_TEXT,
+		    c->strip > 0 ? CELL_DIM : CELL_BOLD);
 	if (l->y_title >= 0)
-		canvas_text(l->canvas, 0, l->y_title,
+		put_fitted(l, 0, l->y_title,
 		    text_width(axes) <= columns ? axes : c->y.title,
 		    SERIES_TEXT, 0);
 	free(title);
@@ -377,7 +376,7 @@ draw_titles(struct layout *l)
 
 /* Titles, axes, labels, legend and foot: all but the data. */
 static void
-draw_around(struct layout *l)
+draw_titles_and_axes(struct layout *l)
 {
 	draw_titles(l);
 	if (l->left > 0)
@@ -402,7 +401,7 @@ static bool
 is_inked(enum chart_line line, enum charset charset, int step)
 {
 	int on, off;
-	chart_dash(line, &on, &off);
+	chart_dash_lengths(line, &on, &off);
 	if (charset == CHARSET_ASCII && on > 0) {
 		on = (on + 1) / 2;
 		off = on > 1 ? 1 : 0;
@@ -449,10 +448,10 @@ draw_segment(struct brush *p, const struct chart_series *s, size_t i)
 {
 	int across = canvas_cell_dots_across(p->at.charset),
 	    down = canvas_cell_dots_down(p->at.charset);
-	int x0 = layout_column(&p->at, s->x[i], across);
-	int y0 = layout_row(&p->at, s->y[i], down);
-	int dx = layout_column(&p->at, s->x[i + 1], across) - x0;
-	int dy = layout_row(&p->at, s->y[i + 1], down) - y0;
+	int x0 = column_of_x(&p->at, s->x[i], across);
+	int y0 = row_of_y(&p->at, s->y[i], down);
+	int dx = column_of_x(&p->at, s->x[i + 1], across) - x0;
+	int dy = row_of_y(&p->at, s->y[i + 1], down) - y0;
 	int n = abs(dx) > abs(dy) ? abs(dx) : abs(dy);
 	for (int k = 0; k <= n; k++) {
 		double t = n > 0 ? (double)k / n : 0;
@@ -483,10 +482,10 @@ draw_chart_field(struct brush *p, const struct chart_series *s, size_t i)
 	size_t shade = 0;
 	while (shade + 1 < ARRAY_LEN(FROM) && value >= FROM[shade + 1])
 		shade++;
-	int left = layout_column(&p->at, s->x[i] - 0.5, 1);
-	int right = layout_column(&p->at, s->x[i] + 0.5, 1);
-	int top = layout_row(&p->at, s->y[i] + 0.5, 1);
-	int foot = layout_row(&p->at, s->y[i] - 0.5, 1);
+	int left = column_of_x(&p->at, s->x[i] - 0.5, 1);
+	int right = column_of_x(&p->at, s->x[i] + 0.5, 1);
+	int top = row_of_y(&p->at, s->y[i] + 0.5, 1);
+	int foot = row_of_y(&p->at, s->y[i] - 0.5, 1);
 	for (int row = top; row < foot || row == top; row++)
 		for (int column = left; column < right; column++)
 			draw_put(p, column, row,
@@ -505,7 +504,7 @@ draw_chart_field(struct brush *p, const struct chart_series *s, size_t i)
 static int
 draw_column_of(const struct brush *p, const struct chart_series *s, size_t i)
 {
-	int column = layout_column(&p->at, s->x[i], 1) + s->beside;
+	int column = column_of_x(&p->at, s->x[i], 1) + s->beside;
 	int last = p->at.width - 1;
 	return column < 0 ? 0 : column > last ? last : column;
 }
@@ -513,10 +512,10 @@ draw_column_of(const struct brush *p, const struct chart_series *s, size_t i)
 /* In one cell, as wide as it is and half as high, which says more of a strip's
  * few rows. */
 static void
-draw_small(struct brush *p, const struct chart_series *s, size_t i)
+draw_small_mark(struct brush *p, const struct chart_series *s, size_t i)
 {
 	int down = canvas_cell_dots_down(p->at.charset), high = down / 2;
-	int row = layout_row(&p->at, s->y[i], down);
+	int row = row_of_y(&p->at, s->y[i], down);
 	int top = row % down - high / 2, x = 2 * draw_column_of(p, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
 	for (int k = 0; k < 2 * high; k++)
@@ -530,10 +529,10 @@ draw_chart_mark(struct brush *p, const struct chart_series *s, size_t i)
 	if (!isfinite(s->y[i]))
 		return;
 	if (fine && p->at.chart->strip > 0)
-		draw_small(p, s, i);
+		draw_small_mark(p, s, i);
 	else
 		draw_put(p, draw_column_of(p, s, i),
-		    layout_row(&p->at, s->y[i], 1),
+		    row_of_y(&p->at, s->y[i], 1),
 		    draw_mark_code(s, p->at.charset), s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted ? CELL_REVERSE : 0));
@@ -549,12 +548,12 @@ has_dots(const struct brush *p, int column, int row)
 /* Where there is no colour the gap in a bar shows where its mark is; one that
  * ends there anyway is not made shorter. */
 static void
-clear_around(struct brush *p, const struct chart_series *s)
+clear_around_marks(struct brush *p, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->lifted; i++)
 		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
 			int column = draw_column_of(p, s, i);
-			int row = layout_row(&p->at, s->y[i], 1);
+			int row = row_of_y(&p->at, s->y[i], 1);
 			if (has_dots(p, column, row) &&
 			    has_dots(p, column, row + 2 * by))
 				draw_put(
@@ -589,8 +588,8 @@ draw_chart_bars(struct brush *p, const struct chart_series *s)
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
 		int column = draw_column_of(p, s, i);
-		int foot = layout_row(&p->at, s->low[i], down);
-		int top = layout_row(&p->at, s->high[i], down);
+		int foot = row_of_y(&p->at, s->low[i], down);
+		int top = row_of_y(&p->at, s->high[i], down);
 		for (int y = top; y <= foot; y += step)
 			for (int x = 0; x < wide; x++)
 				put_dot(p, s, column * across + x, y);
@@ -599,11 +598,12 @@ draw_chart_bars(struct brush *p, const struct chart_series *s)
 
 /* y of the band's edge at x, straight between the points. */
 static double
-edge_at(struct brush *p, const struct chart_series *s, double *edge, double x)
+band_edge_at(
+    struct brush *p, const struct chart_series *s, double *edge, double x)
 {
 	struct chart_series copy = *s;
 	copy.y = edge;
-	return chart_at(p->at.chart, &copy, x);
+	return chart_y_at(p->at.chart, &copy, x);
 }
 
 /* The value in the middle of part i of n along an axis. */
@@ -617,7 +617,7 @@ draw_value_at(const struct axis *a, int i, int n)
 
 /* x in the middle of part i of n across. */
 static double
-x_at(const struct brush *p, int i, int n)
+x_of_part(const struct brush *p, int i, int n)
 {
 	return draw_value_at(&p->at.chart->x, i, n);
 }
@@ -645,17 +645,17 @@ draw_chart_band(struct brush *p, const struct chart_series *s)
 	    parts = p->at.width * across;
 	int down = canvas_cell_dots_down(p->at.charset);
 	for (int i = 0; i < parts && s->low != NULL; i++) {
-		double x = x_at(p, i, parts);
-		double low = edge_at(p, s, s->low, x);
-		double high = edge_at(p, s, s->high, x);
+		double x = x_of_part(p, i, parts);
+		double low = band_edge_at(p, s, s->low, x);
+		double high = band_edge_at(p, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
 		if (i % across == 0)
 			fill_band(p, i / across, low, high, edge.series);
 		if (down == 1 || i % EVERY != 0)
 			continue;
-		put_dot(p, &edge, i, layout_row(&p->at, high, down));
-		put_dot(p, &edge, i, layout_row(&p->at, low, down));
+		put_dot(p, &edge, i, row_of_y(&p->at, high, down));
+		put_dot(p, &edge, i, row_of_y(&p->at, low, down));
 	}
 }
 
@@ -671,14 +671,14 @@ draw_guides(struct brush *p)
 	for (size_t i = 0;
 	     i < p->at.chart->y.n && (strip || p->at.height >= TALL); i++) {
 		const struct axis_tick *t = &p->at.chart->y.tick[i];
-		int dot = layout_row(&p->at, t->at, 4) % 4;
+		int dot = row_of_y(&p->at, t->at, 4) % 4;
 		uint32_t code =
 		    braille ? canvas_dots_code(CHARSET_BRAILLE, 1U << (2 * dot))
 		    : p->at.charset == CHARSET_ASCII ? '-'
 						     : 0x00B7;
 		for (int column = every / 2; column < p->at.width && t->guide;
 		     column += every)
-			draw_put(p, column, layout_row(&p->at, t->at, 1), code,
+			draw_put(p, column, row_of_y(&p->at, t->at, 1), code,
 			    SERIES_TEXT, CELL_DIM);
 	}
 }
@@ -691,7 +691,7 @@ draw_rules(struct brush *p)
 	enum { TALL = 12 };
 	for (size_t i = 0; i < p->at.chart->n_rule; i++) {
 		const struct chart_rule *r = &p->at.chart->rule[i];
-		int column = layout_column(&p->at, r->x, 1);
+		int column = column_of_x(&p->at, r->x, 1);
 		bool thin = r->series != SERIES_CROSSHAIR;
 		for (int row = 0; row < p->at.height;
 		     row += thin && p->at.height >= TALL ? 2 : 1)
@@ -721,7 +721,7 @@ draw_chart_name(struct brush *p, const struct chart_series *s, size_t i)
 	if (label == NULL || !isfinite(s->y[i]))
 		return;
 	int wide = text_width(label), at = draw_column_of(p, s, i);
-	int row = layout_row(&p->at, s->y[i], 1);
+	int row = row_of_y(&p->at, s->y[i], 1);
 	int right = at + 2, left = at - 1 - wide;
 	if (draw_is_blank(p, right, row, wide))
 		canvas_text(p->at.canvas, p->at.left + right, p->at.top + row,
@@ -756,7 +756,7 @@ draw_chart_data(struct brush *p)
 		else
 			draw_chart_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
-		clear_around(p, c->series[i]);
+		clear_around_marks(p, c->series[i]);
 	/* In a cell that two marks share a hollow one is seen. */
 	for (int hollow = 0; hollow <= 1; hollow++)
 		for (size_t i = 0; i < c->n; i++)
@@ -766,14 +766,14 @@ draw_chart_data(struct brush *p)
 }
 
 static struct canvas *
-draw_one(const struct chart *chart, int columns, int rows, int left,
+draw_one_chart(const struct chart *chart, int columns, int rows, int left,
     enum charset charset, unsigned words)
 {
 	struct canvas *canvas = canvas_new(columns, rows);
 	struct brush p = {
 	    .at = draw_layout_make(chart, canvas, left, charset, words)};
 	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
-	draw_around(&p.at);
+	draw_titles_and_axes(&p.at);
 	draw_chart_data(&p);
 	free(p.dots);
 	return canvas;
@@ -790,8 +790,8 @@ find_mark(const struct layout *l, int column, int row, struct chart_found *f)
 		for (size_t i = 0; marks && i < of->n; i++) {
 			if (!isfinite(of->x[i]) || !isfinite(of->y[i]))
 				continue;
-			int dx = abs(layout_column(l, of->x[i], 1) - column),
-			    dy = abs(layout_row(l, of->y[i], 1) - row);
+			int dx = abs(column_of_x(l, of->x[i], 1) - column),
+			    dy = abs(row_of_y(l, of->y[i], 1) - row);
 			if (dx > 1 || dy > 1 || dx + 2 * dy >= best)
 				continue;
 			best = dx + 2 * dy;
@@ -807,9 +807,9 @@ draw_find_line(const struct layout *l, int row, struct chart_found *f)
 {
 	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
 		const struct chart_series *of = l->chart->series[s];
-		double y = chart_at(l->chart, of, f->x);
+		double y = chart_y_at(l->chart, of, f->x);
 		if (of->line == CHART_MARKS || isnan(y) ||
-		    abs(layout_row(l, y, 1) - row) > 1)
+		    abs(row_of_y(l, y, 1) - row) > 1)
 			continue;
 		f->series = of;
 		f->point = 0;
@@ -866,7 +866,7 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
     struct chart_found *found)
 {
 	int n = charts_of(chart), top = 0;
-	int left = gutter(chart, canvas->columns, words);
+	int left = y_label_columns(chart, canvas->columns, words);
 	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
 	     c = c->below) {
 		int own = draw_rows_of(c, canvas->rows - top, n--);
@@ -889,14 +889,15 @@ chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words)
 {
 	struct canvas *all = canvas_new(columns, rows);
-	int n = charts_of(chart), top = 0, left = gutter(chart, columns, words);
+	int n = charts_of(chart), top = 0,
+	    left = y_label_columns(chart, columns, words);
 	all->theme = chart->theme;
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
 		int own = draw_rows_of(c, rows - top, n--);
 		struct canvas *one =
-		    draw_one(c, columns, own, left, charset, words);
+		    draw_one_chart(c, columns, own, left, charset, words);
 		memcpy(all->cell + top * columns, one->cell,
 		    (size_t)(one->rows * columns) * sizeof *one->cell);
 		top += one->rows;

@@ -4,7 +4,7 @@
 
 /* Of few colours the dark ones; no yellow. */
 static int
-on_white(int colour)
+dark_colour(int colour)
 {
 	enum { BRIGHT = 8, YELLOW = 3 };
 	int dark = colour >= BRIGHT ? colour - BRIGHT : colour;
@@ -43,7 +43,7 @@ palette_colour(enum series series, int depth, enum theme theme)
 	int few = depth < 16 ? COLOURS[series].of8 : COLOURS[series].of16;
 	return depth <= 0             ? -1
 	       : depth >= 256         ? COLOURS[series].of256[theme]
-	       : theme == THEME_LIGHT ? on_white(few)
+	       : theme == THEME_LIGHT ? dark_colour(few)
 				      : few;
 }
 
@@ -71,7 +71,7 @@ palette_rgb(int colour)
 }
 
 unsigned
-palette_ink(enum series series, enum theme theme)
+palette_print_rgb(enum series series, enum theme theme)
 {
 	int colour = palette_colour(
 	    series, 256, theme == THEME_NORMAL ? THEME_NORMAL : THEME_LIGHT);

@@ -49,6 +49,6 @@ unsigned palette_rgb(int colour);
 
 /* Returns 0xRRGGBB of a series on white paper: its colour at depth 256, for
  * high contrast that of THEME_LIGHT. */
-unsigned palette_ink(enum series series, enum theme theme);
+unsigned palette_print_rgb(enum series series, enum theme theme);
 
 #endif

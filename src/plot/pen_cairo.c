@@ -43,7 +43,7 @@ cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
 	cairo_t *c = p->cairo;
 	unsigned colour = p->paper.ink[stroke->series];
 	int on, off;
-	chart_dash(stroke->line, &on, &off);
+	chart_dash_lengths(stroke->line, &on, &off);
 	double dash[2] = {on, off};
 	cairo_new_path(c);
 	for (size_t i = 0; i < n; i++)
@@ -83,7 +83,7 @@ cairo_pen_bars(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
-take_font(const struct picture *p, const struct pen_style *style)
+set_font(const struct picture *p, const struct pen_style *style)
 {
 	cairo_select_font_face(p->cairo,
 	    p->paper.mono || style->mono ? "monospace" : "sans-serif",
@@ -98,8 +98,8 @@ cairo_pen_width(
 {
 	const struct picture *p = (struct picture *)pen;
 	cairo_text_extents_t size;
-	char *text = text_shown(words);
-	take_font(p, style);
+	char *text = text_escaped(words);
+	set_font(p, style);
 	cairo_text_extents(p->cairo, text, &size);
 	free(text);
 	return size.x_advance;
@@ -129,8 +129,8 @@ cairo_pen_text(struct pen *pen, double x, double y, const char *words,
 	cairo_t *c = p->cairo;
 	cairo_text_extents_t size;
 	/* cairo draws nothing more after text that is not UTF-8. */
-	char *text = text_shown(words);
-	take_font(p, style);
+	char *text = text_escaped(words);
+	set_font(p, style);
 	cairo_text_extents(c, text, &size);
 	set_colour(c,
 	    style->inverse ? paper->colour : paper->ink[style->series],
@@ -148,9 +148,10 @@ cairo_pen_text(struct pen *pen, double x, double y, const char *words,
 }
 
 static void
-describe(cairo_surface_t *pdf, cairo_pdf_metadata_t what, const char *words)
+set_pdf_metadata(
+    cairo_surface_t *pdf, cairo_pdf_metadata_t what, const char *words)
 {
-	char *text = text_shown(words);
+	char *text = text_escaped(words);
 	cairo_pdf_surface_set_metadata(pdf, what, text);
 	free(text);
 }
@@ -192,10 +193,11 @@ pen_cairo(double width, double height, const struct pen_paper *paper,
 	if (pdf) {
 		p->surface = cairo_pdf_surface_create_for_stream(
 		    put_bytes, out, width, height);
-		describe(p->surface, CAIRO_PDF_METADATA_TITLE, title);
-		describe(p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
+		set_pdf_metadata(p->surface, CAIRO_PDF_METADATA_TITLE, title);
+		set_pdf_metadata(p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
 		/* The hour would make the same chart another file. */
-		describe(p->surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+		set_pdf_metadata(
+		    p->surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
 	} else {
 		p->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
 		    (int)ceil(width * PNG_SCALE),

@@ -37,7 +37,7 @@ svg_path(struct pen *pen, const double *x, const double *y, size_t n,
 	if (stroke->width > 0)
 		fprintf(out, " stroke=\"#%06x\" stroke-width=\"%.2f\"", colour,
 		    stroke->width);
-	chart_dash(stroke->line, &on, &off);
+	chart_dash_lengths(stroke->line, &on, &off);
 	if (off > 0 && stroke->width > 0)
 		fprintf(out, " stroke-dasharray=\"%d %d\"", on, off);
 	fputs("/>\n", out);
@@ -105,7 +105,7 @@ svg_close(struct pen *pen)
 }
 
 static void
-put_paper(const struct svg *svg, double width, double height)
+put_background(const struct svg *svg, double width, double height)
 {
 	const struct pen_paper *p = &svg->paper;
 	if (p->corner > 0)
@@ -142,6 +142,6 @@ pen_svg(double width, double height, const struct pen_paper *paper,
 	fputs("</title>\n<desc>", out);
 	text_put_xml(about, out);
 	fputs("</desc>\n", out);
-	put_paper(svg, width, height);
+	put_background(svg, width, height);
 	return &svg->pen;
 }

@@ -50,11 +50,11 @@ picture_form_of(const char *path, enum picture_form *form)
 }
 
 static struct pen_paper
-white(enum theme theme)
+white_paper(enum theme theme)
 {
 	struct pen_paper paper = {.colour = 0xFFFFFF};
 	for (int i = 0; i < SERIES_COUNT; i++)
-		paper.ink[i] = palette_ink((enum series)i, theme);
+		paper.ink[i] = palette_print_rgb((enum series)i, theme);
 	return paper;
 }
 
@@ -240,14 +240,14 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 }
 
 static double
-picture_beside(const struct chart_series *s)
+picture_offset_beside(const struct chart_series *s)
 {
 	enum { CELL = 4 };
 	return CELL * s->beside;
 }
 
 static struct pen_stroke
-bar_stroke(const struct chart_series *s)
+stroke_of_bar(const struct chart_series *s)
 {
 	return (struct pen_stroke){s->series, CHART_SOLID,
 	    s->line == CHART_LONG ? 2.4 : 1.2, PEN_OPEN};
@@ -257,9 +257,9 @@ bar_stroke(const struct chart_series *s)
 static void
 draw_spans(struct page *p, const struct chart_series *s)
 {
-	struct pen_stroke stroke = bar_stroke(s);
+	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
-		double x = page_x(p, s->x[i]) + picture_beside(s);
+		double x = page_x(p, s->x[i]) + picture_offset_beside(s);
 		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
 		    stroke);
 	}
@@ -323,7 +323,7 @@ struct taken {
 };
 
 static bool
-is_clear(const struct page *p, const struct taken *taken, struct box box)
+is_free_on_page(const struct page *p, const struct taken *taken, struct box box)
 {
 	if (box.left < LEFT || box.right > LEFT + WIDTH || box.top < p->top ||
 	    box.foot > p->top + p->height)
@@ -338,7 +338,7 @@ is_clear(const struct page *p, const struct taken *taken, struct box box)
 }
 
 static void
-picture_take(struct taken *taken, struct box box)
+picture_reserve(struct taken *taken, struct box box)
 {
 	taken->box = xrealloc(taken->box, taken->n + 1, sizeof *taken->box);
 	taken->box[taken->n++] = box;
@@ -361,9 +361,9 @@ picture_draw_name(
 	for (size_t k = 0; k < ARRAY_LEN(left); k++) {
 		struct box box = {
 		    left[k], foot[k] - LETTERS_HIGH, left[k] + wide, foot[k]};
-		if (!is_clear(p, taken, box))
+		if (!is_free_on_page(p, taken, box))
 			continue;
-		picture_take(taken, box);
+		picture_reserve(taken, box);
 		p->pen->text(p->pen, left[k], foot[k], label,
 		    &(struct pen_style){
 			.size = LETTERS_HIGH, .series = s->series});
@@ -382,7 +382,7 @@ picture_draw_names(struct page *p)
 			double x = page_x(p, c->series[i]->x[j]),
 			       y = page_y(p, c->series[i]->y[j]);
 			if (c->series[i]->mark != 0)
-				picture_take(
+				picture_reserve(
 				    &taken, (struct box){x - half, y - half,
 						x + half, y + half});
 		}
@@ -427,7 +427,8 @@ picture_draw_data(struct page *p)
 				picture_draw_field(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
 				picture_draw_mark(p, s,
-				    page_x(p, s->x[j]) + picture_beside(s),
+				    page_x(p, s->x[j]) +
+					picture_offset_beside(s),
 				    page_y(p, s->y[j]));
 		}
 	if (picture_has_names(c))
@@ -449,7 +450,7 @@ picture_draw_legend(struct page *p)
 			: rule_stroke(r);
 		if (stroke.line != CHART_MARKS)
 			draw_rule(p, LEGEND, y, LEGEND + SAMPLE, y,
-			    s != NULL && s->bars ? bar_stroke(s) : stroke);
+			    s != NULL && s->bars ? stroke_of_bar(s) : stroke);
 		if (s != NULL && s->mark != 0)
 			picture_draw_mark(p, s, LEGEND + SAMPLE / 2.0, y);
 		p->pen->text(p->pen, LEGEND + SAMPLE + 5, y + 3,
@@ -544,7 +545,7 @@ bool
 picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out)
 {
-	const struct pen_paper paper = white(chart->theme);
+	const struct pen_paper paper = white_paper(chart->theme);
 	struct pen *pen = pen_open(form, PAGE, picture_height(chart, program),
 	    &paper, chart->title, chart->about, out);
 	picture_draw(chart, program, pen);
@@ -555,7 +556,7 @@ struct pen *
 picture_pages(double width, double height, const char *title, const char *about,
     FILE *out)
 {
-	const struct pen_paper paper = white(THEME_NORMAL);
+	const struct pen_paper paper = white_paper(THEME_NORMAL);
 	return HAVE_CAIRO ? pen_open(PICTURE_PDF, width, height, &paper, title,
 				about, out)
 			  : NULL;
@@ -609,7 +610,7 @@ static const struct shape {
 
 /* Quarters of a cell that are full: top left, top right, and below them. */
 static unsigned
-quarters(uint32_t code)
+filled_quarters(uint32_t code)
 {
 	static const struct {
 		uint32_t code;
@@ -646,7 +647,7 @@ picture_shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 				    DOTS[i][0], DOTS[i][1]};
 		return n;
 	}
-	unsigned set = quarters(code);
+	unsigned set = filled_quarters(code);
 	*kind = BLOCK;
 	for (unsigned i = 0; i < 4; i++)
 		if (set >> i & 1) {
@@ -686,7 +687,7 @@ picture_is_same(double a, double b)
 
 /* A level one that begins where the last one ends makes that longer. */
 static void
-picture_gather(struct sheet *s, int column, int row, const struct bar *bar)
+picture_extend_bar(struct sheet *s, int column, int row, const struct bar *bar)
 {
 	double left = MARGIN + CELL_WIDTH * column;
 	double top = MARGIN + CELL_HEIGHT * row;
@@ -724,12 +725,13 @@ picture_draw_bars(
 				continue;
 			if (kind == GROUND) {
 				if (cell->attribute & CELL_REVERSE)
-					picture_gather(s, column, row, &whole);
+					picture_extend_bar(
+					    s, column, row, &whole);
 				continue;
 			}
 			size_t n = picture_shape_of(cell->code, &its, bar);
 			for (size_t i = 0; i < n && its == kind; i++)
-				picture_gather(s, column, row, &bar[i]);
+				picture_extend_bar(s, column, row, &bar[i]);
 		}
 	if (s->n > 0)
 		s->pen->bars(s->pen, s->x, s->y, s->n,

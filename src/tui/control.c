@@ -39,12 +39,12 @@ static struct tui *open;
 static bool
 control_work(struct session *s)
 {
-	while (session_busy(s) && signals_noted() == 0) {
+	while (session_busy(s) && signals_pending() == 0) {
 		session_step(s);
 		script_progress_draw(open);
-		signals_let_in();
+		signals_deliver();
 	}
-	return signals_noted() == 0;
+	return signals_pending() == 0;
 }
 
 /* What reads much asks in the midst of a line, of which Esc is then heard; the
@@ -71,7 +71,7 @@ control_command(const char *line)
 	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
 	const struct command *command = command_find(both);
 	if (command == NULL)
-		command = command_called(word, true);
+		command = command_find_typed(word, true);
 	free(both);
 	free(word);
 	return command;
@@ -164,7 +164,8 @@ static void
 control_follow_speed(struct tui *t, const char *line, bool ok)
 {
 	struct slider_range range = tui_range(t);
-	double said = session_known(t->session, "predict find", "speed");
+	double said =
+	    session_answer_number(t->session, "predict find", "speed");
 	const struct command *ran = control_command(line);
 	bool asks =
 	    ran == command_find("predict") || ran == command_find("find");
@@ -177,8 +178,8 @@ control_follow_speed(struct tui *t, const char *line, bool ok)
 		    fmax(ceil(said), range.most / 10.0));
 	if (tui_current_entry(t) != NULL &&
 	    !slider_has(range, t->ui.tenths / 10.0))
-		t->ui.tenths =
-		    slider_tenths(range, answers_usual(tui_current_entry(t)));
+		t->ui.tenths = slider_tenths(
+		    range, answers_usual_speed(tui_current_entry(t)));
 }
 
 static bool
@@ -199,8 +200,8 @@ control_run_line(struct tui *t, const char *line)
 	    .watches = true};
 	script_progress_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
-	bool ok =
-	    driver_line(&d, line, ERROR_TYPED, 0) == 0 || signals_noted() != 0;
+	bool ok = driver_line(&d, line, ERROR_TYPED, 0) == 0 ||
+		  signals_pending() != 0;
 	script_progress_end(
 	    t, control_command(line) == command_find("restore"), ok);
 	control_follow_speed(t, line, ok);
@@ -346,7 +347,7 @@ first_speed(const struct session *s)
 	struct slider_range range = tui_range_of(s, e);
 	if (slider_has(range, speed))
 		return slider_tenths(range, speed);
-	return e != NULL ? slider_tenths(range, answers_usual(e)) : 740;
+	return e != NULL ? slider_tenths(range, answers_usual_speed(e)) : 740;
 }
 
 void

@@ -258,7 +258,7 @@ static void
 folder_say_site(const struct site *site, FILE *out)
 {
 	size_t n, products = site_products(site);
-	char *label = session_label(site);
+	char *label = session_site_label(site);
 	char *speeds = session_speeds(site, ", ", NULL, false);
 	double *sieve = site_sieves(site, &n);
 	fprintf(out, "%s\n", label);

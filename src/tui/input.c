@@ -121,7 +121,7 @@ input_key(struct tui *t, int *code, bool *special)
 		*special = t->again.special;
 		return true;
 	}
-	while (signals_noted() == 0) {
+	while (signals_pending() == 0) {
 		int got = next(&c);
 		if (got == ERR && !more_waits())
 			return false;

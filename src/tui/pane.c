@@ -32,7 +32,7 @@ touch_plot(struct tui *t, const struct touched *touched)
 		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
 	request->entry = tui_asked(t);
-	if (!plots_find(t->session, request, touched->area.columns,
+	if (!plots_find_at(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
@@ -53,13 +53,14 @@ pane_plot(
 	if (area->rows < 1 || area->columns < 1)
 		return;
 	r.charset = screen_charset();
-	r.entry = tui_asked(t);
+	if (r.entry == NULL)
+		r.entry = tui_asked(t);
 	struct canvas *canvas =
 	    plots_draw(t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
 		screen_canvas(area, canvas);
 		canvas_free(canvas);
-		if (t->n_drawn == PLOTS_DRAWN)
+		if (request->entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
 		hits_add(&t->hits, HIT_SLIDE, *area, touch_plot, t->n_drawn++);
@@ -152,7 +153,8 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
-		    outlook_short(t->session, tui_asked(t), &t->view.shown));
+		    outlook_short_words(
+			t->session, tui_asked(t), &t->view.shown));
 		column = pane_draw_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
@@ -193,7 +195,8 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_plot(t, request, &plot);
 }
 
-void
+/* Cuts off the words, separated by two spaces, that there is no room for. */
+static void
 pane_cut(char *words, int columns)
 {
 	while (text_width(words) > columns) {
@@ -285,8 +288,9 @@ pane_typed(const struct area *area, const char *prompt,
 	const char *shown = typing->text;
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
-		before -= text_show(&shown, left);
-	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
+		before -= text_escape_next(&shown, left);
+	screen_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
+	screen_part(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;
 }

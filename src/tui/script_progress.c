@@ -52,7 +52,7 @@ script_progress_draw_lines(struct tui *t, bool begins)
 	if (t->ways->stopped(t)) {
 		t->stopping = true;
 		raise(SIGINT);
-		signals_let_in();
+		signals_deliver();
 	}
 }
 
@@ -93,7 +93,7 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 	if (told)
 		viewer_close(t);
 	/* A signal from elsewhere ends the program, unless a script runs. */
-	if ((t->of_script || t->stopping) && signals_noted() == SIGINT) {
+	if ((t->of_script || t->stopping) && signals_pending() == SIGINT) {
 		signals_forget_interrupt();
 		captured_forget(t);
 		if (t->of_script)

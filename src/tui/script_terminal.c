@@ -55,7 +55,7 @@ script_terminal_answer(struct tui *t, int *code, bool *special)
 	if (asks)
 		return false;
 	const char *next = letters;
-	*code = (int)text_next(&next);
+	*code = (int)text_next_code_point(&next);
 	letters += next - letters;
 	return true;
 }
@@ -113,7 +113,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 	if (!count_keys(word, key ? n : text_width(word), pressed, error))
 		return false;
 	if (key) {
-		for (; n > 0 && !t->leave && signals_noted() == 0; n--)
+		for (; n > 0 && !t->leave && signals_pending() == 0; n--)
 			press(t, code, code > 255);
 		return true;
 	}
@@ -125,7 +125,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 	}
 	const char *letter = word;
 	while (*letter != '\0')
-		press(t, (int)text_next(&letter), false);
+		press(t, (int)text_next_code_point(&letter), false);
 	return true;
 }
 
@@ -140,7 +140,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
 		ok = press_word(t, word, &pressed, error);
-		if (ok && signals_noted() != 0)
+		if (ok && signals_pending() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}

@@ -86,10 +86,10 @@ take_keys(struct tui *t)
 {
 	int code;
 	bool special;
-	while (!t->leave && !t->session->quit && signals_noted() == 0 &&
+	while (!t->leave && !t->session->quit && signals_pending() == 0 &&
 	       input_key(t, &code, &special)) {
 		keymap_key(t, code, special);
-		signals_let_in();
+		signals_deliver();
 	}
 	if (word_wait(t) <= 0)
 		keymap_held(t);
@@ -108,7 +108,7 @@ notice_end(void)
 		return;
 	/* pselect lets no signal in while there is something to read. */
 	raise(SIGHUP);
-	signals_let_in();
+	signals_deliver();
 }
 
 /* One frame, until something happens. */
@@ -119,10 +119,10 @@ show(struct tui *t)
 	signals_watch_keys(false);
 	signals_wait(patience(t));
 	notice_end();
-	int news = signals_news();
+	int news = signals_take_events();
 	if (news & SIGNALS_STOP) {
 		stop_here(t);
-		news = signals_news();
+		news = signals_take_events();
 	}
 	if (news & (SIGNALS_WAKE | SIGNALS_SIZE))
 		screen_resize();
@@ -139,7 +139,7 @@ static bool
 tui_answer(struct tui *t, int *code, bool *special)
 {
 	bool done = false;
-	while (!done && signals_noted() == 0) {
+	while (!done && signals_pending() == 0) {
 		show(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
@@ -158,7 +158,7 @@ stopped(struct tui *t)
 {
 	int code;
 	bool special, stops = false;
-	signals_let_in();
+	signals_deliver();
 	while (input_key(t, &code, &special))
 		stops = stops ||
 			(!special && (code == ESCAPE || code == INTERRUPT));
@@ -168,7 +168,7 @@ stopped(struct tui *t)
 static void
 loop(struct tui *t)
 {
-	while (!t->leave && !t->session->quit && signals_noted() == 0) {
+	while (!t->leave && !t->session->quit && signals_pending() == 0) {
 		t->clock = session_clock();
 		signals_watch_keys(true);
 		view_update(t);
@@ -212,10 +212,10 @@ tui_run(struct session *s)
 	/* What it says of a history that cannot be kept is not for ncurses. */
 	if (!history)
 		typed_history_open(!s->safe);
-	restore_note();
+	restore_keep_settings();
 	signals_hold();
 	signals_take_terminal(was);
-	bool opened = screen_open(terminal_colour());
+	bool opened = screen_open(terminal_has_colour());
 	if (opened) {
 		control_begin(&t, s, &WAYS);
 		s->hooks.show_page = show_page;

@@ -56,7 +56,7 @@ tui_range(const struct tui *t)
 size_t
 tui_feed(const struct tui *t)
 {
-	return feed_at(tui_asked(t)->site, t->ui.feed);
+	return feed_sampled_at(tui_asked(t)->site, t->ui.feed);
 }
 
 /* What measured products are moved by: the parameters of the prediction beside
@@ -66,7 +66,7 @@ moving_params(const struct tui *t, struct params *room)
 {
 	const struct entry *entry = tui_asked(t);
 	*room = entry->params;
-	return answers_forming(t->session, entry, room) || entry->has_params
+	return answers_best_so_far(t->session, entry, room) || entry->has_params
 		   ? room
 		   : NULL;
 }
@@ -83,14 +83,14 @@ bool
 tui_moved(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_by(t->session, tui_asked(t), moving_params(t, &room), run,
-		   tui_feed(t)) > MOVED_TOLD;
+	return moved_largest(t->session, tui_asked(t), moving_params(t, &room),
+		   run, tui_feed(t)) > MOVED_TOLD;
 }
 
 void
 tui_keep_feed(struct tui *t)
 {
-	double feed = session_known(t->session, "predict", "feed_mps");
+	double feed = session_answer_number(t->session, "predict", "feed_mps");
 	if (isfinite(feed))
 		t->ui.feed = feed;
 	else
@@ -187,7 +187,7 @@ tui_forget_sheet(struct sheet *sheet)
 {
 	free(sheet->sieve);
 	free(sheet->column);
-	doctor_free(&sheet->doctor);
+	outliers_free(&sheet->doctor);
 	*sheet = (struct sheet){.site = NULL};
 }
 

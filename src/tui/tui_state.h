@@ -206,6 +206,8 @@ struct view {
 	double moved;            /* when the slider last was */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	bool formed;             /* it is of a search that was under way */
+	bool lit;                /* light is of it, see panel.c */
+	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
 	struct prediction
 	    pinned_whole;    /* whose numbers are in pinned, borrowed */
@@ -258,7 +260,7 @@ struct tui {
 	bool stopping;                /* a key stops it */
 	double ran_from;              /* when it or its script began, s */
 	double drawn_at;              /* when under_way was last drawn */
-	const char *begun; /* what takes a moment just now, or NULL */
+	const char *begun; /* what is being done that takes a moment, or NULL */
 	bool held;         /* the calibration waits */
 	double due;        /* when the next generation is */
 	struct edit line;  /* a command, or a goal */
@@ -276,8 +278,7 @@ struct tui {
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is from the command that moved the slider */
-	bool left_out;        /* the panel has more than it shows */
-	bool reason_shown;    /* the panel has room for that of the light */
+	bool reason_shown;    /* the panel shows the reason of the light */
 	const char *question; /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */
@@ -356,7 +357,7 @@ void tui_take_feed(struct tui *t); /* the one that is set */
  * moved_product. */
 const struct psd *tui_measured(const struct tui *t, size_t run);
 
-/* True if the product was moved by so much that it has to be told. */
+/* True if the product was moved so far that the page must say so. */
 bool tui_moved(const struct tui *t, size_t run);
 
 /* Returns the slider's place as options of predict: "speed=77.0 feed=74", with

@@ -180,11 +180,11 @@ watch_pump(struct tui *t)
 		if (rounds->at != NULL)
 			captured_forget(t);
 		session_step(s);
-	} while (
-	    session_busy(s) && signals_noted() == 0 && entry == s->job.entry &&
-	    (pace == PACE_FULL || is_sampling_posterior(s)) &&
-	    (t->aside ||
-		(!signals_waited_for() && session_clock() - began < FRAME)));
+	} while (session_busy(s) && signals_pending() == 0 &&
+		 entry == s->job.entry &&
+		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
+		 (t->aside || (!signals_waited_for() &&
+				  session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / pace_now(t);
 	if (!session_busy(s))

@@ -179,8 +179,7 @@ read_energy(const char *path)
 {
 	struct error_list errors = {0};
 	struct collisions c;
-	const struct collisions_way way = {
-	    .speed = NAN, .cut = 10, .density = 2700, .unit = "J/kg"};
+	const struct collisions_way way = {.speed = NAN, .unit = "J/kg"};
 	bool taken = collisions_read(path, &way, &c, &errors);
 	collisions_clear(&c);
 	return taken;

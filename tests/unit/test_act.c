@@ -35,7 +35,7 @@ static void
 type(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		keymap_key(t, (int)text_next(&text), false);
+		keymap_key(t, (int)text_next_code_point(&text), false);
 }
 
 /* Answers a key that asks before it replaces something. */
@@ -301,7 +301,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), best));
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
-	    session_known(t->session, "find", "speed"), best, 1e-6);
+	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
 	words = goal_words(t, GOALS_SHORT);
 	assert_string_equal(words, "goal at 75.6");
 	free(words);
@@ -503,7 +503,8 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	assert_int_equal(goal_limits(t, limit, 8), 2);
 	desk_expect(stage->desk, "window \"passing 2 = 33..35\" \"p80 > 5\"");
 	const struct session *s = t->session;
-	assert_float_equal(session_known(s, "window", "best"), goal_best(t), 0);
+	assert_float_equal(
+	    session_answer_number(s, "window", "best"), goal_best(t), 0);
 	assert_int_equal(t->view.goal.found->n_inside, 1);
 	t->ui.tenths = 650;
 	type(t, "n");
@@ -635,7 +636,7 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	assert_true(t->view.shown.p50 != mean);
 	assert_string_equal(t->command, "predict speed=74.0 feed=79");
 	desk_expect(stage->desk, "predict 74");
-	assert_true(session_known(t->session, "predict", "p50_mm") ==
+	assert_true(session_answer_number(t->session, "predict", "p50_mm") ==
 		    1000 * t->view.shown.p50);
 	type(t, ":set feed mean\n");
 	draw_all(t);
@@ -660,8 +661,8 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		assert_true(fabs(t->view.shown.p50 - mean) > 1e-4);
 		assert_true(strip_point(t, 0, &speed, value));
 		desk_expect(stage->desk, "predict 74");
-		assert_true(session_known(t->session, "predict", "p50_mm") ==
-			    1000 * t->view.shown.p50);
+		assert_true(session_answer_number(t->session, "predict",
+				"p50_mm") == 1000 * t->view.shown.p50);
 		struct prediction p = forecast_whole(
 		    t->session, tui_asked(t), speed, SITE_MEAN_FEED);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
@@ -673,7 +674,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	type(t, "tp50=2.66\n");
 	draw_all(t);
 	desk_expect(stage->desk, "find p50=2.66");
-	assert_true(fabs(session_known(t->session, "find", "speed") -
+	assert_true(fabs(session_answer_number(t->session, "find", "speed") -
 			 goal_best(t)) < 1e-9);
 	type(t, ":set feed mean\n");
 	draw_all(t);
@@ -1176,7 +1177,7 @@ long_commands_leave_the_screen_live(void **state)
 		char *plain = xstrndup(command, strcspn(command, "\n")),
 		     *name = xstrndup(command, strcspn(command, " \n"));
 		desk_expect(stage->desk, plain);
-		double want = session_known(s, name, LONG[i].field);
+		double want = session_answer_number(s, name, LONG[i].field);
 		session_forget(s);
 		control_look(t);
 		draw_all(t);
@@ -1187,7 +1188,7 @@ long_commands_leave_the_screen_live(void **state)
 		assert_non_null(t->viewer.text);
 		assert_null(strstr(t->viewer.text, "calibrating G"));
 		assert_float_equal(
-		    session_known(s, name, LONG[i].field), want, 1e-12);
+		    session_answer_number(s, name, LONG[i].field), want, 1e-12);
 		assert_true(tui_current_entry(t)->has_fit);
 		type(t, "\033");
 		assert_null(t->viewer.text);
@@ -1317,6 +1318,30 @@ a_pinned_answer_keeps_its_feed(void **state)
 	type(t, "\033");
 }
 
+/* The answer on another sheet's feed is a text; what is below it keeps its own,
+ * and says what would take the other one. */
+static void
+another_feed_than_that_of_the_pages_is_told(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
+	view_predict(t);
+	struct numbers before = t->view.current;
+	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
+	assert_non_null(t->viewer.text);
+	assert_non_null(
+	    strstr(t->message, ":set feed data/sites/bro.csv@69 has"));
+	type(t, "\033");
+	view_predict(t);
+	assert_true(t->view.current.size[1] == before.size[1]);
+	type(t, ":set feed data/sites/bro.csv@69\n");
+	view_predict(t);
+	assert_true(t->view.current.size[1] != before.size[1]);
+	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
+	assert_string_equal(t->message, "");
+	type(t, "\033");
+}
+
 /* The linker puts these in the place of what they count. */
 struct prediction __real_predict_table(const struct site *, size_t,
     const struct fraction *, struct response *, double);
@@ -1356,7 +1381,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 		frame_draw(t);
 		assert_int_equal(predictions, t->ui.tenths != before);
 		assert_true(t->view.shown.speed == t->ui.tenths / 10.0);
-		assert_true(session_known(s, "predict", "speed") ==
+		assert_true(session_answer_number(s, "predict", "speed") ==
 			    t->ui.tenths / 10.0);
 	}
 	fflush(heard);
@@ -1700,7 +1725,8 @@ paste(struct tui *t, const char *text)
 {
 	input_paste(t, SCREEN_PASTE, true);
 	while (*text != '\0')
-		assert_true(input_paste(t, (int)text_next(&text), false));
+		assert_true(
+		    input_paste(t, (int)text_next_code_point(&text), false));
 	input_paste(t, SCREEN_PASTED, true);
 	assert_false(input_paste(t, 'q', false));
 }
@@ -1848,6 +1874,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(the_draws_after_a_fit_can_be_watched),
     ON_STAGE(e_proposes_a_file),
     ON_STAGE(a_pinned_answer_keeps_its_feed),
+    ON_STAGE(another_feed_than_that_of_the_pages_is_told),
     ON_STAGE(d_tells_the_picture_of_the_page),
     ON_STAGE(an_answer_is_measured_by_the_screen_and_not_by_the_text_before),
     ON_STAGE(control_z_stops_wherever_it_is_typed),

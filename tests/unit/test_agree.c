@@ -122,7 +122,8 @@ ask_predict(struct desk *desk, struct question *q)
 	static const char *const SIZE[PSD_SIZES] = {
 	    "p20_mm", "p50_mm", "p80_mm"};
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		q->size[i] = session_known(desk->session, "predict", SIZE[i]);
+		q->size[i] =
+		    session_answer_number(desk->session, "predict", SIZE[i]);
 	const struct site *site = session_entry(desk->session)->site;
 	q->product = predict_sizes(site, site_feed(site, SITE_MEAN_FEED));
 	size_t n = q->product.n;
@@ -219,10 +220,11 @@ ask_find(struct desk *desk, const struct question *q)
 	if (q->v < 66 || q->v > 84)
 		return;
 	ask(desk, "find p50=%.17g%s", q->size[1], q->with);
-	double v = session_known(desk->session, "find", "speed");
+	double v = session_answer_number(desk->session, "find", "speed");
 	ask(desk, "predict %.17g%s", v, q->with);
 	same(q, "find and back", "P50",
-	    session_known(desk->session, "predict", "p50_mm"), q->size[1]);
+	    session_answer_number(desk->session, "predict", "p50_mm"),
+	    q->size[1]);
 }
 
 /* Both ends of a window are tenths at which predict says the same, and it does
@@ -457,8 +459,8 @@ range_has(const struct session *s, const char *kind, double v)
 	char low[20], high[20];
 	snprintf(low, sizeof low, "%s_low", kind);
 	snprintf(high, sizeof high, "%s_high", kind);
-	return !(session_known(s, "find", low) > v) &&
-	       !(session_known(s, "find", high) < v);
+	return !(session_answer_number(s, "find", low) > v) &&
+	       !(session_answer_number(s, "find", high) < v);
 }
 
 /* Every shipped site's measured P20, P50 and P80 of each run, asked with its
@@ -488,7 +490,7 @@ find_holds_what_was_measured(void **state)
 			ask(desk, "find p%g=%.10g feed=%g", 100 * P,
 			    1000 * psd_size(&run->product, P), run->speed);
 			tried++;
-			if (isnan(session_known(s, "find", "speed")))
+			if (isnan(session_answer_number(s, "find", "speed")))
 				continue;
 			stated++;
 			held += range_has(s, "cut", run->speed);

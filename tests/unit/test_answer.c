@@ -133,7 +133,7 @@ programs_may_have_a_table_of_their_own(void **state)
 	answer_name(a, "p50_mm", "P50 mm");
 	answer_cells(a, "%g", 3.0);
 	prints(a, ANSWER_CSV, 1, "command,what,at\ntry,p50_mm,3\n");
-	answer_for_programs(a);
+	answer_fill_for_programs(a);
 	answer_columns(a, "x");
 	answer_cells(a, "%g %g", 1.0, 2.0);
 	prints(a, ANSWER_TABLE, 1, "  what    at\n  P50 mm   3\n");
@@ -163,7 +163,7 @@ differences_have_a_sign(void **state)
 	answer_columns(a, "difference");
 	answer_cells(a, "%+.1f %+.1f", 1.25, -1.25);
 	answer_cells(a, "%+.1f %+.1f", 0.01, -0.01);
-	answer_missing(a, "");
+	answer_set_missing(a, "");
 	answer_cells(a, "%+.1f %.1f", NAN, -0.01);
 	prints(a, ANSWER_CSV, 6,
 	    "command,difference\ntry,1.25\ntry,-1.25\n"

@@ -74,7 +74,7 @@ digest_of(const struct site *site, const struct fit *fit,
 	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
 	struct psd sizes = predict_sizes(site, feed);
 	size_t n;
-	struct quantity *asked = predict_asks(site, feed, &whole, &n);
+	struct quantity *asked = predict_quantities(site, feed, &whole, &n);
 	struct response *r = response_new(
 	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
 	struct ensemble *e = ensemble_new(posterior, feed, sizes.size, sizes.n);
@@ -128,12 +128,11 @@ write_line(FILE *to, const struct site *site, const char *name,
 static struct impacts
 impacts_of(const char *path)
 {
-	const struct collisions_way way = {
-	    .speed = NAN, .cut = 10, .density = 2700};
+	const struct collisions_way way = {.speed = NAN};
 	struct error_list errors = {0};
 	struct collisions c;
 	assert_true(collisions_read(path, &way, &c, &errors));
-	struct impacts impacts = spectrum_impacts(c.spectrum, way.cut);
+	struct impacts impacts = spectrum_impacts(c.spectrum, 10);
 	collisions_clear(&c);
 	return impacts;
 }

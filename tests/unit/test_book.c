@@ -35,7 +35,7 @@ new_bytes(size_t *n)
 	assert_int_equal(book_add(b, a), 3);
 	assert_int_equal(book_sheets(b), 2);
 	assert_true(book_has_site(b));
-	book_about(b, "command", "predict 74");
+	book_add_about(b, "command", "predict 74");
 	answer_free(a);
 	char *bytes = book_finish(b, n, &error);
 	assert_non_null(bytes);
@@ -95,7 +95,7 @@ the_same_results_are_the_same_bytes(void **state)
 
 /* The parts of the archive say what no reader of cells does. */
 static bool
-part_has(const char *path, const char *name, const char *text)
+part_has_site(const char *path, const char *name, const char *text)
 {
 	int code;
 	static char bytes[100000];
@@ -118,13 +118,13 @@ there_are_formats_a_chart_and_no_formulas(void **state)
 	char *bytes = new_bytes(&n);
 	const char *path = put_sheet(bytes, n);
 	free(bytes);
-	assert_true(part_has(path, "xl/styles.xml", "formatCode=\"0.0\""));
-	assert_true(
-	    part_has(path, "xl/charts/chart1.xml", "<c:logBase val=\"10\"/>"));
-	assert_true(part_has(path, "xl/charts/chart1.xml", "product %"));
-	assert_true(
-	    part_has(path, "xl/worksheets/sheet1.xml", "state=\"frozen\""));
-	assert_false(part_has(path, "xl/worksheets/sheet1.xml", "<f>"));
+	assert_true(part_has_site(path, "xl/styles.xml", "formatCode=\"0.0\""));
+	assert_true(part_has_site(
+	    path, "xl/charts/chart1.xml", "<c:logBase val=\"10\"/>"));
+	assert_true(part_has_site(path, "xl/charts/chart1.xml", "product %"));
+	assert_true(part_has_site(
+	    path, "xl/worksheets/sheet1.xml", "state=\"frozen\""));
+	assert_false(part_has_site(path, "xl/worksheets/sheet1.xml", "<f>"));
 }
 
 static void

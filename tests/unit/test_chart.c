@@ -538,11 +538,11 @@ values_are_read_off_straight_on_the_log(void **state)
 	(void)state;
 	struct chart *chart = with(SOLID);
 	const struct chart_series *s = chart->series[0];
-	assert_true(fabs(chart_at(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
-	assert_true(fabs(chart_at_y(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
-	assert_true(fabs(chart_at(chart, s, 22.4) - 100) < 1e-9);
-	assert_true(isnan(chart_at(chart, s, 30)));
-	assert_true(isnan(chart_at_y(chart, s, 0.5)));
+	assert_true(fabs(chart_y_at(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
+	assert_true(fabs(chart_x_at(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
+	assert_true(fabs(chart_y_at(chart, s, 22.4) - 100) < 1e-9);
+	assert_true(isnan(chart_y_at(chart, s, 30)));
+	assert_true(isnan(chart_x_at(chart, s, 0.5)));
 	chart_free(chart);
 }
 

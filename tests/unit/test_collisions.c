@@ -1,5 +1,4 @@
-/* Collision energies are read from dumps, tables, lists and spectra, or
- * refused.
+/* Collision energies are read from tables, lists and spectra, or refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/collisions.h"
 
@@ -8,8 +7,14 @@
 
 #include "sheets.h"
 
-static const struct collisions_way PLAIN = {
-    .speed = NAN, .cut = 10, .density = 1000};
+static const struct collisions_way PLAIN = {.speed = NAN};
+
+/* As dem/merge writes them: two particles, four impacts, and one particle that
+ * was never hit. */
+static const char IMPACTS[] =
+    "size_mm,particles,particles_kg,specific_energy_j_kg,impacts_kg,first_kg,"
+    "first_j\n2,1,4e-6,1800,4e-6,4e-6,0.0072\n2,0,0,50,4e-6,0,0\n"
+    "2,0,0,89,4e-6,0,0\n4,1,3e-5,11,3e-5,0,0\n6,1,1e-4,0,0,0,0\n";
 
 static bool
 take(const char *text, struct collisions_way way, struct collisions *c,
@@ -26,67 +31,25 @@ near(double got, double want)
 		fail_msg("%.17g was wanted, found %.17g", want, got);
 }
 
-#define HEADS                                                               \
-	"ITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n" \
-	"0 1\nITEM: ENTRIES c_t[1] c_t[2] c_t[3] c_t[4] c_t[5] c_t[6] "     \
-	"c_t[7] c_t[8] c_t[9] c_t[10] c_t[11] c_t[12] c_t[13] c_t[14]\n"
-#define AT(step) "ITEM: TIMESTEP\n" step "\n" HEADS
-
-/* Particle 7 meets the bed (1, at rest) at 60, then 50 m/s in two snapshots;
- * leaves, and comes again at 10; meets particle 8 at 20 m/s along x. */
-static const char DUMP[] = AT("0") "0 0 0 1 0 0 0 0 0 -60 5 0 1 7\n" AT(
-    "4") "0 0 0 1 0 0 0 0 0 -50 5 0 1 7\n" AT("8")
-    AT("12") "1 0 0 0 0 0 -10 0 0 0 0 0 7 1\n" AT(
-	"16") "0 0 0 2 0 0 12 1 0 -8 1 0 7 8\n";
-
 static void
-contacts_become_impacts(void **state)
+impacts_tell_of_particles(void **state)
 {
 	(void)state;
 	struct collisions c;
 	struct error_list errors;
-	assert_true(take(DUMP, PLAIN, &c, &errors));
-	assert_int_equal(c.rows, 4);
-	assert_int_equal(c.snapshots, 5);
-	/* Two of 7 on the bed, and one each of 7 and 8. */
+	assert_true(take(IMPACTS, PLAIN, &c, &errors));
+	assert_int_equal(c.rows, 5);
 	assert_int_equal(c.impacts, 4);
+	assert_int_equal(c.spectrum->n, 3);
+	assert_true(c.spectrum->counted && c.spectrum->ordered);
 	struct spectrum_size *all = spectrum_whole(c.spectrum);
-	near(all->particles, 2);
-	/* 60^2/2, 10^2/2, and 20^2/8 for either of two alike. */
-	near(spectrum_above(all, 0, false).energy, 1800 + 50 + 50 + 50);
-	near(spectrum_above(all, 0, true).energy, 1800 + 50);
+	near(all->particles, 3);
+	near(all->mass, 1.34e-4);
+	near(spectrum_above(all, 0, false).energy,
+	    4e-6 * (1800 + 50 + 89) + 3e-5 * 11);
+	near(spectrum_above(all, 0, true).energy, 0.0072);
 	free(all);
 	collisions_clear(&c);
-}
-
-static void
-sizes_share_energy_by_mass(void **state)
-{
-	(void)state;
-	struct collisions c;
-	struct error_list errors;
-	struct collisions_way way = PLAIN;
-	static const char ATOMS[] = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n"
-				    "2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n"
-				    "0 1\nITEM: ATOMS id radius \n7 0.001\n"
-				    "8 0.002\n";
-	char *particles = xstrdup(put_sheet(ATOMS, strlen(ATOMS)));
-	char *kept = xasprintf("%s.atoms", particles);
-	assert_int_equal(rename(particles, kept), 0);
-	way.particles = kept;
-	assert_true(take(DUMP, way, &c, &errors));
-	assert_int_equal(c.spectrum->n, 2);
-	/* m M / (m + M) v^2 / (4 m), M = 8 m: 88.9 J/kg for 7, 11.1 for 8. */
-	struct spectrum_bin large =
-	    spectrum_above(c.spectrum->size[0], 0, false);
-	struct spectrum_bin small =
-	    spectrum_above(c.spectrum->size[1], 0, false);
-	near(large.energy / large.mass, 100.0 / 9);
-	near(small.energy / c.spectrum->size[1]->mass, 1800 + 50 + 800.0 / 9);
-	collisions_clear(&c);
-	remove(kept);
-	free(kept);
-	free(particles);
 }
 
 static void
@@ -131,7 +94,7 @@ what_is_written_is_read_again(void **state)
 	struct error_list errors;
 	struct collisions_way way = PLAIN;
 	way.speed = 69;
-	assert_true(take(DUMP, way, &c, &errors));
+	assert_true(take(IMPACTS, way, &c, &errors));
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
@@ -173,10 +136,7 @@ what_is_none_is_refused(void **state)
 	    {"velocity,weight\n1\n", "got fewer", &PLAIN, 2},
 	    {"specific_energy\n-1\n", "at least 0", &PLAIN, 2},
 	    {"velocity\n", "impacts, got none", &PLAIN, 1},
-	    {AT("0") "0 0 0 1 0 0 0 0 0 -60 5 0 1.5 7\n", "whole numbers",
-		&PLAIN, 10},
-	    {"ITEM: TIMESTEP\n0\nITEM: ATOMS id radius\n1 1\n", "got atoms",
-		&PLAIN, 3}};
+	    {"ITEM: TIMESTEP\n0\n", "a LIGGGHTS dump", &PLAIN, 1}};
 	for (size_t i = 0; i < ARRAY_LEN(bad); i++) {
 		struct collisions c;
 		struct error_list errors;
@@ -225,8 +185,7 @@ int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(contacts_become_impacts),
-	    cmocka_unit_test(sizes_share_energy_by_mass),
+	    cmocka_unit_test(impacts_tell_of_particles),
 	    cmocka_unit_test(tables_are_read_by_their_heads),
 	    cmocka_unit_test(what_is_written_is_read_again),
 	    cmocka_unit_test(what_is_none_is_refused),

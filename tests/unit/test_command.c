@@ -135,12 +135,12 @@ names_may_be_cut_short_at_a_prompt(void **state)
 	    {"q", "quit"}};
 	for (size_t i = 0; i < ARRAY_LEN(called); i++)
 		assert_string_equal(
-		    command_called(called[i][0], true)->name, called[i][1]);
+		    command_find_typed(called[i][0], true)->name, called[i][1]);
 	static const char *const none[] = {"", "s", "se", "predicts", "x"};
 	for (size_t i = 0; i < ARRAY_LEN(none); i++)
-		assert_null(command_called(none[i], true));
-	assert_null(command_called("pred", false));
-	assert_null(command_called("PREDICT", false));
+		assert_null(command_find_typed(none[i], true));
+	assert_null(command_find_typed("pred", false));
+	assert_null(command_find_typed("PREDICT", false));
 	char *names = command_candidates("SE");
 	assert_string_equal(names, "set, seed");
 	free(names);

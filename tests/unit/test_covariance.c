@@ -52,7 +52,7 @@ test_same(void **state)
 	double *x = d + n, *y = x + n, *z = y + n;
 	struct draw draw = draw_start(1);
 	struct covariance *c = covariance_new(ISA_BEST, cell, n);
-	double *factor = xdoubles(covariance_room(c));
+	double *factor = xdoubles(covariance_factor_size(c));
 	for (size_t k = 0; k < 50; k++) {
 		double hyper[HYPERS];
 		make_hyper(&draw, hyper);
@@ -87,12 +87,12 @@ test_room(void **state)
 	struct cell cell[MOST];
 	size_t n = make_cells(12, 0, cell), room[2];
 	struct covariance *c = covariance_new(ISA_BEST, cell, n);
-	assert_int_equal(covariance_room(c), n * n);
+	assert_int_equal(covariance_factor_size(c), n * n);
 	covariance_free(c);
 	for (size_t k = 0; k < 2; k++) {
 		n = make_cells(k == 0 ? 20 : 40, 0, cell);
 		c = covariance_new(ISA_BEST, cell, n);
-		room[k] = covariance_room(c);
+		room[k] = covariance_factor_size(c);
 		covariance_free(c);
 	}
 	assert_in_range(room[1] - room[0], 1, 20 * SIEVES * SIEVES);
@@ -120,7 +120,7 @@ test_sizes(void **state)
 		d[i] = 0.01 * cell[i].h;
 	}
 	assert_in_range(sizes, SIEVES, COVARIANCE_SIZES);
-	double *factor = xdoubles(covariance_room(c));
+	double *factor = xdoubles(covariance_factor_size(c));
 	for (size_t h = 0; h < HYPERS; h++)
 		log_hyper[h] = el_log(HYPER[h].median);
 	covariance_factor(c, log_hyper, factor);

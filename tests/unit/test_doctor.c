@@ -62,9 +62,9 @@ a_wrong_cell_is_named(void **state)
 	for (uint64_t seed = 1; seed <= SITES; seed++) {
 		struct site *site = site_of(seed);
 		struct posterior *p = posterior_of(site);
-		struct doctor d = doctor_look(site, p, 0);
+		struct doctor d = outliers_find(site, p, 0);
 		alarms += d.n > 0;
-		doctor_free(&d);
+		outliers_free(&d);
 		posterior_free(p);
 		size_t r = seed % 3;
 		struct psd *psd = &site->run[r].product;
@@ -72,12 +72,12 @@ a_wrong_cell_is_named(void **state)
 		double right = psd->passing[i];
 		psd->passing[i] += 0.05;
 		p = posterior_of(site);
-		d = doctor_look(site, p, 0);
+		d = outliers_find(site, p, 0);
 		found += d.n == 1 && !d.finding[0].mend.feed &&
 			 d.finding[0].mend.run == r &&
 			 d.finding[0].mend.size == psd->size[i] &&
 			 fabs(d.finding[0].expected - right) < 0.02;
-		doctor_free(&d);
+		outliers_free(&d);
 		posterior_free(p);
 		site_free(site);
 	}
@@ -102,7 +102,7 @@ wide_bounds_leave_numbers(void **state)
 		}
 		struct leave_out *l = leave_out_new(site, p, 0);
 		for (size_t c = 0; c < leave_out_cells(l); c++) {
-			struct leave_out_shift s = leave_out_look(l, c);
+			struct leave_out_shift s = leave_out_shift_of(l, c);
 			assert_true(isfinite(s.z) && isfinite(s.gain));
 			assert_true(s.sd > 0 && isfinite(s.sd));
 			if (c == 5)
@@ -146,14 +146,14 @@ transposed_digits_are_read(void **state)
 		if (i + 1 < psd->n) {
 			psd->passing[i] = wrong;
 			struct posterior *p = posterior_of(site);
-			struct doctor d = doctor_look(site, p, 0);
+			struct doctor d = outliers_find(site, p, 0);
 			assert_int_equal(d.n, 1);
 			assert_int_equal(d.finding[0].mend.kind, MEND_READ);
 			assert_true(
 			    fabs(d.finding[0].mend.value - right) < 1e-9);
 			assert_true(
 			    d.finding[0].rmse[1] < d.finding[0].rmse[0]);
-			doctor_free(&d);
+			outliers_free(&d);
 			posterior_free(p);
 			tried++;
 		}
@@ -192,7 +192,7 @@ columns_are_put_right(void **state)
 			for (size_t i = 0; i < was.n; i++)
 				was.size[i] *= 1000;
 		}
-		struct doctor d = doctor_look(site, NULL, 0);
+		struct doctor d = outliers_find(site, NULL, 0);
 		assert_int_equal(d.n, 1);
 		assert_int_equal(d.finding[0].mend.kind, KIND[kind]);
 		struct site *mended = mend_site(site, &d.finding[0].mend, NULL);
@@ -206,11 +206,11 @@ columns_are_put_right(void **state)
 				assert_true(
 				    fabs(p->size[i] / q->size[i] - 1) < 1e-9);
 			}
-		struct doctor none = doctor_look(mended, NULL, 0);
+		struct doctor none = outliers_find(mended, NULL, 0);
 		assert_int_equal(none.n, 0);
 		assert_non_null(strstr(mended->provenance, "; mended: "));
-		doctor_free(&none);
-		doctor_free(&d);
+		outliers_free(&none);
+		outliers_free(&d);
 		site_free(right);
 		site_free(mended);
 		site_free(site);
@@ -275,12 +275,12 @@ a_large_slip_is_no_exchange(void **state)
 		if (i + 1 < psd->n) {
 			tried++;
 			psd->passing[i] -= 0.2;
-			struct doctor d = doctor_look(site, NULL, 0);
+			struct doctor d = outliers_find(site, NULL, 0);
 			assert_int_equal(d.n, 1);
 			assert_true(d.finding[0].mend.kind != MEND_WITH);
 			assert_int_equal(d.finding[0].mend.run, 1);
 			assert_true(d.finding[0].mend.size == psd->size[i]);
-			doctor_free(&d);
+			outliers_free(&d);
 		}
 		site_free(site);
 	}
@@ -299,13 +299,13 @@ little_is_looked_at_too(void **state)
 		site_free(site);
 		site = less;
 	}
-	struct doctor d = doctor_look(site, NULL, 0);
+	struct doctor d = outliers_find(site, NULL, 0);
 	assert_int_equal(d.n, 0);
-	doctor_free(&d);
+	outliers_free(&d);
 	site->run[0].product.n = 0;
-	d = doctor_look(site, NULL, 0);
+	d = outliers_find(site, NULL, 0);
 	assert_int_equal(d.n, 0);
-	doctor_free(&d);
+	outliers_free(&d);
 	site_free(site);
 }
 
@@ -331,11 +331,11 @@ too_many_are_not_looked_at(void **state)
 	struct run *run = site->run;
 	psd_free(&run[1].product);
 	run[1].product = psd_copy(&run[0].product);
-	struct doctor d = doctor_look(site, NULL, 0);
+	struct doctor d = outliers_find(site, NULL, 0);
 	assert_in_range(d.unseen, DOCTOR_CELLS + 1, RUNS * 20);
 	assert_int_equal(d.n, 1);
 	assert_int_equal(d.finding[0].mend.kind, MEND_DROP);
-	doctor_free(&d);
+	outliers_free(&d);
 	site_free(site);
 }
 

@@ -209,7 +209,7 @@ a_report_leaves_the_session_alone(void **state)
 	desk_expect(desk, "load data/sites/tierp.csv");
 	desk_expect(desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	desk_expect(desk, "predict 70");
-	size_t depth = undo_depth(s), lines = journal_mark(s).n;
+	size_t depth = undo_depth(s), lines = journal_place(s).n;
 	char folder[] = "/tmp/tipspeed-XXXXXX";
 	assert_non_null(mkdtemp(folder));
 	char *file = xasprintf("%s/a.html", folder);
@@ -221,8 +221,8 @@ a_report_leaves_the_session_alone(void **state)
 	assert_null(s->document);
 	assert_null(s->file);
 	assert_int_equal(undo_depth(s), depth);
-	assert_int_equal(journal_mark(s).n, lines);
-	assert_true(session_known(s, "predict", "speed") == 70);
+	assert_int_equal(journal_place(s).n, lines);
+	assert_true(session_answer_number(s, "predict", "speed") == 70);
 	assert_false(desk_say(desk, "report"));
 	assert_non_null(strstr(desk->error.hint, "report > report.html"));
 }

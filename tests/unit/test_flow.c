@@ -120,7 +120,8 @@ a_loop_is_a_geometric_series(void **state)
 	struct circuit *c = loop(0.3);
 	struct flow f = circuit_flow(c, feed, size, 2, of);
 	expect_near("circulates", f.circulating, 120 * 0.3 / 0.7, 1e-9);
-	expect_near("crusher", flow_into(&f, &c->unit[1]), 120 / 0.7, 1e-9);
+	expect_near(
+	    "crusher", flow_into_unit(&f, &c->unit[1]), 120 / 0.7, 1e-9);
 	expect_near("product", f.tph[3], 120, 1e-9);
 	expect_near("balance", f.balance, 0, 1e-9);
 	assert_true(f.back[1] && !f.back[0] && !f.back[2] && !f.open);
@@ -291,7 +292,7 @@ each_draw_is_its_own_and_balances(void **state)
 	    ensemble_new(posterior, feed, sieves.size, sieves.n);
 	struct crusher *crusher =
 	    crusher_new(sizes.size, n, &fit.params, fit.settings, posterior);
-	crusher_match(crusher, feed, sieves.size, sieves.n);
+	crusher_set_feed(crusher, feed, sieves.size, sieves.n);
 	struct transfer *t = crusher_at(crusher, 72);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 	double *in = xdoubles(n);
@@ -329,7 +330,7 @@ static void
 throwing_takes_what_euler_says(void **state)
 {
 	(void)state;
-	expect_near("thrown", power_thrown(72, 120), 172.8, 1e-12);
+	expect_near("thrown", power_kinetic(72, 120), 172.8, 1e-12);
 	struct power none = power_fit(NULL, 0);
 	assert_true(none.least);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
@@ -363,11 +364,11 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	double empty[2], loaded[2], one[2], idle = 60 * pow(60 / 72.0, 2.6);
 	for (size_t i = 0; i < 4; i++)
 		r[i].kw = 60 * pow(r[i].speed / 72, 2.6) +
-			  1.2 * power_thrown(r[i].speed, r[i].tph);
+			  1.2 * power_kinetic(r[i].speed, r[i].tph);
 	struct power all = power_fit(r, 4), two = power_fit(r, 2),
 		     first = power_fit(r, 1);
 	expect_near("empty", power_mean(&all, 60, 0, empty), idle, 1.5);
-	double want = idle + 1.2 * power_thrown(60, 120);
+	double want = idle + 1.2 * power_kinetic(60, 120);
 	expect_near("all", power_mean(&all, 60, 120, loaded), want, 4);
 	assert_true(loaded[0] < want && want < loaded[1]);
 	power_mean(&two, 60, 0, empty);
@@ -376,7 +377,7 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	assert_true(one[1] - one[0] > 10);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		assert_true(
-		    power_at(&first, d, 60, 100) >= power_thrown(60, 100));
+		    power_at(&first, d, 60, 100) >= power_kinetic(60, 100));
 }
 
 /* Readings that contradict Euler, each other or themselves give numbers. */

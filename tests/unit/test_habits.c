@@ -273,8 +273,8 @@ proposed(const char *hint)
 }
 
 static void
-settle(const struct plan *plan, const char *line, const struct error *question,
-    struct outcome *o)
+settle_to_same_bits(const struct plan *plan, const char *line,
+    const struct error *question, struct outcome *o)
 {
 	struct error error = *question;
 	char *command = proposed(error.hint), *answered = xstrdup(line);
@@ -336,7 +336,7 @@ try_plan(const struct plan *plan, const char *path, bool shown)
 		    : asks(&error) ? ASKED
 				   : REFUSED;
 	if (o.verdict == ASKED)
-		settle(plan, line, &error, &o);
+		settle_to_same_bits(plan, line, &error, &o);
 	if (o.verdict == WRONG || shown)
 		show(plan, line, &o);
 	if (plan->other != NULL)

@@ -142,10 +142,11 @@ each_speed_is_predicted_from_the_others(void **state)
 	struct params before = session_entry(s)->params;
 	assert_true(desk_say(desk, "validate holdout=each"));
 	assert_memory_equal(&session_entry(s)->params, &before, sizeof before);
+	assert_true(session_answer_number(s, "validate", "holdout.rmse_pct") ==
+		    100 * largest);
 	assert_true(
-	    session_known(s, "validate", "holdout.rmse_pct") == 100 * largest);
-	assert_true(fabs(session_known(s, "validate", "overall.rmse_pct") -
-			 100 * sqrt(sum / 3)) < 1e-12);
+	    fabs(session_answer_number(s, "validate", "overall.rmse_pct") -
+		 100 * sqrt(sum / 3)) < 1e-12);
 	assert_true(session_entry(s)->train[0] && session_entry(s)->train[1]);
 	assert_null(s->job.calibration);
 }
@@ -169,8 +170,8 @@ a_validation_needs_three_speeds_and_no_fit(void **state)
 	assert_false(desk_say(desk, "validate holdout=each"));
 	assert_non_null(strstr(desk->error.text, "three or more speeds"));
 	assert_true(desk_say(desk, "validate all holdout=each"));
-	assert_true(session_known(s, "validate", "sites") == 1);
-	assert_true(session_known(s, "validate", "runs") == 3);
+	assert_true(session_answer_number(s, "validate", "sites") == 1);
+	assert_true(session_answer_number(s, "validate", "runs") == 3);
 	assert_false(desk_say(desk, "validate all"));
 	assert_non_null(strstr(desk->error.text, "held-out run"));
 }
@@ -542,11 +543,11 @@ a_league_leaves_the_fit_alone(void **state)
 	fflush(desk->notes_file);
 	assert_non_null(
 	    strstr(desk->notes, "stopped before all models were calibrated"));
-	assert_true(isnan(session_known(s, "league", "can_tell")));
+	assert_true(isnan(session_answer_number(s, "league", "can_tell")));
 	expect_same(&session_entry(s)->fit, &want);
 	assert_true(desk_say(desk, "league"));
 	expect_same(&session_entry(s)->fit, &want);
-	assert_true(session_known(s, "league", "can_tell") == 1);
+	assert_true(session_answer_number(s, "league", "can_tell") == 1);
 	assert_false(desk_say(desk, "continue"));
 }
 

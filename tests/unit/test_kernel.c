@@ -334,13 +334,13 @@ a_forced_set_is_lowered_to_the_processor(void **state)
 	static const char *const names[] = {"baseline", "avx2", "avx512"};
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
 	struct misfit *m = misfit_of(site, model_settings_default());
-	enum isa best = isa_usable(ISA_BEST);
+	enum isa best = isa_is_usable(ISA_BEST);
 	assert_true(best < ISA_BEST);
 	for (int isa = ISA_BASE; isa <= ISA_BEST; isa++) {
 		struct kernel *kernel = kernel_new(m, (enum isa)isa, 1);
 		int want = isa < (int)best ? isa : (int)best;
 		assert_string_equal(
-		    isa_name(isa_usable((enum isa)isa)), names[want]);
+		    isa_name(isa_is_usable((enum isa)isa)), names[want]);
 		kernel_free(kernel);
 	}
 	misfit_free(m);

@@ -139,7 +139,7 @@ static void
 type_text(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		keymap_key(t, (int)text_next(&text), false);
+		keymap_key(t, (int)text_next_code_point(&text), false);
 }
 
 static void

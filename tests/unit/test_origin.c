@@ -208,15 +208,16 @@ another_feed_leaves_the_session_as_it_was(void **state)
 	struct session *s = desk->session;
 	const struct entry was = s->entry[0];
 	desk_expect(desk, "predict 74");
-	double own = session_known(s, "predict", "p50_mm");
+	double own = session_answer_number(s, "predict", "p50_mm");
 	for (size_t i = 0; i < ARRAY_LEN(LINE); i++) {
 		assert_true(desk_say(desk, LINE[i]) == (i < 3));
 		assert_memory_equal(&s->entry[0], &was, sizeof was);
 		assert_int_equal(was.site->n_run, 3);
 	}
-	assert_true(fabs(session_known(s, "predict", "p50_mm") - own) > 1e-4);
+	assert_true(
+	    fabs(session_answer_number(s, "predict", "p50_mm") - own) > 1e-4);
 	desk_expect(desk, "predict 74");
-	assert_true(session_known(s, "predict", "p50_mm") == own);
+	assert_true(session_answer_number(s, "predict", "p50_mm") == own);
 }
 
 int

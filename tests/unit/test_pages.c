@@ -94,7 +94,7 @@ every_page_is_opened_and_saved(void **state)
 	assert_int_equal(words, PAGES);
 	for (enum page page = PAGES; page-- > 0;) {
 		char *word = text_fold(PAGE_OPS[page]->name);
-		assert_true(text_choice(SETTINGS_PAGES, word, &at));
+		assert_true(text_find_word(SETTINGS_PAGES, word, &at));
 		free(word);
 		assert_int_equal(at, page);
 		keymap_key(t, '1' + (int)page, false);
@@ -277,8 +277,8 @@ parity_has_the_statistics_of_validate(void **state)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			assert_true(
 			    fabs(100 * t->view.parity.score[way][i].rms -
-				 session_known(s, "validate", PATHS[way][i])) <
-			    1e-12);
+				 session_answer_number(
+				     s, "validate", PATHS[way][i])) < 1e-12);
 	press(t, "Down Down");
 	const struct chart *chart = t->view.parity.chart;
 	struct chart_series **own = &chart->series[chart->n - 3];

@@ -145,12 +145,12 @@ paper_and_screen_have_the_same_colours(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < LINES_N; i++)
-		assert_int_equal(palette_ink(LINES[i], THEME_NORMAL),
+		assert_int_equal(palette_print_rgb(LINES[i], THEME_NORMAL),
 		    rgb_of(i, THEME_NORMAL));
 	assert_int_equal(palette_rgb(231), 0xFFFFFF);
 	assert_int_equal(palette_rgb(243), 0x767676);
 	assert_int_equal(palette_rgb(202), 0xFF5F00);
-	assert_int_equal(palette_ink(SERIES_TEXT, THEME_DARK), 0);
+	assert_int_equal(palette_print_rgb(SERIES_TEXT, THEME_DARK), 0);
 }
 
 /* With few colours those of the text's are told by their shape. */

@@ -350,7 +350,7 @@ a_second_prediction_has_its_own_feed(void **state)
 	q.other_speed = 74;
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = session_entry(s);
-		size_t feed = feed_at(entry->site, FEEDS[i]);
+		size_t feed = feed_sampled_at(entry->site, FEEDS[i]);
 		struct prediction want = forecast_whole(s, entry, 74, feed);
 		q.other_feed = FEEDS[i];
 		struct chart *c = chart_of(desk, &q);
@@ -543,9 +543,9 @@ runs_are_drawn_with_their_own_feeds(void **state)
 		prediction_free(&of);
 	}
 	assert_int_equal(series_of(c, "feed 74 m/s")->line, CHART_LONG);
-	double slow = chart_at(c, series_of(c, "predicted 65 m/s"), 2),
-	       fast = chart_at(c, series_of(c, "predicted 85 m/s"), 2),
-	       at = chart_at(c, series_of(c, "predicted 74 m/s"), 2);
+	double slow = chart_y_at(c, series_of(c, "predicted 65 m/s"), 2),
+	       fast = chart_y_at(c, series_of(c, "predicted 85 m/s"), 2),
+	       at = chart_y_at(c, series_of(c, "predicted 74 m/s"), 2);
 	assert_true(slow < at && at < fast);
 	chart_free(c);
 }
@@ -597,8 +597,8 @@ parity_says_how_good_it_is(void **state)
 		static const char *const OF[] = {"bias_pct", "rms_pct", "r2"};
 		for (size_t k = 0; k < ARRAY_LEN(OF); k++) {
 			snprintf(name, sizeof name, "%s.%s", SIZES[i], OF[k]);
-			value[k] =
-			    session_known(desk->session, "validate", name);
+			value[k] = session_answer_number(
+			    desk->session, "validate", name);
 		}
 		snprintf(wanted, sizeof wanted,
 		    "P%s: bias %+.2f %%, RMS %.2f %%, R2 %.4f; 2 runs",

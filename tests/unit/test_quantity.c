@@ -192,7 +192,7 @@ a_response_is_what_is_predicted(void **state)
 	struct ensemble *e =
 	    ensemble_new(k.posterior, feed, sizes.size, sizes.n);
 	size_t n;
-	struct quantity *all = predict_asks(k.site, feed, &whole, &n);
+	struct quantity *all = predict_quantities(k.site, feed, &whole, &n);
 	struct response *table = response_new(
 	    feed, sizes.size, sizes.n, all, n, &k.fit.params, k.fit.settings);
 	response_at(table, e, ENSEMBLE_ANSWER, 72);

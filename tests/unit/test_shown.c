@@ -33,7 +33,7 @@ what_a_terminal_acts_on_is_shown(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 		const char *wanted =
 		    SHOWN[i][1] != NULL ? SHOWN[i][1] : SHOWN[i][0];
-		char *shown = text_shown(SHOWN[i][0]), *put = NULL;
+		char *shown = text_escaped(SHOWN[i][0]), *put = NULL;
 		size_t n = 0;
 		FILE *out = text_memory(&put, &n);
 		text_put(SHOWN[i][0], out);
@@ -60,11 +60,11 @@ any_bytes_are_shown_as_text(void **state)
 			seed = seed * 1664525 + 1013904223;
 			bytes[i] = (char)(seed >> 24);
 		}
-		char *once = text_shown(bytes), *twice = text_shown(once);
+		char *once = text_escaped(bytes), *twice = text_escaped(once);
 		assert_true(text_is_utf8(once, strlen(once)));
 		assert_string_equal(once, twice);
 		for (const char *p = once; *p != '\0';) {
-			uint32_t code = text_next(&p);
+			uint32_t code = text_next_code_point(&p);
 			assert_true(code >= 0x20 && code != 0x7F &&
 				    !(code >= 0x80 && code < 0xA0) &&
 				    !(code >= 0x202A && code <= 0x202E) &&

@@ -55,7 +55,7 @@ ask(struct asked *a, const struct session *s, struct draw *draw, bool narrow)
 	for (size_t i = 0; i < CONDITIONS; i++)
 		a->at[i] = (struct condition){any_quantity(draw), NAN, NAN};
 	a->list = (struct condition_list){CONDITIONS, a->at};
-	a->w = conditions_ask(s, &a->q, &a->list, NULL);
+	a->w = conditions_open(s, &a->q, &a->list, NULL);
 	for (size_t i = 0; i < CONDITIONS; i++) {
 		double v = draw_between(draw, 66, 84), one = value_at(a, i, v);
 		double two = value_at(
@@ -277,7 +277,7 @@ a_speed_is_found_again_from_its_value(void **state)
 		struct condition target = {
 		    {.kind = QUANTITY_SIZE, .x = 0.3 + 0.06 * (double)n}, NAN,
 		    NAN};
-		a.w = conditions_ask(desk->session, &a.q, &a.list, &target);
+		a.w = conditions_open(desk->session, &a.q, &a.list, &target);
 		forecast_at(a.w.forecast, v);
 		target.least = target.most =
 		    forecast_figure(a.w.forecast, CONDITIONS).value;

@@ -22,7 +22,7 @@
 enum { ROWS = 30, COLUMNS = 100 };
 
 static void
-settle(struct stage *stage)
+settle_to_same_bits(struct stage *stage)
 {
 	struct tui *t = &stage->t;
 	t->clock++;
@@ -37,7 +37,7 @@ stage_open(void **state)
 	    "load data/sites/tierp.csv data/sites/bro.csv "
 	    "data/sites/ossjo.csv; use tierp; calibrate population=200; "
 	    "predict speed=74");
-	settle(stage);
+	settle_to_same_bits(stage);
 	*state = stage;
 	return 0;
 }
@@ -54,11 +54,11 @@ press(struct stage *stage, const char *names)
 		const char *rest = name;
 		do {
 			if (!named)
-				code = (int)text_next(&rest);
+				code = (int)text_next_code_point(&rest);
 			keymap_key(&stage->t, code, code > 255);
 			stage->keys++;
 		} while (!named && *rest != '\0');
-		settle(stage);
+		settle_to_same_bits(stage);
 	}
 	free(copy);
 }
@@ -97,7 +97,7 @@ mouse(struct stage *stage, enum hit_kind kind, int row, int column)
 	struct tui *t = &stage->t;
 	bool took = hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 	hits_release(&t->hits);
-	settle(stage);
+	settle_to_same_bits(stage);
 	return took;
 }
 
@@ -119,7 +119,7 @@ hints_are_their_keys(void **state)
 	struct tui *t = &stage->t;
 	for (int page = PAGE_PREDICT; page < PAGES; page++) {
 		pages_go(t, (enum page)page);
-		settle(stage);
+		settle_to_same_bits(stage);
 		size_t keys = 0;
 		for (size_t i = 0; i < t->hits.n; i++) {
 			const struct hit *at = &t->hits.at[i];
@@ -132,7 +132,7 @@ hints_are_their_keys(void **state)
 		assert_in_range(keys, 3, 20);
 	}
 	pages_go(t, PAGE_PREDICT);
-	settle(stage);
+	settle_to_same_bits(stage);
 	click(stage, "? keys");
 	assert_true(t->viewer.keys);
 	click(stage, "^L");

@@ -26,7 +26,7 @@ known(struct site *site)
 	misfit_default_train(site, k.train);
 	k.fit = fitted(site, &o);
 	struct posterior *posterior = drawn(site, &k.fit, &o, k.use);
-	k.e = trust_evidence(
+	k.e = trust_gather_evidence(
 	    site, k.train, k.use, &k.fit, &o.bounds, posterior, 0);
 	posterior_free(posterior);
 	return k;

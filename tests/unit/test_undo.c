@@ -255,7 +255,7 @@ undo_ends_a_running_calibration(void **state)
 	const char *line = "calibrate population=64 generations=9";
 	size_t next;
 	desk_expect(desk, "seed 3");
-	size_t depth = undo_depth(s), lines = journal_mark(s).n;
+	size_t depth = undo_depth(s), lines = journal_place(s).n;
 	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
 	session_step(s);
 	assert_true(session_line(s, "seed", 0, "x", 1, &next, &desk->error));
@@ -266,7 +266,7 @@ undo_ends_a_running_calibration(void **state)
 	assert_true(session_settle(s, true, &desk->error));
 	assert_int_equal(undo_depth(s), depth - 1);
 	/* What was asked since "seed 3" went with it. */
-	assert_int_equal(journal_mark(s).n, lines - 1);
+	assert_int_equal(journal_place(s).n, lines - 1);
 }
 
 static void
@@ -276,6 +276,24 @@ undo_forgets_the_answers(void **state)
 	desk_expect(desk, "params set f_mat=2 e0_min=16 alpha=1; predict 74; "
 			  "assert p50 > 0; params set f_mat=1; predict; undo");
 	assert_false(desk_say(desk, "assert p50 > 0"));
+}
+
+/* As the keys of screens that a script draws do, whose lines make no step. */
+static void
+steps_within_lines_that_make_none_push_out_the_oldest(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	enum { MANY = 1000 };
+	size_t deepest = 0;
+	for (int i = 0; i < MANY; i++) {
+		size_t depth = undo_depth(s);
+		undo_push(s, snapshot_take(s), depth, depth, "pin");
+		deepest = depth > deepest ? depth : deepest;
+	}
+	assert_int_equal(undo_depth(s), deepest);
+	while (undo_depth(s) > 1)
+		assert_string_equal(undo_back(s), "pin");
 }
 
 int
@@ -296,6 +314,7 @@ main(void)
 	    at_desk(undo_lets_go_of_a_stopped_calibration),
 	    at_desk(undo_ends_a_running_calibration),
 	    at_desk(undo_forgets_the_answers),
+	    at_desk(steps_within_lines_that_make_none_push_out_the_oldest),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -351,7 +351,7 @@ the_smallest_rmse_wins(void **state)
 	v.rmse[VALIDATE_MODEL] = 0.02;
 	v.rmse[VALIDATE_CORRECTED] = v.rmse[VALIDATE_INTERPOLATION] = NAN;
 	assert_int_equal(validate_winner(v.rmse), VALIDATE_NEAREST);
-	assert_false(validation_loses(&v));
+	assert_false(validation_loses_to_interpolation(&v));
 }
 
 /* Of 1, 2, 4 mm predicted 1.1, 1.8, 4: errors of 10, -10 and 0 %. */
@@ -418,9 +418,9 @@ validation_is_the_plain_comparison(void **state)
 	assert_true(v.worst_sieve == run->product.size[worst]);
 	expect_near("worst", v.worst_difference,
 	    exact[worst] - run->product.passing[worst], 1e-5);
-	assert_true(validation_loses(&v) == (between < sum));
+	assert_true(validation_loses_to_interpolation(&v) == (between < sum));
 	v = validate_run(site, 0, train, &p, model_settings_default(), NULL);
-	assert_false(v.holdout || validation_loses(&v));
+	assert_false(v.holdout || validation_loses_to_interpolation(&v));
 	site_free(site);
 }
 

@@ -87,7 +87,7 @@ static void
 press(struct tui *t, const char *keys)
 {
 	while (*keys != '\0')
-		keymap_key(t, (int)text_next(&keys), false);
+		keymap_key(t, (int)text_next_code_point(&keys), false);
 	view_update(t);
 }
 
@@ -138,8 +138,8 @@ a_verdict_is_that_of_the_envelope(void **state)
 		assert_non_null(g);
 		struct grading own;
 		struct error error = {0};
-		assert_true(grading_in_use(t->session, tui_current_entry(t),
-		    tui_feed(t), &own, &error));
+		assert_true(grading_open_in_use(t->session,
+		    tui_current_entry(t), tui_feed(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
 		forecast_at(own.conditions.forecast, t->ui.tenths / 10.0);
 		for (size_t i = 0; i < g->limits.n; i++, all++) {

@@ -184,7 +184,7 @@ formats_are_told_apart(void **state)
 	    {"mm:ss", SHOWN_TIME, ""}, {"[h]:mm:ss", SHOWN_SPAN, ""},
 	    {"\"day\" 0", SHOWN_NUMBER, "day"}};
 	for (size_t i = 0; i < ARRAY_LEN(codes); i++) {
-		struct shown shown = shown_code(codes[i].code);
+		struct shown shown = shown_parse_code(codes[i].code);
 		if (shown.kind != codes[i].kind ||
 		    strcmp(shown.unit, codes[i].unit) != 0)
 			fail_msg("%s: %d '%s'", codes[i].code, shown.kind,

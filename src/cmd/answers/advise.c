@@ -77,7 +77,7 @@ advise_candidates(
 }
 
 static int
-by_width(const void *a, const void *b)
+compare_width(const void *a, const void *b)
 {
 	double x = ((const struct advised *)a)->width;
 	double y = ((const struct advised *)b)->width;
@@ -87,7 +87,7 @@ by_width(const void *a, const void *b)
 /* Of samples at the sieves of the site's products that the feed covers, [*n]
  * quantities. */
 static struct forecast *
-sieved(const struct session *s, const struct question *q, size_t *n)
+forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
 {
 	FREED double *sieve = site_sieves(q->entry->site, n);
 	while (*n > 0 && !psd_covers(question_feed(q), sieve[*n - 1]))
@@ -106,7 +106,7 @@ advise_weigh(const struct session *s, const struct wanted *w,
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
-	struct forecast *f = sieved(s, w->question, &sieves);
+	struct forecast *f = forecast_of_sample(s, w->question, &sieves);
 	FREED double *sample = xdoubles(sieves * N);
 	for (size_t i = 0; i < n; i++) {
 		forecast_part_at(f, c[i].speed, ENSEMBLE_SAMPLE);
@@ -117,7 +117,7 @@ advise_weigh(const struct session *s, const struct wanted *w,
 		c[i].width = width * sqrt(1 - share);
 	}
 	forecast_close(f);
-	qsort(c, n, sizeof *c, by_width);
+	qsort(c, n, sizeof *c, compare_width);
 }
 
 /* Where each run has a feed of its own the product is as uncertain as the
@@ -142,8 +142,8 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 	if (!(high > low))
 		return;
 	answer_say(r, ANSWER_REMARK,
-	    "with the feeds as they were sampled %s is %.3g to %.3g %s: sample "
-	    "the feed with the product",
+	    "with the feeds that were sampled %s ranges from %.3g to %.3g %s: "
+	    "sample the feed together with the product",
 	    w->name, low, high, w->unit);
 	fields_put(answer_fields(r), "feeds_low %g feeds_high %g", low, high);
 }
@@ -176,8 +176,8 @@ advise_note_best(struct answer *r, const struct wanted *w,
 /* The candidates, best first, [*n], which the caller frees, and the band now;
  * NULL where there is none to narrow. */
 static struct advised *
-weighed(const struct session *s, const struct wanted *w, double *answer,
-    double ends[2], size_t *n)
+candidates_by_width(const struct session *s, const struct wanted *w,
+    double *answer, double ends[2], size_t *n)
 {
 	ensemble_range(answer, w->question->level, NAN, ends);
 	double width = ends[1] - ends[0];
@@ -198,7 +198,7 @@ advise_best(const struct session *s, const struct question *q,
 	size_t n;
 	if (!answer_draws(s, &w, answer))
 		return false;
-	FREED struct advised *c = weighed(s, &w, answer, ends, &n);
+	FREED struct advised *c = candidates_by_width(s, &w, answer, ends, &n);
 	if (c == NULL)
 		return false;
 	*best = c[0];
@@ -208,12 +208,12 @@ advise_best(const struct session *s, const struct question *q,
 
 /* NULL where there is no band to narrow. */
 static struct answer *
-advice(const struct session *s, const struct wanted *w, double *answer)
+advise_answer(const struct session *s, const struct wanted *w, double *answer)
 {
 	const struct entry *entry = w->question->entry;
 	size_t n;
 	double ends[2];
-	FREED struct advised *c = weighed(s, w, answer, ends, &n);
+	FREED struct advised *c = candidates_by_width(s, w, answer, ends, &n);
 	if (c == NULL)
 		return NULL;
 	double width = ends[1] - ends[0];
@@ -277,7 +277,7 @@ advise(struct session *s, struct wanted *w, struct error *error)
 {
 	double answer[POSTERIOR_DRAWS];
 	const struct entry *entry = w->question->entry;
-	if (outlook_answering(s, entry, &entry->params) == NULL)
+	if (outlook_posterior_for_answers(s, entry, &entry->params) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
 		    outlook_why_none(s, entry),
 		    tr("advise needs an answer with a band: run 'calibrate'"));
@@ -286,14 +286,14 @@ advise(struct session *s, struct wanted *w, struct error *error)
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",
 		    w->name, w->question->speed);
-	struct answer *r = advice(s, w, answer);
+	struct answer *r = advise_answer(s, w, answer);
 	if (r == NULL)
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s is the same in all draws: no sample can "
 		    "narrow its band",
 		    w->name, w->question->speed);
 	answers_show_basis_at(s, r, w->question, w->question->speed, false);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 bool

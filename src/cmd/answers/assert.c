@@ -30,7 +30,7 @@ assert_look_up(const struct session *s, const char *word, double *value)
 		const struct asserted *a = &ANSWERS_NAMES[i];
 		if (strcmp(word, a->name) != 0)
 			continue;
-		*value = session_known(s, a->from, a->path);
+		*value = session_answer_number(s, a->from, a->path);
 		return true;
 	}
 	if (point == NULL)
@@ -39,7 +39,7 @@ assert_look_up(const struct session *s, const char *word, double *value)
 	const struct command *command = command_find(name);
 	free(name);
 	if (command != NULL)
-		*value = session_known(s, command->name, point + 1);
+		*value = session_answer_number(s, command->name, point + 1);
 	return command != NULL;
 }
 
@@ -90,7 +90,7 @@ assert_holds(const char *op, double a, double b, double within)
 
 /* "FILE is DIGEST": nothing in it has changed. */
 static bool
-is_as_saved(const struct session *s, const char *path, const char *wanted,
+file_has_digest(const struct session *s, const char *path, const char *wanted,
     struct error *error)
 {
 	uint64_t digest = 0;
@@ -125,7 +125,7 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected 'within NUMBER' after the comparison");
 	if (strcmp(word[1], "is") == 0)
-		return is_as_saved(s, word[0], word[2], error);
+		return file_has_digest(s, word[0], word[2], error);
 	if (!assert_side(s, word[0], &a, error) ||
 	    !assert_side(s, word[2], &b, error))
 		return false;

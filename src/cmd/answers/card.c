@@ -58,7 +58,8 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
 /* Of the site's own sieves: what passes 2 mm or the one nearest to it, and the
  * fines, or else what passes the finest. */
 static bool
-add_usual(struct asked *all, const struct psd *feed, struct error *error)
+add_usual_passings(
+    struct asked *all, const struct psd *feed, struct error *error)
 {
 	size_t near = 0;
 	for (size_t i = 0; i < feed->n; i++)
@@ -87,7 +88,7 @@ read_limits(struct session *s, struct asked *all, const struct args *args,
 }
 
 static void
-asked_free(struct asked *all)
+card_request_free(struct asked *all)
 {
 	if (all->flows)
 		plant_free(&all->plant);
@@ -127,7 +128,7 @@ static bool
 find_lines(struct asked *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plan.circuit;
-	struct outcome o = plant_at(&all->plant, speed);
+	struct outcome o = plant_solve_at(&all->plant, speed);
 	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
 	all->n_line = plant_lines(&all->plant, &o, all->line);
@@ -137,7 +138,7 @@ find_lines(struct asked *all, double speed, struct error *error)
 }
 
 static bool
-read_asked(struct session *s, struct asked *all, const struct args *args,
+card_request_read(struct session *s, struct asked *all, const struct args *args,
     double slowest, struct error *error)
 {
 	const struct entry *entry = all->question->entry;
@@ -146,7 +147,7 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
 	const struct value *of = args_value(args, "of");
 	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
 		  (of->given ? add_list(all, of->text, feed, error)
-			     : add_usual(all, feed, error)) &&
+			     : add_usual_passings(all, feed, error)) &&
 		  read_limits(s, all, args, feed, error) &&
 		  read_flow(s, all, args, error);
 	if (!ok)
@@ -154,7 +155,7 @@ read_asked(struct session *s, struct asked *all, const struct args *args,
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
 	if (all->list.n > 0)
 		all->wanted =
-		    conditions_ask(s, all->question, &all->list, NULL);
+		    conditions_open(s, all->question, &all->list, NULL);
 	all->flows = all->plan.circuit != NULL;
 	if (!all->flows)
 		return true;
@@ -173,11 +174,12 @@ struct card_row {
 static void
 work_out_flow(const struct asked *all, struct card_row *row)
 {
-	struct outcome o = plant_at(&all->plant, row->speed);
+	struct outcome o = plant_solve_at(&all->plant, row->speed);
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
-		double tph = line->unit != NULL ? flow_into(&o.flow, line->unit)
-						: o.flow.tph[line->stream];
+		double tph = line->unit != NULL
+				 ? flow_into_unit(&o.flow, line->unit)
+				 : o.flow.tph[line->stream];
 		row->tph[i] = o.flow.open ? NAN : tph;
 	}
 	row->kwh = o.flow.open ? NAN : o.kw / all->plan.circuit->tph;
@@ -380,7 +382,7 @@ page_drop(struct page *page, size_t at)
  * or "", which the caller frees.  Where it is not enough the table is wider: it
  * stays one. */
 static char *
-page_fit(struct page *page, struct answer *r)
+page_drop_to_fit(struct page *page, struct answer *r)
 {
 	enum { ROOM = 79, GAP = 2 };
 	char *dropped = xstrdup("");
@@ -395,7 +397,7 @@ page_fit(struct page *page, struct answer *r)
 		if (wide <= ROOM)
 			return dropped;
 		if (page->column[most].spare == NEEDED) {
-			answer_room(r, wide + 1);
+			answer_set_width(r, wide + 1);
 			return dropped;
 		}
 		xlist(&dropped, ", ", "%s", page->column[most].head);
@@ -404,7 +406,7 @@ page_fit(struct page *page, struct answer *r)
 }
 
 static bool
-page_has(const struct page *page, int spare)
+page_has_spare(const struct page *page, int spare)
 {
 	for (size_t i = 0; i < page->n; i++)
 		if (page->column[i].spare == spare)
@@ -520,7 +522,7 @@ note_flow(struct answer *r, const struct asked *all)
 	if (returns)
 		answer_say(r, ANSWER_REMARK,
 		    "sizes and passings are those of the new feed's product, "
-		    "without what comes back; tonnes are with it");
+		    "without what comes back; tonnes include it");
 }
 
 static void
@@ -594,7 +596,7 @@ note_light(struct answer *r, const struct session *s, const struct question *q,
 	answers_note_basis(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
 		FREED char *said =
-		    light_said_at(s, q->entry, row[best].speed, q->feed);
+		    light_words_at(s, q->entry, row[best].speed, q->feed);
 		answer_say(r,
 		    row[best].light == LIGHT_RED ? ANSWER_WARNING
 						 : ANSWER_REMARK,
@@ -622,14 +624,14 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	FREED char *today = moment_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
-	struct trust light = light_of(s, entry, NULL);
+	struct trust light = light_of_prediction(s, entry, NULL);
 	struct card_row *row = xcalloc(n, sizeof *row);
 	for (size_t i = 0; i < n; i++)
 		card_work_out(s, all, speed[i], &row[i], &light);
 	struct page page = page_of(all, row, n, 100 * all->question->level);
-	FREED char *dropped = page_fit(&page, r);
+	FREED char *dropped = page_drop_to_fit(&page, r);
 	add_page(r, &page);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_keys(r, all, rpm);
 	for (size_t i = 0; i < n; i++)
 		card_add_row(r, all, &row[i], rpm);
@@ -637,7 +639,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 	    entry->site->machine, breakage_of(&entry->params)->name);
 	note_limits(r, all);
 	note_flow(r, all);
-	note_basis(r, s, all, dropped, page_has(&page, RANGE));
+	note_basis(r, s, all, dropped, page_has_spare(&page, RANGE));
 	note_light(r, s, all->question, row, n, &light);
 	while (page.n > 0)
 		page_drop(&page, page.n - 1);
@@ -652,11 +654,11 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
 {
 	struct asked all = {.question = q};
 	question_usual_speeds(s, q, true);
-	bool ok = read_asked(s, &all, args, q->at[q->n_at - 1], error);
+	bool ok = card_request_read(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
 	if (ok)
-		session_answer(s, card_answer(s, &all, q->at, q->n_at));
-	asked_free(&all);
+		session_show_answer(s, card_answer(s, &all, q->at, q->n_at));
+	card_request_free(&all);
 	return ok;
 }

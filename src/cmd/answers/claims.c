@@ -28,7 +28,7 @@ struct shown {
 };
 
 static void
-collect(struct shown *c, const struct session *s)
+collect_fits(struct shown *c, const struct session *s)
 {
 	c->settings = s->set.model;
 	stored_table3(&c->paper);
@@ -52,7 +52,7 @@ collect(struct shown *c, const struct session *s)
 /* The claim, whether these data bear it out, and the figures: for people in a
  * paragraph, for programs in a row. */
 static void
-claim(struct answer *r, const char *words, bool borne_out, char *figures)
+add_claim(struct answer *r, const char *words, bool borne_out, char *figures)
 {
 	answer_note(r,
 	    borne_out ? N_("borne out: %s. %s") : N_("NOT borne out: %s. %s"),
@@ -76,11 +76,12 @@ claim_range(struct answer *r, const struct shown *c)
 		}
 		bound += any;
 	}
-	claim(r, N_("properties converge within the range of rock"), bound == 0,
-	    xasprintf(tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f "
-			 "to %.2f; %zu of %zu sites end with one at a bound of "
-			 "Table 2, which then is the bound's and not the "
-			 "rock's"),
+	add_claim(r, N_("properties converge within the range of rock"),
+	    bound == 0,
+	    xasprintf(
+		tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f to "
+		   "%.2f; %zu of %zu sites end with one at a bound of Table 2, "
+		   "which then is set by the bound and not by the rock"),
 		low[0], high[0], low[1], high[1], low[2], high[2], bound,
 		c->n));
 }
@@ -95,11 +96,12 @@ claim_sizes(struct answer *r, const struct shown *c)
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		rms[i] =
 		    100 * validate_score(v, c->n_run, VALIDATE_MODEL, i).rms;
-	claim(r, N_("P50 differs least"), rms[1] < rms[0] && rms[1] < rms[2],
+	add_claim(r, N_("P50 differs least"),
+	    rms[1] < rms[0] && rms[1] < rms[2],
 	    xasprintf(tr("relative RMS of P20 %.2f %%, P50 %.2f %%, P80 %.2f "
 			 "%% over %zu held-out runs"),
 		rms[0], rms[1], rms[2], c->n_run));
-	claim(r, N_("the tails lie further off"),
+	add_claim(r, N_("the tails lie further off"),
 	    rms[0] > rms[1] && rms[2] > rms[1],
 	    xasprintf(rms[0] > rms[1]
 			  ? (rms[2] > rms[1] ? tr("both, P20 and P80")
@@ -133,7 +135,7 @@ claim_opposite(struct answer *r, const struct shown *c)
 	fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
 	free(x);
 	free(y);
-	claim(r, N_("high f_mat goes with low e0_min, and the reverse"),
+	add_claim(r, N_("high f_mat goes with low e0_min, and the reverse"),
 	    is_negative(printed, c->paper.n),
 	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3, "
 			 "%+.2f over the %zu fits; chance alone is beyond "
@@ -144,7 +146,7 @@ claim_opposite(struct answer *r, const struct shown *c)
 
 /* The row of Table 3 that is called as the site is, or NULL. */
 static const struct stored *
-claims_row_of(const struct shown *c, const struct entry *entry)
+claims_table3_row(const struct shown *c, const struct entry *entry)
 {
 	FREED char *name = xasprintf("table3/%s", entry->key);
 	return stored_find(&c->paper, name);
@@ -160,7 +162,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 	size_t n = 0, well = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct site *site = c->fit[i]->site;
-		const struct stored *m = claims_row_of(c, c->fit[i]);
+		const struct stored *m = claims_table3_row(c, c->fit[i]);
 		for (size_t k = 0; m != NULL && k < ARRAY_LEN(SPEED); k++) {
 			struct prediction p = predict(site, &c->fit[i]->params,
 					      c->settings, SPEED[k],
@@ -178,7 +180,8 @@ claim_beyond(struct answer *r, const struct shown *c)
 	}
 	gsl_sort(off, 1, n);
 	if (n > 0)
-		claim(r, N_("65 and 85 m/s can be predicted from 69 and 79"),
+		add_claim(r,
+		    N_("65 and 85 m/s can be predicted from 69 and 79"),
 		    well == n,
 		    xasprintf(
 			tr("against the product that the row's own parameters "
@@ -191,7 +194,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_middle(struct answer *r, const struct shown *c)
+claim_middle_speed(struct answer *r, const struct shown *c)
 {
 	size_t wins = 0, n = 0;
 	double sum[2] = {0};
@@ -206,7 +209,7 @@ claim_middle(struct answer *r, const struct shown *c)
 		sum[1] += line * line;
 	}
 	if (n > 0)
-		claim(r, N_("the middle speed verifies the model"),
+		add_claim(r, N_("the middle speed verifies the model"),
 		    sum[0] < sum[1],
 		    xasprintf(tr("RMSE %.2f points at held-out speeds, "
 				 "straight interpolation of the two training "
@@ -235,7 +238,8 @@ claim_resistance(struct answer *r, const struct shown *c)
 		more += share[1] > share[0];
 		sum += (share[1] - share[0]) / (double)c->n;
 	}
-	claim(r, N_("f_mat is a resistance: the lower it is, the more breaks"),
+	add_claim(r,
+	    N_("f_mat is a resistance: the lower it is, the more breaks"),
 	    more == 0,
 	    xasprintf(tr("by Eq 3 10 %% more f_mat breaks more of the feed at "
 			 "%zu of %zu sites, by %+.2f points on average"),
@@ -248,10 +252,10 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	struct shown c = {0};
 	FREED char *about = xstrdup("");
 	(void)args;
-	collect(&c, s);
+	collect_fits(&c, s);
 	bool any = c.n > 0 && c.n_run > 0;
 	struct answer *r = answer_new("show");
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "claim, borne_out, figures");
 	for (size_t i = 0; i < c.n; i++)
 		site_add_source(&about, c.fit[i]->site);
@@ -260,7 +264,7 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	answer_sites(r, "", about);
 	if (any) {
 		claim_range(r, &c);
-		claim_middle(r, &c);
+		claim_middle_speed(r, &c);
 		claim_sizes(r, &c);
 		claim_beyond(r, &c);
 		claim_opposite(r, &c);
@@ -271,12 +275,13 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	if (strstr(about, "reconstructed") != NULL)
 		answer_say(r, ANSWER_REMARK,
 		    "reconstructed data are made by the model itself: they can "
-		    "show that its calibration works, not that rock breaks so");
+		    "show that its calibration works, not that rock breaks "
+		    "this way");
 	free(c.fit);
 	free(c.v);
 	stored_list_free(&c.paper);
 	if (any)
-		return session_answer(s, r);
+		return session_show_answer(s, r);
 	answer_free(r);
 	return error_set(error, ERROR_USAGE,
 	    "no loaded site has a fit of the paper's model and a held-out run\n"

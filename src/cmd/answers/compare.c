@@ -34,7 +34,7 @@ struct side {
 static const char PIN[] = "pinned";
 
 static bool
-are_two(const struct side side[2])
+are_two_sites(const struct side side[2])
 {
 	return entry_loaded(side[0].entry) != entry_loaded(side[1].entry);
 }
@@ -110,7 +110,7 @@ comparison_rows(struct answer *r, const struct side side[2],
 		snprintf(key, sizeof key, "passing_pct@%g", units_mm(x[i]));
 		snprintf(head, sizeof head, "%g", units_mm(x[i]));
 		answer_name(r, key, head);
-		answer_missing(r, "-");
+		answer_set_missing(r, "-");
 		answer_cells(r, "%.1f %.1f %+.1f", units_pct(a), units_pct(b),
 		    100 * (b - a));
 		if (band)
@@ -120,7 +120,7 @@ comparison_rows(struct answer *r, const struct side side[2],
 		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
-		answer_missing(r, "-");
+		answer_set_missing(r, "-");
 		answer_cells(r, "%+.2f",
 		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
 		if (band && i != ANSWERS_BREAK)
@@ -148,7 +148,7 @@ put_side(struct fields *o, const char *key, const struct side *side,
 
 /* The provenance of both: once where they have the same. */
 static char *
-provenance(const struct side side[2])
+provenance_of_both(const struct side side[2])
 {
 	char *first[2];
 	for (size_t i = 0; i < 2; i++)
@@ -178,10 +178,10 @@ comparison_notes(struct answer *r, const struct side side[2])
 static void
 show_basis(const struct session *s, struct answer *r, const struct side side[2])
 {
-	bool two = are_two(side);
+	bool two = are_two_sites(side);
 	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
-	struct trust light = light_of(s, side[0].entry, &side[0].p);
-	light_worse(&light, light_of(s, side[1].entry, &side[1].p));
+	struct trust light = light_of_prediction(s, side[0].entry, &side[0].p);
+	light_worse(&light, light_of_prediction(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q =
 		    asked_whole(s, side[i].entry, side[i].p.feed_run);
@@ -238,7 +238,8 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	const char *word = args->operand[i];
 	if (is_pinned(args, i))
 		return take_pinned(s, args, side, error);
-	double v = args_number(args, "speed", answers_usual(session_entry(s)));
+	double v =
+	    args_number(args, "speed", answers_usual_speed(session_entry(s)));
 	size_t at = s->current;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
@@ -248,14 +249,14 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 		    "compare: expected speeds from 1 to %d m/s, got %s",
 		    SITE_FASTEST, word);
 	const struct question *like = i > 0 ? &side[-1].q : NULL;
-	if (!answers_known(s, &s->entry[at], error) ||
+	if (!answers_check_params(s, &s->entry[at], error) ||
 	    !(like != NULL && like->named != NULL
 		    ? question_too(
 			  s, &s->entry[at], args, like, &side->q, error)
 		    : question_of(s, &s->entry[at], args, &side->q, error)))
 		return false;
 	side->entry = side->q.entry;
-	if (!screened_tells(&side->q, error))
+	if (!screened_is_measured_alone(&side->q, error))
 		return false;
 	side->p = forecast_product(s, &side->q, v);
 	return true;
@@ -263,9 +264,9 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 
 /* What stands over the columns: what the two differ in. */
 static void
-name_sides(bool sites, struct side side[2])
+set_column_headings(bool sites, struct side side[2])
 {
-	bool two = are_two(side);
+	bool two = are_two_sites(side);
 	for (size_t i = 0; i < 2; i++) {
 		const char *key = side[i].entry->key;
 		double v = side[i].p.speed;
@@ -280,11 +281,11 @@ name_sides(bool sites, struct side side[2])
 
 /* The heading of two sites. */
 static void
-head_sites(struct answer *r, const struct side side[2], const char *fraction)
+set_title(struct answer *r, const struct side side[2], const char *fraction)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
-	FREED char *data = provenance(side);
+	FREED char *data = provenance_of_both(side);
 	if (side[0].p.speed != side[1].p.speed)
 		answer_title(r, "%s and %s, %% passing%s", side[0].head,
 		    side[1].head, fraction);
@@ -310,13 +311,13 @@ comparison(const struct session *s, const struct side side[2])
 		    forecast_draws(f[0], n) != NULL &&
 		    forecast_draws(f[1], n) != NULL;
 	FREED char *fraction = screened_title(&side[0].p.fraction);
-	struct answer *r = are_two(side)
+	struct answer *r = are_two_sites(side)
 			       ? answer_new("compare")
 			       : answers_new(side[0].entry->site, "compare",
 				     "%s and %s, %% passing%s", side[0].head,
 				     side[1].head, fraction);
-	if (are_two(side))
-		head_sites(r, side, fraction);
+	if (are_two_sites(side))
+		set_title(r, side, fraction);
 	comparison_rows(r, side, f, band, x, n);
 	if (band)
 		answer_say(r, ANSWER_REMARK,
@@ -347,11 +348,11 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	request.feed_speed = feed > 0 ? feed : 0;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
-	if (are_two(side))
+	if (are_two_sites(side))
 		request.beside = two->entry->key;
 	request.band = one->p.low != NULL;
 	struct chart *chart = plots_chart(s, &request, error);
-	return chart != NULL && pictures_draw(s, chart, error);
+	return chart != NULL && plot_write_image(s, chart, error);
 }
 
 bool
@@ -369,11 +370,11 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		    "compare: expected two speeds, or two sites and a speed");
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
 		  take_side(s, args, sites, 1, &side[1], error);
-	if (ok && pictures_wanted(s)) {
+	if (ok && plot_writes_image(s)) {
 		ok = draw_both(s, side, error);
 	} else if (ok) {
-		name_sides(sites, side);
-		session_answer(s, comparison(s, side));
+		set_column_headings(sites, side);
+		session_show_answer(s, comparison(s, side));
 	}
 	for (size_t i = 0; i < 2; i++) {
 		if (!side[i].pinned)

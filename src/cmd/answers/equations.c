@@ -49,7 +49,7 @@ equations_exponent(const struct worked *w, double x, double speed)
 /* Two sieves' middle on log size, m, where something breaks, or where nothing
  * does: the coarsest such class. */
 static double
-class_at(const struct worked *w, double speed, bool breaks)
+class_midpoint(const struct worked *w, double speed, bool breaks)
 {
 	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
 	for (size_t i = 0; i + 1 < feed->n; i++) {
@@ -61,10 +61,10 @@ class_at(const struct worked *w, double speed, bool breaks)
 }
 
 static void
-say_sign(struct answer *r, const struct worked *w, double speed)
+say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 {
-	double coarse = class_at(w, speed, true),
-	       fine = class_at(w, speed, false);
+	double coarse = class_midpoint(w, speed, true),
+	       fine = class_midpoint(w, speed, false);
 	struct fields *o = fields_object(answer_fields(r), "d1");
 	if (!isnan(coarse)) {
 		double t = equations_exponent(w, coarse, speed);
@@ -88,7 +88,7 @@ say_sign(struct answer *r, const struct worked *w, double speed)
 
 /* The share of the feed that breaks where x is in millimetres. */
 static double
-selected_mm(const struct worked *w, double speed)
+selected_in_mm(const struct worked *w, double speed)
 {
 	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
 	double sum = 0;
@@ -111,7 +111,7 @@ say_metres(struct answer *r, const struct worked *w)
 		struct prediction p = predict(
 		    w->site, w->p, w->settings, speed[i], SITE_MEAN_FEED);
 		metres[i] = 100 * p.selected;
-		mm[i] = 100 * selected_mm(w, speed[i]);
+		mm[i] = 100 * selected_in_mm(w, speed[i]);
 		prediction_free(&p);
 	}
 	fields_put(fields_object(answer_fields(r), "d2"),
@@ -126,7 +126,7 @@ say_metres(struct answer *r, const struct worked *w)
 
 /* RMSE of parameters at one run, or for n_run at both, points. */
 static double
-points(const struct worked *w, struct model_settings settings,
+rmse_points(const struct worked *w, struct model_settings settings,
     const struct params *p, size_t run)
 {
 	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
@@ -158,8 +158,8 @@ say_parents(struct answer *r, const struct worked *w)
 		    100 * fabs(a.product.passing[i] - b.product.passing[i]));
 	prediction_free(&a);
 	prediction_free(&b);
-	double off = points(w, literal, w->p, w->site->n_run),
-	       used = points(w, w->settings, w->p, w->site->n_run);
+	double off = rmse_points(w, literal, w->p, w->site->n_run),
+	       used = rmse_points(w, w->settings, w->p, w->site->n_run);
 	fields_put(fields_object(answer_fields(r), "d3"),
 	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
 	    used);
@@ -174,8 +174,8 @@ say_parents(struct answer *r, const struct worked *w)
 /* Of a grid over Table 2's bounds the parameters of the least printed Eq 5; the
  * first is the site's own. */
 static double
-least_printed(const struct worked *w, struct misfit *low, struct misfit *high,
-    struct params *best)
+best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
+    struct misfit *high, struct params *best)
 {
 	enum { STEPS = 8 };
 	const struct bounds b = bounds_default(0);
@@ -207,7 +207,7 @@ say_minus(struct answer *r, const struct worked *w)
 	}
 	struct params best = *w->p;
 	double own = misfit_at(m[1], &best) - misfit_at(m[0], &best);
-	double least = least_printed(w, m[0], m[1], &best);
+	double least = best_params_of_printed_eq5(w, m[0], m[1], &best);
 	double off[2];
 	for (size_t i = 0; i < 2; i++)
 		off[i] = 100 * misfit_rmse(m[i], &best);
@@ -258,7 +258,7 @@ equations_work_out(struct answer *r, const struct session *s)
 	}
 	w.site = entry->site;
 	w.p = &entry->params;
-	say_sign(r, &w, answers_usual(entry));
+	say_sign_of_eq3(r, &w, answers_usual_speed(entry));
 	if (!find_runs(&w))
 		return;
 	say_metres(r, &w);
@@ -281,7 +281,7 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 		    tr("printed"), EQUATIONS[i].printed);
 		answer_cells(r, "%s %s %s", "", tr("used"), EQUATIONS[i].used);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "equation, printed, used");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++)
 		answer_cells(r, "%s %s %s", EQUATIONS[i].equation,
@@ -290,5 +290,5 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 	fields_put(answer_fields(r), "what %s", "equations");
 	equations_work_out(r, s);
 	answer_note(r, "'man model' lists the departures D1, D2 ..");
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

@@ -79,9 +79,9 @@ cmd_figures(struct session *s, const struct args *args,
 	    answers_extrapolates(entry, v));
 	figure_rows(
 	    r, fields_list(answer_fields(r), "figures"), all, q, n, v, false);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	figure_rows(r, NULL, all, q, n, v, true);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

@@ -34,7 +34,7 @@ struct goal {
 /* Whether the speeds of an envelope are asked for: of one that is named, or,
  * for no other wish, of the one that is chosen. */
 static bool
-wishes_spec(const struct session *s, const struct args *args)
+asks_for_spec(const struct session *s, const struct args *args)
 {
 	bool other = args_value(args, "p20")->given ||
 		     args_value(args, "p50")->given ||
@@ -44,7 +44,7 @@ wishes_spec(const struct session *s, const struct args *args)
 }
 
 static void
-aim(struct goal *goal, struct quantity q, double value)
+add_target(struct goal *goal, struct quantity q, double value)
 {
 	goal->n++;
 	goal->target = (struct condition){q, value, value};
@@ -58,13 +58,13 @@ read_options(
 	static const char *const NAMES[PSD_SIZES] = {"p20", "p50", "p80"};
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		if (args_value(args, NAMES[i])->given)
-			aim(goal,
+			add_target(goal,
 			    (struct quantity){.kind = QUANTITY_SIZE,
 				.x = PSD_PASSING[i],
 				.fraction = *fraction},
 			    args_value(args, NAMES[i])->number / 1000);
 	if (args_value(args, "passing")->given)
-		aim(goal,
+		add_target(goal,
 		    (struct quantity){.kind = QUANTITY_PASSING,
 			.x = args_value(args, "at")->number / 1000,
 			.fraction = *fraction},
@@ -89,7 +89,7 @@ read_operand(const char *text, const struct fraction *fraction,
 		return true;
 	}
 	goal->kind = of == NULL ? GOAL_VALUE : most ? GOAL_MOST : GOAL_LEAST;
-	aim(goal, c.quantity, c.least);
+	add_target(goal, c.quantity, c.least);
 	return true;
 }
 
@@ -150,12 +150,12 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 	read_options(args, fraction, goal);
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!read_operand(args->operand[i], fraction, goal, error))
-			return conditions_place(args, i, error);
+			return conditions_set_error_place(args, i, error);
 	if (!check_goal(args, goal, error) ||
-	    !conditions_covered(&goal->target, feed, error))
+	    !conditions_check_covered(&goal->target, feed, error))
 		return false;
 	for (size_t i = 0; i < goal->others.n; i++)
-		if (!conditions_covered(&goal->others.at[i], feed, error))
+		if (!conditions_check_covered(&goal->others.at[i], feed, error))
 			return false;
 	return conditions_add_option(
 	    s, args, fraction, feed, &goal->others, &goal->limits, error);
@@ -163,7 +163,7 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 
 /* The target's, as people see it. */
 static double
-shown(const struct goal *goal, double value)
+shown_value(const struct goal *goal, double value)
 {
 	return quantities_shown(&goal->target.quantity, value);
 }
@@ -173,7 +173,7 @@ find_value_at(const struct goal *goal, double v)
 {
 	struct forecast *f = goal->wanted.forecast;
 	forecast_at(f, v);
-	return shown(goal, forecast_figure(f, goal->wanted.n).value);
+	return shown_value(goal, forecast_figure(f, goal->wanted.n).value);
 }
 
 /* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
@@ -188,7 +188,7 @@ goal_words(const struct goal *goal)
 		    name);
 	else if (q->kind == QUANTITY_PASSING)
 		words = xasprintf(
-		    "%g %% %s", shown(goal, goal->target.least), name);
+		    "%g %% %s", shown_value(goal, goal->target.least), name);
 	else
 		words = conditions_words(&goal->target);
 	free(name);
@@ -220,7 +220,7 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    wanted,
-	    value ? shown(goal, goal->target.least)
+	    value ? shown_value(goal, goal->target.least)
 		  : find_value_at(goal, speed),
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
 	    find_value_at(goal, goal->wanted.from),
@@ -232,7 +232,7 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 
 /* The speed of what was found, NAN: none. */
 static double
-speed_of(const struct goal *goal, const struct speed_search *f)
+speed_found(const struct goal *goal, const struct speed_search *f)
 {
 	return goal->kind == GOAL_VALUE
 		   ? f->found
@@ -351,7 +351,7 @@ note_sure(
 	forecast_at(goal->wanted.forecast, v);
 	FREED char *words = value_words(goal, goal->wanted.n);
 	answer_note(
-	    r, "with %.0f %% certainty at %.1f m/s: %s", level, v, words);
+	    r, "with %.0f %% certainty at %.2f m/s: %s", level, v, words);
 }
 
 static void
@@ -363,7 +363,7 @@ note_missed(
 }
 
 static void
-note_other(struct answer *r, const struct goal *goal, size_t i)
+note_other_condition(struct answer *r, const struct goal *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
@@ -384,7 +384,7 @@ note_others(struct answer *r, const struct goal *goal,
 {
 	forecast_at(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
-		note_other(r, goal, i);
+		note_other_condition(r, goal, i);
 	double certain = wanted_certainty(&goal->wanted);
 	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
@@ -401,7 +401,7 @@ note_others(struct answer *r, const struct goal *goal,
 
 /* Why there is no such speed: what the two ends give. */
 static void
-note_unreached(struct answer *r, const struct goal *goal, const char *words)
+note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
@@ -433,10 +433,10 @@ static void
 note_finding(struct answer *r, const struct goal *goal,
     const struct speed_search *f, const char *words)
 {
-	double v = speed_of(goal, f);
+	double v = speed_found(goal, f);
 	bool found = !isnan(v);
 	if (!found && goal->kind == GOAL_VALUE)
-		note_unreached(r, goal, words);
+		note_out_of_reach(r, goal, words);
 	else if (!found)
 		conditions_note_missed(r, &goal->wanted, &goal->others, f);
 	else if (goal->kind == GOAL_VALUE)
@@ -453,7 +453,7 @@ static void
 put_found(
     struct fields *o, const struct goal *goal, const struct speed_search *f)
 {
-	double v = speed_of(goal, f);
+	double v = speed_found(goal, f);
 	put_goal(o, goal, v, f);
 	if (goal->wanted.n == 0)
 		return;
@@ -470,7 +470,7 @@ answer_goal(struct session *s, struct goal *goal)
 	const struct question *q = goal->question;
 	const struct entry *entry = q->entry;
 	struct speed_search *f = speed_search_all(&goal->wanted);
-	double v = speed_of(goal, f);
+	double v = speed_found(goal, f);
 	bool found = !isnan(v);
 	double speed[2] = {found ? v : goal->wanted.from, goal->wanted.to};
 	size_t n = found ? 1 : 2;
@@ -489,9 +489,9 @@ answer_goal(struct session *s, struct goal *goal)
 	    s, r, q, found ? v : 0, false, light_worst(s, entry, p, n));
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
-	session_answer(s, r);
+	session_show_answer(s, r);
 	if (found)
-		answers_keep(s, entry, &entry->params, &p[0]);
+		answers_keep_prediction(s, entry, &entry->params, &p[0]);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	speed_search_free(f);
@@ -520,7 +520,7 @@ note_window(struct answer *r, const struct goal *goal, const struct grading *g,
 }
 
 static void
-note_certain(struct answer *r, double level, const double range[2])
+note_certain_range(struct answer *r, double level, const double range[2])
 {
 	if (isfinite(range[0]))
 		answer_note(r,
@@ -554,7 +554,7 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	grading_rows(r, &g, v);
 	note_window(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL)
-		note_certain(r, 100 * g.conditions.level, w->sure);
+		note_certain_range(r, 100 * g.conditions.level, w->sure);
 	grading_notes(r, &g);
 	answers_show_basis_at(s, r, goal->question, v, false);
 	fields_put(answer_fields(r),
@@ -563,9 +563,9 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
 	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
 	grading_put_worst(answer_fields(r), &g);
-	grading_put(r, &g);
+	grading_put_fields(r, &g);
 	session_forget(s);
-	session_answer(s, r);
+	session_show_answer(s, r);
 	speed_search_free(w);
 	grading_close(&g);
 	return true;
@@ -578,7 +578,7 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 	double from = goal->wanted.from, to = goal->wanted.to;
 	bool ok = read_goal(s, args, goal, error);
 	if (ok) {
-		goal->wanted = conditions_ask(
+		goal->wanted = conditions_open(
 		    s, goal->question, &goal->others, &goal->target);
 		goal->wanted.from = from;
 		goal->wanted.to = to;
@@ -598,6 +598,6 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 	if (!conditions_speeds(s, args, q->entry->site, &goal.wanted.from,
 		&goal.wanted.to, error))
 		return false;
-	return wishes_spec(s, args) ? answer_spec(s, args, &goal, error)
-				    : find_goal(s, args, &goal, error);
+	return asks_for_spec(s, args) ? answer_spec(s, args, &goal, error)
+				      : find_goal(s, args, &goal, error);
 }

@@ -59,7 +59,7 @@ basis_from_material(struct basis *b, struct store *store, struct error *error)
 }
 
 static void
-basis_fill(struct basis *b)
+basis_allocate(struct basis *b)
 {
 	size_t n = b->list.n;
 	b->m = xcalloc(n, sizeof *b->m);
@@ -80,7 +80,7 @@ basis_fill(struct basis *b)
 /* As many of the nearest as told, else as leaving one site out finds best: of
  * Table 3 alone, so that it is the same for everyone. */
 static void
-basis_pick(struct basis *b, const struct value *nearest, double speed)
+basis_pick_nearest(struct basis *b, const struct value *nearest, double speed)
 {
 	size_t n = b->list.n, n_table = n - b->table3, most = n;
 	const struct guess_material *table = b->m + b->table3;
@@ -98,7 +98,7 @@ basis_pick(struct basis *b, const struct value *nearest, double speed)
 
 /* Rock and top size as given, else the sheet's. */
 static bool
-find_wanted(const struct site *site, const struct args *args,
+read_wanted_material(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
 {
 	const struct value *rock = args_value(args, "rock");
@@ -170,7 +170,8 @@ static struct answer *
 guess_table(const struct site *site, const struct guess *guess)
 {
 	struct answer *r = answers_new(site, "guess",
-	    "estimated product at %.1f m/s, not calibrated", guess->speed);
+	    "estimated product at %.*f m/s, not calibrated",
+	    units_speed_digits(guess->speed), guess->speed);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
 			  "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)
@@ -216,7 +217,7 @@ note_sizes(struct answer *r, const struct guess *guess)
 
 /* Names of the materials picked (or, with `left`, left out). */
 static char *
-names(const struct basis *b, bool left)
+material_names(const struct basis *b, bool left)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
@@ -235,7 +236,7 @@ note_nearest(struct answer *r, const struct basis *b)
 	for (size_t i = 0; i < b->n; i++)
 		same +=
 		    text_same(b->list.item[b->pick[i]].rock, b->wanted.rock);
-	FREED char *picked = names(b, false);
+	FREED char *picked = material_names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
@@ -297,8 +298,8 @@ note_materials(struct answer *r, const struct basis *b)
 	else
 		answer_say(r, ANSWER_REMARK,
 		    open ? N_("estimated from another quarry, not calibrated: "
-			      "from one material, so that the band knows of no "
-			      "other strength")
+			      "from one material, so the band does not cover "
+			      "rock of another strength")
 			 : N_("estimated from another quarry, not calibrated: "
 			      "from one material, so without a band"));
 	if (open)
@@ -318,7 +319,7 @@ note_materials(struct answer *r, const struct basis *b)
 		answer_say(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
 		    "data");
-	FREED char *left = names(b, true);
+	FREED char *left = material_names(b, true);
 	if (left[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "left out because they are this site's own: %s", left);
@@ -331,7 +332,7 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
 	for (size_t i = 0; i < b->n; i++) {
-		struct origin *o = origin_stored(&b->list.item[b->pick[i]]);
+		struct origin *o = origin_from_store(&b->list.item[b->pick[i]]);
 		double slow = INFINITY, fast = 0;
 		for (size_t k = 0; k < o->n_speed; k++) {
 			slow = fmin(slow, o->speed[k]);
@@ -347,9 +348,9 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 	fields_put(answer_fields(r), "extrapolated %d", beyond);
 	if (beyond)
 		answer_say(r, ANSWER_WARNING,
-		    "%.1f m/s is outside the training speeds common to these "
+		    "%.*f m/s is outside the training speeds common to these "
 		    "materials, %g to %g m/s",
-		    speed, slowest, fastest);
+		    units_speed_digits(speed), speed, slowest, fastest);
 }
 
 /* What such guesses are worth.  A band of few materials is too narrow, which is
@@ -424,7 +425,7 @@ give_guess(struct session *s, const struct site *site, const struct basis *b,
 	note_error(r, b);
 	put_guess(r, b, guess);
 	put_error(answer_fields(r), b);
-	session_answer(s, r);
+	session_show_answer(s, r);
 }
 
 bool
@@ -433,11 +434,11 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 {
 	const struct site *site = q->entry->site;
 	struct basis b = {.n = 0};
-	bool ok = find_wanted(site, args, &b.wanted, error) &&
+	bool ok = read_wanted_material(site, args, &b.wanted, error) &&
 		  basis_from_material(&b, s->store, error);
 	if (ok) {
-		basis_fill(&b);
-		basis_pick(&b, args_value(args, "nearest"), q->speed);
+		basis_allocate(&b);
+		basis_pick_nearest(&b, args_value(args, "nearest"), q->speed);
 		struct guess guess =
 		    guess_product(site, q->feed, b.m, b.pick, b.n, q->speed);
 		give_guess(s, site, &b, &guess);

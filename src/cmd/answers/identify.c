@@ -68,7 +68,7 @@ identify_find(const struct posterior *p, const struct site *site)
 }
 
 static const char *
-grade_of_break(const struct findings *f, size_t i)
+grade_of_break_size(const struct findings *f, size_t i)
 {
 	const struct identify_break *at = &f->at[i];
 	return f->open                      ? tr("bounded from above")
@@ -85,7 +85,7 @@ identify_add_rows(struct answer *r, const struct findings *f)
 		answer_text(r, "break size, %g m/s", f->speed[i]);
 		answer_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
 		    1000 * f->at[i].sd, NAN, "mm");
-		answer_text(r, "%s", grade_of_break(f, i));
+		answer_text(r, "%s", grade_of_break_size(f, i));
 	}
 	for (size_t j = 0; j < f->of->n; j++) {
 		const struct identify_param *a = &f->param[j];
@@ -169,7 +169,7 @@ say_open(struct answer *r, const struct findings *f)
 /* "5.72 +- 0.06, 4.31 +- 0.05 mm" at the speeds of a grade, which are listed
  * too; NULL where there is none.  The caller frees. */
 static char *
-sizes_of(const struct findings *f, bool sharp, char **speeds)
+break_sizes_text(const struct findings *f, bool sharp, char **speeds)
 {
 	char *sizes = xstrdup("");
 	size_t n = 0, left = 0;
@@ -187,9 +187,10 @@ sizes_of(const struct findings *f, bool sharp, char **speeds)
 }
 
 static void
-add_sizes(char **text, const struct findings *f, bool sharp)
+add_break_sizes(char **text, const struct findings *f, bool sharp)
 {
-	FREED char *speeds = xstrdup(""), *sizes = sizes_of(f, sharp, &speeds);
+	FREED char *speeds = xstrdup(""),
+		   *sizes = break_sizes_text(f, sharp, &speeds);
 	if (sizes[0] != '\0')
 		xlist(text, "; ",
 		    sharp ? tr("the data fix the break size at %s m/s: %s mm")
@@ -222,7 +223,7 @@ add_names(char **text, const struct findings *f, enum identify_grade grade)
 
 /* The one sentence.  The caller frees. */
 static char *
-sentence(const struct findings *f)
+identify_sentence(const struct findings *f)
 {
 	char *text = xstrdup("");
 	if (f->open && f->n_speed > 0)
@@ -231,8 +232,8 @@ sentence(const struct findings *f)
 		       "%.2f mm at %g m/s"),
 		    1000 * f->at[0].high, f->speed[0]);
 	else {
-		add_sizes(&text, f, true);
-		add_sizes(&text, f, false);
+		add_break_sizes(&text, f, true);
+		add_break_sizes(&text, f, false);
 	}
 	add_names(&text, f, IDENTIFY_DETERMINED);
 	add_names(&text, f, IDENTIFY_POORLY);
@@ -270,7 +271,7 @@ bool
 cmd_identify(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (!answers_ready(s, error))
+	if (!answers_check_current(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
 	const struct posterior *p = outlook_draws(s, entry);
@@ -282,7 +283,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	struct findings f = identify_find(p, entry->site);
 	struct answer *r =
 	    answers_new(entry->site, "identify", "what the data determine");
-	FREED char *text = sentence(&f);
+	FREED char *text = identify_sentence(&f);
 	identify_add_rows(r, &f);
 	identify_put(answer_fields(r), &f, text);
 	say_ridges(r, &f);
@@ -293,5 +294,5 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	answer_note(r, "%s", text);
 	free(f.speed);
 	free(f.at);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

@@ -34,10 +34,11 @@ note_breakage(struct answer *r, const struct params *params,
 		    "the appearance function gives no progeny: feed unchanged");
 	else if (p->break_size >= top)
 		answer_note(r,
-		    "nothing breaks at %.1f m/s: only particles of %.3g mm or "
+		    "nothing breaks at %.*f m/s: only particles of %.3g mm or "
 		    "more would, and the feed has none above %g mm: feed "
 		    "unchanged",
-		    p->speed, 1000 * p->break_size, units_mm(top));
+		    units_speed_digits(p->speed), p->speed,
+		    1000 * p->break_size, units_mm(top));
 	else if (params_value(params, "e0_min") <= 0)
 		answer_note(r,
 		    "all sizes can break (e0_min is 0: no threshold); %.1f %% "
@@ -91,7 +92,7 @@ note_wide_gap(struct answer *r, const struct psd *feed)
  * sieve, [n]; NULL where no measured runs lie on both sides of the speed, or
  * were measured with another feed or machine. */
 static double *
-interpolated(const struct session *s, const struct entry *entry,
+interpolate_measured(const struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)
 {
 	if (entry->site->with[0] != '\0')
@@ -210,13 +211,14 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	    !detail && p->low != NULL
 		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
 		: xstrdup("");
-	struct answer *r = answers_new(entry->site, "predict",
-	    "product at %.1f m/s%s%s%s", p->speed, more, fraction, band);
+	struct answer *r =
+	    answers_new(entry->site, "predict", "product at %.*f m/s%s%s%s",
+		units_speed_digits(p->speed), p->speed, more, fraction, band);
 	/* One who hears a table wants a sieve's numbers in a line. */
 	if (!s->linear)
-		answer_across(r);
+		answer_set_across(r);
 	predict_add_rows(r, s, entry, params, p, between, NULL, detail);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	predict_add_rows(r, s, entry, params, p, between, model, true);
 	return r;
 }
@@ -269,8 +271,8 @@ note_floor(
 	if (list[0] != '\0' && !fraction_screens(&p->fraction))
 		answer_say(r, ANSWER_REMARK,
 		    "at %s mm the feed has more than measured products, which "
-		    "crushing cannot bring about: the answer is the feed's "
-		    "there; sample the feed again",
+		    "crushing cannot do: there the answer is the feed; sample "
+		    "the feed again",
 		    list);
 }
 
@@ -319,7 +321,7 @@ char *
 predict_sure(const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	size_t i = answers_sieve(&p->product);
+	size_t i = answers_usual_sieve(&p->product);
 	const struct quantity passing = {
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
 	if (p->low == NULL || fraction_screens(&p->fraction))
@@ -329,16 +331,17 @@ predict_sure(const struct session *s, const struct question *q,
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
 	char *words = xasprintf(
-	    tr("at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+	    tr("at %.*f m/s %.1f %% passes %g mm: %s between %.1f and "
 	       "%.1f; a new belt cut between %.1f and %.1f"),
-	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
-	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
+	    units_speed_digits(p->speed), p->speed, units_pct(sample.value),
+	    units_mm(passing.x), chance, units_pct(p->low[i]),
+	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
 	double most =
 	    q->feed == SITE_MEAN_FEED ? predict_feeds_move(s, q, p, i) : 0;
 	if (most >= FEEDS_TOLD) {
-		char *more = xasprintf(
-		    tr("%s; feeds as they varied move it by up to %.1f points"),
+		char *more = xasprintf(tr("%s; the feeds that were sampled "
+					  "change it by up to %.1f points"),
 		    words, 100 * most);
 		free(words);
 		words = more;
@@ -359,28 +362,28 @@ note_sure(struct answer *r, const struct session *s, const struct question *q,
 /* The largest move of what was measured and stands beside the answer, passing
  * 0..1; 0 where it is not worth a word. */
 static double
-largest_move(const struct session *s, const struct question *q,
+largest_move_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
 	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
-			most = fmax(most,
-			    moved_by(s, q->entry, q->params, k, p->feed_run));
+			most = fmax(most, moved_largest(s, q->entry, q->params,
+					      k, p->feed_run));
 	return most > MOVED_TOLD ? most : 0;
 }
 
 /* The answer with what is to be said of it; wanted: with the interpolated
  * products. */
 static struct answer *
-explained(const struct session *s, const struct question *q,
+prediction_with_notes(const struct session *s, const struct question *q,
     const struct prediction *p, const struct params *params, bool wanted,
     bool detail)
 {
 	const struct entry *entry = q->entry;
 	FREED double *between =
-	    wanted ? interpolated(s, entry, params, p) : NULL;
+	    wanted ? interpolate_measured(s, entry, params, p) : NULL;
 	struct answer *r =
 	    prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
@@ -413,7 +416,7 @@ explained(const struct session *s, const struct question *q,
 		    p->speed);
 	note_only_check(r, s, entry);
 	struct question at = *q;
-	at.moved = largest_move(s, q, p, between != NULL);
+	at.moved = largest_move_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
 	    p->low != NULL && (detail || is_unusual(s, entry)));
 	return r;
@@ -432,14 +435,14 @@ draw_curves(struct session *s, const struct question *q,
 	request.fraction = p->fraction;
 	double feed = feed_speed(q->entry->site, p->feed_run);
 	request.feed_speed = feed > 0 ? feed : 0;
-	request.band = pictures_wanted(s) && p->low != NULL;
-	if (!pictures_wanted(s))
+	request.band = plot_writes_image(s) && p->low != NULL;
+	if (!plot_writes_image(s))
 		request.strip = 0;
 	struct chart *chart = plots_chart(s, &request, error);
 	if (chart == NULL)
 		return false;
-	if (pictures_wanted(s))
-		return pictures_draw(s, chart, error);
+	if (plot_writes_image(s))
+		return plot_write_image(s, chart, error);
 	struct canvas *canvas =
 	    chart_draw(chart, WIDTH, HEIGHT, request.charset, request.words);
 	fputc('\n', s->out);
@@ -456,8 +459,8 @@ take_params(const struct session *s, const struct entry *entry,
     struct params *params, struct error *error)
 {
 	*params = entry->params;
-	return answers_forming(s, entry, params) ||
-	       answers_known(s, entry, error);
+	return answers_best_so_far(s, entry, params) ||
+	       answers_check_params(s, entry, error);
 }
 
 bool
@@ -471,14 +474,14 @@ predict_step(struct session *s, const struct entry *entry, double speed,
 	struct question q = asked_whole(s, entry, feed_run);
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
-	answers_keep(s, entry, &params, p);
+	answers_keep_prediction(s, entry, &params, p);
 	invocation_asked(s, "predict", line);
 	return true;
 }
 
 /* Interpolated products are those of the whole product. */
 static bool
-whole_for(const struct args *args, const struct fraction *fraction,
+check_whole_product(const struct args *args, const struct fraction *fraction,
     struct error *error)
 {
 	if (args_value(args, "interpolated")->choice != 1 ||
@@ -497,7 +500,8 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct params params;
 	bool wanted = args_value(args, "interpolated")->choice == 1;
 	if (!take_params(s, entry, &params, error) ||
-	    !whole_for(args, &q->fraction, error) || !screened_tells(q, error))
+	    !check_whole_product(args, &q->fraction, error) ||
+	    !screened_is_measured_alone(q, error))
 		return false;
 	struct question at = *q;
 	at.params = &params;
@@ -506,17 +510,17 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	const struct value *asked = args_value(args, "band");
 	if (asked->choice == 0)
 		prediction_drop_band(&p);
-	struct answer *r = explained(s, &at, &p, &params, wanted,
+	struct answer *r = prediction_with_notes(s, &at, &p, &params, wanted,
 	    args_value(args, "detail")->choice == 1);
 	if (asked->given && asked->choice == 1 && p.low == NULL)
 		answer_note(r, "%s", outlook_why_none(s, entry));
-	bool picture = pictures_wanted(s) && s->document == NULL;
+	bool picture = plot_writes_image(s) && s->document == NULL;
 	bool curve = args_value(args, "curve")->choice == 1 &&
 		     s->set.format == ANSWER_TABLE;
 	if (picture)
-		session_keep(s, r);
+		session_keep_answer(s, r);
 	else
-		session_answer(s, r);
+		session_show_answer(s, r);
 	bool ok = (!picture && !curve) || draw_curves(s, &at, &p, error);
 	prediction_free(&p);
 	return ok;

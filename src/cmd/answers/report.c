@@ -21,6 +21,7 @@
 #include "cmd/lang/table.h"
 #include "config.h"
 #include "io/cells/datetime.h"
+#include "io/sitefile/units.h"
 
 /* What a section needs of the session; without parameters it is said to be
  * missing, what else is absent goes without saying. */
@@ -88,7 +89,7 @@ static const struct section {
 
 /* Whether a section is wanted as soon as there are parameters. */
 static bool
-is_asked(const struct ask *ask, enum need need)
+is_section_wanted(const struct ask *ask, enum need need)
 {
 	return need == NEED_PARAMS ||
 	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
@@ -96,7 +97,8 @@ is_asked(const struct ask *ask, enum need need)
 }
 
 static bool
-is_met(const struct session *s, const struct ask *ask, enum need need)
+has_what_section_needs(
+    const struct session *s, const struct ask *ask, enum need need)
 {
 	const struct entry *entry = &s->entry[s->current];
 	size_t known = 0;
@@ -106,7 +108,7 @@ is_met(const struct session *s, const struct ask *ask, enum need need)
 	case NEED_PARAMS:
 	case NEED_CONDITIONS:
 	case NEED_TPH:
-		return entry->has_params && is_asked(ask, need);
+		return entry->has_params && is_section_wanted(ask, need);
 	case NEED_FIT:
 		return entry->has_params && origin_fit(entry) != NULL;
 	case NEED_NONE:
@@ -114,7 +116,7 @@ is_met(const struct session *s, const struct ask *ask, enum need need)
 	case NEED_SEVERAL:
 		return known > 1;
 	case NEED_CUTS:
-		return entry->has_params && cut_later(s, entry).n > 0;
+		return entry->has_params && cut_compare_later(s, entry).n > 0;
 	case NEED_SPEC:
 		return entry->has_params &&
 		       (s->spec != NULL || ask->spec[0] != '\0');
@@ -125,7 +127,7 @@ is_met(const struct session *s, const struct ask *ask, enum need need)
 
 /* The words with what is asked; the caller frees. */
 static char *
-filled(const char *words, const struct ask *ask)
+fill_in_words(const char *words, const struct ask *ask)
 {
 	char speed[32], *text = xstrdup("");
 	const struct {
@@ -168,11 +170,12 @@ put_sections(struct session *s, const struct ask *ask)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
-		if (!is_met(s, ask, row->need))
+		if (!has_what_section_needs(s, ask, row->need))
 			continue;
-		FREED char *line = filled(row->line, ask);
+		FREED char *line = fill_in_words(row->line, ask);
 		if (row->heading != NULL) {
-			FREED char *heading = filled(tr(row->heading), ask);
+			FREED char *heading =
+			    fill_in_words(tr(row->heading), ask);
 			document_heading(s->document, heading);
 		}
 		run_line(s, line);
@@ -199,13 +202,13 @@ put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
-	FREED char *words =
-	    xasprintf(tr("Trust: %s. %s the answer at %.1f m/s%s"),
-		tr(LIGHT_NAME[t.light]),
-		t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
-		: t.light == LIGHT_RED ? tr("Do not rely on")
-				       : tr("Take care with"),
-		ask->speed, t.n == 0 ? "." : ":");
+	FREED char *words = xasprintf(
+	    tr("Trust: %s. %s the answer at %.*f m/s%s"),
+	    tr(LIGHT_NAME[t.light]),
+	    t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
+	    : t.light == LIGHT_RED ? tr("Do not rely on")
+				   : tr("Take care with"),
+	    units_speed_digits(ask->speed), ask->speed, t.n == 0 ? "." : ":");
 	document_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
 		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
@@ -238,15 +241,15 @@ append_window(char **words, const struct ask *ask)
 static void
 put_conditions(struct session *s, const struct ask *ask)
 {
-	if (!is_met(s, ask, NEED_CONDITIONS))
+	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return;
 	forecast_at(ask->wanted.forecast, ask->speed);
 	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
 	double share = wanted_certainty(&ask->wanted);
 	FREED char *list = conditions_list_words(&ask->list);
 	FREED char *chance = conditions_chance(share, met);
-	FREED char *words = xasprintf(
-	    tr("Conditions: %s: at %.1f m/s %s"), list, ask->speed, chance);
+	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s %s"),
+	    list, units_speed_digits(ask->speed), ask->speed, chance);
 	append_window(&words, ask);
 	document_say(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS
@@ -259,7 +262,7 @@ static void
 report_put_answer(struct session *s, const struct ask *ask)
 {
 	const struct question *q = ask->q;
-	if (!is_met(s, ask, NEED_PARAMS))
+	if (!has_what_section_needs(s, ask, NEED_PARAMS))
 		return;
 	struct prediction p = forecast_whole(s, q->entry, ask->speed, q->feed);
 	FREED char *sure = predict_sure(s, q, &p);
@@ -270,14 +273,14 @@ report_put_answer(struct session *s, const struct ask *ask)
 
 /* Instead of the light. */
 static void
-put_missing(struct session *s, const struct ask *ask)
+put_left_out_sections(struct session *s, const struct ask *ask)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
-		if (row->heading == NULL || !is_asked(ask, row->need))
+		if (row->heading == NULL || !is_section_wanted(ask, row->need))
 			continue;
-		FREED char *heading = filled(tr(row->heading), ask);
+		FREED char *heading = fill_in_words(tr(row->heading), ask);
 		xlist(&list, "; ", "%s", heading);
 	}
 	document_say(s->document, DOCUMENT_WARNING,
@@ -308,19 +311,19 @@ report_put_script(struct session *s, const struct ask *ask)
 }
 
 static void
-compose(struct session *s, const struct ask *ask)
+write_report(struct session *s, const struct ask *ask)
 {
 	const struct site *site = ask->q->entry->site;
-	FREED char *label = session_label(site);
+	FREED char *label = session_site_label(site);
 	FREED char *today = moment_today();
 	FREED char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_title(s->document, title);
 	report_put_answer(s, ask);
 	put_conditions(s, ask);
-	if (is_met(s, ask, NEED_PARAMS))
+	if (has_what_section_needs(s, ask, NEED_PARAMS))
 		put_light(s, ask);
 	else
-		put_missing(s, ask);
+		put_left_out_sections(s, ask);
 	put_data(s->document, site);
 	put_sections(s, ask);
 	report_put_script(s, ask);
@@ -376,7 +379,7 @@ take_words(const struct args *args, struct ask *ask)
 
 /* What could not be used is said before anything is written. */
 static bool
-read_ask(struct session *s, const struct args *args, struct ask *ask,
+read_report_request(struct session *s, const struct args *args, struct ask *ask,
     struct error *error)
 {
 	const struct entry *entry = ask->q->entry;
@@ -390,9 +393,9 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 		s, args, fraction, feed, &ask->list, &remark, error))
 		return false;
 	ask->speed = ask->q->speed;
-	if (!is_met(s, ask, NEED_CONDITIONS))
+	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted = conditions_ask(s, ask->q, &ask->list, NULL);
+	ask->wanted = conditions_open(s, ask->q, &ask->list, NULL);
 	ask->found = speed_search_all(&ask->wanted);
 	if (!ask->q->speed_given && ask->found->n_inside > 0)
 		ask->speed = ask->found->best;
@@ -400,7 +403,7 @@ read_ask(struct session *s, const struct args *args, struct ask *ask,
 }
 
 static void
-ask_free(struct ask *ask)
+report_request_free(struct ask *ask)
 {
 	speed_search_free(ask->found);
 	forecast_close(ask->wanted.forecast);
@@ -423,19 +426,19 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 		    "report: expected a file for it, .html or .pdf\n"
 		    "write: report > report.html");
 	question_as_last(s, args, q);
-	bool ok = read_ask(s, args, &ask, error);
+	bool ok = read_report_request(s, args, &ask, error);
 	if (ok) {
 		/* What was answered before is still what assert asks. */
 		struct answer **kept = s->answer;
 		size_t n_kept = s->n_answer;
 		s->answer = NULL;
 		s->n_answer = 0;
-		compose(s, &ask);
+		write_report(s, &ask);
 		session_forget(s);
 		free(s->answer);
 		s->answer = kept;
 		s->n_answer = n_kept;
 	}
-	ask_free(&ask);
+	report_request_free(&ask);
 	return ok;
 }

@@ -26,7 +26,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct site *site = session_entry(s)->site;
 	struct answer *r = answer_new("show");
-	FREED char *label = session_label(site);
+	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds(site, " ", NULL, true);
 	answer_title(r, "%s", label);
 	answer_site(r, site->name, site->provenance);
@@ -46,7 +46,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < site->n_note; i++)
 		answer_cells(
 		    r, "%s %s", site->note[i].key, site->note[i].value);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* The largest sieve of the curves below a size, m; 0 when there is none. */
@@ -107,14 +107,14 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
 		answer_note(r, "the site file has a feed only");
-	answer_missing(r, "");
+	answer_set_missing(r, "");
 	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
 			answer_cells(
 			    r, "%.2f", units_pct(psd_at_sieve(curve[i], x)));
 	}
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* The equations with the numbers of this site in them. */
@@ -139,17 +139,18 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	const struct model_settings *set = &s->set.model;
 	struct fields *o = answer_fields(r);
 	fields_put(o, "what %s method %s appearance %s k %g", "model",
-	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
+	    answers_method_word(set->method), MODEL_FORMS[set->appearance],
+	    set->k);
 	if (entry->has_params)
 		fit_put_params(o, &entry->params);
 	else
 		fields_put(o, "params %g", NAN);
-	answer_missing(r, entry->has_params ? N_("none") : "-");
+	answer_set_missing(r, entry->has_params ? N_("none") : "-");
 	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
-		v = v > 0 ? v : answers_usual(entry);
+		v = v > 0 ? v : answers_usual_speed(entry);
 		if (site_run_repeats(site, i) && !site->individual_feeds)
 			continue;
 		if (entry->has_params) {
@@ -163,13 +164,14 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	}
 	answer_put_rows(r, "runs");
 	answer_note(r, "method %s, appearance %s, k %g",
-	    answers_method(set->method), MODEL_FORMS[set->appearance], set->k);
+	    answers_method_word(set->method), MODEL_FORMS[set->appearance],
+	    set->k);
 	if (entry->has_params)
 		note_equations(r, &entry->params, set->k);
 	else
 		answer_note(
 		    r, "no parameters yet: run 'calibrate' or 'params set'");
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* For people a row a model, for programs one for each parameter. */
@@ -184,7 +186,7 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	for (size_t m = 0; m < breakage_count(); m++)
 		answer_cells(r, "%s %g %s", BREAKAGES[m]->name,
 		    (double)BREAKAGES[m]->n, BREAKAGES[m]->brief);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
 	for (size_t m = 0; m < breakage_count(); m++)
 		for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
@@ -196,7 +198,7 @@ show_models(struct session *s, const struct args *args, struct error *error)
 		}
 	answer_note(r, "'set model NAME; bounds' lists the parameters of one, "
 		       "'man model' says what they mean");
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* A row for each class of the feed. */
@@ -243,19 +245,19 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 		    1000 * p.break_size);
 	feed_note(r, entry->site, q->feed, NULL, 0);
 	prediction_free(&p);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 static bool
 show_selection(struct session *s, const struct args *args, struct error *error)
 {
-	return answers_ready(s, error) &&
+	return answers_check_current(s, error) &&
 	       question_run(s, args, answer_selection, error);
 }
 
 /* A class is called by the sieve it lies on. */
 static const char *
-class_name(const struct psd *feed, size_t i, char buf[static 32])
+class_heading(const struct psd *feed, size_t i, char buf[static 32])
 {
 	if (i + 1 == feed->n)
 		return "pan";
@@ -265,15 +267,16 @@ class_name(const struct psd *feed, size_t i, char buf[static 32])
 
 /* Parents across and progeny down; a: as appearance_matrix has it. */
 static void
-matrix_across(struct answer *r, const struct psd *feed, const double *a)
+add_matrix_rows_across(
+    struct answer *r, const struct psd *feed, const double *a)
 {
 	char name[32];
 	answer_columns(r, "daughter: daughter");
 	for (size_t i = 0; i < feed->n; i++)
-		answer_columns(r, "%s", class_name(feed, i, name));
+		answer_columns(r, "%s", class_heading(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
-		answer_cells(r, "%s", class_name(feed, j, name));
-		answer_missing(r, "");
+		answer_cells(r, "%s", class_heading(feed, j, name));
+		answer_set_missing(r, "");
 		for (size_t i = 0; i < feed->n; i++)
 			answer_cells(
 			    r, "%.1f", i <= j ? 100 * a[j * feed->n + i] : NAN);
@@ -282,7 +285,7 @@ matrix_across(struct answer *r, const struct psd *feed, const double *a)
 
 /* A row for each parent and progeny: for spreadsheets. */
 static void
-matrix_long(
+add_matrix_rows_long(
     struct answer *r, const struct psd *feed, const double *x, const double *a)
 {
 	answer_columns(r, "parent_mm: parent mm, daughter_mm: progeny mm, "
@@ -300,7 +303,7 @@ note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 	FREED char *text = xstrdup("");
 	for (int i = 1; i < 10; i++)
 		xlist(&text, ", ", "1/%d: %.1f %%", 1 << i,
-		    100 * answers_finer(b, ldexp(1, -i), site));
+		    100 * answers_share_finer(b, ldexp(1, -i), site));
 	answer_note(r,
 	    "B(u), the share of a broken particle finer than u times its size, "
 	    "as used by the method continuous: %s; nothing is finer than "
@@ -309,7 +312,7 @@ note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 }
 
 static void
-put_matrix(struct fields *o, enum appearance_form form, size_t n,
+put_matrix_fields(struct fields *o, enum appearance_form form, size_t n,
     const double *x, const double *a)
 {
 	fields_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
@@ -337,9 +340,9 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
 	struct answer *r = answers_new(entry->site, "show",
 	    "appearance function (Eq 1), %% of each broken size class");
-	matrix_across(r, feed, a);
-	answer_for_programs(r);
-	matrix_long(r, feed, x, a);
+	add_matrix_rows_across(r, feed, a);
+	answer_fill_for_programs(r);
+	add_matrix_rows_long(r, feed, x, a);
 	answer_say(r, ANSWER_REMARK,
 	    "parent classes across, progeny down; a class is named after the "
 	    "sieve that retains it; columns sum to 100");
@@ -348,8 +351,9 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 		    r, ANSWER_REMARK, "beta is the default: no parameters yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
 		note_passing(r, &b, entry->site);
-	put_matrix(answer_fields(r), s->set.model.appearance, feed->n, x, a);
-	return session_answer(s, r);
+	put_matrix_fields(
+	    answer_fields(r), s->set.model.appearance, feed->n, x, a);
+	return session_show_answer(s, r);
 }
 
 /* What can be shown; the first is shown when nothing is named. */
@@ -377,8 +381,8 @@ static const struct {
 };
 
 static bool
-nothing_called(struct session *s, const char *what, const struct args *args,
-    struct error *error)
+error_nothing_called(struct session *s, const char *what,
+    const struct args *args, struct error *error)
 {
 	struct error none = {0};
 	size_t at;
@@ -398,7 +402,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
-		return nothing_called(s, what, args, error);
+		return error_nothing_called(s, what, args, error);
 	if (args_value(args, "speed")->given && !WHAT[i].asked)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",

@@ -17,7 +17,7 @@
 /* The operands from one on as one text: names have blanks.  NULL where there
  * are none; else the caller frees. */
 static char *
-words_from(const struct args *args, size_t from)
+join_operands(const struct args *args, size_t from)
 {
 	char *words = args->n_operand > from ? xstrdup("") : NULL;
 	for (size_t i = from; i < args->n_operand; i++)
@@ -36,7 +36,7 @@ cut_words(const struct spec *spec)
 static bool
 use_spec(struct session *s, const struct args *args, struct error *error)
 {
-	FREED char *words = words_from(args, 1);
+	FREED char *words = join_operands(args, 1);
 	if (words == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "spec use: expected an envelope\n"
@@ -52,7 +52,7 @@ use_spec(struct session *s, const struct args *args, struct error *error)
 }
 
 static bool
-spec_off(struct session *s, const struct args *args, struct error *error)
+stop_using_spec(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
@@ -84,7 +84,7 @@ spec_add_limits(struct answer *r, const struct standards *all)
 		FREED char *name = xasprintf("%s: %s", l->standard, l->item);
 		answer_cells(r, "%s %s", name, words);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "standard, limit, min, max, unit, note");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];
@@ -103,12 +103,12 @@ list_limits(struct session *s, const struct standards *all)
 	    "second-hand copies: check them against your own. Those on a "
 	    "fineness modulus and between two sieves are checked by 'spec'; "
 	    "tolerances need a declared grading");
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* One envelope, sieve by sieve. */
 static bool
-list_one(struct session *s, const struct spec *spec)
+list_limits_of_spec(struct session *s, const struct spec *spec)
 {
 	struct answer *r = answer_new("spec");
 	FREED char *cut = cut_words(spec);
@@ -119,7 +119,7 @@ list_one(struct session *s, const struct spec *spec)
 		answer_cells(r, "%g %g %g", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]));
 	answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 static bool
@@ -143,13 +143,13 @@ list_all(struct session *s, const struct standards *all, const bool *match)
 	    "second-hand copies: check them against your own; 'spec list NAME' "
 	    "has the limits of one, 'spec list limits' those that are not on a "
 	    "passing");
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 static bool
 list_specs(struct session *s, const struct args *args, struct error *error)
 {
-	FREED char *words = words_from(args, 1);
+	FREED char *words = join_operands(args, 1);
 	struct standards *all = standards_shipped();
 	bool *match = xcalloc(all->n, sizeof *match), ok;
 	size_t n = words != NULL ? standards_match(all, words, match) : 0;
@@ -163,7 +163,7 @@ list_specs(struct session *s, const struct args *args, struct error *error)
 	else if (n == 0)
 		ok = standards_find(all, words, error) != NULL;
 	else
-		ok = n == 1 ? list_one(s, all->spec[at])
+		ok = n == 1 ? list_limits_of_spec(s, all->spec[at])
 			    : list_all(s, all, match);
 	free(match);
 	standards_free(all);
@@ -195,9 +195,9 @@ spec_compare(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	struct grading g;
-	FREED char *words = words_from(args, 0);
+	FREED char *words = join_operands(args, 0);
 	const struct spec *spec = grading_spec(s, words, error);
-	if (spec == NULL || !answers_ready(s, error) ||
+	if (spec == NULL || !answers_check_current(s, error) ||
 	    !grading_open(s, args, spec, q, &g, error))
 		return false;
 	FREED char *name = grading_words(&g);
@@ -210,8 +210,8 @@ spec_compare(struct session *s, const struct args *args, struct question *q,
 	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
 	    answers_extrapolates(entry, v),
 	    wanted_holds(&g.conditions, SIZE_MAX));
-	grading_put(r, &g);
-	session_answer(s, r);
+	grading_put_fields(r, &g);
+	session_show_answer(s, r);
 	grading_close(&g);
 	return true;
 }
@@ -223,7 +223,7 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 		const char *verb;
 		command_run *run;
 	} VERBS[] = {
-	    {"use", use_spec}, {"list", list_specs}, {"off", spec_off}};
+	    {"use", use_spec}, {"list", list_specs}, {"off", stop_using_spec}};
 	for (size_t i = 0; args->n_operand > 0 && i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);

@@ -21,7 +21,7 @@ size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 	static const char *const ENDS[] = {N_("  low"), N_("  high")};
 	for (size_t end = 0; end < 2; end++) {
 		answer_cells(r, "%s", tr(ENDS[end]));
-		answer_missing(r, "");
+		answer_set_missing(r, "");
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answer_cells(r, "%.2f", 1000 * p[i].range[size][end]);
@@ -48,14 +48,14 @@ sweep_across(struct answer *r, const struct entry *entry,
 	}
 	if (fraction_screens(&p[0].fraction)) {
 		answer_cells(r, "%s", tr("share %"));
-		answer_missing(r, "");
+		answer_set_missing(r, "");
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answer_cells(r, "%.1f", units_pct(p[i].share));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
 		answer_cells(r, "%s", tr(ANSWERS_HEADS[size]));
-		answer_missing(r, "");
+		answer_set_missing(r, "");
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
@@ -109,7 +109,7 @@ sweep_answer(const struct session *s, const struct question *q,
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? outlook_words(s, entry) : "");
 	(across ? sweep_across : answers_speed_rows)(r, entry, p, n);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	sweep_long(r, entry, p, n);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
@@ -129,13 +129,13 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	question_usual_speeds(s, q, false);
 	size_t n = q->n_at;
 	FREED struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false, ok = screened_tells(q, error);
+	bool outside = false, ok = screened_is_measured_alone(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
 		p[i] = forecast_product(s, q, q->at[i]);
 		outside = outside || answers_extrapolates(entry, q->at[i]);
 	}
 	if (ok)
-		session_answer(s, sweep_answer(s, q, p, n, outside));
+		session_show_answer(s, sweep_answer(s, q, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	return ok;

@@ -28,8 +28,8 @@ static const char *const PARTS[ENSEMBLE_PARTS] = {
  * narrower: what the runs show the model to leave out goes with its
  * parameters. */
 static void
-add_parts(struct answer *r, const struct session *s, const struct question *q,
-    const struct prediction *p)
+add_band_parts(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *p)
 {
 	struct forecast *of[ENSEMBLE_PARTS];
 	for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS; part++) {
@@ -54,11 +54,12 @@ add_parts(struct answer *r, const struct session *s, const struct question *q,
 /* What is shown unless told otherwise: what passes the sieves that are asked
  * for, or else the middle one, and sizes. */
 static char *
-usual_figures(const struct prediction *p, bool sieves)
+usual_quantities(const struct prediction *p, bool sieves)
 {
 	if (!sieves)
 		return xasprintf("passing %g,P20,P50,P80",
-		    units_mm(p->product.size[answers_sieve(&p->product)]));
+		    units_mm(
+			p->product.size[answers_usual_sieve(&p->product)]));
 	char *list = xstrdup("");
 	for (size_t i = 0; i < p->product.n; i++)
 		xlist(&list, ",", "passing %g", units_mm(p->product.size[i]));
@@ -67,7 +68,7 @@ usual_figures(const struct prediction *p, bool sieves)
 
 /* A row, and an object for programs. */
 static void
-add_sure(struct answer *r, struct fields *list, const struct quantity *q,
+add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
     struct figure answer, struct figure sample)
 {
 	const double values[] = {
@@ -95,7 +96,8 @@ add_figures(struct answer *r, const struct session *s,
     const struct args *args, struct error *error)
 {
 	const struct value *of = args_value(args, "of");
-	FREED char *usual = usual_figures(p, args_value(args, "sieves")->given);
+	FREED char *usual =
+	    usual_quantities(p, args_value(args, "sieves")->given);
 	size_t n;
 	FREED struct quantity *q =
 	    quantities_asked(of->given ? of->text : usual, &question->fraction,
@@ -110,14 +112,14 @@ add_figures(struct answer *r, const struct session *s,
 			  "cut_low: cut low, cut_high: cut high");
 	struct fields *list = fields_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
-		add_sure(r, list, &q[i], forecast_figure(answer, i),
+		add_figure_row(r, list, &q[i], forecast_figure(answer, i),
 		    forecast_figure(sample, i));
 	forecast_close(answer);
 	forecast_close(sample);
 	FREED char *chance = predict_chance(question->level);
 	answer_note(r,
 	    "low, high: the true value lies between them %s; cut low, cut "
-	    "high: so does a new belt cut",
+	    "high: the same for a new belt cut",
 	    chance);
 	return true;
 }
@@ -203,8 +205,9 @@ draws_answer(const struct session *s, const struct question *q,
 	forecast_at(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	FREED char *fraction = screened_title(&at->fraction);
-	struct answer *r = answers_new(q->entry->site, "uncertainty",
-	    "draws at %.1f m/s%s", at->speed, fraction);
+	struct answer *r =
+	    answers_new(q->entry->site, "uncertainty", "draws at %.*f m/s%s",
+		units_speed_digits(at->speed), at->speed, fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -239,11 +242,12 @@ static void
 note_feeds(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *at)
 {
-	size_t i = answers_sieve(&at->product);
+	size_t i = answers_usual_sieve(&at->product);
 	double most = predict_feeds_move(s, q, at, i);
 	if (!(most > 0))
 		return;
-	answer_note(r, "feeds as they varied move 0/%g by up to %.1f points",
+	answer_note(r,
+	    "the feeds that were sampled change 0/%g by up to %.1f points",
 	    units_mm(at->product.size[i]), 100 * most);
 	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
 }
@@ -253,7 +257,7 @@ static void
 note_next(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *at)
 {
-	size_t i = answers_sieve(&at->product);
+	size_t i = answers_usual_sieve(&at->product);
 	const struct quantity passing = {.kind = QUANTITY_PASSING,
 	    .x = at->product.size[i],
 	    .fraction = q->fraction};
@@ -316,7 +320,7 @@ note_speeds(struct answer *r, const struct session *s, const struct question *q,
 
 /* people: the figures, unless detail= has them see what programs do. */
 static struct answer *
-parts_answer(const struct session *s, const struct question *q,
+band_parts_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
 {
 	const struct entry *entry = q->entry;
@@ -324,18 +328,18 @@ parts_answer(const struct session *s, const struct question *q,
 	bool detail = args_value(args, "detail")->choice == 1;
 	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
-	    detail ? N_("half width of the %.0f %% band at %.1f m/s%s, points")
-		   : N_("how sure, %.0f %% bands at %.1f m/s%s"),
-	    100 * q->level, at->speed, fraction);
+	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
+		   : N_("how sure, %.0f %% bands at %.*f m/s%s"),
+	    100 * q->level, units_speed_digits(at->speed), at->speed, fraction);
 	if (!detail && !add_figures(r, s, q, at, args, error)) {
 		answer_free(r);
 		return NULL;
 	}
 	if (detail && !s->linear)
-		answer_across(r);
+		answer_set_across(r);
 	if (!detail)
-		answer_for_programs(r);
-	add_parts(r, s, q, at);
+		answer_fill_for_programs(r);
+	add_band_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
 	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");
@@ -358,7 +362,7 @@ parts_answer(const struct session *s, const struct question *q,
 
 /* Settings that the options name are set first. */
 static void
-take_settings(struct session *s, const struct args *args)
+apply_settings(struct session *s, const struct args *args)
 {
 	static const char *const OWN[] = {"level", "noise"};
 	for (size_t i = 0; i < ARRAY_LEN(OWN); i++) {
@@ -405,8 +409,8 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (!take_words(args, q, &draws, error))
 		return false;
 	question_as_last(s, args, q);
-	take_settings(s, args);
-	if (!screened_tells(q, error))
+	apply_settings(s, args);
+	if (!screened_is_measured_alone(q, error))
 		return false;
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {
@@ -419,7 +423,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	size_t n = (size_t)args_value(args, "n")->whole;
 	struct answer *r =
 	    draws ? draws_answer(s, q, outlook_draws(s, entry), &at, n)
-		  : parts_answer(s, q, &at, args, error);
+		  : band_parts_answer(s, q, &at, args, error);
 	prediction_free(&at);
-	return r != NULL && session_answer(s, r);
+	return r != NULL && session_show_answer(s, r);
 }

@@ -41,7 +41,7 @@ struct subject {
 
 /* Share of the feed above the break size, 0..1. */
 static double
-breakable(const struct subject *a)
+breakable_share(const struct subject *a)
 {
 	double x = a->p.break_size;
 	return isfinite(x) && x > 0 ? 1 - psd_passing(a->feed, x) : x <= 0;
@@ -51,7 +51,7 @@ static void
 say_breakage(const struct subject *a)
 {
 	const struct prediction *p = &a->p;
-	double can = breakable(a), does = p->selected;
+	double can = breakable_share(a), does = p->selected;
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
@@ -83,7 +83,7 @@ static void
 say_how_much(const struct subject *a)
 {
 	const struct prediction *p = &a->p;
-	double can = breakable(a), does = p->selected;
+	double can = breakable_share(a), does = p->selected;
 	double moved =
 	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
@@ -165,7 +165,7 @@ say_trained(const struct subject *a)
 		    "The training speeds of these parameters are not known");
 		return;
 	}
-	FREED char *speeds = answers_reach(entry, slow, fast);
+	FREED char *speeds = answers_reach_words(entry, slow, fast);
 	if (!answers_extrapolates(entry, v)) {
 		answer_note(a->answer, "%.4g m/s is within the %s", v, speeds);
 		return;
@@ -201,9 +201,9 @@ say_parameters(const struct subject *a, const struct fit *fit)
 /* What the user can do about reasons of a kind; NULL where these say it
  * themselves. */
 static const char *const REMEDY[] = {
-    [TRUST_PATTERN] = N_("look at 'check' and 'plot residuals' for a sample "
-			 "that is off; where all are right, 'league' compares "
-			 "other models"),
+    [TRUST_PATTERN] =
+	N_("look at 'check' and 'plot residuals' for a sample that is off; if "
+	   "all samples are right, 'league' compares other models"),
     [TRUST_HOLDOUT] = N_("sample that speed again; if the sample was right, "
 			 "'league' compares other models"),
     [TRUST_BEYOND] = N_("take a belt cut at this speed, or as near to it as "
@@ -240,7 +240,7 @@ say_reason(const struct subject *a, const struct trust *t, size_t i)
 static void
 say_light(const struct subject *a)
 {
-	struct trust t = light_of(a->s, a->entry, &a->p);
+	struct trust t = light_of_prediction(a->s, a->entry, &a->p);
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
 	if (t.n > 0)
 		answer_say(a->answer,
@@ -299,7 +299,7 @@ say_measured(const struct subject *a)
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
 		answer_note(a->answer,
-		    validation_loses(&v)
+		    validation_loses_to_interpolation(&v)
 			? N_("The held-out product measured at %g m/s%s "
 			     "differs from the prediction by %.2f points "
 			     "(RMSE); interpolating the training products is "
@@ -340,7 +340,7 @@ struct balance {
 
 /* "8/11.2", "0/0.063"; of class i. */
 static char *
-class_words(const struct psd *feed, size_t i)
+class_label(const struct psd *feed, size_t i)
 {
 	double finer = i + 1 < feed->n ? units_mm(feed->size[i + 1]) : 0;
 	return xasprintf("%g/%g", finer, units_mm(feed->size[i]));
@@ -360,7 +360,7 @@ row_cells(struct answer *r, const double feed, double at[2][3], double change)
 /* For people: what stays in a class, broken or not, what leaves it and what
  * comes, so that each row adds up to the feed's and the product's. */
 static void
-people_rows(struct answer *r, const struct balance *b)
+add_rows_for_people(struct answer *r, const struct balance *b)
 {
 	double sum[2][3] = {{0}}, feed = 0, all = 0;
 	answer_columns(r, "class: on mm, feed_pct: feed %%");
@@ -398,7 +398,7 @@ people_rows(struct answer *r, const struct balance *b)
 
 /* For programs: a row a speed and class. */
 static void
-program_rows(struct answer *r, const struct balance *b)
+add_rows_for_programs(struct answer *r, const struct balance *b)
 {
 	answer_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
 			  "within_pct, left_pct, arrived_pct, product_pct");
@@ -425,8 +425,8 @@ note_ways(struct answer *r, const struct balance *b)
 	const struct ledger *low = faster ? a : z, *high = faster ? z : a;
 	size_t out = ledger_most(high->left, low->left, a->n);
 	size_t in = ledger_most(high->arrived, low->arrived, a->n);
-	FREED char *from = class_words(b->feed, out),
-		   *to = class_words(b->feed, in);
+	FREED char *from = class_label(b->feed, out),
+		   *to = class_label(b->feed, in);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
 		    "From %g to %g m/s no more and no less of the feed breaks: "
@@ -477,19 +477,20 @@ note_correction(struct answer *r, const struct balance *b)
 	    "stays");
 	if (corrected)
 		answer_say(r, ANSWER_REMARK,
-		    "The ledger is of the model alone: what the runs show it "
-		    "to leave out cannot be split by classes; with it the "
-		    "passing changes by up to %.2f points otherwise (at %g mm)",
+		    "The mass balance is of the model alone: what the runs "
+		    "show it to leave out cannot be split by classes; with it, "
+		    "the change in passing differs by up to %.2f points (at %g "
+		    "mm)",
 		    100 * fabs(most), units_mm(sieve));
 	else
 		answer_say(
-		    r, ANSWER_REMARK, "The ledger is of the model alone");
+		    r, ANSWER_REMARK, "The mass balance is of the model alone");
 	fields_put(answer_fields(r), "answer_differs_pct %g",
 	    corrected ? 100 * most : NAN);
 }
 
 static void
-put_shares(struct fields *o, const char *key, const double *share, size_t n)
+put_share_list(struct fields *o, const char *key, const double *share, size_t n)
 {
 	fields_numbers(o, key, share, n, units_pct);
 }
@@ -499,7 +500,7 @@ put_balance(struct fields *o, const struct balance *b)
 {
 	size_t n = b->feed->n;
 	fields_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
-	put_shares(o, "feed_pct", b->of[0].feed, n);
+	put_share_list(o, "feed_pct", b->of[0].feed, n);
 	struct fields *list = fields_list(o, "at");
 	for (size_t k = 0; k < 2; k++) {
 		const struct ledger *l = &b->of[k];
@@ -508,11 +509,11 @@ put_balance(struct fields *o, const struct balance *b)
 		    b->p[k].speed,
 		    answers_extrapolates(b->entry, b->p[k].speed),
 		    100 * l->broken);
-		put_shares(at, "unbroken_pct", l->unbroken, n);
-		put_shares(at, "within_pct", l->within, n);
-		put_shares(at, "left_pct", l->left, n);
-		put_shares(at, "arrived_pct", l->arrived, n);
-		put_shares(at, "product_pct", l->product, n);
+		put_share_list(at, "unbroken_pct", l->unbroken, n);
+		put_share_list(at, "within_pct", l->within, n);
+		put_share_list(at, "left_pct", l->left, n);
+		put_share_list(at, "arrived_pct", l->arrived, n);
+		put_share_list(at, "product_pct", l->product, n);
 	}
 }
 
@@ -522,9 +523,9 @@ why_give(struct balance *b)
 	const struct entry *entry = b->entry;
 	struct answer *r = answers_new(entry->site, "why",
 	    "where the mass goes, %g and %g m/s", b->p[0].speed, b->p[1].speed);
-	people_rows(r, b);
-	answer_for_programs(r);
-	program_rows(r, b);
+	add_rows_for_people(r, b);
+	answer_fill_for_programs(r);
+	add_rows_for_programs(r, b);
 	note_ways(r, b);
 	note_correction(r, b);
 	for (size_t k = 0; k < 2; k++)
@@ -537,7 +538,7 @@ why_give(struct balance *b)
 	put_balance(answer_fields(r), b);
 	answers_show_basis(
 	    b->s, r, b->q, 0, false, light_worst(b->s, entry, b->p, 2));
-	session_answer(b->s, r);
+	session_show_answer(b->s, r);
 }
 
 /* Answers `why 69 79`: the second speed is the operand. */
@@ -581,7 +582,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	if (args->n_operand > 0)
 		return balance_answer(s, args, q, error);
 	question_as_last(s, args, q);
-	if (!screened_tells(q, error))
+	if (!screened_is_measured_alone(q, error))
 		return false;
 	const struct entry *entry = q->entry;
 	double v = q->speed;
@@ -604,5 +605,5 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_data(&a);
 	feed_note(a.answer, entry->site, run, NULL, 0);
 	prediction_free(&a.p);
-	return session_answer(s, a.answer);
+	return session_show_answer(s, a.answer);
 }

@@ -10,6 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
+#include "cmd/ask/goals.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
@@ -24,6 +25,22 @@ struct asking {
 	struct speed_search *w;
 };
 
+/* Those of the goal that is set, where none are given. */
+static bool
+take_goal(struct session *s, struct asking *a, struct error *error)
+{
+	size_t n_value = 0;
+	if (a->list.n > 0 || !goals_set(s))
+		return true;
+	if (!goals_read(
+		s, s->set.goal, question_feed(a->q), &a->list, &n_value, error))
+		return false;
+	return n_value == 0 || error_set(error, ERROR_USAGE,
+				   "the goal %s is a value, not a limit\nfind "
+				   "has the speed that meets it",
+				   s->set.goal);
+}
+
 static bool
 read_conditions(struct session *s, const struct args *args, struct asking *a,
     struct error *error)
@@ -32,7 +49,8 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 	const struct psd *feed = question_feed(a->q);
 	if (!conditions_add_operands(args, fraction, feed, &a->list, error) ||
 	    !conditions_add_option(
-		s, args, fraction, feed, &a->list, &a->limits, error))
+		s, args, fraction, feed, &a->list, &a->limits, error) ||
+	    !take_goal(s, a, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
 				    "expected conditions, got none\n"
@@ -44,7 +62,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 static void
 window_look(struct session *s, struct asking *a, double from, double to)
 {
-	a->wanted = conditions_ask(s, a->q, &a->list, NULL);
+	a->wanted = conditions_open(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
 	a->wanted.to = to;
 	a->w = speed_search_all(&a->wanted);
@@ -141,7 +159,8 @@ note_none_sure(struct answer *r, const struct speed_search *w, double level)
 
 /* The best speed, and how sure it and those about it are. */
 static void
-note_certain(struct answer *r, const struct session *s, const struct asking *a)
+note_certain_speeds(
+    struct answer *r, const struct session *s, const struct asking *a)
 {
 	const struct speed_search *w = a->w;
 	double level = a->wanted.level;
@@ -196,7 +215,7 @@ put_limits(struct fields *o, const struct asking *a)
 
 /* The least trusted of the best speed and the ends of the window about it. */
 static struct trust
-light_of_window(const struct session *s, const struct asking *a)
+window_light(const struct session *s, const struct asking *a)
 {
 	const struct entry *entry = a->q->entry;
 	const struct speed_range *in = speed_search_around(a->w);
@@ -261,16 +280,16 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 			conditions_note_missed(r, &a.wanted, &a.list, a.w);
 		put_window(answer_fields(r), &a,
 		    answers_extrapolates(entry, a.w->best));
-		note_certain(r, s, &a);
+		note_certain_speeds(r, s, &a);
 		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
 		answers_show_basis(
-		    s, r, q, a.w->best, false, light_of_window(s, &a));
+		    s, r, q, a.w->best, false, window_light(s, &a));
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
-		ok = session_answer(s, r);
+		ok = session_show_answer(s, r);
 	}
 	conditions_free(&a.list);
 	free(a.limits);

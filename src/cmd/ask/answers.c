@@ -41,7 +41,7 @@ answers_new(
 	va_list ap;
 	va_start(ap, format);
 	FREED char *title = xvasprintf(tr(format), ap),
-		   *label = session_label(site);
+		   *label = session_site_label(site);
 	va_end(ap);
 	answer_title(r, "%s: %s", label, title);
 	answer_site(r, site->name, site->provenance);
@@ -50,7 +50,7 @@ answers_new(
 }
 
 bool
-answers_known(
+answers_check_params(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
@@ -68,13 +68,13 @@ answers_known(
 }
 
 bool
-answers_ready(struct session *s, struct error *error)
+answers_check_current(struct session *s, struct error *error)
 {
-	return answers_known(s, session_entry(s), error);
+	return answers_check_params(s, session_entry(s), error);
 }
 
 bool
-answers_forming(
+answers_best_so_far(
     const struct session *s, const struct entry *entry, struct params *params)
 {
 	const struct entry *fitting = session_fitting(s);
@@ -95,7 +95,7 @@ answers_extrapolates(const struct entry *entry, double speed)
 }
 
 double
-answers_finer(const struct breaker *b, double u, const struct site *site)
+answers_share_finer(const struct breaker *b, double u, const struct site *site)
 {
 	double log_u = el_log(u), log_x = el_log(site->run[0].feed.size[0]);
 	const struct breakage *of = b->model;
@@ -106,7 +106,7 @@ answers_finer(const struct breaker *b, double u, const struct site *site)
 }
 
 double
-answers_usual(const struct entry *entry)
+answers_usual_speed(const struct entry *entry)
 {
 	const double usual = 74;
 	double from, to, speed = 0, middle = site_middle(entry->site);
@@ -123,7 +123,7 @@ answers_usual(const struct entry *entry)
 }
 
 size_t
-answers_sieve(const struct psd *product)
+answers_usual_sieve(const struct psd *product)
 {
 	size_t middle = 0;
 	for (size_t i = 0; i < product->n; i++) {
@@ -153,17 +153,17 @@ answers_speeds(const struct session *s, const struct site *site, size_t *n)
 }
 
 void
-answers_keep(struct session *s, const struct entry *entry,
+answers_keep_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)
 {
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
-	session_keep(s, answer);
+	session_keep_answer(s, answer);
 	s->asked = p->speed;
 }
 
 static char *
-outside_words(const struct psd *psd, double passing)
+below_or_above(const struct psd *psd, double passing)
 {
 	bool fine = psd->passing[psd->n - 1] >= passing;
 	return xasprintf("%s %g", fine ? tr("below") : tr("above"),
@@ -181,8 +181,8 @@ answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
 {
 	FREED char *words = i == ANSWERS_BREAK
 				? xstrdup(tr("none"))
-				: outside_words(&p->curve, PSD_PASSING[i]);
-	answer_missing(r, words);
+				: below_or_above(&p->curve, PSD_PASSING[i]);
+	answer_set_missing(r, words);
 	answer_cells(r, "%.2f", answers_size(p, i));
 }
 
@@ -195,7 +195,7 @@ add_size(
 {
 	double x = psd_size(psd, passing);
 	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				 : outside_words(psd, passing);
+				 : below_or_above(psd, passing);
 	bool first = *list[0] == '\0';
 	xlist(list, ", ", "P%.0f %s%s", 100 * passing, size,
 	    first || size[0] > '9' ? " mm" : "");
@@ -236,7 +236,7 @@ note_model(const struct session *s, struct answer *r, const struct entry *entry)
 }
 
 char *
-answers_reach(const struct entry *entry, double slowest, double fastest)
+answers_reach_words(const struct entry *entry, double slowest, double fastest)
 {
 	bool trained = origin_trained(entry);
 	if (slowest < fastest)
@@ -310,9 +310,9 @@ note_beyond(struct answer *r, const struct entry *entry, double speed,
 	    !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
 	    !answers_extrapolates(entry, speed))
 		return;
-	FREED char *speeds = answers_reach(entry, slowest, fastest);
-	answer_say(
-	    r, ANSWER_WARNING, "%.1f m/s is outside the %s", speed, speeds);
+	FREED char *speeds = answers_reach_words(entry, slowest, fastest);
+	answer_say(r, ANSWER_WARNING, "%.*f m/s is outside the %s",
+	    units_speed_digits(speed), speed, speeds);
 }
 
 void
@@ -345,7 +345,7 @@ answers_show_basis_at(const struct session *s, struct answer *r,
 	/* Of a feed alone a search that found nothing has no speed. */
 	answers_show_basis(s, r, q, speed, band,
 	    speed > 0 ? light_at(s, q->entry, speed, q->feed)
-		      : light_of(s, q->entry, NULL));
+		      : light_of_prediction(s, q->entry, NULL));
 }
 
 enum light
@@ -357,14 +357,14 @@ answers_show_basis_of_fit(const struct session *s, struct answer *r,
 	origin_note(r, entry);
 	feed_note_assumed(r, entry->site, NULL);
 	note_model(s, r, entry);
-	struct trust trust = light_of(s, entry, NULL);
+	struct trust trust = light_of_prediction(s, entry, NULL);
 	enum light light = trust.light;
 	light_show(r, trust);
 	return light;
 }
 
 const char *
-answers_method(enum method method)
+answers_method_word(enum method method)
 {
 	return method == METHOD_CLASSES ? "classes" : "continuous";
 }
@@ -401,7 +401,7 @@ answers_put_prediction(const struct session *s, struct fields *o,
 	const struct psd *product = &p->product;
 	fields_put(o, "speed %g extrapolated %d method %s", p->speed,
 	    answers_extrapolates(entry, p->speed),
-	    answers_method(s->set.model.method));
+	    answers_method_word(s->set.model.method));
 	fields_numbers(o, "sieve_mm", product->size, product->n, units_mm);
 	fields_numbers(
 	    o, "passing_pct", product->passing, product->n, units_pct);
@@ -429,7 +429,7 @@ answers_put_products(const struct session *s, struct fields *o,
 		    entry->site->name);
 		answers_put_prediction(
 		    s, product, entry, &entry->params, &p[i]);
-		struct trust light = light_of(s, entry, &p[i]);
+		struct trust light = light_of_prediction(s, entry, &p[i]);
 		light_put(product, &light);
 		trust_free(&light);
 	}

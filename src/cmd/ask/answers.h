@@ -24,12 +24,12 @@ void answers_put_variant(struct answer *r, const struct site *site);
 
 /* False, with an error that says what to do next, if the site (in use) has no
  * parameters yet, or the settings do not go together. */
-bool answers_known(
+bool answers_check_params(
     const struct session *s, const struct entry *entry, struct error *error);
-bool answers_ready(struct session *s, struct error *error);
+bool answers_check_current(struct session *s, struct error *error);
 
 /* While the site is being calibrated: true, with the best parameters so far. */
-bool answers_forming(
+bool answers_best_so_far(
     const struct session *s, const struct entry *entry, struct params *params);
 
 /* True if a speed lies outside those that the parameters were trained at or,
@@ -38,13 +38,13 @@ bool answers_extrapolates(const struct entry *entry, double speed);
 
 /* Returns B(u) at the breaker's speed.  If B depends on the parent's size, the
  * site's top size is the parent. */
-double answers_finer(
+double answers_share_finer(
     const struct breaker *b, double u, const struct site *site);
 
 /* Returns the speed to use if the call names none: that of the held-out run
  * nearest to the middle, else 74 m/s, or the middle if 74 is beyond
  * site_reach. */
-double answers_usual(const struct entry *entry);
+double answers_usual_speed(const struct entry *entry);
 
 /* Returns round speeds over site_reach, seven at most.  The caller frees. */
 double *answers_speeds(
@@ -52,17 +52,17 @@ double *answers_speeds(
 
 /* Returns the sieve to quote where a sentence has one passing: 2 mm, else the
  * sieve with the passing nearest to half. */
-size_t answers_sieve(const struct psd *product);
+size_t answers_usual_sieve(const struct psd *product);
 
 /* Keeps a prediction as the newest answer of `predict`. */
-void answers_keep(struct session *s, const struct entry *entry,
+void answers_keep_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p);
 
 /* The sizes in every prediction. */
 enum { ANSWERS_P20, ANSWERS_P50, ANSWERS_P80, ANSWERS_BREAK, ANSWERS_SIZES };
 
-/* Names that assert knows, each for a field of the newest answer of these
- * commands, with a space between two. */
+/* Names for assert, each a field of the newest answer of these commands,
+ * separated by spaces. */
 struct asserted {
 	const char *name, *from, *path;
 };
@@ -86,7 +86,8 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 
 /* Returns "training speeds, 69 to 79 m/s", or "one measured speed, 72 m/s".
  * The caller frees. */
-char *answers_reach(const struct entry *entry, double slowest, double fastest);
+char *answers_reach_words(
+    const struct entry *entry, double slowest, double fastest);
 
 /* Adds a note with a speed and its range, or NANs, in revolutions, if the site
  * states the rotor. */
@@ -131,7 +132,7 @@ void answers_put_band(
     struct fields *o, const struct session *s, const struct prediction *p);
 
 /* Returns "classes" or "continuous". */
-const char *answers_method(enum method method);
+const char *answers_method_word(enum method method);
 
 /* answers_put_prediction puts the JSON object of predict, see tipspeed(1),
  * OUTPUT; answers_put_products the list of several, "products". */

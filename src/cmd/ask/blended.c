@@ -30,7 +30,7 @@ blended_add(struct session *s, const char *file, double share,
 
 /* 0: made up, 1: not stated, 2: measured. */
 static int
-source_rank(const struct site *sheet)
+rank_source(const struct site *sheet)
 {
 	const char *kind = site_data_kind(sheet->provenance);
 	return site_data_made_up(sheet->provenance) ? 0
@@ -41,7 +41,7 @@ source_rank(const struct site *sheet)
 /* Their first clauses, each once, the worst first, as the first word says what
  * all are; "" where no sheet states any. */
 static char *
-sources(const struct blended *b)
+source_clauses(const struct blended *b)
 {
 	char *list = xstrdup("");
 	bool any = false;
@@ -49,10 +49,10 @@ sources(const struct blended *b)
 		for (size_t i = 0; i < b->n; i++) {
 			const struct site *sheet = b->part[i].sheet;
 			FREED char *one = site_source(sheet, "not stated");
-			if (source_rank(sheet) == rank &&
+			if (rank_source(sheet) == rank &&
 			    strstr(list, one) == NULL)
 				xlist(&list, ", ", "%s", one);
-			any = any || source_rank(sheet) != 1;
+			any = any || rank_source(sheet) != 1;
 		}
 	if (!any)
 		list[0] = '\0';
@@ -61,7 +61,7 @@ sources(const struct blended *b)
 
 /* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
 static char *
-rocks(const struct blended *b)
+rock_names(const struct blended *b)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < b->n; i++) {
@@ -91,8 +91,8 @@ blended_mix(struct blended *b)
 		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
 		    feed_file(b->part[i].file));
 	b->feed = blend_new(feed, share, b->n);
-	b->of = sources(b);
-	b->rock = rocks(b);
+	b->of = source_clauses(b);
+	b->rock = rock_names(b);
 }
 
 /* The feed of one sheet as it is. */

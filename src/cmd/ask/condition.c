@@ -179,7 +179,7 @@ read_range(const char *text, struct condition *c, struct error *error)
 /* Whether what is at a place of a text is a comma that stands for a decimal
  * point: behind another a fraction may begin. */
 static bool
-is_decimal(const char *text, const char *at)
+is_decimal_comma(const char *text, const char *at)
 {
 	size_t n = *at == ',' ? strspn(at + 1, DIGITS) : 0;
 	return n > 0 && at > text && strchr(DIGITS, at[-1]) != NULL &&
@@ -187,7 +187,7 @@ is_decimal(const char *text, const char *at)
 }
 
 static bool
-no_comma(const char *text, const char *comma, struct error *error)
+error_decimal_comma(const char *text, const char *comma, struct error *error)
 {
 	const char *from = comma;
 	while (from > text && strchr(DIGITS, from[-1]))
@@ -222,7 +222,7 @@ with_sign(const char *text)
 /* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees.
  */
 static char *
-limit_last(const char *text)
+move_limit_last(const char *text)
 {
 	size_t n = strspn(text, "0123456789.");
 	const char *rest = text + n + strspn(text + n, " %");
@@ -254,11 +254,12 @@ split_blank(const char *text, const struct fraction *fraction, char **name,
 /* A quantity and a limit without a sign between them: which is meant nobody
  * knows.  A size alone, "2 mm 42", is taken for what passes it. */
 static bool
-no_sign(const char *text, const struct fraction *fraction, struct error *error)
+error_without_sign(
+    const char *text, const struct fraction *fraction, struct error *error)
 {
 	struct condition c;
 	char *name, *passing = xasprintf("passing %s", text);
-	FREED char *turned = limit_last(text);
+	FREED char *turned = move_limit_last(text);
 	bool found =
 	    split_blank(text, fraction, &name, &c) ||
 	    split_blank(passing, fraction, &name, &c) ||
@@ -286,7 +287,7 @@ read_signed(const char *text, const struct fraction *fraction,
 	if (n == 0)
 		return conditions_expected(text, error);
 	if (text[n] == '\0')
-		return no_sign(text, fraction, error);
+		return error_without_sign(text, fraction, error);
 	FREED char *name = xstrndup(text, n);
 	bool ok =
 	    quantities_read(name, &fraction->partition, &c->quantity, error) &&
@@ -309,10 +310,10 @@ conditions_read(const char *text, const struct fraction *fraction,
 	FREED char *with = with_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
-		if (!is_decimal(with, at))
+		if (!is_decimal_comma(with, at))
 			continue;
 		ok = text_is_decimal_comma(with, at) ||
-		     no_comma(with, at, error);
+		     error_decimal_comma(with, at, error);
 		*at = '.';
 	}
 	ok = ok && read_signed(with, fraction, c, error);
@@ -348,7 +349,7 @@ size_t
 conditions_length(const char *list)
 {
 	size_t n = strcspn(list, ",;");
-	while (is_decimal(list, list + n))
+	while (is_decimal_comma(list, list + n))
 		n += 1 + strcspn(list + n + 1, ",;");
 	return n;
 }
@@ -440,7 +441,7 @@ conditions_add_option(struct session *s, const struct args *args,
 }
 
 bool
-conditions_covered(
+conditions_check_covered(
     const struct condition *c, const struct psd *feed, struct error *error)
 {
 	const double limit[] = {c->least, c->most};
@@ -454,7 +455,8 @@ conditions_covered(
 }
 
 bool
-conditions_place(const struct args *args, size_t i, struct error *error)
+conditions_set_error_place(
+    const struct args *args, size_t i, struct error *error)
 {
 	error->column = args->column[i];
 	return false;
@@ -469,7 +471,7 @@ conditions_add_operands(const struct args *args,
 		struct condition c;
 		bool ok =
 		    conditions_read(args->operand[i], fraction, &c, error) &&
-		    conditions_covered(&c, feed, error);
+		    conditions_check_covered(&c, feed, error);
 		if (ok && c.least == c.most)
 			ok = error_set(error, ERROR_USAGE,
 			    "expected a range of values, got one: '%s'\n"
@@ -477,7 +479,7 @@ conditions_add_operands(const struct args *args,
 			    "speed for a single value",
 			    args->operand[i]);
 		if (!ok)
-			return conditions_place(args, i, error);
+			return conditions_set_error_place(args, i, error);
 		conditions_add(list, c);
 	}
 	return true;
@@ -616,7 +618,7 @@ conditions_rows(struct answer *r, struct fields *o, const struct wanted *wanted,
 }
 
 struct wanted
-conditions_ask(const struct session *s, const struct question *q,
+conditions_open(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target)
 {
 	const struct quantity *more = target != NULL ? &target->quantity : NULL;

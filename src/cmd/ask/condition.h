@@ -32,7 +32,8 @@ const char *conditions_most_of(const char *text, bool *most);
 bool conditions_may_be_whole(const char *text);
 
 /* Puts the place of operand i to an error.  Returns false. */
-bool conditions_place(const struct args *args, size_t i, struct error *error);
+bool conditions_set_error_place(
+    const struct args *args, size_t i, struct error *error);
 
 /* Returns the length of the first condition in a list with commas between; a
  * comma inside a number does not count. */
@@ -63,7 +64,7 @@ bool conditions_add_option(struct session *s, const struct args *args,
 
 /* True if a feed covers the sizes of the condition, those of its limits
  * included; else an error. */
-bool conditions_covered(const struct condition *condition,
+bool conditions_check_covered(const struct condition *condition,
     const struct psd *feed, struct error *error);
 
 /* Reads the options from and to of a call, else site_reach. */
@@ -87,7 +88,7 @@ void conditions_rows(struct answer *r, struct fields *o,
 /* Sets up the search for the list's conditions and a target, or NULL, of a
  * question over the speeds of site_reach.  List and target must outlive the
  * result; forecast_close frees its `forecast`. */
-struct wanted conditions_ask(const struct session *s, const struct question *q,
+struct wanted conditions_open(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target);
 
 /* Returns the speeds at which all hold: "69.0 to 77.9", "69.0 to 70.1 and

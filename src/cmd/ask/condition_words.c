@@ -117,16 +117,28 @@ join_quantities(const struct command *command, struct words *words)
 	}
 }
 
+/* "passing 2 > 30, fines < 5": the comma between conditions says no more than
+ * the blank does. */
+static void
+drop_comma(char *word)
+{
+	size_t n = strlen(word);
+	if (n > 1 && word[n - 1] == ',' && strchr(word, ' ') == NULL)
+		word[n - 1] = '\0';
+}
+
 void
 conditions_join(struct words *words, bool prompt)
 {
 	const struct command *command =
-	    words->n > 0 ? command_called(words->text[0], prompt) : NULL;
+	    words->n > 0 ? command_find_typed(words->text[0], prompt) : NULL;
 	size_t from = conditions_first_word(command, words), n = words->n;
 	if (command != NULL)
 		join_quantities(command, words);
 	if (from == 0)
 		return;
+	for (size_t i = from; i + 1 < n; i++)
+		drop_comma(words->text[i]);
 	words->n = from;
 	for (size_t i = from; i < n;) {
 		size_t first = i;

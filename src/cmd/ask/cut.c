@@ -17,7 +17,7 @@
 /* Errors go along a curve together, so that half of the sieves outside alone
  * may be chance; a point is what a careful sample repeats to. */
 static bool
-is_missed(const struct cut *c)
+is_outside_band(const struct cut *c)
 {
 	const double careful = 0.01;
 	return c->n > 0 &&
@@ -66,7 +66,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 			    passing <= at.high + rounding;
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
-	c.missed = is_missed(&c);
+	c.missed = is_outside_band(&c);
 	c.off = !c.missed && !c.no_band && 2 * c.inside < c.n;
 	forecast_close(f);
 	return c;
@@ -98,7 +98,7 @@ cut_is_same(const struct run *one, const struct run *two)
 }
 
 static bool
-is_of_speed(const struct site_note *note, double speed)
+is_note_of_cut(const struct site_note *note, double speed)
 {
 	double said;
 	FREED char *number =
@@ -116,14 +116,14 @@ cut_heading(const struct site *site, size_t run)
 		after += fabs(site->run[r].speed - speed) < 1e-3 &&
 			 site->run[r].product.n > 0;
 	for (size_t i = site->n_note; i-- > 0;)
-		if (is_of_speed(&site->note[i], speed) && after-- == 0)
+		if (is_note_of_cut(&site->note[i], speed) && after-- == 0)
 			return site->note[i].value;
 	return NULL;
 }
 
 /* Whether the calibration knew that product. */
 static bool
-was_known(const struct site *then, const struct run *run)
+was_in_calibration(const struct site *then, const struct run *run)
 {
 	for (size_t r = 0; r < then->n_run; r++)
 		if (cut_is_same(&then->run[r], run))
@@ -132,7 +132,7 @@ was_known(const struct site *then, const struct run *run)
 }
 
 struct later
-cut_later(const struct session *s, const struct entry *entry)
+cut_compare_later(const struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	struct history *h = entry->history;
@@ -143,13 +143,14 @@ cut_later(const struct session *s, const struct entry *entry)
 		return h->later;
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (misfit_covered(&site->run[r]) == 0 ||
-		    was_known(h->site, &site->run[r]))
+		    was_in_calibration(h->site, &site->run[r]))
 			continue;
 		struct cut c = cut_compare(s, entry, r);
 		if (later.n++ > 0 && !(c.rms > later.rms))
 			continue;
 		later.rms = c.rms;
 		later.missed = c.missed;
+		later.off = c.off;
 		later.speed = site->run[r].speed;
 	}
 	h->later = later;

@@ -9,7 +9,7 @@
  * square of predicted less measured, and the largest of these with its sieve,
  * m.  inside: sieves within the band of one more sample; no_band: there is
  * none.  level: of it, 0..1.  missed: the prediction does not hold; off: most
- * sieves lie outside the band, but no farther than careful samples repeat. */
+ * sieves lie outside the band, but no farther than careful samples differ. */
 struct cut {
 	size_t n, inside;
 	bool no_band, missed, off;
@@ -28,14 +28,15 @@ bool cut_is_same(const struct run *a, const struct run *b);
  * its last runs, in the same order. */
 const char *cut_heading(const struct site *site, size_t run);
 
-/* Returns "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, measured less
- * predicted), 11 of 12 sieves within the 80 % band".  The caller frees. */
+/* Returns "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, answer -
+ * measured), 11 of 12 sieves within the 80 % band".  The caller frees. */
 char *cut_words(const struct cut *cut);
 
 /* Returns what was added to the site after the calibration that its parameters
  * are from: how many runs with a product, and the run that they miss by most; n
  * is 0 for none. */
-struct later cut_later(const struct session *s, const struct entry *entry);
+struct later cut_compare_later(
+    const struct session *s, const struct entry *entry);
 
 /* True if the site has one product, and parameters from elsewhere; *run, which
  * has it, is then the only check there is. */

@@ -17,7 +17,7 @@
 #include "io/sitefile/units.h"
 
 static const struct spec *
-grading_keep(struct session *s, struct spec *spec)
+grading_add_spec(struct session *s, struct spec *spec)
 {
 	s->specs = xrealloc(s->specs, s->n_spec + 1, sizeof(*s->specs));
 	return s->specs[s->n_spec++] = spec;
@@ -25,7 +25,7 @@ grading_keep(struct session *s, struct spec *spec)
 
 /* The envelope of that name that the session has already. */
 static const struct spec *
-grading_kept(const struct session *s, const char *name)
+grading_find_spec(const struct session *s, const char *name)
 {
 	for (size_t i = 0; i < s->n_spec; i++)
 		if (s->specs[i]->standard[0] != '\0' &&
@@ -40,11 +40,11 @@ shipped(struct session *s, const char *words, struct error *error)
 	struct standards *all = standards_shipped();
 	const struct spec *found = standards_find(all, words, error);
 	const struct spec *same =
-	    found != NULL ? grading_kept(s, found->name) : NULL;
+	    found != NULL ? grading_find_spec(s, found->name) : NULL;
 	for (size_t i = 0; found != NULL && same == NULL && i < all->n; i++) {
 		if (all->spec[i] != found)
 			continue;
-		same = grading_keep(s, all->spec[i]);
+		same = grading_add_spec(s, all->spec[i]);
 		all->spec[i] = NULL;
 	}
 	standards_free(all);
@@ -52,7 +52,7 @@ shipped(struct session *s, const char *words, struct error *error)
 }
 
 static const struct spec *
-of_file(struct session *s, const char *path, struct error *error)
+read_spec_file(struct session *s, const char *path, struct error *error)
 {
 	struct error_list errors = {.stop = s->hooks.stop};
 	if (s->safe) {
@@ -63,7 +63,7 @@ of_file(struct session *s, const char *path, struct error *error)
 		    path);
 		return NULL;
 	}
-	files_reads(s, path);
+	files_note_read(s, path);
 	struct spec *spec = spec_read(path, &errors);
 	if (spec == NULL) {
 		session_tell_faults(s, path, &errors, error);
@@ -71,15 +71,16 @@ of_file(struct session *s, const char *path, struct error *error)
 	}
 	if (spec->note[0] != '\0')
 		session_note(s, "%s: %s", path, spec->note);
-	return grading_keep(s, spec);
+	return grading_add_spec(s, spec);
 }
 
 const struct spec *
 grading_spec(struct session *s, const char *words, struct error *error)
 {
 	if (words != NULL)
-		return standards_is_path(words) ? of_file(s, words, error)
-						: shipped(s, words, error);
+		return standards_is_path(words)
+			   ? read_spec_file(s, words, error)
+			   : shipped(s, words, error);
 	if (s->spec == NULL)
 		error_set(error, ERROR_USAGE,
 		    "no grading envelope is chosen\n"
@@ -110,7 +111,7 @@ take_fraction(const struct args *args, const struct spec *spec,
 }
 
 static bool
-grading_begins(const char *text, const char *start)
+begins_with_text(const char *text, const char *start)
 {
 	return strncmp(text, start, strlen(start)) == 0;
 }
@@ -123,7 +124,7 @@ modulus_of(const struct spec *spec)
 	for (size_t i = 0; i < MODULI; i++)
 		if (spec->cut[0] <= 0 && spec->cut[1] > 0 &&
 		    spec->cut[1] < sand &&
-		    grading_begins(spec->standard, MODULUS[i].name))
+		    begins_with_text(spec->standard, MODULUS[i].name))
 			return &MODULUS[i];
 	return NULL;
 }
@@ -137,7 +138,7 @@ next_limit(const struct standards *all, const char *standard, const char *item,
 	for (size_t i = after != NULL ? (size_t)(after - all->limit) + 1 : 0;
 	     i < all->n_limit; i++)
 		if (strcmp(all->limit[i].standard, standard) == 0 &&
-		    grading_begins(all->limit[i].item, item))
+		    begins_with_text(all->limit[i].item, item))
 			return &all->limit[i];
 	return NULL;
 }
@@ -149,7 +150,7 @@ modulus_limit(const struct standards *all, const char *standard)
 {
 	const struct standard_limit *l = NULL;
 	while ((l = next_limit(all, standard, "FM ", l)) != NULL)
-		if (!grading_begins(l->item, CATEGORY) && !isnan(l->least))
+		if (!begins_with_text(l->item, CATEGORY) && !isnan(l->least))
 			return l;
 	return NULL;
 }
@@ -225,7 +226,7 @@ grading_value(const struct grading *g, size_t i)
 }
 
 static void
-grading_ask(
+ask_quantities(
     const struct session *s, const struct question *q, struct grading *g)
 {
 	const struct quantity more[] = {
@@ -239,7 +240,7 @@ grading_ask(
 
 /* Its fraction is there already. */
 static bool
-open_limits(const struct session *s, const struct question *q,
+open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
 	const struct psd *from = question_feed(q);
@@ -252,7 +253,7 @@ open_limits(const struct session *s, const struct question *q,
 		    "sieves",
 		    g->spec->name);
 	}
-	grading_ask(s, q, g);
+	ask_quantities(s, q, g);
 	return true;
 }
 
@@ -263,18 +264,18 @@ grading_open(const struct session *s, const struct args *args,
 {
 	*g = (struct grading){.spec = spec};
 	return take_fraction(args, spec, &g->fraction, error) &&
-	       open_limits(s, q, g, error);
+	       open_forecast_of_limits(s, q, g, error);
 }
 
 bool
-grading_in_use(const struct session *s, const struct entry *entry, size_t feed,
-    struct grading *g, struct error *error)
+grading_open_in_use(const struct session *s, const struct entry *entry,
+    size_t feed, struct grading *g, struct error *error)
 {
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
 	struct question q = asked_whole(s, entry, feed);
-	return open_limits(s, &q, g, error);
+	return open_forecast_of_limits(s, &q, g, error);
 }
 
 void
@@ -304,7 +305,7 @@ verdict_of(double value, double least, double most)
 
 /* Of limit i at the speed the forecast is at. */
 static const char *
-verdict(const struct grading *g, size_t i)
+limit_verdict(const struct grading *g, size_t i)
 {
 	if (i >= g->limits.n_sieve && i < g->spec->n)
 		return tr("not known");
@@ -412,7 +413,7 @@ grading_rows(struct answer *r, struct grading *g, double v)
 		if (band)
 			answer_cells(r, "%.1f %.1f", units_pct(f.low),
 			    units_pct(f.high));
-		answer_cells(r, "%s", verdict(g, i));
+		answer_cells(r, "%s", limit_verdict(g, i));
 	}
 }
 
@@ -565,7 +566,7 @@ grading_notes(struct answer *r, const struct grading *g)
 }
 
 void
-grading_put(struct answer *r, const struct grading *g)
+grading_put_fields(struct answer *r, const struct grading *g)
 {
 	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
 	    g->spec->source);

@@ -51,7 +51,7 @@ bool grading_open(const struct session *s, const struct args *args,
 
 /* As grading_open, with the envelope in use, for its own fraction, by perfect
  * screens, and the feed of a run of the entry. */
-bool grading_in_use(const struct session *s, const struct entry *entry,
+bool grading_open_in_use(const struct session *s, const struct entry *entry,
     size_t feed, struct grading *grading, struct error *error);
 void grading_close(struct grading *grading);
 
@@ -78,6 +78,6 @@ void grading_notes(struct answer *r, const struct grading *grading);
 
 /* Puts spec, source, cut and the columns of grading_rows into the answer's
  * JSON. */
-void grading_put(struct answer *r, const struct grading *grading);
+void grading_put_fields(struct answer *r, const struct grading *grading);
 
 #endif

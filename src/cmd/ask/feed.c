@@ -10,7 +10,7 @@
 #include "io/sitefile/units.h"
 
 size_t
-feed_at(const struct site *site, double speed)
+feed_sampled_at(const struct site *site, double speed)
 {
 	size_t run = speed > 0 ? site_run_at(site, speed) : site->n_run;
 	return run < site->n_run ? run : SITE_MEAN_FEED;
@@ -80,8 +80,7 @@ feed_note_assumed(struct answer *r, const struct site *site, const char *whose)
 	if (!(top > 0))
 		return;
 	answer_say(r, ANSWER_REMARK,
-	    "assumed%s%s: all of the feed passes %g mm, which its coarsest "
-	    "sieve does not show",
+	    "assumed%s%s: all of the feed passes %g mm",
 	    whose != NULL ? tr(" of ") : "", whose != NULL ? whose : "", top);
 	if (whose == NULL)
 		fields_put(answer_fields(r), SITE_ASSUMED_TOP " %g", top);

@@ -10,7 +10,7 @@
 
 /* Returns the run with the feed sampled at a speed, m/s, for site_feed;
  * SITE_MEAN_FEED for 0 and for a speed without a feed. */
-size_t feed_at(const struct site *site, double speed);
+size_t feed_sampled_at(const struct site *site, double speed);
 
 /* Returns the speed at which that feed was sampled, m/s; NAN for the mean of
  * several, and for another sheet's. */

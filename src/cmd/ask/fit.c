@@ -93,7 +93,7 @@ fit_settings_agree(
 }
 
 void
-fit_band(const struct posterior *p, const struct session *s,
+fit_param_band(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2])
 {
 	double value[POSTERIOR_DRAWS];
@@ -118,7 +118,7 @@ fit_put_bands(struct fields *o, const struct session *s,
 	struct fields *interval = fields_object(o, "interval");
 	for (size_t j = of->gauge; j < of->n; j++) {
 		double range[2];
-		fit_band(posterior, s, fit, j, range);
+		fit_param_band(posterior, s, fit, j, range);
 		fields_put(fields_list(interval, of->parameter[j].name),
 		    "%g %g", range[0], range[1]);
 	}

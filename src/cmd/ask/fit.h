@@ -32,11 +32,11 @@ bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(struct fields *o, const struct params *p);
 
-/* fit_band gives the middle range of the draws of parameter j of the fit's
- * model, NAN for a parameter of which only the direction counts.  fit_put_bands
- * puts the range of each other parameter as "interval": {"f_mat":[low, high],
- * ..}, or null without draws. */
-void fit_band(const struct posterior *p, const struct session *s,
+/* fit_param_band gives the middle range of the draws of parameter j of the
+ * fit's model, NAN for a parameter of which only the direction counts.
+ * fit_put_bands puts the range of each other parameter as "interval":
+ * {"f_mat":[low, high], ..}, or null without draws. */
+void fit_param_band(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2]);
 void fit_put_bands(struct fields *o, const struct session *s,
     const struct posterior *posterior, const struct params *fit);

@@ -44,8 +44,8 @@ forecast_table(const struct session *s, const struct question *q)
 {
 	const struct site *site = q->entry->site;
 	size_t n;
-	FREED struct quantity *asked =
-	    predict_asks(site, site_feed(site, q->feed), &q->fraction, &n);
+	FREED struct quantity *asked = predict_quantities(
+	    site, site_feed(site, q->feed), &q->fraction, &n);
 	return forecast_open(s, q, asked, n);
 }
 
@@ -62,7 +62,7 @@ void
 forecast_part_at(struct forecast *f, double speed, enum ensemble_part part)
 {
 	struct ensemble *e =
-	    outlook_answering(f->s, f->entry, f->params) != NULL
+	    outlook_posterior_for_answers(f->s, f->entry, f->params) != NULL
 		? outlook_ensemble(f->s, f->entry, f->feed)
 		: NULL;
 	response_at(f->response, e, part, speed);
@@ -98,14 +98,14 @@ forecast_draws(const struct forecast *f, size_t i)
 double
 forecast_over(struct forecast *f, size_t i, double limit)
 {
-	return response_over(f->response, i, limit);
+	return response_excess(f->response, i, limit);
 }
 
 void
 forecast_overs(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
-	response_overs(f->response, i, limit, over);
+	response_excess_draws(f->response, i, limit, over);
 }
 
 struct figure

@@ -81,7 +81,7 @@ read_one(struct session *s, const char *text, const struct psd *feed,
 	if (!goals_is_condition(text))
 		return read_spec(s, text, feed, list, error);
 	if (!conditions_read(text, &WHOLE, &c, error) ||
-	    (feed != NULL && !conditions_covered(&c, feed, error)))
+	    (feed != NULL && !conditions_check_covered(&c, feed, error)))
 		return false;
 	conditions_add(list, c);
 	return true;
@@ -89,7 +89,8 @@ read_one(struct session *s, const char *text, const struct psd *feed,
 
 /* The single value goes last: what is before it is a window's. */
 static bool
-order(struct condition_list *list, size_t *n_value, struct error *error)
+put_value_last(
+    struct condition_list *list, size_t *n_value, struct error *error)
 {
 	size_t at = 0;
 	*n_value = 0;
@@ -125,11 +126,11 @@ goals_read(struct session *s, const char *text, const struct psd *feed,
 			return false;
 		at += length + (at[length] != '\0');
 	}
-	return order(list, n_value, error);
+	return put_value_last(list, n_value, error);
 }
 
 bool
-goals_known(const struct session *s, const struct goal *g)
+goals_search_done(const struct session *s, const struct goal *g)
 {
 	return goals_set(s) && g->found != NULL &&
 	       g->found->done == g->found->n;
@@ -138,7 +139,7 @@ goals_known(const struct session *s, const struct goal *g)
 /* The speeds at which the single value is met, and the end that misses it
  * least. */
 static void
-meet(struct goal *g, const struct wanted *w)
+find_met_speeds(struct goal *g, const struct wanted *w)
 {
 	double least = INFINITY;
 	g->met = xcalloc(g->found->n_root + 1, sizeof *g->met);
@@ -160,7 +161,8 @@ meet(struct goal *g, const struct wanted *w)
 /* A speed at which one can see what binds: where a window ends within the
  * speeds looked at, or the best. */
 static double
-telling(const struct goal *g, double best, double from, double to)
+speed_that_shows_binding(
+    const struct goal *g, double best, double from, double to)
 {
 	for (size_t i = 0; i < g->found->n_inside && g->n_value == 0; i++) {
 		const struct speed_range *in = &g->found->inside[i];
@@ -172,7 +174,7 @@ telling(const struct goal *g, double best, double from, double to)
 
 /* What a condition misses, with as many digits as show it. */
 static char *
-missed_words(const struct condition *c, double value, bool most)
+missed_condition_words(const struct condition *c, double value, bool most)
 {
 	const struct quantity *q = &c->quantity;
 	const char *unit = quantities_unit(q);
@@ -198,9 +200,9 @@ static void
 find_binding(const struct session *s, const struct entry *entry, struct goal *g,
     struct wanted all)
 {
-	double best = goals_best(s, g, answers_usual(entry));
+	double best = goals_best(s, g, answers_usual_speed(entry));
 	bool met = g->n_met > 0 || (g->n_value == 0 && g->found->n_inside > 0);
-	double at = telling(g, best, all.from, all.to);
+	double at = speed_that_shows_binding(g, best, all.from, all.to);
 	all.n = g->list.n;
 	if (isnan(at))
 		return;
@@ -210,7 +212,7 @@ find_binding(const struct session *s, const struct entry *entry, struct goal *g,
 		return;
 	g->binds = margin.limit.i;
 	if (!met)
-		g->missed = missed_words(&g->list.at[g->binds],
+		g->missed = missed_condition_words(&g->list.at[g->binds],
 		    forecast_figure(all.forecast, g->binds).value,
 		    margin.limit.most);
 }
@@ -230,18 +232,18 @@ goals_begin(
 }
 
 bool
-goals_pending(const struct session *s, const struct goal *g, size_t feed)
+goals_need_search(const struct session *s, const struct goal *g, size_t feed)
 {
 	bool begun = g->feed == feed && (g->why != NULL || g->found != NULL);
 	return goals_set(s) &&
-	       (!begun || (g->why == NULL && !goals_known(s, g)));
+	       (!begun || (g->why == NULL && !goals_search_done(s, g)));
 }
 
 void
 goals_step(
     struct session *s, const struct entry *entry, struct goal *g, size_t feed)
 {
-	if (!goals_pending(s, g, feed))
+	if (!goals_need_search(s, g, feed))
 		return;
 	if (g->found == NULL || g->feed != feed)
 		goals_begin(s, entry->site, g, feed);
@@ -249,7 +251,7 @@ goals_step(
 		return;
 	struct question q = asked_whole(s, entry, feed);
 	struct condition_list ranges = {g->list.n - g->n_value, g->list.at};
-	struct wanted w = conditions_ask(
+	struct wanted w = conditions_open(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
 	if (g->found == NULL)
 		g->found = speed_search_new(&w);
@@ -257,7 +259,7 @@ goals_step(
 	for (int k = 0; k < PART && !done; k++)
 		done = speed_search_step(g->found, &w);
 	if (done && g->n_value > 0)
-		meet(g, &w);
+		find_met_speeds(g, &w);
 	if (done)
 		find_binding(s, entry, g, w);
 	forecast_close(w.forecast);
@@ -266,7 +268,7 @@ goals_step(
 double
 goals_best(const struct session *s, const struct goal *g, double speed)
 {
-	if (!goals_known(s, g))
+	if (!goals_search_done(s, g))
 		return NAN;
 	if (g->n_value == 0)
 		return g->found->best;
@@ -281,7 +283,7 @@ goals_best(const struct session *s, const struct goal *g, double speed)
 
 /* "71.2", "65.0 to 70.1 and 73.0 to 75.6". */
 static char *
-speeds_words(const struct goal *g)
+met_speeds_words(const struct goal *g)
 {
 	if (g->n_value == 0)
 		return conditions_speeds_words(g->found);
@@ -293,7 +295,7 @@ speeds_words(const struct goal *g)
 
 /* Whether the one window is as sure as its band at all of its speeds. */
 static bool
-all_certain(const struct goal *g)
+is_window_certain(const struct goal *g)
 {
 	const struct speed_range *in = g->found->inside;
 	return g->n_value == 0 && g->found->n_inside == 1 &&
@@ -307,23 +309,24 @@ beyond_words(const struct entry *entry, const struct goal *g, double best)
 {
 	bool window = g->n_value == 0 && g->found->n_inside > 0;
 	if (isfinite(best) && answers_extrapolates(entry, best))
-		return window ? "best extrapolated" : "extrapolated";
+		return window ? N_("best extrapolated") : N_("extrapolated");
 	for (size_t i = 0; i < g->found->n_inside && window; i++)
 		if (answers_extrapolates(entry, g->found->inside[i].from) ||
 		    answers_extrapolates(entry, g->found->inside[i].to))
-			return "partly extrapolated";
+			return N_("partly extrapolated");
 	return "";
 }
 
 /* Where it is met, with how far to trust that; the nearest speed where it is
  * not. */
 static char *
-outcome(const struct session *s, const struct entry *entry,
-    const struct goal *g, double speed, bool full)
+outcome_words(const struct session *s, const struct entry *entry,
+    const struct goal *g, double speed, enum goals_length length)
 {
+	bool full = length < GOALS_PLAIN;
 	double best = goals_best(s, g, speed), level = settings_level(&s->set);
 	const char *beyond = beyond_words(entry, g, best);
-	char *words, *speeds = speeds_words(g);
+	char *words, *speeds = met_speeds_words(g);
 	if (speeds[0] == '\0')
 		words = isfinite(best)
 			    ? xasprintf(tr("at no speed, nearest %.1f"), best)
@@ -333,13 +336,14 @@ outcome(const struct session *s, const struct entry *entry,
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
 	free(speeds);
-	if (all_certain(g) && full)
+	if (is_window_certain(g) && full)
 		xlist(&words, ", ", tr("%.0f %% certain"), 100 * level);
 	else if (g->n_value == 0 && full && isfinite(g->found->sure[0]))
 		xlist(&words, ", ", tr("%.0f %% certain %.1f to %.1f"),
 		    100 * level, g->found->sure[0], g->found->sure[1]);
 	if (beyond[0] != '\0')
-		xappend(&words, "%s%s", full ? ", " : " ?", full ? beyond : "");
+		xappend(
+		    &words, length < GOALS_SHORT ? ", %s" : " ?", tr(beyond));
 	return words;
 }
 
@@ -357,12 +361,12 @@ goals_words(const struct session *s, const struct entry *entry,
 	bool fitted = entry != NULL && entry->has_params;
 	if (!fitted && length != GOALS_SHORT)
 		return xasprintf(tr("goal: %s"), tr("after a calibration"));
-	if (!goals_known(s, g))
+	if (!goals_search_done(s, g))
 		return length == GOALS_SHORT
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	FREED char *end = outcome(s, entry, g, speed, length != GOALS_SHORT);
+	FREED char *end = outcome_words(s, entry, g, speed, length);
 	return full ? xasprintf(tr("goal %s: met %s"), text, end)
 		    : xasprintf(tr("goal %s"), end);
 }

@@ -40,11 +40,11 @@ bool goals_read(struct session *s, const char *text, const struct psd *feed,
 /* Discards what was computed. */
 void goals_clear(struct goal *goal);
 
-/* goals_known: the goal has been worked out for the feed of a run;
- * goals_pending: a part of that is left; goals_step: does one part, a few
+/* goals_search_done: the goal has been worked out for the feed of a run;
+ * goals_need_search: a part of that is left; goals_step: does one part, a few
  * ms. */
-bool goals_known(const struct session *s, const struct goal *goal);
-bool goals_pending(
+bool goals_search_done(const struct session *s, const struct goal *goal);
+bool goals_need_search(
     const struct session *s, const struct goal *goal, size_t feed);
 void goals_step(struct session *s, const struct entry *entry, struct goal *goal,
     size_t feed);
@@ -56,9 +56,16 @@ double goals_best(
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met at 65.0 to 75.6 m/s, 80 %
  * certain to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm";
- * GOALS_SPEEDS leaves out the goal, GOALS_SHORT the certainty, too; while it is
- * being worked out they say so; "" without a goal.  The caller frees. */
-enum goals_length { GOALS_FULL, GOALS_SPEEDS, GOALS_SHORT, GOALS_LENGTHS };
+ * GOALS_SPEEDS leaves out the goal, GOALS_PLAIN the certainty, too, and
+ * GOALS_SHORT has a ? for what is extrapolated; while it is being worked out
+ * they say so; "" without a goal.  The caller frees. */
+enum goals_length {
+	GOALS_FULL,
+	GOALS_SPEEDS,
+	GOALS_PLAIN,
+	GOALS_SHORT,
+	GOALS_LENGTHS
+};
 char *goals_words(const struct session *s, const struct entry *entry,
     const struct goal *goal, double speed, enum goals_length length);
 

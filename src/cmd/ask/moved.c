@@ -53,7 +53,7 @@ moved_free(struct moved *m)
 
 /* Passings of sieves at a speed, formed of a feed. */
 static struct forecast *
-passings(const struct session *s, const struct question *q,
+forecast_of_passings(const struct session *s, const struct question *q,
     const struct psd *sieves, double speed)
 {
 	FREED struct quantity *asked = xcalloc(sieves->n, sizeof *asked);
@@ -79,8 +79,9 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	q.params = &m->params;
 	struct question own = q;
 	own.feed = run;
-	struct forecast *to = passings(s, &q, product, r->speed);
-	struct forecast *from = passings(s, &own, product, r->speed);
+	struct forecast *to = forecast_of_passings(s, &q, product, r->speed);
+	struct forecast *from =
+	    forecast_of_passings(s, &own, product, r->speed);
 	for (size_t i = 0; i < product->n; i++) {
 		double more = forecast_figure(to, i).value -
 			      forecast_figure(from, i).value;
@@ -102,12 +103,13 @@ moved_forget(struct moved *m)
 }
 
 static struct moved *
-moved_of(const struct session *s, const struct entry *entry,
+moved_for(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
 	struct moved *m = s->moved;
 	const struct site *site = entry->site;
-	const struct posterior *posterior = outlook_answering(s, entry, params);
+	const struct posterior *posterior =
+	    outlook_posterior_for_answers(s, entry, params);
 	struct model_settings settings = outlook_settings(s, entry);
 	const struct params *drawn =
 	    posterior != NULL ? &posterior->draw[0].params : params;
@@ -138,14 +140,14 @@ moved_product(const struct session *s, const struct entry *entry,
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	struct moved *m = moved_of(s, entry, params, feed_run);
+	struct moved *m = moved_for(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
 		move_run(m, s, entry, run);
 	return &m->product[run];
 }
 
 double
-moved_by(const struct session *s, const struct entry *entry,
+moved_largest(const struct session *s, const struct entry *entry,
     const struct params *params, size_t run, size_t feed_run)
 {
 	const struct site *site = entry->site;

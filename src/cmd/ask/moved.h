@@ -33,7 +33,7 @@ const struct psd *moved_product(const struct session *s,
 /* Returns the largest move of a passing of that product, 0..1; 0 with another
  * sheet's feed or another machine, beside which no measured product is
  * shown. */
-double moved_by(const struct session *s, const struct entry *entry,
+double moved_largest(const struct session *s, const struct entry *entry,
     const struct params *params, size_t run, size_t feed_run);
 
 #endif

@@ -16,7 +16,8 @@
 /* The runs of the calibration that inform an answer, [n_run], which the caller
  * frees, and the place where what they say is kept. */
 static bool *
-used_runs(const struct history *h, enum correction correction, size_t *place)
+runs_that_inform(
+    const struct history *h, enum correction correction, size_t *place)
 {
 	size_t n = h->site->n_run;
 	bool *use = xcalloc(n, sizeof *use), same = true;
@@ -80,21 +81,21 @@ draw_steps(const struct session *s, const struct entry *entry, const bool *use,
 
 /* The draws; NULL while they are not complete. */
 static const struct posterior *
-outlook_drawn(const struct session *s, const struct entry *entry,
+complete_draws(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
 	struct history *h = entry->origin->spread;
 	size_t place;
-	FREED bool *use = used_runs(h, correction, &place);
+	FREED bool *use = runs_that_inform(h, correction, &place);
 	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
-		history_redraw(h, s->set.noise, s->set.draw_seed);
+		history_draw_again(h, s->set.noise, s->set.draw_seed);
 	if (h->posterior[place] == NULL)
 		draw_steps(s, entry, use, place, steps);
 	return h->posterior[place];
 }
 
 struct posterior *
-outlook_beside(const struct session *s, const struct entry *entry)
+outlook_begin_draws(const struct session *s, const struct entry *entry)
 {
 	if (!has_draws(entry) || outlook_correction(s, entry) == CORRECTION_OFF)
 		return NULL;
@@ -114,7 +115,8 @@ const struct posterior *
 outlook_posterior(const struct session *s, const struct entry *entry,
     enum correction correction)
 {
-	return has_draws(entry) ? outlook_drawn(s, entry, correction, 0) : NULL;
+	return has_draws(entry) ? complete_draws(s, entry, correction, 0)
+				: NULL;
 }
 
 enum correction
@@ -126,7 +128,7 @@ outlook_correction(const struct session *s, const struct entry *entry)
 
 /* The runs that inform the entry's answers. */
 static enum correction
-informing(const struct session *s, const struct entry *entry)
+informing_correction(const struct session *s, const struct entry *entry)
 {
 	return outlook_correction(s, entry) == CORRECTION_ALL
 		   ? CORRECTION_ALL
@@ -138,13 +140,14 @@ outlook_draw(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
 	return !has_draws(entry) ||
-	       outlook_drawn(s, entry, informing(s, entry), STEPS) != NULL;
+	       complete_draws(
+		   s, entry, informing_correction(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *
 outlook_draws(const struct session *s, const struct entry *entry)
 {
-	return outlook_posterior(s, entry, informing(s, entry));
+	return outlook_posterior(s, entry, informing_correction(s, entry));
 }
 
 const struct evidence *
@@ -155,26 +158,29 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 		return NULL;
 	struct history *h = entry->origin->spread;
 	size_t place;
-	FREED bool *use = used_runs(h, informing(s, entry), &place);
+	FREED bool *use =
+	    runs_that_inform(h, informing_correction(s, entry), &place);
 	struct evidence **e = &h->evidence[place];
 	/* They may have been stopped before. */
 	const struct posterior *p = outlook_draws(s, entry);
 	if (*e == NULL || (p != NULL && isnan((*e)->discrepancy))) {
 		free(*e);
 		*e = xcalloc(1, sizeof **e);
-		**e = trust_evidence(
+		**e = trust_gather_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
 	}
 	return *e;
 }
 
 struct evidence
-outlook_undrawn(const struct session *s, const struct entry *entry)
+outlook_evidence_without_draws(
+    const struct session *s, const struct entry *entry)
 {
 	struct history *h = entry->origin->spread;
 	size_t place;
-	FREED bool *use = used_runs(h, informing(s, entry), &place);
-	return trust_evidence(h->site, h->train, use, origin_fit(entry),
+	FREED bool *use =
+	    runs_that_inform(h, informing_correction(s, entry), &place);
+	return trust_gather_evidence(h->site, h->train, use, origin_fit(entry),
 	    &h->bounds, NULL, s->set.noise);
 }
 
@@ -185,7 +191,8 @@ outlook_feed_difference(
 	const struct history *h = entry->origin->spread;
 	double least = INFINITY;
 	size_t place;
-	FREED bool *use = used_runs(h, informing(s, entry), &place);
+	FREED bool *use =
+	    runs_that_inform(h, informing_correction(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
 			least = fmin(
@@ -195,7 +202,7 @@ outlook_feed_difference(
 }
 
 static bool
-is_open(const struct session *s, const struct entry *entry)
+has_poor_fit(const struct session *s, const struct entry *entry)
 {
 	const struct evidence *e = outlook_evidence(s, entry);
 	return e != NULL && trust_without_band(e->rmse, e->speeds);
@@ -203,7 +210,7 @@ is_open(const struct session *s, const struct entry *entry)
 
 /* Whether the settings are those of the fit. */
 static bool
-as_fitted(const struct session *s, const struct entry *entry)
+has_settings_of_fit(const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
 	return fit != NULL &&
@@ -224,36 +231,39 @@ outlook_settings(const struct session *s, const struct entry *entry)
 
 /* What answers are drawn from; NULL: they are the model alone. */
 static const struct posterior *
-answering(const struct session *s, const struct entry *entry)
+posterior_for_answers(const struct session *s, const struct entry *entry)
 {
 	bool off = outlook_correction(s, entry) == CORRECTION_OFF ||
 		   session_fitting(s) != NULL;
-	bool none = off || !as_fitted(s, entry) || is_open(s, entry);
+	bool none =
+	    off || !has_settings_of_fit(s, entry) || has_poor_fit(s, entry);
 	return none ? NULL : outlook_draws(s, entry);
 }
 
 const struct posterior *
-outlook_unseen(
+outlook_posterior_of_unseen(
     const struct session *s, const struct entry *entry, bool training_only)
 {
-	if (!as_fitted(s, entry) || is_open(s, entry))
+	if (!has_settings_of_fit(s, entry) || has_poor_fit(s, entry))
 		return NULL;
-	return outlook_posterior(
-	    s, entry, training_only ? CORRECTION_TRAIN : informing(s, entry));
+	return outlook_posterior(s, entry,
+	    training_only ? CORRECTION_TRAIN : informing_correction(s, entry));
 }
 
 /* Whether these are the entry's own parameters. */
 static bool
-are_own(const struct entry *entry, const struct params *params)
+are_params_of_entry(const struct entry *entry, const struct params *params)
 {
 	return memcmp(params, &entry->params, sizeof *params) == 0;
 }
 
 const struct posterior *
-outlook_answering(const struct session *s, const struct entry *entry,
-    const struct params *params)
+outlook_posterior_for_answers(const struct session *s,
+    const struct entry *entry, const struct params *params)
 {
-	return are_own(entry, params) ? answering(s, entry) : NULL;
+	return are_params_of_entry(entry, params)
+		   ? posterior_for_answers(s, entry)
+		   : NULL;
 }
 
 struct crusher *
@@ -261,14 +271,14 @@ outlook_crusher(const struct session *s, const struct entry *entry,
     const double *size, size_t n)
 {
 	return crusher_new(size, n, &entry->params, outlook_settings(s, entry),
-	    answering(s, entry));
+	    posterior_for_answers(s, entry));
 }
 
 struct ensemble *
 outlook_ensemble(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
-	const struct posterior *p = answering(s, entry);
+	const struct posterior *p = posterior_for_answers(s, entry);
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->spread;
@@ -305,23 +315,25 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 			"all' has one")
 	       : fit->stop == CALIBRATE_STOPPED
 		   ? tr("no uncertainty band: the calibration was stopped")
-	       : is_open(s, entry) ? tr("no uncertainty band: the fit is poor, "
-					"and two speeds do "
-					"not show how its error changes with "
-					"the speed; measure a "
-					"third")
-				   : tr("no uncertainty band: the site was "
-					"calibrated with other "
-					"settings");
+	       : has_poor_fit(s, entry)
+		   ? tr("no uncertainty band: the fit is poor, "
+			"and two speeds do "
+			"not show how its error changes with "
+			"the speed; measure a "
+			"third")
+		   : tr("no uncertainty band: the site was "
+			"calibrated with other "
+			"settings");
 }
 
 /* Whether there are more runs to inform the answers than draws take. */
 static bool
-too_many(const struct session *s, const struct entry *entry)
+has_too_many_runs(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->spread;
 	size_t place, n = 0;
-	FREED bool *use = used_runs(h, informing(s, entry), &place);
+	FREED bool *use =
+	    runs_that_inform(h, informing_correction(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
 	return n > POSTERIOR_RUNS;
@@ -332,9 +344,9 @@ _Static_assert(POSTERIOR_RUNS == 40, "the words of outlook_words");
 const char *
 outlook_words(const struct session *s, const struct entry *entry)
 {
-	if (answering(s, entry) == NULL)
+	if (posterior_for_answers(s, entry) == NULL)
 		return tr("the model alone");
-	if (too_many(s, entry))
+	if (has_too_many_runs(s, entry))
 		return tr("model corrected by 40 of the runs, from the "
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
@@ -347,7 +359,7 @@ outlook_words(const struct session *s, const struct entry *entry)
 }
 
 const char *
-outlook_short(const struct session *s, const struct entry *entry,
+outlook_short_words(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),

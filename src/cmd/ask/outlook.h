@@ -25,7 +25,7 @@ const struct posterior *outlook_posterior(const struct session *s,
 /* Draws the posterior of the training runs in one thread, which may be one of
  * several, and keeps it nowhere: free with posterior_free.  NULL also where
  * answers are the model alone. */
-struct posterior *outlook_beside(
+struct posterior *outlook_begin_draws(
     const struct session *s, const struct entry *entry);
 
 /* Draws a part of the posterior that outlook_draws returns; true when all of it
@@ -42,7 +42,7 @@ const struct posterior *outlook_draws(
  * with training_only from the training runs, to compare with cuts that it has
  * not seen.  NULL where there is no band for a reason other than the
  * settings. */
-const struct posterior *outlook_unseen(
+const struct posterior *outlook_posterior_of_unseen(
     const struct session *s, const struct entry *entry, bool training_only);
 
 /* Returns the evidence of the calibration that found the entry's parameters, by
@@ -52,7 +52,7 @@ const struct evidence *outlook_evidence(
     const struct session *s, const struct entry *entry);
 
 /* As outlook_evidence, for an entry that was calibrated, but without draws. */
-struct evidence outlook_undrawn(
+struct evidence outlook_evidence_without_draws(
     const struct session *s, const struct entry *entry);
 
 /* Returns how far the feed of that run differs from the most similar of those
@@ -74,7 +74,7 @@ struct model_settings outlook_settings(
 
 /* Returns the posterior that the entry's answers with these parameters are
  * drawn from; NULL: they are the model alone. */
-const struct posterior *outlook_answering(const struct session *s,
+const struct posterior *outlook_posterior_for_answers(const struct session *s,
     const struct entry *entry, const struct params *params);
 
 /* Returns the crusher of the entry's answers, for any feed, with classes
@@ -102,7 +102,7 @@ void outlook_note_low_high(struct answer *r, const struct session *s,
  * runs", ", training runs"; "" where the prediction is the model alone though
  * something else was asked for; ", model" where the model alone was asked
  * for. */
-const char *outlook_short(const struct session *s, const struct entry *entry,
-    const struct prediction *p);
+const char *outlook_short_words(const struct session *s,
+    const struct entry *entry, const struct prediction *p);
 
 #endif

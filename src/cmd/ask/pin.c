@@ -12,6 +12,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/lang/table.h"
+#include "io/sitefile/units.h"
 
 void
 pin_free(struct pin *pin)
@@ -22,7 +23,7 @@ pin_free(struct pin *pin)
 }
 
 static bool
-unpin(struct session *s, const char *word, struct error *error)
+unpin_prediction(struct session *s, const char *word, struct error *error)
 {
 	if (strcmp(word, "off") != 0)
 		return error_set(error, ERROR_USAGE,
@@ -40,8 +41,8 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params = entry->params;
-	bool forming = answers_forming(s, entry, &params);
-	if (!forming && !answers_ready(s, error))
+	bool forming = answers_best_so_far(s, entry, &params);
+	if (!forming && !answers_check_current(s, error))
 		return false;
 	if (q->variant.feed)
 		return error_set(error, ERROR_USAGE,
@@ -59,17 +60,18 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
 	session_note(s,
-	    forming ? N_("pinned %s at %.1f m/s, of the calibration that runs: "
+	    forming ? N_("pinned %s at %.*f m/s, of the calibration that runs: "
 			 "save leaves it out")
-		    : N_("pinned %s at %.1f m/s"),
-	    pin->key, q->speed);
+		    : N_("pinned %s at %.*f m/s"),
+	    pin->key, units_speed_digits(q->speed), q->speed);
 	return true;
 }
 
 bool
 cmd_pin(struct session *s, const struct args *args, struct error *error)
 {
-	return args->n_operand > 0 ? unpin(s, args->operand[0], error)
-				   : session_need_site(s, "pin", error) &&
-					 question_run(s, args, pin_keep, error);
+	return args->n_operand > 0
+		   ? unpin_prediction(s, args->operand[0], error)
+		   : session_need_site(s, "pin", error) &&
+			 question_run(s, args, pin_keep, error);
 }

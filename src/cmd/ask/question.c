@@ -28,7 +28,7 @@ measured_rotor(const struct entry *entry)
 
 /* "feed b.csv, cascade 10 %". */
 static char *
-with_words(const struct scenario *w)
+join_with_words(const struct scenario *w)
 {
 	char *words = xstrdup("");
 	if (w->feed != NULL)
@@ -53,7 +53,7 @@ site_as_asked(const struct site *own, const struct scenario *w)
 	    f != NULL ? site_with_feed(own, &f->feed, blended_from(f), f->of)
 		      : site_copy(own);
 	free(site->with);
-	site->with = with_words(w);
+	site->with = join_with_words(w);
 	site->n_shown = w->n_sieve;
 	site->shown = xdoubles(w->n_sieve);
 	for (size_t i = 0; i < w->n_sieve; i++)
@@ -132,7 +132,7 @@ question_free(struct session *s, struct question *q)
 
 /* The option's value where the command has it and it was given, else NULL. */
 static const struct value *
-given(const struct args *args, const char *name)
+given_value(const struct args *args, const char *name)
 {
 	size_t i = command_option_index(args->command, name);
 	return i < OPTIONS && args->value[i].given ? &args->value[i] : NULL;
@@ -141,7 +141,7 @@ given(const struct args *args, const char *name)
 static double
 question_number_of(const struct args *args, const char *name)
 {
-	const struct value *value = given(args, name);
+	const struct value *value = given_value(args, name);
 	return value != NULL ? value->number : 0;
 }
 
@@ -182,7 +182,7 @@ static const char *
 feed_asked(
     const struct session *s, const struct args *args, struct value *value)
 {
-	const struct value *feed = given(args, "feed");
+	const struct value *feed = given_value(args, "feed");
 	size_t i = command_option_index(args->command, "feed");
 	struct error none = {0};
 	if (i == OPTIONS)
@@ -190,7 +190,7 @@ feed_asked(
 	const struct command_option *option =
 	    command_option_at(args->command, i);
 	*value = (struct value){.given = true};
-	value_take(
+	value_read(
 	    option, feed != NULL ? feed->text : s->set.feed, value, &none);
 	return value->text;
 }
@@ -206,7 +206,7 @@ read_feed(struct session *s, const struct args *args, struct named *r,
 	if (text == NULL ||
 	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
-	if (given(args, "feed") == NULL)
+	if (given_value(args, "feed") == NULL)
 		r->scenario.feed = blended_set(s, text, error);
 	else if (blended_read(s, text, &r->blend, error))
 		r->scenario.feed = &r->blend;
@@ -218,7 +218,7 @@ static bool
 read_sieves(const struct args *args, const struct site *site, struct named *r,
     struct error *error)
 {
-	const struct value *sieves = given(args, "sieves");
+	const struct value *sieves = given_value(args, "sieves");
 	struct scenario *w = &r->scenario;
 	if (sieves == NULL)
 		return true;
@@ -259,9 +259,9 @@ static bool
 read_fraction(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
-	const struct value *cut = given(args, "cut");
+	const struct value *cut = given_value(args, "cut");
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
-			given(args, "spec") != NULL || s->spec != NULL;
+			given_value(args, "spec") != NULL || s->spec != NULL;
 	if (command_option_index(args->command, "cut") == OPTIONS ||
 	    (cut != NULL && text_same(cut->text, "off")))
 		return true;
@@ -278,10 +278,10 @@ question_settle(const struct session *s, const struct entry *loaded,
 	question_make(s, loaded, &r->scenario, q);
 	q->named = own;
 	q->speed_given = r->speed > 0;
-	q->speed = q->speed_given ? r->speed : answers_usual(loaded);
-	if (given(args, "speeds") != NULL) {
-		q->n_at = given(args, "speeds")->n;
-		q->at = given(args, "speeds")->list;
+	q->speed = q->speed_given ? r->speed : answers_usual_speed(loaded);
+	if (given_value(args, "speeds") != NULL) {
+		q->n_at = given_value(args, "speeds")->n;
+		q->at = given_value(args, "speeds")->list;
 	}
 	return choose_feed(s, args, q, error) &&
 	       read_fraction(s, args, q, error);
@@ -292,7 +292,7 @@ question_of(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error)
 {
 	struct named *r = xcalloc(1, sizeof *r);
-	const struct value *correction = given(args, "correction");
+	const struct value *correction = given_value(args, "correction");
 	*q = (struct question){.entry = loaded, .named = r};
 	r->scenario = (struct scenario){
 	    .bypass = question_number_of(args, "cascade") / 100,
@@ -328,7 +328,7 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
 {
 	struct question q = {.entry = NULL};
 	bool known = (args->command->flags & COMMAND_KNOWN) != 0;
-	bool ok = (!known || answers_ready(s, error)) &&
+	bool ok = (!known || answers_check_current(s, error)) &&
 		  question_read(s, args, &q, error) &&
 		  answer(s, args, &q, error);
 	if (ok && q.speed_given)
@@ -369,7 +369,7 @@ set_sheets(struct session *s)
 		return NULL;
 	while (row->offset != offsetof(struct choices, feed))
 		row++;
-	return value_take(&row->option, s->set.feed, &value, &none) &&
+	return value_read(&row->option, s->set.feed, &value, &none) &&
 		       value_is_file(&row->option, &value)
 		   ? blended_set(s, s->set.feed, &none)
 		   : NULL;
@@ -428,14 +428,14 @@ void
 question_as_last(
     const struct session *s, const struct args *args, struct question *q)
 {
-	double last = session_known(s, "predict", "speed");
-	double fed = session_known(s, "predict", "feed_mps");
+	double last = session_answer_number(s, "predict", "speed");
+	double fed = session_answer_number(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
 	if (q->speed_given || (isnan(last) && !(s->asked > 0)))
 		return;
 	q->speed = s->asked > 0 ? s->asked : last;
-	if (given(args, "feed") == NULL && !q->variant.feed && isfinite(fed) &&
-	    site_run_at(site, fed) < site->n_run)
+	if (given_value(args, "feed") == NULL && !q->variant.feed &&
+	    isfinite(fed) && site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);
 }
 

@@ -1,5 +1,5 @@
 /* Orders the cuts by date, takes the residuals at the sieves that crushing can
- * change, and follows them (drift_follow).
+ * change, and follows them (drift_run_charts).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 
@@ -176,7 +176,7 @@ follow_cuts(struct routine *r)
 		cut[j] = (struct drift_cut){c->n, c->size, off,
 		    c->truth != NULL ? POSTERIOR_DRAWS : 0, c->truth, c->error};
 	}
-	r->first = drift_follow(cut, r->n, &r->rule, r->point, &r->since);
+	r->first = drift_run_charts(cut, r->n, &r->rule, r->point, &r->since);
 	for (size_t j = 0; j < r->n; j++)
 		free(residuals[j]);
 }
@@ -245,7 +245,8 @@ routine_follow(const struct session *s, const struct entry *entry,
 	find_cuts(r, entry);
 	if (r->n == 0)
 		return routine_refuse(r, entry, error);
-	const struct posterior *p = outlook_unseen(s, entry, r->training_only);
+	const struct posterior *p =
+	    outlook_posterior_of_unseen(s, entry, r->training_only);
 	r->drawn = p != NULL;
 	if (!r->drawn && !(s->set.noise > 0))
 		return routine_refuse(r, entry, error);
@@ -285,7 +286,7 @@ routine_free(struct routine *r)
 
 /* "four times running". */
 static char *
-routine_times(size_t n)
+routine_times_words(size_t n)
 {
 	static const char *const WORDS[] = {"", N_("once"), N_("twice running"),
 	    N_("three times running"), N_("four times running"),
@@ -297,7 +298,7 @@ routine_times(size_t n)
 }
 
 char *
-routine_words(const struct routine *r)
+routine_state_words(const struct routine *r)
 {
 	static const char *const LOOK[] = {
 	    [DRIFT_COARSER] = N_("look at rotor tips, feed or screen cloth"),
@@ -317,9 +318,9 @@ routine_words(const struct routine *r)
 			   : xstrdup(tr("no drift is signalled"));
 	FREED char *most =
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
-		units_mm(r->worst), 100 * r->by);
+		units_mm(r->worst), -100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
-	FREED char *count = routine_times(r->running);
+	FREED char *count = routine_times_words(r->running);
 	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
 			  tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
 		    : xasprintf(tr("%s than predicted %s, %s: %s"),
@@ -334,7 +335,8 @@ routine_alarm(const struct session *s, const struct entry *entry)
 	if (!entry->has_fit || entry->history == NULL)
 		return NULL;
 	struct alarm *a = &entry->history->alarm;
-	const struct posterior *p = outlook_unseen(s, entry, false);
+	const struct posterior *p =
+	    outlook_posterior_of_unseen(s, entry, false);
 	if (p == NULL)
 		return NULL;
 	if (a->site != entry->site || a->posterior != p) {

@@ -19,10 +19,10 @@ struct routine_cut {
 
 /* Cuts [n] in the order of their dates if all have one (dated), else in the
  * order they were added.  drawn: limits are from a calibration's posterior,
- * else from the noise that is set.  first, since: see drift_follow.  running:
- * how many of the last cuts lie on the same side of the prediction, by their
- * mean; worst: m, the sieve at which these differ most; by: how much, passings
- * on average. */
+ * else from the noise that is set.  first, since: see drift_run_charts.
+ * running: how many of the last cuts lie on the same side of the prediction, by
+ * their mean; worst: m, the sieve at which these differ most; by: how much,
+ * passings on average. */
 struct routine {
 	size_t n;
 	struct routine_cut *cut;
@@ -42,7 +42,7 @@ void routine_free(struct routine *r);
 
 /* Returns "coarser than predicted four times running, most at 4 mm (-3.1 points
  * on average): look at ..", or that nothing drifts.  The caller frees. */
-char *routine_words(const struct routine *r);
+char *routine_state_words(const struct routine *r);
 
 /* If the entry's charts are beyond a limit after its last cut, returns "the
  * last cuts are coarser than predicted: see 'drift'", which the caller frees,

@@ -14,7 +14,7 @@
 /* Crushing makes nothing coarser: where all of the feed passes the finer of
  * ideal screens, so does the product. */
 static bool
-check_any(const struct fraction *fraction, const struct psd *feed,
+check_passes_any(const struct fraction *fraction, const struct psd *feed,
     struct error *error)
 {
 	double edge = fraction->fine * fraction->partition.cut_size;
@@ -29,13 +29,13 @@ check_any(const struct fraction *fraction, const struct psd *feed,
 }
 
 bool
-screened_tells(const struct question *q, struct error *error)
+screened_is_measured_alone(const struct question *q, struct error *error)
 {
 	const struct psd *feed = site_feed(q->entry->site, q->feed);
 	struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = q->fraction};
 	return quantities_covered(&share, feed, error) &&
-	       check_any(&q->fraction, feed, error);
+	       check_passes_any(&q->fraction, feed, error);
 }
 
 /* share: of the product that the part is. */

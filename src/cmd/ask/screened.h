@@ -9,7 +9,7 @@
 
 /* False with an error if the question's feed does not cover the fraction that
  * it asks for. */
-bool screened_tells(const struct question *q, struct error *error);
+bool screened_is_measured_alone(const struct question *q, struct error *error);
 
 /* Returns that fraction of a measured product; free with psd_free. */
 struct psd screened_measured(

@@ -63,7 +63,7 @@ struct side {
 };
 
 static double
-side_of(const struct side *side, double over)
+excess_of_side(const struct side *side, double over)
 {
 	if (isnan(over))
 		return -INFINITY;
@@ -95,13 +95,14 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 	double over[DRAWS], low, high;
 	struct forecast *f = w->forecast;
 	struct margin m = {.limit = {side->i, side->sign < 0}};
-	m.passing = side_of(side, forecast_over(f, side->i, side->limit));
+	m.passing =
+	    excess_of_side(side, forecast_over(f, side->i, side->limit));
 	m.widths = m.passing;
 	if (forecast_draws(f, side->i) == NULL)
 		return m;
 	forecast_overs(f, side->i, side->limit, over);
 	for (size_t d = 0; d < DRAWS; d++) {
-		over[d] = side_of(side, over[d]);
+		over[d] = excess_of_side(side, over[d]);
 		if (held != NULL)
 			held[d] = held[d] && over[d] >= -EXACT;
 	}
@@ -115,17 +116,18 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 /* By which margins compare: what is missed is less than what holds, and counts
  * by the points that it is missed by: a wide band makes a miss no smaller. */
 static double
-rank_of(struct margin m)
+margin_rank(struct margin m)
 {
 	return m.passing < -EXACT ? m.passing : fmax(m.widths, 0);
 }
 
 /* The lesser of two, of which the first may have no limit. */
 static struct margin
-lesser(struct margin least, struct margin m)
+lesser_margin(struct margin least, struct margin m)
 {
 	bool none = least.limit.i == SIZE_MAX;
-	if (m.limit.i != SIZE_MAX && (none || rank_of(m) < rank_of(least)))
+	if (m.limit.i != SIZE_MAX &&
+	    (none || margin_rank(m) < margin_rank(least)))
 		return m;
 	return least;
 }
@@ -137,7 +139,7 @@ margin_with(const struct wanted *w, size_t i, bool *held)
 	struct margin least = {INFINITY, INFINITY, NONE};
 	size_t n = sides_of(w, i, side);
 	for (size_t k = 0; k < n; k++)
-		least = lesser(least, margin_of_side(w, &side[k], held));
+		least = lesser_margin(least, margin_of_side(w, &side[k], held));
 	return least;
 }
 
@@ -148,7 +150,7 @@ wanted_margin(const struct wanted *w, size_t i)
 	if (i != SIZE_MAX)
 		return margin_with(w, i, NULL);
 	for (i = 0; i < w->n; i++)
-		least = lesser(least, margin_with(w, i, NULL));
+		least = lesser_margin(least, margin_with(w, i, NULL));
 	return least;
 }
 
@@ -164,7 +166,7 @@ wanted_holds(const struct wanted *w, size_t i)
 			const struct side *of = &side[k];
 			double over =
 			    forecast_over(w->forecast, of->i, of->limit);
-			if (!(side_of(of, over) >= -EXACT))
+			if (!(excess_of_side(of, over) >= -EXACT))
 				return false;
 		}
 	return true;
@@ -196,7 +198,7 @@ wanted_certainty(const struct wanted *w)
 
 /* Both ends of the speeds looked at, and the tenths between. */
 static double *
-tenths(const struct wanted *w, size_t *n)
+tenths_between(const struct wanted *w, size_t *n)
 {
 	const double hair = 1e-6;
 	double first = floor(10 * w->from + hair) + 1;
@@ -220,7 +222,7 @@ speed_search_new(const struct wanted *w)
 	s->range[0] = s->range[1] = s->cut[0] = s->cut[1] = NAN;
 	s->sure[0] = s->sure[1] = s->best_certain = NAN;
 	s->low = s->high = NONE;
-	s->speed = tenths(w, &s->n);
+	s->speed = tenths_between(w, &s->n);
 	s->certain = xdoubles(s->n);
 	t->n_condition = w->n;
 	t->margin = xcalloc(s->n * (w->n + 1), sizeof *t->margin);
@@ -288,7 +290,7 @@ least_at(const struct speed_search *s, size_t k)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	for (size_t i = 0; i < s->table->n_condition; i++)
-		least = lesser(least, margins_at(s, k)[i]);
+		least = lesser_margin(least, margins_at(s, k)[i]);
 	return least;
 }
 
@@ -320,7 +322,7 @@ add_range(
 /* Whether a speed between steps k and k + 1, of which neither will do, is too
  * slow, -1, too fast, 1, or will do, 0: by what is missed at step k. */
 static int
-way_to_go(
+bisection_direction(
     const struct speed_search *s, const struct wanted *w, size_t k, double v)
 {
 	forecast_at(w->forecast, v);
@@ -348,13 +350,13 @@ may_hold_between(const struct speed_search *s, size_t k)
 
 /* The speed nearest to `bad` that still will do, from one that does. */
 static double
-last_good(const struct speed_search *s, const struct wanted *w, size_t k,
+bisect_last_good(const struct speed_search *s, const struct wanted *w, size_t k,
     double good, double bad)
 {
 	const double close = 1e-4;
 	while (fabs(bad - good) > close) {
 		double v = (good + bad) / 2;
-		*(way_to_go(s, w, k, v) == 0 ? &good : &bad) = v;
+		*(bisection_direction(s, w, k, v) == 0 ? &good : &bad) = v;
 	}
 	return good;
 }
@@ -367,15 +369,15 @@ look_between(struct speed_search *s, const struct wanted *w, size_t k)
 	int way = 1;
 	while (way != 0 && b - a > close) {
 		double v = (a + b) / 2;
-		way = way_to_go(s, w, k, v);
+		way = bisection_direction(s, w, k, v);
 		if (way <= 0)
 			a = v;
 		if (way >= 0)
 			b = v;
 	}
 	if (way == 0)
-		add_range(s, last_good(s, w, k, a, s->speed[k]),
-		    last_good(s, w, k, b, s->speed[k + 1]), k, k + 1);
+		add_range(s, bisect_last_good(s, w, k, a, s->speed[k]),
+		    bisect_last_good(s, w, k, b, s->speed[k + 1]), k, k + 1);
 }
 
 static void
@@ -445,7 +447,7 @@ best_step(const struct speed_search *s, const struct wanted *w)
 			most = fmax(most, s->certain[k]);
 	e.sure = most - CHANCE;
 	for (size_t k = 0; k < s->n; k++) {
-		double rank = rank_of(least_at(s, k));
+		double rank = margin_rank(least_at(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
 		if (!is_eligible(s, w, k, &e))
 			continue;
@@ -616,7 +618,7 @@ choose_root(struct speed_search *s, const struct wanted *w)
 
 /* Where draw d of a table, times a sign, rises through 0 nearest to v. */
 static double
-crossing(const struct speed_search *s, double (*f)[DRAWS], size_t d,
+root_crossing(const struct speed_search *s, double (*f)[DRAWS], size_t d,
     double sign, double v)
 {
 	double nearest = NAN;
@@ -649,15 +651,15 @@ find_ranges(struct speed_search *s, const struct wanted *w)
 		k++;
 	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
 	for (size_t d = 0; d < DRAWS; d++)
-		speed[d] = crossing(s, t->draw, d, sign, about);
+		speed[d] = root_crossing(s, t->draw, d, sign, about);
 	ensemble_middle(speed, w->level, &s->range[0], &s->range[1]);
 	for (size_t d = 0; d < DRAWS; d++)
-		speed[d] = crossing(s, t->sample, d, sign, about);
+		speed[d] = root_crossing(s, t->sample, d, sign, about);
 	ensemble_middle(speed, w->level, &s->cut[0], &s->cut[1]);
 }
 
 static void
-conclude(struct speed_search *s, const struct wanted *w)
+finish_search(struct speed_search *s, const struct wanted *w)
 {
 	find_inside(s, w);
 	find_best(s, w);
@@ -684,7 +686,7 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 		look_at_target(s->table, w, k, s->speed[k]);
 	if (++s->done < s->n)
 		return false;
-	conclude(s, w);
+	finish_search(s, w);
 	return true;
 }
 

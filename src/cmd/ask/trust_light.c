@@ -42,10 +42,11 @@ find_bound(const struct session *s, const struct entry *entry,
 	ensemble_at(e, p->speed);
 	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++) {
 		const char *name = breakage_of(&fit->params)->parameter[j].name;
-		double moves = fit->on_bound[j]
-				   ? trust_moves(outlook_draws(s, entry), e,
-					 ensemble_sizes(e), name)
-				   : 0;
+		double moves =
+		    fit->on_bound[j]
+			? trust_parameter_correlation(outlook_draws(s, entry),
+			      e, ensemble_sizes(e), name)
+			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
 			q->bound_moves = moves;
@@ -129,7 +130,7 @@ judge_calibration(
 static void
 judge_later(struct trust *t, const struct session *s, const struct entry *entry)
 {
-	struct later later = cut_later(s, entry);
+	struct later later = cut_compare_later(s, entry);
 	char *alarm = routine_alarm(s, entry);
 	bool drifts = alarm != NULL;
 	if (drifts)
@@ -188,7 +189,7 @@ judge_variant(struct trust *t, const struct session *s,
 
 /* Speeds of parameters that no calibration of this session found. */
 static struct evidence
-reach_of(const struct entry *entry)
+evidence_of_speeds(const struct entry *entry)
 {
 	struct evidence e = {.speeds = 2, .cells = 100};
 	if (!origin_reach(entry, &e.slowest, &e.fastest)) {
@@ -206,7 +207,7 @@ light_judge(const struct session *s, const struct entry *entry,
 	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
 	struct trust_question q = {
 	    .speed = p != NULL ? p->speed : 0, .corrected = !off};
-	struct evidence reach = reach_of(entry);
+	struct evidence reach = evidence_of_speeds(entry);
 	/* What was measured is judged as it was measured. */
 	const struct entry *own = entry_loaded(entry);
 	if (later)
@@ -232,7 +233,7 @@ light_judge(const struct session *s, const struct entry *entry,
 }
 
 struct trust
-light_of(const struct session *s, const struct entry *entry,
+light_of_prediction(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	struct trust t = {0};
@@ -257,9 +258,9 @@ struct trust
 light_worst(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
-	struct trust worst = light_of(s, entry, &p[0]);
+	struct trust worst = light_of_prediction(s, entry, &p[0]);
 	for (size_t i = 1; i < n; i++)
-		light_worse(&worst, light_of(s, entry, &p[i]));
+		light_worse(&worst, light_of_prediction(s, entry, &p[i]));
 	return worst;
 }
 
@@ -277,13 +278,13 @@ light_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
 	struct prediction p = forecast_whole(s, entry, speed, feed);
-	struct trust t = light_of(s, entry, &p);
+	struct trust t = light_of_prediction(s, entry, &p);
 	prediction_free(&p);
 	return t;
 }
 
 char *
-light_said_at(const struct session *s, const struct entry *entry, double speed,
+light_words_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
 	struct trust t = light_at(s, entry, speed, feed);
@@ -337,14 +338,15 @@ light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	const char *plain = plain_verdict(&entry->fit);
-	return plain != NULL ? plain : light_name(light_of(s, entry, p));
+	return plain != NULL ? plain
+			     : light_name(light_of_prediction(s, entry, p));
 }
 
 const char *
 light_verdict_undrawn(const struct session *s, const struct entry *entry)
 {
 	const char *plain = plain_verdict(&entry->fit);
-	struct evidence e = outlook_undrawn(s, entry);
+	struct evidence e = outlook_evidence_without_draws(s, entry);
 	/* No cut was added since. */
 	return plain != NULL
 		   ? plain

@@ -9,8 +9,8 @@
 
 /* Returns the light of the entry's answer p, or for NULL of its fit; free with
  * trust_free. */
-struct trust light_of(const struct session *s, const struct entry *entry,
-    const struct prediction *p);
+struct trust light_of_prediction(const struct session *s,
+    const struct entry *entry, const struct prediction *p);
 
 /* light_worse keeps the worse of two lights and frees the other; light_worst
  * returns the worst of several answers [n]. */
@@ -19,11 +19,11 @@ struct trust light_worst(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n);
 
 /* light_at returns the light of the answer at a speed with the feed of a run;
- * light_said_at, for charts, "trust at 74 m/s: amber: " and the first reason,
+ * light_words_at, for charts, "trust at 74 m/s: amber: " and the first reason,
  * which the caller frees. */
 struct trust light_at(const struct session *s, const struct entry *entry,
     double speed, size_t feed);
-char *light_said_at(const struct session *s, const struct entry *entry,
+char *light_words_at(const struct session *s, const struct entry *entry,
     double speed, size_t feed);
 
 /* Puts "trust" and "reasons". */

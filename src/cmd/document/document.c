@@ -148,7 +148,7 @@ document_end(struct document *d)
 }
 
 char *
-document_extent(const struct document *d)
+document_extent_words(const struct document *d)
 {
 	size_t tables = 0, images = 0, lines = 0;
 	for (size_t i = 0; i < d->n; i++) {

@@ -71,7 +71,7 @@ bool document_end(struct document *document);
 
 /* Returns "3 tables, 1 image"; without either, how many lines its text has.
  * The caller frees. */
-char *document_extent(const struct document *document);
+char *document_extent_words(const struct document *document);
 
 /* For a table wider than a page: returns the column after those that fit beside
  * the first one, from the column `from` on. */

@@ -134,7 +134,7 @@ put_lines(const char *text, FILE *out)
 }
 
 static void
-put_part(const struct document *d, size_t i, FILE *out)
+html_put_part(const struct document *d, size_t i, FILE *out)
 {
 	const struct document_part *p = &d->part[i];
 	switch (p->kind) {
@@ -182,7 +182,7 @@ document_html(const struct document *d, size_t *n)
 	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
 	html_put("<h1>", d->title, "</h1>\n", out);
 	for (size_t i = 0; i < d->n; i++)
-		put_part(d, i, out);
+		html_put_part(d, i, out);
 	html_put("<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
 	fclose(out);
 	return text;

@@ -43,7 +43,7 @@ struct press {
 };
 
 static struct pen_style
-letters(const struct press *p, double size, bool bold)
+letter_style(const struct press *p, double size, bool bold)
 {
 	return (struct pen_style){.size = size * p->layout.scale, .bold = bold};
 }
@@ -96,7 +96,7 @@ pdf_make_room(struct press *p, double height)
 }
 
 static void
-skip(struct press *p, double points)
+skip_down(struct press *p, double points)
 {
 	if (p->y > MARGIN)
 		p->y += points * p->layout.scale;
@@ -111,7 +111,7 @@ line_length(struct press *p, const char *text, double width,
 	size_t fits = 0;
 	for (size_t n = 0; text[n] != '\0';) {
 		const char *next = text + n;
-		text_next(&next);
+		text_next_code_point(&next);
 		size_t end = (size_t)(next - text);
 		FREED char *part = xstrndup(text, end);
 		bool wide = p->pen->width(p->pen, part, style) > width;
@@ -135,7 +135,7 @@ break_lines(struct press *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
-	FREED char *shown = text_shown(words);
+	FREED char *shown = text_escaped(words);
 	const char *text = shown;
 	do {
 		size_t n = p->pen->width(p->pen, text, style) <= width
@@ -180,12 +180,12 @@ put_light(struct press *p, const struct document_part *part)
 	static const enum series INKS[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
 	enum { PAD = 8 };
-	struct pen_style style = letters(p, 11, true);
+	struct pen_style style = letter_style(p, 11, true);
 	double left = MARGIN, right = p->width - MARGIN;
 	struct lines lines =
 	    break_lines(p, part->text, inner_width(p) - 4 * PAD, &style);
 	double height = (double)lines.n * LINE * style.size + 2 * PAD;
-	skip(p, 4);
+	skip_down(p, 4);
 	pdf_make_room(p, height);
 	double x[] = {left, right, right, left, left};
 	double y[] = {p->y, p->y, p->y + height, p->y + height, p->y};
@@ -200,14 +200,14 @@ put_light(struct press *p, const struct document_part *part)
 		    p->y + PAD + ((double)i + 0.78) * LINE * style.size,
 		    lines.line[i], &style);
 	p->y += height;
-	skip(p, 6);
+	skip_down(p, 6);
 	lines_free(&lines);
 }
 
 static void
 put_lines(struct press *p, const char *text)
 {
-	struct pen_style style = letters(p, 7.5, false);
+	struct pen_style style = letter_style(p, 7.5, false);
 	char *line;
 	style.mono = true;
 	while ((line = document_line(&text)) != NULL) {
@@ -241,8 +241,8 @@ word_width(struct press *p, const char *text, const struct pen_style *style)
 static double
 pdf_measure(struct press *p, struct grid *g, double most)
 {
-	struct pen_style head = letters(p, g->size, true);
-	struct pen_style body = letters(p, g->size, false);
+	struct pen_style head = letter_style(p, g->size, true);
+	struct pen_style body = letter_style(p, g->size, false);
 	double sum = -GAP * p->layout.scale;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
@@ -261,7 +261,7 @@ pdf_measure(struct press *p, struct grid *g, double most)
 
 /* Finds the widths: texts are broken first, then letters are smaller. */
 static void
-fit_grid(struct press *p, struct grid *g)
+fit_column_widths(struct press *p, struct grid *g)
 {
 	double room = inner_width(p), most = room;
 	g->size = 8.5;
@@ -279,7 +279,7 @@ fit_grid(struct press *p, struct grid *g)
 static void
 pdf_put_row(struct press *p, const struct grid *g, size_t row)
 {
-	struct pen_style style = letters(p, g->size, row == 0);
+	struct pen_style style = letter_style(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
 	FREED struct lines *cell = xcalloc(g->n, sizeof *cell);
 	size_t most = 1;
@@ -313,7 +313,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 }
 
 static double
-rule_end(const struct press *p, const struct grid *g)
+end_of_rule(const struct press *p, const struct grid *g)
 {
 	double x = MARGIN - GAP * p->layout.scale;
 	for (size_t i = 0; i < g->n; i++)
@@ -326,20 +326,20 @@ static void
 put_grid(struct press *p, struct grid *g)
 {
 	double line = LINE * g->size * p->layout.scale;
-	fit_grid(p, g);
+	fit_column_widths(p, g);
 	pdf_make_room(p, 5 * line);
 	for (size_t row = 0; row <= g->view->n_row; row++) {
 		bool again = row > 0 && pdf_make_room(p, line);
 		if (again)
 			pdf_put_row(p, g, 0);
 		if (again || row == 1) {
-			pdf_draw_line(p, rule_end(p, g), p->y, 0.7);
-			skip(p, 1.5);
+			pdf_draw_line(p, end_of_rule(p, g), p->y, 0.7);
+			skip_down(p, 1.5);
 		}
 		pdf_put_row(p, g, row);
 	}
-	pdf_draw_line(p, rule_end(p, g), p->y + 1, 0.3);
-	skip(p, 5);
+	pdf_draw_line(p, end_of_rule(p, g), p->y + 1, 0.3);
+	skip_down(p, 5);
 }
 
 static void
@@ -367,11 +367,11 @@ put_table(struct press *p, const struct answer_view *v)
 static void
 pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 {
-	struct pen_style style = letters(p, 9, warnings);
+	struct pen_style style = letter_style(p, 9, warnings);
 	for (size_t i = 0; i < v->n_sentence; i++)
 		if ((v->sentence[i].grade == ANSWER_WARNING) == warnings) {
 			put_words(p, v->sentence[i].text, &style);
-			skip(p, 1.5);
+			skip_down(p, 1.5);
 		}
 }
 
@@ -389,10 +389,10 @@ static void
 pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 {
 	struct answer_view v = answer_view(answer);
-	struct pen_style title = letters(p, 9.5, true);
-	struct pen_style about = letters(p, 8, false);
+	struct pen_style title = letter_style(p, 9.5, true);
+	struct pen_style about = letter_style(p, 8, false);
 	about.series = SERIES_FEED;
-	skip(p, 6);
+	skip_down(p, 6);
 	pdf_make_room(p, kept_height(p, &v));
 	if (v.title != NULL && !top)
 		put_words(p, v.title, &title);
@@ -401,7 +401,7 @@ pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 		put_words(p, text, &about);
 	}
 	pdf_put_sentences(p, &v, true);
-	skip(p, 3);
+	skip_down(p, 3);
 	put_table(p, &v);
 	pdf_put_sentences(p, &v, false);
 }
@@ -412,7 +412,7 @@ put_picture(struct press *p, const struct chart *chart)
 	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
 	double scale = fmin(p->layout.scale, inner_width(p) / PICTURE_WIDTH);
 	double height = scale * picture_height(chart, PROGRAM);
-	skip(p, 6);
+	skip_down(p, 6);
 	pdf_make_room(p, height);
 	p->pen->place(p->pen, MARGIN, p->y, scale);
 	picture_draw(chart, PROGRAM, p->pen);
@@ -427,24 +427,25 @@ put_heading(struct press *p, size_t i)
 	enum { OWN = 30, LEAST = 40 };
 	const struct document *d = p->document;
 	const struct answer *next = i + 1 < d->n ? d->part[i + 1].answer : NULL;
-	struct pen_style style = letters(p, 13, true);
+	struct pen_style style = letter_style(p, 13, true);
 	double kept = LEAST * p->layout.scale;
 	if (next != NULL) {
 		struct answer_view v = answer_view(next);
 		kept = kept_height(p, &v);
 	}
-	skip(p, 14);
+	skip_down(p, 14);
 	pdf_make_room(p, OWN * p->layout.scale + kept);
 	put_words(p, d->part[i].text, &style);
 	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
-	skip(p, 3);
+	skip_down(p, 3);
 }
 
 static void
-put_part(struct press *p, size_t i)
+pdf_put_part(struct press *p, size_t i)
 {
 	const struct document_part *part = &p->document->part[i];
-	struct pen_style style = letters(p, 9, part->kind == DOCUMENT_WARNING);
+	struct pen_style style =
+	    letter_style(p, 9, part->kind == DOCUMENT_WARNING);
 	switch (part->kind) {
 	case DOCUMENT_HEADING:
 		put_heading(p, i);
@@ -452,7 +453,7 @@ put_part(struct press *p, size_t i)
 	case DOCUMENT_WORDS:
 	case DOCUMENT_WARNING:
 		put_words(p, part->text, &style);
-		skip(p, 2);
+		skip_down(p, 2);
 		break;
 	case DOCUMENT_LIGHT:
 		put_light(p, part);
@@ -471,7 +472,7 @@ put_part(struct press *p, size_t i)
 
 /* Lays it all out.  NULL where that fails. */
 static char *
-lay_out(const struct document *d, struct layout layout, size_t *n,
+make_pdf(const struct document *d, struct layout layout, size_t *n,
     struct outcome *outcome)
 {
 	char *bytes = NULL;
@@ -485,10 +486,10 @@ lay_out(const struct document *d, struct layout layout, size_t *n,
 	p.pen = picture_pages(p.width, p.height, d->title, d->made_by, out);
 	bool ok = p.pen != NULL;
 	if (ok) {
-		struct pen_style title = letters(&p, 16, true);
+		struct pen_style title = letter_style(&p, 16, true);
 		put_words(&p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
-			put_part(&p, i);
+			pdf_put_part(&p, i);
 		draw_foot(&p);
 		ok = p.pen->close(p.pen);
 	}
@@ -506,14 +507,14 @@ try_layout(const struct document *d, struct layout layout)
 {
 	size_t n;
 	struct outcome outcome;
-	free(lay_out(d, layout, &n, &outcome));
+	free(make_pdf(d, layout, &n, &outcome));
 	return outcome;
 }
 
 /* The largest scale at which it is one page, upright or across, with tables
  * that have letters as large as all else. */
 static struct layout
-one_page(const struct document *d)
+largest_one_page_layout(const struct document *d)
 {
 	enum { STEPS = 7 };
 	struct layout best = {0.3, false, 0};
@@ -537,13 +538,13 @@ one_page(const struct document *d)
 char *
 document_pdf(const struct document *d, size_t *n, size_t *pages)
 {
-	struct layout layout =
-	    d->one_page ? one_page(d) : (struct layout){1, false, 0};
+	struct layout layout = d->one_page ? largest_one_page_layout(d)
+					   : (struct layout){1, false, 0};
 	struct outcome outcome;
 	if (!picture_can(PICTURE_PDF))
 		return NULL;
 	layout.pages = try_layout(d, layout).pages;
-	char *bytes = lay_out(d, layout, n, &outcome);
+	char *bytes = make_pdf(d, layout, n, &outcome);
 	*pages = outcome.pages;
 	return bytes;
 }

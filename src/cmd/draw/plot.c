@@ -21,6 +21,7 @@
 #include "cmd/ask/feed.h"
 #include "config.h"
 #include "plot/picture.h"
+#include "io/sitefile/units.h"
 
 /* What it is of, and what is shown beside: loaded sites, or what is pinned. */
 static bool
@@ -49,7 +50,7 @@ read_request(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
 	size_t kind;
-	if (!text_choice(PLOT_KINDS, args->operand[0], &kind))
+	if (!text_find_word(PLOT_KINDS, args->operand[0], &kind))
 		return error_set(error, ERROR_USAGE,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
@@ -93,7 +94,7 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 	r->fraction = a->q.fraction;
 	r->n_speed = a->q.n_at;
 	r->speeds = a->q.at;
-	if (!screened_tells(&a->q, error))
+	if (!screened_is_measured_alone(&a->q, error))
 		return false;
 	if (a->q.speed_given && r->made == NULL)
 		r->speed = a->q.speed;
@@ -105,8 +106,8 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 }
 
 /* The chart that the call asks for, by its kind and the options that plot and
- * describe have in common; see plots_chart.  asked_free, also where it is
- * NULL. */
+ * describe have in common; see plots_chart.  plot_questions_free, also where it
+ * is NULL. */
 static struct chart *
 asked_chart(struct session *s, const struct args *args, struct asked *a,
     struct error *error)
@@ -119,7 +120,7 @@ asked_chart(struct session *s, const struct args *args, struct asked *a,
 }
 
 static void
-asked_free(struct session *s, struct asked *a)
+plot_questions_free(struct session *s, struct asked *a)
 {
 	question_free(s, &a->q);
 	question_free(s, &a->second);
@@ -127,7 +128,7 @@ asked_free(struct session *s, struct asked *a)
 
 /* "passing_pct" of "passing, %".  The caller frees. */
 static char *
-key_of(const struct axis *axis)
+json_key_of_axis(const struct axis *axis)
 {
 	size_t n = strlen(axis->title);
 	bool share = n > 0 && axis->title[n - 1] == '%';
@@ -145,7 +146,8 @@ key_of(const struct axis *axis)
 /* Of points of several sites, or of a line that belongs to all of them, a row
  * says whose each is. */
 static void
-add_whose(struct answer *r, const struct chart_series *series, size_t i)
+add_owner_of_point(
+    struct answer *r, const struct chart_series *series, size_t i)
 {
 	const struct chart_whose *whose = series->whose;
 	answer_cells(r, "%s %s", whose != NULL ? whose[i].site : "",
@@ -153,7 +155,7 @@ add_whose(struct answer *r, const struct chart_series *series, size_t i)
 }
 
 static const char *
-tick_at(const struct axis *axis, double at)
+tick_label_at(const struct axis *axis, double at)
 {
 	size_t i = 0;
 	while (axis->tick[i].at != at)
@@ -171,8 +173,8 @@ add_fields(struct answer *r, const struct chart *chart)
 			const struct chart_series *p = chart->series[i];
 			if (!isnan(p->field[j].value))
 				answer_cells(r, "%s %s %g",
-				    tick_at(&chart->y, p->y[j]),
-				    tick_at(&chart->x, p->x[j]),
+				    tick_label_at(&chart->y, p->y[j]),
+				    tick_label_at(&chart->x, p->x[j]),
 				    p->field[j].value);
 		}
 }
@@ -186,7 +188,7 @@ add_points(struct answer *r, const struct chart_series *p, bool several,
 		if (isnan(p->y[j]))
 			continue;
 		if (several)
-			add_whose(r, p, j);
+			add_owner_of_point(r, p, j);
 		answer_cells(r, "%s %g", p->name, p->x[j]);
 		if (of != NULL)
 			answer_text(r, "%s", of);
@@ -222,7 +224,8 @@ chart_answer(const struct session *s, const struct chart *chart)
 		add_fields(r, chart);
 		return r;
 	}
-	FREED char *x = key_of(&chart->x), *y = key_of(&chart->y);
+	FREED char *x = json_key_of_axis(&chart->x),
+		   *y = json_key_of_axis(&chart->y);
 	answer_columns(r, "series: series");
 	answer_column(r, x, chart->x.title);
 	if (next_chart(chart) == NULL)
@@ -271,7 +274,7 @@ print_chart(struct session *s, const struct args *args,
 }
 
 static bool
-cannot_draw(const struct session *s, struct error *error)
+error_cannot_draw(const struct session *s, struct error *error)
 {
 	return error_set(error, ERROR_SYSTEM,
 	    "cannot draw the image %s\n"
@@ -280,7 +283,7 @@ cannot_draw(const struct session *s, struct error *error)
 }
 
 bool
-pictures_wanted(const struct session *s)
+plot_writes_image(const struct session *s)
 {
 	enum picture_form form;
 	return s->document != NULL ||
@@ -288,7 +291,7 @@ pictures_wanted(const struct session *s)
 }
 
 bool
-pictures_draw(struct session *s, struct chart *chart, struct error *error)
+plot_write_image(struct session *s, struct chart *chart, struct error *error)
 {
 	enum picture_form form;
 	if (s->document != NULL) {
@@ -298,7 +301,7 @@ pictures_draw(struct session *s, struct chart *chart, struct error *error)
 	bool ok = (picture_form_of(s->file, &form) &&
 		      picture_write(
 			  chart, form, "tipspeed " PACKAGE_VERSION, s->out)) ||
-		  cannot_draw(s, error);
+		  error_cannot_draw(s, error);
 	chart_free(chart);
 	return ok;
 }
@@ -352,13 +355,13 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	enum picture_form form;
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	FREED char *label = entry != NULL ? session_label(entry->site)
+	FREED char *label = entry != NULL ? session_site_label(entry->site)
 					  : xstrdup(tr("no site loaded"));
-	double speed = session_known(s, "predict", "speed");
+	double speed = session_answer_number(s, "predict", "speed");
 	FREED char *title =
 	    isfinite(speed)
-		? xasprintf(tr("tipspeed, full-screen mode: %s at %.1f m/s"),
-		      label, speed)
+		? xasprintf(tr("tipspeed, full-screen mode: %s at %.*f m/s"),
+		      label, units_speed_digits(speed), speed)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	FREED char *from =
 	    entry != NULL ? site_source(entry->site, "") : xstrdup("");
@@ -369,13 +372,13 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	return (picture_form_of(s->file, &form) &&
 		   picture_cells(
 		       canvas, colours, form, title, about, s->out)) ||
-	       cannot_draw(s, error);
+	       error_cannot_draw(s, error);
 }
 
 /* One row for a screen reader: a sign drawn again and again is left out, and so
  * is a row without anything else. */
 static void
-print_heard(const struct canvas_cell *cell, int columns, FILE *out)
+print_row_for_reader(const struct canvas_cell *cell, int columns, FILE *out)
 {
 	char *text = xstrdup(""), code[5];
 	for (int c = 0, n; c < columns; c += n) {
@@ -403,7 +406,7 @@ say_screen(struct session *s, const struct canvas *canvas, const char *picture,
     struct error *error)
 {
 	for (int row = 0; row < canvas->rows; row++)
-		print_heard(canvas->cell + row * canvas->columns,
+		print_row_for_reader(canvas->cell + row * canvas->columns,
 		    canvas->columns, s->out);
 	if (picture == NULL)
 		return true;
@@ -415,7 +418,7 @@ say_screen(struct session *s, const struct canvas *canvas, const char *picture,
 bool
 cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
-	bool picture = pictures_wanted(s) && s->document == NULL;
+	bool picture = plot_writes_image(s) && s->document == NULL;
 	if (s->hooks.draw_screen == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "full-screen mode is not available here");
@@ -432,7 +435,7 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	else if (s->set.format == ANSWER_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
-		session_answer(s, screen_answer(canvas));
+		session_show_answer(s, screen_answer(canvas));
 	canvas_free(canvas);
 	free(r.picture);
 	return ok;
@@ -473,7 +476,7 @@ sizes_of(const struct tale *t, const struct chart_series *s)
 	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_RUNS ||
 		   t->kind == PLOT_SWEEP;
 	for (size_t i = 0; psd && i < ARRAY_LEN(PASSING); i++) {
-		double x = chart_at_y(t->chart, s, PASSING[i]);
+		double x = chart_x_at(t->chart, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
 		if (isnan(x))
 			xappend(&text, tr("outside the sieves"));
@@ -497,7 +500,8 @@ say_curve(struct tale *t, const struct chart_series *s)
 	while (first != last &&
 	       (isnan(s->y[last]) || s->y[last] == s->y[last - step]))
 		last -= step;
-	const char *x = axis_unit(&t->chart->x), *y = axis_unit(&t->chart->y);
+	const char *x = axis_unit_suffix(&t->chart->x),
+		   *y = axis_unit_suffix(&t->chart->y);
 	FREED char *sizes = sizes_of(t, s);
 	if (first == last)
 		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
@@ -560,8 +564,9 @@ say_fields(struct tale *t)
 			if (fabs(s->field[j].value) >= worth_saying &&
 			    s->x[j] + s->y[j] < (double)c->y.n + 1)
 				xlist(&list, ", ", tr("%s and %s %s"),
-				    tick_at(&c->x, s->x[j]),
-				    tick_at(&c->y, s->y[j]), s->field[j].label);
+				    tick_label_at(&c->x, s->x[j]),
+				    tick_label_at(&c->y, s->y[j]),
+				    s->field[j].label);
 		if (list[0] != '\0')
 			answer_note(t->answer, "%s: %s", s->name, list);
 	}
@@ -578,7 +583,7 @@ say_difference(struct tale *t, const struct chart_series *other)
 	const struct chart_series *top = t->chart->series[t->chart->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
 	for (size_t i = 0; i < other->n; i++) {
-		double y = chart_at(t->chart, top, other->x[i]);
+		double y = chart_y_at(t->chart, top, other->x[i]);
 		if (!(fabs(y - other->y[i]) > most))
 			continue;
 		most = fabs(y - other->y[i]);
@@ -589,8 +594,8 @@ say_difference(struct tale *t, const struct chart_series *other)
 	if (!isnan(x))
 		answer_note(t->answer,
 		    "%s and %s differ most at %.3g%s: %.3g and %.3g%s",
-		    top->name, other->name, x, axis_unit(&t->chart->x), here,
-		    there, axis_unit(&t->chart->y));
+		    top->name, other->name, x, axis_unit_suffix(&t->chart->x),
+		    here, there, axis_unit_suffix(&t->chart->y));
 }
 
 static void
@@ -690,8 +695,8 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 	const struct site *site = entry->site;
 	double speed =
 	    isnan(request->speed) ? site_middle(site) : request->speed;
-	size_t feed = feed_at(site, request->feed_speed);
-	while (goals_pending(s, &goal, feed) &&
+	size_t feed = feed_sampled_at(site, request->feed_speed);
+	while (goals_need_search(s, &goal, feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, entry, &goal, feed);
 	FREED char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
@@ -717,7 +722,7 @@ plot_describe(struct session *s, const struct args *args, struct asked *a,
 		say_chart(&t);
 	say_goal(&t, s, &a->request);
 	chart_free(chart);
-	return session_answer(s, t.answer);
+	return session_show_answer(s, t.answer);
 }
 
 bool
@@ -725,7 +730,7 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
 	struct asked a;
 	bool ok = plot_describe(s, args, &a, error);
-	asked_free(s, &a);
+	plot_questions_free(s, &a);
 	return ok;
 }
 
@@ -738,19 +743,19 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);
 	struct chart *chart = asked_chart(s, args, &a, error);
-	asked_free(s, &a);
+	plot_questions_free(s, &a);
 	if (chart == NULL)
 		return false;
 	size_t choice = args_value(args, "charset")->choice;
 	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
 			       : s->screen.drawing ? CHARSET_BRAILLE
 						   : CHARSET_ASCII;
-	if (pictures_wanted(s))
-		return pictures_draw(s, chart, error);
+	if (plot_writes_image(s))
+		return plot_write_image(s, chart, error);
 	if (s->set.format == ANSWER_TABLE)
 		print_chart(s, args, chart, charset);
 	else
-		session_answer(s, chart_answer(s, chart));
+		session_show_answer(s, chart_answer(s, chart));
 	chart_free(chart);
 	return true;
 }

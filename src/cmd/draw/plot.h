@@ -24,10 +24,11 @@ struct screen_request {
 	char *picture;
 };
 
-/* pictures_wanted is true if the results are written into a picture's file,
- * known by its name, or into a document.  pictures_draw writes the chart there,
- * and frees it. */
-bool pictures_wanted(const struct session *s);
-bool pictures_draw(struct session *s, struct chart *chart, struct error *error);
+/* plot_writes_image is true if the results are written into a picture's file,
+ * known by its name, or into a document.  plot_write_image writes the chart
+ * there, and frees it. */
+bool plot_writes_image(const struct session *s);
+bool plot_write_image(
+    struct session *s, struct chart *chart, struct error *error);
 
 #endif

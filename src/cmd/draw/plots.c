@@ -55,7 +55,7 @@ plots_request(enum plot_kind kind)
 /* Curves to be drawn on one axis.  psd is borrowed, of a prediction that is
  * kept for it, or its own (part); finer: the same curve at more sizes, or
  * NULL.  near: of what was measured nearest to the speed; moved: how far any of
- * that, see moved_by. */
+ * that, see moved_largest. */
 struct curves {
 	size_t n, n_prediction;
 	struct {
@@ -188,7 +188,8 @@ add_measured(struct curves *c, const struct session *s,
 		    site_chart_run(site, i, !entry->train[i]));
 		c->item[c->n - 1].part = part;
 		c->item[c->n - 1].near = site_run_is_near(site, i, speed, 1);
-		c->moved = fmax(c->moved, moved_by(s, entry, params, i, feed));
+		c->moved =
+		    fmax(c->moved, moved_largest(s, entry, params, i, feed));
 	}
 }
 
@@ -217,7 +218,7 @@ add_strip(struct chart *chart, const struct curves *c, int rows)
 	plots_difference(chart, rows, near);
 }
 
-/* What is read at a place: chart_at at a size, chart_at_y at a passing. */
+/* What is read at a place: chart_y_at at a size, chart_x_at at a passing. */
 typedef double reading(
     const struct chart *, const struct chart_series *, double);
 
@@ -228,14 +229,14 @@ add_reading(char **note, const struct chart *chart,
     const struct chart_series *s, reading *read, double at,
     const struct figure *band)
 {
-	int digits = read == chart_at ? 1 : 2;
+	int digits = read == chart_y_at ? 1 : 2;
 	double own = read(chart, s, at);
 	if (isnan(own)) {
 		xappend(note, " %s -", s->name);
 		return;
 	}
 	xappend(note, " %s %.*f %s", s->name, digits, own,
-	    read == chart_at ? "%" : "mm");
+	    read == chart_y_at ? "%" : "mm");
 	if (s->low != NULL && isfinite(band->low) && isfinite(band->high))
 		xappend(note, tr(" (%.*f to %.*f)"), digits, band->low, digits,
 		    band->high);
@@ -258,7 +259,7 @@ read_pinned(const struct plot_request *q, const struct prediction *p,
 
 /* The band of a passing, %, and of a size, mm. */
 static void
-read_bands(const struct session *s, const struct plot_request *q,
+read_crosshair_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
     struct figure band[static 2])
 {
@@ -297,14 +298,14 @@ note_crosshair(struct chart *chart, const struct session *s,
 	if (p != NULL && p == q->made)
 		read_pinned(q, p, band);
 	else if (p != NULL)
-		read_bands(s, q, params, p, band);
+		read_crosshair_bands(s, q, params, p, band);
 	FREED char *at = xasprintf(tr("at %g mm:"), x);
 	FREED char *sizes = xasprintf(tr("%g %% pass:"), level);
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		add_reading(&at, chart, of, chart_at, x, &band[0]);
-		add_reading(&sizes, chart, of, chart_at_y, level, &band[1]);
+		add_reading(&at, chart, of, chart_y_at, x, &band[0]);
+		add_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
@@ -404,7 +405,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 	bool other = second->whose != NULL &&
 		     entry_loaded(second->whose) != entry_loaded(q->entry);
 	if (!kept && other) {
-		if (!answers_known(s, second->whose, error))
+		if (!answers_check_params(s, second->whose, error))
 			return false;
 		own = &second->whose->params;
 	}
@@ -416,7 +417,7 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 		if (other)
 			feed = SITE_MEAN_FEED;
 		if (q->other_feed != 0)
-			feed = feed_at(site, q->other_feed);
+			feed = feed_sampled_at(site, q->other_feed);
 		if (q->other_feed != 0 && feed >= site->n_run)
 			return error_set(error, ERROR_USAGE,
 			    "%s has no feed sampled at %g m/s\n"
@@ -485,16 +486,17 @@ plots_add_predicted(struct curves *c, const struct session *s,
 	if (answers_extrapolates(q->entry, p->speed))
 		look.line = CHART_LONG;
 	add_product(c, p,
-	    q->words & CHART_NOTES
-		? xasprintf(tr("predicted %g m/s"), p->speed)
-		: xasprintf(tr("predicted%s"), outlook_short(s, q->entry, p)),
+	    q->words & CHART_NOTES ? xasprintf(tr("predicted %g m/s"), p->speed)
+				   : xasprintf(tr("predicted%s"),
+					 outlook_short_words(s, q->entry, p)),
 	    look);
 }
 
 /* The first prediction, and of it the fraction that is looked at. */
 static const struct prediction *
-make_first(struct curves *c, struct session *s, const struct plot_request *q,
-    const struct params *params, double speed, size_t feed)
+make_first_prediction(struct curves *c, struct session *s,
+    const struct plot_request *q, const struct params *params, double speed,
+    size_t feed)
 {
 	const struct entry *entry = q->entry;
 	const struct prediction *one =
@@ -512,7 +514,7 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	const struct entry *entry = q->entry;
 	const struct site *site = entry->site;
 	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
-	size_t feed = feed_at(site, q->feed_speed);
+	size_t feed = feed_sampled_at(site, q->feed_speed);
 	struct curves c = {0};
 	struct params params = {0};
 	struct error unknown = {0};
@@ -527,7 +529,8 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	add_measured(
 	    &c, s, entry, &q->fraction, known ? &params : NULL, speed, feed);
 	const struct prediction *one =
-	    known ? make_first(&c, s, q, &params, speed, feed) : NULL;
+	    known ? make_first_prediction(&c, s, q, &params, speed, feed)
+		  : NULL;
 	if (!add_second(
 		&c, s, q, known ? &params : NULL, speed, feed, &two, error)) {
 		free_curves(&c);
@@ -538,10 +541,10 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	FREED char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
-		known                     ? N_("product at %.1f m/s%s")
+		known                     ? N_("product at %.*f m/s%s")
 		: site_products(site) > 0 ? N_("feed and products")
 					  : N_("feed"),
-		speed, fraction);
+		units_speed_digits(speed), speed, fraction);
 	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	put_curves(chart, &c);
 	bool own = memcmp(&entry->params, &params, sizeof params) == 0;
@@ -576,7 +579,7 @@ sweep_chart(
 		    n, ARRAY_LEN(c.prediction));
 		return NULL;
 	}
-	size_t feed = feed_at(site, q->feed_speed);
+	size_t feed = feed_sampled_at(site, q->feed_speed);
 	plots_add_curve(&c, site_feed(site, feed), xstrdup(tr("feed")), FEED);
 	FREED double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
@@ -811,7 +814,7 @@ enum { SAMPLES = 241 };
 
 /* Value i of SAMPLES between low and high, evenly on the log. */
 static double
-sample(double low, double high, size_t i)
+log_sample(double low, double high, size_t i)
 {
 	return low * pow(high / low, (double)i / (SAMPLES - 1));
 }
@@ -828,7 +831,7 @@ add_selection(struct chart *chart, const struct session *s,
 	breaker_set_params(&b, params, &settings);
 	breaker_set_speed(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
-		series->x[i] = sample(chart->x.low, chart->x.high, i);
+		series->x[i] = log_sample(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * b.model->selection(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
@@ -847,7 +850,8 @@ selection_chart(
 	struct params params;
 	if (!plots_past_params(s, q, &params, error))
 		return NULL;
-	const struct psd *feed = site_feed(site, feed_at(site, q->feed_speed));
+	const struct psd *feed =
+	    site_feed(site, feed_sampled_at(site, q->feed_speed));
 	struct curves c = {0};
 	plots_add_curve(&c, feed, xstrdup(""), FEED);
 	struct chart *chart = site_chart(site, sieves_of(&c),
@@ -889,8 +893,8 @@ appearance_chart(
 	struct chart_series *curve =
 	    chart_add(chart, PREDICTED, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
-		curve->x[i] = sample(chart->x.low, chart->x.high, i);
-		curve->y[i] = 100 * answers_finer(&b, curve->x[i], site);
+		curve->x[i] = log_sample(chart->x.low, chart->x.high, i);
+		curve->y[i] = 100 * answers_share_finer(&b, curve->x[i], site);
 	}
 	return chart;
 }
@@ -945,21 +949,21 @@ plots_chart(
 
 /* "82.1 %". */
 static char *
-with_unit(const struct axis *axis, double value)
+value_with_unit(const struct axis *axis, double value)
 {
-	const char *unit = axis_unit(axis);
+	const char *unit = axis_unit_suffix(axis);
 	return xasprintf(
 	    strcmp(unit, " %") == 0 ? "%.1f%s" : "%.4g%s", value, unit);
 }
 
 static char *
-found_words(const struct chart_found *f)
+words_of_found(const struct chart_found *f)
 {
 	const struct chart_series *of = f->series;
 	if (of == NULL)
 		return NULL;
-	FREED char *x = with_unit(&f->chart->x, of->x[f->point]),
-		   *y = with_unit(&f->chart->y, of->y[f->point]);
+	FREED char *x = value_with_unit(&f->chart->x, of->x[f->point]),
+		   *y = value_with_unit(&f->chart->y, of->y[f->point]);
 	bool whose = of->whose != NULL && of->whose[f->point].site != NULL;
 	return xasprintf("%s%s%s: %s, %s",
 	    whose ? of->whose[f->point].site : "", whose ? ", " : "", of->name,
@@ -967,8 +971,8 @@ found_words(const struct chart_found *f)
 }
 
 bool
-plots_find(struct session *s, const struct plot_request *request, int columns,
-    int rows, int column, int row, struct plots_found *found)
+plots_find_at(struct session *s, const struct plot_request *request,
+    int columns, int rows, int column, int row, struct plots_found *found)
 {
 	struct error error = {0};
 	struct chart_found f;
@@ -979,7 +983,7 @@ plots_find(struct session *s, const struct plot_request *request, int columns,
 	bool in = chart_find(
 	    chart, canvas, request->charset, request->words, column, row, &f);
 	if (in)
-		*found = (struct plots_found){f.x, f.y, found_words(&f)};
+		*found = (struct plots_found){f.x, f.y, words_of_found(&f)};
 	canvas_free(canvas);
 	chart_free(chart);
 	return in;

@@ -31,7 +31,7 @@ struct plots_found {
 	double x, y;
 	char *words;
 };
-bool plots_find(struct session *s, const struct plot_request *request,
+bool plots_find_at(struct session *s, const struct plot_request *request,
     int columns, int rows, int column, int row, struct plots_found *found);
 
 #endif

@@ -13,7 +13,7 @@
 /* The least limit that holds a value: a few, so that the scale stands still
  * while the slider moves. */
 static double
-limit_of(double value)
+axis_limit(double value)
 {
 	static const double LIMITS[] = {1, 2, 5, 10, 20, 50};
 	for (size_t i = 0; i < ARRAY_LEN(LIMITS); i++)
@@ -40,7 +40,7 @@ difference_points_axis(const struct chart *chart)
 	for (size_t i = 0; i < chart->n; i++)
 		for (size_t j = 0; j < chart->series[i]->n; j++)
 			most = fmax(most, fabs(chart->series[i]->y[j]));
-	axis.high = limit_of(most);
+	axis.high = axis_limit(most);
 	axis.low = -axis.high;
 	add_tick(&axis, axis.low);
 	add_tick(&axis, 0);
@@ -50,7 +50,7 @@ difference_points_axis(const struct chart *chart)
 
 /* At the points of a curve what it is more than another, where both are. */
 static void
-add_less(struct chart *strip, const struct chart *chart,
+add_difference_of_curves(struct chart *strip, const struct chart *chart,
     const struct chart_series *a, const struct chart_series *b,
     struct chart_series look)
 {
@@ -58,7 +58,7 @@ add_less(struct chart *strip, const struct chart *chart,
 	    chart_add(strip, look, a->n, "%s less %s", a->name, b->name);
 	for (size_t i = 0; i < a->n; i++) {
 		s->x[i] = a->x[i];
-		s->y[i] = a->y[i] - chart_at(chart, b, a->x[i]);
+		s->y[i] = a->y[i] - chart_y_at(chart, b, a->x[i]);
 	}
 }
 
@@ -75,7 +75,7 @@ axis_copy(const struct axis *from)
 
 /* "measured 74 m/s" of "measured 74 m/s (2)". */
 static int
-short_name(const struct chart_series *s)
+short_name_length(const struct chart_series *s)
 {
 	return (int)strcspn(s->name, ",(") -
 	       (s->name[strcspn(s->name, ",(")] == '(');
@@ -93,7 +93,7 @@ title_of(const struct chart_series *other, const struct chart_series *measured)
 							: tr("the other"));
 	if (measured != NULL)
 		xlist(&title, "; ", tr("marks: %.*s less this"),
-		    short_name(measured), measured->name);
+		    short_name_length(measured), measured->name);
 	return title;
 }
 
@@ -108,10 +108,10 @@ plots_difference(struct chart *chart, int rows, const bool *wanted)
 		const struct chart_series *s = chart->series[i];
 		if (s->series == SERIES_OTHER) {
 			other = s;
-			add_less(strip, chart, last, s, *last);
+			add_difference_of_curves(strip, chart, last, s, *last);
 		} else if (wanted[i]) {
 			measured = s;
-			add_less(strip, chart, s, last, *s);
+			add_difference_of_curves(strip, chart, s, last, *s);
 		}
 	}
 	free(strip->title);

@@ -19,7 +19,7 @@ static const struct posterior *
 draws_drawn(
     const struct session *s, const struct entry *entry, struct error *error)
 {
-	if (!answers_known(s, entry, error))
+	if (!answers_check_params(s, entry, error))
 		return NULL;
 	const struct posterior *p = outlook_draws(s, entry);
 	if (p == NULL)
@@ -126,7 +126,7 @@ static bool
 find_profiled(const struct session *s, const struct entry *entry,
     const char *name, struct profiled *a, struct error *error)
 {
-	if (!answers_known(s, entry, error))
+	if (!answers_check_params(s, entry, error))
 		return false;
 	if (origin_fit(entry) == NULL)
 		return error_set(error, ERROR_USAGE,

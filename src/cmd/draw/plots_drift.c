@@ -30,7 +30,8 @@ static const struct {
 	{.series = SERIES_KIND_4, .line = CHART_LONG, .ascii = '%'}}};
 
 static double
-share(const struct drift_point *p, const struct drift_rule *rule, enum shown i)
+share_of_limit(
+    const struct drift_point *p, const struct drift_rule *rule, enum shown i)
 {
 	const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
 	const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
@@ -68,7 +69,7 @@ static void
 drift_say(struct chart *chart, const struct routine *r)
 {
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
-	FREED char *words = routine_words(r);
+	FREED char *words = routine_state_words(r);
 	if (r->dated)
 		chart_note(chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
 	chart_note(chart, "up: finer than predicted; down: coarser");
@@ -81,7 +82,7 @@ plots_drift(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct entry *entry = entry_loaded(q->entry);
-	if (!answers_known(s, entry, error))
+	if (!answers_check_params(s, entry, error))
 		return NULL;
 	struct routine *r = routine_follow(s, entry, &DRIFT_RULE, error);
 	if (r == NULL)
@@ -89,7 +90,8 @@ plots_drift(
 	double low = -1.2, high = 1.2, last = (double)r->n + 1;
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
 		for (size_t j = 0; j < r->n; j++) {
-			double y = share(&r->point[j], &r->rule, (enum shown)i);
+			double y = share_of_limit(
+			    &r->point[j], &r->rule, (enum shown)i);
 			low = fmin(low, y);
 			high = fmax(high, y);
 		}
@@ -108,8 +110,8 @@ plots_drift(
 		    chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
 		for (size_t j = 0; j < r->n; j++) {
 			series->x[j] = (double)(j + 1);
-			series->y[j] =
-			    share(&r->point[j], &r->rule, (enum shown)i);
+			series->y[j] = share_of_limit(
+			    &r->point[j], &r->rule, (enum shown)i);
 		}
 	}
 	if (r->first < r->n)

@@ -32,7 +32,7 @@ energy_fill(struct chart_series *series, const struct spectrum *s,
 }
 
 static double
-highest(const struct chart *chart)
+highest_value(const struct chart *chart)
 {
 	double most = 0;
 	for (size_t i = 0; i < chart->n; i++)
@@ -69,7 +69,7 @@ plots_energy(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
-	const struct energies *e = energies_last(s, error);
+	const struct energies *e = energies_loaded(s, error);
 	if (e == NULL)
 		return NULL;
 	const struct spectrum *of = e->c.spectrum;
@@ -87,7 +87,7 @@ plots_energy(
 	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
 						"octave, -")
 					   : tr("impacts in half an octave, %"),
-	    0, highest(chart));
+	    0, highest_value(chart));
 	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
 	if (E > 0)
 		chart_add_rule(

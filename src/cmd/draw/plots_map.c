@@ -17,7 +17,7 @@ enum { NAMED = 60 };
 
 /* Where a material stands; each string is taken. */
 static void
-map_put(struct chart_series *series, const struct params *p, char *name,
+map_add_point(struct chart_series *series, const struct params *p, char *name,
     char *label, char *about)
 {
 	size_t i = series->n++;
@@ -49,14 +49,14 @@ map_add_rock(
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
 		if (text_same(m->rock, rock))
-			map_put(series, &m->params, xstrdup(m->name),
+			map_add_point(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
 }
 
 /* The first of its rock in the list. */
 static bool
-is_first(const struct stored_list *list, size_t at)
+is_first_of_rock(const struct stored_list *list, size_t at)
 {
 	for (size_t i = 0; i < at; i++)
 		if (text_same(list->item[i].rock, list->item[at].rock))
@@ -77,7 +77,7 @@ at_bound(const struct entry *entry)
 /* Loaded sites that have parameters, of which none is at its bound or some
  * are. */
 static void
-add_loaded(struct chart *chart, const struct session *s, bool bound)
+map_add_loaded_sites(struct chart *chart, const struct session *s, bool bound)
 {
 	struct chart_series *series = NULL;
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -91,15 +91,15 @@ add_loaded(struct chart *chart, const struct session *s, bool bound)
 			    s->n_entry, s->n_entry <= NAMED,
 			    bound ? tr("loaded, a parameter at its bound")
 				  : tr("loaded sites"));
-		map_put(series, &entry->params, xstrdup(entry->key),
+		map_add_point(series, &entry->params, xstrdup(entry->key),
 		    xstrdup(entry->site->name), site_source(entry->site, ""));
 	}
 }
 
 /* Of a large store as many as a chart can show: every so many-th. */
 static bool
-list_some(const struct session *s, struct stored_list *list, size_t *apart,
-    struct error *error)
+list_stored_sample(const struct session *s, struct stored_list *list,
+    size_t *apart, struct error *error)
 {
 	enum { MOST = 1000 };
 	size_t n;
@@ -114,7 +114,7 @@ list_some(const struct session *s, struct stored_list *list, size_t *apart,
 
 /* Where the data are from: of loaded sites as they say.  The caller frees. */
 static char *
-about_of(const struct session *s, size_t apart)
+sources_words(const struct session *s, size_t apart)
 {
 	char number[32], *loaded = xstrdup("");
 	char *about =
@@ -139,7 +139,7 @@ struct extent {
 };
 
 static void
-reach(struct extent *e, const struct params *p)
+extent_include(struct extent *e, const struct params *p)
 {
 	e->f_mat = fmax(e->f_mat, params_value(p, "f_mat"));
 	e->low = fmin(e->low, params_value(p, "e0_min"));
@@ -156,22 +156,22 @@ plots_map(struct session *s, const struct plot_request *q, struct error *error)
 	struct extent e = {.low = INFINITY};
 	size_t apart;
 	(void)q;
-	if (!list_some(s, &list, &apart, error))
+	if (!list_stored_sample(s, &list, &apart, error))
 		return NULL;
 	for (size_t i = 0; i < list.n; i++)
-		reach(&e, &list.item[i].params);
+		extent_include(&e, &list.item[i].params);
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			reach(&e, &s->entry[i].params);
-	FREED char *about = about_of(s, apart);
+			extent_include(&e, &s->entry[i].params);
+	FREED char *about = sources_words(s, apart);
 	struct chart *chart = chart_new(tr("materials by rock"), about,
 	    axis_linear("f_mat, kg/(J m)", 0, e.f_mat),
 	    axis_linear("e0_min, J m/kg", e.low, e.high));
 	for (size_t i = 0; i < list.n; i++)
-		if (is_first(&list, i))
+		if (is_first_of_rock(&list, i))
 			map_add_rock(chart, &list, list.item[i].rock);
-	add_loaded(chart, s, false);
-	add_loaded(chart, s, true);
+	map_add_loaded_sites(chart, s, false);
+	map_add_loaded_sites(chart, s, true);
 	stored_list_free(&list);
 	return chart;
 }

@@ -9,7 +9,7 @@
 #include "cmd/ask/answers.h"
 
 bool
-plots_past_runs(const struct session *s, const struct entry *entry)
+plots_past_is_running(const struct session *s, const struct entry *entry)
 {
 	return s->job.calibration != NULL && s->job.fits &&
 	       &s->entry[s->job.entry] == entry_loaded(entry);
@@ -38,7 +38,7 @@ plots_past(const struct session *s, const struct entry *entry)
 {
 	struct plots_past past = {0};
 	const struct history *h = entry->history;
-	if (plots_past_runs(s, entry)) {
+	if (plots_past_is_running(s, entry)) {
 		take_running(&past, s, entry);
 	} else if (h != NULL) {
 		past = (struct plots_past){h->n, h->generation, &h->bounds,
@@ -48,7 +48,7 @@ plots_past(const struct session *s, const struct entry *entry)
 	if (past.n == 0 || !past.polished)
 		return past;
 	struct params last = past.generation[past.n - 1].params;
-	params_scale(&last);
+	params_scale_to_1(&last);
 	past.polished = memcmp(&last, &past.best, sizeof last) != 0;
 	return past;
 }
@@ -91,7 +91,8 @@ plots_past_params(const struct session *s, const struct plot_request *request,
 {
 	const struct entry *entry = request->entry;
 	struct plots_past past = plots_past(s, entry);
-	bool search = request->generation > 0 || plots_past_runs(s, entry);
+	bool search =
+	    request->generation > 0 || plots_past_is_running(s, entry);
 	if (search && past.n > 0) {
 		if (plots_past_at(entry, &past, request->generation, error) ==
 		    past.n)
@@ -99,7 +100,7 @@ plots_past_params(const struct session *s, const struct plot_request *request,
 		*params = plots_past_best(&past, request->generation);
 		return true;
 	}
-	if (!answers_known(s, entry, error))
+	if (!answers_check_params(s, entry, error))
 		return false;
 	*params = entry->params;
 	return true;

@@ -25,7 +25,7 @@ struct plots_past plots_past(
     const struct session *s, const struct entry *entry);
 
 /* True if the calibration under way is that of the site. */
-bool plots_past_runs(const struct session *s, const struct entry *entry);
+bool plots_past_is_running(const struct session *s, const struct entry *entry);
 
 /* Returns the index of the generation asked for, 1..n; 0: the last.  n with an
  * error where there is none. */

@@ -25,7 +25,7 @@
 
 /* The quantities drawn [n] with the limits on them, and their values at speeds
  * [POINTS]: of the answer, and the ends of the band, NAN without.  moved: how
- * far any measured product, see moved_by. */
+ * far any measured product, see moved_largest. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct entry *entry;
@@ -88,7 +88,7 @@ response_take(struct drawn *d, const struct quantity *q)
 }
 
 static bool
-too_many(struct error *error)
+error_too_many(struct error *error)
 {
 	return error_set(error, ERROR_USAGE,
 	    "more than %d quantities are too many to draw\n"
@@ -107,7 +107,7 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 	    !conditions_read_list(limits, &d->fraction, &d->limits, error))
 		return false;
 	for (size_t i = 0; i < d->limits.n; i++)
-		if (!conditions_covered(&d->limits.at[i], feed, error))
+		if (!conditions_check_covered(&d->limits.at[i], feed, error))
 			return false;
 	FREED struct quantity *of =
 	    of_words != NULL ? quantities_asked(of_words, &d->fraction, feed,
@@ -117,10 +117,10 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = response_take(d, &of[i]) || too_many(error);
+		ok = response_take(d, &of[i]) || error_too_many(error);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
 		ok = response_take(d, &d->limits.at[i].quantity) ||
-		     too_many(error);
+		     error_too_many(error);
 	if (ok && d->n == 0)
 		take_usual(s, d);
 	return ok;
@@ -134,7 +134,7 @@ response_speed_at(const struct drawn *d, size_t k)
 
 /* Values as people see them. */
 static void
-response_look(struct session *s, struct drawn *d)
+response_set_values(struct session *s, struct drawn *d)
 {
 	const struct question q = asked_whole(s, d->entry, d->feed);
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
@@ -155,7 +155,7 @@ response_look(struct session *s, struct drawn *d)
 /* The looks of a quantity: colours in turn, which no run has; lines that
  * differ without colour. */
 static struct chart_series
-line_look(size_t i)
+line_style(size_t i)
 {
 	static const enum chart_line LINES[] = {
 	    CHART_SOLID, CHART_DASHED, CHART_LONG};
@@ -171,7 +171,7 @@ response_add_line(struct chart *chart, const struct drawn *d, size_t i)
 	const double(*value)[3] = (const double(*)[3])(d->value + i * POINTS);
 	FREED char *name = quantities_words(&d->q[i]);
 	struct chart_series *line =
-	    chart_add(chart, line_look(i), POINTS, "%s", name);
+	    chart_add(chart, line_style(i), POINTS, "%s", name);
 	bool band = isfinite(value[0][1]) || isfinite(value[POINTS - 1][1]);
 	if (band)
 		chart_add_band(line);
@@ -208,8 +208,8 @@ add_measured(struct chart *chart, const struct session *s,
 			continue;
 		points->x[points->n] = site->run[r].speed;
 		points->y[points->n++] = quantities_shown(q, value);
-		d->moved = fmax(
-		    d->moved, moved_by(s, entry, &entry->params, r, d->feed));
+		d->moved = fmax(d->moved,
+		    moved_largest(s, entry, &entry->params, r, d->feed));
 	}
 }
 
@@ -239,7 +239,7 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 
 /* A round axis that holds all of the chart. */
 static struct axis
-around(const struct chart *chart, const char *title)
+axis_around(const struct chart *chart, const char *title)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; i < chart->n; i++)
@@ -261,7 +261,7 @@ add_reach(struct chart *chart, const struct entry *entry)
 	double slowest, fastest;
 	if (!origin_reach(entry, &slowest, &fastest))
 		return;
-	FREED char *words = answers_reach(entry, slowest, fastest);
+	FREED char *words = answers_reach_words(entry, slowest, fastest);
 	if (!(fastest > slowest)) {
 		chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
 		return;
@@ -335,7 +335,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 			add_measured(chart, s, d->entry, d, i);
 			response_add_limits(chart, d, i);
 		}
-	chart->y = around(chart, title);
+	chart->y = axis_around(chart, title);
 	add_reach(chart, d->entry);
 	return chart;
 }
@@ -355,7 +355,7 @@ make_charts(struct session *s, struct drawn *d)
 	}
 	if (d->limits.n > 0) {
 		struct question q = asked_whole(s, entry, d->feed);
-		struct wanted wanted = conditions_ask(s, &q, &d->limits, NULL);
+		struct wanted wanted = conditions_open(s, &q, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;
 		struct speed_search *w = speed_search_all(&wanted);
@@ -378,7 +378,7 @@ make_charts(struct session *s, struct drawn *d)
 	/* Lines reach where nothing was measured, which add_reach tells: the
 	 * light is that of the middle, where it is as good as it gets. */
 	FREED char *light =
-	    light_said_at(s, entry, site_middle(entry->site), d->feed);
+	    light_words_at(s, entry, site_middle(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	return first;
 }
@@ -392,12 +392,12 @@ plots_response(
 	const struct entry *entry = q->entry;
 	struct drawn d = {.entry = entry, .fraction = q->fraction};
 	struct chart *chart = NULL;
-	if (!answers_known(s, entry, error))
+	if (!answers_check_params(s, entry, error))
 		return NULL;
-	d.feed = feed_at(entry->site, q->feed_speed);
+	d.feed = feed_sampled_at(entry->site, q->feed_speed);
 	settings_reach(&s->set, entry->site, &d.from, &d.to);
 	if (read_drawn(s, q->of, q->limits, &d, error)) {
-		response_look(s, &d);
+		response_set_values(s, &d);
 		chart = make_charts(s, &d);
 	}
 	free(d.value);

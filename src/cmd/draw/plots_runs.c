@@ -110,7 +110,7 @@ add_further(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct site *site = q->entry->site;
-	size_t feed = feed_at(site, q->feed_speed);
+	size_t feed = feed_sampled_at(site, q->feed_speed);
 	for (size_t i = 0; i < q->n_speed; i++) {
 		struct chart_series look = site_chart_style(i);
 		look.line = CHART_LONG;
@@ -120,7 +120,8 @@ add_further(struct chart *chart, const struct session *s,
 	}
 	FREED char *words = feed_words(site, feed);
 	if (q->n_speed > 0 && words != NULL)
-		chart_note(chart, "feed of the speeds not measured: %s", words);
+		chart_note(
+		    chart, "feed at speeds that were not measured: %s", words);
 }
 
 static bool

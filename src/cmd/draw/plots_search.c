@@ -27,7 +27,7 @@ candidates_at(
 /* How far one sample's passing near 50 % is from another's, points; assumed
  * where nobody stated it. */
 static double
-noise_of(const struct session *s, bool *assumed)
+noise_at_middle(const struct session *s, bool *assumed)
 {
 	*assumed = !(s->set.noise > 0);
 	return *assumed ? units_pct(HYPER[HYPER_OWN].median) : s->set.noise;
@@ -37,7 +37,7 @@ static void
 add_noise(struct chart *chart, const struct session *s)
 {
 	bool assumed;
-	double noise = noise_of(s, &assumed);
+	double noise = noise_at_middle(s, &assumed);
 	struct chart_series *stripe = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
@@ -262,7 +262,7 @@ plots_search_strip(struct session *s, const struct plots_past *past,
 	    .at_bound = sensitivity_on_bound(past->bounds, &best, j)};
 	double range = strip.upper - strip.lower;
 	strip.fixed = !(range > 0);
-	params_scale(&best);
+	params_scale_to_1(&best);
 	strip.best = best.at[j];
 	if (j < of->gauge && !strip.fixed) {
 		candidates_spread(g, j, &strip.p10, &strip.p90);
@@ -293,7 +293,7 @@ parameter_axis(const struct breakage *of)
 
 /* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
 static double
-search_share_of(const struct plots_strip *strip, double value)
+share_of_bounds(const struct plots_strip *strip, double value)
 {
 	double range = strip->upper - strip->lower;
 	return strip->fixed ? NAN : 100 * (value - strip->lower) / range;
@@ -326,13 +326,13 @@ plots_search_spread(
 		struct plots_strip strip =
 		    plots_search_strip(s, &past, q->generation, j);
 		double row = strip.fixed ? NAN : (double)(of->n - j);
-		double end[3] = {search_share_of(&strip, strip.p10),
-		    search_share_of(&strip, strip.p90), NAN};
+		double end[3] = {share_of_bounds(&strip, strip.p10),
+		    share_of_bounds(&strip, strip.p90), NAN};
 		for (size_t k = 0; k < 3; k++) {
 			spread->x[3 * j + k] = k < 2 ? end[k] : 0;
 			spread->y[3 * j + k] = k < 2 ? row : NAN;
 		}
-		best->x[j] = search_share_of(&strip, strip.best);
+		best->x[j] = share_of_bounds(&strip, strip.best);
 		best->y[j] = row;
 	}
 	chart_note(chart, "of beta only the ratios matter: each is divided by "
@@ -348,7 +348,7 @@ search_words(
 {
 	const double agreed = 1.1;
 	bool assumed;
-	double noise = noise_of(s, &assumed);
+	double noise = noise_at_middle(s, &assumed);
 	struct candidates c = candidates_at(s, past, generation);
 	const struct candidates_cell *worst = candidates_worst(&c);
 	double miss = units_pct(fabs(worst->median));

@@ -16,7 +16,7 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 	va_list ap;
 	va_start(ap, format);
 	FREED char *words = xvasprintf(tr(format), ap),
-		   *label = session_label(site);
+		   *label = session_site_label(site);
 	va_end(ap);
 	FREED char *title = xasprintf("%s: %s", label, words);
 	FREED char *about = site_source(site, "provenance not stated");

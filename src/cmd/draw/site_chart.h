@@ -25,7 +25,7 @@ struct chart_series site_chart_run(
     const struct site *site, size_t run, bool held_out);
 
 /* Says below a chart that its measured products were moved to the feed, if the
- * largest move, 0..1, is large enough to be told, see moved_by. */
+ * largest move, 0..1, is large enough to be told, see moved_largest. */
 void site_chart_moved(struct chart *chart, double most);
 
 /* psd shows the measured products of SITE_CHART_RUNS speeds, the nearest to its

@@ -14,7 +14,7 @@
 
 /* Rows in the order of all sites, and within one as they were written. */
 static int
-by_index(const void *a, const void *b)
+compare_index(const void *a, const void *b)
 {
 	const struct part_site *p = *(const struct part_site *const *)a;
 	const struct part_site *q = *(const struct part_site *const *)b;
@@ -25,7 +25,7 @@ by_index(const void *a, const void *b)
 
 /* The rows of all parts, [n], in order; the caller frees. */
 static const struct part_site **
-sorted(const struct parts *parts, size_t *n)
+sort_rows(const struct parts *parts, size_t *n)
 {
 	size_t at = 0;
 	*n = 0;
@@ -35,7 +35,7 @@ sorted(const struct parts *parts, size_t *n)
 	for (size_t k = 0; k < parts->n; k++)
 		for (size_t i = 0; i < parts->part[k].n; i++)
 			site[at++] = &parts->part[k].site[i];
-	qsort(site, *n, sizeof(*site), by_index);
+	qsort(site, *n, sizeof(*site), compare_index);
 	return site;
 }
 
@@ -61,7 +61,7 @@ join_validated(const struct parts *parts, const struct part_site *const *site,
 	for (size_t k = 0; k < parts->n; k++)
 		scores.left_out += parts->part[k].left_out;
 	for (size_t i = 0; i < n; i++)
-		scores_take(&scores, site[i]);
+		scores_add_part_site(&scores, site[i]);
 	if (n > 0)
 		r = scores_answer(&scores);
 	else
@@ -212,13 +212,13 @@ collect_give(struct session *s, const struct parts *parts,
     const char *const *store, size_t n_store, bool replace, struct error *error)
 {
 	size_t n;
-	FREED const struct part_site **site = sorted(parts, &n);
+	FREED const struct part_site **site = sort_rows(parts, &n);
 	bool scores = strcmp(parts->part[0].command, "validate") == 0;
 	struct answer *r = NULL;
 	if (join_stores(s, parts, site, n, store, n_store, replace, error))
 		r = scores ? join_validated(parts, site, n, error)
 			   : join_calibrated(site, n);
-	return r != NULL && session_answer(s, r);
+	return r != NULL && session_show_answer(s, r);
 }
 
 bool
@@ -230,7 +230,7 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	size_t n_store = 0;
 	for (size_t i = 0; ok && i < args->n_operand; i++) {
 		const char *path = args->operand[i];
-		files_reads(s, path);
+		files_note_read(s, path);
 		if (store_is(path))
 			store[n_store++] = path;
 		else
@@ -240,7 +240,7 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 		ok = error_at(error, ERROR_DATA, store[0], 0, 0,
 		    "expected the parts that this store belongs to, too\n"
 		    "write them with: calibrate all part=I/N > FILE.json");
-	ok = ok && parts_agree(&parts, error) &&
+	ok = ok && parts_check_agree(&parts, error) &&
 	     collect_give(s, &parts, store, n_store, replace, error);
 	parts_free(&parts);
 	return ok;

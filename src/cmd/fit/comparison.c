@@ -32,7 +32,7 @@ comparison_drop(void *of)
 }
 
 void
-comparison_take(struct comparison *c, struct comparison *from)
+comparison_append(struct comparison *c, struct comparison *from)
 {
 	c->left_out += from->left_out;
 	c->item = xrealloc(c->item, c->n + from->n + 1, sizeof *c->item);
@@ -128,7 +128,7 @@ run_rmse(const struct comparison *c, double rmse[static VALIDATE_WAYS])
 
 /* What a way predicts at the sieves compared, [v.n_sieve]; the caller frees. */
 static double *
-way_passing(const struct compared *item, enum validate_way way)
+passing_of_way(const struct compared *item, enum validate_way way)
 {
 	double *passing = xdoubles(item->v.n_sieve);
 	validate_passing(item->site, item->v.run, item->train, &item->params,
@@ -172,7 +172,7 @@ put_sieves(struct fields *o, const struct compared *item)
 	fields_numbers(o, "sieve_mm", product->size, n, units_mm);
 	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-		FREED double *passing = way_passing(item, way);
+		FREED double *passing = passing_of_way(item, way);
 		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
 		fields_numbers(o, key, passing, n, units_pct);
 	}
@@ -193,7 +193,7 @@ put_run(struct fields *o, const struct compared *item)
 	put_sizes(o, v);
 	put_null(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
-	    validation_loses(v), v->nearest);
+	    validation_loses_to_interpolation(v), v->nearest);
 	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
 	put_sieves(o, item);
 }
@@ -231,8 +231,8 @@ comparison_add_sieves(struct answer *r, const struct compared *item, bool exact)
 	const struct psd *product = &item->site->run[item->v.run].product;
 	double *passing[VALIDATE_WAYS];
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-		passing[way] = way_passing(item, way);
-	answer_missing(r, "-");
+		passing[way] = passing_of_way(item, way);
+	answer_set_missing(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
 		comparison_begin_row(r, item, exact);
 		if (exact)
@@ -252,7 +252,7 @@ add_rmse(struct answer *r, const char *run, const double *rmse)
 {
 	answer_text(r, "%s", run);
 	answer_text(r, "RMSE points");
-	answer_missing(r, "-");
+	answer_set_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
 		answer_cells(r, "%.2f", 100 * rmse[way]);
@@ -262,7 +262,7 @@ static void
 add_sizes(struct answer *r, const struct compared *item, bool exact)
 {
 	const struct validation *v = &item->v;
-	answer_missing(r, "outside");
+	answer_set_missing(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		comparison_begin_row(r, item, exact);
 		answer_text(
@@ -302,7 +302,7 @@ static const double CLEARLY = 0.001;
 
 /* RMSE of the other sieves than the worst, passing 0..1. */
 static double
-rest(const struct validation *v)
+rmse_of_others(const struct validation *v)
 {
 	double n = (double)v->n_sieve;
 	double square = v->misfit - v->worst_difference * v->worst_difference;
@@ -312,54 +312,95 @@ rest(const struct validation *v)
 /* The worst sieve is far beyond the others and beyond sampling: rather a slip
  * of the pen than a fault of the model, which errs on several sieves. */
 static bool
-stands_out(const struct validation *v)
+is_worst_far_off(const struct validation *v)
 {
 	const double times = 4, least = 0.03;
 	double worst = fabs(v->worst_difference);
-	return v->n_sieve > 3 && worst > least && worst > times * rest(v);
+	return v->n_sieve > 3 && worst > least &&
+	       worst > times * rmse_of_others(v);
 }
 
-/* Who predicts best, and a warning where that is clearly neither the model nor
- * the corrected answer. */
-static void
-note_winner(struct answer *r, const struct validation *v, const char *run)
+/* Who predicts best.  worse: that is neither the model nor the corrected
+ * answer; clearly: and sampling could tell. */
+struct winner {
+	enum validate_way best;
+	bool worse, clearly;
+};
+
+static struct winner
+winner_of(const double rmse[static VALIDATE_WAYS])
 {
-	enum validate_way best = validate_winner(v->rmse);
-	double own = fmin(v->rmse[VALIDATE_MODEL],
-	    isnan(v->rmse[VALIDATE_CORRECTED]) ? INFINITY
-					       : v->rmse[VALIDATE_CORRECTED]);
-	double least = v->rmse[best];
-	bool clearly = own > 1.1 * least && own - least > CLEARLY;
+	enum validate_way best = validate_winner(rmse);
+	double corrected = rmse[VALIDATE_CORRECTED];
+	double own =
+	    fmin(rmse[VALIDATE_MODEL], isnan(corrected) ? INFINITY : corrected);
+	bool worse = best >= VALIDATE_NULL;
+	return (struct winner){.best = best,
+	    .worse = worse,
+	    .clearly =
+		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
+}
+
+/* A run that something else clearly predicts better. */
+static void
+warn_worse(struct answer *r, const struct validation *v, const char *run)
+{
+	struct winner w = winner_of(v->rmse);
 	bool between =
-	    best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
-	FREED char *who = xstrdup(tr(SCORES_WAYS[best].noun));
-	if (best == VALIDATE_NEAREST)
+	    w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
+	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
+	if (!w.clearly)
+		return;
+	if (w.best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", v->nearest);
-	if (best < VALIDATE_NULL)
+	answer_say(r, ANSWER_WARNING,
+	    between ? N_("at %s model and corrected answer predict "
+			 "worse than %s: between the training speeds, "
+			 "prefer the interpolated products")
+		    : N_("at %s model and corrected answer predict "
+			 "worse than %s"),
+	    run, who);
+}
+
+/* One way for all runs, of which each is warned of by itself. */
+static void
+note_winner(struct answer *r, const struct comparison *c)
+{
+	double rmse[VALIDATE_WAYS];
+	run_rmse(c, rmse);
+	struct winner w = winner_of(rmse);
+	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
+	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
+	if (one && w.best == VALIDATE_NEAREST)
+		xappend(&who, ", %g m/s", c->item[0].v.nearest);
+	if (!w.worse)
 		answer_note(r,
-		    isnan(v->rmse[VALIDATE_INTERPOLATION])
-			? N_("  %s predicts best of those with an answer on "
-			     "all sieves")
-			: N_("  %s predicts best"),
+		    one && some ? N_("  %s predicts best of those with an "
+				     "answer on all sieves")
+		    : one       ? N_("  %s predicts best")
+		    : some ? N_("in all: %s predicts best of those with an "
+				"answer on all sieves")
+			   : N_("in all: %s predicts best"),
 		    who);
-	else if (clearly)
-		answer_say(r, ANSWER_WARNING,
-		    between ? N_("at %s model and corrected answer predict "
-				 "worse than %s: between the training speeds, "
-				 "prefer the interpolated products")
-			    : N_("at %s model and corrected answer predict "
-				 "worse than %s"),
-		    run, who);
-	else
+	else if (!w.clearly)
 		answer_say(r, ANSWER_REMARK,
-		    "  the model predicts no better than %s at this speed; the "
-		    "difference is too small for sampling to show",
+		    one ? N_("  the model predicts no better than %s at this "
+			     "speed; the difference is too small for sampling "
+			     "to show")
+			: N_("in all: the model predicts no better than %s; "
+			     "the difference is too small for sampling to "
+			     "show"),
+		    who);
+	else if (!one)
+		answer_say(r, ANSWER_REMARK,
+		    "in all: model and corrected answer predict worse than %s",
 		    who);
 }
 
 static void
-note_run(struct answer *r, const struct compared *item, double level)
+note_run(struct answer *r, const struct comparison *c, size_t i)
 {
+	const struct compared *item = &c->item[i];
 	const struct validation *v = &item->v;
 	FREED char *run =
 	    xasprintf("%g m/s%s", v->speed, item->site->run[v->run].repeat);
@@ -367,12 +408,14 @@ note_run(struct answer *r, const struct compared *item, double level)
 	    "at %s: largest error %+.2f points at %g mm (model alone - "
 	    "measured)",
 	    run, 100 * v->worst_difference, units_mm(v->worst_sieve));
-	note_winner(r, v, run);
+	warn_worse(r, v, run);
+	if (c->n == 1)
+		note_winner(r, c);
 	if (item->has_band)
 		answer_note(r,
 		    "  %zu of %zu measured passings lie in the %.0f %% band "
 		    "for a sample there",
-		    item->within, v->n_sieve, 100 * level);
+		    item->within, v->n_sieve, 100 * c->level);
 	else if (item->open)
 		answer_say(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
@@ -388,11 +431,11 @@ note_run(struct answer *r, const struct compared *item, double level)
 		    "  interpolation extrapolates here: the line through %g "
 		    "and %g m/s",
 		    v->line[0], v->line[1]);
-	if (stands_out(v))
+	if (is_worst_far_off(v))
 		answer_say(r, ANSWER_REMARK,
 		    "  %g mm stands out (RMSE of the other sieves: %.2f "
 		    "points): check that cell",
-		    units_mm(v->worst_sieve), 100 * rest(v));
+		    units_mm(v->worst_sieve), 100 * rmse_of_others(v));
 	if (v->n_left_out > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "  %zu finer sieves are not compared: the feed was not "
@@ -412,10 +455,12 @@ comparison_answer(const struct comparison *c, const struct site *site)
 		run_rmse(c, rmse);
 		add_rmse(r, "all", rmse);
 	}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_table(r, c, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_run(r, &c->item[i], c->level);
+		note_run(r, c, i);
+	if (c->n > 1)
+		note_winner(r, c);
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
 		    job_speeds(site) < JOB_FOR_EACH

@@ -57,7 +57,7 @@ double *comparison_corrected(const struct run *run,
 void comparison_add(struct comparison *c, const struct predicted_by *by);
 
 /* Appends the runs of `from` to `c`, and frees `from`. */
-void comparison_take(struct comparison *c, struct comparison *from);
+void comparison_append(struct comparison *c, struct comparison *from);
 
 /* Returns the answer on the runs of this site: fields, tables, and which
  * predicts best. */

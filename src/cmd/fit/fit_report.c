@@ -60,7 +60,7 @@ fit_put(struct fields *o, const struct entry *entry, const char *verdict,
 
 /* Why nothing breaks, in terms of the break size and the feed. */
 static void
-explain_nothing(struct answer *r, const struct entry *entry)
+explain_nothing_breaks(struct answer *r, const struct entry *entry)
 {
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
 	double x = params_break_size_by(
@@ -170,7 +170,7 @@ add_warnings(struct answer *r, const struct entry *entry)
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse <= FIT_POOR && !fit_too_few(fit) &&
 	    fit_breaks_nothing(fit))
-		explain_nothing(r, entry);
+		explain_nothing_breaks(r, entry);
 	struct validation far = fit_outlier(entry);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
@@ -203,7 +203,7 @@ add_range(struct answer *r, const struct session *s, const struct posterior *u,
     const struct params *p, size_t j)
 {
 	double range[2];
-	fit_band(u, s, p, j, range);
+	fit_param_band(u, s, p, j, range);
 	answer_cells(r, "%.4f %.4f", range[0], range[1]);
 }
 
@@ -331,7 +331,7 @@ add_summary(
 }
 
 static struct answer *
-new_answer(const struct entry *entry, const char *command, bool detail)
+new_fit_answer(const struct entry *entry, const char *command, bool detail)
 {
 	if (detail)
 		return answers_new(
@@ -348,12 +348,12 @@ fit_answer(const struct session *s, const struct entry *entry,
 {
 	const struct fit *fit = &entry->fit;
 	const struct posterior *u = outlook_draws(s, entry);
-	struct answer *r = new_answer(entry, "calibrate", detail);
+	struct answer *r = new_fit_answer(entry, "calibrate", detail);
 	if (detail) {
 		add_params(r, s, fit, u, bounds);
 		add_search(r, entry, bounds);
 	} else {
-		answer_for_programs(r);
+		answer_fill_for_programs(r);
 		add_params(r, s, fit, u, bounds);
 		add_summary(r, s, entry);
 		note_lowest(r, fit);
@@ -370,7 +370,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 		answer_note(r,
 		    "next: 'predict %g', or any speed; 'show fit' "
 		    "has the parameters",
-		    answers_usual(entry));
+		    answers_usual_speed(entry));
 	fit_put_bands(answer_fields(r), s, u, &fit->params);
 	return r;
 }
@@ -387,14 +387,14 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 		    entry->site->name);
 	const struct posterior *u = outlook_draws(s, entry);
 	const struct bounds *bounds = &entry->history->bounds;
-	struct answer *r = new_answer(entry, "show", true);
+	struct answer *r = new_fit_answer(entry, "show", true);
 	add_params(r, s, &entry->fit, u, bounds);
 	add_search(r, entry, bounds);
 	fields_put(answer_fields(r), "what %s", "fit");
 	fit_put(answer_fields(r), entry, light_verdict(s, entry, NULL), NAN);
 	answers_show_basis_of_fit(s, r, entry, u != NULL);
 	fit_put_bands(answer_fields(r), s, u, &entry->fit.params);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* Rows that fit a screen with their heading. */
@@ -465,7 +465,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	struct answer *r =
 	    answers_new(entry->site, "history", "%zu generations", h->n);
 	add_generations(r, h, step, false);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	add_generations(r, h, step, true);
 	answer_put_rows(r, "rows");
 	answer_say(r, ANSWER_REMARK,
@@ -481,5 +481,5 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 			: N_("the bounds were edited after generation %zu: "
 			     "earlier spreads are in %% of the edited bounds"),
 		    entry->fit.edited_at);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

@@ -263,7 +263,7 @@ job_take_fit(struct session *s, bool draw)
 	    draw ? light_verdict(s, entry, NULL)
 		 : light_verdict_undrawn(s, entry),
 	    session_clock() - s->job.started);
-	session_keep(s, answer);
+	session_keep_answer(s, answer);
 }
 
 static void
@@ -272,9 +272,9 @@ give_fit(struct session *s)
 	double seconds = session_clock() - s->job.started;
 	if (s->job.detail)
 		session_note(s, "  done in %.2f s", seconds);
-	session_answer(s, fit_answer(s, &s->entry[s->job.entry],
-			      calibration_bounds(s->job.calibration), seconds,
-			      s->job.detail));
+	session_show_answer(s, fit_answer(s, &s->entry[s->job.entry],
+				   calibration_bounds(s->job.calibration),
+				   seconds, s->job.detail));
 }
 
 /* "alpha at bound; same data as ubbarp; poor". */
@@ -380,7 +380,7 @@ next_every(struct session *s)
 		free(job->train);
 		job->train = xcalloc(site->n_run, sizeof *job->train);
 		job->entry = i;
-		if (part_has(&every->part, i) &&
+		if (part_has_site(&every->part, i) &&
 		    job_mark(site, true, job->train) > 0 &&
 		    job_mark(site, every->train_all, job->train) > 0)
 			return true;
@@ -414,11 +414,11 @@ end_every(struct session *s, void *of)
 {
 	struct every *every = of;
 	if (every->part.of > 0) {
-		part_sign(every->summary, s, &every->part, every->index,
+		part_put_digest(every->summary, s, &every->part, every->index,
 		    every->n, every->options);
 		answer_put_rows(every->summary, "rows");
 	}
-	session_answer(s, every->summary);
+	session_show_answer(s, every->summary);
 	every->summary = NULL;
 	drop_every(every);
 }
@@ -938,7 +938,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	take_bounds(s);
 	/* One fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
-		invocation_joins(s);
+		invocation_join_undo(s);
 	s->job.pause_at = (size_t)pause->whole;
 	s->job.started += session_clock() - s->job.stopped;
 	s->job.paused = s->job.held_back = false;

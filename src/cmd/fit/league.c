@@ -476,7 +476,7 @@ say_verdict(struct answer *r, const struct verdict *v)
 	if (v->can_tell)
 		answer_note(r,
 		    open[0] ? N_("the data can tell the models apart: %s and "
-				 "what extends it remain")
+				 "its extensions remain")
 			    : N_("the data can tell the models apart: %s "
 				 "remains"),
 		    name_of_row(v->simplest));
@@ -567,7 +567,7 @@ find_weights(
 	const struct posterior *p =
 	    outlook_correction(s, entry) == CORRECTION_OFF
 		? NULL
-		: outlook_unseen(s, entry, false);
+		: outlook_posterior_of_unseen(s, entry, false);
 	if (p == NULL)
 		return;
 	v->in_use = entry->params.breakage;
@@ -595,7 +595,7 @@ one_answer(const struct session *s, const struct ground *g)
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
 	league_add_rows(r, &v, false);
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	league_add_rows(r, &v, true);
 	say_verdict(r, &v);
 	if (is_one_speed(g->site))
@@ -664,7 +664,7 @@ end_league(struct session *s, void *of)
 	struct league *l = of;
 	for (size_t i = 0; i < l->n; i++)
 		find_noise(&l->ground[i]);
-	session_answer(
+	session_show_answer(
 	    s, l->all ? all_answer(s, l) : one_answer(s, &l->ground[0]));
 	league_drop(l);
 }

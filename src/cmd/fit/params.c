@@ -43,7 +43,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL) {
 			double range[2];
-			fit_band(u, s, &entry->params, j, range);
+			fit_param_band(u, s, &entry->params, j, range);
 			answer_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
 		answer_cells(r, "%s %s", info->unit, tr(info->meaning));
@@ -51,7 +51,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	if (u != NULL)
 		outlook_note_low_high(r, s, entry, false);
 	origin_note(r, entry);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 void
@@ -120,7 +120,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 
 /* The loaded site that the second operand names, with parameters. */
 static const struct entry *
-other_site(struct session *s, const struct args *args, struct error *error)
+find_other_site(struct session *s, const struct args *args, struct error *error)
 {
 	size_t at;
 	if (args->n_operand < 2) {
@@ -144,7 +144,7 @@ other_site(struct session *s, const struct args *args, struct error *error)
 static bool
 use_params(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *from = other_site(s, args, error);
+	const struct entry *from = find_other_site(s, args, error);
 	if (from == NULL)
 		return false;
 	if (from == session_entry(s))
@@ -152,7 +152,7 @@ use_params(struct session *s, const struct args *args, struct error *error)
 		    "%s is the site in use: its parameters are already in use",
 		    from->key);
 	model_take_params(
-	    s, session_entry(s), &from->params, origin_taken(from));
+	    s, session_entry(s), &from->params, origin_of_params_taken(from));
 	session_note(s, "%s now has the parameters of %s (%s)",
 	    session_entry(s)->key, from->key, origin_words(from));
 	return true;
@@ -163,8 +163,8 @@ static bool
 diff_params(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *mine = session_entry(s);
-	const struct entry *other = other_site(s, args, error);
-	if (other == NULL || !answers_ready(s, error))
+	const struct entry *other = find_other_site(s, args, error);
+	if (other == NULL || !answers_check_current(s, error))
 		return false;
 	struct params a = mine->params, b = other->params;
 	const struct breakage *of = breakage_of(&a);
@@ -173,8 +173,8 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 		    "%s has parameters of the model %s, %s of %s\n"
 		    "run 'compare' to see the difference between the products",
 		    mine->key, of->name, other->key, breakage_of(&b)->name);
-	params_scale(&a);
-	params_scale(&b);
+	params_scale_to_1(&a);
+	params_scale_to_1(&b);
 	struct answer *r = answers_new(mine->site, "params",
 	    "parameters compared with those of %s", other->key);
 	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
@@ -192,7 +192,7 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	    of->gauge > 0 ? tr(" scaled to max 1") : "");
 	answer_note(r, "e0_min, alpha and f_mat compensate for each other: run "
 		       "'compare' to see the difference between the products");
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* Only set takes values, only diff and use take a site. */
@@ -241,7 +241,7 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	answer_columns(
 	    r, "parameter, lower: lower bound, upper: upper bound, unit");
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
-	answer_missing(r, "by calibrate");
+	answer_set_missing(r, "by calibrate");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct bounds *b = &s->set.bounds;
 		bool open = j == of->reference && !(b->upper[j] > 0);
@@ -249,7 +249,7 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 		    open ? NAN : b->lower[j], open ? NAN : b->upper[j],
 		    of->parameter[j].unit);
 	}
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* "a..b", or one number, which holds the parameter fixed. */

@@ -20,7 +20,7 @@ static const struct engine {
     {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, NULL}};
 
 static bool
-whole_of(const char *name, uint64_t fallback, uint64_t *value)
+read_whole_variable(const char *name, uint64_t fallback, uint64_t *value)
 {
 	const char *text = name != NULL ? getenv(name) : NULL;
 	*value = fallback;
@@ -42,10 +42,10 @@ static bool
 read_engine(const struct engine *engine, struct part *part, struct error *error)
 {
 	uint64_t number, of, first, step;
-	bool good = whole_of(engine->number, 0, &number) &&
-		    whole_of(engine->of, 0, &of) &&
-		    whole_of(engine->first, 0, &first) &&
-		    whole_of(engine->step, 1, &step);
+	bool good = read_whole_variable(engine->number, 0, &number) &&
+		    read_whole_variable(engine->of, 0, &of) &&
+		    read_whole_variable(engine->first, 0, &first) &&
+		    read_whole_variable(engine->step, 1, &step);
 	if (!good || step == 0 || number < first)
 		return error_set(error, ERROR_USAGE,
 		    "expected whole numbers in %s and %s\n"
@@ -96,7 +96,7 @@ part_choose(
 }
 
 bool
-part_has(const struct part *part, size_t index)
+part_has_site(const struct part *part, size_t index)
 {
 	return part->of == 0 || index % part->of == part->number - 1;
 }
@@ -169,7 +169,7 @@ part_digest_of(const struct session *s)
 }
 
 void
-part_sign(struct answer *answer, const struct session *s,
+part_put_digest(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n, const char *options)
 {
 	char digest[17];

@@ -22,7 +22,7 @@ bool part_choose(
     const struct args *args, bool all, struct part *part, struct error *error);
 
 /* True if the part contains site `index`, counted from 0. */
-bool part_has(const struct part *part, size_t index);
+bool part_has_site(const struct part *part, size_t index);
 
 /* part_answer returns the answer of `calibrate all`; part_add adds a site to
  * it. */
@@ -42,7 +42,7 @@ char *part_options(const struct session *s, const struct calibrate_options *o,
 
 /* Puts what `collect` needs to know of a part into its answer: indices [n] of
  * its sites; options: see part_options. */
-void part_sign(struct answer *answer, const struct session *s,
+void part_put_digest(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n,
     const char *options);
 

@@ -159,7 +159,7 @@ scores_answer(const struct scores *c)
 
 /* What a score needs of a run, in one order. */
 static void
-scores_point(struct validation *v, double *number[static PART_NUMBERS])
+scores_map_numbers(struct validation *v, double *number[static PART_NUMBERS])
 {
 	_Static_assert(
 	    (int)PART_NUMBERS == PSD_SIZES + VALIDATE_WAYS * (1 + PSD_SIZES),
@@ -181,7 +181,7 @@ scores_put(struct fields *o, const struct scores *scores)
 		struct validation v = scores->item[k].v;
 		double *at[PART_NUMBERS], number[PART_NUMBERS];
 		struct fields *row = fields_object(list, NULL);
-		scores_point(&v, at);
+		scores_map_numbers(&v, at);
 		for (size_t i = 0; i < PART_NUMBERS; i++)
 			number[i] = *at[i];
 		fields_put(row, "site %s source %s", scores->item[k].key,
@@ -191,13 +191,13 @@ scores_put(struct fields *o, const struct scores *scores)
 }
 
 void
-scores_take(struct scores *scores, const struct part_site *site)
+scores_add_part_site(struct scores *scores, const struct part_site *site)
 {
 	struct scored item = {.index = site->index,
 	    .key = site->text[0],
 	    .source = site->text[1]};
 	double *at[PART_NUMBERS];
-	scores_point(&item.v, at);
+	scores_map_numbers(&item.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
 		*at[i] = site->number[i];
 	scores_add(scores, &item);

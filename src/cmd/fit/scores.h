@@ -42,9 +42,9 @@ void scores_clear(struct scores *scores);
 /* Returns the answer of `validate all`. */
 struct answer *scores_answer(const struct scores *scores);
 
-/* scores_put writes the runs as "rows" of a part; scores_take reads those of
- * one site of a part. */
+/* scores_put writes the runs as "rows" of a part; scores_add_part_site reads
+ * those of one site of a part. */
 void scores_put(struct fields *o, const struct scores *scores);
-void scores_take(struct scores *scores, const struct part_site *site);
+void scores_add_part_site(struct scores *scores, const struct part_site *site);
 
 #endif

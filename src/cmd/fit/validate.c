@@ -68,12 +68,12 @@ give_all(struct session *s, const struct comparison *c)
 	}
 	struct answer *r = scores_answer(&scores);
 	if (c->part.of > 0) {
-		part_sign(r, s, &c->part, index, c->n, c->options);
+		part_put_digest(r, s, &c->part, index, c->n, c->options);
 		fields_put(answer_fields(r), "left_out %zu each %zu",
 		    c->left_out, (size_t)c->each);
 		scores_put(answer_fields(r), &scores);
 	}
-	session_answer(s, r);
+	session_show_answer(s, r);
 	scores_clear(&scores);
 }
 
@@ -115,7 +115,7 @@ compare_beside(void *data, size_t piece, unsigned thread)
 	(void)thread;
 	if (s->hooks.stop != NULL && s->hooks.stop())
 		return;
-	struct posterior *p = outlook_beside(s, &s->entry[b->entry]);
+	struct posterior *p = outlook_begin_draws(s, &s->entry[b->entry]);
 	b->found = xcalloc(1, sizeof *b->found);
 	b->found->all = true;
 	compare_entry(s, b->entry, p, b->found);
@@ -142,7 +142,7 @@ compare_sites(
 			if (beside[i].found == NULL)
 				continue;
 			tell_compared(s, beside[i].found);
-			comparison_take(c, beside[i].found);
+			comparison_append(c, beside[i].found);
 		}
 	}
 	pool_free(pool);
@@ -157,11 +157,11 @@ find_calibrated(const struct session *s, struct comparison *c, size_t *index,
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct error error = {0};
-		if (!part_has(&c->part, i))
+		if (!part_has_site(&c->part, i))
 			continue;
 		if (!s->entry[i].has_fit) {
 			c->left_out++;
-		} else if (answers_known(s, &s->entry[i], &error)) {
+		} else if (answers_check_params(s, &s->entry[i], &error)) {
 			index[n++] = i;
 		} else {
 			if (failed->n++ == 0)
@@ -190,8 +190,8 @@ may_be_empty(const struct session *s, const struct part *part)
 		const struct entry *entry = &s->entry[i];
 		others = others || entry->has_fit || has_speeds(entry);
 		forgotten =
-		    forgotten ||
-		    (part_has(part, i) && !entry->has_fit && has_speeds(entry));
+		    forgotten || (part_has_site(part, i) && !entry->has_fit &&
+				     has_speeds(entry));
 	}
 	return part->of > 0 && others && !forgotten;
 }
@@ -247,7 +247,7 @@ validate_all(struct session *s, struct comparison *c, struct error *error)
 static bool
 validate_one(struct session *s, struct comparison *c, struct error *error)
 {
-	if (!answers_ready(s, error))
+	if (!answers_check_current(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
 	compare_entry(
@@ -257,7 +257,7 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 		fields_put(answer_fields(r), "verdict %s",
 		    light_verdict(s, entry, NULL));
 	answers_show_basis_of_fit(s, r, entry, false);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* The next speed to hold out, of a site that has enough. */
@@ -267,7 +267,7 @@ validate_next_speed(struct session *s)
 	struct comparison *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
-		if (!part_has(&c->part, c->at))
+		if (!part_has_site(&c->part, c->at))
 			continue;
 		if (job_speeds(site) < JOB_FOR_EACH) {
 			c->left_out++;
@@ -318,7 +318,7 @@ validate_take_speed(struct session *s)
 	struct comparison *c = s->job.of, *found = s->job.found;
 	if (c->all)
 		tell_compared(s, found);
-	comparison_take(c, found);
+	comparison_append(c, found);
 }
 
 static char *
@@ -336,7 +336,7 @@ end_speeds(struct session *s, void *of)
 	if (c->all)
 		give_all(s, c);
 	else
-		session_answer(
+		session_show_answer(
 		    s, comparison_answer(c, s->entry[c->end - 1].site));
 	comparison_drop(c);
 }
@@ -355,8 +355,8 @@ holds_none(const struct session *s, const struct part *part, size_t *left_out)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		bool able = has_speeds(&s->entry[i]);
 		all += able;
-		n += able && part_has(part, i);
-		*left_out += !able && part_has(part, i);
+		n += able && part_has_site(part, i);
+		*left_out += !able && part_has_site(part, i);
 	}
 	return part->of > 0 && n == 0 && all > 0;
 }

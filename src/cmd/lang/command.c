@@ -67,7 +67,7 @@ command_other_name(const struct command *command)
 
 /* Whether a word is an option of it, or a range that its bare option takes. */
 static bool
-takes_word(const struct command *command, const char *word)
+takes_option_word(const struct command *command, const char *word)
 {
 	size_t n = strcspn(word, "=");
 	FREED char *name = xstrndup(word, n);
@@ -80,7 +80,8 @@ takes_word(const struct command *command, const char *word)
 }
 
 const struct command *
-command_meant(const struct command *command, char *const *word, size_t n)
+command_find_two_words(
+    const struct command *command, char *const *word, size_t n)
 {
 	for (size_t k = 0; k < ARRAY_LEN(command->others); k++) {
 		const struct command *other =
@@ -88,8 +89,8 @@ command_meant(const struct command *command, char *const *word, size_t n)
 			? command_find(command->others[k])
 			: NULL;
 		for (size_t i = 0; i < n && other != NULL; i++)
-			if (!takes_word(command, word[i]) &&
-			    takes_word(other, word[i]))
+			if (!takes_option_word(command, word[i]) &&
+			    takes_option_word(other, word[i]))
 				return other;
 	}
 	return command;
@@ -116,7 +117,7 @@ begins_with(const struct command *c, const char *start)
 }
 
 const struct command *
-command_called(const char *name, bool prompt)
+command_find_typed(const char *name, bool prompt)
 {
 	const struct command *found = command_find(name);
 	if (found != NULL || !prompt)

@@ -111,11 +111,12 @@ struct command_operands {
 /* name: one word, under which answers are kept.  alias: a second name, or NULL;
  * an alias of two words ("store list") is the name shown to people.  others:
  * names of commands that are meant instead if a line has an option that only
- * they have, or a range of speeds ("predict 65..85"), see command_meant.  bare:
- * option that a bare word stands for ("predict 74"), or NULL.  setting: options
- * that may be written as two words ("set method classes").  text: sentences for
- * help and manual.  more: further sentences for the manual, or NULL.  example:
- * lines of a script that runs in a folder with the project's data/. */
+ * they have, or a range of speeds ("predict 65..85"), see
+ * command_find_two_words.  bare: option that a bare word stands for ("predict
+ * 74"), or NULL.  setting: options that may be written as two words ("set
+ * method classes").  text: sentences for help and manual.  more: further
+ * sentences for the manual, or NULL.  example: lines of a script that runs in a
+ * folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
 	const char *others[2];
@@ -159,7 +160,7 @@ const char *command_title(const struct command *command);
 const char *command_other_name(const struct command *command);
 
 /* Returns the command or, of its `others`, the one that the words are for. */
-const struct command *command_meant(
+const struct command *command_find_two_words(
     const struct command *command, char *const *word, size_t n);
 
 /* Finds a command by full name or alias; NULL if there is none. */
@@ -167,7 +168,7 @@ const struct command *command_find(const char *name);
 
 /* As command_find; at a prompt also without case, by a prefix of two letters
  * or more that only one command has, and quit by q. */
-const struct command *command_called(const char *name, bool prompt);
+const struct command *command_find_typed(const char *name, bool prompt);
 
 /* Returns the names that begin with `name`, without case: "calibrate, check".
  * The caller frees. */

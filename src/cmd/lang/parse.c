@@ -20,7 +20,7 @@ parse_column_of(const char *line, struct words *words, size_t offset)
 {
 	const char *p = line + words->reached;
 	for (; p < line + offset; words->reached_column++)
-		text_next(&p);
+		text_next_code_point(&p);
 	words->reached = offset;
 	return words->reached_column;
 }
@@ -51,7 +51,7 @@ single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
 /* Copies one word from *at on and moves *at after it. False on an open quote;
  * the caller frees the word in any case. */
 static bool
-take_word(const char *line, size_t *at, bool verbatim, char **word)
+read_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 {
 	bool quoted = false;
 	size_t i = *at, open;
@@ -88,7 +88,7 @@ parse_skip_blanks(const char *line, size_t i)
 
 /* The rest of the line is the shell's. */
 static bool
-take_pipe(const char *line, size_t i, struct words *words)
+read_pipe(const char *line, size_t i, struct words *words)
 {
 	FREED char *rest = xstrdup(line + i + 1);
 	words->to = TO_PIPE;
@@ -99,14 +99,14 @@ take_pipe(const char *line, size_t i, struct words *words)
 
 /* "> FILE" or ">> FILE" at *at; *at is then after it. */
 static bool
-take_file(const char *line, size_t *at, struct place place, struct words *words,
-    struct error *error)
+read_redirection_file(const char *line, size_t *at, struct place place,
+    struct words *words, struct error *error)
 {
 	bool append = line[*at + 1] == '>';
 	words->to = append ? TO_END : TO_FILE;
 	*at = parse_skip_blanks(line, *at + (append ? 2 : 1));
 	int column = parse_column_of(line, words, *at);
-	if (!take_word(line, at, false, &words->target))
+	if (!read_word_of_line(line, at, false, &words->target))
 		return open_quote(place, column, error);
 	if (words->target[0] == '\0')
 		return error_at(error, ERROR_USAGE, place.file, place.line,
@@ -126,7 +126,7 @@ take_file(const char *line, size_t *at, struct place place, struct words *words,
 }
 
 static bool
-take_redirection(const char *line, size_t *at, struct place place,
+read_redirection(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	char sign = line[*at];
@@ -135,8 +135,8 @@ take_redirection(const char *line, size_t *at, struct place place,
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column, "expected a command before %c", sign);
 	if (sign == '>')
-		return take_file(line, at, place, words, error);
-	bool good = take_pipe(line, *at, words);
+		return read_redirection_file(line, at, place, words, error);
+	bool good = read_pipe(line, *at, words);
 	*at = words->next;
 	if (good)
 		return true;
@@ -148,10 +148,11 @@ take_redirection(const char *line, size_t *at, struct place place,
 
 /* True where the first word names a command that takes > and | as words. */
 static bool
-is_verbatim(const struct words *words, struct place place)
+takes_signs_as_words(const struct words *words, struct place place)
 {
 	const struct command *command =
-	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
+	    words->n > 0 ? command_find_typed(words->text[0], place.prompt)
+			 : NULL;
 	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
 }
 
@@ -207,12 +208,13 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 		    column, "more than %d words", (int)OPERANDS);
 	size_t i = words->n++;
 	words->column[i] = column;
-	if (!take_word(line, at, verbatim, &words->text[i]))
+	if (!read_word_of_line(line, at, verbatim, &words->text[i]))
 		return open_quote(place, column, error);
 	if (i == 1)
 		join_name(words);
 	const struct command *command =
-	    words->n > 2 ? command_called(words->text[0], place.prompt) : NULL;
+	    words->n > 2 ? command_find_typed(words->text[0], place.prompt)
+			 : NULL;
 	if (command != NULL && !verbatim)
 		join_unit(command, words);
 	return true;
@@ -220,15 +222,20 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 
 /* Whether the > at a place stands before a limit and not before a file: behind
  * a quantity without quotes, "P80 > 5".  What has a limit already is written
- * into a file, whatever its name. */
+ * into a file, whatever its name.  After what is no command >= is one, so that
+ * the command is what is told. */
 static bool
 is_limit_sign(
     const char *line, size_t at, const struct words *words, struct place place)
 {
 	const struct command *command =
-	    words->n > 0 ? command_called(words->text[0], place.prompt) : NULL;
-	if (command == NULL || (command->flags & COMMAND_CONDITIONS) == 0 ||
-	    words->n < 2 || words->n == OPERANDS || line[at] != '>')
+	    words->n > 0 ? command_find_typed(words->text[0], place.prompt)
+			 : NULL;
+	if (command == NULL)
+		return words->n > 1 && words->n < OPERANDS &&
+		       strncmp(line + at, ">=", 2) == 0;
+	if ((command->flags & COMMAND_CONDITIONS) == 0 || words->n < 2 ||
+	    words->n == OPERANDS || line[at] != '>')
 		return false;
 	const char *last = words->text[words->n - 1];
 	const char *before = words->text[words->n - 2];
@@ -236,7 +243,7 @@ is_limit_sign(
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = parse_skip_blanks(line, at);
-	size_t n = strcspn(line + at, " \t;%");
+	size_t n = strcspn(line + at, " \t;,%");
 	FREED char *number = xstrndup(line + at, n);
 	double limit;
 	return text_typed_number(number, &limit);
@@ -265,13 +272,13 @@ words_split(const char *line, size_t from, struct place place,
 	words->reached = place.column > 0 ? from : 0;
 	words->reached_column = place.column > 0 ? place.column : 1;
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
-		bool verbatim = is_verbatim(words, place);
+		bool verbatim = takes_signs_as_words(words, place);
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
 		if (sign && is_limit_sign(line, i, words, place))
 			take_limit_sign(line, &i, words);
 		else if (sign && !verbatim)
-			ok = take_redirection(line, &i, place, words, error);
+			ok = read_redirection(line, &i, place, words, error);
 		else
 			ok = add_word(line, &i, place, verbatim, words, error);
 		if (!ok)
@@ -412,8 +419,8 @@ enum { NUMBERS_MOST = 2000 };
 
 /* a..b or a..b:step; the step defaults to 1. */
 static bool
-range(const struct command_option *option, char *word, char *dots,
-    struct value *value, struct error *error)
+read_range_of_speeds(const struct command_option *option, char *word,
+    char *dots, struct value *value, struct error *error)
 {
 	double from, to, step = 1;
 	char *colon = strchr(dots + 2, ':');
@@ -447,17 +454,18 @@ range(const struct command_option *option, char *word, char *dots,
 }
 
 static bool
-numbers(const struct command_option *option, const char *word,
+read_list_of_numbers(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	size_t all;
-	if (option->choices != NULL && text_choice(option->choices, word, &all))
+	if (option->choices != NULL &&
+	    text_find_word(option->choices, word, &all))
 		return true;
 	FREED char *text = xstrdup(word);
 	char *dots = strstr(text, "..");
 	bool ok = true;
 	if (dots != NULL) {
-		ok = range(option, text, dots, value, error);
+		ok = read_range_of_speeds(option, text, dots, value, error);
 	} else {
 		for (char *part = text; ok && part != NULL;) {
 			char *comma = strchr(part, ',');
@@ -479,7 +487,7 @@ numbers(const struct command_option *option, const char *word,
 }
 
 static bool
-wrong_whole(
+error_wrong_whole(
     const struct command_option *option, const char *word, struct error *error)
 {
 	FREED char *limits = command_limits(option);
@@ -500,7 +508,7 @@ value_wanted(const struct command_option *option, struct error *error)
 }
 
 static bool
-wrong_choice(
+error_wrong_choice(
     const struct command_option *option, const char *word, struct error *error)
 {
 	if (word[0] == '\0')
@@ -518,7 +526,7 @@ wrong_choice(
 }
 
 bool
-value_take(const struct command_option *option, const char *word,
+value_read(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	value->text = word;
@@ -531,17 +539,18 @@ value_take(const struct command_option *option, const char *word,
 			    option, word, &value->number, error);
 		return word[0] != '\0' || value_wanted(option, error);
 	case VALUE_NUMBERS:
-		return numbers(option, word, value, error);
+		return read_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
 		if (text_whole(word, &value->whole) &&
 		    (double)value->whole >= option->least &&
 		    (double)value->whole <= option->most)
 			return true;
-		return wrong_whole(option, word, error);
+		return error_wrong_whole(option, word, error);
 	case VALUE_CHOICE:
-		if (text_choice(option_choices(option), word, &value->choice))
+		if (text_find_word(
+			option_choices(option), word, &value->choice))
 			return true;
-		return wrong_choice(option, word, error);
+		return error_wrong_choice(option, word, error);
 	default:
 		return word[0] != '\0' ||
 		       error_set(error, ERROR_USAGE, "%s: expected a value",
@@ -550,7 +559,7 @@ value_take(const struct command_option *option, const char *word,
 }
 
 static void
-unknown_option(
+error_unknown_option(
     const struct command *command, const char *name, struct error *error)
 {
 	error_set(
@@ -569,11 +578,12 @@ unknown_option(
 /* Index of the option so called; OPTIONS, with an error, where there is none or
  * it has been given. */
 static size_t
-new_option(const struct args *args, const char *name, struct error *error)
+find_option_not_given(
+    const struct args *args, const char *name, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
 	if (i == OPTIONS)
-		unknown_option(args->command, name, error);
+		error_unknown_option(args->command, name, error);
 	else if (args->value[i].given)
 		error_set(error, ERROR_USAGE, "%s is given twice", name);
 	else
@@ -586,7 +596,7 @@ parse_take_value(
     size_t i, const char *word, struct args *args, struct error *error)
 {
 	args->value[i].given = true;
-	return value_take(
+	return value_read(
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
@@ -605,7 +615,7 @@ take_argument(
 	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = new_option(args, name, error);
+		i = find_option_not_given(args, name, error);
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
@@ -622,7 +632,7 @@ take_argument(
 
 /* True, with the error, when a name stands alone at the end: "set method". */
 static bool
-lacks_value(
+error_lacks_value(
     const struct command *command, const char *name, struct error *error)
 {
 	size_t i = command_option_index(command, name);
@@ -632,10 +642,10 @@ lacks_value(
 
 /* "method classes" where "method=classes" would do. */
 static bool
-take_pair(
+read_option_as_pair(
     const char *name, const char *word, struct args *args, struct error *error)
 {
-	size_t i = new_option(args, name, error);
+	size_t i = find_option_not_given(args, name, error);
 	return i < OPTIONS && parse_take_value(i, word, args, error);
 }
 
@@ -647,7 +657,7 @@ take_fallbacks(struct args *args, struct error *error)
 	for (size_t i = 0;
 	     ok && (o = command_option_at(args->command, i)) != NULL; i++)
 		if (!args->value[i].given && o->fallback[0] != '\0')
-			ok = value_take(o, o->fallback, &args->value[i], error);
+			ok = value_read(o, o->fallback, &args->value[i], error);
 	return ok;
 }
 
@@ -720,15 +730,15 @@ hint_blanks(const struct command *command, const struct words *words,
 
 /* Adds the place of word i to an error that has none. */
 static void
-put_place(struct error *error, struct place place,
+add_place_to_error(struct error *error, struct place place,
     const struct command *command, const struct words *words, size_t i)
 {
 	hint_blanks(command, words, error);
-	error_place(error, place.file, place.line, words->column[i]);
+	error_set_place(error, place.file, place.line, words->column[i]);
 }
 
 static void
-unknown_command(const char *name, bool prompt, struct error *error)
+error_unknown_name(const char *name, bool prompt, struct error *error)
 {
 	FREED char *several = command_candidates(name);
 	bool one = prompt && several[0] != '\0';
@@ -751,26 +761,27 @@ parse_call(const struct words *words, struct place place, struct args *args,
 {
 	memset(args, 0, sizeof *args);
 	const struct command *command =
-	    command_called(words->text[0], place.prompt);
+	    command_find_typed(words->text[0], place.prompt);
 	if (command == NULL) {
-		unknown_command(words->text[0], place.prompt, error);
-		put_place(error, place, NULL, words, 0);
+		error_unknown_name(words->text[0], place.prompt, error);
+		add_place_to_error(error, place, NULL, words, 0);
 		return NULL;
 	}
-	command = command_meant(command, words->text + 1, words->n - 1);
+	command =
+	    command_find_two_words(command, words->text + 1, words->n - 1);
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
 		bool set = command->setting != NULL, last = i + 1 == words->n;
 		bool pair = set && !last && strchr(word, '=') == NULL;
-		bool ok =
-		    pair
-			? take_pair(word, words->text[i + 1], args, error)
-			: !(set && last && lacks_value(command, word, error)) &&
-			      take_argument(
-				  word, words->column[i], args, error);
+		bool ok = pair ? read_option_as_pair(
+				     word, words->text[i + 1], args, error)
+			       : !(set && last &&
+				     error_lacks_value(command, word, error)) &&
+				     take_argument(
+					 word, words->column[i], args, error);
 		if (!ok) {
-			put_place(error, place, command, words, i);
+			add_place_to_error(error, place, command, words, i);
 			return NULL;
 		}
 		i += pair;
@@ -783,7 +794,7 @@ parse_call(const struct words *words, struct place place, struct args *args,
 			if (words->text[i] ==
 			    args->operand[command->operands.most])
 				at = i;
-		put_place(error, place, command, words, at);
+		add_place_to_error(error, place, command, words, at);
 		return NULL;
 	}
 	return command;

@@ -56,7 +56,7 @@ void args_free(struct args *args);
 /* Reads word as the option's value, which borrows it; the caller frees
  * value->list.  False, with an error that says what was expected and a hint at
  * what was meant. */
-bool value_take(const struct command_option *option, const char *word,
+bool value_read(const struct command_option *option, const char *word,
     struct value *value, struct error *error);
 
 /* Reads a number, with or without its unit: 69, 69m/s. */

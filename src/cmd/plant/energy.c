@@ -28,7 +28,8 @@ struct question {
 /* How Eq 3 of the entry sees a size: threshold E0_min / x^alpha, J/kg, and
  * strength f_mat x^alpha; without parameters the cut and 0. */
 static double
-k_of(const struct question *q, const struct spectrum_size *of, double x)
+selection_of_entry(
+    const struct question *q, const struct spectrum_size *of, double x)
 {
 	double e0 = q->cut * q->scale, f = 0;
 	if (!(q->E > 0))
@@ -43,7 +44,7 @@ k_of(const struct question *q, const struct spectrum_size *of, double x)
 }
 
 static double
-first_share(const struct question *q, const struct spectrum_size *of)
+share_of_first_impacts(const struct question *q, const struct spectrum_size *of)
 {
 	double all = spectrum_above(of, q->cut, false).energy;
 	if (!q->spectrum->ordered || !(all > 0))
@@ -53,7 +54,8 @@ first_share(const struct question *q, const struct spectrum_size *of)
 
 /* Their energy above the cut on average, over v^2/2. */
 static double
-mean_ratio(const struct question *q, const struct spectrum_size *of, bool first)
+mean_energy_ratio(
+    const struct question *q, const struct spectrum_size *of, bool first)
 {
 	struct spectrum_bin above = spectrum_above(of, q->cut, first);
 	return above.mass > 0 && q->E > 0
@@ -73,16 +75,17 @@ energy_add_row(struct answer *r, const struct question *q,
     const struct spectrum_size *of, double size)
 {
 	struct spectrum_bin above = spectrum_above(of, q->cut, false);
-	answer_missing(r, "all");
+	answer_set_missing(r, "all");
 	answer_cells(r, "%.1f", size);
-	answer_missing(r, "-");
+	answer_set_missing(r, "-");
 	answer_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
 	    q->spectrum->counted ? of->particles : NAN,
 	    spectrum_per_particle(q->spectrum, of, 0),
 	    spectrum_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
-	    mean_ratio(q, of, false), 100 * first_share(q, of),
-	    k_of(q, of, of->size));
+	    mean_energy_ratio(q, of, false),
+	    100 * share_of_first_impacts(q, of),
+	    selection_of_entry(q, of, of->size));
 }
 
 static void
@@ -125,7 +128,8 @@ energy_put_fields(struct answer *r, const struct question *q,
 	    q->spectrum->counted ? whole->mass : NAN,
 	    100 * share_below(q, whole), q->scale * q->cut,
 	    spectrum_per_particle(q->spectrum, whole, q->cut),
-	    100 * first_share(q, whole), k_of(q, whole, whole->size));
+	    100 * share_of_first_impacts(q, whole),
+	    selection_of_entry(q, whole, whole->size));
 	struct fields *list = fields_object(f, "spectrum");
 	fields_numbers(list, "j_kg", e, n, NULL);
 	fields_numbers(list, "mass_share", share, n, NULL);
@@ -134,7 +138,7 @@ energy_put_fields(struct answer *r, const struct question *q,
 
 /* How many of the impacts can be taken as independent. */
 static double
-independent(const struct energies *e)
+count_independent(const struct energies *e)
 {
 	FREED struct spectrum_size *whole = spectrum_whole(e->c.spectrum);
 	double n =
@@ -155,8 +159,8 @@ note_others(struct answer *r, const struct session *s, const struct question *q)
 		double d = spectrum_distance(q->spectrum, other, q->cut);
 		/* Kolmogorov and Smirnov's 95 %, of particles: the impacts
 		 * of one depend on each other. */
-		double chance =
-		    1.36 * sqrt(1 / independent(q->e) + 1 / independent(o));
+		double chance = 1.36 * sqrt(1 / count_independent(q->e) +
+					    1 / count_independent(o));
 		answer_note(r,
 		    d < chance
 			? N_("scaled by v^2, %s (%g m/s) and this one (%g m/s) "
@@ -177,9 +181,9 @@ energy_judge(struct answer *r, const struct question *q,
     const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = k_of(q, whole, whole->size), ratio;
-	double first = first_share(q, whole);
-	ratio = mean_ratio(q, whole, q->spectrum->ordered);
+	double k = selection_of_entry(q, whole, whole->size), ratio;
+	double first = share_of_first_impacts(q, whole);
+	ratio = mean_energy_ratio(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
 		answer_say(r, ANSWER_REMARK,
 		    "without a tip speed nothing can be said of v^2/2: load "
@@ -192,13 +196,12 @@ energy_judge(struct answer *r, const struct question *q,
 	    once && hard && single
 		? N_("one impact at v^2/2 is a fair picture here: k is near 1 "
 		     "and the first impact has most of the energy")
-	    : once
-		? N_("one impact at v^2/2 is fair for the sum alone here: k "
-		     "is near 1, but the energy is spread over impacts that "
-		     "are weaker than v^2/2")
-		: N_("one impact at v^2/2 is not a fair picture here: the "
-		     "impacts break as k impacts at v^2/2 would, and k is not "
-		     "near 1; a calibrated f_mat makes up for k"));
+	    : once ? N_("one impact at v^2/2 is fair for the sum alone here: k "
+			"is near 1, but the energy is spread over impacts that "
+			"are weaker than v^2/2")
+		   : N_("one impact at v^2/2 is not a fair picture here: the "
+			"impacts break as k impacts at v^2/2 would, and k is "
+			"not near 1; a calibrated f_mat compensates for k"));
 	if (!q->spectrum->counted)
 		answer_say(r, ANSWER_REMARK,
 		    "particles were not counted: k is that of one impact from "
@@ -212,7 +215,8 @@ note_site(struct answer *r, const struct question *q)
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k = of->size > 0 ? k_of(q, of, of->size) : NAN;
+		double k =
+		    of->size > 0 ? selection_of_entry(q, of, of->size) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -251,7 +255,7 @@ note_basis(struct answer *r, const struct question *q)
 }
 
 static bool
-usable(const struct entry *entry)
+has_selection_params(const struct entry *entry)
 {
 	return entry->has_params &&
 	       isfinite(params_value(&entry->params, "f_mat"));
@@ -260,7 +264,7 @@ usable(const struct entry *entry)
 static bool
 energy_show(struct session *s, const struct args *args, struct error *error)
 {
-	if (energies_last(s, error) == NULL)
+	if (energies_loaded(s, error) == NULL)
 		return false;
 	const struct spectrum *spectrum = s->energy->c.spectrum;
 	const struct value *speed = args_value(args, "speed");
@@ -279,7 +283,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 		q.cut /= q.scale;
 	}
 	q.E = q.speed > 0 ? energy_specific(q.speed) : NAN;
-	if (s->n_entry > 0 && usable(session_entry(s)))
+	if (s->n_entry > 0 && has_selection_params(session_entry(s)))
 		q.entry = session_entry(s);
 	FREED struct spectrum_size *whole = spectrum_whole(spectrum);
 	struct answer *r = answer_new("energy");
@@ -299,11 +303,11 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	note_site(r, &q);
 	note_basis(r, &q);
 	energy_put_fields(r, &q, whole);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 static bool
-one_file(const struct args *args, struct error *error)
+check_one_file(const struct args *args, struct error *error)
 {
 	return args->n_operand == 2 ||
 	       error_set(error, ERROR_USAGE,
@@ -325,22 +329,20 @@ static bool
 energy_load_file(
     struct session *s, const struct args *args, struct error *error)
 {
-	struct collisions_way way = energies_way();
+	struct collisions_way way = {.speed = NAN};
 	const struct value *unit = args_value(args, "unit");
-	if (!one_file(args, error))
+	if (!check_one_file(args, error))
 		return false;
 	way.columns = args_value(args, "columns")->text;
-	way.particles = args_value(args, "particles")->text;
 	way.unit = !unit->given ? NULL : unit->choice == 0 ? "J/kg" : "m/s";
 	way.speed = args_number(args, "speed", NAN);
-	way.density = args_value(args, "density")->number;
-	way.cut = args_number(args, "cut", way.cut);
+	double cut = args_number(args, "cut", ENERGIES_CUT);
 	/* A file that is there comes before a shipped one of its name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
-	bool read = energies_read(s, path, &way, error) != NULL;
+	bool read = energies_read(s, path, &way, cut, error) != NULL;
 	if (!read)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
@@ -367,13 +369,13 @@ static bool
 energy_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
-	if (!one_file(args, error) || energies_last(s, error) == NULL ||
+	if (!check_one_file(args, error) || energies_loaded(s, error) == NULL ||
 	    !files_may_write(s, path, error) ||
 	    !files_may_replace(s, path, error) ||
 	    !file_replace_by(
 		path, FILE_SHARED, energy_put_file, s->energy, error))
 		return false;
-	files_wrote(s, path);
+	files_note_written(s, path);
 	session_note(s, "wrote %s", path);
 	return true;
 }

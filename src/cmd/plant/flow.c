@@ -40,10 +40,10 @@ range_tph(const struct plant *p, const struct outcome *o,
 	double draw[DRAWS];
 	for (size_t d = 0; d < o->flow.draws; d++)
 		draw[d] = unit != NULL
-			      ? flow_draw_into(&o->flow, unit, d)
+			      ? flow_draw_into_unit(&o->flow, unit, d)
 			      : o->flow.tph_draw[d * o->flow.n_stream + stream];
 	flow_range_of(p, o, draw,
-	    unit != NULL ? flow_into(&o->flow, unit) : o->flow.tph[stream],
+	    unit != NULL ? flow_into_unit(&o->flow, unit) : o->flow.tph[stream],
 	    range);
 }
 
@@ -66,7 +66,7 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 	for (size_t i = 0; i < n; i++) {
 		const struct unit *unit = line[i].unit;
 		double range[2] = {0, 0},
-		       tph = unit != NULL ? flow_into(&o->flow, unit) : 0,
+		       tph = unit != NULL ? flow_into_unit(&o->flow, unit) : 0,
 		       around = unit != NULL ? 0 : o->flow.tph[line[i].stream];
 		if (unit != NULL)
 			range_tph(p, o, unit, 0, range);
@@ -131,7 +131,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		double all = flow_into(&o->flow, unit),
+		double all = flow_into_unit(&o->flow, unit),
 		       rotor = all * plant_rotor_share(p, unit), range[2];
 		double speed = plant_speed(unit, o->speed);
 		range_tph(p, o, unit, 0, range);
@@ -159,7 +159,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 static void
 warn_power(const struct plant *p, struct answer *r)
 {
-	if (power_falls(p->plan->reading, p->plan->n_reading))
+	if (power_falls_with_speed(p->plan->reading, p->plan->n_reading))
 		answer_say(r, ANSWER_WARNING,
 		    "the readings contradict the estimate of power: power "
 		    "cannot fall while the speed rises and the t/h do not "
@@ -239,9 +239,9 @@ struct search {
 };
 
 static void
-flow_look_at(struct search *search, const struct plant *p, double speed)
+flow_search_try(struct search *search, const struct plant *p, double speed)
 {
-	struct outcome o = plant_at(p, speed);
+	struct outcome o = plant_solve_at(p, speed);
 	size_t i = search->n++;
 	search->speed[i] = speed;
 	search->money[i] = o.flow.open ? NAN : o.money;
@@ -261,13 +261,13 @@ flow_search_best(const struct plant *p, double from, double to)
 	    .step = (to - from) / COARSE,
 	    .draw = xcalloc(LOOKED_AT, sizeof *s.draw)};
 	for (int i = 0; i <= COARSE; i++)
-		flow_look_at(&s, p, i < COARSE ? from + i * s.step : to);
+		flow_search_try(&s, p, i < COARSE ? from + i * s.step : to);
 	double middle = s.speed[s.best];
 	for (int i = -FINE / 2; i <= FINE / 2 && isfinite(s.money[s.best]);
 	     i++) {
 		double speed = middle + i * s.step / FINE;
 		if (i != 0 && speed >= from && speed <= to)
-			flow_look_at(&s, p, speed);
+			flow_search_try(&s, p, speed);
 	}
 	return s;
 }
@@ -366,7 +366,7 @@ feed_difference(
     const struct plant *p, const struct outcome *o, const struct unit *unit)
 {
 	size_t n = p->plan->n;
-	double most = 0, in = 0, feed = 0, all = flow_into(&o->flow, unit);
+	double most = 0, in = 0, feed = 0, all = flow_into_unit(&o->flow, unit);
 	for (size_t i = n; i-- > 0 && all > 0;) {
 		for (size_t k = 0; k < unit->n_in; k++)
 			in += o->flow.mass[unit->in[k] * n + i] / all;
@@ -379,7 +379,7 @@ feed_difference(
 /* The light of each crusher's speed; a feed that what comes back has changed is
  * judged as another feed would be. */
 static struct trust
-flow_judge(const struct plant *p, const struct outcome *o)
+flow_trust(const struct plant *p, const struct outcome *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
@@ -449,15 +449,16 @@ flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->level);
 	answers_show_basis(
-	    p->s, r, p->plan->question, 0, band, flow_judge(p, o));
-	if (!pictures_wanted(p->s) || p->s->document != NULL)
-		return session_answer(p->s, r);
-	session_keep(p->s, r);
+	    p->s, r, p->plan->question, 0, band, flow_trust(p, o));
+	if (!plot_writes_image(p->s) || p->s->document != NULL)
+		return session_show_answer(p->s, r);
+	session_keep_answer(p->s, r);
 	return true;
 }
 
 static bool
-flow_best(const struct plant *p, const struct args *args, struct error *error)
+flow_show_best(
+    const struct plant *p, const struct args *args, struct error *error)
 {
 	const struct entry *entry = p->plan->question->entry;
 	double from, to;
@@ -468,8 +469,8 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
 		return false;
 	struct search search = flow_search_best(p, from, to);
-	struct outcome usual = plant_at(p, p->plan->question->speed),
-		       best = plant_at(p, search.speed[search.best]);
+	struct outcome usual = plant_solve_at(p, p->plan->question->speed),
+		       best = plant_solve_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
 	if (ok) {
 		struct answer *r = answer_flow(p, &best);
@@ -485,9 +486,9 @@ flow_best(const struct plant *p, const struct args *args, struct error *error)
 }
 
 static bool
-flow_at(const struct plant *p, double speed, struct error *error)
+flow_show_at(const struct plant *p, double speed, struct error *error)
 {
-	struct outcome o = plant_at(p, speed);
+	struct outcome o = plant_solve_at(p, speed);
 	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
 	if (ok)
 		flow_finish(p, &o, answer_flow(p, &o));
@@ -523,19 +524,19 @@ add_products(struct chart *chart, const struct plant *p,
 }
 
 static void
-take_point(const struct plant *p, const struct outcome *o,
+add_draws_of_point(const struct plant *p, const struct outcome *o,
     const struct unit *unit, struct chart_series *s, size_t k)
 {
 	double draw[DRAWS], range[2];
 	s->x[k] = o->speed;
-	s->y[k] = o->flow.open ? NAN : flow_into(&o->flow, unit);
+	s->y[k] = o->flow.open ? NAN : flow_into_unit(&o->flow, unit);
 	if (s->low == NULL)
 		return;
 	s->low[k] = s->high[k] = s->y[k];
 	if (o->flow.draws < DRAWS || o->flow.open)
 		return;
 	for (size_t d = 0; d < DRAWS; d++)
-		draw[d] = flow_draw_into(&o->flow, unit, d);
+		draw[d] = flow_draw_into_unit(&o->flow, unit, d);
 	ensemble_range(draw, p->level, s->y[k], range);
 	s->low[k] = range[0];
 	s->high[k] = range[1];
@@ -556,17 +557,17 @@ flow_chart(const struct plant *p, double from, double to)
 	size_t n = 0;
 	for (size_t k = 0; k < POINTS; k++) {
 		double v = from + (to - from) * (double)k / (POINTS - 1);
-		struct outcome o = plant_at(p, v);
+		struct outcome o = plant_solve_at(p, v);
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			take_point(p, &o, unit[i], chart->series[i], k);
+			add_draws_of_point(p, &o, unit[i], chart->series[i], k);
 		flow_free(&o.flow);
 	}
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
 	/* That of the middle speed: further out it is as good at most. */
-	FREED char *light = light_said_at(p->s, p->plan->question->entry,
+	FREED char *light = light_words_at(p->s, p->plan->question->entry,
 	    (from + to) / 2, p->plan->question->feed);
 	chart_note(chart, "%s", light);
 	return chart;
@@ -582,13 +583,13 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 	if (!flow_plan_read(s, args, q, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);
-	bool ok =
-	    best ? flow_best(&p, args, error) : flow_at(&p, q->speed, error);
-	if (ok && pictures_wanted(s) && s->document == NULL) {
+	bool ok = best ? flow_show_best(&p, args, error)
+		       : flow_show_at(&p, q->speed, error);
+	if (ok && plot_writes_image(s) && s->document == NULL) {
 		double from, to;
 		ok = conditions_speeds(
 			 s, args, q->entry->site, &from, &to, error) &&
-		     pictures_draw(s, flow_chart(&p, from, to), error);
+		     plot_write_image(s, flow_chart(&p, from, to), error);
 	}
 	plant_free(&p);
 	flow_plan_free(&plan);

@@ -87,7 +87,7 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 
 /* "2/5", of 0 above the coarsest screen "+11.2". */
 static char *
-edge_name(double fine, double coarse)
+fraction_name(double fine, double coarse)
 {
 	if (!(coarse > 0))
 		return xasprintf("+%g", units_mm(fine));
@@ -120,7 +120,8 @@ count_parts(const char *list)
 }
 
 static struct unit *
-one_in(struct circuit *c, enum unit_kind kind, const char *name, size_t in)
+add_unit_with_inlet(
+    struct circuit *c, enum unit_kind kind, const char *name, size_t in)
 {
 	struct unit *unit = circuit_unit(c, kind, name);
 	unit->n_in = 1;
@@ -134,9 +135,9 @@ static size_t
 add_screen(struct circuit *c, const struct args *args, double opening,
     const char *name, bool last, size_t *now)
 {
-	struct unit *screen = one_in(c, UNIT_SCREEN, "", *now);
-	FREED char *under =
-	    last ? edge_name(0, opening) : xasprintf("-%g", units_mm(opening));
+	struct unit *screen = add_unit_with_inlet(c, UNIT_SCREEN, "", *now);
+	FREED char *under = last ? fraction_name(0, opening)
+				 : xasprintf("-%g", units_mm(opening));
 	screen->opening = opening;
 	screen->partition.sharpness = args_value(args, "sharpness")->number;
 	screen->partition.cut_size = args_value(args, "cut_size")->number / 100;
@@ -153,7 +154,8 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 	struct unit *new = circuit_unit(c, UNIT_FEED, "");
 	new->n_out = 1;
 	new->out[0] = circuit_stream(c, "new feed");
-	struct unit *crusher = one_in(c, UNIT_CRUSHER, "", new->out[0]);
+	struct unit *crusher =
+	    add_unit_with_inlet(c, UNIT_CRUSHER, "", new->out[0]);
 	crusher->n_out = 1;
 	crusher->out[0] = *crushed = circuit_stream(c, "crushed");
 	crusher->cascade = args_value(args, "cascade")->number / 100;
@@ -163,15 +165,15 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 /* The crusher and a deck of screens, whose oversize each is a fraction that
  * goes back or to a stockpile. */
 static bool
-build(const struct args *args, const struct cuts *cuts, struct flow_plan *plan,
-    struct error *error)
+build_circuit(const struct args *args, const struct cuts *cuts,
+    struct flow_plan *plan, struct error *error)
 {
 	struct circuit *c = plan->circuit;
 	size_t taken = 0, now;
 	struct unit *crusher = add_crusher(c, args, &now);
 	for (size_t i = 0; i <= cuts->n_edge; i++) {
 		bool pan = i == cuts->n_edge;
-		FREED char *name = edge_name(
+		FREED char *name = fraction_name(
 		    pan ? 0 : cuts->edge[i], i > 0 ? cuts->edge[i - 1] : 0);
 		size_t over = pan ? now
 				  : add_screen(c, args, cuts->edge[i], name,
@@ -180,7 +182,7 @@ build(const struct args *args, const struct cuts *cuts, struct flow_plan *plan,
 		    crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
-			one_in(c, UNIT_STOCKPILE, name, over);
+			add_unit_with_inlet(c, UNIT_STOCKPILE, name, over);
 	}
 	if (taken == count_parts(plan->back) && taken < UNIT_STREAMS)
 		return true;
@@ -204,7 +206,7 @@ read_options(
 	plan->back = xstrdup(recycle->given ? recycle->text : "");
 	return read_fractions(
 		   args_value(args, "fractions")->text, &cuts, error) &&
-	       build(args, &cuts, plan, error);
+	       build_circuit(args, &cuts, plan, error);
 }
 
 static bool
@@ -221,7 +223,7 @@ plant_read_file(struct session *s, const struct args *args,
 			    "%s= is given, but the circuit is that of a file\n"
 			    "say it in %s, see tipspeed-circuit(5)",
 			    OF_FILE[i], path);
-	files_reads(s, path);
+	files_note_read(s, path);
 	plan->from_file = true;
 	plan->circuit = circuit_file_read(path, &errors);
 	if (plan->circuit == NULL)
@@ -251,7 +253,7 @@ plant_drop_twins(double *size, size_t n)
  * with very many sieves only some of these, because the work grows with the
  * third power of their number. */
 static void
-choose_sizes(const struct site *site, struct flow_plan *plan)
+choose_class_sizes(const struct site *site, struct flow_plan *plan)
 {
 	enum { MOST = 120 };
 	const struct psd *feed = site_feed(site, plan->question->feed);
@@ -296,8 +298,8 @@ check_screens(
 /* Gives every product of that name its price; priced [n_unit]: those that had
  * theirs from the same list. */
 static bool
-set_price(struct circuit *c, const char *name, double price, bool *priced,
-    struct error *error)
+set_price_of_product(struct circuit *c, const char *name, double price,
+    bool *priced, struct error *error)
 {
 	bool found = false;
 	for (size_t u = 0; u < c->n_unit; u++) {
@@ -334,7 +336,8 @@ read_price(
 		    part);
 	if (colon != NULL)
 		*colon = '\0';
-	ok = ok && set_price(c, text_trim(name), price, priced, error);
+	ok = ok &&
+	     set_price_of_product(c, text_trim(name), price, priced, error);
 	free(name);
 	return ok;
 }
@@ -447,7 +450,7 @@ flow_plan_read(struct session *s, const struct args *args,
 	     read_prices(args, plan, error) &&
 	     read_power(args, site, plan, error);
 	if (ok)
-		choose_sizes(site, plan);
+		choose_class_sizes(site, plan);
 	else
 		flow_plan_free(plan);
 	return ok;
@@ -480,7 +483,7 @@ plant_new(struct session *s, const struct flow_plan *plan)
 	const struct psd *feed = site_feed(entry->site, plan->question->feed);
 	crusher_classes(p.crusher, feed, p.feed);
 	struct psd sieves = predict_sizes(entry->site, feed);
-	crusher_match(p.crusher, feed, sieves.size, sieves.n);
+	crusher_set_feed(p.crusher, feed, sieves.size, sieves.n);
 	psd_free(&sieves);
 	for (size_t u = 0; u < p.circuit->n_unit; u++)
 		if (p.circuit->unit[u].speed > 0)
@@ -520,7 +523,7 @@ count_draw(const struct plant *p, struct outcome *o, size_t d)
 	size_t of = d % o->flow.draws;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
-		double tph = flow_draw_into(&o->flow, unit, of);
+		double tph = flow_draw_into_unit(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
 			kw +=
 			    power_at(&p->power, d, plant_speed(unit, o->speed),
@@ -535,7 +538,7 @@ count_draw(const struct plant *p, struct outcome *o, size_t d)
 }
 
 struct outcome
-plant_at(const struct plant *p, double speed)
+plant_solve_at(const struct plant *p, double speed)
 {
 	struct outcome o = {.speed = speed};
 	struct transfer *t = crusher_at(p->crusher, speed);
@@ -606,10 +609,9 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 	const struct power *w = &p->power;
 	double range[2], idle = plant_idle(p, o->speed, range);
 	if (w->n == 0)
-		return xstrdup(
-		    tr("no motor readings: Q v2 alone, what it takes to bring "
-		       "the rock to the tip speed, which is a lower limit; "
-		       "give power=m/s:kW:t/h"));
+		return xstrdup(tr("no motor readings: Q v2 alone, the power "
+				  "that brings the rock to the tip speed: a "
+				  "lower limit; give power=m/s:kW:t/h"));
 	char *words =
 	    xasprintf(tr_n("engineering estimate from %zu reading %s, idle "
 			   "%.0f kW (%.0f to %.0f) at %g m/s",
@@ -619,8 +621,8 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 		w->n, p->plan->of_cuts ? tr("of the belt cuts") : tr("given"),
 		idle, range[0], range[1], o->speed);
 	if (w->n > 3)
-		xlist(&words, "; ", tr("the readings miss it by %.1f kW (RMS)"),
-		    w->rms);
+		xlist(&words, "; ",
+		    tr("the readings differ from it by %.1f kW (RMS)"), w->rms);
 	if (range[1] - range[0] > 0.1 * o->kw)
 		xlist(&words, "; ", "%s",
 		    tr("the readings cannot separate idle from load: read the "

@@ -61,7 +61,7 @@ double plant_rotor_share(const struct plant *p, const struct unit *unit);
 double plant_speed(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
-struct outcome plant_at(const struct plant *p, double speed);
+struct outcome plant_solve_at(const struct plant *p, double speed);
 
 /* A row of the table: a product (unit), or a returned stream (unit NULL). */
 struct plant_line {

@@ -46,7 +46,7 @@ complete_put(struct work *w, const char *text, char append)
 }
 
 static void
-offer(struct work *w, const char *text, char append)
+offer_if_matching(struct work *w, const char *text, char append)
 {
 	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
 		complete_put(w, text, append);
@@ -61,7 +61,7 @@ offer_name(struct work *w, const char *name)
 	for (size_t i = 0; i < w->result->n && !there; i++)
 		there = strcmp(w->result->candidate[i].text, word) == 0;
 	if (!there)
-		offer(w, word, ' ');
+		offer_if_matching(w, word, ' ');
 }
 
 static void
@@ -82,21 +82,21 @@ offer_second_words(struct work *w, const char *first)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (c->alias != NULL && strncmp(c->alias, first, n) == 0 &&
 		    c->alias[n] == ' ')
-			offer(w, c->alias + n + 1, ' ');
+			offer_if_matching(w, c->alias + n + 1, ' ');
 }
 
 static void
 offer_groups(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		offer(w, command_group(c), ' ');
+		offer_if_matching(w, command_group(c), ' ');
 }
 
 static void
 offer_answers(struct work *w)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++)
-		offer(w, ANSWERS_NAMES[i].name, ' ');
+		offer_if_matching(w, ANSWERS_NAMES[i].name, ' ');
 }
 
 static void
@@ -104,7 +104,7 @@ offer_parameters(struct work *w)
 {
 	const struct breakage *of = BREAKAGES[w->session->set.model.breakage];
 	for (size_t j = 0; j < of->n; j++)
-		offer(w, of->parameter[j].name, ' ');
+		offer_if_matching(w, of->parameter[j].name, ' ');
 }
 
 /* Without case and accents, as `use` finds them. */
@@ -129,7 +129,7 @@ offer_speeds(struct work *w)
 		if (site_run_repeats(site, r))
 			continue;
 		FREED char *text = xasprintf("%g", site->run[r].speed);
-		offer(w, text, ' ');
+		offer_if_matching(w, text, ' ');
 	}
 }
 
@@ -269,7 +269,7 @@ offer_words(struct work *w, const char *list)
 		if (isupper((unsigned char)word[0]))
 			offer_kind(w, word);
 		else
-			offer(w, word, ' ');
+			offer_if_matching(w, word, ' ');
 	free(copy);
 }
 
@@ -300,7 +300,7 @@ offer_values(struct work *w, const struct command_option *o, bool further)
 }
 
 static struct used
-use_up(const struct command *command, const struct words *words)
+find_used_options(const struct command *command, const struct words *words)
 {
 	struct used used = {.awaits = OPTIONS};
 	for (size_t i = 1; i < words->n; i++) {
@@ -338,7 +338,8 @@ offer_arguments(
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
 		if (used->given[i])
 			continue;
-		offer(w, o->name, command->setting != NULL ? ' ' : '=');
+		offer_if_matching(
+		    w, o->name, command->setting != NULL ? ' ' : '=');
 		if (command->bare != NULL &&
 		    strcmp(o->name, command->bare) == 0)
 			offer_values(w, o, false);
@@ -375,14 +376,15 @@ option_at(const struct command *command, const char *typed,
 }
 
 static void
-offer_behind(struct work *w, const struct words *words, const char *line)
+offer_after_words(struct work *w, const struct words *words, const char *line)
 {
-	const struct command *command = command_called(words->text[0], true);
+	const struct command *command =
+	    command_find_typed(words->text[0], true);
 	if (words->n == 1)
 		offer_second_words(w, words->text[0]);
 	if (command == NULL)
 		return;
-	struct used used = use_up(command, words);
+	struct used used = find_used_options(command, words);
 	bool named;
 	const struct command_option *o =
 	    option_at(command, w->typed, &used, &named);
@@ -470,7 +472,7 @@ complete_end(struct work *w, const char *line)
 	} else if (ok && words.to == TO_SCREEN && words.n == 0) {
 		offer_commands(w);
 	} else if (ok && words.to == TO_SCREEN) {
-		offer_behind(w, &words, line);
+		offer_after_words(w, &words, line);
 	}
 	words_free(&words);
 	free(w->typed);

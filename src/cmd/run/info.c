@@ -68,7 +68,7 @@ info_holds(const char *text, const char *folded)
 
 /* Whether anything the table says of a command holds a word. */
 static bool
-tells_of(const struct command *c, const char *folded)
+help_has_word(const struct command *c, const char *folded)
 {
 	bool found = info_holds(c->name, folded) ||
 		     info_holds(c->brief, folded) ||
@@ -93,7 +93,7 @@ list_telling(const struct session *s, const char *word)
 	FREED char *folded = text_fold(word);
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (tells_of(c, folded)) {
+		if (help_has_word(c, folded)) {
 			usage_brief(c, help_stream(s));
 			found++;
 		}
@@ -101,7 +101,7 @@ list_telling(const struct session *s, const char *word)
 }
 
 static bool
-unknown(const char *name, struct error *error)
+error_unknown_command(const char *name, struct error *error)
 {
 	const char *near = command_nearest(name);
 	if (breakage_find(name) < breakage_count())
@@ -119,7 +119,7 @@ unknown(const char *name, struct error *error)
 
 /* The command of two words, or what other programs call so: "full screen". */
 static const struct command *
-meant(const char *words)
+find_two_word_command(const char *words)
 {
 	const struct command *command = command_find(words);
 	const char *other = command != NULL ? NULL : command_nearest(words);
@@ -134,7 +134,8 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	bool example = args->n_operand == 2;
 	FREED char *both =
 	    example ? xasprintf("%s %s", name, args->operand[1]) : NULL;
-	const struct command *command = both != NULL ? meant(both) : NULL;
+	const struct command *command =
+	    both != NULL ? find_two_word_command(both) : NULL;
 	if (command != NULL)
 		example = false;
 	else if (name != NULL)
@@ -160,7 +161,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	else
 		return (!example && command_nearest(name) == NULL &&
 			   list_telling(s, name) > 0) ||
-		       unknown(name, error);
+		       error_unknown_command(name, error);
 	return true;
 }
 
@@ -177,7 +178,7 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 
 /* The help of a command, where no page has that name. */
 static bool
-explain(const struct session *s, const struct command_option *page,
+show_help(const struct session *s, const struct command_option *page,
     const char *name, struct error *error)
 {
 	struct value value;
@@ -187,7 +188,7 @@ explain(const struct session *s, const struct command_option *page,
 		usage_command(command, help_stream(s));
 		return true;
 	}
-	value_take(page, name, &value, error);
+	value_read(page, name, &value, error);
 	if (error->hint[0] == '\0' && near != NULL)
 		error_hint(error, "did you mean '%s'?", near);
 	else if (error->hint[0] == '\0')
@@ -205,8 +206,8 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	const struct command_option *page = command_option_at(args->command, 0);
 	const char *word = args->n_operand > 0 ? args->operand[0] : NULL;
 	size_t i = args_value(args, "page")->choice;
-	if (word != NULL && !text_choice(option_choices(page), word, &i))
-		return explain(s, page, word, error);
+	if (word != NULL && !text_find_word(option_choices(page), word, &i))
+		return show_help(s, page, word, error);
 	assert(i < ARRAY_LEN(PAGES));
 	if (!s->safe && s->hooks.show_page != NULL &&
 	    s->hooks.show_page(PAGES[i]))
@@ -235,9 +236,9 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	answer_pair(r, "gsl", "%s", GSL_VERSION);
 	answer_pair(r, "jansson", "%s", JANSSON_VERSION);
 	answer_pair(r, "pictures", "%s", picture_forms());
-	answer_pair(r, "instructions", "%s", isa_name(isa_usable(s->isa)));
+	answer_pair(r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
 	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 bool

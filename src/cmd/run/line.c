@@ -122,7 +122,7 @@ run_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
-	join_file_name(words, command_called(words->text[0], place.prompt));
+	join_file_name(words, command_find_typed(words->text[0], place.prompt));
 	if (!turns_to_speeds(s, words, place, error))
 		return false;
 	const struct command *command = parse_call(words, place, &args, error);
@@ -134,14 +134,14 @@ run_words(struct session *s, struct words *words, struct place place,
 		ok = command->answer != NULL
 			 ? question_run(s, &args, command->answer, error)
 			 : command->run(s, &args, error);
-		invocation_ran(s);
-		if (!ok || invocation_over(s))
+		invocation_set_ran(s);
+		if (!ok || invocation_is_over(s))
 			ok = invocation_end(s, ok, error);
 	}
 	args_free(&args);
 	session_language(s);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
-		error_told_at(error, place.file, place.line,
+		error_prefix_place(error, place.file, place.line,
 		    error->column > 0 ? error->column : words->column[0]);
 	return ok;
 }

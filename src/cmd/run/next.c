@@ -27,11 +27,11 @@ count_runs(const struct entry *entry, bool *held_out)
 }
 
 static struct next
-before_fit(const struct session *s, const struct entry *entry)
+next_before_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
 	size_t n = count_runs(entry, &held_out);
-	double checked = session_known(s, "check", "ok");
+	double checked = session_answer_number(s, "check", "ok");
 	if (entry->has_params)
 		return (struct next){.stage = NEXT_ANSWER};
 	if (n == 0)
@@ -58,20 +58,28 @@ before_fit(const struct session *s, const struct entry *entry)
 }
 
 static struct next
-after_fit(const struct session *s, const struct entry *entry)
+next_after_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
 	count_runs(entry, &held_out);
-	if (cut_later(s, entry).n > 0)
+	struct later later = cut_compare_later(s, entry);
+	if (later.missed && later.n > 1)
+		return (struct next){"drift",
+		    N_("follow the new cuts one by one?"), false,
+		    NEXT_CALIBRATE};
+	/* add has said what to look at first. */
+	if (later.missed || later.off)
+		return (struct next){.stage = NEXT_CALIBRATE};
+	if (later.n > 0)
 		return (struct next){"calibrate",
 		    N_("calibrate with the cuts that are new?"), true,
 		    NEXT_CALIBRATE};
 	if (held_out && !origin_is_stored(entry->origin) &&
-	    isnan(session_known(s, "validate", "holdout.speed")) &&
-	    isnan(session_known(s, "validate", "sites")))
+	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
+	    isnan(session_answer_number(s, "validate", "sites")))
 		return (struct next){"validate",
 		    N_("validate at the speed held out?"), true, NEXT_VALIDATE};
-	if (session_known(s, "validate calibrate", "warnings") > 0)
+	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
 		    N_("next: 'check' and 'why' show the reasons to doubt it; "
 		       "'predict' still answers"),
@@ -91,7 +99,7 @@ after_fit(const struct session *s, const struct entry *entry)
 }
 
 static struct next
-before_load(const struct session *s)
+next_before_load(const struct session *s)
 {
 	size_t own = 0;
 	bool remembered = store_count(s->store, &own, NULL) && own > 0;
@@ -119,7 +127,7 @@ struct next
 next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
-		return before_load(s);
+		return next_before_load(s);
 	if (session_busy(s))
 		return (struct next){.stage = NEXT_LOAD};
 	if (all_are_new(s))
@@ -131,12 +139,13 @@ next_step(const struct session *s)
 		    N_("continue the stopped calibration?"), false,
 		    NEXT_CALIBRATE};
 	const struct entry *entry = &s->entry[s->current];
-	return entry->has_fit ? after_fit(s, entry) : before_fit(s, entry);
+	return entry->has_fit ? next_after_fit(s, entry)
+			      : next_before_fit(s, entry);
 }
 
 /* Where the runs held out are told of, which validate's table names. */
 static void
-tell_held_out(const struct session *s, const struct entry *entry)
+note_held_out(const struct session *s, const struct entry *entry)
 {
 	FREED char *speeds =
 	    session_speeds(entry->site, ", ", entry->train, false);
@@ -144,7 +153,7 @@ tell_held_out(const struct session *s, const struct entry *entry)
 }
 
 void
-next_told(const struct session *s)
+next_note_offered(const struct session *s)
 {
 	if (s->n_answer == 0)
 		return;
@@ -158,7 +167,7 @@ next_told(const struct session *s)
 	size_t from = check || validate;
 	size_t to = view.n_sentence - !check;
 	if (validate)
-		tell_held_out(s, &s->entry[s->current]);
+		note_held_out(s, &s->entry[s->current]);
 	for (size_t i = from; i < to; i++)
 		session_note(s, "%s", view.sentence[i].text);
 	if (check && view.n_row > 0)

@@ -6,9 +6,9 @@
 #include "cmd/session/session.h"
 
 /* The next step: a command line, or NULL where no line fits, and a sentence for
- * people: a question or, without a line, what to type.  brief: next_told tells
- * the results of the line's commands.  stage: how far the session is; it starts
- * again with another fit. */
+ * people: a question or, without a line, what to type.  brief:
+ * next_note_offered tells the results of the line's commands.  stage: how far
+ * the session is; it starts again with another fit. */
 struct next {
 	const char *line, *words;
 	bool brief;
@@ -25,6 +25,6 @@ struct next {
 struct next next_step(const struct session *s);
 
 /* Prints the results of check, calibrate and validate in a few lines. */
-void next_told(const struct session *s);
+void next_note_offered(const struct session *s);
 
 #endif

@@ -26,7 +26,7 @@ struct keep {
 static bool
 is_missed(const struct session *s)
 {
-	struct mark now = journal_mark(s);
+	struct mark now = journal_place(s);
 	return now.state != s->keep->saved && now.n > now.start;
 }
 
@@ -34,7 +34,7 @@ static void
 autosave_put_script(const void *data, FILE *out)
 {
 	const struct session *s = data;
-	struct mark now = journal_mark(s);
+	struct mark now = journal_place(s);
 	size_t n = now.n - now.start;
 	FREED char *name =
 	    s->n_entry > 0 ? xasprintf(", %s", s->entry[s->current].site->name)
@@ -56,7 +56,7 @@ autosave_begin(struct session *s)
 		return NULL;
 	s->keep = xcalloc(1, sizeof *s->keep);
 	s->keep->kept = kept_new();
-	s->keep->written = journal_mark(s);
+	s->keep->written = journal_place(s);
 	s->keep->saved = s->keep->written.state;
 	size_t n;
 	static const char *const MONTHS[] = {N_("January"), N_("February"),
@@ -81,10 +81,10 @@ autosave_begin(struct session *s)
 }
 
 static void
-write_it(struct session *s)
+write_autosave(struct session *s)
 {
 	struct keep *k = s->keep;
-	struct mark now = journal_mark(s);
+	struct mark now = journal_place(s);
 	/* What reset or restore has put aside is still there for who did not
 	 * mean it. */
 	if (now.start != k->written.start)
@@ -126,10 +126,10 @@ failed_to_restore(struct keep *k, bool ok)
 /* Predictions in a row, which the slider makes, are one line of the journal
  * and change nothing: they cost no writing. */
 void
-autosave_turn(struct session *s, bool ok, bool saved)
+autosave_after_command(struct session *s, bool ok, bool saved)
 {
 	struct keep *k = s->keep;
-	struct mark now = journal_mark(s);
+	struct mark now = journal_place(s);
 	if (k == NULL)
 		return;
 	if (ok && saved) {
@@ -142,7 +142,7 @@ autosave_turn(struct session *s, bool ok, bool saved)
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
 	    now.state != k->written.state)
-		write_it(s);
+		write_autosave(s);
 }
 
 void
@@ -152,7 +152,7 @@ autosave_end(struct session *s)
 	if (k == NULL)
 		return;
 	if (is_missed(s)) {
-		write_it(s);
+		write_autosave(s);
 		if (k->error.kind == ERROR_NONE)
 			remove_restored(k);
 		else
@@ -201,5 +201,5 @@ autosave_list(struct session *s)
 				  "FILE' for any of them")
 			     : N_("there is none"));
 	kept_files_free(file, n);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

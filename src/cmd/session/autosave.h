@@ -18,7 +18,7 @@ char *autosave_begin(struct session *s);
 
 /* Called after each command.  saved: a file of the user's now contains the
  * session. */
-void autosave_turn(struct session *s, bool ok, bool saved);
+void autosave_after_command(struct session *s, bool ok, bool saved);
 
 /* Called at the session's end; notes an error if the session could not be
  * kept. */

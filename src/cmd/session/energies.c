@@ -12,23 +12,14 @@
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
 
-static const double CUT = 10, DENSITY = 2700;
-
 const struct energies *
-energies_last(const struct session *s, struct error *error)
+energies_loaded(const struct session *s, struct error *error)
 {
 	if (s->energy == NULL)
 		error_set(error, ERROR_USAGE,
 		    "no collision energies are loaded\n"
 		    "load some: energy load FILE");
 	return s->energy;
-}
-
-struct collisions_way
-energies_way(void)
-{
-	return (struct collisions_way){
-	    .speed = NAN, .cut = CUT, .density = DENSITY};
 }
 
 void
@@ -43,7 +34,7 @@ energies_free(struct energies *e)
 /* Whether the user wants no more; tells those who wait at a prompt how far it
  * is. */
 static bool
-on_the_way(void *data, uint64_t rows)
+report_rows_read(void *data, uint64_t rows)
 {
 	const struct session *s = data;
 	const uint64_t often = 1 << 21;
@@ -66,16 +57,14 @@ energies_name_of(const char *path)
 
 const struct energies *
 energies_read(struct session *s, const char *path,
-    const struct collisions_way *way, struct error *error)
+    const struct collisions_way *way, double cut, struct error *error)
 {
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct collisions_way told = *way;
 	struct collisions c;
-	told.progress = on_the_way;
+	told.progress = report_rows_read;
 	told.data = s;
-	files_reads(s, path);
-	if (way->particles != NULL)
-		files_reads(s, way->particles);
+	files_note_read(s, path);
 	if (!collisions_read(path, &told, &c, &errors)) {
 		session_tell_faults(s, path, &errors, error);
 		return NULL;
@@ -83,7 +72,7 @@ energies_read(struct session *s, const char *path,
 	struct energies *e = xcalloc(1, sizeof *e);
 	*e = (struct energies){.name = energies_name_of(path),
 	    .path = xstrdup(path),
-	    .cut = way->cut,
+	    .cut = cut,
 	    .c = c};
 	s->energies =
 	    xrealloc(s->energies, s->n_energies + 1, sizeof(*s->energies));
@@ -103,9 +92,10 @@ energies_set(struct session *s, const char *path, struct error *error)
 		if (strcmp(s->energies[i]->path, path) == 0 ||
 		    strcmp(s->energies[i]->name, path) == 0)
 			found = s->energies[i];
-	struct collisions_way way = energies_way();
 	if (found == NULL)
-		found = energies_read(s, path, &way, error);
+		found = energies_read(s, path,
+		    &(struct collisions_way){.speed = NAN}, ENERGIES_CUT,
+		    error);
 	if (found == NULL)
 		return false;
 	if (!(found->c.spectrum->speed > 0))

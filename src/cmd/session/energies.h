@@ -6,8 +6,12 @@
 #include "cmd/session/session.h"
 #include "io/formats/collisions.h"
 
+/* J/kg; impacts below it are not shown and do not count in the model, unless
+ * told otherwise. */
+enum { ENERGIES_CUT = 10 };
+
 /* A file that was read; not changed afterwards.  name: the file's name without
- * its ending; cut: the cut it was read with, J/kg. */
+ * its ending; cut: of the impacts that count, J/kg. */
 struct energies {
 	char *name, *path;
 	double cut;
@@ -17,16 +21,13 @@ struct energies {
 /* Reads a file and keeps it until the session ends.  A file already read in the
  * same way is not read again.  NULL with an error. */
 const struct energies *energies_read(struct session *s, const char *path,
-    const struct collisions_way *way, struct error *error);
+    const struct collisions_way *way, double cut, struct error *error);
 
 void energies_free(struct energies *e);
 
 /* Returns the energies read last; NULL with an error where there are none. */
-const struct energies *energies_last(
+const struct energies *energies_loaded(
     const struct session *s, struct error *error);
-
-/* Returns the defaults for reading: cut 10 J/kg, 2700 kg/m3. */
-struct collisions_way energies_way(void);
 
 /* Makes the model use the energies of a file instead of the single energy
  * (D15), or for "off" the single energy again.  False with an error, also for a

@@ -38,7 +38,7 @@ files_of(struct session *s)
 }
 
 static void
-note(struct session *s, const char *path, bool written)
+note_file(struct session *s, const char *path, bool written)
 {
 	struct files *f = files_of(s);
 	uint64_t digest = text_digest(TEXT_DIGEST_START, path, strlen(path));
@@ -71,10 +71,10 @@ files_digest(const char *path, uint64_t *digest)
 }
 
 void
-files_reads(struct session *s, const char *path)
+files_note_read(struct session *s, const char *path)
 {
 	uint64_t digest;
-	note(s, path, false);
+	note_file(s, path, false);
 	if (!files_digest(path, &digest))
 		return;
 	struct files *f = s->files;
@@ -96,13 +96,13 @@ files_reading(const struct session *s, size_t i, uint64_t *digest)
 }
 
 void
-files_wrote(struct session *s, const char *path)
+files_note_written(struct session *s, const char *path)
 {
-	note(s, path, true);
+	note_file(s, path, true);
 }
 
 void
-files_holds(struct session *s, const char *path, bool saved)
+files_set_holder(struct session *s, const char *path, bool saved)
 {
 	struct files *f = files_of(s);
 	char *holder = xstrdup(path);
@@ -110,7 +110,7 @@ files_holds(struct session *s, const char *path, bool saved)
 	f->holder = holder;
 	f->saved = saved;
 	if (saved)
-		files_wrote(s, path);
+		files_note_written(s, path);
 }
 
 const char *

@@ -10,16 +10,17 @@
 
 #include "cmd/session/session.h"
 
-/* files_reads notes a file that a command is about to read, files_wrote one
- * that it has written. */
-void files_reads(struct session *s, const char *path);
-void files_wrote(struct session *s, const char *path);
+/* files_note_read notes a file that a command is about to read,
+ * files_note_written one that it has written. */
+void files_note_read(struct session *s, const char *path);
+void files_note_written(struct session *s, const char *path);
 
 /* Notes the script that contains the session, because it was restored from it
  * or, saved, saved to it. */
-void files_holds(struct session *s, const char *path, bool saved);
+void files_set_holder(struct session *s, const char *path, bool saved);
 
-/* Returns the script noted by files_holds, or NULL; saved: out, or NULL. */
+/* Returns the script noted by files_set_holder, or NULL; saved: out, or
+ * NULL. */
 const char *files_holder(const struct session *s, bool *saved);
 
 /* True if path can be written and is neither a file that the session has read

@@ -21,7 +21,7 @@ struct journal {
 };
 
 struct mark
-journal_mark(const struct session *s)
+journal_place(const struct session *s)
 {
 	const struct journal *j = s->journal;
 	return (struct mark){j->n, j->start, j->state};
@@ -41,9 +41,9 @@ journal_append(struct journal *j, char *line)
 }
 
 struct tail
-journal_cut(struct session *s, struct mark mark)
+journal_cut_after(struct session *s, struct mark mark)
 {
-	struct tail tail = {.from = mark, .to = journal_mark(s)};
+	struct tail tail = {.from = mark, .to = journal_place(s)};
 	struct journal *j = s->journal;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
@@ -200,7 +200,7 @@ journal_check(
 /* The option of the call that the word gives, or NULL; file: whether its value
  * names one. */
 static const struct command_option *
-given_by(const struct args *args, const char *word, bool *file)
+option_of_word(const struct args *args, const char *word, bool *file)
 {
 	const struct command_option *o;
 	const char *equals = strchr(word, '=');
@@ -232,18 +232,18 @@ is_path(const struct args *args, const char *word)
 		return false;
 	const char *verbs = args->command->operands.expect[0];
 	bool verb = i == 0 && islower((unsigned char)word[0]) &&
-		    verbs != NULL && text_choice(verbs, word, &which);
+		    verbs != NULL && text_find_word(verbs, word, &which);
 	if (args->command->flags & COMMAND_FILES)
 		return !verb;
 	return (args->command->flags & COMMAND_SPEC) &&
-	       !text_choice("use list off", word, &which) &&
+	       !text_find_word("use list off", word, &which) &&
 	       standards_is_path(word);
 }
 
 /* What a script that is run again leaves out: where a calibration was stopped,
  * which has a line of its own, and a sheet that is there by then. */
 static bool
-not_again(const struct command_option *o)
+is_left_out_of_script(const struct command_option *o)
 {
 	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
 }
@@ -255,8 +255,9 @@ journal_line(const struct args *args, const struct words *words)
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
 		bool file = false;
-		const struct command_option *o = given_by(args, word, &file);
-		if (o != NULL && not_again(o))
+		const struct command_option *o =
+		    option_of_word(args, word, &file);
+		if (o != NULL && is_left_out_of_script(o))
 			continue;
 		bool names = o != NULL && o->kind == VALUE_SPEC &&
 			     standards_is_path(strchr(word, '=') + 1);

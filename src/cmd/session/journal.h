@@ -16,7 +16,7 @@ struct mark {
 	size_t n, start, state;
 };
 
-struct mark journal_mark(const struct session *s);
+struct mark journal_place(const struct session *s);
 
 /* Lines cut off the end of the journal, to be put back later. */
 struct tail {
@@ -25,7 +25,7 @@ struct tail {
 	struct mark from, to; /* the journal before the lines and after them */
 };
 
-struct tail journal_cut(struct session *s, struct mark mark);
+struct tail journal_cut_after(struct session *s, struct mark mark);
 void journal_paste(struct session *s, struct tail *tail);
 void tail_free(struct tail *tail);
 

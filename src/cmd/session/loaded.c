@@ -20,7 +20,7 @@ forget_ensembles(struct history *h)
 }
 
 void
-history_redraw(struct history *h, double noise, unsigned seed)
+history_draw_again(struct history *h, double noise, unsigned seed)
 {
 	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
 		posterior_free(h->posterior[i]);
@@ -74,7 +74,7 @@ history_drop(struct history *h)
 {
 	if (h == NULL || --h->holders > 0)
 		return;
-	history_redraw(h, 0, 0);
+	history_draw_again(h, 0, 0);
 	free(h->generation);
 	free(h->train);
 	free(h);
@@ -138,7 +138,7 @@ origin_new_by_hand(void)
 }
 
 struct origin *
-origin_taken(const struct entry *from)
+origin_of_params_taken(const struct entry *from)
 {
 	struct origin *was = from->origin;
 	if (was->whose[0] != '\0')
@@ -163,7 +163,7 @@ set_material(struct origin *o, const struct stored *m)
 }
 
 struct origin *
-origin_remembered(const struct entry *entry, const struct stored *m)
+origin_of_remembered(const struct entry *entry, const struct stored *m)
 {
 	struct origin *o = origin_of_fit(entry);
 	free(o->words);
@@ -183,7 +183,7 @@ origin_is_stored(const struct origin *o)
 }
 
 struct origin *
-origin_stored(const struct stored *m)
+origin_from_store(const struct stored *m)
 {
 	struct origin *o = origin_new(
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);

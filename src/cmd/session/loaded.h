@@ -40,7 +40,7 @@ struct history {
 		const struct site *site; /* NULL: not compared yet */
 		size_t n;
 		double rms, speed;
-		bool missed;
+		bool missed, off;
 	} later;
 	struct alarm {
 		const struct site *site; /* NULL: not followed yet */
@@ -134,7 +134,7 @@ void history_drop(struct history *history);
 
 /* Discards the draws, so that they are drawn again with another noise or
  * seed. */
-void history_redraw(struct history *history, double noise, unsigned seed);
+void history_draw_again(struct history *history, double noise, unsigned seed);
 
 /* Discards what was computed for a site that is being removed. */
 void history_forget(struct history *history, const struct site *site);
@@ -144,9 +144,9 @@ void history_forget(struct history *history, const struct site *site);
  * site's own fit that a material kept.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_new_by_hand(void);
-struct origin *origin_taken(const struct entry *from);
-struct origin *origin_stored(const struct stored *m);
-struct origin *origin_remembered(
+struct origin *origin_of_params_taken(const struct entry *from);
+struct origin *origin_from_store(const struct stored *m);
+struct origin *origin_of_remembered(
     const struct entry *entry, const struct stored *m);
 
 /* True if the parameters were recalled from the store. */

@@ -58,7 +58,7 @@ static const char *const OTHER_BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
 
 /* The form of the file that the words name, for a command. */
 static const struct output *
-output_of(const struct command *command, const struct words *words)
+find_output(const struct command *command, const struct words *words)
 {
 	bool draws = (command->flags & COMMAND_DRAWS) != 0;
 	const struct output *o = OUTPUTS;
@@ -71,7 +71,7 @@ output_of(const struct command *command, const struct words *words)
 
 /* A kind of workbook that is not written: the same line with one that is. */
 static bool
-no_book(const struct command *command, const struct words *words,
+error_no_such_workbook(const struct command *command, const struct words *words,
     struct error *error)
 {
 	const char *target = words->target, *end = strrchr(target, '.');
@@ -89,11 +89,11 @@ no_book(const struct command *command, const struct words *words,
 
 /* An image wants a command that draws. */
 static bool
-draws_none(
+error_command_draws_nothing(
     const struct command *command, const char *target, struct error *error)
 {
 	size_t kind;
-	if (text_choice(
+	if (text_find_word(
 		command_find("plot")->operands.expect[0], command->name, &kind))
 		return error_set(error, ERROR_USAGE,
 		    "%s makes no image for %s\n"
@@ -107,7 +107,8 @@ draws_none(
 
 /* What is one whole has no end that more could be added to. */
 static bool
-redirect_no_end(enum output_kind kind, const char *target, struct error *error)
+error_cannot_append(
+    enum output_kind kind, const char *target, struct error *error)
 {
 	if (kind == OUTPUT_PICTURE)
 		return error_set(error, ERROR_USAGE,
@@ -130,18 +131,18 @@ redirect_allowed(const struct command *command, const struct words *words,
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
 		if (text_ends(target, OTHER_BOOKS[i]))
-			return no_book(command, words, error);
+			return error_no_such_workbook(command, words, error);
 	bool image = picture_form_of(target, &form);
-	enum output_kind kind = output_of(command, words)->kind;
+	enum output_kind kind = find_output(command, words)->kind;
 	if (image && !picture_can(form))
 		return error_set(error, ERROR_USAGE,
 		    "this program draws %s, not %s\n> FILE.%s works",
 		    picture_forms(), strrchr(target, '.') + 1,
 		    kind == OUTPUT_PDF ? tr("html") : "svg");
 	if (image && kind == OUTPUT_ANSWERS)
-		return draws_none(command, target, error);
+		return error_command_draws_nothing(command, target, error);
 	return words->to != TO_END || kind == OUTPUT_ANSWERS ||
-	       redirect_no_end(kind, target, error);
+	       error_cannot_append(kind, target, error);
 }
 
 struct redirect {
@@ -187,7 +188,7 @@ redirect_open(struct session *s, const struct command *command,
 		return NULL;
 	if (words->to == TO_FILE && !files_may_replace(s, words->target, error))
 		return NULL;
-	const struct output *output = output_of(command, words);
+	const struct output *output = find_output(command, words);
 	struct redirect *r = xcalloc(1, sizeof *r);
 	r->kind = output->kind;
 	r->line = xstrdup(words->typed);
@@ -241,12 +242,12 @@ put_mark(struct redirect *r)
 
 /* "12 rows" of a table, "24 lines" of other text; a picture has neither. */
 static char *
-extent(const struct redirect *r, size_t rows)
+extent_words(const struct redirect *r, size_t rows)
 {
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
 	if (r->document != NULL) {
-		char *text = document_extent(r->document);
+		char *text = document_extent_words(r->document);
 		if (r->pages > 0)
 			xlist(&text, ", ",
 			    tr_n("%zu page", "%zu pages", r->pages), r->pages);
@@ -275,8 +276,8 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	FREED char *what = extent(r, s->rows);
-	files_wrote(s, r->target);
+	FREED char *what = extent_words(r, s->rows);
+	files_note_written(s, r->target);
 	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
 	    r->target, what);
 	return true;
@@ -284,21 +285,21 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 
 /* What the results rest on. */
 static void
-tell_about(struct session *s, const struct redirect *r)
+add_about_sheet(struct session *s, const struct redirect *r)
 {
-	book_about(r->book, "program", "tipspeed " PACKAGE_VERSION);
-	book_about(r->book, "command", r->line);
+	book_add_about(r->book, "program", "tipspeed " PACKAGE_VERSION);
+	book_add_about(r->book, "command", r->line);
 	if (!book_has_site(r->book) || s->n_entry == 0)
 		return;
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	FREED char *label = session_label(site);
+	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds(site, ", ", NULL, true);
-	book_about(r->book, "site", label);
-	book_about(r->book, "file", site->path);
-	book_about(r->book, "provenance", site->provenance);
-	book_about(r->book, "speeds, m/s", speeds);
-	book_about(r->book, "parameters", origin_words(entry));
+	book_add_about(r->book, "site", label);
+	book_add_about(r->book, "file", site->path);
+	book_add_about(r->book, "provenance", site->provenance);
+	book_add_about(r->book, "speeds, m/s", speeds);
+	book_add_about(r->book, "parameters", origin_words(entry));
 	const struct breakage *model = BREAKAGES[entry->params.breakage];
 	for (size_t j = 0; entry->has_params && j < model->n; j++) {
 		const struct param_info *p = &model->parameter[j];
@@ -306,7 +307,7 @@ tell_about(struct session *s, const struct redirect *r)
 		bool bare = strcmp(p->unit, "-") == 0;
 		FREED char *name = xasprintf(
 		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
-		book_about(r->book, name,
+		book_add_about(r->book, name,
 		    text_exact(params_value(&entry->params, p->name), number));
 	}
 }
@@ -320,7 +321,7 @@ bind_book(struct session *s, struct redirect *r, struct error *error)
 		    "no table for a workbook (%s)\n"
 		    "write > FILE.txt instead",
 		    r->target);
-	tell_about(s, r);
+	add_about_sheet(s, r);
 	free(r->text);
 	r->text = book_finish(r->book, &r->n, error);
 	r->book = NULL;
@@ -348,7 +349,7 @@ bind_document(struct redirect *r, struct error *error)
 
 /* How the shell command ended.  One that ^C ended passes it on. */
 static bool
-judge_shell(const struct redirect *r, int status, struct error *error)
+check_shell_status(const struct redirect *r, int status, struct error *error)
 {
 	if (status == 0)
 		return true;
@@ -385,7 +386,7 @@ write_pipe(const struct redirect *r, struct error *error)
 	int status = pclose(out);
 	sigaction(SIGPIPE, &pipe, NULL);
 	sigaction(SIGINT, &interrupt, NULL);
-	return judge_shell(r, status, error);
+	return check_shell_status(r, status, error);
 }
 
 bool

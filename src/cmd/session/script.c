@@ -24,7 +24,7 @@ struct script {
 };
 
 static struct script *
-push(struct session *s, FILE *in, const char *name)
+push_script(struct session *s, FILE *in, const char *name)
 {
 	struct script *script = xcalloc(1, sizeof *script);
 	script->outer = s->script;
@@ -52,7 +52,7 @@ script_count(FILE *in)
 	bool more = false;
 	if (begin < 0)
 		return 0;
-	while (text_line(&line, &n, &room, in) == TEXT_LINE) {
+	while (text_read_line(&line, &n, &room, in) == TEXT_LINE) {
 		commands += !more && is_command(line);
 		more = script_goes_on(line);
 		n = 0;
@@ -69,7 +69,7 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "expected scripts nested at most %d deep\n"
 		    "does %s source itself?",
 		    (int)DEEPEST, path);
-	files_reads(s, path);
+	files_note_read(s, path);
 	const char *why;
 	FILE *in = textfile_open(path, &why);
 	if (in == NULL)
@@ -78,21 +78,21 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "check the name (quote names with spaces), the folder and "
 		    "its permissions",
 		    path, why);
-	push(s, in, path)->at.of = script_count(in);
+	push_script(s, in, path)->at.of = script_count(in);
 	return true;
 }
 
 void
 script_open_stream(struct session *s, FILE *in, const char *name)
 {
-	push(s, in, name)->borrowed = true;
+	push_script(s, in, name)->borrowed = true;
 }
 
 void
 script_open_text(
     struct session *s, const char *text, const char *name, int line)
 {
-	struct script *script = push(s, NULL, name);
+	struct script *script = push_script(s, NULL, name);
 	script->text = xstrdup(text);
 	script->in = fmemopen(script->text, strlen(text), "r");
 	script->number = line;
@@ -153,8 +153,9 @@ join(struct script *script, int *first, struct error *error)
 	size_t n = 0, room = 0, from = 0;
 	enum text_line got = TEXT_LINE;
 	bool more = true, good = true, any = false;
-	while (more && good &&
-	       (got = text_line(&line, &n, &room, script->in)) == TEXT_LINE) {
+	while (
+	    more && good &&
+	    (got = text_read_line(&line, &n, &room, script->in)) == TEXT_LINE) {
 		script->number += !script->one_number;
 		good = check_text(script, line + from, n - from, error);
 		/* Some editors begin UTF-8 with a byte order mark. */

@@ -41,7 +41,7 @@ session_tell_faults(const struct session *s, const char *path,
 /* Exact results keep every byte where a program may read them, and are shown as
  * text where they go to a terminal. */
 static size_t
-show_exact(struct session *s, const struct answer_form *form,
+print_exact(struct session *s, const struct answer_form *form,
     const struct answer *answer)
 {
 	char *text = NULL, *save = NULL;
@@ -60,7 +60,7 @@ show_exact(struct session *s, const struct answer_form *form,
 
 /* Takes the answer at a place out of those kept. */
 static void
-let_go(struct session *s, size_t i)
+forget_answer_at(struct session *s, size_t i)
 {
 	answer_free(s->answer[i]);
 	memmove(&s->answer[i], &s->answer[i + 1],
@@ -71,11 +71,11 @@ void
 session_forget(struct session *s)
 {
 	while (s->n_answer > 0)
-		let_go(s, s->n_answer - 1);
+		forget_answer_at(s, s->n_answer - 1);
 }
 
 void
-session_keep(struct session *s, struct answer *answer)
+session_keep_answer(struct session *s, struct answer *answer)
 {
 	const char *command = answer_command(answer);
 	if (!answer_has_fields(answer)) {
@@ -84,24 +84,26 @@ session_keep(struct session *s, struct answer *answer)
 	}
 	for (size_t i = s->n_answer; i-- > 0;)
 		if (strcmp(answer_command(s->answer[i]), command) == 0)
-			let_go(s, i);
+			forget_answer_at(s, i);
 	s->answer = xrealloc(s->answer, s->n_answer + 1, sizeof *s->answer);
 	s->answer[s->n_answer++] = answer;
 }
 
 double
-session_known(const struct session *s, const char *commands, const char *path)
+session_answer_number(
+    const struct session *s, const char *commands, const char *path)
 {
 	size_t which;
 	double value = NAN;
 	for (size_t i = s->n_answer; i-- > 0 && isnan(value);)
-		if (text_choice(commands, answer_command(s->answer[i]), &which))
+		if (text_find_word(
+			commands, answer_command(s->answer[i]), &which))
 			value = answer_number(s->answer[i], path);
 	return value;
 }
 
 bool
-session_answer(struct session *s, struct answer *answer)
+session_show_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
 	if (s->hooks.tidy != NULL)
@@ -112,10 +114,10 @@ session_answer(struct session *s, struct answer *answer)
 		s->rows += document_answer(s->document, answer);
 	else
 		s->rows += form->exact && s->screen.columns > 0
-			       ? show_exact(s, form, answer)
+			       ? print_exact(s, form, answer)
 			       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
-	session_keep(s, answer);
+	session_keep_answer(s, answer);
 	return true;
 }
 
@@ -166,7 +168,7 @@ session_clock(void)
 }
 
 char *
-session_label(const struct site *site)
+session_site_label(const struct site *site)
 {
 	FREED char *size = site->top_size > 0 ? xasprintf(tr(", %g mm"),
 						    units_mm(site->top_size))

@@ -53,11 +53,11 @@ struct job {
 				     * NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
-	double started; /* s, of a clock that only goes forward */
-	double stopped; /* by the same clock, if it is paused */
+	double started;                /* s, of a monotonic clock */
+	double stopped;                /* by the same clock, if it is paused */
 	struct calibrate_options options;
 	bool *train;
-	bool fits;          /* its rounds are of their sites' own fits */
+	bool fits;          /* each round is its site's own fit */
 	bool detail;        /* reports the search, and all of the fit */
 	bool watch;         /* its curves are drawn while it goes on */
 	bool paused;        /* stopped by ^C; `continue` goes on */
@@ -99,7 +99,7 @@ struct session {
 	struct entry *entry;
 	struct choices set;
 	bool prompt;     /* lines are typed by a user */
-	size_t typed_at; /* while so many scripts are open */
+	size_t typed_at; /* number of open scripts at which lines are typed */
 	enum isa isa;    /* most that calibrations may use */
 	bool safe;       /* neither commands nor keys may touch files or
 			       the shell */
@@ -112,7 +112,8 @@ struct session {
 	struct document *document; /* document that collects them, or NULL */
 	size_t rows;               /* reported to the present target */
 	size_t n_answer;
-	struct answer **answer; /* kept, the newest last: see session_keep */
+	struct answer *
+	    *answer; /* kept, the newest last: see session_keep_answer */
 	struct job job;
 	struct hooks hooks;  /* functions of the driver */
 	struct files *files; /* read and written, see files.h; or NULL */
@@ -165,16 +166,16 @@ bool session_tell_faults(const struct session *s, const char *path,
 
 /* Prints an answer in the format that is set, and keeps it.  Returns true, for
  * a command to end with. */
-bool session_answer(struct session *s, struct answer *answer);
+bool session_show_answer(struct session *s, struct answer *answer);
 
 /* Keeps an answer, which the session then owns, as the newest of its command.
  * An answer without fields is freed instead, as nothing could be read from
  * it. */
-void session_keep(struct session *s, struct answer *answer);
+void session_keep_answer(struct session *s, struct answer *answer);
 
 /* Returns the number of a field, see answer_number, from the newest answer that
  * has it, of the commands listed, with a space between two; else NAN. */
-double session_known(
+double session_answer_number(
     const struct session *s, const char *commands, const char *path);
 
 /* Sets whether texts are translated: they are unless the results are for
@@ -196,7 +197,7 @@ const struct entry *session_fitting(const struct session *s);
 double session_clock(void);
 
 /* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */
-char *session_label(const struct site *site);
+char *session_site_label(const struct site *site);
 
 /* Returns "69, 79 (2 runs)": speeds of the runs with a product that have mark
  * [n_run] equal to `marked`; mark NULL: of all.  between: put between two

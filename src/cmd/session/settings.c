@@ -94,7 +94,7 @@ settings_default(void)
 		const char *word = r->option.fallback;
 		if (word[0] == '\0')
 			continue;
-		bool ok = value_take(&r->option, word, &value, &error);
+		bool ok = value_read(&r->option, word, &value, &error);
 		assert(ok);
 		(void)ok;
 		settings_put(r, &value, &set);

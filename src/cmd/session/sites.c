@@ -134,7 +134,7 @@ sites_insert(struct session *s, struct site *site, size_t place)
  * by another name of the file.  To ask the system of each would take a fleet
  * longer than to read its files. */
 static size_t
-former(const struct session *s, const struct site *site)
+find_site_of_file(const struct session *s, const struct site *site)
 {
 	struct stat file, other;
 	if (stat(site->path, &file) != 0)
@@ -153,7 +153,7 @@ former(const struct session *s, const struct site *site)
 void
 session_add(struct session *s, struct site *site)
 {
-	size_t place = former(s, site);
+	size_t place = find_site_of_file(s, site);
 	if (place < s->n_entry) {
 		session_note(
 		    s, "replaced %s, loaded earlier", s->entry[place].key);
@@ -213,7 +213,7 @@ session_mend(struct session *s, size_t index, struct site *site)
 /* Runs that a fit was trained on stay those; without one they are chosen
  * anew. */
 void
-session_grow(struct session *s, struct site *site, const size_t *from)
+session_replace_site(struct session *s, struct site *site, const size_t *from)
 {
 	struct entry *entry = session_entry(s);
 	if (s->job.calibration != NULL && s->job.entry == s->current)
@@ -232,7 +232,7 @@ session_grow(struct session *s, struct site *site, const size_t *from)
 
 /* The slug of a name, with '-' for '_', as somebody may type it from memory. */
 static char *
-loose_slug(const char *name)
+slug_with_dashes(const char *name)
 {
 	char *slug = name_slug(name);
 	for (char *p = slug; *p != '\0'; p++)
@@ -243,13 +243,14 @@ loose_slug(const char *name)
 /* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
  * top size, 3 by its key. */
 static int
-answers(const struct entry *entry, const char *wanted)
+match_name(const struct entry *entry, const char *wanted)
 {
 	FREED char *name = name_slug(entry->site->name);
 	FREED char *sized =
 	    xasprintf("%s/%g", name, units_mm(entry->site->top_size));
-	FREED char *folded = text_fold(wanted), *slug = loose_slug(wanted);
-	FREED char *loose = loose_slug(entry->site->name);
+	FREED char *folded = text_fold(wanted),
+		   *slug = slug_with_dashes(wanted);
+	FREED char *loose = slug_with_dashes(entry->site->name);
 	int match = 0;
 	if (strcmp(entry->key, folded) == 0)
 		match = 3;
@@ -266,7 +267,7 @@ sites_list_keys(const struct session *s, const char *wanted)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (wanted == NULL || answers(&s->entry[i], wanted) > 0)
+		if (wanted == NULL || match_name(&s->entry[i], wanted) > 0)
 			xlist(&list, ", ", "%s", s->entry[i].key);
 	return list;
 }
@@ -278,7 +279,7 @@ session_find(
 	int best = 0;
 	size_t found = 0, last = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		int match = answers(&s->entry[i], name);
+		int match = match_name(&s->entry[i], name);
 		if (match == 0 || match < best)
 			continue;
 		found = match > best ? 1 : found + 1;
@@ -300,7 +301,7 @@ session_find(
 }
 
 bool
-session_take(struct session *s, struct site *site, const char *digest,
+session_add_loaded(struct session *s, struct site *site, const char *digest,
     struct error *error)
 {
 	char found[17];

@@ -24,7 +24,8 @@ bool session_mend(struct session *s, size_t index, struct site *site);
 /* Replaces the site in use with one that has more runs, which the session then
  * owns; from [n_run]: see site_with_cuts.  Its parameters and its fit stay, as
  * found on the former numbers; the new runs are held out. */
-void session_grow(struct session *s, struct site *site, const size_t *from);
+void session_replace_site(
+    struct session *s, struct site *site, const size_t *from);
 
 /* Finds a loaded site by name without case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  If several or none match, the error
@@ -34,7 +35,7 @@ bool session_find(
 
 /* Adds a site that was read, which the session then owns; refuses it if its
  * digest differs from `digest`, hexadecimal digits or NULL. */
-bool session_take(struct session *s, struct site *site, const char *digest,
-    struct error *error);
+bool session_add_loaded(struct session *s, struct site *site,
+    const char *digest, struct error *error);
 
 #endif

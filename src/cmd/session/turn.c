@@ -96,13 +96,13 @@ invocation_begin(struct session *s, const struct args *args,
 	if (words->to != TO_SCREEN && redirect_allowed(command, words, error))
 		t->redirect = redirect_open(s, command, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
-		error_place(error, place.file, place.line, t->column);
+		error_set_place(error, place.file, place.line, t->column);
 		free(t);
 		return false;
 	}
 	t->label = journal_label(command, words);
 	t->line = journal_line(args, words);
-	t->state = journal_mark(s).state;
+	t->state = journal_place(s).state;
 	t->steps = undo_depth(s);
 	t->readings = files_readings(s);
 	if (command->flags & COMMAND_CHANGES)
@@ -122,7 +122,7 @@ invocation_stopped(struct session *s, size_t steps)
 }
 
 void
-invocation_joins(struct session *s)
+invocation_join_undo(struct session *s)
 {
 	s->invocation->joins = true;
 }
@@ -163,7 +163,7 @@ is_redirected(const struct invocation *t)
 }
 
 static bool
-came_to_nothing(const struct invocation *t)
+was_stopped_at_start(const struct invocation *t)
 {
 	return t->stopped && t->stopped_at == 0;
 }
@@ -186,7 +186,7 @@ record_files(struct session *s, const struct invocation *t, const char *latest)
 
 /* What went elsewhere is not done again, but for what it changed. */
 static void
-record(struct session *s, const struct invocation *t, bool changed)
+record_in_journal(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t);
 	const char *latest =
@@ -196,7 +196,7 @@ record(struct session *s, const struct invocation *t, bool changed)
 	bool between = session_busy(s) && s->job.invocation != t &&
 		       t->command->setting == NULL;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
-	    between || came_to_nothing(t))
+	    between || was_stopped_at_start(t))
 		return;
 	char pause[32] = "";
 	if (t->stopped)
@@ -211,12 +211,12 @@ invocation_asked(struct session *s, const char *command, const char *line)
 {
 	if (!is_redirected(s->invocation) && !session_busy(s))
 		journal_add(s, command, "%s", line);
-	autosave_turn(s, true, false);
+	autosave_after_command(s, true, false);
 }
 
 /* Where the outermost invocation began, for one within it. */
 static size_t
-floor_of(const struct invocation *t)
+outermost_start(const struct invocation *t)
 {
 	size_t floor = SIZE_MAX;
 	for (t = t->outer; t != NULL; t = t->outer)
@@ -233,13 +233,13 @@ invocation_free(struct invocation *t)
 }
 
 void
-invocation_ran(struct session *s)
+invocation_set_ran(struct session *s)
 {
 	s->invocation->running = false;
 }
 
 bool
-invocation_over(const struct session *s)
+invocation_is_over(const struct session *s)
 {
 	bool working = session_busy(s) && s->job.invocation == s->invocation;
 	return !working && !s->invocation->running &&
@@ -252,20 +252,21 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	struct invocation *t = s->invocation;
 	/* The answer of a check that says no is a result. */
 	bool keep = ok || error->kind == ERROR_CHECK;
-	bool changed = t->before != NULL && !came_to_nothing(t) &&
+	bool changed = t->before != NULL && !was_stopped_at_start(t) &&
 		       snapshot_differs(t->before, s);
 	s->invocation = t->outer;
 	if (ok)
-		record(s, t, changed);
+		record_in_journal(s, t, changed);
 	if (t->redirect != NULL)
 		redirect_close(s, t->redirect, keep, &t->late);
 	if (ok && t->late.kind != ERROR_NONE) {
 		*error = t->late;
-		error_told_at(error, t->place.file, t->place.line, t->column);
+		error_prefix_place(
+		    error, t->place.file, t->place.line, t->column);
 		ok = false;
 	}
 	if (changed && !t->joins)
-		undo_push(s, t->before, t->steps, floor_of(t), t->label);
+		undo_push(s, t->before, t->steps, outermost_start(t), t->label);
 	else
 		snapshot_free(t->before);
 	if (changed)
@@ -275,9 +276,9 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		    session_clock() - t->started);
 	/* The commands of a script may have told of it already. */
 	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
-	    journal_mark(s).state == t->state)
+	    journal_place(s).state == t->state)
 		journal_new_state(s);
-	autosave_turn(s, ok, t->saved);
+	autosave_after_command(s, ok, t->saved);
 	invocation_free(t);
 	return ok;
 }
@@ -285,7 +286,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 bool
 session_settle(struct session *s, bool ok, struct error *error)
 {
-	while (s->invocation != NULL && invocation_over(s))
+	while (s->invocation != NULL && invocation_is_over(s))
 		ok = invocation_end(s, ok, error);
 	return ok;
 }

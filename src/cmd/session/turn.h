@@ -18,18 +18,18 @@ bool invocation_begin(struct session *s, const struct args *args,
 
 /* Called when the innermost command's function has returned.  Lines run before
  * that are invocations within its own. */
-void invocation_ran(struct session *s);
+void invocation_set_ran(struct session *s);
 
 /* True when the innermost command's function has returned, and no job or script
  * of it is left. */
-bool invocation_over(const struct session *s);
+bool invocation_is_over(const struct session *s);
 
 /* Notes that the job was stopped after `steps` steps, so that a saved script
  * stops it there; 0: the job gave no result. */
 void invocation_stopped(struct session *s, size_t steps);
 
 /* Makes the running command's changes part of the undo step before. */
-void invocation_joins(struct session *s);
+void invocation_join_undo(struct session *s);
 
 /* Saves the running command with this option, which it was not given. */
 void invocation_adds(struct session *s, const char *option, const char *value);

@@ -37,7 +37,7 @@ struct snapshot *
 snapshot_take(const struct session *s)
 {
 	struct snapshot *snapshot = xcalloc(1, sizeof *snapshot);
-	*snapshot = (struct snapshot){.mark = journal_mark(s),
+	*snapshot = (struct snapshot){.mark = journal_place(s),
 	    .n_entry = s->n_entry,
 	    .current = s->current,
 	    .entry = copy_entries(s->entry, s->n_entry),
@@ -166,7 +166,8 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
 	cut_steps(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
-		size_t oldest = inner ? floor : 0;
+		/* Keys of many screens that a script draws fill both halves. */
+		size_t oldest = inner && floor < undo->n ? floor : 0;
 		step_free(&undo->step[oldest]);
 		undo->n--;
 		memmove(&undo->step[oldest], &undo->step[oldest + 1],
@@ -184,7 +185,7 @@ undo_back(struct session *s)
 		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
-	step->tail = journal_cut(s, step->before->mark);
+	step->tail = journal_cut_after(s, step->before->mark);
 	snapshot_put(s, step->before);
 	return step->label;
 }
@@ -195,7 +196,7 @@ undo_forth(struct session *s)
 	if (s->undo->done == s->undo->n)
 		return NULL;
 	struct step *step = &s->undo->step[s->undo->done++];
-	step->before->mark = journal_mark(s);
+	step->before->mark = journal_place(s);
 	journal_paste(s, &step->tail);
 	snapshot_put(s, step->after);
 	snapshot_free(step->after);

@@ -91,7 +91,7 @@ ask_user_add_cell(char **line, const char *text, int width, bool right)
 	char shown[TEXT_SHOWN];
 	int at = 0, most = width - 2;
 	for (const char *p = text; *p != '\0';) {
-		int w = text_show(&p, shown);
+		int w = text_escape_next(&p, shown);
 		if (at + w > most)
 			break;
 		xappend(line, "%s", shown);
@@ -138,7 +138,7 @@ wants_speed(const struct site_ask_column *c)
 
 /* "product@69 retained_g" with other words for its role and speed. */
 static char *
-with_role(const struct site_ask_column *c, const char *role)
+guess_with_role(const struct site_ask_column *c, const char *role)
 {
 	const char *unit = strchr(c->guess, ' ');
 	return xasprintf("%s%s", role, unit != NULL ? unit : "");
@@ -156,7 +156,7 @@ offered_role(const struct site_ask_column *c)
 
 /* A speed by itself: of what the column seems to be; a feed has none. */
 static char *
-with_speed(const struct site_ask_column *c, const struct head *head,
+guess_with_speed(const struct site_ask_column *c, const struct head *head,
     char wrong[static WRONG])
 {
 	bool rpm = head->rpm > 0 && !(head->speed > 0);
@@ -178,7 +178,7 @@ with_speed(const struct site_ask_column *c, const struct head *head,
 	}
 	FREED char *said =
 	    xasprintf(rpm ? "%s %s rpm" : "%s@%s", role, text_exact(v, number));
-	char *text = with_role(c, said);
+	char *text = guess_with_role(c, said);
 	free(role);
 	return text;
 }
@@ -206,14 +206,14 @@ ask_user_with_words(const struct site_ask_column *c, const char *said,
 	if (bare && (means & WORD_PRODUCT) != 0) {
 		FREED char *product = xasprintf(
 		    "product@%s", text_exact(head->number[0], number));
-		return with_role(c, product);
+		return guess_with_role(c, product);
 	}
-	return with_role(c, said);
+	return guess_with_role(c, said);
 }
 
 static char *
-sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
-    char wrong[static WRONG])
+read_sieve_answer(const struct site_ask_column *c, const char *said,
+    uint64_t means, char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
@@ -232,7 +232,7 @@ sieve_answer(const struct site_ask_column *c, const char *said, uint64_t means,
  * frees: a speed, words, or what is offered for "".  NULL: it is left out where
  * wrong is "", else wrong says what was expected. */
 static char *
-read_answer(const struct site_ask_column *c, const char *answer,
+read_column_answer(const struct site_ask_column *c, const char *answer,
     char wrong[static WRONG])
 {
 	char *copy = xstrdup(answer), *said = text_trim(copy), *text = NULL;
@@ -254,7 +254,7 @@ read_answer(const struct site_ask_column *c, const char *answer,
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
 	else if (ask_user_is_sieve(c))
-		text = sieve_answer(c, said, means, wrong);
+		text = read_sieve_answer(c, said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
 		    tr("expected a description of this column, got '%.40s'"),
@@ -262,7 +262,7 @@ read_answer(const struct site_ask_column *c, const char *answer,
 	else if ((means & known) != 0)
 		text = ask_user_with_words(c, said, &head, means);
 	else if (speed && head.unknown == 0)
-		text = with_speed(c, &head, wrong);
+		text = guess_with_speed(c, &head, wrong);
 	else if (strcmp(said, "-") != 0)
 		snprintf(wrong, WRONG,
 		    tr("expected a tip speed, feed, product@69 or -, got "
@@ -300,7 +300,8 @@ ask_user_ask_column(
 		good = answer != NULL;
 		rest = good && strcmp(answer, ".") == 0;
 		if (good)
-			words = read_answer(c, rest ? "-" : answer, wrong);
+			words =
+			    read_column_answer(c, rest ? "-" : answer, wrong);
 		free(answer);
 		q->first = false;
 	} while (good && words == NULL && wrong[0] != '\0');
@@ -315,8 +316,8 @@ ask_user_ask_column(
 
 /* The table is a copy: answers are put into it as they come. */
 static bool
-ask_columns(struct session *s, const struct site_ask *ask, const char *file,
-    struct inquired *said)
+ask_about_columns(struct session *s, const struct site_ask *ask,
+    const char *file, struct inquired *said)
 {
 	struct site_ask table = *ask;
 	table.column = xcalloc(ask->n, sizeof *table.column);
@@ -369,7 +370,7 @@ ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
 /* Y, which is what Enter stands for, is the size offered, and a number another
  * one; n gives up: the sheet is refused. */
 static bool
-take_top(const char *settle, const char *said, struct inquired *into,
+read_top_answer(const char *settle, const char *said, struct inquired *into,
     bool *given_up, char *wrong)
 {
 	size_t n = strlen(said);
@@ -385,7 +386,7 @@ take_top(const char *settle, const char *said, struct inquired *into,
 }
 
 static bool
-take_decimal(const char *said, struct inquired *into, char *wrong)
+read_decimal_answer(const char *said, struct inquired *into, char *wrong)
 {
 	bool comma = strcmp(said, ",") == 0 || text_same(said, "comma");
 	bool point = strcmp(said, ".") == 0 || text_same(said, "point");
@@ -398,7 +399,7 @@ take_decimal(const char *said, struct inquired *into, char *wrong)
 
 /* A sheet or range as typed, or what is offered. */
 static bool
-take_place(const char *settle, const char *said, struct inquired *into)
+read_place_answer(const char *settle, const char *said, struct inquired *into)
 {
 	char **slot =
 	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
@@ -424,7 +425,7 @@ ask_user_take_tables(const struct site_ask *ask, const char *said,
 			to = strtoul(end + 1, &end, 10);
 		from = *end == '\0' ? from : 0;
 	} else if (site_box_read(said, &box)) {
-		return take_place("range=", said, into);
+		return read_place_answer("range=", said, into);
 	} else if (said[0] != '\0') {
 		from = 0;
 	}
@@ -448,12 +449,12 @@ ask_user_take_option(const struct site_ask *ask, const char *said,
 	if (ask->tables)
 		return ask_user_take_tables(ask, said, into, wrong);
 	if (strncmp(settle, "top=", 4) == 0)
-		return take_top(settle, said, into, given_up, wrong);
+		return read_top_answer(settle, said, into, given_up, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
 		return ask_user_take_rotor(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
-		return take_decimal(said, into, wrong);
-	return take_place(settle, said, into);
+		return read_decimal_answer(said, into, wrong);
+	return read_place_answer(settle, said, into);
 }
 
 /* What an option that settles a question asks for. */
@@ -528,7 +529,7 @@ is_attended(const struct session *s)
 }
 
 bool
-inquire_either(struct session *s, const struct error *trouble, const char *text,
+ask_either(struct session *s, const struct error *trouble, const char *text,
     const char *const either[2], bool *second)
 {
 	const struct site_ask none = {0};
@@ -560,12 +561,12 @@ inquire_either(struct session *s, const struct error *trouble, const char *text,
 }
 
 bool
-inquire(struct session *s, const struct site_ask *ask,
+ask_open_question(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
 	if (!is_attended(s) || ask->settle == NULL)
 		return false;
 	return ask->n > 0 && !ask->tables
-		   ? ask_columns(s, ask, trouble->file, said)
+		   ? ask_about_columns(s, ask, trouble->file, said)
 		   : ask_option(s, ask, trouble, said);
 }

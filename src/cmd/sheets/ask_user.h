@@ -30,13 +30,13 @@ struct inquired {
 /* Asks by session->hooks.question until everything open is answered; false if
  * there is no user, or the user gives up.  trouble: the fault that says what is
  * open.  said: zeroed by the caller. */
-bool inquire(struct session *s, const struct site_ask *ask,
+bool ask_open_question(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said);
 
 /* Asks which of two words is meant, "day" or "month"; their first letters will
  * do.  second: whether it is the second.  False if there is no user, or the
  * user gives up. */
-bool inquire_either(struct session *s, const struct error *trouble,
+bool ask_either(struct session *s, const struct error *trouble,
     const char *text, const char *const either[2], bool *second);
 
 /* Returns row 0..ask->n of the table as a line of at most `columns` screen

@@ -112,7 +112,8 @@ note_finest(struct answer *r, const struct blended *b)
 
 /* Only the feed: there is nothing to predict with. */
 static void
-give_feed(struct session *s, const struct blended *b, const char *why_not)
+answer_blended_feed(
+    struct session *s, const struct blended *b, const char *why_not)
 {
 	struct answer *r = answer_new("blend");
 	answer_title(r, "blend of %s", b->words);
@@ -123,12 +124,12 @@ give_feed(struct session *s, const struct blended *b, const char *why_not)
 	answer_note(r, "no product is predicted: %s", why_not);
 	fields_put(answer_fields(r), "feed %s", b->words);
 	put_parts(answer_fields(r), b);
-	session_answer(s, r);
+	session_show_answer(s, r);
 }
 
 /* With the product of the site in use, which has the blend now. */
 static void
-give_product(
+answer_blended_product(
     struct session *s, const struct question *q, const struct blended *b)
 {
 	const struct entry *entry = q->entry;
@@ -147,7 +148,7 @@ give_product(
 	}
 	answers_show_basis_at(s, r, q, v, p.low != NULL);
 	prediction_free(&p);
-	session_answer(s, r);
+	session_show_answer(s, r);
 }
 
 static void
@@ -155,19 +156,20 @@ blend_give(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
 	if (s->n_entry == 0) {
-		give_feed(s, b, "no site is loaded");
+		answer_blended_feed(s, b, "no site is loaded");
 		return;
 	}
-	if (!answers_ready(s, &none)) {
-		give_feed(s, b, none.text);
+	if (!answers_check_current(s, &none)) {
+		answer_blended_feed(s, b, none.text);
 		return;
 	}
 	const struct scenario scenario = {
 	    .feed = b, .correction = s->set.correction};
 	struct question q;
 	question_make(s, session_entry(s), &scenario, &q);
-	q.speed = args_number(args, "speed", answers_usual(session_entry(s)));
-	give_product(s, &q, b);
+	q.speed =
+	    args_number(args, "speed", answers_usual_speed(session_entry(s)));
+	answer_blended_product(s, &q, b);
 	question_free(s, &q);
 }
 
@@ -188,7 +190,7 @@ write_sheet(struct session *s, const struct args *args, const struct blended *b,
 	bool good = files_may_overwrite(s, args, path, error) &&
 		    site_save(site, path, &rows, error);
 	if (good) {
-		files_wrote(s, path);
+		files_note_written(s, path);
 		session_note(s, "wrote %s: %zu rows", path, rows);
 	}
 	site_free(site);

@@ -129,7 +129,7 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
-place_of_two(const struct run *a, const struct run *b)
+runs_words(const struct run *a, const struct run *b)
 {
 	return xasprintf(
 	    "%g%s, %g%s m/s", a->speed, a->repeat, b->speed, b->repeat);
@@ -145,7 +145,7 @@ check_copies(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k], *b = &site->run[i];
 			if (!psd_same(&a->product, &b->product))
 				continue;
-			FREED char *where = place_of_two(a, b);
+			FREED char *where = runs_words(a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
@@ -170,7 +170,7 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 				fall = rise;
 			if (fall.most <= far)
 				continue;
-			FREED char *where = place_of_two(a, b);
+			FREED char *where = runs_words(a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
@@ -190,7 +190,7 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 	bool fault = !site->individual_feeds && trust_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
-	FREED char *where = place_of_two(slow, fast);
+	FREED char *where = runs_words(slow, fast);
 	const char *why =
 	    site->individual_feeds ? tr("its feed may have been coarser")
 	    : fault ? tr("were speeds swapped or digits transposed?")
@@ -321,7 +321,7 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 		bool shared = m->feed && !entry->site->individual_feeds;
 		if (m->kind != MEND_READ && m->kind != MEND_OUT)
 			continue;
-		FREED char *words = mend_finding(entry->site, f);
+		FREED char *words = mend_finding_words(entry->site, f);
 		finding(r, entry, false,
 		    check_place(shared ? NULL : &entry->site->run[m->run], buf),
 		    "%s", words);
@@ -417,7 +417,7 @@ check_site(
 	check_twins(s, r, index);
 	if (index == s->current)
 		mend_put(r, entry, &d);
-	doctor_free(&d);
+	outliers_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
 		finding(r, entry, false, "site file",
 		    "provenance is not stated: above the table, write "
@@ -457,15 +457,14 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		? tr("no faults found")
 		: tr("no faults found; judge the remarks yourself"));
 	bool mends = answer_number(r, "mends.n") > 0;
-	session_answer(s, r);
+	session_show_answer(s, r);
 	if (ok)
 		return true;
 	error_set(error, ERROR_CHECK,
 	    "check found faults in the site file\n"
 	    "correct the spreadsheet, save it and load it again");
 	if (mends)
-		error_hint(error,
-		    "correct the spreadsheet, save it and load it again; or "
-		    "take a mend: mend 1");
+		error_hint(error, "correct the spreadsheet, save it and load "
+				  "it again; or mend it here: mend 1");
 	return false;
 }

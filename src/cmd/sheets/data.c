@@ -51,7 +51,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 				"sheet"));
 	if (s->log != NULL)
 		answer_note(r, "log: %s ('show log')", s->log->path);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 bool
@@ -124,7 +124,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	struct error_list errors = {.stop = s->hooks.stop};
 	bool built_in = strcmp(args->operand[0], "table3") == 0;
 	if (!built_in)
-		files_reads(s, args->operand[0]);
+		files_note_read(s, args->operand[0]);
 	struct stored_list rows = {0};
 	bool read = true;
 	if (built_in)
@@ -156,15 +156,15 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 
 /* "gavle-11.2-2.csv" in the folder, from the key "gavle/11.2/2". */
 static char *
-file_name(const struct entry *entry, const char *folder)
+file_name_of_entry(const struct entry *entry, const char *folder)
 {
 	FREED char *stem = text_slug(entry->key);
 	return xasprintf("%s/%s.csv", folder, stem);
 }
 
 static bool
-write_one(struct session *s, const struct args *args, const struct site *site,
-    const char *path, struct error *error)
+write_site_file(struct session *s, const struct args *args,
+    const struct site *site, const char *path, struct error *error)
 {
 	size_t rows;
 	if (!files_may_overwrite(s, args, path, error)) {
@@ -176,7 +176,7 @@ write_one(struct session *s, const struct args *args, const struct site *site,
 	}
 	if (!site_save(site, path, &rows, error))
 		return false;
-	files_wrote(s, path);
+	files_note_written(s, path);
 	session_note(s, "wrote %s: %zu rows", path, rows);
 	return true;
 }
@@ -188,10 +188,12 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	struct stat info;
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)
-		return write_one(s, args, session_entry(s)->site, path, error);
+		return write_site_file(
+		    s, args, session_entry(s)->site, path, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
-		FREED char *file = file_name(&s->entry[i], path);
-		bool ok = write_one(s, args, s->entry[i].site, file, error);
+		FREED char *file = file_name_of_entry(&s->entry[i], path);
+		bool ok =
+		    write_site_file(s, args, s->entry[i].site, file, error);
 		if (!ok)
 			return false;
 	}

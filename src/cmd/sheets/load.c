@@ -70,7 +70,7 @@ load_clear(struct load *l)
 }
 
 static bool
-load_init(
+load_read_operands(
     struct load *l, size_t n, const char *const *word, struct error *error)
 {
 	bool good = true;
@@ -116,7 +116,7 @@ static void
 note_loaded(struct session *s, const struct site *site)
 {
 	size_t n, products = site_products(site);
-	FREED char *label = session_label(site);
+	FREED char *label = session_site_label(site);
 	free(site_sieves(site, &n));
 	if (products > 0)
 		session_note(s,
@@ -148,13 +148,13 @@ load_take_text(char **slot, const char **request, char *text)
 
 /* Asks whoever sits there; false where nobody does, or has given up. */
 static bool
-ask_somebody(struct session *s, struct load *l, const struct site_ask *ask,
-    const struct error_list *errors)
+ask_user_about_load(struct session *s, struct load *l,
+    const struct site_ask *ask, const struct error_list *errors)
 {
 	struct inquired said = {0};
 	if (ask->settle == NULL || errors->n == 0)
 		return false;
-	bool good = inquire(s, ask, &errors->item[0], &said);
+	bool good = ask_open_question(s, ask, &errors->item[0], &said);
 	load_take_text(&l->columns, &l->request.columns, said.columns);
 	load_take_text(&l->samples, &l->request.samples, said.samples);
 	load_take_text(&l->sheet, &l->request.sheet, said.sheet);
@@ -206,7 +206,7 @@ read_site(struct session *s, struct load *l, struct error *error)
 		/* What is answered about a feed would not be saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
-			     ask_somebody(s, l, &ask, &errors);
+			     ask_user_about_load(s, l, &ask, &errors);
 		site_ask_clear(&ask);
 		if (site != NULL)
 			return site;
@@ -221,7 +221,7 @@ static bool
 load_take_site(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
-	if (!session_take(s, site, l->digest, error))
+	if (!session_add_loaded(s, site, l->digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
 	note_loaded(s, entry->site);
@@ -234,15 +234,15 @@ static bool
 load_as_one(struct session *s, struct load *l, struct error *error)
 {
 	for (size_t i = 0; i < l->request.n; i++)
-		files_reads(s, l->path[i]);
+		files_note_read(s, l->path[i]);
 	struct site *site = read_site(s, l, error);
 	return site != NULL && load_take_site(s, l, site, error);
 }
 
 /* What a file alone lacks of a site. */
 static void
-look_into(const struct session *s, struct load *l, size_t i, bool *feed,
-    bool *product)
+find_what_file_has(const struct session *s, struct load *l, size_t i,
+    bool *feed, bool *product)
 {
 	struct site_request one = l->request;
 	struct error_list errors = {.stop = s->hooks.stop};
@@ -267,7 +267,7 @@ are_parts(const struct session *s, struct load *l)
 			return true; /* it was said so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
-		look_into(s, l, i, &feed, &product);
+		find_what_file_has(s, l, i, &feed, &product);
 		if (!feed && !product)
 			return false;
 		feeds += feed;
@@ -285,7 +285,7 @@ struct unread {
  * is not there, or else the last: the others may lack no more than what that
  * file has.  skip: none is an error. */
 static bool
-tell_unread(struct session *s, const struct unread *u, size_t n, bool skip,
+report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)
 {
 	if (u->n == 0)
@@ -338,7 +338,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 	if (stopped) /* those before stay, as the lines of a script do */
 		*error = unread.fault[unread.n - 1];
 	else
-		good = tell_unread(s, &unread, l->request.n, skip, error);
+		good = report_unread(s, &unread, l->request.n, skip, error);
 	free(unread.fault);
 	return good;
 }
@@ -461,16 +461,87 @@ list_words(
 	return good;
 }
 
+/* How unlike the names of two files are, without case, and without an ending
+ * where the first has none; 0 where only the endings differ. */
+static size_t
+apart_in_name(const char *a, const char *b)
+{
+	FREED char *one = text_fold(a), *two = text_fold(b);
+	size_t n = strcspn(one, "."), m = strcspn(two, ".");
+	bool same = n == m && strncmp(one, two, n) == 0;
+	if (one[n] == '\0')
+		two[m] = '\0';
+	return same ? 0 : text_distance(one, two);
+}
+
+/* The sheet in the folder of a path whose name is nearest to it, or NULL; the
+ * caller frees. */
+static char *
+nearest_sheet(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	int head = slash != NULL ? (int)(slash - path) + 1 : 0;
+	const char *name = path + head;
+	FREED char *folder = xasprintf("%.*s.", head, path);
+	size_t least = (strcspn(name, ".") + 2) / 4;
+	char *nearest = NULL;
+	DIR *dir = opendir(folder);
+	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
+		size_t apart = apart_in_name(name, e->d_name);
+		bool first =
+		    nearest == NULL || strcmp(e->d_name, nearest + head) < 0;
+		if (!load_is_sheet(e->d_name) || apart > least ||
+		    (apart == least && !first))
+			continue;
+		least = apart;
+		free(nearest);
+		nearest = xasprintf("%.*s%s", head, path, e->d_name);
+	}
+	if (dir != NULL)
+		closedir(dir);
+	return nearest;
+}
+
+/* Of files one of which is not there: the line with its nearest name.  args:
+ * the options that stand in the line, or NULL. */
+static void
+hint_nearest(size_t n, const char *const *word, const struct args *args,
+    struct error *error)
+{
+	FREED char *line = xstrdup("load");
+	const struct command_option *o;
+	bool found = false;
+	for (size_t i = 0; i < n; i++) {
+		FREED char *near =
+		    access(word[i], F_OK) != 0 ? nearest_sheet(word[i]) : NULL;
+		journal_append_word(&line, near != NULL ? near : word[i]);
+		found = found || near != NULL;
+	}
+	for (size_t i = 0;
+	     args != NULL && (o = command_option_at(args->command, i)) != NULL;
+	     i++) {
+		if (!args->value[i].given)
+			continue;
+		FREED char *option =
+		    xasprintf("%s=%s", o->name, args->value[i].text);
+		journal_append_word(&line, option);
+	}
+	if (found && error->kind == ERROR_SYSTEM)
+		error_hint(error, "did you mean '%s'?", line);
+}
+
 bool
 load_files(
     struct session *s, size_t n, const char *const *word, struct error *error)
 {
 	struct load l = {0};
 	struct listed list = {.session = s};
-	bool good =
-	    list_words(&list, n, word, error) &&
-	    load_init(&l, list.n, (const char *const *)list.word, error) &&
-	    load_run(s, &l, false, error);
+	bool good = list_words(&list, n, word, error) &&
+		    load_read_operands(
+			&l, list.n, (const char *const *)list.word, error) &&
+		    load_run(s, &l, false, error);
+	if (!good)
+		hint_nearest(n, word, NULL, error);
 	load_clear(&l);
 	listed_clear(&list);
 	return good;
@@ -485,7 +556,7 @@ given_text(const struct args *args, const char *name)
 
 /* What the options say of the files. */
 static void
-take_options(struct load *l, const struct args *args)
+load_read_options(struct load *l, const struct args *args)
 {
 	const struct value *decimal = args_value(args, "decimal");
 	const struct value *rotor = args_value(args, "rotor_mm");
@@ -535,11 +606,11 @@ load_parts(struct session *s, const struct args *args, const char *const *word,
     double rotor, struct error *error)
 {
 	struct load l = {.request.parts = true};
-	bool good = load_init(&l, args->n_operand, word, error);
-	take_options(&l, args);
+	bool good = load_read_operands(&l, args->n_operand, word, error);
+	load_read_options(&l, args);
 	l.request.site_rotor = rotor;
 	for (size_t i = 0; i < l.request.n && good; i++)
-		files_reads(s, l.path[i]);
+		files_note_read(s, l.path[i]);
 	struct site *site = good ? read_site(s, &l, error) : NULL;
 	if (site != NULL)
 		save_answers(s, args, &l);
@@ -591,11 +662,11 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 {
 	struct load l = {.request.feed = true};
 	struct site *site = NULL;
-	bool good = load_init(&l, 1, &word, error);
+	bool good = load_read_operands(&l, 1, &word, error);
 	double speed = good ? l.speed[0] : 0;
 	if (good) {
 		l.speed[0] = 0;
-		files_reads(s, l.path[0]);
+		files_note_read(s, l.path[0]);
 		site = read_site(s, &l, error);
 	}
 	if (site != NULL && !find_feed(site, word, speed, run, error)) {
@@ -627,9 +698,9 @@ hint_remembered(const struct session *s, const char *word, struct error *error)
 {
 	struct remembered_name r = {.name = word};
 	if (access(word, F_OK) != 0 &&
-	    store_each(s->store, STORE_NAMES, compare_name, &r, NULL) &&
+	    store_each_name(s->store, STORE_NAMES, compare_name, &r, NULL) &&
 	    r.found)
-		error_hint(error, "it was remembered: recall %s", word);
+		error_hint(error, "it is in the store: recall %s", word);
 }
 
 bool
@@ -644,13 +715,15 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
 	struct listed list = {.session = s};
-	bool good =
-	    list_words(&list, args->n_operand, args->operand, error) &&
-	    load_init(&l, list.n, (const char *const *)list.word, error);
+	bool good = list_words(&list, args->n_operand, args->operand, error) &&
+		    load_read_operands(
+			&l, list.n, (const char *const *)list.word, error);
 	l.digest = digest->given ? digest->text : NULL;
-	take_options(&l, args);
+	load_read_options(&l, args);
 	good = good &&
 	       load_run(s, &l, args_value(args, "skip")->choice == 1, error);
+	if (!good)
+		hint_nearest(args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1)
 		hint_remembered(s, args->operand[0], error);
 	load_clear(&l);

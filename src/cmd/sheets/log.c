@@ -43,7 +43,7 @@ span_text(double from, double to)
 
 /* "rpm 1180 to 1420, kW 150 to 210" */
 static char *
-contents(const struct plant_log *log)
+contents_words(const struct plant_log *log)
 {
 	struct log_window all =
 	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
@@ -67,7 +67,7 @@ has_gap(const struct plant_log *log)
 static void
 note_log(struct session *s, const struct plant_log *log)
 {
-	FREED char *rows = rows_text(log->n), *all = contents(log);
+	FREED char *rows = rows_text(log->n), *all = contents_words(log);
 	FREED char *span = span_text(log->time[0], log->time[log->n - 1]);
 	session_note(s, "log: %s from %s, %s", rows, span, all);
 	session_note(s, "  read: %s", log->read_as);
@@ -113,8 +113,8 @@ ask_order(struct session *s, const struct error_list *errors,
 {
 	static const char *const EITHER[] = {"day", "month"};
 	bool month;
-	if (!inquire_either(s, &errors->item[0], "is it day or month first",
-		EITHER, &month))
+	if (!ask_either(s, &errors->item[0], "is it day or month first", EITHER,
+		&month))
 		return false;
 	*order = month ? MOMENT_MONTH_FIRST : MOMENT_DAY_FIRST;
 	return true;
@@ -167,7 +167,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		q.order =
 		    dates->choice == 0 ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
 	for (size_t i = 0; i < q.n; i++)
-		files_reads(s, q.path[i]);
+		files_note_read(s, q.path[i]);
 	struct plant_log *log = read_log(s, &q, error);
 	if (log == NULL)
 		return false;
@@ -185,7 +185,8 @@ log_load(struct session *s, const struct args *args, struct error *error)
 
 /* Tip speed of rpm, or what the log has. */
 static double
-speed_of(const struct plant_log *log, const struct log_window *w, double rotor)
+tip_speed_of_window(
+    const struct plant_log *log, const struct log_window *w, double rotor)
 {
 	double v = log->value[LOG_SPEED] != NULL
 		       ? w->median[LOG_SPEED]
@@ -206,7 +207,7 @@ log_note_speed(struct session *s, const struct plant_log *log, double time,
 		   *more = xstrdup("");
 	if (k == LOG_RPM)
 		xappend(&more, tr(" = %.1f m/s with a rotor of %g mm"),
-		    speed_of(log, w, rotor), 1000 * rotor);
+		    tip_speed_of_window(log, w, rotor), 1000 * rotor);
 	for (size_t c = LOG_POWER; c < LOG_COLUMNS; c++)
 		if (!isnan(w->median[c]))
 			xappend(&more, ", %s %.4g", LOG_UNITS[c], w->median[c]);
@@ -224,7 +225,7 @@ log_note_speed(struct session *s, const struct plant_log *log, double time,
 }
 
 static bool
-nothing_at(const struct plant_log *log, double time, double within,
+error_nothing_at(const struct plant_log *log, double time, double within,
     struct error *error)
 {
 	double near = log->time[plant_log_nearest(log, time)];
@@ -262,8 +263,8 @@ log_at(struct session *s, double time, double within, double rotor,
 	struct log_window w =
 	    plant_log_window(log, time - within, time + within);
 	if (w.n == 0)
-		return nothing_at(log, time, within, error);
-	double v = speed_of(log, &w, rotor);
+		return error_nothing_at(log, time, within, error);
+	double v = tip_speed_of_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
 		FREED char *at = moment_text(time);
 		error_set(error, ERROR_USAGE,
@@ -312,5 +313,5 @@ show_log(struct session *s, const struct args *args, struct error *error)
 		    span_text(log->gap_from, log->gap_from + log->gap);
 		answer_pair(r, "longest gap", "%s", gap);
 	}
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }

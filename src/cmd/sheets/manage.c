@@ -65,7 +65,7 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 
 /* The script says by itself what the command line had set when it was saved. */
 static bool
-restore(struct session *s, const char *path, struct error *error)
+restore_script(struct session *s, const char *path, struct error *error)
 {
 	struct choices plain = settings_default();
 	if (!script_open(s, path, error))
@@ -96,9 +96,9 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 						      : script_name(typed);
 	if (!last)
 		invocation_saved(s);
-	bool ok = path != NULL && restore(s, path, error);
+	bool ok = path != NULL && restore_script(s, path, error);
 	if (ok && !last)
-		files_holds(s, path, false);
+		files_set_holder(s, path, false);
 	return ok;
 }
 
@@ -112,7 +112,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 	if (s->set.format == ANSWER_JSON) {
 		struct answer *r = answer_new("echo");
 		fields_put(answer_fields(r), "text %s", text);
-		session_answer(s, r);
+		session_show_answer(s, r);
 	} else {
 		text_put(text, s->out);
 		fputc('\n', s->out);
@@ -151,7 +151,7 @@ show_settings(struct session *s)
 		FREED char *text = settings_text(row, &s->set);
 		answer_cells(r, "%s %s", row->option.name, text);
 	}
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 /* Texts that cannot be read and speeds that are no range are refused; a feed
@@ -234,7 +234,7 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("seed");
 	answer_columns(r, "seed: seed");
 	answer_text(r, "%llu", (unsigned long long)s->set.seed);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 static void
@@ -267,9 +267,9 @@ save_as(struct session *s, const struct args *args, const char *path,
 	    !journal_can_be_saved(s, error) ||
 	    !file_replace_by(path, FILE_SHARED, manage_put_script, s, error))
 		return false;
-	files_holds(s, path, true);
+	files_set_holder(s, path, true);
 	invocation_saved(s);
-	struct mark mark = journal_mark(s);
+	struct mark mark = journal_place(s);
 	size_t n = mark.n - mark.start;
 	session_note(s,
 	    tr_n("wrote %s: %zu command", "wrote %s: %zu commands", n), path,
@@ -294,7 +294,7 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 /* Goes to another session.  A calibration that was stopped is kept only where
  * its site and the fit it left there stay. */
 static const char *
-manage_go(struct session *s, const char *(*where)(struct session *))
+undo_or_redo(struct session *s, const char *(*where)(struct session *))
 {
 	struct entry held = {0};
 	bool paused = s->job.calibration != NULL && s->job.paused;
@@ -318,7 +318,7 @@ bool
 cmd_undo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = manage_go(s, undo_back);
+	const char *label = undo_or_redo(s, undo_back);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");
 	session_note(s, "undone: %s", label);
@@ -329,7 +329,7 @@ bool
 cmd_redo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = manage_go(s, undo_forth);
+	const char *label = undo_or_redo(s, undo_forth);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
 	session_note(s, "redone: %s", label);

@@ -17,7 +17,7 @@
 
 /* The posterior of a calibration of this very site. */
 static const struct posterior *
-own_posterior(const struct session *s, const struct entry *entry)
+posterior_of_site(const struct session *s, const struct entry *entry)
 {
 	if (origin_fit(entry) == NULL || session_busy(s) ||
 	    entry->origin->spread->site != entry->site)
@@ -28,14 +28,14 @@ own_posterior(const struct session *s, const struct entry *entry)
 bool
 mend_is_calibrated(const struct session *s, const struct entry *entry)
 {
-	return own_posterior(s, entry) != NULL;
+	return posterior_of_site(s, entry) != NULL;
 }
 
 struct doctor
 mend_look(const struct session *s, const struct entry *entry)
 {
-	return doctor_look(
-	    entry->site, own_posterior(s, entry), s->set.noise / 100);
+	return outliers_find(
+	    entry->site, posterior_of_site(s, entry), s->set.noise / 100);
 }
 
 /* ---- Telling ---- */
@@ -79,7 +79,7 @@ mend_command_line(const struct site *site, const struct mend *m)
 
 /* What the mend would make of it. */
 static char *
-effect_of(const struct finding *f)
+effect_words(const struct finding *f)
 {
 	char *text = xstrdup("");
 	if (!isnan(f->off[0]))
@@ -94,11 +94,11 @@ effect_of(const struct finding *f)
 }
 
 char *
-mend_finding(const struct site *site, const struct finding *f)
+mend_finding_words(const struct site *site, const struct finding *f)
 {
 	const struct mend *m = &f->mend;
 	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
-		char *words = mend_words(site, m), *effect = effect_of(f);
+		char *words = mend_words(site, m), *effect = effect_words(f);
 		if (effect[0] != '\0')
 			xlist(&words, "; ", "%s", effect);
 		free(effect);
@@ -119,13 +119,13 @@ mend_finding(const struct site *site, const struct finding *f)
 }
 
 static void
-put_one(struct answer *r, struct fields *list, const struct entry *entry,
+put_finding(struct answer *r, struct fields *list, const struct entry *entry,
     const struct finding *f, size_t number)
 {
 	const struct site *site = entry->site;
 	const struct mend *m = &f->mend;
 	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
-	FREED char *words = mend_words(site, m), *effect = effect_of(f);
+	FREED char *words = mend_words(site, m), *effect = effect_words(f);
 	FREED char *name = mend_column(site, m->feed, m->run);
 	FREED char *call = mend_command_line(site, m);
 	answer_note(r,
@@ -161,7 +161,7 @@ mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
 {
 	struct fields *list = fields_list(answer_fields(r), "mends");
 	for (size_t i = 0; i < d->n; i++)
-		put_one(r, list, entry, &d->finding[i], i + 1);
+		put_finding(r, list, entry, &d->finding[i], i + 1);
 	fields_put(answer_fields(r), ".mark %g", mend_mark_of(entry, d));
 	if (d->n > 0)
 		answer_note(r, "'mend N' makes one of these corrections, once "
@@ -182,7 +182,7 @@ find_numbered(
     struct session *s, const char *word, struct mend *mend, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
-	double known = session_known(s, "check mend", "mark");
+	double known = session_answer_number(s, "check mend", "mark");
 	struct doctor d = mend_look(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;
@@ -210,7 +210,7 @@ find_numbered(
 		*mend = d.finding[n - 1].mend;
 		ok = true;
 	}
-	doctor_free(&d);
+	outliers_free(&d);
 	return ok;
 }
 
@@ -247,7 +247,7 @@ take_kind(const struct args *args, struct mend *mend)
 }
 
 static bool
-no_column(const struct site *site, const char *name, struct error *error)
+error_no_column(const struct site *site, const char *name, struct error *error)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
@@ -274,7 +274,7 @@ mend_find_told(const struct site *site, const struct args *args,
 	const struct value *with = args_value(args, "with");
 	bool feed = false;
 	if (!mend_find_column(site, name, &mend->feed, &mend->run))
-		return no_column(site, name, error);
+		return error_no_column(site, name, error);
 	if (options_given(args) != 1 || !take_kind(args, mend))
 		return error_set(error, ERROR_USAGE,
 		    "expected what to do with %s\n"
@@ -286,7 +286,7 @@ mend_find_told(const struct site *site, const struct args *args,
 		return true;
 	if (!mend_find_column(site, with->text, &feed, &mend->other) || feed ||
 	    mend->other == mend->run)
-		return no_column(site, with->text, error);
+		return error_no_column(site, with->text, error);
 	return true;
 }
 
@@ -299,8 +299,8 @@ list_mends(struct session *s)
 	mend_put(r, entry, &d);
 	if (d.n == 0)
 		answer_note(r, "no mend is proposed for %s", entry->key);
-	doctor_free(&d);
-	return session_answer(s, r);
+	outliers_free(&d);
+	return session_show_answer(s, r);
 }
 
 bool

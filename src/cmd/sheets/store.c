@@ -55,7 +55,7 @@ same_curve(const struct psd *a, const struct psd *b)
 
 /* The run's place in a site, or n_run. */
 static size_t
-place_in(const struct site *site, const struct run *run)
+find_run_in(const struct site *site, const struct run *run)
 {
 	size_t r = 0;
 	while (r < site->n_run &&
@@ -70,7 +70,7 @@ static bool
 has_runs(const struct site *site, const struct site *of)
 {
 	for (size_t r = 0; r < of->n_run; r++)
-		if (place_in(site, &of->run[r]) == site->n_run)
+		if (find_run_in(site, &of->run[r]) == site->n_run)
 			return false;
 	return true;
 }
@@ -83,7 +83,7 @@ has_digest(const struct site *site, const struct stored *m)
 
 /* The entry is as the calibration left it. */
 static void
-store_give_back(struct entry *entry, const struct basis *b,
+give_calibration_back(struct entry *entry, const struct basis *b,
     const struct stored *m, struct history *h)
 {
 	entry->fit = b->fit;
@@ -93,23 +93,24 @@ store_give_back(struct entry *entry, const struct basis *b,
 	entry->train = xcalloc(entry->site->n_run, sizeof *entry->train);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (h->train[r])
-			entry->train[place_in(entry->site, &h->site->run[r])] =
-			    true;
+			entry->train[find_run_in(
+			    entry->site, &h->site->run[r])] = true;
 	snprintf(entry->options, sizeof entry->options, "%s", m->options);
 	history_drop(entry->history);
 	entry->history = h;
 	origin_drop(entry->origin);
-	entry->origin = origin_remembered(entry, m);
+	entry->origin = origin_of_remembered(entry, m);
 }
 
 static void
-give_to_other(struct entry *entry, const struct stored *m, struct history *h)
+give_params_to_other(
+    struct entry *entry, const struct stored *m, struct history *h)
 {
 	entry->params = m->params;
 	entry->has_params = true;
 	entry->has_fit = false;
 	origin_drop(entry->origin);
-	entry->origin = origin_stored(m);
+	entry->origin = origin_from_store(m);
 	entry->origin->spread = h;
 }
 
@@ -126,8 +127,8 @@ enum remembered {
  * where no site is loaded, with the site itself, at *index then.  What came to
  * the site since is kept, whichever of the two has it. */
 static enum remembered
-remembered_take(struct session *s, const struct stored *m, size_t *index,
-    struct error *error)
+take_remembered_calibration(struct session *s, const struct stored *m,
+    size_t *index, struct error *error)
 {
 	struct basis b;
 	error->kind = ERROR_NONE;
@@ -157,9 +158,9 @@ remembered_take(struct session *s, const struct stored *m, size_t *index,
 	if (own && b.now != NULL && !has_runs(entry->site, b.now))
 		entry->site = b.now;
 	if (own)
-		store_give_back(entry, &b, m, h);
+		give_calibration_back(entry, &b, m, h);
 	else
-		give_to_other(entry, m, h);
+		give_params_to_other(entry, m, h);
 	session_forget(s);
 	free(b.train);
 	return own ? REMEMBERED_OWN : REMEMBERED_OTHER;
@@ -182,7 +183,7 @@ struct spelling {
 };
 
 static void
-compare_spelling(void *data, const char *name)
+find_nearest_name(void *data, const char *name)
 {
 	struct spelling *s = data;
 	bool paper = stored_is_table3_name(name);
@@ -199,9 +200,10 @@ refuse_name(struct store *store, const struct stored_list *paper,
     const char *name, struct error *error)
 {
 	struct spelling s = {name, xstrdup(""), 3};
-	bool ok = store_each(store, STORE_NAMES, compare_spelling, &s, error);
+	bool ok =
+	    store_each_name(store, STORE_NAMES, find_nearest_name, &s, error);
 	for (size_t i = 0; i < paper->n; i++)
-		compare_spelling(&s, paper->item[i].name);
+		find_nearest_name(&s, paper->item[i].name);
 	if (ok)
 		error_set(error, ERROR_USAGE,
 		    s.least < 3 ? "the store has no material '%s'\n"
@@ -233,7 +235,7 @@ find_material(struct store *store, const char *name, struct stored_list *list,
 }
 
 static void
-store_set(char **text, char *value)
+replace_trimmed(char **text, char *value)
 {
 	char *trimmed = xstrdup(text_trim(value));
 	free(value);
@@ -244,7 +246,7 @@ store_set(char **text, char *value)
 static void
 set_copy(char **text, const char *value)
 {
-	store_set(text, xstrdup(value));
+	replace_trimmed(text, xstrdup(value));
 }
 
 /* What only a calibration has. */
@@ -252,7 +254,7 @@ static void
 store_take_fit(struct stored *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	store_set(&m->basis, remembered_basis(entry));
+	replace_trimmed(&m->basis, remembered_basis(entry));
 	set_copy(&m->options, entry->options);
 	set_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
@@ -265,21 +267,21 @@ store_take_fit(struct stored *m, const struct entry *entry)
 /* Parameters of another site keep its speeds and what its data are: made-up
  * ones do not become measured by being used. */
 static void
-take_origin(struct stored *m, const struct entry *entry)
+set_origin_fields(struct stored *m, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool own = o->whose[0] == '\0';
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
 		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
-	store_set(&m->train_mps, speeds);
+	replace_trimmed(&m->train_mps, speeds);
 	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
-	store_set(&m->site_digest,
+	replace_trimmed(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
 	set_copy(&m->note, own ? "" : o->words);
 	if (own && site_assumed_top(entry->site) > 0)
-		store_set(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
-					site_assumed_top(entry->site)));
+		replace_trimmed(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
+					      site_assumed_top(entry->site)));
 }
 
 static struct stored
@@ -292,9 +294,9 @@ store_material_of(const struct session *s, const struct entry *entry)
 	set_copy(&m.site, site->name);
 	set_copy(&m.rock, site->rock);
 	set_copy(&m.machine, site->machine);
-	take_origin(&m, entry);
+	set_origin_fields(&m, entry);
 	set_copy(&m.origin, entry->has_fit ? "fit" : "hand");
-	set_copy(&m.method, answers_method(settings->method));
+	set_copy(&m.method, answers_method_word(settings->method));
 	set_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
 	set_copy(&m.version, PACKAGE_VERSION);
 	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
@@ -306,7 +308,7 @@ store_material_of(const struct session *s, const struct entry *entry)
 }
 
 static bool
-check_remember(
+check_can_be_remembered(
     const struct entry *entry, const struct args *args, struct error *error)
 {
 	const struct value *date = args_value(args, "date");
@@ -331,7 +333,7 @@ check_remember(
 	if (date->given && !moment_is_day(date->text))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", date->text);
-	return !note->given || stored_is_line(note->text) ||
+	return !note->given || stored_is_one_line(note->text) ||
 	       error_set(error, ERROR_USAGE,
 		   "note: expected one line without control characters");
 }
@@ -361,7 +363,7 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 	else
 		answer_sites(r, "all", about);
 	answer_note(r, "in %s", store_path(s->store));
-	session_answer(s, r);
+	session_show_answer(s, r);
 }
 
 /* A material by that name; false where it is none to remember. */
@@ -371,12 +373,13 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 {
 	const struct value *date = args_value(args, "date");
 	const struct value *note = args_value(args, "note");
-	if (!check_remember(entry, args, error) ||
+	if (!check_can_be_remembered(entry, args, error) ||
 	    !stored_check_name(name, error))
 		return false;
 	struct stored m = store_material_of(s, entry);
 	set_copy(&m.name, name);
-	store_set(&m.date, date->given ? xstrdup(date->text) : moment_today());
+	replace_trimmed(
+	    &m.date, date->given ? xstrdup(date->text) : moment_today());
 	if (note->given)
 		set_copy(&m.note, note->text);
 	stored_list_add(list, m);
@@ -399,6 +402,45 @@ store_add_all(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
+/* The first of these that the store has by that name, or NULL. */
+static const char *
+stored_already(struct session *s, const struct stored_list *list)
+{
+	const char *found = NULL;
+	for (size_t i = 0; i < list->n && found == NULL; i++) {
+		struct stored_list own = {0};
+		const struct store_query query = {.name = list->item[i].name};
+		if (store_find(s->store, &query, &own, NULL) && own.n > 0)
+			found = list->item[i].name;
+		stored_list_free(&own);
+	}
+	return found;
+}
+
+/* Asks whoever types whether what the store has is to be replaced, and sets
+ * *replace; a script is refused by store_put. */
+static bool
+ask_replace(struct session *s, const struct stored_list *list, bool *replace,
+    struct error *error)
+{
+	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_at;
+	const char *name = asks && !*replace ? stored_already(s, list) : NULL;
+	if (name == NULL)
+		return true;
+	FREED char *question =
+	    list->n == 1
+		? xasprintf(tr("the store has %s: replace it?"), name)
+		: xasprintf(
+		      tr("the store has %s and maybe others of these: replace "
+			 "them?"),
+		      name);
+	*replace = s->hooks.confirm(s, question);
+	return *replace || error_set(error, ERROR_USAGE,
+			       "%s was not replaced\n"
+			       "use another name: remember NAME",
+			       name);
+}
+
 bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
@@ -409,7 +451,8 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	struct stored_list list = {0};
 	bool ok = all ? store_add_all(s, args, &list, error)
 		      : add_material(s, entry, name, args, &list, error);
-	ok = ok && store_put(s->store, list.item, list.n, replace, error);
+	ok = ok && ask_replace(s, &list, &replace, error) &&
+	     store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
 		give_remembered(s, list.item, list.n);
 	stored_list_free(&list);
@@ -439,7 +482,7 @@ static void
 note_remembered(struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
-	FREED char *label = session_label(site);
+	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds(site, ", ", NULL, false);
 	if (site_products(site) > 0)
 		session_note(s,
@@ -497,13 +540,13 @@ static bool
 take_recalled(struct session *s, const struct stored *m, size_t index,
     struct error *error)
 {
-	enum remembered how = remembered_take(s, m, &index, error);
+	enum remembered how = take_remembered_calibration(s, m, &index, error);
 	if (how == REMEMBERED_FAILED ||
 	    (how == REMEMBERED_NONE && !session_need_site(s, "recall", error)))
 		return false;
 	struct entry *entry = &s->entry[index];
 	if (how == REMEMBERED_NONE)
-		model_take_params(s, entry, &m->params, origin_stored(m));
+		model_take_params(s, entry, &m->params, origin_from_store(m));
 	note_recalled(s, entry, m);
 	return true;
 }
@@ -518,10 +561,11 @@ store_add_name(void *data, const char *name)
 /* recall without a name: the one that there is, which the caller frees, or NULL
  * and which there are. */
 static char *
-only_name(const struct session *s, struct error *error)
+find_only_name(const struct session *s, struct error *error)
 {
 	char *names = xstrdup("");
-	if (!store_each(s->store, STORE_NAMES, store_add_name, &names, error)) {
+	if (!store_each_name(
+		s->store, STORE_NAMES, store_add_name, &names, error)) {
 		free(names);
 		return NULL;
 	}
@@ -548,7 +592,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	    !session_find(s, args->operand[1], &index, error))
 		return false;
 	FREED char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
-					       : only_name(s, error);
+					       : find_only_name(s, error);
 	struct stored_list list = {0};
 	const struct stored *m;
 	bool ok = name != NULL &&
@@ -562,7 +606,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 /* "params set beta1=.. ..; remember NAME": what would bring it back, but for
  * its origin. */
 static char *
-bring_back(const struct stored *m)
+commands_to_bring_back(const struct stored *m)
 {
 	const struct breakage *of = breakage_of(&m->params);
 	char *line = m->params.breakage > 0
@@ -580,13 +624,13 @@ static void
 give_forgotten(struct session *s, const struct stored *m)
 {
 	struct answer *r = answer_new("forget");
-	FREED char *line = bring_back(m);
+	FREED char *line = commands_to_bring_back(m);
 	answer_title(
 	    r, "forgot %s: %s of %s", m->name, store_origin_of(m), m->site);
 	answer_site(r, m->site, m->provenance);
 	answer_columns(r, "again: to bring its parameters back");
 	answer_cells(r, "%s", line);
-	session_answer(s, r);
+	session_show_answer(s, r);
 }
 
 bool
@@ -621,7 +665,7 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 		  store_list(s->store, &list, error) &&
 		  store_csv_save(&list, path, error);
 	if (ok) {
-		files_wrote(s, path);
+		files_note_written(s, path);
 		session_note(s,
 		    tr_n("wrote %s: %zu material of your own",
 			"wrote %s: %zu materials of your own", list.n),
@@ -639,7 +683,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct stored_list there = {0}, list = {0};
 	bool ok = store_list(s->store, &there, error);
-	files_reads(s, path);
+	files_note_read(s, path);
 	if (ok &&
 	    !store_csv_read(path, replace ? NULL : &there, &list, &errors))
 		ok = session_tell_faults(s, path, &errors, error);
@@ -656,7 +700,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 
 /* Sizes are nominal: within 5 % they are the same, so that 11 finds 11.2. */
 static bool
-has_size(const struct stored *m, double top_mm)
+has_top_size(const struct stored *m, double top_mm)
 {
 	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
 }
@@ -670,7 +714,7 @@ store_is_wanted(const struct stored *m, const struct args *args)
 	const struct value *top = args_value(args, "top");
 	size_t origin = args_value(args, "origin")->choice;
 	return (!rock->given || text_same(m->rock, rock->text)) &&
-	       (!top->given || has_size(m, top->number)) &&
+	       (!top->given || has_top_size(m, top->number)) &&
 	       (origin == ALL || (origin == TABLE3) == stored_is_table3(m));
 }
 
@@ -710,7 +754,8 @@ note_rocks(struct answer *r, struct store *store,
     const struct stored_list *paper, struct error *error)
 {
 	struct rocks rocks = {.words = xstrdup("")};
-	bool ok = store_each(store, STORE_ROCKS, store_add_rock, &rocks, error);
+	bool ok =
+	    store_each_name(store, STORE_ROCKS, store_add_rock, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
 		store_add_rock(&rocks, paper->item[i].rock);
 	answer_note(r, "rocks: %s", rocks.words);
@@ -723,7 +768,7 @@ note_rocks(struct answer *r, struct store *store,
 
 /* Those of the user's own that may be wanted. */
 static struct store_query
-query_of(const struct args *args)
+read_query(const struct args *args)
 {
 	const struct value *top = args_value(args, "top");
 	struct store_query query = {.rock = args_value(args, "rock")->text};
@@ -778,7 +823,7 @@ table3_answer(const struct session *s, const struct args *args,
 	struct answer *r = answer_new("materials");
 	*n = 0;
 	if (s->screen.columns == 0 || s->screen.columns >= WIDE)
-		answer_room(r, WIDE);
+		answer_set_width(r, WIDE);
 	answer_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
 			  "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
@@ -786,7 +831,7 @@ table3_answer(const struct session *s, const struct args *args,
 			add_printed(r, &paper->item[i]);
 			++*n;
 		}
-	answer_for_programs(r);
+	answer_fill_for_programs(r);
 	answer_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
 			  "origin, data, site, feed_source");
 	for (size_t i = 0; i < paper->n; i++)
@@ -802,7 +847,7 @@ static bool
 show_list(struct session *s, const struct args *args, struct error *error)
 {
 	struct stored_list list = {0}, paper = {0};
-	struct store_query query = query_of(args);
+	struct store_query query = read_query(args);
 	size_t n, own = 0;
 	stored_table3(&paper);
 	bool ok = store_count(s->store, &own, error) &&
@@ -825,7 +870,7 @@ show_list(struct session *s, const struct args *args, struct error *error)
 	stored_list_free(&list);
 	stored_list_free(&paper);
 	if (ok)
-		return session_answer(s, r);
+		return session_show_answer(s, r);
 	answer_free(r);
 	return false;
 }
@@ -846,8 +891,8 @@ show_one(struct session *s, const struct stored *m)
 	answer_title(r, "%s: %s", m->name, store_origin_of(m));
 	answer_site(r, m->site, m->provenance);
 	answer_columns(r, "field, value");
-	stored_each(m, store_add_field, r);
-	session_answer(s, r);
+	stored_each_field(m, store_add_field, r);
+	session_show_answer(s, r);
 }
 
 bool
@@ -877,7 +922,7 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	answer_pair(r, "of Table 3", "%zu, read only", all.n);
 	answer_note(r, "run 'materials' to list them");
 	stored_list_free(&all);
-	return session_answer(s, r);
+	return session_show_answer(s, r);
 }
 
 bool

@@ -100,12 +100,8 @@ static const struct command_option ENERGY_OPTIONS[] = {
     {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
 	"load: names of the columns in order, with commas between; - for one "
 	"to skip"},
-    {"particles", VALUE_FILE, "", 0, 0, NULL, "",
-	"load: file with columns id and radius, for a dump of contacts"},
     {"unit", VALUE_CHOICE, "", 0, 0, "j_kg m_s", "",
 	"load: of a list of numbers without headings"},
-    {"density", VALUE_NUMBER, "kg/m3", 100, 20000, NULL, "2700",
-	"load: of the particles"},
     {"note", VALUE_TEXT, "", 0, 0, NULL, "",
 	"load: where the energies are from"},
     {.name = NULL}};
@@ -273,16 +269,14 @@ const struct command TABLE_DATA[] = {
 	.text =
 	    "Collision energies of a discrete element simulation: how often "
 	    "particles are hit and how hard, as in the paper's Figure 1. "
-	    "'energy load FILE' reads a LIGGGHTS dump of contacts (dump local "
-	    "with pos, vel and id; contacts in snapshots one after another are "
-	    "one impact at its largest relative normal velocity), a table of "
-	    "impacts from another program by the heads of its columns, a list "
-	    "of energies (J/kg) or velocities (m/s), perhaps with weights, or "
-	    "a binned spectrum (low, high and weight). Without operands, shows "
-	    "impacts a particle, energies above the cut, the share of the "
-	    "first impact and the k with which Eq 3 would break as much. "
-	    "'energy write FILE' writes the spectrum. 'set energy FILE' has "
-	    "the model use it in place of one impact at v^2/2.",
+	    "'energy load FILE' reads a table of impacts by its column "
+	    "headings, a list of energies (J/kg) or velocities (m/s), perhaps "
+	    "with weights, or a binned spectrum (low, high and weight); "
+	    "dem/merge makes a table of a LIGGGHTS dump of contacts. Without "
+	    "operands, shows impacts per particle, energies above the cut, the "
+	    "share of the first impact and the k with which Eq 3 would break "
+	    "as much. 'energy write FILE' writes the spectrum. 'set energy "
+	    "FILE' makes the model use it instead of one impact at v^2/2.",
 	.example = "energy load data/energy/vsi-69.csv\nenergy cut=100",
 	.run = cmd_energy},
     {.name = "template",

@@ -72,7 +72,7 @@ template_put_rows(
 }
 
 static size_t
-put_form(const struct form *f, const struct args *args)
+put_sieve_form(const struct form *f, const struct args *args)
 {
 	const struct value *speeds = args_value(args, "speeds");
 	bool grams = args_value(args, "unit")->choice == 1;
@@ -119,12 +119,12 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 	size_t n = 0;
 	struct form f = {s->set.semicolon ? ';' : ',', s->out};
 	if (s->book == NULL) {
-		s->rows += put_form(&f, args);
+		s->rows += put_sieve_form(&f, args);
 		return true;
 	}
 	/* In a workbook numbers have no decimal sign. */
 	f = (struct form){',', text_memory(&text, &n)};
-	s->rows += put_form(&f, args);
+	s->rows += put_sieve_form(&f, args);
 	fclose(f.sheet);
 	book_add_text(s->book, "template", text);
 	return true;

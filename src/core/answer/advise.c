@@ -14,7 +14,7 @@ enum { N = POSTERIOR_DRAWS, MOST = 8 };
 
 /* The rows about their means. */
 static double *
-centred(const double *row, size_t n)
+rows_less_mean(const double *row, size_t n)
 {
 	double *to = xdoubles(n * N);
 	for (size_t i = 0; i < n; i++) {
@@ -39,7 +39,7 @@ advise_dot(const double *a, const double *b)
 double
 advise_share(const double *answer, const double *sample, size_t n)
 {
-	double *U = centred(sample, n), *y = centred(answer, 1);
+	double *U = rows_less_mean(sample, n), *y = rows_less_mean(answer, 1);
 	double *V = xdoubles(n * n), *sigma = xdoubles(n);
 	double all = advise_dot(y, y), known = 0, best = 0;
 	svd_decompose(U, N, n, V, sigma);

@@ -61,7 +61,7 @@ circuit_stream(struct circuit *c, const char *name)
 }
 
 static bool
-has(const size_t *list, size_t n, size_t what)
+list_contains(const size_t *list, size_t n, size_t what)
 {
 	for (size_t i = 0; i < n; i++)
 		if (list[i] == what)
@@ -73,7 +73,8 @@ size_t
 circuit_source(const struct circuit *c, size_t stream)
 {
 	size_t u = 0;
-	while (u < c->n_unit && !has(c->unit[u].out, c->unit[u].n_out, stream))
+	while (u < c->n_unit &&
+	       !list_contains(c->unit[u].out, c->unit[u].n_out, stream))
 		u++;
 	return u;
 }
@@ -82,7 +83,8 @@ size_t
 circuit_destination(const struct circuit *c, size_t stream)
 {
 	size_t u = 0;
-	while (u < c->n_unit && !has(c->unit[u].in, c->unit[u].n_in, stream))
+	while (u < c->n_unit &&
+	       !list_contains(c->unit[u].in, c->unit[u].n_in, stream))
 		u++;
 	return u;
 }
@@ -275,7 +277,8 @@ circuit_solve(struct solving *s, size_t draw)
 
 /* Adds what was found in a draw to the flow. */
 static void
-keep(struct flow *flow, const struct solving *s, size_t draw, size_t passes)
+flow_add_draw(
+    struct flow *flow, const struct solving *s, size_t draw, size_t passes)
 {
 	size_t n = s->classes;
 	double closing = s->c->tph,
@@ -351,7 +354,7 @@ circuit_flow(const struct circuit *c, const double *feed, const double *size,
 	/* The first that is not steady says enough: the others would take as
 	 * long. */
 	for (size_t d = 0; d < flow.draws && !flow.open; d++)
-		keep(&flow, &s, d, circuit_solve(&s, d));
+		flow_add_draw(&flow, &s, d, circuit_solve(&s, d));
 	solving_free(&s);
 	return flow;
 }
@@ -368,7 +371,7 @@ flow_free(struct flow *flow)
 }
 
 double
-flow_into(const struct flow *flow, const struct unit *unit)
+flow_into_unit(const struct flow *flow, const struct unit *unit)
 {
 	double sum = 0;
 	for (size_t i = 0; i < unit->n_in; i++)
@@ -377,7 +380,8 @@ flow_into(const struct flow *flow, const struct unit *unit)
 }
 
 double
-flow_draw_into(const struct flow *flow, const struct unit *unit, size_t draw)
+flow_draw_into_unit(
+    const struct flow *flow, const struct unit *unit, size_t draw)
 {
 	double sum = 0;
 	for (size_t i = 0; i < unit->n_in; i++)

@@ -94,8 +94,8 @@ struct flow circuit_flow(const struct circuit *c, const double *feed,
 void flow_free(struct flow *flow);
 
 /* Return the flow into a unit, t/h: its mean, and its value in a draw. */
-double flow_into(const struct flow *flow, const struct unit *unit);
-double flow_draw_into(
+double flow_into_unit(const struct flow *flow, const struct unit *unit);
+double flow_draw_into_unit(
     const struct flow *flow, const struct unit *unit, size_t draw);
 
 #endif

@@ -34,7 +34,7 @@ struct crusher {
 };
 
 /* passing [draws][n - 1][n]: of the product of a class at the sizes;
- * delta, more [draws][n] or NULL; more: see crusher_match. */
+ * delta, more [draws][n] or NULL; more: see crusher_set_feed. */
 struct transfer {
 	size_t n, draws;
 	double *passing, *delta, *more;
@@ -90,7 +90,7 @@ crusher_free(struct crusher *c)
 }
 
 void
-crusher_match(
+crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n)
 {
 	c->feed = xdoubles(c->n);
@@ -119,7 +119,7 @@ crusher_match(
 
 /* Row by draw what the ensemble of a class has row by size. */
 static void
-take_class(struct transfer *t, size_t class, const double *P)
+transfer_fill_class(struct transfer *t, size_t class, const double *P)
 {
 	for (size_t d = 0; d < t->draws; d++) {
 		double *row = t->passing + (d * (t->n - 1) + class) * t->n;
@@ -131,7 +131,7 @@ take_class(struct transfer *t, size_t class, const double *P)
 /* What the prediction has more than the sum of the classes, at all sizes:
  * straight on log size between the sieves, and no passing beyond theirs. */
 static void
-match_draw(const struct crusher *c, struct transfer *t, size_t d,
+transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
 {
 	double *more = t->more + d * c->n, below = 0;
@@ -157,7 +157,7 @@ match_draw(const struct crusher *c, struct transfer *t, size_t d,
 }
 
 static void
-match(struct crusher *c, struct transfer *t, double v)
+transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 {
 	double *P = xdoubles(c->n_sieve), *out = xdoubles(c->n);
 	t->more = xdoubles(t->draws * c->n);
@@ -170,7 +170,7 @@ match(struct crusher *c, struct transfer *t, double v)
 		? ensemble_products(c->whole_draws, ENSEMBLE_ANSWER)
 		: P;
 	for (size_t d = 0; d < t->draws; d++)
-		match_draw(c, t, d, draws + d, t->draws, out);
+		transfer_match_draw(c, t, d, draws + d, t->draws, out);
 	free(out);
 	free(P);
 }
@@ -190,7 +190,7 @@ crusher_at(struct crusher *c, double v)
 			continue;
 		}
 		ensemble_draws_at(c->ensemble[i], v);
-		take_class(
+		transfer_fill_class(
 		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
 	}
 	if (c->posterior != NULL && n > 1) {
@@ -199,7 +199,7 @@ crusher_at(struct crusher *c, double v)
 			ensemble_delta(c->ensemble[0], d, t->delta + d * n);
 	}
 	if (c->feed != NULL)
-		match(c, t, v);
+		transfer_match_prediction(c, t, v);
 	return t;
 }
 

@@ -28,7 +28,7 @@ void crusher_free(struct crusher *crusher);
  * which its product is predicted.  At the sieves that are sizes of the crusher
  * this feed then gives exactly the predicted product, and other feeds are
  * corrected by the same difference, for each t. */
-void crusher_match(
+void crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
 /* Returns the transfer at tip speed v, m/s: a matrix for each draw of the

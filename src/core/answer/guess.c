@@ -53,7 +53,7 @@ struct nearness {
 };
 
 static bool
-nearer(const struct nearness *a, const struct nearness *b)
+is_nearer_material(const struct nearness *a, const struct nearness *b)
 {
 	if (a->rock != b->rock)
 		return a->rock;
@@ -77,7 +77,8 @@ guess_nearest(const struct guess_material *m, size_t n,
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)
 			if (!taken[i] &&
-			    (best == n || nearer(&near[i], &near[best])))
+			    (best == n ||
+				is_nearer_material(&near[i], &near[best])))
 				best = i;
 		if (best == n)
 			break;
@@ -148,7 +149,7 @@ median_curve(const struct prediction *p, size_t n)
 
 /* The curves over n products on the same sieves. */
 static void
-spread(struct guess *guess, const struct prediction *p, size_t n)
+median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 {
 	double *v = xdoubles(n);
 	guess->feed = psd_copy(&p[0].feed);
@@ -173,7 +174,7 @@ static struct guess
 guess_from(const struct prediction *p, size_t n, double v)
 {
 	struct guess guess = {.speed = v};
-	spread(&guess, p, n);
+	median_and_range(&guess, p, n);
 	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		guess.size[i] = range_of_sizes(&median, p, n, PSD_PASSING[i]);

@@ -12,7 +12,7 @@
 
 /* Where the class alone goes: product [n] out, its share in each class. */
 static void
-follow(const struct psd *feed, const struct params *p,
+class_product(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v, size_t class, double *product)
 {
 	struct psd one = psd_copy(feed);
@@ -28,7 +28,7 @@ follow(const struct psd *feed, const struct params *p,
 }
 
 static void
-mass_balance_enter(
+mass_balance_add_class(
     struct ledger *l, size_t class, double selected, const double *product)
 {
 	double feed = l->feed[class], stays = feed * product[class];
@@ -58,8 +58,8 @@ ledger_new(const struct psd *feed, const struct params *p,
 	for (size_t i = 0; i < n; i++) {
 		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
 		l.feed[i] = feed->passing[i] - finer;
-		follow(feed, p, settings, v, i, product);
-		mass_balance_enter(&l, i, S[i], product);
+		class_product(feed, p, settings, v, i, product);
+		mass_balance_add_class(&l, i, S[i], product);
 	}
 	for (size_t i = 0; i < n; i++)
 		l.product[i] = l.unbroken[i] + l.within[i] + l.arrived[i];

@@ -14,7 +14,7 @@ static const double READING_ERROR = 0.02;
 enum { EXPONENTS = 17, FACTORS = 64, TRIED = EXPONENTS * FACTORS };
 
 double
-power_thrown(double speed, double tph)
+power_kinetic(double speed, double tph)
 {
 	/* m2/s2 times t/h, which are 1 / 3.6 kg/s; W to kW. */
 	return speed * speed * tph / 3.6 / 1000;
@@ -36,7 +36,7 @@ fit_idle(struct trial *t, const struct power *p, const struct reading *reading)
 		double sd = READING_ERROR * r->kw,
 		       x = pow(r->speed / p->at, t->exponent) / sd,
 		       y = (r->kw -
-			       t->factor * power_thrown(r->speed, r->tph)) /
+			       t->factor * power_kinetic(r->speed, r->tph)) /
 			   sd;
 		xx += x * x;
 		xy += x * y;
@@ -49,15 +49,15 @@ fit_idle(struct trial *t, const struct power *p, const struct reading *reading)
 
 /* The factors that are tried: from 1 to that of a reading without idle. */
 static void
-put_range(struct power *p, const struct reading *reading, double range[2])
+factor_range(struct power *p, const struct reading *reading, double range[2])
 {
 	double top = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		p->at += reading[i].speed / (double)p->n;
 		if (reading[i].tph > 0)
-			top = fmax(top,
-			    reading[i].kw /
-				power_thrown(reading[i].speed, reading[i].tph));
+			top = fmax(
+			    top, reading[i].kw / power_kinetic(reading[i].speed,
+						     reading[i].tph));
 	}
 	p->least = !(top > 0);
 	p->below = !p->least && top < 1;
@@ -69,7 +69,7 @@ put_range(struct power *p, const struct reading *reading, double range[2])
 /* weight [TRIED] out: what the readings leave of each trial, over all that its
  * idle can be, in shares. */
 static void
-power_weigh(const struct power *p, struct trial *t, double *weight)
+trial_weights(const struct power *p, struct trial *t, double *weight)
 {
 	double least = INFINITY, sum = 0;
 	for (size_t k = 0; k < TRIED; k++)
@@ -110,7 +110,7 @@ fit_draws(struct power *p, const struct reading *reading)
 {
 	struct trial t[TRIED];
 	double range[2], weight[TRIED];
-	put_range(p, reading, range);
+	factor_range(p, reading, range);
 	for (size_t k = 0; k < TRIED; k++) {
 		double e = (double)(k / FACTORS) / (EXPONENTS - 1),
 		       f = ((double)(k % FACTORS) + 0.5) / FACTORS;
@@ -118,7 +118,7 @@ fit_draws(struct power *p, const struct reading *reading)
 		t[k].factor = range[0] + f * (range[1] - range[0]);
 		fit_idle(&t[k], p, reading);
 	}
-	power_weigh(p, t, weight);
+	trial_weights(p, t, weight);
 	power_put_draws(p, t, weight);
 }
 
@@ -144,7 +144,7 @@ power_fit(const struct reading *reading, size_t n)
 }
 
 bool
-power_falls(const struct reading *reading, size_t n)
+power_falls_with_speed(const struct reading *reading, size_t n)
 {
 	const double faster = 1.03, alike = 0.05;
 	for (size_t i = 0; i < n; i++)
@@ -167,5 +167,5 @@ double
 power_at(const struct power *p, size_t draw, double speed, double tph)
 {
 	return power_idle(p, draw, speed) +
-	       p->draw[draw % POWER_DRAWS].factor * power_thrown(speed, tph);
+	       p->draw[draw % POWER_DRAWS].factor * power_kinetic(speed, tph);
 }

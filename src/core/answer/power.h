@@ -18,7 +18,7 @@ struct reading {
  * mass flow Q from rest to the speed of its rim turns it with the torque Q v r
  * (Euler); half of that power leaves as kinetic energy, half is lost on the way
  * out. */
-double power_thrown(double speed, double tph);
+double power_kinetic(double speed, double tph);
 
 /* P = idle (v / at)^exponent + factor Q v^2: draws consistent with readings
  * that err by 2 % each, or by their scatter where it is larger.  Uniform
@@ -39,7 +39,7 @@ struct power power_fit(const struct reading *reading, size_t n);
 
 /* True if, of two readings with similar tonnages, the clearly faster one shows
  * less power: no motor does so, and no estimate from such readings holds. */
-bool power_falls(const struct reading *reading, size_t n);
+bool power_falls_with_speed(const struct reading *reading, size_t n);
 
 /* Return the power in a draw, kW, and its idle part.  draw may be any number;
  * it is used modulo POWER_DRAWS. */

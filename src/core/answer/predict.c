@@ -14,7 +14,7 @@
 
 /* Those of sizes [n], coarsest first, that the feed covers. */
 static struct psd
-covered(const double *size, size_t n, const struct psd *feed)
+sizes_covered(const double *size, size_t n, const struct psd *feed)
 {
 	size_t kept = 0;
 	while (kept < n && psd_covers(feed, size[kept]))
@@ -30,7 +30,7 @@ covered_sieves(const struct site *site, const struct psd *feed)
 {
 	size_t n;
 	double *size = site_sieves(site, &n);
-	struct psd psd = covered(size, n, feed);
+	struct psd psd = sizes_covered(size, n, feed);
 	free(size);
 	return psd;
 }
@@ -39,15 +39,16 @@ covered_sieves(const struct site *site, const struct psd *feed)
 static struct psd
 product_sieves(const struct site *site, const struct psd *feed)
 {
-	return site->n_shown > 0 ? covered(site->shown, site->n_shown, feed)
-				 : covered_sieves(site, feed);
+	return site->n_shown > 0
+		   ? sizes_covered(site->shown, site->n_shown, feed)
+		   : covered_sieves(site, feed);
 }
 
 struct psd
 predict_sizes(const struct site *site, const struct psd *feed)
 {
 	struct psd sieves = covered_sieves(site, feed);
-	struct psd shown = covered(site->shown, site->n_shown, feed);
+	struct psd shown = sizes_covered(site->shown, site->n_shown, feed);
 	struct psd psd = psd_new(sieves.n + shown.n);
 	memcpy(psd.size, sieves.size, sieves.n * sizeof *psd.size);
 	if (shown.n > 0)
@@ -70,7 +71,7 @@ prediction_drop_band(struct prediction *p)
 }
 
 struct quantity *
-predict_asks(const struct site *site, const struct psd *feed,
+predict_quantities(const struct site *site, const struct psd *feed,
     const struct fraction *fraction, size_t *n)
 {
 	struct psd sieves = product_sieves(site, feed);
@@ -92,7 +93,7 @@ predict_asks(const struct site *site, const struct psd *feed,
 }
 
 static void
-take_passings(struct prediction *p, struct response *r, double level)
+prediction_read_passings(struct prediction *p, struct response *r, double level)
 {
 	bool band = response_draws(r, 0) != NULL;
 	p->model = xdoubles(p->product.n);
@@ -130,7 +131,7 @@ predict_table(const struct site *site, size_t feed_run,
 	p.feed = psd_copy(&p.product);
 	for (size_t i = 0; i < n; i++)
 		p.feed.passing[i] = psd_passing(feed, p.feed.size[i]);
-	take_passings(&p, r, level);
+	prediction_read_passings(&p, r, level);
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		p.size[i] = response_value(r, n + i);
 		response_band(r, n + i, level, p.range[i]);
@@ -141,7 +142,7 @@ predict_table(const struct site *site, size_t feed_run,
 		p.share = response_value(r, n + PSD_SIZES);
 		response_band(r, n + PSD_SIZES, level, p.share_range);
 	}
-	p.curve = response_part(r, n);
+	p.curve = response_screened(r, n);
 	return p;
 }
 
@@ -153,7 +154,7 @@ predict(const struct site *site, const struct params *p,
 	const struct fraction whole = {0};
 	struct psd sizes = predict_sizes(site, feed);
 	size_t n;
-	struct quantity *asked = predict_asks(site, feed, &whole, &n);
+	struct quantity *asked = predict_quantities(site, feed, &whole, &n);
 	struct response *r =
 	    response_new(feed, sizes.size, sizes.n, asked, n, p, settings);
 	response_at(r, NULL, ENSEMBLE_MODEL, speed);

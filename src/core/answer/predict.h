@@ -47,12 +47,12 @@ struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
 /* Returns the quantities that predict_table reads, of the whole product or of a
  * fraction, [*n]; the caller frees. */
-struct quantity *predict_asks(const struct site *site, const struct psd *feed,
-    const struct fraction *fraction, size_t *n);
+struct quantity *predict_quantities(const struct site *site,
+    const struct psd *feed, const struct fraction *fraction, size_t *n);
 
-/* Returns the table of a response to the quantities of predict_asks, at its
- * speed, with the band that holds the middle `level` of the draws, if it has
- * draws; prediction_free.  feed_run: the run whose feed it is, or
+/* Returns the table of a response to the quantities of predict_quantities, at
+ * its speed, with the band that holds the middle `level` of the draws, if it
+ * has draws; prediction_free.  feed_run: the run whose feed it is, or
  * SITE_MEAN_FEED, see site_feed. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct response *r, double level);

@@ -178,7 +178,7 @@ response_free(struct response *r)
 
 /* Of a curve of the product. */
 static double
-read_off(struct response *r, size_t i, const struct psd *curve)
+quantity_of_curve(struct response *r, size_t i, const struct psd *curve)
 {
 	if (r->row[i] < curve->n)
 		return curve->passing[r->row[i]];
@@ -190,7 +190,7 @@ read_off(struct response *r, size_t i, const struct psd *curve)
 
 /* The curve of draw d. */
 static void
-take_draw(const struct response *r, size_t d, struct psd *curve)
+draw_curve(const struct response *r, size_t d, struct psd *curve)
 {
 	const double *P = ensemble_products(r->ensemble, r->of) + d;
 	read_between(r, P, DRAWS, curve);
@@ -235,7 +235,7 @@ answer_at(struct response *r, double v)
 		read_between(r, r->sieve, 1, &r->product);
 	}
 	for (size_t i = 0; i < r->n; i++)
-		r->value[i] = read_off(r, i, &r->product);
+		r->value[i] = quantity_of_curve(r, i, &r->product);
 }
 
 static void
@@ -251,10 +251,11 @@ response_read_draws(struct response *r)
 			curves = true;
 	}
 	for (size_t d = 0; d < DRAWS && curves; d++) {
-		take_draw(r, d, &r->curve);
+		draw_curve(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
 			if (r->row[i] >= r->product.n)
-				r->draw[i][d] = read_off(r, i, &r->curve);
+				r->draw[i][d] =
+				    quantity_of_curve(r, i, &r->curve);
 	}
 }
 
@@ -278,7 +279,7 @@ response_value(const struct response *r, size_t i)
 double
 response_model(struct response *r, size_t i)
 {
-	return read_off(r, i, model_curve(r));
+	return quantity_of_curve(r, i, model_curve(r));
 }
 
 double
@@ -337,7 +338,7 @@ is_read_between(const struct quantity *q)
 
 /* Of a curve of the product that has this value. */
 static double
-over_of(struct response *r, size_t i, double limit, double value,
+excess_of_curve(struct response *r, size_t i, double limit, double value,
     const struct psd *curve)
 {
 	const struct quantity *q = &r->asked[i];
@@ -350,19 +351,20 @@ over_of(struct response *r, size_t i, double limit, double value,
 }
 
 double
-response_over(struct response *r, size_t i, double limit)
+response_excess(struct response *r, size_t i, double limit)
 {
-	return over_of(r, i, limit, r->value[i], &r->product);
+	return excess_of_curve(r, i, limit, r->value[i], &r->product);
 }
 
 void
-response_overs(struct response *r, size_t i, double limit,
+response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++) {
 		if (is_read_between(&r->asked[i]))
-			take_draw(r, d, &r->curve);
-		over[d] = over_of(r, i, limit, r->draw[i][d], &r->curve);
+			draw_curve(r, d, &r->curve);
+		over[d] =
+		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);
 	}
 }
 
@@ -378,7 +380,7 @@ response_band(
 }
 
 struct psd
-response_part(const struct response *r, size_t i)
+response_screened(const struct response *r, size_t i)
 {
 	struct psd part = psd_copy(&r->product);
 	if (r->kept[i] != NULL)

@@ -49,8 +49,8 @@ const double *response_draws(const struct response *r, size_t i);
 
 /* Return the distance of quantity i above a limit at the response's speed, see
  * quantity_over: of the answer; of the draws, [POSTERIOR_DRAWS] out. */
-double response_over(struct response *r, size_t i, double limit);
-void response_overs(struct response *r, size_t i, double limit,
+double response_excess(struct response *r, size_t i, double limit);
+void response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Computes the band of quantity i, the middle `level` of the draws, for
@@ -60,6 +60,6 @@ void response_band(
 
 /* Returns the answer's curve of the fraction of quantity i at the response's
  * speed, at the sizes of the product's curve; psd_free. */
-struct psd response_part(const struct response *r, size_t i);
+struct psd response_screened(const struct response *r, size_t i);
 
 #endif

@@ -105,7 +105,7 @@ control_chart_covariance(
 /* The slope of the line of least squares, times the range of ln size; 0 of a
  * single sieve. */
 static void
-put_tilt(const struct drift_cut *c, double *weight)
+tilt_weights(const struct drift_cut *c, double *weight)
 {
 	double mean = 0, squares = 0;
 	for (size_t i = 0; i < c->n; i++)
@@ -120,7 +120,7 @@ put_tilt(const struct drift_cut *c, double *weight)
 }
 
 static void
-control_chart_weigh(
+control_chart_weights(
     const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
 {
 	struct weighed *level = &w[DRIFT_LEVEL], *tilt = &w[DRIFT_TILT];
@@ -130,7 +130,7 @@ control_chart_weigh(
 	}
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
-	put_tilt(c, tilt->weight);
+	tilt_weights(c, tilt->weight);
 	control_chart_put_draws(c, level);
 	control_chart_put_draws(c, tilt);
 	double share = control_chart_covariance(c, level, tilt) /
@@ -165,7 +165,8 @@ control_chart_factor(const struct drift_cut *cut, const struct weighed *w,
 /* Moves the charts of a component on by its score, the n-th.  Returns -1, 0 or
  * 1: where it stands beyond a limit. */
 static int
-control_chart_move(struct drift_chart *c, const struct drift_rule *r, size_t n)
+control_chart_update(
+    struct drift_chart *c, const struct drift_rule *r, size_t n)
 {
 	double share = r->lambda / (2 - r->lambda) *
 		       -expm1(2 * (double)n * log1p(-r->lambda));
@@ -191,7 +192,7 @@ state_of(const int side[static DRIFT_COMPONENTS])
 
 /* Where the CUSUM that signals after sample i last stood at 0, and one more. */
 static size_t
-began(const struct drift_point *point, size_t i)
+cusum_start(const struct drift_point *point, size_t i)
 {
 	enum drift_state state = point[i].state;
 	size_t k = state == DRIFT_COARSER || state == DRIFT_FINER ? DRIFT_LEVEL
@@ -210,7 +211,7 @@ began(const struct drift_point *point, size_t i)
 /* How far value i is off, given the first `known`, of which that is there; U:
  * factor(). */
 static double
-off_of(const double *U, size_t n, size_t i, size_t known, size_t k,
+z_of_value(const double *U, size_t n, size_t i, size_t known, size_t k,
     const struct drift_point *point)
 {
 	double expected = 0, variance = 0;
@@ -224,7 +225,7 @@ off_of(const double *U, size_t n, size_t i, size_t known, size_t k,
 /* The score of what is off by so much, after `known` that were off by so many
  * squares. */
 static double
-score_of(const struct drift_rule *r, double off, size_t known, double squares)
+z_to_score(const struct drift_rule *r, double off, size_t known, double squares)
 {
 	double freedom = r->cuts + (double)known;
 	double t = off / sqrt((r->cuts + squares) / freedom);
@@ -233,14 +234,14 @@ score_of(const struct drift_rule *r, double off, size_t known, double squares)
 }
 
 size_t
-drift_follow(const struct drift_cut *cut, size_t n,
+drift_run_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since)
 {
 	struct weighed *w = xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
 	double *U[DRIFT_COMPONENTS];
 	size_t first = n;
 	for (size_t i = 0; i < n; i++)
-		control_chart_weigh(&cut[i], &w[i * DRIFT_COMPONENTS]);
+		control_chart_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
 		U[k] = control_chart_factor(cut, w, n, k);
 	*since = n;
@@ -261,18 +262,18 @@ drift_follow(const struct drift_cut *cut, size_t n,
 			c->error =
 			    sqrt(control_chart_covariance(&cut[i], own, own) -
 				 truth);
-			c->off = off_of(U[k], n, i, known, k, point);
+			c->off = z_of_value(U[k], n, i, known, k, point);
 			double squares = 0;
 			for (size_t j = 0; j < known; j++)
 				squares += point[j].chart[k].off *
 					   point[j].chart[k].off;
-			c->score = score_of(rule, c->off, known, squares);
-			side[k] = control_chart_move(c, rule, i + 1);
+			c->score = z_to_score(rule, c->off, known, squares);
+			side[k] = control_chart_update(c, rule, i + 1);
 		}
 		point[i].state = state_of(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
 			first = i;
-			*since = began(point, i);
+			*since = cusum_start(point, i);
 		}
 	}
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
@@ -300,7 +301,7 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 				size_t at = n * DRIFT_COMPONENTS + k;
 				chart[k].score = rng_normal(key, (uint32_t)at) +
 						 (k == DRIFT_LEVEL ? shift : 0);
-				if (control_chart_move(
+				if (control_chart_update(
 					&chart[k], rule, n + 1) != 0)
 					signal = true;
 			}
@@ -327,11 +328,11 @@ follow_level(struct level *l, const struct drift_rule *r, double value)
 	double sum = l->variance + l->error * l->error;
 	double share = l->variance / sum;
 	l->chart.off = (value - l->mean) / sqrt(sum);
-	l->chart.score = score_of(r, l->chart.off, l->known, l->squares);
+	l->chart.score = z_to_score(r, l->chart.off, l->known, l->squares);
 	l->mean += share * (value - l->mean);
 	l->variance *= 1 - share;
 	l->squares += l->chart.off * l->chart.off;
-	return control_chart_move(&l->chart, r, ++l->known) != 0;
+	return control_chart_update(&l->chart, r, ++l->known) != 0;
 }
 
 /* A sequence: `quiet` samples, then such that are moved; the place of its first
@@ -351,8 +352,9 @@ signalled_after(const struct drift_rule *rule, struct level l, size_t quiet,
 }
 
 double
-drift_delay(const struct drift_rule *rule, const struct drift_point *point,
-    size_t n, size_t known, double shift, uint64_t seed)
+drift_detection_delay(const struct drift_rule *rule,
+    const struct drift_point *point, size_t n, size_t known, double shift,
+    uint64_t seed)
 {
 	enum { SEQUENCES = 401, USE = (1 << 22) + 1 };
 	const struct drift_chart *last = &point[n - 1].chart[DRIFT_LEVEL];

@@ -72,7 +72,7 @@ struct drift_point {
  * are not used to predict, lest the drift itself be predicted.   Source:
  * Hawkins 1987, Hawkins and Olwell 1998, section 7 (self-starting CUSUM); Page
  * 1954; Roberts 1959. */
-size_t drift_follow(const struct drift_cut *cut, size_t n,
+size_t drift_run_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since);
 
 /* Returns the mean number of samples to the first signal of any chart, where
@@ -86,7 +86,7 @@ double drift_run_length(
  * over 401 simulated sequences with errors as large as those of the points, on
  * which the charts learn as they did here.  Infinite where half of the
  * sequences have no signal after 200. */
-double drift_delay(const struct drift_rule *rule,
+double drift_detection_delay(const struct drift_rule *rule,
     const struct drift_point *point, size_t n, size_t known, double shift,
     uint64_t seed);
 

@@ -123,7 +123,7 @@ prior_of(const struct block *b, double noise)
 
 /* Fills U with the covariance, of which only the upper half counts. */
 static void
-fill(struct block *b)
+fill_covariance(struct block *b)
 {
 	if (b->smooth)
 		smooth_fill(b, b->U);
@@ -136,7 +136,7 @@ fill(struct block *b)
 static double
 level_of(struct block *b, double noise)
 {
-	fill(b);
+	fill_covariance(b);
 	discrepancy_cholesky(ISA_BEST, b->U, b->n);
 	memcpy(b->work, b->value, b->n * sizeof *b->work);
 	double level = discrepancy_level(ISA_BEST, b->U, b->n, b->work);
@@ -170,7 +170,7 @@ loo_search(struct block *b, double noise)
 
 /* Lets (sign 1) the cell be what it likes, or holds it again (-1). */
 static void
-free_cell(struct leave_out *l, size_t cell, double sign)
+set_cell_free(struct leave_out *l, size_t cell, double sign)
 {
 	const double *u = l->shift + cell * l->n;
 	for (size_t k = 0; k < BLOCKS; k++) {
@@ -187,7 +187,7 @@ free_cell(struct leave_out *l, size_t cell, double sign)
 
 /* The error of a feed's passing that products answer to. */
 static double
-feed_own(const struct leave_out *l)
+feed_error(const struct leave_out *l)
 {
 	return l->noise > 0 ? l->noise : FEED_OWN;
 }
@@ -200,7 +200,7 @@ joint_factor(struct leave_out *l)
 	const struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t k = 0; k < BLOCKS; k++) {
 		struct block *b = &l->block[k];
-		fill(b);
+		fill_covariance(b);
 		for (size_t i = 0; i < b->n; i++)
 			for (size_t j = i; j < b->n; j++)
 				U[(b->first + i) * l->n + b->first + j] =
@@ -209,7 +209,7 @@ joint_factor(struct leave_out *l)
 	/* The feed's own error is searched, what products answer to is not:
 	 * where it has become smaller they share less, or else no errors would
 	 * have that covariance. */
-	double own = el_exp(f->hyper[SMOOTH_OWN]) / feed_own(l);
+	double own = el_exp(f->hyper[SMOOTH_OWN]) / feed_error(l);
 	for (size_t i = 0; i < f->n; i++)
 		for (size_t j = 0; j < p->n; j++)
 			U[j * l->n + f->first + i] =
@@ -239,7 +239,7 @@ joint_values(const struct leave_out *l, const double *U)
 
 /* Puts z, and the shift's size as passing, of one cell. */
 static double
-shift_of(const struct leave_out *l, const double *U, const double *y,
+shift_z(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
 {
 	double *u = xdoubles(l->n), dot = 0, squares = 0;
@@ -264,7 +264,8 @@ logit(double P)
 /* Takes a cell's shift from its passing: where values are logarithms it is
  * straight in them. */
 static void
-expect(const struct leave_out *l, struct leave_out_shift *s, double shift)
+shift_set_expected(
+    const struct leave_out *l, struct leave_out_shift *s, double shift)
 {
 	double P = l->passing[s->cell];
 	bool feed = s->cell >= l->block[FEEDS].first;
@@ -283,13 +284,13 @@ expect(const struct leave_out *l, struct leave_out_shift *s, double shift)
 
 /* The cells of the largest |z|, [CLOSE]; returns how many. */
 static size_t
-candidates(struct leave_out *l, size_t *cell)
+find_largest_z(struct leave_out *l, size_t *cell)
 {
 	double *U = joint_factor(l), *y = joint_values(l, U);
 	double best[CLOSE] = {0}, shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
-		double z = fabs(shift_of(l, U, y, c, &shift, &sd));
+		double z = fabs(shift_z(l, U, y, c, &shift, &sd));
 		size_t at = n < CLOSE ? n : CLOSE;
 		if (l->dropped[c] || !isfinite(z))
 			continue;
@@ -311,7 +312,7 @@ candidates(struct leave_out *l, size_t *cell)
 }
 
 static double
-searched_level(struct leave_out *l)
+level_at_best_hypers(struct leave_out *l)
 {
 	for (size_t k = 0; k < BLOCKS; k++)
 		loo_search(&l->block[k], l->noise);
@@ -320,18 +321,18 @@ searched_level(struct leave_out *l)
 
 /* The cell free, with the hyperparameters found so. */
 static struct leave_out_shift
-look_closely(struct leave_out *l, size_t cell, double level)
+shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 {
 	struct leave_out_shift s = {.cell = cell};
 	double was[BLOCKS][HYPERS], shift;
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
-	free_cell(l, cell, 1);
-	s.gain = level - searched_level(l);
-	free_cell(l, cell, -1);
+	set_cell_free(l, cell, 1);
+	s.gain = level - level_at_best_hypers(l);
+	set_cell_free(l, cell, -1);
 	double *U = joint_factor(l), *y = joint_values(l, U);
-	s.z = shift_of(l, U, y, cell, &shift, &s.sd);
-	expect(l, &s, shift);
+	s.z = shift_z(l, U, y, cell, &shift, &s.sd);
+	shift_set_expected(l, &s, shift);
 	free(U);
 	free(y);
 	for (size_t k = 0; k < BLOCKS; k++)
@@ -340,9 +341,9 @@ look_closely(struct leave_out *l, size_t cell, double level)
 }
 
 struct leave_out_shift
-leave_out_look(struct leave_out *l, size_t cell)
+leave_out_shift_of(struct leave_out *l, size_t cell)
 {
-	return look_closely(l, cell, searched_level(l));
+	return shift_of_free_cell(l, cell, level_at_best_hypers(l));
 }
 
 struct leave_out_shift
@@ -350,10 +351,11 @@ leave_out_worst(struct leave_out *l)
 {
 	struct leave_out_shift worst = {.gain = -INFINITY};
 	size_t cell[CLOSE];
-	double level = searched_level(l);
-	size_t n = candidates(l, cell);
+	double level = level_at_best_hypers(l);
+	size_t n = find_largest_z(l, cell);
 	for (size_t i = 0; i < n; i++) {
-		struct leave_out_shift s = look_closely(l, cell[i], level);
+		struct leave_out_shift s =
+		    shift_of_free_cell(l, cell[i], level);
 		if (isfinite(s.z) && s.gain > worst.gain)
 			worst = s;
 	}
@@ -364,7 +366,7 @@ void
 leave_out_drop(struct leave_out *l, size_t cell)
 {
 	l->dropped[cell] = true;
-	free_cell(l, cell, 1);
+	set_cell_free(l, cell, 1);
 }
 
 size_t
@@ -421,7 +423,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 
 /* ln of the mean energy of the runs. */
 static double
-middle_of(const struct site *site)
+mean_log_energy(const struct site *site)
 {
 	double sum = 0, n = 0;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -436,7 +438,7 @@ middle_of(const struct site *site)
 static void
 fill_smooth(struct leave_out *l, struct block *b, bool feed)
 {
-	double middle = middle_of(l->site);
+	double middle = mean_log_energy(l->site);
 	for (size_t i = 0; i < b->n; i++) {
 		size_t c = b->first + i;
 		double P = l->passing[c], v = l->site->run[l->of[c].run].speed;
@@ -517,7 +519,7 @@ fill_differences(
 /* How the products of a run answer to a passing of its feed, per passing,
  * gain [covered] out. */
 static void
-feed_gain(const struct run *run, size_t sieve, const struct posterior *p,
+feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
     double *gain)
 {
 	const double more = 1e-4;
@@ -556,7 +558,7 @@ fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
 		if (i == 0 || c->run != l->of[i - 1].run || gain == NULL) {
 			free(gain);
 			gain = xdoubles(misfit_covered(run));
-			feed_gain(run, of->sieve, p, gain);
+			feed_sensitivity(run, of->sieve, p, gain);
 		}
 		u[i] = -gain[c->sieve];
 	}
@@ -569,7 +571,7 @@ add_feed_errors(struct leave_out *l)
 {
 	struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t c = 0; c < f->n; c++) {
-		double sd = feed_own(l) * f->cell[c].h;
+		double sd = feed_error(l) * f->cell[c].h;
 		const double *u = l->shift + (f->first + c) * l->n;
 		for (size_t i = 0; i < p->n; i++) {
 			for (size_t j = 0; j < p->n; j++)

@@ -62,7 +62,7 @@ struct leave_out_shift {
 struct leave_out_shift leave_out_worst(struct leave_out *l);
 
 /* Returns the shift of the given cell. */
-struct leave_out_shift leave_out_look(struct leave_out *l, size_t cell);
+struct leave_out_shift leave_out_shift_of(struct leave_out *l, size_t cell);
 
 /* Leaves the cell out from now on. */
 void leave_out_drop(struct leave_out *l, size_t cell);

@@ -48,7 +48,7 @@ outliers_add(struct doctor *d, struct mend mend)
 
 /* How far curve a passes above b: mean at their common sieves, and the most. */
 static double
-above(const struct psd *a, const struct psd *b, double *most)
+mean_difference(const struct psd *a, const struct psd *b, double *most)
 {
 	double sum = 0, n = 0;
 	*most = 0;
@@ -67,7 +67,7 @@ static bool
 is_coarser(const struct psd *product, const struct psd *feed)
 {
 	const double sampling = 0.02, on_the_whole = 0.01;
-	double most, mean = above(feed, product, &most);
+	double most, mean = mean_difference(feed, product, &most);
 	return most > sampling && mean > on_the_whole;
 }
 
@@ -98,9 +98,10 @@ find_swapped_feeds(struct doctor *d, const struct site *site)
 			double most;
 			struct finding *f = outliers_add(d, m);
 			const struct run *now = &other->run[r];
-			f->off[0] = above(&run->feed, &run->product, &most);
-			f->off[1] =
-			    fmax(0, above(&now->feed, &now->product, &most));
+			f->off[0] =
+			    mean_difference(&run->feed, &run->product, &most);
+			f->off[1] = fmax(0,
+			    mean_difference(&now->feed, &now->product, &most));
 		}
 		site_free(other);
 	}
@@ -109,7 +110,7 @@ find_swapped_feeds(struct doctor *d, const struct site *site)
 /* Sum over neighbouring speeds of how much coarser, on the whole, the faster
  * product is. */
 static double
-disorder(const struct site *site)
+speed_disorder(const struct site *site)
 {
 	double sum = 0, most;
 	const struct run *slow = NULL;
@@ -118,8 +119,8 @@ disorder(const struct site *site)
 		if (run->product.n == 0)
 			continue;
 		if (slow != NULL && slow->speed < run->speed)
-			sum += fmax(
-			    0, above(&slow->product, &run->product, &most));
+			sum += fmax(0, mean_difference(&slow->product,
+					   &run->product, &most));
 		slow = run;
 	}
 	return sum;
@@ -147,7 +148,7 @@ find_exchanged(struct doctor *d, const struct site *site)
 {
 	/* What check calls a fault, on the whole. */
 	const double much = 0.003, share = 0.2;
-	double before = disorder(site), least = share * before;
+	double before = speed_disorder(site), least = share * before;
 	struct mend best = {.kind = MEND_READ};
 	for (size_t i = 0; i < site->n_run && before > much; i++)
 		for (size_t k = i + 1; k < site->n_run; k++) {
@@ -160,7 +161,8 @@ find_exchanged(struct doctor *d, const struct site *site)
 				&site->run[i].product, &site->run[k].product))
 				continue;
 			struct site *other = mend_site(site, &m, NULL);
-			double after = other != NULL ? disorder(other) : 1;
+			double after =
+			    other != NULL ? speed_disorder(other) : 1;
 			site_free(other);
 			if (after < least) {
 				least = after;
@@ -180,7 +182,7 @@ struct line {
 };
 
 static double
-line_at(const struct line *l, double e)
+line_value_at(const struct line *l, double e)
 {
 	double mean = l->e / l->n, about = l->ee / l->n - mean * mean;
 	double slope = about > 1e-9 * mean * mean
@@ -213,7 +215,7 @@ outliers_distance(const struct site *site, size_t at)
 		if (l.n < 2)
 			continue;
 		double by = run->product.passing[i] -
-			    line_at(&l, run->speed * run->speed);
+			    line_value_at(&l, run->speed * run->speed);
 		squares += by * by;
 		n++;
 	}
@@ -330,7 +332,7 @@ distance_to(const struct finding *f, double passing)
 /* Takes a reading of the cell that the others would expect: within three
  * standard deviations, nearer than what is there, and than what was taken. */
 static void
-consider(struct finding *f, double passing)
+consider_reading(struct finding *f, double passing)
 {
 	double least = 0.001, near = 3 * f->sd + least;
 	bool taken = f->mend.kind == MEND_READ;
@@ -377,7 +379,7 @@ value_of(const char *digits, size_t point)
 
 /* Two neighbouring digits transposed, one typed twice, or the point moved. */
 static void
-consider_digits(struct finding *f)
+consider_digit_errors(struct finding *f)
 {
 	char digits[16], other[16];
 	size_t point, n = outliers_digits_of(f->measured, digits, &point);
@@ -386,15 +388,16 @@ consider_digits(struct finding *f)
 		other[i] = digits[i + 1];
 		other[i + 1] = digits[i];
 		if (digits[i] != digits[i + 1])
-			consider(f, value_of(other, point));
+			consider_reading(f, value_of(other, point));
 		memmove(other + i, digits + i + 1, n - i);
 		memcpy(other, digits, i);
 		if (digits[i] == digits[i + 1])
-			consider(f, value_of(other, point - (i < point)));
+			consider_reading(
+			    f, value_of(other, point - (i < point)));
 	}
 	if (n > 0) {
-		consider(f, round(f->measured * 1e13) / 1e12);
-		consider(f, round(f->measured * 1e11) / 1e12);
+		consider_reading(f, round(f->measured * 1e13) / 1e12);
+		consider_reading(f, round(f->measured * 1e11) / 1e12);
 	}
 }
 
@@ -411,7 +414,7 @@ outliers_add_cell(struct doctor *d, const struct site *site,
 	f->measured = psd->passing[cell->sieve];
 	f->expected = s->expected;
 	f->sd = s->sd;
-	consider_digits(f);
+	consider_digit_errors(f);
 	struct site *other = mend_site(site, &f->mend, NULL);
 	if (other == NULL)
 		f->mend = m;
@@ -431,7 +434,7 @@ measured_runs(const struct site *site)
 /* The fit went some way to meet a cell that is off: moves it to where it would
  * be without that cell. */
 static void
-refit(struct posterior *p, const struct site *site, struct mend m)
+move_refitted(struct posterior *p, const struct site *site, struct mend m)
 {
 	enum { MOST = 100 };
 	m.kind = MEND_OUT;
@@ -442,7 +445,7 @@ refit(struct posterior *p, const struct site *site, struct mend m)
 	struct misfit *misfit = misfit_new(less, use, NULL, false, p->settings);
 	struct polish *polish = polish_new(misfit);
 	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
-	params_scale(&p->fit);
+	params_scale_to_1(&p->fit);
 	polish_free(polish);
 	misfit_free(misfit);
 	site_free(less);
@@ -450,7 +453,7 @@ refit(struct posterior *p, const struct site *site, struct mend m)
 }
 
 static double
-passing_of(const struct site *site, const struct leave_out_cell *c)
+cell_passing(const struct site *site, const struct leave_out_cell *c)
 {
 	const struct run *run = &site->run[c->run];
 	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
@@ -474,20 +477,20 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 		c = leave_out_cell(l, s.cell);
 	leave_out_free(l);
 	tell = tell && s.gain > (c.feed ? SURPRISE_FEED : SURPRISE_PRODUCT) &&
-	       fabs(s.expected - passing_of(site, &c)) > WORTH;
+	       fabs(s.expected - cell_passing(site, &c)) > WORTH;
 	if (!tell)
 		return false;
 	struct mend m = {.feed = c.feed, .run = c.run};
 	m.size = outliers_curve_of(site, &m)->size[c.sieve];
-	refit(p, site, m);
+	move_refitted(p, site, m);
 	l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
 		leave_out_drop(l, found[i]);
 	double gain = s.gain;
-	s = leave_out_look(l, s.cell);
+	s = leave_out_shift_of(l, s.cell);
 	leave_out_free(l);
 	found[n] = s.cell;
-	if (!(fabs(s.expected - passing_of(site, &c)) > WORTH))
+	if (!(fabs(s.expected - cell_passing(site, &c)) > WORTH))
 		return false;
 	outliers_add_cell(d, site, &c, &s);
 	d->finding[d->n - 1].surprise = gain;
@@ -533,7 +536,7 @@ add_bent(struct doctor *d, const struct site *site, double noise,
 		struct leave_out_cell c = leave_out_cell(l, i);
 		if (c.feed == cell.feed && c.run == cell.run &&
 		    c.sieve == cell.sieve)
-			s = leave_out_look(l, i);
+			s = leave_out_shift_of(l, i);
 	}
 	leave_out_free(l);
 	outliers_add_cell(d, site, &cell, &s);
@@ -599,7 +602,7 @@ count_cells(const struct site *site)
 
 /* Leaves out what cannot be done, as of a run that is the only one. */
 static void
-keep_possible(struct doctor *d, const struct site *site)
+drop_impossible(struct doctor *d, const struct site *site)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++) {
@@ -612,7 +615,7 @@ keep_possible(struct doctor *d, const struct site *site)
 }
 
 struct doctor
-doctor_look(
+outliers_find(
     const struct site *site, const struct posterior *posterior, double noise)
 {
 	struct doctor d = {0};
@@ -636,13 +639,13 @@ doctor_look(
 		find_bent(&d, site, true, noise);
 		find_bent(&d, site, false, noise);
 	}
-	keep_possible(&d, site);
+	drop_impossible(&d, site);
 	outliers_measure(&d, site, posterior);
 	return d;
 }
 
 void
-doctor_free(struct doctor *doctor)
+outliers_free(struct doctor *doctor)
 {
 	free(doctor->finding);
 	*doctor = (struct doctor){0};

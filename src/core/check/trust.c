@@ -41,8 +41,8 @@ static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
 /* Takes from the differences d what a small step of the parameters would: some
  * of the runs used may not have been trained on.  Returns how many steps. */
 static double
-take_steps(struct misfit *m, const struct fit *fit, const struct bounds *bounds,
-    double *d)
+remove_parameter_steps(struct misfit *m, const struct fit *fit,
+    const struct bounds *bounds, double *d)
 {
 	double *basis = xdoubles(m->n_residual * PARAMS_MOST);
 	struct sensitivity s =
@@ -137,8 +137,9 @@ trust_read_draws(struct evidence *e, const struct posterior *p,
 
 /* At the slowest and the fastest speed measured and midway. */
 static double
-halves_apart(const struct evidence *e, const struct posterior *p,
-    const struct site *site, const double *sieve, size_t n)
+halves_difference_of_products(const struct evidence *e,
+    const struct posterior *p, const struct site *site, const double *sieve,
+    size_t n)
 {
 	struct ensemble *of =
 	    ensemble_new(p, site_feed(site, SITE_MEAN_FEED), sieve, n);
@@ -180,8 +181,9 @@ trust_find_speeds(struct evidence *e, const struct misfit *m)
 
 /* Adds to passings [n] what a feed gives at speed v, times `share`. */
 static void
-add_product(double *passing, const struct psd *feed, const double *sieve,
-    size_t n, const struct fit *fit, double v, double share)
+add_weighted_product(double *passing, const struct psd *feed,
+    const double *sieve, size_t n, const struct fit *fit, double v,
+    double share)
 {
 	double *product = xdoubles(n);
 	struct model *model = model_new(feed, sieve, n, fit->settings);
@@ -196,7 +198,7 @@ add_product(double *passing, const struct psd *feed, const double *sieve,
 /* A run's product as the fit moves it to the site's mean feed (D19), at the
  * sieves that both feeds cover; psd_free. */
 static struct psd
-moved_product(const struct site *site, size_t r, const struct fit *fit)
+product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
 {
 	const struct run *run = &site->run[r];
 	const struct psd *mean = site_feed(site, SITE_MEAN_FEED);
@@ -205,21 +207,22 @@ moved_product(const struct site *site, size_t r, const struct fit *fit)
 	while (p.n > 0 && !psd_covers(mean, p.size[p.n - 1]))
 		p.n--;
 	if (site->individual_feeds && p.n > 0) {
-		add_product(p.passing, mean, p.size, p.n, fit, run->speed, 1);
-		add_product(
+		add_weighted_product(
+		    p.passing, mean, p.size, p.n, fit, run->speed, 1);
+		add_weighted_product(
 		    p.passing, &run->feed, p.size, p.n, fit, run->speed, -1);
 	}
 	return p;
 }
 
 static void
-find_against(struct evidence *e, const struct site *site, const bool *use,
-    const struct fit *fit)
+find_contradictions(struct evidence *e, const struct site *site,
+    const bool *use, const struct fit *fit)
 {
 	struct psd *moved = xcalloc(site->n_run, sizeof *moved);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (use[r])
-			moved[r] = moved_product(site, r, fit);
+			moved[r] = product_of_mean_feed(site, r, fit);
 	for (size_t r = 0; r < site->n_run; r++)
 		for (size_t k = 0; k < r; k++) {
 			const struct run *slow = &site->run[k],
@@ -239,8 +242,8 @@ find_against(struct evidence *e, const struct site *site, const bool *use,
 }
 
 struct evidence
-trust_evidence(const struct site *site, const bool *train, const bool *use,
-    const struct fit *fit, const struct bounds *bounds,
+trust_gather_evidence(const struct site *site, const bool *train,
+    const bool *use, const struct fit *fit, const struct bounds *bounds,
     const struct posterior *posterior, double noise)
 {
 	struct misfit *m = misfit_new(site, use, NULL, false, fit->settings);
@@ -260,16 +263,18 @@ trust_evidence(const struct site *site, const bool *train, const bool *use,
 	size_t n;
 	double *sieve = site_sieves(site, &n);
 	misfit_differences(m, &fit->params, d);
-	weigh_residuals(&e, m, d, take_steps(m, fit, bounds, d), noise);
+	weigh_residuals(
+	    &e, m, d, remove_parameter_steps(m, fit, bounds, d), noise);
 	trust_find_speeds(&e, m);
 	find_holdout(&e, site, train, fit);
-	find_against(&e, site, use, fit);
+	find_contradictions(&e, site, use, fit);
 	e.all_break = !isnan(params_value(&fit->params, "e0_min")) &&
 		      params_break_size_by(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
 		trust_read_draws(&e, posterior, fit, sieve[n - 1]);
-		e.halves = halves_apart(&e, posterior, site, sieve, n);
+		e.halves = halves_difference_of_products(
+		    &e, posterior, site, sieve, n);
 	}
 	free(sieve);
 	free(d);
@@ -345,7 +350,7 @@ judge_data(struct trust *t, const struct evidence *e)
 
 /* What the runs contradict, and what the fit says that no crusher does. */
 static void
-judge_sense(struct trust *t, const struct evidence *e)
+judge_contradictions(struct trust *t, const struct evidence *e)
 {
 	if (e->against.order.most > 0)
 		trust_add(t, LIGHT_RED, TRUST_DATA,
@@ -367,7 +372,7 @@ judge_sense(struct trust *t, const struct evidence *e)
 }
 
 static int
-strength(double value, struct sign sign)
+sign_strength(double value, struct sign sign)
 {
 	return (value > sign.weak) + (value > sign.strong);
 }
@@ -397,8 +402,10 @@ static void
 judge_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
-	int size = strength(e->size, SIZE), alike = strength(e->alike, ALIKE);
-	int more = strength(e->more, MORE), drift = strength(finer, FINER);
+	int size = sign_strength(e->size, SIZE),
+	    alike = sign_strength(e->alike, ALIKE);
+	int more = sign_strength(e->more, MORE),
+	    drift = sign_strength(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)
@@ -446,7 +453,8 @@ judge_holdout(struct trust *t, const struct evidence *e)
 		    xasprintf(tr("at %g m/s, held out, the model errs by %.1f "
 				 "points (RMSE)"),
 			v->speed, 100 * own));
-	else if (validation_loses(v) && own > 1.2 * line + 0.001)
+	else if (validation_loses_to_interpolation(v) &&
+		 own > 1.2 * line + 0.001)
 		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT,
 		    xasprintf(
 			tr("at %g m/s, held out, interpolating the "
@@ -460,16 +468,15 @@ judge_slow(struct trust *t, const struct evidence *e)
 {
 	if (e->unbounded > 0.05)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
-		    xasprintf(
-			tr("the threshold is only bounded from above (%.0f "
-			   "%% of the draws have none): slower than %g m/s "
-			   "far less may break"),
+		    xasprintf(tr("the threshold is only bounded from above "
+				 "(%.0f %% of the draws have none): below %g "
+				 "m/s far less of the feed may break"),
 			100 * e->unbounded, e->slowest));
 	else if (e->breaks > 0.995)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
 		    xasprintf(tr("already at %g m/s %.0f %% of what is coarse "
 				 "enough breaks: f_mat is only bounded from "
-				 "below, and slower less may break"),
+				 "below, and at lower speeds less may break"),
 			e->slowest, 100 * e->breaks));
 }
 
@@ -490,8 +497,9 @@ judge_speed(struct trust *t, const struct evidence *e, double v)
 			beyond, span));
 	else
 		trust_add(t, LIGHT_AMBER, TRUST_BEYOND,
-		    xasprintf(tr("%.1f m/s beyond the measured speeds: there "
-				 "the model answers, no measurement"),
+		    xasprintf(
+			tr("%.1f m/s beyond the measured speeds: there the "
+			   "answer rests on the model, not on measurements"),
 			beyond));
 	if (slow)
 		judge_slow(t, e);
@@ -527,7 +535,7 @@ trust_judge(
     struct trust *t, const struct evidence *e, const struct trust_question *q)
 {
 	judge_data(t, e);
-	judge_sense(t, e);
+	judge_contradictions(t, e);
 	judge_holdout(t, e);
 	/* An answer shows its first reason. */
 	if (q->speed > 0)
@@ -553,8 +561,8 @@ trust_free(struct trust *t)
 }
 
 double
-trust_moves(const struct posterior *p, struct ensemble *e, size_t n,
-    const char *parameter)
+trust_parameter_correlation(const struct posterior *p, struct ensemble *e,
+    size_t n, const char *parameter)
 {
 	enum { N = POSTERIOR_DRAWS };
 	double value[N], sum = 0;

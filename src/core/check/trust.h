@@ -81,9 +81,10 @@ struct evidence {
 };
 
 /* noise: known error of a single passing, 0..1; 0: as usual. */
-struct evidence trust_evidence(const struct site *site, const bool *train,
-    const bool *use, const struct fit *fit, const struct bounds *bounds,
-    const struct posterior *posterior, double noise);
+struct evidence trust_gather_evidence(const struct site *site,
+    const bool *train, const bool *use, const struct fit *fit,
+    const struct bounds *bounds, const struct posterior *posterior,
+    double noise);
 
 /* The question.  All but speed may be 0 or NAN. */
 struct trust_question {
@@ -143,8 +144,8 @@ void trust_free(struct trust *t);
 
 /* Returns the change of an ensemble's answers, at its speed and n sizes, for
  * one standard deviation of a parameter: root mean square, passing 0..1. */
-double trust_moves(const struct posterior *p, struct ensemble *e, size_t n,
-    const char *parameter);
+double trust_parameter_correlation(const struct posterior *p,
+    struct ensemble *e, size_t n, const char *parameter);
 
 /* Returns the largest difference of two feeds, passing 0..1. */
 double trust_feed_difference(const struct psd *a, const struct psd *b);

@@ -162,7 +162,7 @@ read_sizes(const struct psd *sieves, const double *passing, size_t n,
 
 /* What a way predicts at the covered sieves. */
 static void
-put_way(struct validation *v, const struct site *site, enum validate_way way,
+score_way(struct validation *v, const struct site *site, enum validate_way way,
     const double *passing)
 {
 	const struct psd *product = &site->run[v->run].product;
@@ -199,7 +199,7 @@ validate_run(const struct site *site, size_t run, const bool *train,
 		if (!answer)
 			validate_passing(
 			    site, run, train, p, settings, way, passing);
-		put_way(&v, site, way, answer ? corrected : passing);
+		score_way(&v, site, way, answer ? corrected : passing);
 	}
 	free(passing);
 	return v;
@@ -216,7 +216,7 @@ validate_winner(const double rmse[static VALIDATE_WAYS])
 }
 
 bool
-validation_loses(const struct validation *v)
+validation_loses_to_interpolation(const struct validation *v)
 {
 	return v->holdout &&
 	       v->rmse[VALIDATE_INTERPOLATION] < v->rmse[VALIDATE_MODEL];

@@ -32,7 +32,8 @@ struct validation {
 	size_t run;
 	double speed;
 	bool holdout;               /* not among the training runs */
-	size_t n_sieve, n_left_out; /* compared; finer than the feed tells */
+	size_t n_sieve, n_left_out; /* compared; finer than the feed was
+				     * sieved */
 	double misfit;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
 	double measured[PSD_SIZES];           /* P20, P50, P80, m */
@@ -60,7 +61,7 @@ enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
 
 /* True when the model at this run is worse than interpolating the measured
  * training products. */
-bool validation_loses(const struct validation *v);
+bool validation_loses_to_interpolation(const struct validation *v);
 
 /* True when interpolation extends beyond its two speeds: there it is the line
  * through the two nearest. */

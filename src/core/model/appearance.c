@@ -21,7 +21,7 @@ appearance_density(const double beta[static 4], double u)
 
 /* Antiderivative of the unclipped polynomial with respect to ln u. */
 static double
-primitive(const double beta[static 4], double u)
+polynomial_integral(const double beta[static 4], double u)
 {
 	return beta[0] * el_log(u) +
 	       u * (beta[1] + u * (beta[2] / 2 + u * beta[3] / 3));
@@ -119,8 +119,8 @@ appearance_of(const double beta[static 4])
 		double middle = edge[i - 1] + (edge[i] - edge[i - 1]) / 2;
 		if (!(polynomial(beta, middle) > 0))
 			continue;
-		double share =
-		    primitive(beta, edge[i]) - primitive(beta, edge[i - 1]);
+		double share = polynomial_integral(beta, edge[i]) -
+			       polynomial_integral(beta, edge[i - 1]);
 		a.lower[a.n] = edge[i - 1];
 		a.upper[a.n] = edge[i];
 		a.total += share > 0 ? share : 0;

@@ -45,7 +45,7 @@ breakage_find(const char *name)
 
 /* Whether a model has the parameters of another. */
 static bool
-has_all(size_t wide, size_t narrow)
+has_all_parameters(size_t wide, size_t narrow)
 {
 	const struct breakage *of = BREAKAGES[narrow];
 	size_t j = 0;
@@ -58,7 +58,7 @@ has_all(size_t wide, size_t narrow)
 bool
 breakage_extends(size_t wide, size_t narrow)
 {
-	return wide != narrow && has_all(wide, narrow);
+	return wide != narrow && has_all_parameters(wide, narrow);
 }
 
 struct params
@@ -161,7 +161,7 @@ params_break_size_by(
 }
 
 double
-params_gauge(const struct params *p)
+params_largest_gauge(const struct params *p)
 {
 	double largest = 0;
 	for (size_t j = 0; j < breakage_of(p)->gauge; j++)
@@ -170,9 +170,9 @@ params_gauge(const struct params *p)
 }
 
 void
-params_scale(struct params *p)
+params_scale_to_1(struct params *p)
 {
-	double largest = params_gauge(p);
+	double largest = params_largest_gauge(p);
 	for (size_t j = 0; largest > 0 && j < breakage_of(p)->gauge; j++)
 		p->at[j] /= largest;
 }

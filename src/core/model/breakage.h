@@ -160,11 +160,11 @@ double params_break_size_by(
 
 /* Returns the largest absolute value of the parameters in the gauge; 0 without
  * a gauge. */
-double params_gauge(const struct params *p);
+double params_largest_gauge(const struct params *p);
 
 /* Scales the gauge's parameters to a largest absolute value of 1 (departure
  * D4); where all are 0 they stay 0. */
-void params_scale(struct params *p);
+void params_scale_to_1(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
 

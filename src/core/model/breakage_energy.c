@@ -26,7 +26,7 @@ energy_prepare(struct breaker *b)
 }
 
 const struct energy_own *
-energy_own(const struct breaker *b)
+energy_exponents(const struct breaker *b)
 {
 	return (const struct energy_own *)(const void *)b->own;
 }
@@ -34,7 +34,7 @@ energy_own(const struct breaker *b)
 double
 energy_finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[4] = {0}, e = energy_own(b)->exponent;
+	double base[4] = {0}, e = energy_exponents(b)->exponent;
 	double B = grunditz_finer(b, log_u, d != NULL ? base : NULL);
 	if (!(B > 0))
 		return 0;
@@ -43,7 +43,7 @@ energy_finer(const struct breaker *b, double log_u, double *d)
 		return P;
 	for (size_t i = 0; i < 4; i++)
 		d[i] += e * P / B * base[i];
-	d[GAMMA] -= P * log_B * e * energy_own(b)->log_ratio;
+	d[GAMMA] -= P * log_B * e * energy_exponents(b)->log_ratio;
 	return P;
 }
 
@@ -52,7 +52,8 @@ energy_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)log_x;
 	const struct appearance *a = grunditz_appearance(b);
-	double p = appearance_density(a->beta, u), e = energy_own(b)->exponent;
+	double p = appearance_density(a->beta, u),
+	       e = energy_exponents(b)->exponent;
 	double B = log_u < 0 ? grunditz_finer(b, log_u, NULL) : 1;
 	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
 }

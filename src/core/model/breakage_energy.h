@@ -25,7 +25,7 @@ struct energy_own {
 		    0                                                      \
 	}
 
-const struct energy_own *energy_own(const struct breaker *b);
+const struct energy_own *energy_exponents(const struct breaker *b);
 
 /* See the fields of that name in struct breakage. */
 void energy_prepare(struct breaker *b);

@@ -20,7 +20,7 @@ void
 grunditz_prepare(struct breaker *b)
 {
 	struct params scaled = b->p;
-	params_scale(&scaled);
+	params_scale_to_1(&scaled);
 	static_assert(sizeof(struct appearance) <= sizeof b->own, "room");
 	*(struct appearance *)(void *)b->own = appearance_of(scaled.beta);
 }
@@ -44,7 +44,7 @@ grunditz_finer(const struct breaker *b, double log_u, double *d)
 	double B = sum / a->total;
 	if (d == NULL)
 		return B;
-	double scale = 1 / (a->total * params_gauge(&b->p));
+	double scale = 1 / (a->total * params_largest_gauge(&b->p));
 	for (size_t i = 0; i < 4; i++)
 		d[i] += (parts[i] - B * a->whole[i]) * scale;
 	return B;
@@ -96,7 +96,7 @@ struct moments {
 
 /* S and its derivatives at the points of a panel: selection_by. */
 static void
-shapes_at(const struct breaker *b, const double t[static GAUSS],
+selection_at_panel(const struct breaker *b, const double t[static GAUSS],
     double shape[static SHAPES][GAUSS])
 {
 	const double *q = b->p.at + F_MAT;
@@ -114,11 +114,11 @@ shapes_at(const struct breaker *b, const double t[static GAUSS],
 
 /* S dF, and with more shapes its derivatives, times each g_m. */
 static inline void
-add_panel(const struct continuous *c, const struct panel *panel, size_t n,
-    struct moments *sum)
+add_panel_moments(const struct continuous *c, const struct panel *panel,
+    size_t n, struct moments *sum)
 {
 	double shape[SHAPES][GAUSS], x1[GAUSS];
-	shapes_at(&c->b, panel->t, shape);
+	selection_at_panel(&c->b, panel->t, shape);
 	for (size_t i = 0; i < GAUSS; i++)
 		x1[i] = el_exp(-panel->t[i]);
 	for (size_t i = 0; i < GAUSS; i++) {
@@ -135,13 +135,13 @@ add_panel(const struct continuous *c, const struct panel *panel, size_t n,
 static void
 add_S(const struct continuous *c, const struct panel *panel, void *data)
 {
-	add_panel(c, panel, 1, data);
+	add_panel_moments(c, panel, 1, data);
 }
 
 static void
 add_shapes(const struct continuous *c, const struct panel *panel, void *data)
 {
-	add_panel(c, panel, SHAPES, data);
+	add_panel_moments(c, panel, SHAPES, data);
 }
 
 static void
@@ -230,7 +230,7 @@ broken_parts(const struct continuous *c, double log_s, size_t n_shape,
 }
 
 static double
-combined(const struct appearance *a, const double parts[static 4])
+weighted_by_beta(const struct appearance *a, const double parts[static 4])
 {
 	double sum = 0;
 	for (size_t b = 0; b < 4; b++)
@@ -246,11 +246,11 @@ fill_row(const struct continuous *c, double broken, double total,
     const double T[static 4], double Q[SHAPES][4], double *row)
 {
 	const struct appearance *a = grunditz_appearance(&c->b);
-	double scale = params_gauge(&c->b.p);
+	double scale = params_largest_gauge(&c->b.p);
 	for (size_t b = 0; b < 4; b++)
 		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
 	for (size_t i = 1; i < SHAPES; i++)
-		row[F_MAT + i - 1] = combined(a, Q[i]) / total;
+		row[F_MAT + i - 1] = weighted_by_beta(a, Q[i]) / total;
 }
 
 /* See breakage.h, product. */
@@ -263,14 +263,14 @@ moments_product(struct continuous *c, double *passing, double *d_passing)
 	if (c->above == NULL)
 		c->above = xcalloc(c->n_edge, sizeof *c->above);
 	integrate_all(c, n_shape);
-	double total = combined(a, T);
+	double total = weighted_by_beta(a, T);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		passing[i] = c->feed_passing[i];
 		if (c->log_sieve[i] >= c->edge[0] || !(total > 0))
 			continue;
 		double Q[SHAPES][4];
 		broken_parts(c, c->log_sieve[i], n_shape, Q);
-		double broken = combined(a, Q[0]) / total;
+		double broken = weighted_by_beta(a, Q[0]) / total;
 		if (d_passing != NULL)
 			fill_row(c, broken, total, T, Q,
 			    d_passing + i * c->b.model->n);

@@ -57,7 +57,7 @@ finer(const struct breaker *b, double log_u, double *d)
 		return 1 - coarser;
 	for (size_t i = 0; i < KAPPA && B < 1; i++)
 		d[i] += r * coarser / (1 - B) * base[i];
-	d[KAPPA] -= r * rest * coarser * energy_own(b)->log_ratio;
+	d[KAPPA] -= r * rest * coarser * energy_exponents(b)->log_ratio;
 	return 1 - coarser;
 }
 

@@ -21,7 +21,7 @@ static const double LEAST_Q = 0.01;
 
 /* (1 + tanh((y - y')/y')) / 2; *ratio: y / y'. */
 static double
-fines(const struct breaker *b, double log_y, double *ratio)
+fines_factor(const struct breaker *b, double log_y, double *ratio)
 {
 	double y = 1000 * el_exp(log_y);
 	*ratio = fmin(y / fmax(b->p.at[Y_FINE], 1e-9), 1e9);
@@ -53,9 +53,9 @@ finer(const struct breaker *b, double log_u, double *d)
 }
 
 static double
-at_size(const struct breaker *b, double log_y, double *d)
+fines_factor_with_slope(const struct breaker *b, double log_y, double *d)
 {
-	double ratio, w = fines(b, log_y, &ratio);
+	double ratio, w = fines_factor(b, log_y, &ratio);
 	if (d != NULL)
 		d[Y_FINE] -=
 		    2 * w * (1 - w) * ratio / fmax(b->p.at[Y_FINE], 1e-9);
@@ -66,7 +66,8 @@ static double
 density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)u;
-	double q = exponent(b), ratio, w = fines(b, log_x + log_u, &ratio);
+	double q = exponent(b), ratio,
+	       w = fines_factor(b, log_x + log_u, &ratio);
 	return el_exp(q * log_u) * w * (q + 2 * (1 - w) * ratio);
 }
 
@@ -104,9 +105,9 @@ KERNELS(vogel);
 
 BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
     6, .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
-    SELECTION_ROW, .prepare = prepare, .finer = finer, .at_size = at_size,
-    .density = density, .breaks = breaks, .appearance_text = appearance_text,
-    .kernel = KERNEL_ROW(vogel))
+    SELECTION_ROW, .prepare = prepare, .finer = finer,
+    .at_size = fines_factor_with_slope, .density = density, .breaks = breaks,
+    .appearance_text = appearance_text, .kernel = KERNEL_ROW(vogel))
 
 #else /* LANES */
 

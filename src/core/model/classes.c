@@ -94,7 +94,7 @@ classes_set(struct classes *c, const struct params *p)
 
 /* The breaker, the matrix and S at that speed. */
 static void
-classes_go_to(struct classes *c, double v)
+classes_set_speed(struct classes *c, double v)
 {
 	breaker_set_speed(&c->b, v);
 	classes_matrix(
@@ -107,7 +107,7 @@ void
 classes_product(struct classes *c, double v, double *passing)
 {
 	size_t n = c->feed.n;
-	classes_go_to(c, v);
+	classes_set_speed(c, v);
 	double finer = 0;
 	for (size_t j = n; j-- > 0;) {
 		double mass = (1 - c->S[j]) * c->f[j];
@@ -123,7 +123,7 @@ classes_product(struct classes *c, double v, double *passing)
 bool
 classes_breaks(struct classes *c, double v)
 {
-	classes_go_to(c, v);
+	classes_set_speed(c, v);
 	for (size_t i = 0; i < c->feed.n; i++)
 		if (c->matrix[i * c->feed.n + i] < 1)
 			return true;
@@ -134,7 +134,7 @@ double
 classes_selected(struct classes *c, double v)
 {
 	double sum = 0;
-	classes_go_to(c, v);
+	classes_set_speed(c, v);
 	for (size_t i = 0; i < c->feed.n; i++)
 		sum += c->S[i] * c->f[i];
 	return sum;

@@ -98,7 +98,7 @@ continuous_set(struct continuous *c, const struct params *p)
 /* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
  * each begins to break. */
 static void
-stop_at_impacts(struct continuous *c)
+add_impact_stops(struct continuous *c)
 {
 	const struct impacts *of = &c->b.impacts;
 	const struct breakage *model = c->b.model;
@@ -118,14 +118,14 @@ stop_at_impacts(struct continuous *c)
 }
 
 static void
-continuous_go_to(struct continuous *c, double v)
+continuous_set_speed(struct continuous *c, double v)
 {
 	breaker_set_speed(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
 		c->stop[i] = c->b.model->size_at(&c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
 	if (c->b.impacts.n > 0)
-		stop_at_impacts(c);
+		add_impact_stops(c);
 }
 
 static void
@@ -197,7 +197,8 @@ continuous_column(const struct continuous *c, const double *first,
 
 /* The first of the four nodes about a depth, -ln u, and their weights. */
 static const double *
-nodes_at(const struct continuous *c, double depth, double weight[static 4])
+interpolation_nodes(
+    const struct continuous *c, double depth, double weight[static 4])
 {
 	double at = depth / NODE_STEP;
 	size_t first = at > 1 ? (size_t)at - 1 : 0;
@@ -221,7 +222,8 @@ broken_below(const struct continuous *c, double log_s, double *row)
 		const struct point *p = &c->point[i];
 		if (p->t <= log_s)
 			continue;
-		const double *first = nodes_at(c, p->t - log_s, weight);
+		const double *first =
+		    interpolation_nodes(c, p->t - log_s, weight);
 		double B = continuous_column(c, first, weight, 0);
 		sum += p->mass * p->S * B;
 		if (row == NULL)
@@ -255,7 +257,7 @@ void
 continuous_product(
     struct continuous *c, double v, double *passing, double *d_passing)
 {
-	continuous_go_to(c, v);
+	continuous_set_speed(c, v);
 	size_t n = c->b.model->n;
 	if (d_passing != NULL)
 		memset(d_passing, 0, c->n_sieve * n * sizeof *d_passing);
@@ -280,7 +282,7 @@ double
 continuous_selected(struct continuous *c, double v)
 {
 	double sum = 0;
-	continuous_go_to(c, v);
+	continuous_set_speed(c, v);
 	make_points(c, false);
 	for (size_t i = 0; i < c->n_point; i++)
 		sum += c->point[i].mass * c->point[i].S;

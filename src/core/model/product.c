@@ -101,7 +101,8 @@ model_product(struct model *model, double v, double *passing)
 static double
 difference_step(const struct params *p, size_t i)
 {
-	double scale = i < breakage_of(p)->gauge ? params_gauge(p) : 1e-2;
+	double scale =
+	    i < breakage_of(p)->gauge ? params_largest_gauge(p) : 1e-2;
 	return 1e-6 * fmax(fabs(p->at[i]), scale);
 }
 

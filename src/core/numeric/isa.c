@@ -6,7 +6,7 @@
 #include <string.h>
 
 static enum isa
-best(void)
+best_isa(void)
 {
 #if defined __x86_64__
 	if (__builtin_cpu_supports("avx512f") &&
@@ -21,9 +21,9 @@ best(void)
 }
 
 enum isa
-isa_usable(enum isa wanted)
+isa_is_usable(enum isa wanted)
 {
-	enum isa most = best();
+	enum isa most = best_isa();
 	return wanted < most ? wanted : most;
 }
 

@@ -7,7 +7,7 @@
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
 /* Returns the wanted set, or the best of this processor if that is less. */
-enum isa isa_usable(enum isa wanted);
+enum isa isa_is_usable(enum isa wanted);
 
 /* "baseline", "avx2" or "avx512". */
 const char *isa_name(enum isa isa);

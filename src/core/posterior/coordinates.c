@@ -35,7 +35,7 @@ logistic(double x)
 
 /* A share that is neither end, which would be infinitely far. */
 static double
-inside(double share)
+share_inside_ends(double share)
 {
 	const double least = 1e-3;
 	return fmin(fmax(share, least), 1 - least);
@@ -45,7 +45,7 @@ inside(double share)
 static double
 coordinates_number_of(double share)
 {
-	share = inside(share);
+	share = share_inside_ends(share);
 	double rise = el_log(share / (1 - share)), x = rise / LINEAR;
 	for (size_t i = 0; i < 20; i++)
 		x -= (x * (LINEAR + CUBIC * x * x) - rise) /
@@ -91,7 +91,7 @@ coordinates_about(const struct params *fit, const struct bounds *bounds,
 /* The reflection that exchanges the pole and the axis of the one held, of
  * [gauge] numbers in place. */
 static void
-coordinates_turn(const struct coordinates *c, double *w)
+coordinates_reflect_pole(const struct coordinates *c, double *w)
 {
 	double product = 0, squares = 0, normal[PARAMS_MOST];
 	for (size_t j = 0; j < c->of->gauge; j++) {
@@ -122,7 +122,7 @@ has_daughters(const struct coordinates *c, const double *gauge)
 
 /* The gauge at x; returns its part of the prior. */
 static double
-gauge_at(const struct coordinates *c, const double *x, double *at)
+gauge_from_coordinates(const struct coordinates *c, const double *x, double *at)
 {
 	double squares = 0;
 	for (size_t j = 0; j < c->of->gauge; j++)
@@ -130,21 +130,21 @@ gauge_at(const struct coordinates *c, const double *x, double *at)
 	for (size_t j = 0; j < c->of->gauge; j++)
 		at[j] = j == c->held ? c->sign * (1 - squares) / (1 + squares)
 				     : x[j] / (1 + squares);
-	coordinates_turn(c, at);
+	coordinates_reflect_pole(c, at);
 	if (!(c->sign * at[c->held] > 0) || !has_daughters(c, at))
 		return INFINITY;
 	return (double)(c->of->gauge - 1) * el_log(1 + squares);
 }
 
 static void
-gauge_of(const struct coordinates *c, const double *at, double *x)
+coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
 {
 	double squares = 0;
 	for (size_t j = 0; j < c->of->gauge; j++)
 		squares += at[j] * at[j];
 	for (size_t j = 0; j < c->of->gauge; j++)
 		x[j] = at[j] / sqrt(squares);
-	coordinates_turn(c, x);
+	coordinates_reflect_pole(c, x);
 	double along = c->sign * x[c->held];
 	for (size_t j = 0; j < c->of->gauge; j++)
 		x[j] *= 2 / (1 + fmax(along, 0));
@@ -187,14 +187,15 @@ coordinates_slope_at(const struct coordinates *c, const double *x, double *at)
 }
 
 static void
-slope_of(const struct coordinates *c, const double *at, double *x)
+coordinates_from_slope(const struct coordinates *c, const double *at, double *x)
 {
 	size_t f = c->of->strength;
 	double alpha = fmax(at[f + 2], 1e-3), e0 = fmax(at[f + 1], 1e-6), low,
 	       high;
 	double log_break = (el_log(e0) - c->middle) / alpha;
-	double hard = inside((at[f] - c->bounds.lower[f]) /
-			     (c->bounds.upper[f] - c->bounds.lower[f]));
+	double hard =
+	    share_inside_ends((at[f] - c->bounds.lower[f]) /
+			      (c->bounds.upper[f] - c->bounds.lower[f]));
 	x[f] = coordinates_number_of(c->largest / log_break);
 	alpha_within(c, c->largest / coordinates_share_of(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
@@ -224,7 +225,7 @@ coordinates_params(const struct coordinates *c, const double *x, double *at)
 			sum = INFINITY;
 	}
 	if (c->of->gauge > 0)
-		sum += gauge_at(c, x, at);
+		sum += gauge_from_coordinates(c, x, at);
 	return c->by_slope ? sum + coordinates_slope_at(c, x, at) : sum;
 }
 
@@ -233,9 +234,9 @@ coordinates_of(const struct coordinates *c, const double *at, double *x)
 {
 	memcpy(x, at, c->of->n * sizeof *x);
 	if (c->of->gauge > 0)
-		gauge_of(c, at, x);
+		coordinates_from_gauge(c, at, x);
 	if (c->by_slope)
-		slope_of(c, at, x);
+		coordinates_from_slope(c, at, x);
 }
 
 void

@@ -114,7 +114,7 @@ covariance_free(struct covariance *c)
 }
 
 size_t
-covariance_room(const struct covariance *c)
+covariance_factor_size(const struct covariance *c)
 {
 	return c->many ? c->at_slope + 1 : c->n * c->n;
 }
@@ -186,7 +186,7 @@ add_block(const struct covariance *c, size_t b, const double *U, double *G,
 
 /* to = U G U', [n * n]; U: the upper half. */
 static void
-put_between(
+multiply_between(
     const double *U, const double *G, size_t n, double *work, double *to)
 {
 	for (size_t i = 0; i < n; i++)
@@ -220,7 +220,7 @@ factor_coupling(const struct covariance *c, const double *G, double *factor)
 		for (size_t k = j; k < TERMS; k++, G += S * S) {
 			double scale =
 			    scale_of(c, factor, j) * scale_of(c, factor, k);
-			put_between(factor + c->at_K, G, S, work, part);
+			multiply_between(factor + c->at_K, G, S, work, part);
 			for (size_t i = 0; i < S * S; i++)
 				A[(j * S + i / S) * m + k * S + i % S] =
 				    scale * part[i];

@@ -28,9 +28,9 @@ struct covariance *covariance_new(enum isa isa, struct cell *cell, size_t n);
 void covariance_free(struct covariance *covariance);
 
 /* Returns the number of doubles in a factor. */
-size_t covariance_room(const struct covariance *covariance);
+size_t covariance_factor_size(const struct covariance *covariance);
 
-/* Computes the factor [covariance_room] out. */
+/* Computes the factor [covariance_factor_size] out. */
 void covariance_factor(const struct covariance *covariance,
     const double log_hyper[static HYPERS], double *factor);
 

@@ -67,7 +67,7 @@ triangle_of(enum isa isa)
 {
 	static const struct triangle *const TRIANGLES[] = {
 	    &TRIANGLE_BASE, &TRIANGLE_AVX2, &TRIANGLE_AVX512};
-	return TRIANGLES[isa_usable(isa)];
+	return TRIANGLES[isa_is_usable(isa)];
 }
 
 void

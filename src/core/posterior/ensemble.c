@@ -67,7 +67,7 @@ struct ensemble {
 /* The same curve with a point at each of sizes [n], coarsest first, and more
  * between these: the kernel's classes end at the points of a feed. */
 static struct psd
-refined(const struct psd *feed, const double *size, size_t n)
+refine_feed(const struct psd *feed, const double *size, size_t n)
 {
 	struct psd fine = psd_refined(size, n);
 	struct psd curve = psd_new(feed->n + fine.n);
@@ -85,7 +85,7 @@ static struct kernel *
 kernel_of(const struct posterior *p, const struct psd *smooth,
     const double *size, size_t n)
 {
-	struct psd feed = refined(smooth, size, n);
+	struct psd feed = refine_feed(smooth, size, n);
 	double *sieve = xdoubles(n), *none = xdoubles(n), *one = xdoubles(n);
 	memcpy(sieve, size, n * sizeof *size);
 	for (size_t i = 0; i < n; i++)
@@ -111,7 +111,7 @@ kernel_of(const struct posterior *p, const struct psd *smooth,
 }
 
 static void
-find_knots(struct ensemble *e, const double *size)
+find_knots_of_sieves(struct ensemble *e, const double *size)
 {
 	const struct posterior *p = e->of;
 	e->knot = xcalloc(e->n, sizeof *e->knot);
@@ -129,7 +129,7 @@ find_knots(struct ensemble *e, const double *size)
 }
 
 static void
-set_column(struct ensemble *e, size_t column, const struct params *p,
+set_theta_column(struct ensemble *e, size_t column, const struct params *p,
     const struct strengths *rock)
 {
 	size_t f = breakage_of(p)->strength;
@@ -146,15 +146,16 @@ set_theta(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
 	for (size_t i = FIT; i < ALL; i++)
-		set_column(e, i, &p->fit, &(struct strengths){0, 1, 1});
+		set_theta_column(e, i, &p->fit, &(struct strengths){0, 1, 1});
 	for (size_t d = 0; d < DRAWS; d++)
-		set_column(e, d, &p->draw[d].params, &p->draw[d].strengths);
+		set_theta_column(
+		    e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
 /* A fit mostly holds gamma and kappa at 0: without them its product is the
  * paper's, which takes a fraction of the time. */
 static void
-set_exact(struct ensemble *e, struct params fit)
+set_exact_model(struct ensemble *e, struct params fit)
 {
 	struct params p = breakage_narrowed(&fit);
 	model_set(e->exact, &p);
@@ -203,7 +204,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	    .feed = xdoubles(n),
 	    .delta = xdoubles(p->n_knot * DRAWS),
 	    .more = 1};
-	set_exact(e, p->fit);
+	set_exact_model(e, p->fit);
 	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++)
 		e->theta[j] = xdoubles(ALL);
 	set_theta(e);
@@ -211,7 +212,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 		e->feed[i] = psd_passing(feed, size[i]);
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		e->part[i] = xdoubles((n + 1) * DRAWS);
-	find_knots(e, size);
+	find_knots_of_sieves(e, size);
 	ensemble_lay_grid(e);
 	psd_free(&curve);
 	return e;
@@ -236,7 +237,7 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	e->more = settings.k / e->of->settings.k;
 	struct params p = *fit;
 	p.at[strength] *= e->more;
-	set_exact(e, p);
+	set_exact_model(e, p);
 	set_theta(e);
 	e->bypass = settings.bypass;
 	e->at = 0;
@@ -476,7 +477,7 @@ ensemble_pool(double *value, double *weight, size_t *length, size_t n)
 /* Values i of the speeds that are looked at become the nearest that do not
  * fall. */
 static void
-pool_falling(struct ensemble *e, size_t i)
+pool_adjacent_violators(struct ensemble *e, size_t i)
 {
 	double mean[RISING], weight[RISING];
 	size_t length[RISING], k = SLOWEST, all = e->last - SLOWEST + 1;
@@ -509,7 +510,7 @@ make_rising(struct ensemble *e)
 	for (size_t k = SLOWEST; k <= e->last; k++)
 		draw_grid(e, k);
 	for (size_t i = 0; i < e->n * DRAWS; i++)
-		pool_falling(e, i);
+		pool_adjacent_violators(e, i);
 	e->slowest = SLOWEST;
 	e->fastest = e->last;
 }
@@ -517,7 +518,7 @@ make_rising(struct ensemble *e)
 /* What is asked for beyond the speeds that are looked at changes nothing within
  * them: it is kept from falling by the next speed that is nearer to them. */
 static void
-widen_rising(struct ensemble *e, double v)
+extend_rising_grid(struct ensemble *e, double v)
 {
 	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
@@ -563,11 +564,11 @@ keep_rising(struct ensemble *e, double v)
 
 /* The answers as drawn, but that none falls with the speed. */
 static void
-rising_at(struct ensemble *e, double v)
+rising_answers_at(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
 		make_rising(e);
-	widen_rising(e, v);
+	extend_rising_grid(e, v);
 	ensemble_draws_at(e, v);
 	keep_rising(e, v);
 }
@@ -599,7 +600,7 @@ ensemble_straighten(struct ensemble *e, double v, size_t k)
 	double a = p->speed[k], b = p->speed[k + 1];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
-	rising_at(e, v);
+	rising_answers_at(e, v);
 	const double *below = e->rising[e->measured[k]],
 		     *above = e->rising[e->measured[k + 1]];
 	for (size_t d = 0; d < DRAWS; d++)
@@ -617,7 +618,7 @@ ensemble_at(struct ensemble *e, double v)
 	if (ensemble_is_between(e->of, v, &k))
 		ensemble_straighten(e, v, k);
 	else
-		rising_at(e, v);
+		rising_answers_at(e, v);
 	if (e->bypass > 0) {
 		make_samples(e);
 		ensemble_add_bypass(e);
@@ -655,7 +656,8 @@ ensemble_mean(const struct ensemble *e, double *passing)
  * of those about either end, the further off the less they count, as one alone
  * errs by chance. */
 static void
-find_middle(double *value, size_t n, double level, double *low, double *high)
+middle_interval(
+    double *value, size_t n, double level, double *low, double *high)
 {
 	size_t cut = (size_t)floor((1 - level) / 2 * (double)n + 0.5);
 	size_t about = n / 20 < cut ? n / 20 : cut;
@@ -676,7 +678,7 @@ ensemble_middle(double *value, double level, double *low, double *high)
 	for (size_t i = 0; i < DRAWS; i++)
 		if (isnan(value[i]))
 			value[i] = -INFINITY;
-	find_middle(value, DRAWS, level, low, high);
+	middle_interval(value, DRAWS, level, low, high);
 	if (*low < -1e300)
 		*low = NAN;
 	if (*high < -1e300)
@@ -716,9 +718,9 @@ ensemble_halves(struct ensemble *e, double v)
 		memcpy(value, P, sizeof value);
 		double off = gsl_stats_mean(value, 1, HALF) -
 			     gsl_stats_mean(value + HALF, 1, HALF);
-		find_middle(value, HALF, level, &low[0], &high[0]);
-		find_middle(value + HALF, HALF, level, &low[1], &high[1]);
-		find_middle(value, DRAWS, level, &low[2], &high[2]);
+		middle_interval(value, HALF, level, &low[0], &high[0]);
+		middle_interval(value + HALF, HALF, level, &low[1], &high[1]);
+		middle_interval(value, DRAWS, level, &low[2], &high[2]);
 		double width = high[2] - low[2];
 		if (width < rounding)
 			continue;

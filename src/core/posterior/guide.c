@@ -30,7 +30,7 @@ add_chain(
 
 /* Goes a part of the way to other moments. */
 static void
-approach(struct guide *g, double part, const struct moments *to)
+moments_blend(struct guide *g, double part, const struct moments *to)
 {
 	for (size_t i = 0; i < g->size; i++) {
 		g->of.mean[i] += part * (to->mean[i] - g->of.mean[i]);
@@ -51,14 +51,14 @@ guide_add(struct guide *g, const double *const *x, size_t chains, double weight,
 	for (size_t c = 0; c < chains; c++)
 		add_chain(g, x[c], 1 / (double)chains, &sum);
 	g->n += weight;
-	approach(g, weight / g->n, &sum);
+	moments_blend(g, weight / g->n, &sum);
 }
 
 void
 guide_blend(struct guide *g, const struct guide *other, double generations)
 {
 	g->n += generations;
-	approach(g, generations / g->n, &other->of);
+	moments_blend(g, generations / g->n, &other->of);
 }
 
 void
@@ -91,7 +91,7 @@ guide_factor_part(
 
 /* x seen along L. */
 static void
-guide_look(const struct guide_part *part, const double *x, double *z)
+guide_standardise(const struct guide_part *part, const double *x, double *z)
 {
 	for (size_t a = 0; a < part->n; a++) {
 		z[a] = x[part->at[a]] - part->mean[a];
@@ -105,18 +105,18 @@ double
 guide_density(const struct guide_part *part, const double *x)
 {
 	double z[GUIDE_MOST], sum = 0;
-	guide_look(part, x, z);
+	guide_standardise(part, x, z);
 	for (size_t a = 0; a < part->n; a++)
 		sum -= z[a] * z[a] / 2 + el_log(part->L[a][a]);
 	return sum;
 }
 
 double
-guide_move(const struct guide_part *part, double share, const double *x,
+guide_propose(const struct guide_part *part, double share, const double *x,
     double *y, struct rng_key key, uint32_t next)
 {
 	double z[GUIDE_MOST], more = 0;
-	guide_look(part, x, z);
+	guide_standardise(part, x, z);
 	for (size_t a = 0; a < part->n; a++, next += 2) {
 		if (rng_uniform(key, next) >= share)
 			continue;

@@ -44,8 +44,8 @@ void guide_factor_part(
  * standard normal, if all were normal: each of them is drawn anew with
  * probability `share`.  Uses 2 n random numbers of the key from `next` on.
  * Returns ln N(y) - ln N(x), which the acceptance of the move corrects for. */
-double guide_move(const struct guide_part *part, double share, const double *x,
-    double *y, struct rng_key key, uint32_t next);
+double guide_propose(const struct guide_part *part, double share,
+    const double *x, double *y, struct rng_key key, uint32_t next);
 
 /* Returns ln N(x), up to the constant of all coordinates. */
 double guide_density(const struct guide_part *part, const double *x);

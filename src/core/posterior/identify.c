@@ -18,14 +18,15 @@ static const double DETERMINED = 0.1, POORLY = 0.5;
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void
-draws_of(const struct posterior *p, size_t j, double value[static DRAWS])
+draws_of_parameter(
+    const struct posterior *p, size_t j, double value[static DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++)
 		value[d] = p->draw[d].params.at[j];
 }
 
 static int
-bound_of(const double *value, double lower, double upper)
+bound_of_draws(const double *value, double lower, double upper)
 {
 	double edge = EDGE * (upper - lower), low = 0, high = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -37,7 +38,7 @@ bound_of(const double *value, double lower, double upper)
 
 /* Puts the first n parameters of a draw, as a vector of length 1. */
 static void
-direction_of(const struct posterior *p, size_t d, size_t n, double *unit)
+draw_direction(const struct posterior *p, size_t d, size_t n, double *unit)
 {
 	double squares = 0;
 	for (size_t j = 0; j < n; j++)
@@ -53,7 +54,7 @@ scatter_of_direction(const struct posterior *p, size_t n)
 {
 	double mean[PARAMS_MOST] = {0}, unit[PARAMS_MOST], length = 0, sum = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
-		direction_of(p, d, n, unit);
+		draw_direction(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			mean[j] += unit[j];
 	}
@@ -61,7 +62,7 @@ scatter_of_direction(const struct posterior *p, size_t n)
 		length += mean[j] * mean[j];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double along = 0;
-		direction_of(p, d, n, unit);
+		draw_direction(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			along += unit[j] * mean[j] / sqrt(length);
 		sum += fmax(1 - along * along, 0) / DRAWS;
@@ -77,7 +78,7 @@ identify_param(const struct posterior *p, size_t j)
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	const struct param_info *info = &of->parameter[j];
 	double range = j < of->gauge ? 2 : b->upper[j] - b->lower[j];
-	draws_of(p, j, value);
+	draws_of_parameter(p, j, value);
 	struct identify_param a = {.mean = gsl_stats_mean(value, 1, DRAWS),
 	    .sd = gsl_stats_sd(value, 1, DRAWS),
 	    .prior = info->spread > 0 ? info->spread : range / sqrt(12)};
@@ -94,7 +95,7 @@ identify_param(const struct posterior *p, size_t j)
 		  : a.ratio < POORLY     ? IDENTIFY_POORLY
 					 : IDENTIFY_NOT;
 	a.bound = moves && j >= of->gauge
-		      ? bound_of(value, b->lower[j], b->upper[j])
+		      ? bound_of_draws(value, b->lower[j], b->upper[j])
 		      : 0;
 	return a;
 }
@@ -103,8 +104,8 @@ struct identify_pair
 identify_pair(const struct posterior *p, size_t i, size_t j)
 {
 	double a[DRAWS], b[DRAWS], work[2 * DRAWS];
-	draws_of(p, i, a);
-	draws_of(p, j, b);
+	draws_of_parameter(p, i, a);
+	draws_of_parameter(p, j, b);
 	if (!(gsl_stats_sd(a, 1, DRAWS) > 0 && gsl_stats_sd(b, 1, DRAWS) > 0))
 		return (struct identify_pair){NAN, NAN};
 	return (struct identify_pair){gsl_stats_correlation(a, 1, b, 1, DRAWS),

@@ -39,7 +39,7 @@ shared_error(const struct posterior *p, const struct misfit *m)
 
 /* The share of residuals r [n] that is the product's own. */
 static double
-own_share(const double *r, const double *h, size_t n, double shared)
+product_error_share(const double *r, const double *h, size_t n, double shared)
 {
 	double along = 0, squares = 0, explained = 2 * shared;
 	for (size_t i = 0; i < n; i++) {
@@ -54,7 +54,7 @@ own_share(const double *r, const double *h, size_t n, double shared)
 /* Adds a run's residuals, over h, times `share` to those at the knots: straight
  * in ln size between its sieves, held beyond them. */
 static void
-put_on_knots(const struct posterior *p, const struct misfit_run *run,
+add_residuals_at_knots(const struct posterior *p, const struct misfit_run *run,
     const double *r, const double *h, double share, double *lack)
 {
 	const double least = 0.05; /* of h: next to nothing or all passes */
@@ -85,8 +85,9 @@ lack_of_fit_find(struct posterior *p, const struct misfit *m)
 		while (p->speed[k] < run->speed)
 			k++;
 		find_residuals(p, run, r, h);
-		double share = own_share(r, h, run->n, shared);
-		put_on_knots(p, run, r, h, share, lack + k * p->n_knot);
+		double share = product_error_share(r, h, run->n, shared);
+		add_residuals_at_knots(
+		    p, run, r, h, share, lack + k * p->n_knot);
 		repeats[k]++;
 		free(r);
 	}

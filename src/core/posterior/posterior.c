@@ -61,7 +61,7 @@ struct chain {
 	double x[COORDINATES];
 	double likelihood, prior, hyper_prior;
 	double volume; /* see rescale_to_cells */
-	double more;   /* of a guided move, see guide_move */
+	double more;   /* of a guided move, see guide_propose */
 	double *U, *d; /* covariance_factor, simulated - measured */
 };
 
@@ -247,7 +247,7 @@ posterior_propose(struct sampler *s, size_t i, struct rng_key key)
 
 /* 1 where the rock has two strengths, else 0. */
 static size_t
-posterior_kind_of(const struct sampler *s, const double *x)
+strength_kind_of(const struct sampler *s, const double *x)
 {
 	return s->two && x[STRENGTHS] > 0;
 }
@@ -256,7 +256,7 @@ posterior_kind_of(const struct sampler *s, const double *x)
 static double
 guided_density(const struct sampler *s, const double *x)
 {
-	size_t kind = posterior_kind_of(s, x);
+	size_t kind = strength_kind_of(s, x);
 	double sum = s->log_share[kind] + guide_density(&s->kind[kind], x);
 	for (size_t j = STRENGTHS; j < COORDINATES && kind == 0; j++)
 		sum -= x[j] * x[j] / 2;
@@ -264,7 +264,7 @@ guided_density(const struct sampler *s, const double *x)
 }
 
 /* Draws the coordinates of the strengths of a rock that has but one, of which
- * nothing is known, from their prior; returns as guide_move. */
+ * nothing is known, from their prior; returns as guide_propose. */
 static double
 draw_strength(double *x, struct rng_key key, uint32_t at)
 {
@@ -289,16 +289,16 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	struct chain *trial = &s->trial[i];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 4);
 	bool all = s->hyper || s->generation % 2 == 0;
-	size_t kind = posterior_kind_of(s, now), to = kind;
+	size_t kind = strength_kind_of(s, now), to = kind;
 	if (all && !s->hyper && s->two)
 		to = el_log(rng_uniform(key, at)) < s->log_share[1];
 	memcpy(trial->x, now, sizeof trial->x);
-	trial->more = guide_move(s->hyper ? &s->hypers : &s->kind[to],
+	trial->more = guide_propose(s->hyper ? &s->hypers : &s->kind[to],
 	    all ? 1 : half, now, trial->x, key, at + 1);
 	if (!s->hyper && s->two && to == 0)
 		trial->more +=
 		    draw_strength(trial->x, key, at + 1 + 2 * COORDINATES);
-	if (posterior_kind_of(s, trial->x) != to)
+	if (strength_kind_of(s, trial->x) != to)
 		trial->more = INFINITY;
 	else if (to != kind)
 		trial->more =
@@ -307,7 +307,7 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 
 /* The coordinates that move, [COORDINATES] out. */
 static size_t
-moving(const struct sampler *s, size_t *at)
+free_coordinates(const struct sampler *s, size_t *at)
 {
 	size_t n = 0;
 	for (size_t j = 0; j < HYPERS && s->hyper; j++)
@@ -324,7 +324,7 @@ static void
 factor_guides(struct sampler *s)
 {
 	const double generations = 2, least = 0.05;
-	size_t at[COORDINATES], n = moving(s, at);
+	size_t at[COORDINATES], n = free_coordinates(s, at);
 	struct guide all = s->guide[0];
 	guide_blend(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
@@ -359,7 +359,7 @@ choose_moves(struct sampler *s)
 }
 
 static void
-swap(double **a, double **b)
+swap_pointers(double **a, double **b)
 {
 	double *other = *a;
 	*a = *b;
@@ -368,20 +368,20 @@ swap(double **a, double **b)
 
 /* Takes the trial as the chain's next state. */
 static void
-posterior_take(struct chain *chain, struct chain *trial, bool hyper)
+chain_accept(struct chain *chain, struct chain *trial, bool hyper)
 {
 	memcpy(chain->x, trial->x, sizeof chain->x);
 	chain->likelihood = trial->likelihood;
 	chain->prior = trial->prior;
 	chain->volume = trial->volume;
 	chain->hyper_prior = trial->hyper_prior;
-	swap(&chain->d, &trial->d);
+	swap_pointers(&chain->d, &trial->d);
 	if (hyper)
-		swap(&chain->U, &trial->U);
+		swap_pointers(&chain->U, &trial->U);
 }
 
 static void
-accept(struct sampler *s, size_t i, struct rng_key key)
+accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 {
 	struct chain *now = &s->chain[s->first + i], *trial = &s->trial[i];
 	double rise = s->share * (trial->likelihood - now->likelihood) +
@@ -392,12 +392,12 @@ accept(struct sampler *s, size_t i, struct rng_key key)
 	if (!(el_log(rng_uniform(key, at)) < -rise))
 		return;
 	s->accepted++;
-	posterior_take(now, trial, s->hyper);
+	chain_accept(now, trial, s->hyper);
 }
 
 /* On to the other half; true when both have had their turn. */
 static bool
-posterior_turn(struct sampler *s)
+posterior_other_half(struct sampler *s)
 {
 	s->first = HALF - s->first;
 	return s->first == 0;
@@ -405,7 +405,7 @@ posterior_turn(struct sampler *s)
 
 /* Moves a half; true when that was a generation. */
 static bool
-move_half(struct sampler *s)
+propose_for_half(struct sampler *s)
 {
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
 	choose_moves(s);
@@ -413,8 +413,8 @@ move_half(struct sampler *s)
 		(s->guided ? propose_guided : posterior_propose)(s, i, key);
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
-		accept(s, i, key);
-	if (!posterior_turn(s))
+		accept_or_reject(s, i, key);
+	if (!posterior_other_half(s))
 		return false;
 	s->generation++;
 	return true;
@@ -423,7 +423,7 @@ move_half(struct sampler *s)
 /* Puts a chain somewhere about the fit, as far along each direction of the
  * sensitivities as the data leave open, more or less. */
 static void
-scatter(const struct sampler *s, struct rng_key key, struct chain *c)
+start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 {
 	const struct sensitivity *of = &s->sensitivity;
 	struct params p = s->fit;
@@ -457,19 +457,19 @@ start_half(struct sampler *s)
 	s->share = FIRST_RUNG;
 	for (size_t i = 0; i < HALF; i++) {
 		struct chain *c = &s->chain[s->first + i];
-		scatter(s, rng_key(s->seed, s->first + i, USE_START), c);
+		start_chain(s, rng_key(s->seed, s->first + i, USE_START), c);
 		memcpy(s->trial[i].x, c->x, sizeof c->x);
 	}
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
-		posterior_take(&s->chain[s->first + i], &s->trial[i], false);
-	s->started = posterior_turn(s);
+		chain_accept(&s->chain[s->first + i], &s->trial[i], false);
+	s->started = posterior_other_half(s);
 }
 
 static void
 copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 {
-	size_t room = covariance_room(s->covariance);
+	size_t room = covariance_factor_size(s->covariance);
 	memcpy(to->x, from->x, sizeof to->x);
 	memcpy(to->U, from->U, room * sizeof *to->U);
 	memcpy(to->d, from->d, s->n_cell * sizeof *to->d);
@@ -482,7 +482,7 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 /* Lets a larger share of the likelihood count, and draws the chains anew by how
  * much more probable that makes each. */
 static void
-climb(struct sampler *s, double share)
+temper_chains(struct sampler *s, double share)
 {
 	double weight[CHAINS], least = INFINITY, sum = 0, at = 0;
 	size_t copies[CHAINS] = {0}, spare = 0, drawn = 0;
@@ -515,7 +515,7 @@ struct sums {
 };
 
 static void
-add_to(struct sums *sums, const struct sampler *s)
+sums_add_chains(struct sums *sums, const struct sampler *s)
 {
 	sums->n++;
 	for (size_t i = 0; i < CHAINS; i++)
@@ -528,7 +528,7 @@ add_to(struct sums *sums, const struct sampler *s)
 
 /* Gelman and Rubin's R of a coordinate. */
 static double
-ratio_of(const struct sums *sums, size_t j)
+gelman_rubin(const struct sums *sums, size_t j)
 {
 	double mean = 0, within = 0, between = 0;
 	for (size_t i = 0; i < CHAINS; i++) {
@@ -545,7 +545,7 @@ ratio_of(const struct sums *sums, size_t j)
 
 /* Draws of the first and the second half, in standard deviations. */
 static double
-drift_of(const struct posterior *p, size_t j)
+halves_difference(const struct posterior *p, size_t j)
 {
 	double sum[2] = {0}, squares = 0;
 	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
@@ -567,9 +567,9 @@ find_convergence(
 	p->accepted = (double)s->accepted / (double)s->tried;
 	for (size_t j = 0; j < COORDINATES; j++)
 		if (j < s->of->n || j >= PARAMS_MOST)
-			p->ratio = fmax(p->ratio, ratio_of(sums, j));
+			p->ratio = fmax(p->ratio, gelman_rubin(sums, j));
 	for (size_t j = 0; j < s->of->n; j++)
-		p->drift = fmax(p->drift, drift_of(p, j));
+		p->drift = fmax(p->drift, halves_difference(p, j));
 }
 
 /* The sizes of the cells and the ends of the feeds, and more where these lie
@@ -690,7 +690,7 @@ knot_pairs_clear(struct knot_pairs *k)
 /* What the data of a made-up plant, with the processes as drawn from the prior
  * and errors alike, leave to be explained: d [n_cell] out. */
 static void
-made_up_differences(const struct sampler *s, const struct posterior *p,
+simulated_differences(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
     const double *shared, struct noise *noise, double *d)
 {
@@ -717,7 +717,7 @@ made_up_differences(const struct sampler *s, const struct posterior *p,
  * data say beyond those of the made-up plant.  pair: knot_pairs.f, as the sizes
  * of the cells are among the knots. */
 static void
-bring_to_data(const struct sampler *s, const struct posterior *p,
+condition_on_data(const struct sampler *s, const struct posterior *p,
     const struct chain *chain, const double *pair, double slope,
     double *const *process, double *d)
 {
@@ -749,7 +749,7 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
 	coordinates_params(&s->coordinates, chain->x, draw->params.at);
-	params_scale(&draw->params);
+	params_scale_to_1(&draw->params);
 	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
@@ -763,8 +763,8 @@ make_draw(const struct sampler *s, struct posterior *p,
 	draw_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
 		error[k] += draw->hyper[HYPER_OWN] * work[k];
-	made_up_differences(s, p, draw, process, pairs.shared, &noise, d);
-	bring_to_data(
+	simulated_differences(s, p, draw, process, pairs.shared, &noise, d);
+	condition_on_data(
 	    s, p, chain, pairs.f, draw->hyper[HYPER_SLOPE], process, d);
 	for (size_t k = 0; k < m; k++) {
 		size_t place = k * POSTERIOR_DRAWS + at;
@@ -815,7 +815,7 @@ posterior_widen(const struct params *p, double energy,
 	}
 	settings->breakage = (unsigned)wide;
 	*bounds = b;
-	params_scale(&q);
+	params_scale_to_1(&q);
 	return q;
 }
 
@@ -851,7 +851,7 @@ posterior_make_room(struct sampler *s)
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
 		struct chain *c =
 		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
-		c->U = xdoubles(covariance_room(s->covariance));
+		c->U = xdoubles(covariance_factor_size(s->covariance));
 		c->d = xdoubles(n);
 	}
 }
@@ -883,7 +883,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->bounds = *bounds;
 	s->seed = o->seed;
 	s->noise = o->noise;
-	s->isa = isa_usable(o->isa);
+	s->isa = isa_is_usable(o->isa);
 	s->coordinates = coordinates_about(
 	    fit, bounds, &m->settings, el_log(mean_energy(m)));
 	s->two = bounds->upper[f + 1] > bounds->lower[f + 1];
@@ -1083,7 +1083,7 @@ choose_draws(struct posterior_run *run)
 }
 
 static void
-tell_guides(struct sampler *s)
+update_guides(struct sampler *s)
 {
 	double most = s->generation <= WARM_UP ? RECENT : KEPT;
 	double told = fmin(s->told + 1, most);
@@ -1091,7 +1091,7 @@ tell_guides(struct sampler *s)
 	const double *x[2][CHAINS];
 	size_t n[2] = {0};
 	for (size_t i = 0; i < CHAINS; i++) {
-		size_t kind = posterior_kind_of(s, s->chain[i].x);
+		size_t kind = strength_kind_of(s, s->chain[i].x);
 		x[kind][n[kind]++] = s->chain[i].x;
 	}
 	for (size_t kind = 0; kind < 2; kind++)
@@ -1110,16 +1110,16 @@ posterior_step(struct posterior_run *run)
 		start_half(s);
 		return false;
 	}
-	if (!move_half(s))
+	if (!propose_for_half(s))
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
-		climb(s, fmin(1, RISE * s->share));
-	tell_guides(s);
+		temper_chains(s, fmin(1, RISE * s->share));
+	update_guides(s);
 	if (s->generation <= WARM_UP) {
 		s->accepted = s->tried = 0;
 		return false;
 	}
-	add_to(run->sums, s);
+	sums_add_chains(run->sums, s);
 	if ((s->generation - WARM_UP) % (KEPT / DRAWS_EACH) == 0)
 		draw_batch(run);
 	if (s->generation < WARM_UP + KEPT)

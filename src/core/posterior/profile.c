@@ -13,7 +13,7 @@ enum { STEPS = 60 };
 
 /* One of the gauge at its size, the others within it. */
 static void
-hold_gauge(struct bounds *b, const struct params *p)
+bounds_fix_gauge(struct bounds *b, const struct params *p)
 {
 	size_t gauge = breakage_of(p)->gauge, largest = 0;
 	for (size_t i = 1; i < gauge; i++)
@@ -35,7 +35,7 @@ profile_misfit(struct misfit *m, const struct params *fit,
 	struct bounds b = *bounds;
 	size_t first = 0;
 	if (j < breakage_of(fit)->gauge)
-		hold_gauge(&b, fit);
+		bounds_fix_gauge(&b, fit);
 	while (first + 1 < n && x[first] < fit->at[j])
 		first++;
 	for (int up = 0; up < 2; up++) {
@@ -51,7 +51,7 @@ profile_misfit(struct misfit *m, const struct params *fit,
 }
 
 static double
-bell(double z)
+gauss(double z)
 {
 	return exp(-z * z / 2);
 }
@@ -63,8 +63,8 @@ profile_density(
 	double sd = gsl_stats_sd(draw, 1, n), sum = 0;
 	double h = 0.9 * sd * pow((double)n, -0.2);
 	for (size_t i = 0; i < n && h > 0; i++)
-		sum += bell((x - draw[i]) / h) +
-		       bell((x - 2 * lower + draw[i]) / h) +
-		       bell((x - 2 * upper + draw[i]) / h);
+		sum += gauss((x - draw[i]) / h) +
+		       gauss((x - 2 * lower + draw[i]) / h) +
+		       gauss((x - 2 * upper + draw[i]) / h);
 	return h > 0 ? sum / ((double)n * h * sqrt(2 * acos(-1))) : 0;
 }

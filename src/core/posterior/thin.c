@@ -77,7 +77,7 @@ thin_add(struct thin *t, const struct posterior *batch)
 
 /* On which side of an end, -1 to 1, where it counts how near. */
 static double
-side(double off)
+side_of_end(double off)
 {
 	return fmin(fmax(3 * off, -1), 1);
 }
@@ -85,7 +85,7 @@ side(double off)
 /* Adds the features of an answer to the rows [n][width] of the candidates, and
  * to `by` what they are sorted by. */
 static void
-put_features(
+add_features(
     const double *answer, size_t n, double *row, size_t width, double *by)
 {
 	const double end = 1.28; /* standard deviations: of 80 % */
@@ -98,8 +98,8 @@ put_features(
 	for (size_t i = 0; i < n && sd > 2e-4; i++, row += width) {
 		double u = (answer[i] - mean) / sd;
 		row[0] = u;
-		row[1] = 2 * side(u - end);
-		row[2] = 2 * side(u + end);
+		row[1] = 2 * side_of_end(u - end);
+		row[2] = 2 * side_of_end(u + end);
 		by[i] += u;
 	}
 }
@@ -124,7 +124,7 @@ choose_of_pair(const double *one, const double *two, size_t width, double *sum,
 
 /* Leaves one of each pair; each chooses by turns, until none chooses anew. */
 static void
-halve(const double *row, size_t width, size_t *list, size_t n)
+keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 {
 	enum { TURNS = 8 };
 	double *sum = xdoubles(width + 1), *sign = xdoubles(n / 2);
@@ -145,7 +145,7 @@ halve(const double *row, size_t width, size_t *list, size_t n)
 /* The first and the second half of the candidates, each from the coarsest to
  * the finest, so that pairs are alike. */
 static void
-thin_line_up(const double *by, size_t n, size_t *list)
+sort_into_halves(const double *by, size_t n, size_t *list)
 {
 	size_t half = n / 2;
 	gsl_sort_index(list, by, 1, half);
@@ -181,11 +181,11 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	double *row = xdoubles(n * width + 1), *by = xdoubles(n);
 	keep_from_falling(t);
 	for (size_t k = 0; k < answers; k++)
-		put_features(
+		add_features(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);
-	thin_line_up(by, n, list);
+	sort_into_halves(by, n, list);
 	for (; n > POSTERIOR_DRAWS; n /= 2)
-		halve(row, width, list, n);
+		keep_one_of_each_pair(row, width, list, n);
 	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);
 	free(list);
 	free(row);

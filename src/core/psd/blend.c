@@ -48,7 +48,7 @@ blend_new(const struct psd *const *feed, const double *part, size_t n)
 
 /* Those of feeds [n] that are not the same as one before; returns how many. */
 static size_t
-distinct(const struct psd *const *feed, size_t n, const struct psd **out)
+distinct_feeds(const struct psd *const *feed, size_t n, const struct psd **out)
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -65,7 +65,7 @@ struct psd
 blend_mean(const struct psd *const *feed, size_t n)
 {
 	const struct psd **own = xcalloc(n, sizeof *own);
-	n = distinct(feed, n, own);
+	n = distinct_feeds(feed, n, own);
 	struct psd mean = all_sieves(own, n);
 	for (size_t k = 0; k < mean.n; k++) {
 		double x = mean.size[k], above = k > 0 ? mean.size[k - 1] : x;

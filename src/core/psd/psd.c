@@ -66,7 +66,7 @@ half_octaves(double coarse, double fine)
 
 /* The slope of the straight line from sieve i to the next, in ln of size. */
 static double
-chord(const double *x, const double *P, size_t i)
+chord_slope(const double *x, const double *P, size_t i)
 {
 	return (P[i] - P[i + 1]) / (x[i] - x[i + 1]);
 }
@@ -77,8 +77,8 @@ static double
 psd_slope_at(const double *x, const double *P, size_t n, size_t i)
 {
 	if (i == 0 || i + 1 == n)
-		return chord(x, P, i == 0 ? 0 : i - 1);
-	double coarser = chord(x, P, i - 1), finer = chord(x, P, i);
+		return chord_slope(x, P, i == 0 ? 0 : i - 1);
+	double coarser = chord_slope(x, P, i - 1), finer = chord_slope(x, P, i);
 	double above = x[i - 1] - x[i], below = x[i] - x[i + 1];
 	double middle = (finer * above + coarser * below) / (below + above);
 	double sign = (finer < 0 ? -1 : 1) + (coarser < 0 ? -1 : 1);
@@ -92,7 +92,7 @@ static double
 psd_between(const double *x, const double *P, size_t n, size_t i, double at)
 {
 	double h = x[i] - x[i + 1], d = at - x[i + 1];
-	double s = chord(x, P, i);
+	double s = chord_slope(x, P, i);
 	double fine = psd_slope_at(x, P, n, i + 1),
 	       coarse = psd_slope_at(x, P, n, i);
 	double a = (fine + coarse - 2 * s) / h / h;
@@ -262,7 +262,7 @@ psd_bend(const struct psd *psd, size_t i)
 /* The bend of a curve at sieve i of another; NAN where it has not the same
  * three sieves side by side. */
 static double
-bend_beside(const struct psd *curve, const struct psd *of, size_t i)
+bend_of_other(const struct psd *curve, const struct psd *of, size_t i)
 {
 	for (size_t j = 1; j + 1 < curve->n; j++)
 		if (curve->size[j - 1] == of->size[i - 1] &&
@@ -279,7 +279,8 @@ compare_bend(const struct psd *const *curve, size_t n, size_t c, size_t i)
 	struct psd_outlier out = {.curve = c, .sieve = i};
 	double sum = 0;
 	for (size_t o = 0; o < n; o++) {
-		double bend = o == c ? NAN : bend_beside(curve[o], curve[c], i);
+		double bend =
+		    o == c ? NAN : bend_of_other(curve[o], curve[c], i);
 		if (isnan(bend))
 			continue;
 		out.others++;

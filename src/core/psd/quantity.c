@@ -17,7 +17,7 @@ const struct modulus MODULUS[MODULI] = {
 };
 
 static double
-modulus_read(const struct modulus *m, const struct psd *curve)
+modulus_value(const struct modulus *m, const struct psd *curve)
 {
 	double sum = 0, coarse = 0;
 	if (!psd_covers(curve, m->mm[m->n - 1] / 1000))
@@ -34,7 +34,7 @@ modulus_read(const struct modulus *m, const struct psd *curve)
 }
 
 static double
-step_read(const struct quantity *q, const struct psd *curve)
+largest_step_value(const struct quantity *q, const struct psd *curve)
 {
 	double most = 0;
 	if (q->n_sieve == 0 || !psd_covers(curve, q->sieve[q->n_sieve - 1]))
@@ -64,21 +64,21 @@ quantity_read(const struct quantity *q, const struct psd *curve, double share)
 	case QUANTITY_SIZE:
 		return psd_size(curve, q->x);
 	case QUANTITY_MODULUS:
-		return modulus_read(q->modulus, curve);
+		return modulus_value(q->modulus, curve);
 	case QUANTITY_UNIFORMITY:
 		return psd_size(curve, 0.6) / psd_size(curve, 0.1);
 	case QUANTITY_CURVATURE:
 		return psd_size(curve, 0.3) * psd_size(curve, 0.3) /
 		       (psd_size(curve, 0.6) * psd_size(curve, 0.1));
 	case QUANTITY_STEP:
-		return step_read(q, curve);
+		return largest_step_value(q, curve);
 	}
 	return NAN;
 }
 
 /* What is missing at a size that a share should not pass. */
 static double
-short_at(const struct psd *curve, double share, double size)
+passing_missing_at(const struct psd *curve, double share, double size)
 {
 	bool known = size > 0 && psd_covers(curve, size);
 	return known ? share - psd_passing(curve, size) : NAN;
@@ -96,11 +96,12 @@ quantity_over(const struct quantity *q, double limit, double value,
 	case QUANTITY_MODULUS:
 		return (value - limit) / (double)q->modulus->n;
 	case QUANTITY_SIZE:
-		return short_at(curve, q->x, limit);
+		return passing_missing_at(curve, q->x, limit);
 	case QUANTITY_UNIFORMITY:
-		return short_at(curve, 0.6, limit * psd_size(curve, 0.1));
+		return passing_missing_at(
+		    curve, 0.6, limit * psd_size(curve, 0.1));
 	case QUANTITY_CURVATURE:
-		return short_at(curve, 0.3,
+		return passing_missing_at(curve, 0.3,
 		    sqrt(limit * psd_size(curve, 0.6) * psd_size(curve, 0.1)));
 	}
 	return NAN;

@@ -97,7 +97,7 @@ plan_nodes(struct plan *plan)
 }
 
 static struct plan_view
-view_at(double depth)
+plan_view_at_depth(double depth)
 {
 	struct plan_view v = {.node = KERNEL_NODES - 2};
 	if (depth > node_depth(KERNEL_NODES - 1))
@@ -122,7 +122,7 @@ plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
 		if (plan->lower[c] < log_s - 1e-12)
 			break;
 		s->n_above = c + 1;
-		s->view[c] = view_at(plan->middle[c] - log_s);
+		s->view[c] = plan_view_at_depth(plan->middle[c] - log_s);
 	}
 }
 
@@ -208,7 +208,7 @@ plan_class_run(struct plan_run *run, const struct misfit_run *from,
 			    appearance_argument(form, x[i], x[j]);
 			if (j >= i)
 				run->view[i * n + j] =
-				    view_at(el_log(x[i] / x[j]));
+				    plan_view_at_depth(el_log(x[i] / x[j]));
 		}
 	}
 	free(x);

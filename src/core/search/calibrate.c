@@ -126,7 +126,7 @@ calibrate_misfit(
 /* Holds the reference energy of a model that has one at the mean of the
  * training runs, unless it was given another (D12). */
 static void
-fix_reference(const struct misfit *m, struct bounds *b)
+hold_reference_energy(const struct misfit *m, struct bounds *b)
 {
 	size_t j = m->of->reference;
 	double sum = 0;
@@ -141,7 +141,7 @@ fix_reference(const struct misfit *m, struct bounds *b)
  * end in a far valley, worse than the smaller model's best: with gamma at its
  * bound, grunditz-energy had three times the paper's misfit. */
 static void
-begin_nested(struct calibration *c)
+begin_with_simpler_model(struct calibration *c)
 {
 	const struct breakage *of = c->misfit->of;
 	struct bounds *b = &c->box;
@@ -167,14 +167,14 @@ centre_gauge(const struct bounds *b, struct params *p)
 		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
 	if (!(reach > 0))
 		return;
-	params_scale(p);
+	params_scale_to_1(p);
 	for (size_t j = 0; j < gauge; j++)
 		p->at[j] *= reach / 2;
 }
 
 /* The same gauge, scaled so that as little as possible is cut off (D4). */
 static void
-bring(const struct bounds *b, struct params *p)
+scale_into_bounds(const struct bounds *b, struct params *p)
 {
 	centre_gauge(b, p);
 	for (size_t j = 0; j < breakage_of(p)->n; j++)
@@ -190,7 +190,7 @@ begin_at(struct calibration *c, const struct params *start)
 	c->best = breakage_widened(start, c->options.settings.breakage);
 	c->nested = false;
 	c->box = c->options.bounds;
-	bring(&c->box, &c->best);
+	scale_into_bounds(&c->box, &c->best);
 	c->best_misfit = misfit_at(c->misfit, &c->best);
 	c->start[c->n_start++] = c->best;
 }
@@ -206,7 +206,7 @@ calibration_new(
 	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
 	c->misfit = calibrate_misfit(site, options);
-	fix_reference(c->misfit, &c->options.bounds);
+	hold_reference_energy(c->misfit, &c->options.bounds);
 	assert(c->misfit->n_residual > 0);
 	c->kernel = kernel_new(c->misfit, options->isa, pool_threads(c->pool));
 	if (options->plain)
@@ -216,7 +216,7 @@ calibration_new(
 	ga.isa = options->isa;
 	if (ga.elite > ga.population / 4)
 		ga.elite = ga.population / 4;
-	begin_nested(c);
+	begin_with_simpler_model(c);
 	if (options->start != NULL)
 		begin_at(c, options->start);
 	c->elite = ga.elite;
@@ -250,7 +250,7 @@ calibration_free(struct calibration *c)
 
 /* Batches polished so far; the last of the starts may be a short one. */
 static size_t
-batches(const struct calibration *c)
+polished_batches(const struct calibration *c)
 {
 	size_t starts = c->done < c->n_start ? c->done : c->n_start;
 	return c->batches + (starts + BATCH - 1) / BATCH +
@@ -267,7 +267,8 @@ calibrate_search_best(const struct calibration *c)
 }
 
 static struct params
-genes(const struct calibration *c, const double *const *gene, size_t i)
+params_of_genes(
+    const struct calibration *c, const double *const *gene, size_t i)
 {
 	struct params p = {.breakage = c->options.settings.breakage};
 	for (size_t j = 0; j < c->misfit->of->n; j++)
@@ -276,15 +277,15 @@ genes(const struct calibration *c, const double *const *gene, size_t i)
 }
 
 static void
-keep_scouts(struct calibration *c)
+keep_starting_points(struct calibration *c)
 {
 	size_t index[LEADERS];
 	size_t n = c->options.population;
 	size_t leaders = n < LEADERS ? n : LEADERS;
 	ga_leaders(c->ga, leaders, index);
 	for (size_t i = 0; i < SCOUTS; i++)
-		c->start[c->n_start++] =
-		    genes(c, ga_told(c->ga), index[i * leaders / SCOUTS]);
+		c->start[c->n_start++] = params_of_genes(
+		    c, ga_told(c->ga), index[i * leaders / SCOUTS]);
 }
 
 /* The calibration is over, or goes on with all parameters from what the first
@@ -294,7 +295,8 @@ end_phase(struct calibration *c)
 {
 	bool used = ga_status(c->ga).generation >= c->options.generations;
 	if (!c->nested || used) {
-		if (c->converged && settle(c->misfit, &c->box, &c->best))
+		if (c->converged &&
+		    settle_to_same_bits(c->misfit, &c->box, &c->best))
 			c->best_misfit = misfit_at(c->misfit, &c->best);
 		c->state = c->stop;
 		return;
@@ -302,7 +304,7 @@ end_phase(struct calibration *c)
 	c->nested = false;
 	c->box = c->options.bounds;
 	c->phase_from = ga_status(c->ga).generation;
-	c->batches = batches(c);
+	c->batches = polished_batches(c);
 	c->converged = false;
 	c->stall = c->done = c->fruitless = 0;
 	c->stall_from = INFINITY;
@@ -330,7 +332,7 @@ end_search(struct calibration *c, enum calibrate_state why)
 }
 
 static void
-remember(struct calibration *c, const struct ga_status *s)
+record_generation(struct calibration *c, const struct ga_status *s)
 {
 	if (c->n_history == c->history_room) {
 		c->history_room = 2 * c->history_room + 64;
@@ -360,7 +362,7 @@ calibration_history(const struct calibration *c, size_t *n)
 
 /* Makes and evaluates a part of the generation. */
 static void
-judge_part(void *data, size_t part, unsigned thread)
+evaluate_generation_part(void *data, size_t part, unsigned thread)
 {
 	struct calibration *c = data;
 	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
@@ -378,12 +380,12 @@ generation(struct calibration *c)
 {
 	const struct calibrate_options *o = &c->options;
 	size_t parts = (o->population + KERNEL_PART - 1) / KERNEL_PART;
-	pool_run(c->pool, parts, judge_part, c);
+	pool_run(c->pool, parts, evaluate_generation_part, c);
 	if (atomic_load(&c->stopped))
 		return;
 	ga_tell(c->ga, c->told);
 	struct ga_status s = ga_status(c->ga);
-	remember(c, &s);
+	record_generation(c, &s);
 	c->evaluations += o->population;
 	c->stall++;
 	if (s.best < 0.999 * c->stall_from) {
@@ -392,7 +394,7 @@ generation(struct calibration *c)
 	}
 	for (size_t i = 0; i < 2 && o->polish; i++)
 		if (s.generation == c->phase_from + SCOUT_GENERATION[i])
-			keep_scouts(c);
+			keep_starting_points(c);
 	/* Where the misfit is flat all candidates are alike at once, before the
 	 * search has looked around; and a perfect fit leaves both misfits near
 	 * 0, where the last term ends it. */
@@ -410,7 +412,7 @@ generation(struct calibration *c)
 
 /* A place some way from the best: most parameters move little, a few far. */
 static struct params
-perturbed(const struct calibration *c, size_t number)
+perturb_best(const struct calibration *c, size_t number)
 {
 	const struct bounds *b = &c->box;
 	struct rng_key key = rng_key(c->options.seed, number, USE_PERTURBATION);
@@ -430,7 +432,7 @@ perturbed(const struct calibration *c, size_t number)
  * the others evenly between their bounds, on a log scale if these are above
  * 0. */
 static double
-calibrate_place(const struct calibration *c, size_t j, size_t number)
+calibrate_held_value(const struct calibration *c, size_t j, size_t number)
 {
 	static const double SHARE[PLACES] = {
 	    -1, -0.1, -0.01, 0, 0.001, 0.003, 0.03, 0.3};
@@ -449,7 +451,8 @@ calibrate_place(const struct calibration *c, size_t j, size_t number)
  * feed, nor the narrow valleys of little ultra-fines (beta1 just above 0).
  * False when there are no more. */
 static bool
-calibrate_hold(const struct calibration *c, size_t number, struct worker *w)
+calibrate_perturb_held(
+    const struct calibration *c, size_t number, struct worker *w)
 {
 	size_t j = 0, gauge = c->misfit->of->gauge;
 	w->first = c->box;
@@ -461,13 +464,13 @@ calibrate_hold(const struct calibration *c, size_t number, struct worker *w)
 			break;
 	if (j == c->misfit->of->n)
 		return false;
-	w->p.at[j] = calibrate_place(c, j, number % PLACES);
+	w->p.at[j] = calibrate_held_value(c, j, number % PLACES);
 	w->first.lower[j] = w->first.upper[j] = w->p.at[j];
 	return true;
 }
 
 static void
-take_polished(struct calibration *c, const struct worker *w, bool perturbing)
+keep_if_better(struct calibration *c, const struct worker *w, bool perturbing)
 {
 	double gain = c->best_misfit - w->result.misfit;
 	double next_to_nothing = 1e-9 * c->best_misfit;
@@ -495,7 +498,7 @@ is_noisy(const struct calibration *c)
 }
 
 static size_t
-fruitless_most(const struct calibration *c)
+most_fruitless_perturbations(const struct calibration *c)
 {
 	return is_noisy(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS;
 }
@@ -536,21 +539,22 @@ polish_batch(struct calibration *c)
 	double before = c->best_misfit;
 	for (size_t i = 0; i < n; i++) {
 		struct worker *w = &c->worker[i];
-		w->holds = perturbing && calibrate_hold(c, c->fruitless + i, w);
+		w->holds = perturbing &&
+			   calibrate_perturb_held(c, c->fruitless + i, w);
 		if (!perturbing)
 			w->p = c->start[c->done + i];
 		else if (!w->holds)
-			w->p = perturbed(c, c->perturbations + i);
+			w->p = perturb_best(c, c->perturbations + i);
 	}
 	pool_run(c->pool, n, polish_one, c);
 	if (atomic_load(&c->stopped))
 		return;
 	for (size_t i = 0; i < n; i++)
-		take_polished(c, &c->worker[i], perturbing);
+		keep_if_better(c, &c->worker[i], perturbing);
 	c->done += n;
 	if (c->best_misfit < before * (1 - 1e-7))
 		c->fruitless = 0;
-	if (c->fruitless >= fruitless_most(c))
+	if (c->fruitless >= most_fruitless_perturbations(c))
 		end_phase(c);
 }
 
@@ -570,7 +574,7 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 {
 	assert(c->state <= CALIBRATE_POLISHING);
 	c->options.bounds = *bounds;
-	fix_reference(c->misfit, &c->options.bounds);
+	hold_reference_energy(c->misfit, &c->options.bounds);
 	bounds = &c->options.bounds;
 	c->edits++;
 	c->edited_at = ga_status(c->ga).generation;
@@ -580,9 +584,9 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 	c->stall_from = INFINITY;
 	ga_set_box(c->ga, bounds->lower, bounds->upper);
 	for (size_t i = 0; i < c->n_start; i++)
-		bring(bounds, &c->start[i]);
+		scale_into_bounds(bounds, &c->start[i]);
 	if (isfinite(c->best_misfit)) {
-		bring(bounds, &c->best);
+		scale_into_bounds(bounds, &c->best);
 		c->converged = false;
 		c->best_misfit = misfit_at(c->misfit, &c->best);
 	}
@@ -606,7 +610,7 @@ calibration_status(const struct calibration *c)
 	struct ga_status s = ga_status(c->ga);
 	struct calibrate_status status = {.state = c->state,
 	    .generation = s.generation,
-	    .step = s.generation + batches(c),
+	    .step = s.generation + polished_batches(c),
 	    .evaluations = c->evaluations,
 	    .stall = c->stall,
 	    .infinite = s.infinite,
@@ -616,12 +620,12 @@ calibration_status(const struct calibration *c)
 	    .starts_done = c->done,
 	    .starts = c->n_start,
 	    .trials = c->fruitless,
-	    .trials_most = fruitless_most(c),
+	    .trials_most = most_fruitless_perturbations(c),
 	    .params = best_of(c, s.best)};
 	/* Other bounds, and nothing evaluated within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
-	params_scale(&status.params);
+	params_scale_to_1(&status.params);
 	return status;
 }
 
@@ -670,7 +674,7 @@ calibration_fit(struct calibration *c)
 		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
-	params_scale(&p);
+	params_scale_to_1(&p);
 	fit.flat = sensitivity_flat(c->misfit, &p, &c->options.bounds);
 	fit.params = p;
 	return fit;

@@ -23,7 +23,7 @@ percentile(const double *sorted, size_t n, double share)
 }
 
 static struct params
-kept(const struct calibrate_generation *g, size_t i)
+kept_candidate(const struct calibrate_generation *g, size_t i)
 {
 	struct params p = {.breakage = g->params.breakage};
 	for (size_t j = 0; j < breakage_of(&p)->n; j++)
@@ -62,7 +62,7 @@ take_break_sizes(
 	double size[MOST] = {0};
 	c->speed = speed;
 	for (size_t i = 0; i < g->n_kept; i++) {
-		struct params p = kept(g, i);
+		struct params p = kept_candidate(g, i);
 		size[i] = params_break_size(&p, speed);
 	}
 	gsl_sort(size, 1, g->n_kept);
@@ -127,8 +127,8 @@ candidates_spread(
 {
 	double value[MOST] = {0};
 	for (size_t i = 0; i < g->n_kept; i++) {
-		struct params p = kept(g, i);
-		params_scale(&p);
+		struct params p = kept_candidate(g, i);
+		params_scale_to_1(&p);
 		value[i] = p.at[j];
 	}
 	gsl_sort(value, 1, g->n_kept);

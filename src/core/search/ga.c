@@ -65,17 +65,17 @@ ga_options_plain(void)
 }
 
 static struct rng_key
-stream(const struct ga *ga, enum use use, size_t i)
+random_stream(const struct ga *ga, enum use use, size_t i)
 {
 	return rng_key(ga->options.seed, ga->status.generation,
 	    (uint64_t)use * STREAM + i);
 }
 
 static void
-start(struct ga *ga)
+draw_first_generation(struct ga *ga)
 {
 	for (size_t g = 0; g < ga->n_gene; g++) {
-		struct rng_key key = stream(ga, USE_START, g);
+		struct rng_key key = random_stream(ga, USE_START, g);
 		double width = ga->upper[g] - ga->lower[g];
 		for (size_t i = 0; i < ga->options.population; i++) {
 			double x = ga->lower[g] +
@@ -117,7 +117,7 @@ plan_breeding(struct ga *ga)
 	int shift = 32;
 	for (size_t n = ga->n_draw; n > 1; n /= 2)
 		shift--;
-	ga->block = BREEDERS[isa_usable(o->isa)];
+	ga->block = BREEDERS[isa_is_usable(o->isa)];
 	ga->breed = (struct breed){.n_gene = ga->n_gene,
 	    .parent = ga->parent,
 	    .draw_shift = shift,
@@ -159,7 +159,7 @@ ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
 	plan_breeding(ga);
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
-	start(ga);
+	draw_first_generation(ga);
 	return ga;
 }
 
@@ -194,7 +194,7 @@ ga_told(const struct ga *ga)
 }
 
 static uint64_t
-bits_of(double misfit)
+misfit_bits(double misfit)
 {
 	uint64_t bits;
 	memcpy(&bits, &misfit, sizeof bits);
@@ -231,7 +231,7 @@ ga_rank(struct ga *ga, uint64_t best, uint64_t typical)
 	while ((typical - best) >> shift > most / 4)
 		shift++;
 	for (size_t i = 0; i < ga->options.population; i++) {
-		uint64_t key = (bits_of(ga->misfit[i]) - best) >> shift;
+		uint64_t key = (misfit_bits(ga->misfit[i]) - best) >> shift;
 		ga->key[i] = (uint32_t)(key < most ? key : most);
 	}
 	sort_pass(ga, 0, NULL, ga->spare);
@@ -239,7 +239,7 @@ ga_rank(struct ga *ga, uint64_t best, uint64_t typical)
 }
 
 static void
-take_status(struct ga *ga)
+update_status(struct ga *ga)
 {
 	struct ga_status *s = &ga->status;
 	size_t n = ga->options.population, best = 0;
@@ -252,7 +252,7 @@ take_status(struct ga *ga)
 	}
 	double least = ga->misfit[best];
 	double typical = last_median > least ? last_median : worst;
-	ga_rank(ga, bits_of(least), bits_of(typical));
+	ga_rank(ga, misfit_bits(least), misfit_bits(typical));
 	s->worst = worst;
 	s->median = ga->misfit[ga->rank[n / 2]];
 	if (least < s->best || s->generation == 0) {
@@ -267,7 +267,7 @@ take_status(struct ga *ga)
 /* Standard deviations of the first candidates, which are a random sample: a few
  * per cent more or less are nothing to a mutation. */
 static void
-take_scale(struct ga *ga)
+update_scale_of_mutation(struct ga *ga)
 {
 	size_t n = ga->options.population;
 	n = n < SCALE_SAMPLE ? n : SCALE_SAMPLE;
@@ -288,11 +288,11 @@ static void
 set_keys(const struct ga *ga, struct breed_keys *keys)
 {
 	for (size_t i = 0; i < 2; i++)
-		keys->parent[i] = stream(ga, USE_PARENT, i);
-	keys->pair = stream(ga, USE_PAIR, 0);
-	keys->line = stream(ga, USE_PAIR, 1);
+		keys->parent[i] = random_stream(ga, USE_PARENT, i);
+	keys->pair = random_stream(ga, USE_PAIR, 0);
+	keys->line = random_stream(ga, USE_PAIR, 1);
 	for (size_t g = 0; g < ga->n_gene; g++)
-		keys->gene[g] = stream(ga, USE_GENE, g);
+		keys->gene[g] = random_stream(ga, USE_GENE, g);
 }
 
 static void
@@ -336,8 +336,8 @@ ga_tell(struct ga *ga, const double *misfit)
 	ga->told = ga->asked;
 	ga->asked = swap;
 	memcpy(ga->misfit, misfit, ga->options.population * sizeof *misfit);
-	take_status(ga);
-	take_scale(ga);
+	update_status(ga);
+	update_scale_of_mutation(ga);
 	prepare_breeding(ga);
 }
 

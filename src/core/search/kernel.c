@@ -20,7 +20,7 @@ struct kernel *
 kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
 {
 	struct kernel *kernel = xcalloc(1, sizeof *kernel);
-	enum isa usable = isa_usable(isa);
+	enum isa usable = isa_is_usable(isa);
 	const struct breakage *of = BREAKAGES[m->settings.breakage];
 	kernel->block = of->kernel[usable].block;
 	kernel->bins = of->kernel[usable].bins;

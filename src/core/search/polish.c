@@ -100,7 +100,7 @@ update_scale(struct polish *s)
 /* Brings column c of A [rows] to `top` and zeros below it, by the reflection
  * that the column becomes; the n columns after it go through the same. */
 static void
-reflect(
+householder_reflect(
     double (*A)[PARAMS_MOST + 1], size_t rows, size_t c, size_t n, double top)
 {
 	double along[PARAMS_MOST + 1] = {0};
@@ -119,7 +119,8 @@ reflect(
  * goes through the same.  Of our own, because a library's last bits differ
  * between its versions and processors, and perturbations go on from them. */
 static void
-triangle(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *top)
+householder_triangle(
+    double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *top)
 {
 	for (size_t c = 0; c < n; c++) {
 		double norm = 0;
@@ -127,7 +128,7 @@ triangle(double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *top)
 			norm += A[i][c] * A[i][c];
 		top[c] = A[c][c] > 0 ? -sqrt(norm) : sqrt(norm);
 		if (norm > 0)
-			reflect(A, rows, c, n - c, top[c]);
+			householder_reflect(A, rows, c, n - c, top[c]);
 	}
 }
 
@@ -145,7 +146,7 @@ damped_triangle(
 	}
 	for (size_t c = 0; c < n_free; c++)
 		s->A[s->n + c][c] = sqrt(damping) * s->scale[column[c]];
-	triangle(s->A, s->n + n_free, n_free, s->top);
+	householder_triangle(s->A, s->n + n_free, n_free, s->top);
 }
 
 /* The step of all parameters whose free ones x solve R x = z [n_free]. */
@@ -177,7 +178,7 @@ damped_step(struct polish *s, const size_t *column, size_t n_free,
 }
 
 static struct params
-moved(const struct params *p, const double step[PARAMS_MOST],
+params_after_step(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds)
 {
 	struct params q = *p;
@@ -242,7 +243,7 @@ is_beaten(const struct descent *d)
 
 /* The misfit at q, its r and J kept for take(). */
 static double
-try(struct descent *d, const struct params *q)
+evaluate_trial_step(struct descent *d, const struct params *q)
 {
 	struct polish *s = d->s;
 	d->result.stopped = d->result.stopped || misfit_stopped(s->misfit);
@@ -289,8 +290,8 @@ descend_damped(struct descent *d, int evaluations)
 		if (d->result.converged)
 			break;
 		damped_step(d->s, column, n_free, damping, step);
-		struct params q = moved(d->p, step, d->bounds);
-		double trial = try(d, &q);
+		struct params q = params_after_step(d->p, step, d->bounds);
+		double trial = evaluate_trial_step(d, &q);
 		if (trial < d->result.misfit) {
 			polish_take(d, &q, trial);
 			damping = fmax(damping / 5, least_damping);
@@ -368,9 +369,9 @@ move_along(struct descent *d, const struct secant *q, struct move *m)
 		for (size_t c = 0; c < q->n; c++)
 			m->z[c] = t * way[c];
 		polish_solve(d->s, q->column, q->n, m->z, step);
-		struct params p = moved(d->p, step, d->bounds);
+		struct params p = params_after_step(d->p, step, d->bounds);
 		m->cut = polish_is_cut(d->p, step, d->bounds);
-		double trial = try(d, &p);
+		double trial = evaluate_trial_step(d, &p);
 		gradient(d->s, q, d->s->r_try, d->s->J_try, m->g);
 		for (size_t c = 0; c < q->n; c++)
 			there += way[c] * m->g[c];

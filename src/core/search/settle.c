@@ -84,7 +84,7 @@ find_gradient(struct newton *w, const struct params *p, double *g)
 /* Adds what the residuals r curve along a parameter to its row of H: by how
  * much J changes from one side to the other. */
 static void
-add_bend(struct newton *w, const struct params *p, size_t c)
+add_curvature_column(struct newton *w, const struct params *p, size_t c)
 {
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	for (int side = -1; side <= 1; side += 2) {
@@ -108,7 +108,7 @@ find_curvature(struct newton *w, const struct params *p)
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	memset(w->H, 0, sizeof w->H);
 	for (size_t c = 0; c < w->n; c++)
-		add_bend(w, p, c);
+		add_curvature_column(w, p, c);
 	for (size_t c = 0; c < w->n; c++)
 		for (size_t d = 0; d <= c; d++) {
 			const double *a = w->J + w->column[c],
@@ -160,7 +160,7 @@ settle_solve(const struct newton *w, double *x)
 
 /* Moves *p by less and less, until rounding alone is left of the steps. */
 static bool
-descend(struct newton *w, struct params *p)
+newton_descend(struct newton *w, struct params *p)
 {
 	double g[PARAMS_MOST], before = INFINITY;
 	double misfit = find_gradient(w, p, g);
@@ -190,7 +190,7 @@ descend(struct newton *w, struct params *p)
 
 /* The nearest parameters of few digits. */
 static struct params
-coarse(const struct newton *w, const struct params *p)
+round_params(const struct newton *w, const struct params *p)
 {
 	struct params q = *p;
 	for (size_t c = 0; c < w->n; c++) {
@@ -203,7 +203,8 @@ coarse(const struct newton *w, const struct params *p)
 }
 
 bool
-settle(struct misfit *m, const struct bounds *bounds, struct params *p)
+settle_to_same_bits(
+    struct misfit *m, const struct bounds *bounds, struct params *p)
 {
 	size_t rows = m->n_residual, width = m->of->n;
 	double *room = xdoubles(2 * rows * (width + 1));
@@ -215,9 +216,9 @@ settle(struct misfit *m, const struct bounds *bounds, struct params *p)
 	struct params near = *p;
 	bring_to_bounds(bounds, &near);
 	settle_find_columns(&w, &near);
-	bool found = w.n > 0 && rows >= w.n && descend(&w, &near);
-	struct params q = coarse(&w, &near);
-	found = found && descend(&w, &q) &&
+	bool found = w.n > 0 && rows >= w.n && newton_descend(&w, &near);
+	struct params q = round_params(&w, &near);
+	found = found && newton_descend(&w, &q) &&
 		misfit_at(m, &q) <= misfit_at(m, p) * (1 + NOTHING) + EXACT;
 	if (found)
 		*p = q;

@@ -18,6 +18,7 @@
  * it is.  Returns false, with *p unchanged, where no such point is found
  * nearby: where the data do not determine a direction, at a crease of the
  * misfit, or where the misfit would be larger. */
-bool settle(struct misfit *m, const struct bounds *bounds, struct params *p);
+bool settle_to_same_bits(
+    struct misfit *m, const struct bounds *bounds, struct params *p);
 
 #endif

@@ -29,7 +29,7 @@ add_unit(struct said *said, char c)
 
 /* "text", [Red], [h]; returns where it ends. */
 static const char *
-take_enclosed(const char *p, struct said *said)
+read_enclosed(const char *p, struct said *said)
 {
 	char close = *p == '[' ? ']' : '"';
 	const char *from = ++p;
@@ -48,7 +48,7 @@ take_enclosed(const char *p, struct said *said)
 
 /* A sign by itself; returns where it ends. */
 static const char *
-take_sign(const char *p, struct said *said)
+read_format_sign(const char *p, struct said *said)
 {
 	switch (tolower((unsigned char)*p)) {
 	case '\\':
@@ -88,7 +88,7 @@ is_minutes(const char *code)
 }
 
 struct shown
-shown_code(const char *code)
+shown_parse_code(const char *code)
 {
 	struct said said = {.time = is_minutes(code)};
 	static const char *const PLAIN[] = {"General", "Standard"};
@@ -100,9 +100,9 @@ shown_code(const char *code)
 		if (plain > 0)
 			p += plain;
 		else if (*p == '"' || *p == '[')
-			p = take_enclosed(p, &said);
+			p = read_enclosed(p, &said);
 		else
-			p = take_sign(p, &said);
+			p = read_format_sign(p, &said);
 	}
 	struct shown shown = {.kind = said.span   ? SHOWN_SPAN
 				      : said.day  ? SHOWN_DATE

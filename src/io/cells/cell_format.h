@@ -16,11 +16,11 @@ struct shown {
 /* Returns the meaning of a format code as files of any language contain it:
  * "0.0%", "yyyy\-mm\-dd", "0\" m/s\"".  Only the part before the first ;
  * counts. */
-struct shown shown_code(const char *code);
+struct shown shown_parse_code(const char *code);
 
-/* As shown_code, but for a format that is given by its number only.  Source:
- * ECMA-376 part 1, 18.8.30, numFmt; 27 to 36 and 50 to 58 are dates of East
- * Asian languages. */
+/* As shown_parse_code, but for a format that is given by its number only.
+ * Source: ECMA-376 part 1, 18.8.30, numFmt; 27 to 36 and 50 to 58 are dates of
+ * East Asian languages. */
 struct shown shown_builtin(unsigned id);
 
 /* Writes "2026-05-03", "2026-05-03T10:15" or, for a time, "10:15", with seconds

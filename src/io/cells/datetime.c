@@ -51,7 +51,7 @@ days_to(int year, int month, int day)
 
 /* A number of at most `most` digits at *p, which moves after it; -1: none. */
 static int
-digits(const char **p, size_t most, size_t *n)
+read_digits(const char **p, size_t most, size_t *n)
 {
 	int value = 0;
 	for (*n = 0; *n < most && isdigit((unsigned char)**p); (*n)++)
@@ -80,7 +80,7 @@ read_named(const char **p, int day, struct moment *m)
 	while (isalpha((unsigned char)**p))
 		(*p)++;
 	*p += strspn(*p, ".- ,");
-	m->year = digits(p, 4, &n);
+	m->year = read_digits(p, 4, &n);
 	/* The day comes first where the month is a word: 03-May-26. */
 	m->year += n == 2 ? 2000 : 0;
 	m->plain = true;
@@ -92,10 +92,10 @@ static bool
 read_local(const char **p, int first, char sign, struct moment *m)
 {
 	size_t n;
-	int second = digits(p, 2, &n);
+	int second = read_digits(p, 2, &n);
 	if (*(*p)++ != sign)
 		return false;
-	m->year = digits(p, 4, &n);
+	m->year = read_digits(p, 4, &n);
 	m->day = first;
 	m->month = second;
 	m->plain = sign == '.' || first == second;
@@ -113,7 +113,7 @@ static bool
 datetime_read_date(const char **p, struct moment *m)
 {
 	size_t n;
-	int first = digits(p, 4, &n);
+	int first = read_digits(p, 4, &n);
 	char sign = **p;
 	if (first < 0 || strchr("-/. ", sign) == NULL || sign == '\0')
 		return false;
@@ -128,10 +128,10 @@ datetime_read_date(const char **p, struct moment *m)
 	if (n <= 2)
 		return read_local(p, first, sign, m);
 	m->year = first;
-	m->month = digits(p, 2, &n);
+	m->month = read_digits(p, 2, &n);
 	if (*(*p)++ != sign)
 		return false;
-	m->day = digits(p, 2, &n);
+	m->day = read_digits(p, 2, &n);
 	m->plain = true;
 	return is_date(m->year, m->month, m->day);
 }
@@ -168,11 +168,11 @@ read_zone(const char *p, struct moment *m)
 	if (*p != '+' && *p != '-')
 		return false;
 	p++;
-	if (digits(&p, 4, &n) < 0)
+	if (read_digits(&p, 4, &n) < 0)
 		return false;
 	if (*p == ':') {
 		p++;
-		digits(&p, 2, &n);
+		read_digits(&p, 2, &n);
 	}
 	return *p == '\0';
 }
@@ -182,18 +182,18 @@ static bool
 datetime_read_time(const char *p, bool point, struct moment *m)
 {
 	size_t n;
-	int hour = digits(&p, 2, &n), minute, second = 0;
+	int hour = read_digits(&p, 2, &n), minute, second = 0;
 	double part = 0;
 	char sign = *p;
 	if (hour < 0 || (sign != ':' && !(point && sign == '.')))
 		return false;
 	p++;
-	minute = digits(&p, 2, &n);
+	minute = read_digits(&p, 2, &n);
 	if (n != 2)
 		return false;
 	if (*p == sign) {
 		p++;
-		second = digits(&p, 2, &n);
+		second = read_digits(&p, 2, &n);
 		if (second >= 0 && (*p == '.' || *p == ',') &&
 		    isdigit((unsigned char)p[1])) {
 			double scale = 1;
@@ -263,13 +263,13 @@ moment_is_day(const char *text)
 {
 	size_t n[3];
 	const char *p = text;
-	int year = digits(&p, 4, &n[0]);
+	int year = read_digits(&p, 4, &n[0]);
 	if (*p++ != '-')
 		return false;
-	int month = digits(&p, 2, &n[1]);
+	int month = read_digits(&p, 2, &n[1]);
 	if (*p++ != '-')
 		return false;
-	int day = digits(&p, 2, &n[2]);
+	int day = read_digits(&p, 2, &n[2]);
 	return *p == '\0' && n[0] == 4 && n[1] == 2 && n[2] == 2 && year >= 0 &&
 	       month >= 1 && month <= 12 && day >= 1 &&
 	       day <= days_in(year, month);

@@ -155,7 +155,7 @@ is_composable(const char *text)
 	enum { MOST_MARKS = 30 };
 	bool plain = true;
 	for (int marks = 0; *text != '\0';) {
-		uint32_t code = text_next(&text);
+		uint32_t code = text_next_code_point(&text);
 		const utf8proc_property_t *about =
 		    utf8proc_get_property((utf8proc_int32_t)code);
 		marks = about->combining_class > 0 ? marks + 1 : 0;

@@ -55,7 +55,7 @@ grid_note(struct grid *g, const char *format, ...)
 }
 
 void
-grid_notes(struct grid *g)
+grid_end_notes(struct grid *g)
 {
 	if (g->n_note > MOST_NOTES)
 		xlist(&g->note, "; ", tr("%zu more remarks on its sheets"),

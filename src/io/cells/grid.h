@@ -52,10 +52,10 @@ bool grid_put_formula(
 void grid_hidden(struct grid *grid);
 
 /* grid_note adds a remark on the workbook.  After 20 remarks it only counts
- * them; grid_notes adds that count at the end. */
+ * them; grid_end_notes adds that count at the end. */
 void grid_note(struct grid *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void grid_notes(struct grid *grid);
+void grid_end_notes(struct grid *grid);
 
 /* Adds the remark that the workbook contains more than `most` sheets. */
 void grid_note_more_sheets(struct grid *grid, int most);

@@ -281,7 +281,7 @@ number_read(
 	char sign = decimal_of(cell.text);
 	if (sheet->decimal == '\0' || (sign != '.' && sign != ',') ||
 	    sign == sheet->decimal)
-		return sheet_wanted(
+		return sheet_fault_expected(
 		    sheet, cell, wanted, "%s", number_hint(cell.text));
 	if (sheet->mixed)
 		return false;

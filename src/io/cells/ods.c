@@ -46,7 +46,7 @@ struct reading {
 };
 
 static void
-clear(struct content *c)
+clear_content(struct content *c)
 {
 	free(c->type);
 	free(c->value);
@@ -56,7 +56,7 @@ clear(struct content *c)
 }
 
 static char *
-copy_of(const char *text)
+copy_or_null(const char *text)
 {
 	return text != NULL ? xstrdup(text) : NULL;
 }
@@ -79,10 +79,10 @@ ods_begin_style(
 	const char *shown = xml_attribute(attribute, "table:1.0 display");
 	if (strcmp(name, "style") == 0 && family != NULL) {
 		free(r->style);
-		r->style =
-		    strcmp(family, "table") == 0
-			? copy_of(xml_attribute(attribute, "style:1.0 name"))
-			: NULL;
+		r->style = strcmp(family, "table") == 0
+			       ? copy_or_null(
+				     xml_attribute(attribute, "style:1.0 name"))
+			       : NULL;
 	} else if (strcmp(name, "table-properties") == 0 && r->style != NULL &&
 		   shown != NULL && strcmp(shown, "false") == 0 &&
 		   r->n_hidden < MOST_STYLES) {
@@ -131,13 +131,14 @@ ods_begin_cell(struct reading *r, const char *const *attribute)
 	struct content *c = &r->content;
 	const char *type = xml_attribute(attribute, "office:1.0 value-type");
 	const char *more = xml_attribute(attribute, "calcext:1.0 value-type");
-	c->type = copy_of(type);
-	c->formula = copy_of(xml_attribute(attribute, "table:1.0 formula"));
+	c->type = copy_or_null(type);
+	c->formula =
+	    copy_or_null(xml_attribute(attribute, "table:1.0 formula"));
 	c->failed = more != NULL && strcmp(more, "error") == 0;
 	for (size_t i = 0; type != NULL && i < ARRAY_LEN(VALUES); i++)
 		if (strcmp(type, VALUES[i].type) == 0)
-			c->value =
-			    copy_of(xml_attribute(attribute, VALUES[i].value));
+			c->value = copy_or_null(
+			    xml_attribute(attribute, VALUES[i].value));
 	r->cells = xml_whole(attribute, "table:1.0 number-columns-repeated", 1);
 }
 
@@ -249,7 +250,7 @@ unit_of(const char *said, char unit[static 16])
 
 /* Puts a cell; false where it has nothing in it. */
 static bool
-put_content(struct grid *grid, struct cell at, const struct content *c)
+put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 {
 	double number;
 	char unit[16];
@@ -293,7 +294,7 @@ end_cell(struct reading *r)
 		    (struct kept){r->at.column, r->cells, *c};
 		*c = (struct content){0};
 	}
-	clear(c);
+	clear_content(c);
 	if (r->at.column < 2000000)
 		r->at.column += (int)r->cells;
 }
@@ -301,19 +302,19 @@ end_cell(struct reading *r)
 /* Puts a cell of a row as often as it stands in a line; false where it has
  * nothing in it. */
 static bool
-put_kept(const struct reading *r, const struct kept *kept, int line)
+put_repeated_cell(const struct reading *r, const struct kept *kept, int line)
 {
 	struct cell at = {.line = line, .column = kept->column};
 	for (size_t k = 0;
 	     k < kept->repeats && k < MOST_REPEATS && r->grid->too_big == NULL;
 	     k++, at.column++)
-		if (!put_content(r->grid, at, &kept->content))
+		if (!put_cell_content(r->grid, at, &kept->content))
 			return false;
 	return true;
 }
 
 static void
-end_row(struct reading *r)
+put_repeated_row(struct reading *r)
 {
 	size_t most = r->rows < MOST_REPEATS ? r->rows : MOST_REPEATS;
 	for (size_t line = 0;
@@ -322,14 +323,15 @@ end_row(struct reading *r)
 	     line++) {
 		size_t n = 0;
 		for (size_t i = 0; i < r->n_kept; i++)
-			if (put_kept(r, &r->kept[i], r->at.line + (int)line))
+			if (put_repeated_cell(
+				r, &r->kept[i], r->at.line + (int)line))
 				r->kept[n++] = r->kept[i];
 			else
-				clear(&r->kept[i].content);
+				clear_content(&r->kept[i].content);
 		r->n_kept = n;
 	}
 	for (size_t i = 0; i < r->n_kept; i++)
-		clear(&r->kept[i].content);
+		clear_content(&r->kept[i].content);
 	r->n_kept = 0;
 	if (r->at.line < 100000000)
 		r->at.line += (int)r->rows;
@@ -349,7 +351,7 @@ ods_on_end(void *data, const char *name)
 		r->cell = 0;
 		end_cell(r);
 	} else if (r->table > 0 && strcmp(name, "table-row") == 0) {
-		end_row(r);
+		put_repeated_row(r);
 	} else if (r->table > 0 && strcmp(name, "table") == 0) {
 		r->table = 0;
 		if (r->visible)
@@ -373,9 +375,9 @@ ods_read(struct archive *archive, struct grid *grid)
 	if (fault != NULL)
 		wrong = xasprintf("content.xml: %s", fault);
 	free(fault);
-	clear(&r.content);
+	clear_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
-		clear(&r.kept[i].content);
+		clear_content(&r.kept[i].content);
 	for (size_t i = 0; i < r.n_hidden; i++)
 		free(r.hidden[i]);
 	free(r.kept);

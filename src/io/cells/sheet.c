@@ -22,7 +22,7 @@ enum {
 };
 
 static bool
-later(const struct error *a, const struct error *b)
+is_later_in_file(const struct error *a, const struct error *b)
 {
 	if (strcmp(a->file, b->file) != 0)
 		return false;
@@ -32,15 +32,15 @@ later(const struct error *a, const struct error *b)
 
 /* Where the next fault goes, among those of the same file. */
 static struct error *
-sheet_place(struct sheet *sheet, const struct error *e)
+insert_fault(struct sheet *sheet, const struct error *e)
 {
 	struct error_list *list = sheet->errors;
 	struct error *slot = error_add(list);
 	size_t i = list->n - 1;
 	sheet->n_fault++;
-	if (list->more > 0 && !later(&list->item[i], e))
+	if (list->more > 0 && !is_later_in_file(&list->item[i], e))
 		return slot;
-	for (; i > 0 && later(&list->item[i - 1], e); i--)
+	for (; i > 0 && is_later_in_file(&list->item[i - 1], e); i--)
 		list->item[i] = list->item[i - 1];
 	return &list->item[i];
 }
@@ -58,12 +58,12 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	e.in_grid = sheet->name[0] != '\0';
 	free(file);
 	va_end(ap);
-	*sheet_place(sheet, &e) = e;
+	*insert_fault(sheet, &e) = e;
 	return false;
 }
 
 int
-sheet_cut(const char *text)
+sheet_cut_length(const char *text)
 {
 	size_t n = strlen(text);
 	for (n = n > SHOWN ? SHOWN : n; (text[n] & 0xC0) == 0x80; n--)
@@ -72,14 +72,14 @@ sheet_cut(const char *text)
 }
 
 bool
-sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
+sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
     const char *hint, ...)
 {
 	va_list ap;
 	va_start(ap, hint);
 	char *step = hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
 	va_end(ap);
-	int n = sheet_cut(found.text);
+	int n = sheet_cut_length(found.text);
 	bool cut = found.text[n] != '\0';
 	if (n == 0)
 		sheet_fault(sheet, found,
@@ -115,7 +115,7 @@ struct cursor {
 };
 
 static void
-step(struct cursor *c)
+step_character(struct cursor *c)
 {
 	do
 		c->p++;
@@ -127,22 +127,22 @@ static void
 sheet_skip_blanks(struct cursor *c, char separator)
 {
 	while ((*c->p == ' ' || *c->p == '\t') && *c->p != separator)
-		step(c);
+		step_character(c);
 }
 
 /* From the opening quote to after the closing one; false when it is open. */
 static bool
 skip_quoted(struct cursor *c)
 {
-	step(c);
+	step_character(c);
 	while (*c->p != '\0' && (c->p[0] != '"' || c->p[1] == '"')) {
 		if (*c->p == '"')
-			step(c);
-		step(c);
+			step_character(c);
+		step_character(c);
 	}
 	if (*c->p == '\0')
 		return false;
-	step(c);
+	step_character(c);
 	return true;
 }
 
@@ -169,7 +169,7 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 			    quoted ? tr("text after the closing quote")
 				   : tr("a quote inside a cell"));
 		}
-		step(c);
+		step_character(c);
 	}
 	return true;
 }
@@ -203,7 +203,7 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 		row->end = c.column;
 		if (*c.p == '\0')
 			return true;
-		step(&c);
+		step_character(&c);
 	}
 	struct cell end = {.line = row->line, .column = c.column};
 	return sheet_fault(sheet, end,
@@ -469,7 +469,7 @@ sheet_begin(const char *path, const char *name, struct sheet_limits most,
 
 /* How many rows stand before that of a line, or are it. */
 static size_t
-rows_to(const struct sheet *sheet, int line)
+count_rows_to_line(const struct sheet *sheet, int line)
 {
 	size_t n = 0, end = sheet->n_row;
 	if (end > 0 && sheet->row[end - 1].line <= line) /* as they come */
@@ -487,7 +487,7 @@ rows_to(const struct sheet *sheet, int line)
 bool
 sheet_has_room(const struct sheet *sheet, struct cell cell)
 {
-	size_t n = rows_to(sheet, cell.line);
+	size_t n = count_rows_to_line(sheet, cell.line);
 	bool has_row = n > 0 && sheet->row[n - 1].line == cell.line;
 	size_t rows = sheet->n_row + !has_row, wide = (size_t)cell.column;
 	wide = wide > sheet->wide ? wide : sheet->wide;
@@ -499,7 +499,7 @@ sheet_has_room(const struct sheet *sheet, struct cell cell)
 static struct row *
 sheet_row_at(struct sheet *sheet, int line)
 {
-	size_t n = rows_to(sheet, line);
+	size_t n = count_rows_to_line(sheet, line);
 	sheet_make_room(sheet);
 	struct row *row = &sheet->row[n];
 	if (n > 0 && row[-1].line == line)

@@ -125,12 +125,13 @@ bool sheet_fault(struct sheet *sheet, struct cell where, const char *format,
 
 /* Returns how many bytes of a long text a message shows; a cut never falls
  * inside a character. */
-int sheet_cut(const char *text);
+int sheet_cut_length(const char *text);
 
 /* Adds the fault "expected WANTED, got 'CELL'", the cell cut if it is long,
  * with a hint (NULL: none).  Returns false. */
-bool sheet_wanted(struct sheet *sheet, struct cell found, const char *wanted,
-    const char *hint, ...) __attribute__((format(printf, 4, 5)));
+bool sheet_fault_expected(struct sheet *sheet, struct cell found,
+    const char *wanted, const char *hint, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* Writes a cell that reads back as the same text: in quotes where needed, and
  * never as a formula. */

@@ -77,8 +77,8 @@ source_read(const char *path, struct error_list *errors, struct source *source)
 }
 
 bool
-source_read_text(const char *path, const char *text, struct error_list *errors,
-    struct source *source)
+source_read_memory(const char *path, const char *text,
+    struct error_list *errors, struct source *source)
 {
 	*source = (struct source){.note = xstrdup("")};
 	return source_read_plain(

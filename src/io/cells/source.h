@@ -24,7 +24,7 @@ bool source_read(
     const char *path, struct error_list *errors, struct source *source);
 
 /* As source_read, for a text in memory; path: its name in faults. */
-bool source_read_text(const char *path, const char *text,
+bool source_read_memory(const char *path, const char *text,
     struct error_list *errors, struct source *source);
 
 /* As source_read, for a plant's log, which may have many more lines. */

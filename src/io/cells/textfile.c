@@ -36,7 +36,7 @@ struct place {
 };
 
 static struct place
-textfile_place_of(const char *text, size_t offset)
+textfile_line_of_offset(const char *text, size_t offset)
 {
 	struct place place = {1, 1};
 	for (size_t i = 0; i < offset; i++) {
@@ -75,7 +75,7 @@ static char *
 refuse_text(const char *path, const char *text, size_t bad, const char *what,
     struct error_list *errors)
 {
-	struct place at = textfile_place_of(text, bad);
+	struct place at = textfile_line_of_offset(text, bad);
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
 	    "%s\n"
 	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
@@ -136,7 +136,7 @@ textfile_load(FILE *file, size_t most, size_t *n)
 }
 
 static char *
-refuse_system(const char *path, const char *why, struct error_list *errors)
+fail_to_read(const char *path, const char *why, struct error_list *errors)
 {
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
@@ -203,14 +203,14 @@ read_bytes(const char *path, size_t most, size_t *n, struct error_list *errors)
 	const char *why;
 	FILE *file = textfile_open(path, &why);
 	if (file == NULL)
-		return refuse_system(path, why, errors);
+		return fail_to_read(path, why, errors);
 	struct stat about;
 	char *bytes = NULL;
 	if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) &&
 	    about.st_size > (off_t)most)
 		refuse_size(path, (double)about.st_size, most, errors);
 	else if ((bytes = textfile_load(file, most, n)) == NULL)
-		refuse_system(path, strerror(errno), errors);
+		fail_to_read(path, strerror(errno), errors);
 	fclose(file);
 	if (bytes == NULL || *n <= most)
 		return bytes;

@@ -103,7 +103,7 @@ read_archive(struct archive *archive, struct grid *grid)
 		       "it"),
 		    tr("save it without a password"));
 	char *wrong = xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
-	grid_notes(grid);
+	grid_end_notes(grid);
 	if (wrong != NULL)
 		refuse_damaged(grid, wrong);
 	else if (grid->n == 0 && grid->note[0] != '\0')

@@ -175,7 +175,8 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	b->in_styles = b->in_styles || strcmp(name, "cellXfs") == 0;
 	if (strcmp(name, "numFmt") == 0 && code != NULL && b->n_code < 1000) {
 		b->code = xrealloc(b->code, b->n_code + 1, sizeof *b->code);
-		b->code[b->n_code++] = (struct code){id, shown_code(code)};
+		b->code[b->n_code++] =
+		    (struct code){id, shown_parse_code(code)};
 	}
 	if (!b->in_styles || strcmp(name, "xf") != 0 ||
 	    b->n_style == MOST_FORMATS)

@@ -39,7 +39,7 @@ xml_give_up(struct reading *r, const char *wrong)
 }
 
 static void
-notice_stop(struct reading *r)
+check_for_stop(struct reading *r)
 {
 	if (r->wrong == NULL && ++r->n % OFTEN == 0 && error_stopped(r->errors))
 		xml_give_up(r, tr("interrupted"));
@@ -48,7 +48,8 @@ notice_stop(struct reading *r)
 /* A namespace is copied into each name that is in it, which for a million of
  * long ones would take for ever.  Attributes here are as they are written. */
 static void XMLCALL
-on_names(void *data, const XML_Char *name, const XML_Char **attribute)
+on_begin_without_namespaces(
+    void *data, const XML_Char *name, const XML_Char **attribute)
 {
 	static const char NAMESPACE[] = "xmlns";
 	struct reading *r = data;
@@ -64,11 +65,11 @@ on_names(void *data, const XML_Char *name, const XML_Char **attribute)
 		xml_give_up(
 		    r, tr("an element has more names than a spreadsheet "
 			  "program writes"));
-	notice_stop(r);
+	check_for_stop(r);
 }
 
 static const char *
-local(const char *name)
+local_name(const char *name)
 {
 	const char *blank = strrchr(name, ' ');
 	return blank != NULL ? blank + 1 : name;
@@ -81,10 +82,10 @@ xml_on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
 		xml_give_up(
 		    r, tr("its elements are too deep within each other"));
-	notice_stop(r);
+	check_for_stop(r);
 	if (r->wrong == NULL)
 		r->events->begin(
-		    r->data, local(name), (const char *const *)attribute);
+		    r->data, local_name(name), (const char *const *)attribute);
 }
 
 static void XMLCALL
@@ -93,7 +94,7 @@ xml_on_end(void *data, const XML_Char *name)
 	struct reading *r = data;
 	r->depth--;
 	if (r->wrong == NULL)
-		r->events->end(r->data, local(name));
+		r->events->end(r->data, local_name(name));
 }
 
 static void XMLCALL
@@ -142,7 +143,8 @@ xml_read(const char *bytes, size_t n, const struct xml_events *events,
     void *data, struct error_list *errors)
 {
 	struct reading r = {.events = events, .data = data, .errors = errors};
-	char *wrong = parse(&r, XML_ParserCreate(NULL), on_names, bytes, n);
+	char *wrong = parse(
+	    &r, XML_ParserCreate(NULL), on_begin_without_namespaces, bytes, n);
 	if (r.wrong != NULL)
 		return wrong;
 	free(wrong); /* and told again, with what else there is */

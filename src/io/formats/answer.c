@@ -67,13 +67,13 @@ answer_new(const char *command)
 }
 
 void
-answer_room(struct answer *answer, int columns)
+answer_set_width(struct answer *answer, int columns)
 {
 	answer->room = columns - 1;
 }
 
 void
-answer_across(struct answer *answer)
+answer_set_across(struct answer *answer)
 {
 	answer->across = true;
 }
@@ -158,7 +158,7 @@ answer_sites(struct answer *a, const char *names, const char *provenance)
 }
 
 void
-answer_for_programs(struct answer *a)
+answer_fill_for_programs(struct answer *a)
 {
 	a->filled = &a->table[1];
 }
@@ -273,7 +273,7 @@ answer_pair(struct answer *a, const char *name, const char *format, ...)
 }
 
 void
-answer_missing(struct answer *a, const char *words)
+answer_set_missing(struct answer *a, const char *words)
 {
 	free(a->missing);
 	a->missing = xstrdup(tr(words));
@@ -450,7 +450,7 @@ answer_put_columns(struct answer *a, const char *keys)
 	const struct table *t = a->filled;
 	size_t which;
 	for (size_t c = 0; c < t->n_column; c++) {
-		if (!text_choice(keys, t->key[c], &which))
+		if (!text_find_word(keys, t->key[c], &which))
 			continue;
 		struct fields *list = fields_list(&a->fields, t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
@@ -497,7 +497,7 @@ answer_number(const struct answer *a, const char *path)
 }
 
 static const struct table *
-for_programs(const struct answer *a)
+table_for_programs(const struct answer *a)
 {
 	return &a->table[a->table[1].n_column > 0];
 }
@@ -506,7 +506,7 @@ struct answer_view
 answer_view(const struct answer *a)
 {
 	const struct table *t =
-	    a->table[0].n_column > 0 ? &a->table[0] : for_programs(a);
+	    a->table[0].n_column > 0 ? &a->table[0] : table_for_programs(a);
 	return (struct answer_view){.title = a->title,
 	    .site = a->site,
 	    .provenance = a->provenance,
@@ -520,9 +520,9 @@ answer_view(const struct answer *a)
 
 /* Where there is no table the sentences are the answer. */
 static bool
-is_told(const struct answer *a)
+is_sentences_only(const struct answer *a)
 {
-	return for_programs(a)->n_column == 0 && a->n_sentence > 0;
+	return table_for_programs(a)->n_column == 0 && a->n_sentence > 0;
 }
 
 /* Length of the provenance's first clause, which says what the data are; the
@@ -575,8 +575,8 @@ static size_t
 print_csv(const struct answer *a, bool semicolon, FILE *out)
 {
 	const char separator = semicolon ? ';' : ',';
-	const struct table *t = for_programs(a);
-	bool told = is_told(a);
+	const struct table *t = table_for_programs(a);
+	bool told = is_sentences_only(a);
 	size_t rows = told ? a->n_sentence : answer_rows_of(t);
 	if (t->n_column == 0 && !told)
 		return 0;
@@ -610,7 +610,7 @@ text_json(const char *text)
 {
 	if (text_is_utf8(text, strlen(text)))
 		return json_string(text);
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	json_t *string = json_string(shown);
 	free(shown);
 	return string;
@@ -655,14 +655,14 @@ static size_t
 print_json(const struct answer *a, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	const struct table *t = for_programs(a);
+	const struct table *t = table_for_programs(a);
 	struct fields more = {0};
 	json_t *o = json_object();
 	json_object_set_new(o, "command", json_string(a->command));
 	if (a->site != NULL && !a->names_sites)
 		json_object_set_new(o, "site", text_json(a->site));
 	answer_put_fields(o, &a->fields);
-	if (is_told(a)) {
+	if (is_sentences_only(a)) {
 		struct fields *list = fields_list(&more, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
 			fields_put(list, "%s", a->sentence[i].text);
@@ -721,7 +721,7 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
  * columns before it, it is wrapped. One column alone is something to be
  * copied. */
 static struct form
-form_of(const struct table *t, int room)
+table_form(const struct table *t, int room)
 {
 	enum { LEAST = 24 };
 	struct form f = {.indent = 2, .room = room, .gap = 2};
@@ -767,7 +767,7 @@ struct block {
 /* As many columns as fit a screen.  A table that ends in sentences wraps them
  * instead. */
 static struct block
-block_from(const struct table *t, const struct form *f, size_t from)
+columns_that_fit(const struct table *t, const struct form *f, size_t from)
 {
 	int width = 2 + f->gap + f->width[0];
 	struct block b = {from, t->n_column};
@@ -788,7 +788,7 @@ block_from(const struct table *t, const struct form *f, size_t from)
 
 /* Where the last column is wrapped in a block that ends in it; 0: it is not. */
 static int
-wrapped_from(const struct table *t, const struct form *f, struct block b)
+wrap_column(const struct table *t, const struct form *f, struct block b)
 {
 	size_t last = t->n_column - 1;
 	if (f->wraps)
@@ -805,7 +805,7 @@ static void
 answer_print_row(const struct table *t, const struct form *f, size_t row,
     bool head, struct block block, const char *between, FILE *out)
 {
-	int indent = between[1] != '|' ? wrapped_from(t, f, block) : 0;
+	int indent = between[1] != '|' ? wrap_column(t, f, block) : 0;
 	for (size_t c = 0; c < block.to; c = c == 0 ? block.from : c + 1) {
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
@@ -847,10 +847,10 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 		if ((said->grade == ANSWER_WARNING) != warnings)
 			continue;
 		char *text = xasprintf("%s%s%s",
-		    !warnings    ? ""
-		    : is_told(a) ? tr("Warning: ")
-				 : tr("warning: "),
-		    said->text, is_told(a) ? "." : "");
+		    !warnings              ? ""
+		    : is_sentences_only(a) ? tr("Warning: ")
+					   : tr("warning: "),
+		    said->text, is_sentences_only(a) ? "." : "");
 		add_sentence(copy, said->grade, way(text));
 		free(text);
 	}
@@ -859,7 +859,7 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 /* What people see, with all its words put in a way: as shown, or as markdown.
  * Of the provenance the first clause only. */
 static struct answer *
-put_in(char *(*way)(const char *), const struct answer *a)
+copy_with_words(char *(*way)(const char *), const struct answer *a)
 {
 	struct answer *copy = answer_new(a->command);
 	const struct table *from = &a->table[0];
@@ -890,12 +890,12 @@ put_in(char *(*way)(const char *), const struct answer *a)
 struct answer *
 answer_shown(const struct answer *a)
 {
-	return put_in(text_shown, a);
+	return copy_with_words(text_escaped, a);
 }
 
 /* Makes the first column the heads, and the heads the first column. */
 static void
-answer_turn(struct answer *a)
+answer_transpose(struct answer *a)
 {
 	struct table from = a->table[0];
 	a->table[0] = (struct table){0};
@@ -924,17 +924,17 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	const struct table *t = &a->table[0];
 	bool turned = a->across && answer_rows_of(t) > t->n_column;
 	if (turned)
-		answer_turn(a);
+		answer_transpose(a);
 	if (a->title != NULL)
 		fprintf(out, "%s\n", a->title);
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = answer_rows_of(t), from = 1;
-	struct form f = form_of(t, a->room);
+	struct form f = table_form(t, a->room);
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
-		struct block block = block_from(t, &f, from);
+		struct block block = columns_that_fit(t, &f, from);
 		for (size_t row = 0; row <= rows; row++)
 			print_trimmed(t, &f, row, block, out);
 		from = block.to;
@@ -972,7 +972,7 @@ is_markup(const char *text, const char *p)
 static char *
 as_markdown(const char *text)
 {
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"
@@ -994,7 +994,7 @@ as_markdown(const char *text)
 static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
-	struct form f = form_of(t, SCREEN);
+	struct form f = table_form(t, SCREEN);
 	for (size_t row = 0; row <= answer_rows_of(t); row++) {
 		fputs("| ", out);
 		answer_print_row(t, &f, row - 1, row == 0,
@@ -1013,7 +1013,7 @@ static size_t
 print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = put_in(as_markdown, answer);
+	struct answer *a = copy_with_words(as_markdown, answer);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
 		fprintf(out, "**%s**\n\n", a->title);

@@ -63,21 +63,21 @@ void answer_columns(struct answer *answer, const char *format, ...)
 void answer_column(struct answer *answer, const char *key, const char *head);
 
 /* Sets the width of a table for people; 80 by default. */
-void answer_room(struct answer *answer, int columns);
+void answer_set_width(struct answer *answer, int columns);
 
 /* Shows people the transposed table if it is shorter: its first column as
  * headings, and a row for each other column. */
-void answer_across(struct answer *answer);
+void answer_set_across(struct answer *answer);
 
 /* Begins another table with the columns and cells that follow; csv and json
  * print it instead of the table before. */
-void answer_for_programs(struct answer *answer);
+void answer_fill_for_programs(struct answer *answer);
 
 /* Adds cells, which fill the columns from left to right, row by row: "%s %.2f
  * %g", with a space between two.  %s: a text; %.2f: a number, with 2 decimals
  * for people; %+.2f: also with a sign; %g: with as many significant digits as
- * needed, up to 6.  NAN is shown as the words given by answer_missing, empty in
- * csv and null in json. */
+ * needed, up to 6.  NAN is shown as the words given by answer_set_missing,
+ * empty in csv and null in json. */
 void answer_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -93,7 +93,7 @@ void answer_pair(struct answer *answer, const char *name, const char *format,
     ...) __attribute__((format(printf, 3, 4)));
 
 /* Sets what to show for the next NAN cells ("below 0.063 mm"); default "-". */
-void answer_missing(struct answer *answer, const char *words);
+void answer_set_missing(struct answer *answer, const char *words);
 
 /* Returns the number of complete rows. */
 size_t answer_rows(const struct answer *answer);

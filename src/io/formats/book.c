@@ -32,7 +32,7 @@ struct book {
 
 /* A file that nobody can find; -1 where there is none. */
 static int
-open_nameless(void)
+open_temporary_file(void)
 {
 	const char *folder = getenv("TMPDIR");
 	char *path = xasprintf("%s/tipspeed-XXXXXX",
@@ -83,7 +83,7 @@ add_formats(struct book *b)
 struct book *
 book_new(struct error *error)
 {
-	int fd = open_nameless();
+	int fd = open_temporary_file();
 	if (fd < 0) {
 		error_set(error, ERROR_SYSTEM,
 		    "cannot make a temporary file: %s\n"
@@ -109,7 +109,7 @@ book_new(struct error *error)
 }
 
 static void
-free_rest(struct book *b)
+free_about(struct book *b)
 {
 	for (size_t i = 0; i < 2 * b->n_about; i++)
 		free(b->about[i]);
@@ -124,7 +124,7 @@ book_free(struct book *b)
 	if (b == NULL)
 		return;
 	lxw_workbook_free(b->workbook);
-	free_rest(b);
+	free_about(b);
 }
 
 /* A sheet on which rows are written from the top. */
@@ -153,7 +153,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
-	char *shown = text_shown(text);
+	char *shown = text_escaped(text);
 	if (strlen(shown) > MOST) {
 		size_t n = MOST;
 		while ((shown[n] & 0xC0) == 0x80)
@@ -279,7 +279,7 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 		if (!book_is_curve(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
-		char *name = text_shown(v->head[c]);
+		char *name = text_escaped(v->head[c]);
 		chart_series_set_categories(series, p->name, from, 0, to, 0);
 		chart_series_set_values(
 		    series, p->name, from, (lxw_col_t)c, to, (lxw_col_t)c);
@@ -316,7 +316,7 @@ put_table(struct book *b, struct page *p, const struct answer_view *v)
 
 /* "trust: amber: .." in its colour. */
 static lxw_format *
-light_of(const struct book *b, const char *text)
+light_format(const struct book *b, const char *text)
 {
 	static const char *const LIGHTS[] = {
 	    "trust: green", "trust: amber", "trust: red"};
@@ -337,7 +337,7 @@ book_put_sentences(
 			continue;
 		char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
-		lxw_format *light = light_of(b, said->text);
+		lxw_format *light = light_format(b, said->text);
 		book_put_text(p, 0, text,
 		    light != NULL ? light
 		    : warning     ? b->warning
@@ -418,7 +418,7 @@ book_add_text(struct book *b, const char *name, const char *text)
 }
 
 void
-book_about(struct book *b, const char *key, const char *value)
+book_add_about(struct book *b, const char *key, const char *value)
 {
 	b->about = xrealloc(b->about, 2 * b->n_about + 2, sizeof *b->about);
 	b->about[2 * b->n_about] = xstrdup(key);
@@ -458,7 +458,7 @@ put_about(struct book *b)
 
 /* All of the file. */
 static char *
-read_back(int fd, size_t *n)
+read_whole_file(int fd, size_t *n)
 {
 	off_t end = lseek(fd, 0, SEEK_END);
 	char *bytes = end > 0 ? xcalloc((size_t)end, 1) : NULL;
@@ -482,12 +482,12 @@ book_finish(struct book *b, size_t *n, struct error *error)
 	put_about(b);
 	errno = 0;
 	lxw_error code = workbook_close(b->workbook);
-	char *bytes = code == LXW_NO_ERROR ? read_back(b->fd, n) : NULL;
+	char *bytes = code == LXW_NO_ERROR ? read_whole_file(b->fd, n) : NULL;
 	if (bytes == NULL)
 		error_set(error, ERROR_SYSTEM,
 		    "cannot put the workbook together: %s\n"
 		    "set TMPDIR to a folder with free space",
 		    errno != 0 ? strerror(errno) : lxw_strerror(code));
-	free_rest(b);
+	free_about(b);
 	return bytes;
 }

@@ -25,7 +25,7 @@ size_t book_add(struct book *book, const struct answer *answer);
 void book_add_text(struct book *book, const char *name, const char *text);
 
 /* Adds a line to the last sheet, "About". */
-void book_about(struct book *book, const char *key, const char *value);
+void book_add_about(struct book *book, const char *key, const char *value);
 
 /* book_sheets returns the number of sheets without "About"; book_has_site is
  * true if one is about a site. */

@@ -44,7 +44,7 @@ stream_name(struct reading_circuit *r, struct cell cell)
 {
 	if (cell.text[0] != '\0' && strpbrk(cell.text, "+=") == NULL)
 		return true;
-	return sheet_wanted(r->sheet, cell, "the name of a stream",
+	return sheet_fault_expected(r->sheet, cell, "the name of a stream",
 	    "name streams as you like, without + and =");
 }
 
@@ -115,7 +115,7 @@ circuit_file_read_number(struct reading_circuit *r, struct cell cell,
 		return false;
 	if (*value >= least && *value <= most)
 		return true;
-	return sheet_wanted(
+	return sheet_fault_expected(
 	    r->sheet, cell, wanted, "see tipspeed-circuit(5) for units");
 }
 
@@ -172,8 +172,8 @@ circuit_file_read_key(
 		}
 		return;
 	}
-	sheet_wanted(r->sheet, cell, "the end of the line, or a setting", "%s",
-	    tr(HINTS[unit->kind]));
+	sheet_fault_expected(r->sheet, cell,
+	    "the end of the line, or a setting", "%s", tr(HINTS[unit->kind]));
 }
 
 static void
@@ -316,7 +316,7 @@ circuit_file_read_row(struct reading_circuit *r, const struct row *row)
 		READ[k](r, unit, row);
 		return;
 	}
-	sheet_wanted(r->sheet, word,
+	sheet_fault_expected(r->sheet, word,
 	    "circuit, feed, crusher, screen, split or stockpile",
 	    "each line begins with what it is; see tipspeed-circuit(5)");
 }
@@ -327,13 +327,13 @@ check_streams(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->circuit->n_stream; i++) {
 		if (r->made[i].text == NULL)
-			sheet_wanted(r->sheet, r->used[i],
+			sheet_fault_expected(r->sheet, r->used[i],
 			    "a stream that a unit makes",
 			    "no feed, crusher, screen or split of the file "
 			    "makes this stream: is it spelled the same way "
 			    "there?");
 		else if (r->used[i].text == NULL)
-			sheet_wanted(r->sheet, r->made[i],
+			sheet_fault_expected(r->sheet, r->made[i],
 			    "a stream that a unit takes",
 			    "nothing takes it: send it to a unit or add a "
 			    "line: stockpile,%.40s",

@@ -11,18 +11,11 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/formats/contacts.h"
 #include "io/cells/textfile.h"
 #include "io/sitefile/units.h"
 
-/* What a column has.  Those up to COL_ID2 are of contacts, in the order of the
- * compute's own. */
+/* What a column has. */
 enum column {
-	COL_X1,
-	COL_VX1 = 6,
-	COL_ID1 = 12,
-	COL_ID2,
-	COL_ID,
 	COL_RADIUS,
 	COL_SIZE,
 	COL_MASS,
@@ -46,12 +39,7 @@ enum column {
 static const struct {
 	const char *head;
 	enum column column;
-} HEADS[] = {{"x1", COL_X1}, {"y1", COL_X1 + 1}, {"z1", COL_X1 + 2},
-    {"x2", COL_X1 + 3}, {"y2", COL_X1 + 4}, {"z2", COL_X1 + 5},
-    {"vx1", COL_VX1}, {"vy1", COL_VX1 + 1}, {"vz1", COL_VX1 + 2},
-    {"vx2", COL_VX1 + 3}, {"vy2", COL_VX1 + 4}, {"vz2", COL_VX1 + 5},
-    {"id1", COL_ID1}, {"id2", COL_ID2}, {"id", COL_ID}, {"particle_id", COL_ID},
-    {"radius", COL_RADIUS}, {"size", COL_SIZE}, {"diameter", COL_SIZE},
+} HEADS[] = {{"radius", COL_RADIUS}, {"size", COL_SIZE}, {"diameter", COL_SIZE},
     {"particle_size", COL_SIZE}, {"mass", COL_MASS},
     {"particle_mass", COL_MASS}, {"velocity", COL_VELOCITY},
     {"normal_velocity", COL_VELOCITY}, {"impact_velocity", COL_VELOCITY},
@@ -88,16 +76,14 @@ struct reading {
 	FILE *in;
 	char *line;
 	size_t length, room;
-	int at;         /* line */
-	char separator; /* ' ': any blanks */
-	bool dump, headed;
+	int at;                          /* line */
+	char separator;                  /* ' ': any blanks */
 	size_t n;                        /* columns */
 	enum column column[FIELDS_MOST]; /* of each field */
 	double scale[FIELDS_MOST];
 	bool has[COLUMNS_ALL + 1];
 	double value[COLUMNS_ALL + 1]; /* of the row */
 	uint64_t told;                 /* impacts that the file says it has */
-	struct contacts *contacts;     /* of a dump, or NULL */
 };
 
 static bool
@@ -113,7 +99,8 @@ static bool
 next_line(struct reading *r)
 {
 	r->length = 0;
-	enum text_line read = text_line(&r->line, &r->length, &r->room, r->in);
+	enum text_line read =
+	    text_read_line(&r->line, &r->length, &r->room, r->in);
 	if (r->length == 0 || read == TEXT_TOO_LONG)
 		return false;
 	r->at++;
@@ -238,15 +225,6 @@ collisions_take_columns(struct reading *r, const char *heads, char separator)
 }
 
 static bool
-collisions_has_range(const struct reading *r, size_t from, size_t n)
-{
-	for (size_t i = 0; i < n; i++)
-		if (!r->has[from + i])
-			return false;
-	return true;
-}
-
-static bool
 has_energy(const struct reading *r)
 {
 	return r->has[COL_VELOCITY] || r->has[COL_SPECIFIC] ||
@@ -259,45 +237,17 @@ has_energy(const struct reading *r)
 static bool
 columns_do(struct reading *r)
 {
-	bool contacts = collisions_has_range(r, COL_X1, COL_ID2 + 1);
-	if (r->dump ? contacts : has_energy(r))
+	if (has_energy(r))
 		return true;
 	bool joules = r->has[COL_ENERGY] && !r->has[COL_MASS];
 	return fault(r, ERROR_DATA,
-	    r->dump ? N_("expected positions, velocities and ids of contacts, "
-			 "got other columns")
-	    : joules
+	    joules
 		? N_("expected a column with the mass of the particle beside "
 		     "its energy in J, got none")
 		: N_("expected a column of specific energy (J/kg) or normal "
 		     "velocity (m/s), got none"),
-	    r->dump
-		? N_("name them in their order: "
-		     "columns=x1,y1,z1,x2,y2,z2,vx1,vy1,vz1,vx2,vy2,vz2,id1,"
-		     "id2,-")
-		: N_("name the columns in their order: "
-		     "columns=-,velocity_m_s,mass_kg"));
-}
-
-/* "ITEM: ENTRIES c_touch[1] ..": without names they are in the compute's
- * order. */
-static bool
-dump_columns(struct reading *r, const char *heads)
-{
-	static const char USUAL[] = "x1 y1 z1 x2 y2 z2 vx1 vy1 vz1 vx2 vy2 vz2 "
-				    "id1 id2";
-	if (r->way->columns != NULL)
-		collisions_take_columns(r, r->way->columns, ',');
-	else
-		collisions_take_columns(r, heads, ' ');
-	if (r->way->columns == NULL && r->has[COL_NONE] && r->n >= 14 &&
-	    !r->has[COL_X1] && strchr(heads, '[') != NULL) {
-		collisions_take_columns(r, USUAL, ' ');
-		r->to->form = tr("LIGGGHTS dump of contacts, its columns taken "
-				 "as pos, vel and id");
-	}
-	r->headed = true;
-	return columns_do(r);
+	    N_("name the columns in their order: "
+	       "columns=-,velocity_m_s,mass_kg"));
 }
 
 /* The numbers of a row; false with a fault where a field is none. */
@@ -327,7 +277,7 @@ collisions_take_row(struct reading *r)
 }
 
 static bool
-going(struct reading *r)
+report_progress_going(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -336,118 +286,6 @@ going(struct reading *r)
 	return error_at(error_add(r->errors), ERROR_CHECK, r->path, 0, 0,
 	    "stopped after %llu rows: nothing was loaded",
 	    (unsigned long long)r->to->rows);
-}
-
-static bool
-add_contact(struct reading *r)
-{
-	double id1 = r->value[COL_ID1], id2 = r->value[COL_ID2];
-	if (!(id1 >= 1 && id2 >= 1 && id1 <= CONTACTS_ID_MOST &&
-		id2 <= CONTACTS_ID_MOST) ||
-	    id1 > floor(id1) || id2 > floor(id2))
-		return fault(r, ERROR_DATA,
-		    "expected ids as whole numbers from 1 to 20 million, got "
-		    "others",
-		    "name the columns in their order: columns=");
-	contacts_add(r->contacts, (uint32_t)id1, (uint32_t)id2,
-	    &r->value[COL_X1], &r->value[COL_VX1]);
-	return true;
-}
-
-/* A dump: snapshots of a few lines of heads and then the rows. */
-static bool
-read_dump(struct reading *r)
-{
-	static const char ENTRIES[] = "ITEM: ENTRIES", ATOMS[] = "ITEM: ATOMS";
-	bool rows = false;
-	r->separator = ' ';
-	do {
-		if (strncmp(r->line, "ITEM:", 5) != 0) {
-			if (rows &&
-			    (!collisions_take_row(r) || !add_contact(r)))
-				return false;
-			if (rows && !going(r))
-				return false;
-			continue;
-		}
-		rows = strncmp(r->line, ENTRIES, strlen(ENTRIES)) == 0;
-		if (strncmp(r->line, ATOMS, strlen(ATOMS)) == 0)
-			return fault(r, ERROR_DATA,
-			    "expected contacts (dump local), got atoms",
-			    "load the dump of contacts; this one may be its "
-			    "particles=");
-		if (rows && !r->headed &&
-		    !dump_columns(r, r->line + strlen(ENTRIES)))
-			return false;
-		if (rows && r->to->snapshots++ > 0)
-			contacts_snapshot(r->contacts);
-	} while (next_line(r));
-	return true;
-}
-
-/* Radii of ids: a LIGGGHTS dump of atoms, or a list with heads. */
-static bool
-read_particle(struct reading *r)
-{
-	if (!collisions_take_row(r))
-		return false;
-	double id = r->value[COL_ID];
-	double radius =
-	    r->has[COL_RADIUS] ? r->value[COL_RADIUS] : r->value[COL_SIZE] / 2;
-	if (!(id >= 1 && id <= CONTACTS_ID_MOST && radius > 0))
-		return fault(r, ERROR_DATA,
-		    "expected an id from 1 and a radius above 0, got others",
-		    "check this row");
-	contacts_particle(r->contacts, (uint32_t)id, radius);
-	return true;
-}
-
-static bool
-particle_heads(struct reading *r, const char *heads)
-{
-	collisions_take_columns(r, heads, r->separator);
-	if (r->has[COL_ID] && (r->has[COL_RADIUS] || r->has[COL_SIZE]))
-		return true;
-	return fault(r, ERROR_DATA,
-	    "expected columns id and radius, got others",
-	    "dump particles by: dump NAME all custom N FILE id radius");
-}
-
-static bool
-read_particles(struct reading *dump)
-{
-	static const char ATOMS[] = "ITEM: ATOMS";
-	const char *why;
-	struct collisions none = {0};
-	struct reading r = {.path = dump->way->particles,
-	    .way = dump->way,
-	    .errors = dump->errors,
-	    .to = &none,
-	    .separator = ' ',
-	    .contacts = dump->contacts};
-	r.in = textfile_open(r.path, &why);
-	if (r.in == NULL)
-		return error_at(error_add(r.errors), ERROR_SYSTEM, r.path, 0, 0,
-		    "cannot be read: %s\ncheck the name and the permissions",
-		    why);
-	bool ok = true, rows = false;
-	while (ok && next_line(&r)) {
-		bool item = strncmp(r.line, "ITEM:", 5) == 0;
-		bool atoms = strncmp(r.line, ATOMS, strlen(ATOMS)) == 0;
-		if (r.at == 1 && !item)
-			r.separator = strchr(r.line, ';')   ? ';'
-				      : strchr(r.line, ',') ? ','
-							    : ' ';
-		if (atoms || (r.at == 1 && !item))
-			ok = particle_heads(
-			    &r, r.line + (atoms ? strlen(ATOMS) : 0));
-		else if (!item && rows)
-			ok = read_particle(&r);
-		rows = atoms || (rows && !item) || (r.at == 1 && !item);
-	}
-	fclose(r.in);
-	free(r.line);
-	return ok;
 }
 
 /* A row of a table as energy, J/kg. */
@@ -487,10 +325,10 @@ take_impact(struct reading *r)
 		    s, size, v[COL_PARTICLES], v[COL_PARTICLES_KG]);
 	if (mass > 0)
 		spectrum_add_impact(s, size, mass, e, false);
+	r->to->impacts += mass > 0;
 	if (r->has[COL_FIRST_KG] && r->has[COL_FIRST_J] && v[COL_FIRST_KG] > 0)
 		spectrum_add_first(
 		    s, size, v[COL_FIRST_KG], v[COL_FIRST_J] / v[COL_FIRST_KG]);
-	r->to->impacts++;
 	return true;
 }
 
@@ -573,7 +411,8 @@ collisions_read_table(struct reading *r)
 		ok = collisions_take_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (collisions_take_row(r) && take_impact(r) && going(r));
+		     (collisions_take_row(r) && take_impact(r) &&
+			 report_progress_going(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];
@@ -589,18 +428,12 @@ read_open(struct reading *r)
 	if (!next_line(r))
 		return fault(r, ERROR_DATA, "expected collisions, got nothing",
 		    "is it the right file?");
-	r->dump = strncmp(r->line, "ITEM:", 5) == 0;
-	if (!r->dump)
-		return collisions_read_table(r);
-	r->to->form = tr("LIGGGHTS dump of contacts");
-	r->contacts =
-	    contacts_new(r->to->spectrum, r->way->cut, r->way->density);
-	bool ok =
-	    (r->way->particles == NULL || read_particles(r)) && read_dump(r);
-	if (ok)
-		r->to->impacts = contacts_end(r->contacts);
-	contacts_free(r->contacts);
-	return ok;
+	if (strncmp(r->line, "ITEM:", 5) == 0)
+		return fault(r, ERROR_DATA,
+		    "expected impacts, got a LIGGGHTS dump of contacts",
+		    "merge its contacts into impacts: dem/merge CONTACTS "
+		    "PARTICLES > impacts.csv");
+	return collisions_read_table(r);
 }
 
 bool

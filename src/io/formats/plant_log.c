@@ -58,7 +58,7 @@ struct reading {
 };
 
 static bool
-lists(const char *words, const char *word, size_t n)
+list_has(const char *words, const char *word, size_t n)
 {
 	char *wanted = xasprintf(" %.*s ", (int)n, word);
 	bool found = strstr(words, wanted) != NULL;
@@ -75,7 +75,7 @@ plant_log_has_word(const char *text, const char *words)
 	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
 	for (const char *p = folded; *p != '\0' && !found;) {
 		size_t n = strcspn(p, BREAKS);
-		found = n > 0 && lists(words, p, n);
+		found = n > 0 && list_has(words, p, n);
 		p += n;
 		p += strspn(p, BREAKS);
 	}
@@ -205,7 +205,7 @@ plant_log_take_columns(struct reading *r, const char *columns)
 /* The only column of that kind, or of those that name the rotor; of several
  * that cannot be told apart none. */
 static bool
-settle_kind(struct reading *r, unsigned kind)
+choose_column_of_kind(struct reading *r, unsigned kind)
 {
 	size_t n = 0, rotors = 0, last = 0, rotor = 0;
 	for (size_t c = 0; c < r->n_column; c++) {
@@ -237,7 +237,7 @@ settle_kind(struct reading *r, unsigned kind)
 /* A speed without a unit is told by its size: no rotor of a crusher has less
  * than 400 rpm, or more than 150 m/s at its tip. */
 static bool
-settle_unit(struct reading *r, size_t c)
+choose_speed_unit(struct reading *r, size_t c)
 {
 	double sum = 0, v;
 	size_t n = 0;
@@ -276,12 +276,12 @@ plant_log_find_columns(struct reading *r)
 		return false;
 	bool good = true, speed = false, any = false;
 	for (size_t c = 0; c < r->n_column && good; c++) {
-		good = settle_unit(r, c);
+		good = choose_speed_unit(r, c);
 		speed = speed || r->kind[c] == LOG_SPEED;
 		any = any || r->kind[c] < LOG_COLUMNS;
 	}
 	for (unsigned k = 0; k < LOG_COLUMNS && good; k++)
-		good = settle_kind(r, k);
+		good = choose_column_of_kind(r, k);
 	if (!any && good)
 		return sheet_fault(r->sheet,
 		    sheet_cell(&r->sheet->row[r->first > 0 ? r->first - 1 : 0],
@@ -409,7 +409,7 @@ check_numbers(struct reading *r)
 }
 
 static void
-tell_columns(struct reading *r)
+write_columns_text(struct reading *r)
 {
 	char *text = xasprintf(tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
@@ -439,7 +439,7 @@ plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 	    !check_numbers(r))
 		return false;
 	plant_log_read_rows(r);
-	tell_columns(r);
+	write_columns_text(r);
 	return true;
 }
 
@@ -475,7 +475,7 @@ struct stamp {
 };
 
 static int
-by_time(const void *a, const void *b)
+compare_by_time(const void *a, const void *b)
 {
 	const struct stamp *s = a, *t = b;
 	if (s->time != t->time)
@@ -490,7 +490,7 @@ plant_log_sort_rows(struct plant_log *log)
 	double *old = xdoubles(log->n);
 	for (size_t i = 0; i < log->n; i++)
 		stamp[i] = (struct stamp){log->time[i], i};
-	qsort(stamp, log->n, sizeof *stamp, by_time);
+	qsort(stamp, log->n, sizeof *stamp, compare_by_time);
 	for (size_t i = 0; i < log->n; i++)
 		log->time[i] = stamp[i].time;
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {

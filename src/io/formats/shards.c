@@ -166,8 +166,8 @@ parts_free(struct parts *parts)
 
 /* What must be the same in all. */
 static bool
-same(const struct part_file *a, const struct part_file *b, const char *what,
-    const char *in_a, const char *in_b, struct error *error)
+check_same(const struct part_file *a, const struct part_file *b,
+    const char *what, const char *in_a, const char *in_b, struct error *error)
 {
 	return strcmp(in_a, in_b) == 0 ||
 	       error_at(error, ERROR_DATA, b->path, 0, 0,
@@ -177,12 +177,13 @@ same(const struct part_file *a, const struct part_file *b, const char *what,
 }
 
 static bool
-fits(const struct part_file *a, const struct part_file *b, struct error *error)
+check_options_same(
+    const struct part_file *a, const struct part_file *b, struct error *error)
 {
-	if (!same(a, b, "command", a->command, b->command, error) ||
-	    !same(a, b, "version", a->version, b->version, error) ||
-	    !same(a, b, "options", a->options, b->options, error) ||
-	    !same(a, b, "sites", a->sites, b->sites, error))
+	if (!check_same(a, b, "command", a->command, b->command, error) ||
+	    !check_same(a, b, "version", a->version, b->version, error) ||
+	    !check_same(a, b, "options", a->options, b->options, error) ||
+	    !check_same(a, b, "sites", a->sites, b->sites, error))
 		return false;
 	return (a->of == b->of && a->loaded == b->loaded) ||
 	       error_at(error, ERROR_DATA, b->path, 0, 0,
@@ -192,7 +193,7 @@ fits(const struct part_file *a, const struct part_file *b, struct error *error)
 }
 
 static bool
-each_once(const struct parts *parts, struct error *error)
+check_each_once(const struct parts *parts, struct error *error)
 {
 	size_t of = parts->part[0].of;
 	const char **path = xcalloc(of + 1, sizeof(*path));
@@ -217,14 +218,14 @@ each_once(const struct parts *parts, struct error *error)
 }
 
 bool
-parts_agree(const struct parts *parts, struct error *error)
+parts_check_agree(const struct parts *parts, struct error *error)
 {
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		if (part->number < 1 || part->number > part->of)
 			return shards_refuse(part->path, error);
-		if (!fits(&parts->part[0], part, error))
+		if (!check_options_same(&parts->part[0], part, error))
 			return false;
 	}
-	return each_once(parts, error);
+	return check_each_once(parts, error);
 }

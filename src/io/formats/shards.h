@@ -37,6 +37,6 @@ void parts_free(struct parts *parts);
 
 /* True if the parts are all those of one run, each once, with the same version,
  * options and sites. */
-bool parts_agree(const struct parts *parts, struct error *error);
+bool parts_check_agree(const struct parts *parts, struct error *error);
 
 #endif

@@ -36,7 +36,8 @@ static void
 read_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 {
 	if (!spec_read_cut(value.text, spec->cut))
-		sheet_wanted(sheet, value, "a fraction in mm such as 0/4",
+		sheet_fault_expected(sheet, value,
+		    "a fraction in mm such as 0/4",
 		    "leave the line out for limits on the whole product");
 }
 
@@ -66,7 +67,7 @@ read_heading(
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		if (row->n > 2)
-			sheet_wanted(sheet, row->cell[2],
+			sheet_fault_expected(sheet, row->cell[2],
 			    "the end of the line after key and value",
 			    "quote a value that contains the separator");
 		spec_read_key(spec, sheet, row->cell[0], sheet_cell(row, 1));
@@ -83,7 +84,8 @@ read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
 		if (row->n == 2 && spec_read_key(spec, sheet, row->cell[0],
 				       sheet_cell(row, 1)))
 			continue;
-		return sheet_wanted(sheet, t->head[0].cell[t->n_col - 1],
+		return sheet_fault_expected(sheet,
+		    t->head[0].cell[t->n_col - 1],
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator");
 	}
@@ -102,13 +104,13 @@ spec_read_heads(const struct table *t, size_t at[static 2])
 		    at[is_max] == 0)
 			at[is_max] = i;
 		else if (head.text[0] != '\0')
-			sheet_wanted(t->sheet, head,
+			sheet_fault_expected(t->sheet, head,
 			    "a column min_pct or max_pct, each once",
 			    "use size_mm,min_pct,max_pct; see "
 			    "tipspeed-spec(5)");
 	}
 	if (at[0] == 0 && at[1] == 0 && t->n_col < 2)
-		sheet_fault(t->sheet, site_sieve_head(t),
+		sheet_fault(t->sheet, site_sieve_heading(t),
 		    "expected a column min_pct or max_pct, got none\n"
 		    "write this line as size_mm,min_pct,max_pct");
 }
@@ -124,14 +126,14 @@ spec_read_limit(const struct table *t, size_t row, size_t at)
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;
-	sheet_wanted(t->sheet, cell, "passing from 0 to 100 %",
+	sheet_fault_expected(t->sheet, cell, "passing from 0 to 100 %",
 	    "leave the cell empty where there is no limit");
 	return NAN;
 }
 
 /* Neither limit rises from a sieve to the next finer one that has it. */
 static void
-check_fall(
+check_limits_fall(
     const struct table *t, const double *limit, size_t at, size_t at_most)
 {
 	char size[32];
@@ -164,7 +166,7 @@ spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 		spec->least[i] = spec_read_limit(t, i, at[0]);
 		spec->most[i] = spec_read_limit(t, i, at[1]);
 		if (t->mm[i] <= 0)
-			sheet_wanted(t->sheet, cell, "a sieve size",
+			sheet_fault_expected(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
 		if (spec->least[i] > spec->most[i])
 			sheet_fault(t->sheet, cell,
@@ -173,7 +175,8 @@ spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
 	for (size_t i = 0; i < 2 && !t->lost; i++)
-		check_fall(t, i == 0 ? spec->least : spec->most, at[i], i);
+		check_limits_fall(
+		    t, i == 0 ? spec->least : spec->most, at[i], i);
 }
 
 static void
@@ -184,7 +187,7 @@ spec_read_table(struct spec *spec, struct table *t)
 	spec_read_heads(t, at);
 	site_sieve_check(t);
 	if (certainty == SIEVES_OPEN)
-		sheet_wanted(t->sheet, site_sieve_head(t),
+		sheet_fault_expected(t->sheet, site_sieve_heading(t),
 		    "the unit of the sieves", "write size_mm");
 	spec_read_rows(spec, t, at);
 }
@@ -201,7 +204,7 @@ spec_read_sheet(struct spec *spec, struct sheet *sheet)
 		spec_read_table(spec, &layout->table[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
-		sheet_wanted(sheet, sheet_cell(&none, 0),
+		sheet_fault_expected(sheet, sheet_cell(&none, 0),
 		    "a line that begins with size_mm, and rows of sieves below "
 		    "it",
 		    "begin the table with size_mm,min_pct,max_pct and go on "

@@ -26,7 +26,7 @@ static const char COPY[] =
     N_("transcribed from a second-hand copy: check it against your own");
 
 static double
-number_in(struct sheet *sheet, const struct row *row, size_t at)
+read_limit_cell(struct sheet *sheet, const struct row *row, size_t at)
 {
 	double value;
 	struct cell cell = sheet_cell(row, at);
@@ -70,7 +70,7 @@ standards_put_row(struct spec *spec, double size, double least, double most)
 
 /* The envelope that a name in brackets goes on from, or NULL. */
 static const struct spec *
-base_of(const struct standards *all, const char *name)
+base_envelope(const struct standards *all, const char *name)
 {
 	const char *bracket = strstr(name, " (");
 	if (bracket == NULL)
@@ -95,7 +95,7 @@ add_spec(struct standards *all, const char *standard, const char *name,
 	bool ok = spec_read_cut(cut, spec->cut);
 	assert(ok);
 	(void)ok;
-	const struct spec *base = base_of(all, name);
+	const struct spec *base = base_envelope(all, name);
 	for (size_t i = 0; base != NULL && i < base->n; i++)
 		standards_put_row(
 		    spec, base->size[i], base->least[i], base->most[i]);
@@ -125,13 +125,14 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	const char *standard = sheet_cell(row, STANDARD).text;
 	const char *source = sheet_cell(row, SOURCE).text;
 	char *name = xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
-	double mm = number_in(sheet, row, SIZE);
+	double mm = read_limit_cell(sheet, row, SIZE);
 	struct spec *spec = spec_of(all, name);
 	if (spec == NULL)
 		spec = add_spec(
 		    all, standard, name, sheet_cell(row, CUT).text, source);
-	standards_put_row(spec, mm / 1000, number_in(sheet, row, LEAST) / 100,
-	    number_in(sheet, row, MOST) / 100);
+	standards_put_row(spec, mm / 1000,
+	    read_limit_cell(sheet, row, LEAST) / 100,
+	    read_limit_cell(sheet, row, MOST) / 100);
 	add_remark(spec, source, mm);
 	free(name);
 }
@@ -147,8 +148,8 @@ standards_read_limit(
 	    .item = xstrdup(sheet_cell(row, ITEM).text),
 	    .unit = xstrdup(sheet_cell(row, UNIT).text),
 	    .note = xstrdup(sheet_cell(row, NOTE).text),
-	    .least = number_in(sheet, row, LEAST),
-	    .most = number_in(sheet, row, MOST)};
+	    .least = read_limit_cell(sheet, row, LEAST),
+	    .most = read_limit_cell(sheet, row, MOST)};
 }
 
 /* Row by row, the heading left out. */
@@ -205,7 +206,7 @@ static const char BETWEEN[] = " :;,()";
 /* The n letters of a word in a folded name: 0 it is not there, 1 a word of the
  * name begins so, 2 it is one. */
 static int
-word_in(const char *name, const char *word, size_t n)
+match_word(const char *name, const char *word, size_t n)
 {
 	int best = 0;
 	for (const char *p = name + strspn(name, BETWEEN); *p != '\0';) {
@@ -220,13 +221,13 @@ word_in(const char *name, const char *word, size_t n)
 
 /* The least of that over all words. */
 static int
-words_in(const char *name, const char *words)
+match_words(const char *name, const char *words)
 {
 	char *folded = text_fold(name), *all = text_fold(words);
 	int least = 2;
 	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
 		size_t n = strcspn(p, BETWEEN);
-		int in = word_in(folded, p, n);
+		int in = match_word(folded, p, n);
 		least = in < least ? in : least;
 		p += n;
 		p += strspn(p, BETWEEN);
@@ -243,12 +244,12 @@ static bool
 names_plain(const struct spec *spec, const char *folded)
 {
 	return folded[strcspn(folded, "0123456789")] != '\0' ||
-	       words_in(folded, spec->name + strlen(spec->standard)) == 2;
+	       match_words(folded, spec->name + strlen(spec->standard)) == 2;
 }
 
 /* Whether a name is that other one of so many letters, or goes on after it. */
 static bool
-standards_goes_on(const char *name, const char *other, size_t length)
+standards_begins_with_name(const char *name, const char *other, size_t length)
 {
 	return strncmp(name, other, length) == 0 &&
 	       (name[length] == '\0' || name[length] == ' ');
@@ -257,7 +258,7 @@ standards_goes_on(const char *name, const char *other, size_t length)
 /* Leaves of those marked the one whose name all the others begin with, if there
  * is one and the words mean it.  Returns how many are left. */
 static size_t
-keep_base(
+keep_base_envelope(
     const struct standards *all, const char *folded, bool *match, size_t n)
 {
 	for (size_t i = 0; i < all->n; i++) {
@@ -265,8 +266,8 @@ keep_base(
 		size_t length = strlen(name), begin = 0;
 		for (size_t j = 0; j < all->n; j++)
 			begin +=
-			    match[j] &&
-			    standards_goes_on(all->spec[j]->name, name, length);
+			    match[j] && standards_begins_with_name(
+					    all->spec[j]->name, name, length);
 		if (!match[i] || begin < n ||
 		    !names_plain(all->spec[i], folded))
 			continue;
@@ -284,12 +285,12 @@ standards_match(const struct standards *all, const char *words, bool *match)
 	size_t n = 0, full = 0;
 	int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
-		in[i] = words_in(all->spec[i]->name, folded);
+		in[i] = match_words(all->spec[i]->name, folded);
 		full += in[i] == 2;
 	}
 	for (size_t i = 0; i < all->n; i++)
 		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
-	n = n > 1 ? keep_base(all, folded, match, n) : n;
+	n = n > 1 ? keep_base_envelope(all, folded, match, n) : n;
 	free(in);
 	free(folded);
 	return n;
@@ -297,7 +298,7 @@ standards_match(const struct standards *all, const char *words, bool *match)
 
 /* The envelope whose name is most like the words. */
 static const char *
-nearest(const struct standards *all, const char *words)
+nearest_name(const struct standards *all, const char *words)
 {
 	const char *best = all->spec[0]->name;
 	size_t least = SIZE_MAX;
@@ -335,7 +336,7 @@ standards_find(
 		error_set(error, ERROR_USAGE,
 		    "there is no envelope '%s', and no such file\n"
 		    "did you mean '%s'? 'spec list' lists them",
-		    words, nearest(all, words));
+		    words, nearest_name(all, words));
 	else if (n > 1)
 		error_set(error, ERROR_USAGE,
 		    "'%s' matches %zu envelopes\ngive more of the name: %s",

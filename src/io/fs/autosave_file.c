@@ -27,9 +27,9 @@ struct kept {
 };
 
 static char *
-path_of(const char *name)
+state_path(const char *name)
 {
-	return home_path("XDG_STATE_HOME", ".local/state", name);
+	return xdg_path("XDG_STATE_HOME", ".local/state", name);
 }
 
 struct kept *
@@ -105,7 +105,7 @@ struct kept_file *
 kept_files(size_t *n)
 {
 	struct kept_file *file = NULL;
-	char *folder = path_of("");
+	char *folder = state_path("");
 	DIR *dir = folder != NULL ? opendir(folder) : NULL;
 	*n = 0;
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
@@ -169,11 +169,11 @@ make_file(struct kept *kept, struct error *error)
 		snprintf(name, sizeof name, "session-%s-%ld.tip", day,
 		    (long)getpid());
 		free(kept->path);
-		kept->path = path_of(name);
+		kept->path = state_path(name);
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
-		char *closed = home_make_folders(kept->path);
+		char *closed = xdg_make_folders(kept->path);
 		bool made = closed == NULL || cannot_make(closed, errno, error);
 		free(closed);
 		if (made)

@@ -122,7 +122,7 @@ is_left_over(const char *name)
 
 /* Removes what writers that were killed have left in the folder. */
 static void
-sweep(const char *folder)
+remove_left_over_files(const char *folder)
 {
 	DIR *dir = opendir(folder[0] != '\0' ? folder : ".");
 	for (struct dirent *d; dir != NULL && (d = readdir(dir)) != NULL;) {
@@ -176,7 +176,7 @@ open_new(const char *folder, mode_t rights, char **name)
 /* Owner and permissions of the file that is to be replaced; the umask has taken
  * some.  Whose it is only root can say. */
 static bool
-take_rights(int fd, const struct stat *old)
+copy_owner_and_mode(int fd, const struct stat *old)
 {
 	struct stat about;
 	if (fstat(fd, &about) != 0)
@@ -194,10 +194,10 @@ file_put_file(const char *path, const struct stat *old, enum file_rights rights,
 {
 	char *folder = folder_of(path), *name = NULL;
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
-	sweep(folder);
+	remove_left_over_files(folder);
 	int fd = open_new(folder, mode, &name);
 	/* Renamed before it is closed: that gives the lock up. */
-	bool good = fd >= 0 && (old == NULL || take_rights(fd, old)) &&
+	bool good = fd >= 0 && (old == NULL || copy_owner_and_mode(fd, old)) &&
 		    write_all(fd, bytes, n) && sync_file(fd);
 	bool renamed = good && rename(name, path) == 0;
 	int reason = errno;
@@ -270,7 +270,7 @@ file_replace_by(const char *path, enum file_rights rights,
 /* To the end of the open file; what a full disk took is cut off again, unless
  * somebody else has added to it. */
 static bool
-add_bytes(int fd, const char *bytes, size_t n)
+append_bytes(int fd, const char *bytes, size_t n)
 {
 	struct stat before, after;
 	if (fstat(fd, &before) != 0)
@@ -297,7 +297,7 @@ file_append(const char *path, enum file_rights rights, const char *bytes,
 		    O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY,
 		    rights);
 	while (fd < 0 && errno == EINTR);
-	bool good = fd >= 0 && add_bytes(fd, bytes, n);
+	bool good = fd >= 0 && append_bytes(fd, bytes, n);
 	int reason = errno;
 	if (fd >= 0 && close(fd) != 0 && errno != EINTR && good) {
 		good = false;

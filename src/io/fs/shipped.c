@@ -46,7 +46,7 @@ shipped_folder(void)
 
 /* A file of a folder beside that of the sites. */
 static char *
-named(const char *name, const char *from)
+shipped_path_in(const char *name, const char *from)
 {
 	if (strchr(name, '/') != NULL)
 		return NULL;
@@ -63,11 +63,11 @@ named(const char *name, const char *from)
 char *
 shipped_path(const char *name)
 {
-	return named(name, "");
+	return shipped_path_in(name, "");
 }
 
 char *
 shipped_energies(const char *name)
 {
-	return named(name, "../energy/");
+	return shipped_path_in(name, "../energy/");
 }

@@ -5,10 +5,10 @@
 
 /* Returns tipspeed/NAME in the folder that the variable names, or else in the
  * given folder of HOME; NULL if neither is known.  The caller frees. */
-char *home_path(const char *variable, const char *folder, const char *name);
+char *xdg_path(const char *variable, const char *folder, const char *name);
 
 /* Makes the folders of a file, with access for the user alone.  Returns NULL,
  * or the folder that cannot be made, with errno set; the caller frees. */
-char *home_make_folders(const char *path);
+char *xdg_make_folders(const char *path);
 
 #endif

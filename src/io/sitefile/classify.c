@@ -88,7 +88,7 @@ classify_merge(
 
 /* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
 static void
-apply_label(const struct cell *label, struct head *head)
+apply_row_label(const struct cell *label, struct head *head)
 {
 	struct head row = head_read(label->text);
 	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 &&
@@ -140,7 +140,7 @@ classify_read_heads(const struct table *t, size_t c)
 		struct head one = head_read(cell->text);
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
-			apply_label(&t->head[r].cell[0], &one);
+			apply_row_label(&t->head[r].cell[0], &one);
 		classify_merge(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
@@ -283,7 +283,7 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 
 /* Whether numbers can be what the head says. */
 static bool
-agrees_with(const struct shape *s, enum unit_kind kind)
+is_possible_kind(const struct shape *s, enum unit_kind kind)
 {
 	bool falls = s->rises == 0 && s->falls > 0;
 	bool rises = s->falls == 0 && s->rises > 0;
@@ -299,7 +299,7 @@ agrees_with(const struct shape *s, enum unit_kind kind)
 /* Of a column that says "retained", and rises throughout: each sieve's, or
  * cumulative?  False where both are possible. */
 static bool
-settle_rising(
+choose_kind_of_rising(
     struct column *c, const struct shape *s, double total, enum unit_kind *kind)
 {
 	bool share = s->most <= 100.5 && (c->said.means & WORD_GRAMS) == 0;
@@ -323,7 +323,7 @@ settle_rising(
 
 /* The scale that the head states, checked against the numbers. */
 static bool
-settle_scale(struct column *c, const struct shape *s, enum unit_kind kind,
+choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
 {
 	uint64_t means = c->said.means;
@@ -455,7 +455,7 @@ classify_find_unit(struct column *c, bool told)
 			sure = false;
 		if (scales != 0) {
 			enum unit_scale told_scale = scale;
-			sure = settle_scale(c, &s, kind, total, &told_scale) &&
+			sure = choose_scale(c, &s, kind, total, &told_scale) &&
 			       sure;
 			scale = told_scale;
 		}
@@ -470,9 +470,9 @@ classify_find_unit(struct column *c, bool told)
 					  : RETAINED;
 	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
 	if (kind == RETAINED && s.falls == 0 && s.rises > 1 && !told)
-		sure = settle_rising(c, &s, total, &kind);
-	sure = settle_scale(c, &s, kind, total, &scale) && sure;
-	sure = sure && !both && (told || agrees_with(&s, kind));
+		sure = choose_kind_of_rising(c, &s, total, &kind);
+	sure = choose_scale(c, &s, kind, total, &scale) && sure;
+	sure = sure && !both && (told || is_possible_kind(&s, kind));
 	if (scales == 0)
 		assume(c, "as %s",
 		    tr(SITE_UNITS[site_unit_find(kind, scale)].words));
@@ -716,7 +716,7 @@ refuse_tare(const struct column *column, size_t n)
 
 /* A column of the table as its heads have it. */
 static struct column
-headed(struct table *t, size_t at)
+column_from_heads(struct table *t, size_t at)
 {
 	struct column c = {.table = t, .at = at, .pan = NAN};
 	bool own = false;
@@ -738,7 +738,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
-		column[n] = headed(t, n + 1);
+		column[n] = column_from_heads(t, n + 1);
 		classify_note_speed(&column[n], &around);
 		around.counted =
 		    around.counted || is_other_number(&column[n].said);
@@ -773,7 +773,7 @@ is_stopped(const struct columns *all)
 }
 
 static void
-drop(struct columns *all, size_t i)
+drop_column(struct columns *all, size_t i)
 {
 	free(all->column[i].assumed);
 	all->n--;
@@ -801,7 +801,7 @@ is_called_alike(const struct column *a, const struct column *b)
 	const struct column *both[] = {a, b};
 	char *name[] = {xstrdup(""), xstrdup("")};
 	for (size_t i = 0; i < 2; i++) {
-		char *head = layout_head(both[i]->table, both[i]->at);
+		char *head = layout_head_text(both[i]->table, both[i]->at);
 		char *rest = head;
 		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
 			size_t unknown, n = strlen(word);
@@ -853,7 +853,7 @@ mark_twin(struct column *c, const struct column *other)
 static char *
 own_words(const struct column *c)
 {
-	char *head = layout_head(c->table, c->at), *words = xstrdup("");
+	char *head = layout_head_text(c->table, c->at), *words = xstrdup("");
 	char *folded = text_fold(head);
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
@@ -935,7 +935,7 @@ drop_means(struct columns *all, struct site *site)
 			continue;
 		leave_out(site, c->table->number[c->at],
 		    "%s: the mean of samples that are read", c->head.text);
-		drop(all, i--);
+		drop_column(all, i--);
 	}
 }
 
@@ -973,7 +973,7 @@ classify_is_curve(const struct column *c)
 /* The one feed is that of all runs, though the speed at its left spreads over
  * it. */
 static void
-free_feed(struct columns *all)
+set_feed_for_all_runs(struct columns *all)
 {
 	struct column *only = NULL;
 	size_t n = 0;
@@ -1017,7 +1017,7 @@ guess_feed(struct columns *all, size_t feeds)
 }
 
 void
-recognise_settle(
+recognise_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
 	size_t feeds = 0, products = 0;
@@ -1038,7 +1038,7 @@ recognise_settle(
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c->table->number[c->at],
 			    "%s: neither feed nor product", c->head.text);
-			drop(all, i--);
+			drop_column(all, i--);
 			continue;
 		}
 		c->no_role = true;
@@ -1046,7 +1046,7 @@ recognise_settle(
 	drop_means(all, site);
 	classify_drop_twins(all, site);
 	guess_feed(all, feeds);
-	free_feed(all);
+	set_feed_for_all_runs(all);
 	if (!told)
 		ask_repeats(all);
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
@@ -1064,7 +1064,7 @@ recognise_settle(
 }
 
 char *
-recognise_words(const struct column *c)
+recognise_column_text(const struct column *c)
 {
 	char speed[32];
 	const char *role = c->role == NO_ROLE ? "product" : SITE_ROLES[c->role];

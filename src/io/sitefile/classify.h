@@ -32,11 +32,11 @@ void recognise_columns(struct table *t, const struct surroundings *near,
  * quantities of one sample is used, the role of a column without one, the order
  * of repeats.  told: the headings were given by hand.  wants_rotor: out, true
  * if a speed is in rpm and the rotor's diameter is not stated. */
-void recognise_settle(
+void recognise_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor);
 
 /* Returns the words for a column, "product@69 retained_g", as columns= contains
  * them.  The caller frees. */
-char *recognise_words(const struct column *c);
+char *recognise_column_text(const struct column *c);
 
 #endif

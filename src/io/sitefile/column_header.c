@@ -110,7 +110,7 @@ plain_blanks(char *s)
 
 /* Bytes of what may stand between thousands at p; 0: nothing that may. */
 static size_t
-group_at(const char *p)
+group_separator_bytes(const char *p)
 {
 	static const char *const GROUPS[] = {
 	    " ", "'", "\xE2\x80\x99", "\xCA\xBC"};
@@ -146,7 +146,7 @@ column_header_number_at(const char **text, double *value)
 	}
 	*text = p;
 	const char *blank = *p == ' ' ? p + 1 : p;
-	size_t group = group_at(p);
+	size_t group = group_separator_bytes(p);
 	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
 	    strspn(p + group, DIGITS) == 3) {
 		const char *end = p + group + 3;
@@ -162,7 +162,7 @@ column_header_number_at(const char **text, double *value)
 
 /* Behind the unit of mass at text, or text where there is none. */
 static const char *
-grams_after(const char *text)
+skip_unit_of_mass(const char *text)
 {
 	size_t n = strspn(text, "k") + 1;
 	bool grams =
@@ -181,7 +181,7 @@ take_number(struct head *head, const char **text, double value, bool at)
 		unit = SPEED_MPS;
 	if (unit == SPEED_NO_UNIT && other_unit_at(p)) {
 		/* "Soil A (100g)" tells how much it was, not in what. */
-		*text = grams_after(p);
+		*text = skip_unit_of_mass(p);
 		return;
 	}
 	if (unit == SPEED_NO_UNIT) {
@@ -210,7 +210,7 @@ struct before {
 
 /* Whether n bytes say "or", "to", "..": that two numbers are one thing.  */
 static bool
-is_link(const char *text, size_t n)
+is_link_between_numbers(const char *text, size_t n)
 {
 	static const char *const LINKS[] = {"..", "...", "\xE2\x80\xA6", "&",
 	    "+", "or", "and", "to", "oder", "und", "bis", "eller", "och",
@@ -225,7 +225,7 @@ is_link(const char *text, size_t n)
  * before it, which is a speed already: @74 approx 75, 74 m/s or 75.  Words that
  * say what it is instead, as in @74 sample 3, are those of the vocabulary. */
 static bool
-is_rival(const struct before *before, const char *text, double value)
+is_second_speed(const struct before *before, const char *text, double value)
 {
 	bool near = value < 1.5 * before->value && before->value < 1.5 * value;
 	if (before->end == NULL || !(before->at || (before->unit && near)))
@@ -242,7 +242,8 @@ is_rival(const struct before *before, const char *text, double value)
  * together with the one before: @6 9, @69..70, 74 or 75 m/s.  In "Cut 3 - 69
  * m/s" it is not.  unit: it has one of speed. */
 static bool
-is_part(const struct before *before, const char *text, double value, bool unit)
+is_part_of_speed(
+    const struct before *before, const char *text, double value, bool unit)
 {
 	static const char *const DASHES[] = {
 	    "-", "\xE2\x80\x93", "\xE2\x80\x94", "/", "~"};
@@ -259,7 +260,7 @@ is_part(const struct before *before, const char *text, double value, bool unit)
 	for (size_t i = 0; near && i < ARRAY_LEN(DASHES); i++)
 		if (strlen(DASHES[i]) == n && strncmp(gap, DASHES[i], n) == 0)
 			return true;
-	return is_link(gap, n);
+	return is_link_between_numbers(gap, n);
 }
 
 /* Whether what stands around a number makes another one of it: 7.4e1, .69,
@@ -300,10 +301,10 @@ column_header_read_number(struct head *head, const char *start,
 	    head->several || minus ||
 	    (good && (at || speed) &&
 		column_header_is_cut(start, from, to, at && !speed)) ||
-	    (good && is_part(before, from, value, speed)) ||
+	    (good && is_part_of_speed(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
 		!other_unit_at(to + strspn(to, " ")) &&
-		is_rival(before, from, value));
+		is_second_speed(before, from, value));
 	if (good && (!inside || speed))
 		take_number(head, text, value, at);
 	*before = (struct before){

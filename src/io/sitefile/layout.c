@@ -97,7 +97,7 @@ layout_in_range(struct layout_range range, int line, size_t column)
 /* Whether a cell can head a column of sieves: by a word for size or sieve, or a
  * unit of size alone, and no word for something else. */
 static bool
-can_head(const struct cell *cell, const struct nature *n)
+can_head_sieves(const struct cell *cell, const struct nature *n)
 {
 	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
 				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
@@ -126,7 +126,7 @@ can_head(const struct cell *cell, const struct nature *n)
 }
 
 static struct nature
-nature_of(const struct sheet *sheet, const struct cell *cell)
+guess_nature(const struct sheet *sheet, const struct cell *cell)
 {
 	const struct sieve_unit none = {0, SIEVE_NONE},
 				length = {1, SIEVE_NONE};
@@ -141,7 +141,7 @@ nature_of(const struct sheet *sheet, const struct cell *cell)
 		return n;
 	n.means = vocabulary_text(cell->text, &unknown);
 	n.unknown = (unsigned)unknown;
-	n.head = can_head(cell, &n);
+	n.head = can_head_sieves(cell, &n);
 	n.foot = n.kind == SIEVE_IS_NONE &&
 		 (n.means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
 	return n;
@@ -155,7 +155,7 @@ find_natures(struct grid *g)
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++)
 			*nature_at(g, r, c) =
-			    nature_of(g->sheet, layout_cell_at(g, r, c));
+			    guess_nature(g->sheet, layout_cell_at(g, r, c));
 }
 
 static void
@@ -327,7 +327,7 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 }
 
 static enum sieve_kind
-kind_at(const struct grid *g, size_t r, size_t c, double *mm)
+sieve_kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 {
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
@@ -340,7 +340,7 @@ static bool
 layout_is_sieve(const struct grid *g, size_t r, size_t c)
 {
 	double mm;
-	return kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
+	return sieve_kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
 }
 
 /* A number in one of the columns after c, before end. */
@@ -393,7 +393,7 @@ find_end(const struct grid *g, struct place *p)
 	p->last = p->first;
 	for (size_t r = p->first; r < g->n_row; r++) {
 		double mm;
-		enum sieve_kind kind = kind_at(g, r, p->c, &mm);
+		enum sieve_kind kind = sieve_kind_at(g, r, p->c, &mm);
 		bool numbers = has_numbers(g, r, p->c, p->end);
 		if (is_sieve_head(g, r, p->c))
 			break;
@@ -472,7 +472,7 @@ static bool
 is_pan_row(const struct grid *g, size_t r, size_t c)
 {
 	double mm;
-	return kind_at(g, r, c, &mm) == SIEVE_IS_PAN &&
+	return sieve_kind_at(g, r, c, &mm) == SIEVE_IS_PAN &&
 	       has_numbers(g, r, c, g->n_col);
 }
 
@@ -489,11 +489,12 @@ find_bare(const struct grid *g, struct place *place)
 			    c, g->n_row, r, 0, g->n_col, 0, false};
 			double mm, last = NAN;
 			size_t rises = 0, falls = 0, n = 0;
-			if (kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
+			if (sieve_kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
 			find_end(g, &p);
 			for (size_t i = r; i < p.last; i++) {
-				if (kind_at(g, i, c, &mm) != SIEVE_IS_SIZE)
+				if (sieve_kind_at(g, i, c, &mm) !=
+				    SIEVE_IS_SIZE)
 					continue;
 				rises += mm > last;
 				falls += mm < last;
@@ -598,7 +599,7 @@ layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 	     r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};
-		if (kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
+		if (sieve_kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
 		    !has_numbers(g, r, c, g->n_col))
 			continue;
 		find_end(g, &p);
@@ -705,7 +706,7 @@ fill_names(struct table *t)
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->n_col; c++) {
-		char *head = layout_head(t, c);
+		char *head = layout_head_text(t, c);
 		uint64_t means = vocabulary_text(head, NULL);
 		free(head);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
@@ -723,8 +724,8 @@ fill_names(struct table *t)
 }
 
 static void
-take_table(const struct grid *g, const struct place *p, size_t from, size_t end,
-    struct layout *layout)
+add_layout_table(const struct grid *g, const struct place *p, size_t from,
+    size_t end, struct layout *layout)
 {
 	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
 	size_t n = layout_list_columns(g, p, from, end, col);
@@ -792,7 +793,7 @@ are_ends(const struct grid *g, const struct place *low, const struct place *up)
  * sieves side by side (No. and mm) the one with more openings; the other is a
  * column of it. */
 static size_t
-drop_doubles(const struct grid *g, struct place *place, size_t n)
+drop_double_heads(const struct grid *g, struct place *place, size_t n)
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -832,7 +833,7 @@ take_tables(const struct grid *g, const struct place *place, size_t n,
 			if (other->c < p->c)
 				from = p->c;
 		}
-		take_table(g, p, from, end, layout);
+		add_layout_table(g, p, from, end, layout);
 	}
 }
 
@@ -886,7 +887,7 @@ layout_own_text(struct table *t, char *text)
 }
 
 void
-layout_name(struct table *t, const size_t *number, const char *const *text,
+layout_set_names(struct table *t, const size_t *number, const char *const *text,
     size_t n_text)
 {
 	size_t n = 0;
@@ -925,7 +926,7 @@ layout_name(struct table *t, const size_t *number, const char *const *text,
 }
 
 char *
-layout_head(const struct table *t, size_t c)
+layout_head_text(const struct table *t, size_t c)
 {
 	char *text = xstrdup("");
 	for (size_t r = 0; r < t->n_head; r++)
@@ -947,8 +948,8 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	struct grid t = grid_turned(&g);
 	size_t n = find_headed(&g, down);
 	size_t m = find_headed(&t, across);
-	n = drop_doubles(&g, down, n);
-	m = drop_doubles(&t, across, m);
+	n = drop_double_heads(&g, down, n);
+	m = drop_double_heads(&t, across, m);
 	if (range.n_sieves > 0) {
 		n = layout_find_told(&g, &range, down);
 		m = layout_find_told(&t, &range, across);

@@ -61,12 +61,12 @@ char *layout_own_text(struct table *t, char *text);
 
 /* Returns the headings of column c of a table, from the top, as one text.  The
  * caller frees. */
-char *layout_head(const struct table *t, size_t c);
+char *layout_head_text(const struct table *t, size_t c);
 
 /* Sets headings given by hand: text [n_text] for the columns with these
  * numbers; other columns are dropped. */
-void layout_name(struct table *t, const size_t *number, const char *const *text,
-    size_t n_text);
+void layout_set_names(struct table *t, const size_t *number,
+    const char *const *text, size_t n_text);
 
 struct layout *layout_new(struct sheet *sheet, struct layout_range range);
 void layout_free(struct layout *layout);

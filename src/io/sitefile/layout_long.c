@@ -53,7 +53,7 @@ is_numeric(const struct table *t, size_t c)
 }
 
 static enum use
-use_of(const struct table *t, size_t c, const struct head *head)
+guess_use(const struct table *t, size_t c, const struct head *head)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
@@ -172,7 +172,7 @@ layout_long_list_samples(struct longer *l)
 /* Whether sample a comes after b by their numbers: number [n], NAN where a
  * sample has none. */
 static bool
-is_later(const double *a, const double *b, size_t n)
+is_later_sample(const double *a, const double *b, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
 		if (!isnan(a[i]) && !isnan(b[i]))
@@ -211,8 +211,8 @@ sort_samples(struct longer *l)
 	size_t *lead = xcalloc(n_sample, sizeof *lead);
 	for (size_t i = 0; i < n_sample; i++) {
 		size_t k = i;
-		for (; k > 0 &&
-		       is_later(&number[order[k - 1] * n], &number[i * n], n);
+		for (; k > 0 && is_later_sample(&number[order[k - 1] * n],
+				    &number[i * n], n);
 		     k--)
 			order[k] = order[k - 1];
 		order[k] = i;
@@ -291,7 +291,7 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 			xlist(&text, " ", "%s %s", cell.text,
 			    number ? unit_text(unit) : "");
 	}
-	char *own = layout_head(t, value);
+	char *own = layout_head_text(t, value);
 	xlist(&text, " ", "%s", own);
 	free(own);
 	return text;
@@ -387,7 +387,7 @@ layout_long_widen(struct longer *l)
 	wide.head[0] = empty_row(wide.n_col, above);
 	for (size_t i = 0; i < wide.n_row; i++)
 		wide.row[i] = empty_row(wide.n_col, &t->row[l->first[i]]);
-	char *size = layout_head(t, 0);
+	char *size = layout_head_text(t, 0);
 	wide.head[0].cell[0].text = layout_own_text(&wide, size);
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
@@ -444,9 +444,9 @@ layout_widen(struct table *t, uint64_t told)
 	l.mark = xcalloc(n, sizeof *l.mark);
 	for (size_t c = 0; c < t->n_col && !error_stopped(t->sheet->errors);
 	     c++) {
-		char *text = layout_head(t, c);
+		char *text = layout_head_text(t, c);
 		l.head[c] = head_read(text);
-		l.use[c] = c > 0 ? use_of(t, c, &l.head[c]) : UNUSED;
+		l.use[c] = c > 0 ? guess_use(t, c, &l.head[c]) : UNUSED;
 		free(text);
 	}
 	list_sizes(&l);

@@ -186,7 +186,7 @@ struct index {
 
 /* The one there is, which vocabulary_word fills. */
 static struct index *
-index_here(void)
+word_index(void)
 {
 	static struct index index;
 	return &index;
@@ -203,7 +203,7 @@ by_bytes(const void *a, const void *b)
 static void
 fill_index(void)
 {
-	struct index *index = index_here();
+	struct index *index = word_index();
 	struct known *word = index->word;
 	size_t n = 0, all = 0;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
@@ -251,7 +251,7 @@ uint64_t
 vocabulary_word(const char *word, size_t n)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
-	const struct index *index = index_here();
+	const struct index *index = word_index();
 	const struct known wanted = {word, n, 0}, *found = NULL;
 	pthread_once(&once, fill_index);
 	if (n > 0 && n <= index->longest)

@@ -13,7 +13,7 @@
 #include "io/cells/textfile.h"
 
 static bool
-says(const struct sheet *sheet, size_t row, size_t i, const char *text)
+cell_is(const struct sheet *sheet, size_t row, size_t i, const char *text)
 {
 	return row < sheet->n_row &&
 	       strcmp(sheet_cell(&sheet->row[row], i).text, text) == 0;
@@ -31,12 +31,12 @@ command_about(const struct sheet *sheet)
 {
 	static const char OURS[] = "tipspeed ";
 	size_t site = 0;
-	while (site < sheet->n_row && !says(sheet, site, 0, "site"))
+	while (site < sheet->n_row && !cell_is(sheet, site, 0, "site"))
 		site++;
-	bool ours = says(sheet, 0, 0, "program") &&
+	bool ours = cell_is(sheet, 0, 0, "program") &&
 		    strncmp(sheet_cell(&sheet->row[0], 1).text, OURS,
 			strlen(OURS)) == 0;
-	return ours && says(sheet, 1, 0, "command") && site < sheet->n_row
+	return ours && cell_is(sheet, 1, 0, "command") && site < sheet->n_row
 		   ? first_word(sheet_cell(&sheet->row[1], 1).text)
 		   : NULL;
 }
@@ -44,7 +44,7 @@ command_about(const struct sheet *sheet)
 char *
 results_command(const struct sheet *sheet)
 {
-	bool table = says(sheet, 0, 0, "command") && sheet->row[0].n > 1 &&
+	bool table = cell_is(sheet, 0, 0, "command") && sheet->row[0].n > 1 &&
 		     sheet->n_row > 1;
 	return table ? first_word(sheet->row[1].cell[0].text)
 		     : command_about(sheet);

@@ -79,7 +79,7 @@ word_bytes(const char *p)
 
 /* The mm in a unit of length, n bytes at p; 0: it is none. */
 static double
-unit_mm(const char *p, size_t n)
+mm_of_unit(const char *p, size_t n)
 {
 	if (*p == '"')
 		return 25.4;
@@ -101,7 +101,7 @@ is_possible(double mm)
 }
 
 static void
-take(struct search *s, double mm)
+keep_rotor_found(struct search *s, double mm)
 {
 	if (!is_possible(mm))
 		return;
@@ -155,16 +155,17 @@ read_number(struct search *s, const char **text)
 	size_t n = number_bytes(*text);
 	const char *after = *text + n + strspn(*text + n, " -");
 	size_t word = *after == '"' ? 1 : word_bytes(after);
-	double unit = unit_mm(after, word);
+	double unit = mm_of_unit(after, word);
 	bool bare = is_bare(*text + n, after, word);
 	bool meant = s->rotor || (s->diameter && s->alone);
 	double mm = number_mm(text, n, unit > 0 ? unit : 1);
 	if (meant && unit > 0)
-		take(s, mm);
+		keep_rotor_found(s, mm);
 	else if (meant && s->unit > 0 && bare)
-		take(s, mm * s->unit);
+		keep_rotor_found(s, mm * s->unit);
 	else if (bare && meant && (s->diameter || s->machine))
-		take(s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
+		keep_rotor_found(
+		    s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
 	s->ahead = !meant && unit > 0 ? mm : 0;
 	s->rotor = s->diameter = false;
 	s->unit = 0;
@@ -175,11 +176,11 @@ static void
 rotor_read_word(struct search *s, const char *word, size_t n)
 {
 	uint64_t means = vocabulary_word(word, n);
-	double unit = unit_mm(word, n);
+	double unit = mm_of_unit(word, n);
 	if (is_diameter(word, n)) {
 		s->diameter = true;
 	} else if ((means & WORD_ROTOR) != 0) {
-		take(s, s->ahead);
+		keep_rotor_found(s, s->ahead);
 		s->ahead = s->unit = 0;
 		s->rotor = true;
 		s->diameter = (means & WORD_SIZE) != 0;

@@ -63,7 +63,7 @@ static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
 /* "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a digit
  * or a point and moves after it. */
 static double
-read_mixed(const char **text)
+read_mixed_fraction(const char **text)
 {
 	double whole = 0, part = 0, of = 1;
 	int n = 0;
@@ -84,7 +84,7 @@ read_mixed(const char **text)
 /* The word at *text, which moves after it, as a series; SIEVE_NONE where it is
  * no word of a sieve's name. */
 static enum sieve_series
-read_word(const char **text)
+read_series_word(const char **text)
 {
 	static const struct {
 		const char *word;
@@ -129,10 +129,10 @@ read_name(const char *text, double *value)
 		if (isdigit((unsigned char)*p) || *p == '.') {
 			good = isnan(*value) &&
 			       isdigit((unsigned char)p[*p == '.']);
-			*value = good ? read_mixed(&p) : NAN;
+			*value = good ? read_mixed_fraction(&p) : NAN;
 			continue;
 		}
-		enum sieve_series word = read_word(&p);
+		enum sieve_series word = read_series_word(&p);
 		good = word != SIEVE_NONE;
 		if (series == SIEVE_NONE || series == SIEVE_MESH)
 			series = word;
@@ -155,7 +155,7 @@ find_mesh(const struct mesh *mesh, size_t n, double number)
 
 /* Decimal inches are the metric opening rounded: 0.0469 is 1.18 mm. */
 static double
-find_inches(double inches)
+mm_of_inches(double inches)
 {
 	double mm = 25.4 * inches, nearest = mm, off = 0.015 * mm;
 	for (size_t i = 0; i < ARRAY_LEN(SIEVES) + ARRAY_LEN(OTHERS); i++) {
@@ -198,7 +198,7 @@ sieve_names_mm(const char *text, enum sieve_series head)
 		const char *p = text + strspn(text, " ");
 		if (bare && head != SIEVE_NONE &&
 		    isdigit((unsigned char)p[*p == '.']))
-			value = read_mixed(&p);
+			value = read_mixed_fraction(&p);
 		if (bare && (head == SIEVE_NONE || p[strspn(p, " ")] != '\0' ||
 				isnan(value)))
 			return 0;
@@ -213,7 +213,7 @@ sieve_names_mm(const char *text, enum sieve_series head)
 		return find_mesh(BS, ARRAY_LEN(BS), value);
 	case SIEVE_INCH:
 		return bare && isnan(find_astm(SIEVE_INCH, value))
-			   ? find_inches(value)
+			   ? mm_of_inches(value)
 			   : find_astm(SIEVE_INCH, value);
 	case SIEVE_ASTM:
 		return find_astm(SIEVE_ASTM, value);
@@ -387,7 +387,7 @@ sieve_size_is_class(const struct sheet *sheet, struct cell cell)
 
 /* mm, to 9 decimals, of a size in a unit of so many mm; 0: in mm. */
 static double
-in_unit(double value, double unit)
+mm_from_unit(double value, double unit)
 {
 	return round(value * (unit > 0 ? unit : 1) * 1e9) / 1e9;
 }
@@ -404,7 +404,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	/* A number alone is a name only where the head says so. */
 	if (unit.series == SIEVE_NONE && cell.kind == CELL_TEXT &&
 	    cell.value == AS_NUMBER && cell.number > 0) {
-		*mm = in_unit(cell.number, unit.mm);
+		*mm = mm_from_unit(cell.number, unit.mm);
 		return SIEVE_IS_SIZE;
 	}
 	if (is_pan(cell.text))
@@ -428,6 +428,6 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;
-	*mm = in_unit(value, own > 0 ? own : unit.mm);
+	*mm = mm_from_unit(value, own > 0 ? own : unit.mm);
 	return SIEVE_IS_SIZE;
 }

@@ -96,8 +96,8 @@ names_apply(const struct names *names, struct table *t)
 		if (names->number[i] == t->number[0])
 			sieve = vocabulary_text(names->text[i], NULL);
 	if (names->others)
-		layout_name(t, names->number, (const char *const *)names->text,
-		    names->n);
+		layout_set_names(t, names->number,
+		    (const char *const *)names->text, names->n);
 	return sieve;
 }
 
@@ -130,7 +130,7 @@ range_read(const char *text, struct layout_range *range, struct error *error)
 }
 
 void
-open_numbers(struct open *open, const struct table *t)
+site_ask_find_open_numbers(struct open *open, const struct table *t)
 {
 	if (t->sheet->open.text == NULL || open->number.text != NULL)
 		return;
@@ -151,7 +151,7 @@ first_values(const struct table *t, size_t at)
 		const char *text = t->row[r].cell[at].text;
 		if (text[0] == '\0')
 			continue;
-		xlist(&list, " ", "%.*s", sheet_cut(text), text);
+		xlist(&list, " ", "%.*s", sheet_cut_length(text), text);
 		n++;
 	}
 	return list;
@@ -162,12 +162,12 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
     const struct cell *head, char *guess, bool open)
 {
 	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
-	ask->column[ask->n++] =
-	    (struct site_ask_column){.number = t->number[at],
-		.head = xstrndup(head->text, (size_t)sheet_cut(head->text)),
-		.values = first_values(t, at),
-		.guess = guess,
-		.open = open};
+	ask->column[ask->n++] = (struct site_ask_column){
+	    .number = t->number[at],
+	    .head = xstrndup(head->text, (size_t)sheet_cut_length(head->text)),
+	    .values = first_values(t, at),
+	    .guess = guess,
+	    .open = open};
 }
 
 /* Whether samples are better told by their names: of a long table, whose
@@ -210,7 +210,7 @@ has_feed(const struct columns *all)
 static char *
 guess_words(const struct column *c, bool *feed)
 {
-	char *words = recognise_words(c);
+	char *words = recognise_column_text(c);
 	if (*feed || c->role != NO_ROLE)
 		return words;
 	*feed = true;
@@ -224,7 +224,7 @@ static void
 site_ask_list_samples(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
 {
-	struct cell head = site_sieve_head(t);
+	struct cell head = site_sieve_heading(t);
 	char *text = xstrdup("");
 	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
 	if (sieves)
@@ -265,7 +265,7 @@ site_ask_list_columns(struct site_ask *ask, struct table *const *table,
 	bool feed = has_feed(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
-		struct cell head = site_sieve_head(t);
+		struct cell head = site_sieve_heading(t);
 		char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
 		ask->across = t->across;
 		xlist(&text, ", ", "%zu=%s", t->number[0], sieve);
@@ -331,9 +331,9 @@ settled_line(const struct site_request *q, const char *settle)
 }
 
 static const char *
-for_feed(const struct site_request *q)
+hint_for_feed(const struct site_request *q)
 {
-	return q->feed ? tr(", and write it anew for feed=") : "";
+	return q->feed ? tr(", and write it again for feed=") : "";
 }
 
 static bool
@@ -343,7 +343,8 @@ site_ask_refuse(const struct site_request *q, const struct table *t,
 {
 	char *line = settled_line(q, ask->settle);
 	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
-	    where.column, "%s\nsay what it is%s: %s", what, for_feed(q), line);
+	    where.column, "%s\nsay what it is%s: %s", what, hint_for_feed(q),
+	    line);
 	free(line);
 	return true;
 }
@@ -399,7 +400,7 @@ ask_table(const struct site_request *q, struct table *const *table,
 }
 
 static bool
-ask_twice(const struct open *open, const struct site_request *q,
+ask_which_sieves(const struct open *open, const struct site_request *q,
     struct site_ask *ask, struct error_list *errors)
 {
 	const struct table *t = open->twice;
@@ -499,7 +500,7 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 		    tr("expected at most 100 %% passing, got '%.*s': column "
 		       "%zu has no other number above 100; correct it if it "
 		       "is a slip"),
-		    sheet_cut(above->text), above->text,
+		    sheet_cut_length(above->text), above->text,
 		    first->table->number[first->at]);
 		site_ask_refuse(q, first->table, *above, ask, errors, what);
 		free(what);
@@ -511,7 +512,7 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
 		       "%zu is, got '%.*s' above %s"),
-	    first->table->number[first->at], sheet_cut(first->head.text),
+	    first->table->number[first->at], sheet_cut_length(first->head.text),
 	    first->head.text, values);
 	site_ask_refuse(q, first->table, first->head, ask, errors, what);
 	if (q->n > 1 && speed && !q->parts)
@@ -540,7 +541,7 @@ ask_decimal(const struct open *open, const struct site_request *q,
 }
 
 bool
-open_ask(const struct open *open, const struct site_request *q,
+site_ask_open(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask, struct error_list *errors)
 {
@@ -550,7 +551,7 @@ open_ask(const struct open *open, const struct site_request *q,
 			second = table[i];
 	const struct column *first = NULL;
 	if (open->twice != NULL)
-		return ask_twice(open, q, ask, errors);
+		return ask_which_sieves(open, q, ask, errors);
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
@@ -586,7 +587,7 @@ open_ask(const struct open *open, const struct site_request *q,
 }
 
 void
-open_top(
+site_ask_top(
     const struct column *c, const struct site_request *q, struct site_ask *ask)
 {
 	const struct table *t = c->table;
@@ -610,7 +611,7 @@ open_top(
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%g mm\n"
 	    "add the coarser sieves; or assume that 100 %% passes %s%s: %s",
-	    site_column_pct(c, at, 100, p), t->mm[at], passes, for_feed(q),
+	    site_column_pct(c, at, 100, p), t->mm[at], passes, hint_for_feed(q),
 	    line);
 	free(passes);
 	free(line);

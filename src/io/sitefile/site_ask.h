@@ -41,17 +41,17 @@ struct open {
 };
 
 /* Notes the first number of the table whose sign is open. */
-void open_numbers(struct open *open, const struct table *t);
+void site_ask_find_open_numbers(struct open *open, const struct table *t);
 
 /* True if any question is open; it is then reported as one fault, and *ask
  * contains it. */
-bool open_ask(const struct open *open, const struct site_request *request,
+bool site_ask_open(const struct open *open, const struct site_request *request,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask, struct error_list *errors);
 
 /* Asks which size the whole feed passes, if its coarsest sieve passes less than
  * 100 %: adds a fault, and fills *ask if it is the only fault. */
-void open_top(const struct column *c, const struct site_request *request,
+void site_ask_top(const struct column *c, const struct site_request *request,
     struct site_ask *ask);
 
 #endif

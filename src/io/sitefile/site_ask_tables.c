@@ -39,7 +39,7 @@ tables_have_feed(const struct table *t, const struct columns *all)
 /* Whether table k may be of the site whose feed is in table `feed`; like: a
  * table of products that is, or NULL. */
 static bool
-goes_with(
+is_table_of_site(
     const struct tables *s, size_t k, size_t feed, const struct table *like)
 {
 	const struct table *t = s->table[k];
@@ -64,19 +64,20 @@ site_ask_tables_guess(struct tables *s)
 	s->first = s->last = feed;
 	if (!tables_have_feed(s->table[feed], s->all))
 		return;
-	while (s->last + 1 < s->n && goes_with(s, s->last + 1, feed, like)) {
+	while (s->last + 1 < s->n &&
+	       is_table_of_site(s, s->last + 1, feed, like)) {
 		s->last++;
 		like = s->table[s->last];
 	}
 	while (s->last == feed && s->first > 0 &&
-	       goes_with(s, s->first - 1, feed, like)) {
+	       is_table_of_site(s, s->first - 1, feed, like)) {
 		s->first--;
 		like = s->table[s->first];
 	}
 }
 
 static void
-hold_lines(struct site_box *box, const struct row *row, size_t n)
+box_extend(struct site_box *box, const struct row *row, size_t n)
 {
 	for (size_t r = 0; r < n; r++) {
 		int line = row[r].line;
@@ -88,7 +89,7 @@ hold_lines(struct site_box *box, const struct row *row, size_t n)
 /* The cells of a table, of its first n_row rows; of one whose sieves go across
  * its lines in full. */
 static struct site_box
-box_of(const struct table *t, size_t n_row)
+table_box(const struct table *t, size_t n_row)
 {
 	struct site_box box = {0};
 	int least = (int)t->number[0], most = least, wide = 1;
@@ -103,10 +104,10 @@ box_of(const struct table *t, size_t n_row)
 				wide = (int)t->sheet->row[r].n_all;
 		return (struct site_box){least, 1, most, wide};
 	}
-	hold_lines(&box, t->head, t->n_head);
-	hold_lines(&box, t->row, n_row);
+	box_extend(&box, t->head, t->n_head);
+	box_extend(&box, t->row, n_row);
 	if (n_row == t->n_row)
-		hold_lines(&box, t->foot, t->n_foot);
+		box_extend(&box, t->foot, t->n_foot);
 	box.left = least;
 	box.right = most;
 	return box;
@@ -115,7 +116,7 @@ box_of(const struct table *t, size_t n_row)
 char *
 site_ask_table_range(const struct table *t, size_t n_row)
 {
-	return site_box_text(box_of(t, n_row));
+	return site_box_text(table_box(t, n_row));
 }
 
 /* "feed, product@69": what a table seems to have. */
@@ -129,7 +130,7 @@ tables_contents(const struct table *t, const struct columns *all)
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
 			continue;
-		char *words = recognise_words(c);
+		char *words = recognise_column_text(c);
 		words[strcspn(words, " ")] = '\0';
 		if (n++ < MOST)
 			xlist(&list, ", ", "%s",
@@ -157,10 +158,10 @@ site_ask_tables_list(const struct tables *s, struct site_ask *ask)
 	ask->column = xcalloc(s->n, sizeof *ask->column);
 	for (size_t i = 0; i < s->n; i++) {
 		const struct table *t = s->table[i];
-		struct site_box box = box_of(t, t->n_row);
+		struct site_box box = table_box(t, t->n_row);
 		char *line = title_line(t);
 		ask->column[i] = (struct site_ask_column){.number = i + 1,
-		    .head = xstrndup(line, (size_t)sheet_cut(line)),
+		    .head = xstrndup(line, (size_t)sheet_cut_length(line)),
 		    .values = xasprintf(tr("%d to %d"), box.top, box.bottom),
 		    .guess = tables_contents(t, s->all),
 		    .box = box};

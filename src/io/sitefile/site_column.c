@@ -103,7 +103,7 @@ site_column_pct(
 {
 	double v = c->pct[row];
 	if (SITE_UNITS[c->unit].kind == PASSING)
-		return text_apart(v, other, buf);
+		return text_distinguishing(v, other, buf);
 	for (int digits = 1; digits <= 9; digits++) {
 		snprintf(buf, 32, "%.*f", digits, v);
 		if (fabs(strtod(buf, NULL) - other) > 0 || v == other)
@@ -114,7 +114,7 @@ site_column_pct(
 
 /* "product_fraction@69": the header of c with another unit. */
 static const char *
-other_head(const struct column *c, const char *suffix, char buf[static 64])
+head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
 {
 	char speed[32] = "";
 	if (c->speed > 0)
@@ -142,7 +142,7 @@ site_column_in_range(struct column *c, struct cell cell, double v)
 	struct sheet *sheet = c->table->sheet;
 	char head[64];
 	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0))
-		return sheet_wanted(sheet, cell,
+		return sheet_fault_expected(sheet, cell,
 		    "a standard deviation above 0, up to 100",
 		    "write it in percentage points of passing");
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most * (1 + 1e-9))
@@ -152,10 +152,10 @@ site_column_in_range(struct column *c, struct cell cell, double v)
 	if (percent && c->told_percent)
 		return false;
 	c->told_percent = c->told_percent || percent;
-	return sheet_wanted(sheet, cell, SITE_UNITS[c->unit].wanted,
+	return sheet_fault_expected(sheet, cell, SITE_UNITS[c->unit].wanted,
 	    percent ? N_("change the column heading to %s")
 		    : N_("check the number%.0s"),
-	    other_head(c, "", head));
+	    head_with_unit(c, "", head));
 }
 
 /* The pan holds what no sieve holds; a curve of passing ends there at 0. */
@@ -170,7 +170,7 @@ read_pan(struct column *c, struct cell cell, double v)
 	double end = cumulative ? unit->most : 0;
 	if (fabs(v - end) <= 0.01 * unit->most)
 		return true;
-	return sheet_wanted(c->table->sheet, cell,
+	return sheet_fault_expected(c->table->sheet, cell,
 	    cumulative ? N_("100 % above the pan")
 		       : N_("nothing passing the pan"),
 	    "leave the cell empty, or say what the column has: "
@@ -207,7 +207,7 @@ read_cells(struct column *c)
 /* Sieves above the first number of what is retained held nothing: a dash there,
  * or no number, is 0. */
 static void
-fill_top(struct column *c)
+fill_top_with_zero(struct column *c)
 {
 	struct table *t = c->table;
 	size_t first = 0;
@@ -286,7 +286,7 @@ sum_of(const struct column *c)
 /* Reads the lines below and adds what was washed out to the pan; false after a
  * fault. */
 static bool
-take_foot(struct column *c, struct foot *foot)
+add_foot_to_pan(struct column *c, struct foot *foot)
 {
 	*foot = read_foot(c, sum_of(c));
 	if (foot->odd.text != NULL)
@@ -303,7 +303,8 @@ take_foot(struct column *c, struct foot *foot)
 
 /* Whether the sheet's own total is the sum of the column, or it has none. */
 static bool
-agrees(struct column *c, struct cell where, double total, double sum)
+check_stated_total(
+    struct column *c, struct cell where, double total, double sum)
 {
 	if (isnan(total) || fabs(total - sum) <= MASS_TOLERANCE * total)
 		return true;
@@ -316,7 +317,7 @@ agrees(struct column *c, struct cell where, double total, double sum)
 }
 
 static double
-tell_no_pan(struct column *c)
+fault_no_pan(struct column *c)
 {
 	sheet_fault(c->table->sheet, c->head,
 	    "expected the mass in the pan, got none in column %s\n"
@@ -331,7 +332,7 @@ static double
 total_mass(struct column *c)
 {
 	struct foot foot;
-	if (!take_foot(c, &foot))
+	if (!add_foot_to_pan(c, &foot))
 		return 0;
 	struct cell where = foot.where;
 	bool weighed = foot.weighed;
@@ -340,11 +341,11 @@ total_mass(struct column *c)
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
 	if (isnan(c->pan) && isnan(total))
-		return tell_no_pan(c);
+		return fault_no_pan(c);
 	if (cumulative)
 		return total;
 	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
-		agrees(c, where, total, sum);
+		check_stated_total(c, where, total, sum);
 		return 0;
 	}
 	if (isnan(c->pan))
@@ -356,19 +357,19 @@ total_mass(struct column *c)
 		    c->head.text);
 		return 0;
 	}
-	if (!agrees(c, where, total, sum))
+	if (!check_stated_total(c, where, total, sum))
 		return 0;
 	return weighed ? fmax(total, sum) : sum; /* as EN 933-1 counts */
 }
 
 /* Of percentages or fractions retained: what all of them are parts of. */
 static double
-total_share(struct column *c)
+total_of_shares(struct column *c)
 {
 	char head[64];
 	struct foot foot;
 	double whole = SITE_UNITS[c->unit].most;
-	if (!take_foot(c, &foot))
+	if (!add_foot_to_pan(c, &foot))
 		return 0;
 	double sum = sum_of(c), off = (sum - whole) / whole * 100;
 	bool pan = !isnan(c->pan);
@@ -382,13 +383,13 @@ total_share(struct column *c)
 	    "check the numbers, or change the column heading to %s",
 	    whole > 1 ? tr("percentages") : tr("fractions"), whole,
 	    site_column_round(sum, 1e9), c->head.text,
-	    other_head(c, "_cum_retained_pct", head));
+	    head_with_unit(c, "_cum_retained_pct", head));
 	return 0;
 }
 
 /* To percent passing with 12 decimals, as site_write writes it. */
 static void
-convert(struct column *c)
+convert_to_passing(struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	struct table *t = c->table;
@@ -398,7 +399,7 @@ convert(struct column *c)
 	else if (unit->scale == OF_MASS)
 		total = total_mass(c);
 	else if (unit->kind == RETAINED)
-		total = total_share(c);
+		total = total_of_shares(c);
 	double left = total;
 	c->faulty = c->faulty || total <= 0;
 	for (size_t i = 0; i < t->n_row; i++) {
@@ -432,8 +433,8 @@ check_rise(struct column *c)
 			    "rise on a finer sieve",
 			    site_column_pct(c, last, c->pct[i], p),
 			    site_column_pct(c, i, c->pct[last], q),
-			    text_apart(t->mm[i], t->mm[last], mm),
-			    text_apart(t->mm[last], t->mm[i], other));
+			    text_distinguishing(t->mm[i], t->mm[last], mm),
+			    text_distinguishing(t->mm[last], t->mm[i], other));
 		last = i;
 	}
 }
@@ -456,9 +457,9 @@ site_column_values(struct column *c)
 	c->pct = xdoubles(t->n_row);
 	c->pan = NAN;
 	read_cells(c);
-	fill_top(c);
+	fill_top_with_zero(c);
 	if (c->role != SD) {
-		convert(c);
+		convert_to_passing(c);
 		check_rise(c);
 	}
 	if (c->role == FEED && !c->faulty && !t->lost)

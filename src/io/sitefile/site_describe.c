@@ -41,7 +41,7 @@ is_own_form(const struct table *t)
 static void
 add_role(char **text, const struct column *c, const struct column *before)
 {
-	char *words = recognise_words(c);
+	char *words = recognise_column_text(c);
 	words[strcspn(words, " ")] = '\0';
 	const char *at = strchr(words, '@');
 	bool again = before != NULL && before->role == c->role && at != NULL;
@@ -94,7 +94,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 
 /* Whether the sieves of a table are told by those of the one before. */
 static bool
-is_like(const struct table *a, const struct table *b)
+has_sieves_like(const struct table *a, const struct table *b)
 {
 	return a->across == b->across && a->number[0] == b->number[0] &&
 	       a->finest_first == b->finest_first &&
@@ -125,7 +125,7 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 		const struct table *t = table[k];
 		const char *place = site_describe_place_of(table, n, k);
 		char *own = xstrdup("");
-		if (k == 0 || !is_like(table[k - 1], t))
+		if (k == 0 || !has_sieves_like(table[k - 1], t))
 			xlist(&own, "; ",
 			    t->finest_first
 				? tr("sieves in %s %zu (%s, finest first)")

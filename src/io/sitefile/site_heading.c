@@ -33,7 +33,7 @@ site_heading_take_value(struct site *site, enum vocabulary_key key,
 	}
 	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
-		sheet_wanted(sheet, cell, "a positive size in mm",
+		sheet_fault_expected(sheet, cell, "a positive size in mm",
 		    "write the size, or remove the line");
 	site->top_size = mm / 1000;
 }
@@ -128,7 +128,7 @@ split_colon(struct cell *key, struct cell *value, char **left, char **right)
 
 /* "Stone: gabbro", a key with its value in one cell. */
 static bool
-is_pair(struct cell cell)
+has_colon(struct cell cell)
 {
 	const char *colon = strchr(cell.text, ':');
 	return colon != NULL && colon > cell.text && colon[1] == ' ' &&
@@ -149,7 +149,7 @@ next_pair(const struct row *row, size_t *at, struct cell *key,
 	for (; i < row->n && (row->cell[i].text[0] != '\0' || n == 1); i++) {
 		if (row->cell[i].text[0] == '\0')
 			continue;
-		if (n == 1 && is_pair(*key) && is_pair(row->cell[i]))
+		if (n == 1 && has_colon(*key) && has_colon(row->cell[i]))
 			break;
 		struct cell *slot[] = {key, value, third};
 		if (n < 3)
@@ -176,7 +176,7 @@ leave_out_line(struct site *site, const struct cell *key)
 {
 	char *where = xasprintf(tr("line %d"), key->line);
 	char *what = xasprintf(tr("%.*s: numbers above the table"),
-	    sheet_cut(key->text), key->text);
+	    sheet_cut_length(key->text), key->text);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 	free(where);
 	free(what);
@@ -184,7 +184,7 @@ leave_out_line(struct site *site, const struct cell *key)
 
 /* What a machine is called may tell its rotor. */
 static void
-take_known(struct site *site, enum vocabulary_key k, struct sheet *sheet,
+take_known_key(struct site *site, enum vocabulary_key k, struct sheet *sheet,
     struct cell key, struct cell value)
 {
 	site_heading_take_value(site, k, sheet, value);
@@ -209,11 +209,11 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
 	enum vocabulary_key k = vocabulary_key(bare);
 	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
-		sheet_wanted(sheet, key, "a key and a value",
+		sheet_fault_expected(sheet, key, "a key and a value",
 		    "write key%cvalue, or begin a remark with #",
 		    sheet->separator);
 	} else if (n > 2 && k < N_KEY) {
-		sheet_wanted(sheet, third,
+		sheet_fault_expected(sheet, third,
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator, or begin a "
 		    "remark with #; with decimal commas, separate the cells "
@@ -224,7 +224,7 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 		    "remove one of the two lines",
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
-		take_known(site, k, sheet, key, value);
+		take_known_key(site, k, sheet, key, value);
 	} else {
 		bool taken =
 		    n > 1 &&
@@ -247,7 +247,7 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 }
 
 void
-site_heading(const struct layout *layout, struct sheet *sheet,
+site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed)
 {
 	int seen[N_KEY] = {0};

@@ -12,7 +12,7 @@
 struct heading_speed {
 	double mps, rpm;
 };
-void site_heading(const struct layout *layout, struct sheet *sheet,
+void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
 /* The rotor's diameter, mm, as lines outside the tables state it, with the
@@ -22,7 +22,8 @@ struct heading_rotor {
 	int line;
 };
 
-/* Adds what the lines of a layout state to *said, of other layouts so far. */
+/* Adds the rotor that the lines of a layout state to *said, which has those of
+ * earlier layouts. */
 void site_heading_rotor(
     const struct layout *layout, struct heading_rotor *said);
 

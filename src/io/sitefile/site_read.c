@@ -61,7 +61,7 @@ first_sheet(const struct reading *r)
 
 /* Without a table nothing else can be judged. */
 static void
-tell_no_table(struct sheet *sheet)
+fault_no_table(struct sheet *sheet)
 {
 	struct row none = {.line = 1, .end = 1};
 	struct cell found =
@@ -78,12 +78,12 @@ tell_no_table(struct sheet *sheet)
 	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
 		     found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
-		sheet_wanted(sheet, found,
+		sheet_fault_expected(sheet, found,
 		    "a row for each sieve below this line",
 		    "add rows such as 22.4%c100%c100%c100", c, c, c);
 		return;
 	}
-	sheet_wanted(sheet, found, "a table of sieves",
+	sheet_fault_expected(sheet, found, "a table of sieves",
 	    "begin it with a line of headings, "
 	    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for each "
 	    "sieve; or see: template",
@@ -91,7 +91,7 @@ tell_no_table(struct sheet *sheet)
 }
 
 static size_t
-count_role(const struct columns *all, enum role role)
+count_columns_of_role(const struct columns *all, enum role role)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < all->n; i++)
@@ -145,7 +145,8 @@ check_partner(const struct columns *t, const struct column *c)
 		    "expected a product for %s, got none\n"
 		    "add its product column, or remove this one",
 		    c->head.text);
-	if (c->role == PRODUCT && shared == NULL && count_role(t, FEED) > 0 &&
+	if (c->role == PRODUCT && shared == NULL &&
+	    count_columns_of_role(t, FEED) > 0 &&
 	    site_column_repeats(t, FEED, c->speed) == 0)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
@@ -168,7 +169,7 @@ check_sd(const struct columns *all, const struct column *product)
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
 		if (has == has_sd || !(t->mm[i] > 0))
 			continue;
-		sheet_wanted(t->sheet, b,
+		sheet_fault_expected(t->sheet, b,
 		    has ? N_("a standard deviation")
 			: N_("no standard deviation without a product"),
 		    "%s",
@@ -199,8 +200,9 @@ check_twin(const struct columns *all, const struct column *twin)
 			    "say which is to be read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
 			    twin->twin,
-			    text_apart(c->pct[i], twin->pct[i], one),
-			    text_apart(twin->pct[i], c->pct[i], other));
+			    text_distinguishing(c->pct[i], twin->pct[i], one),
+			    text_distinguishing(
+				twin->pct[i], c->pct[i], other));
 			return;
 		}
 	}
@@ -211,7 +213,7 @@ static struct cell
 first_empty(const struct table *t)
 {
 	const struct row *row = &t->row[0];
-	return row->n_all > 1 ? row->cell[1] : site_sieve_head(t);
+	return row->n_all > 1 ? row->cell[1] : site_sieve_heading(t);
 }
 
 /* What the sheets lack. */
@@ -224,14 +226,14 @@ check_roles(struct reading *r)
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
-	else if (count_role(&r->all, FEED) == 0 && !parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+	else if (count_columns_of_role(&r->all, FEED) == 0 && !parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
-	else if (count_role(&r->all, PRODUCT) == 0 && parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_head(r->table[0]),
+	else if (count_columns_of_role(&r->all, PRODUCT) == 0 && parts)
+		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
 }
@@ -239,7 +241,7 @@ check_roles(struct reading *r)
 /* The feed whose coarsest sieve is the coarsest of those that do not pass all;
  * NULL: there is none. */
 static const struct column *
-below_all(const struct columns *all)
+feed_below_top(const struct columns *all)
 {
 	const struct column *found = NULL;
 	for (size_t i = 0; i < all->n; i++) {
@@ -257,13 +259,13 @@ below_all(const struct columns *all)
 static void
 settle_top(struct reading *r, struct site_ask *ask)
 {
-	const struct column *c = below_all(&r->all);
+	const struct column *c = feed_below_top(&r->all);
 	double top = site_column_round(r->request->top, 1e9);
 	char p[32], mm[32];
 	if (c == NULL)
 		return;
 	if (!(top > 0)) {
-		open_top(c, r->request, ask);
+		site_ask_top(c, r->request, ask);
 		return;
 	}
 	const struct table *t = c->table;
@@ -427,7 +429,7 @@ site_read_leave_out_cells(struct reading *r)
 				continue;
 			if (more++ < 3)
 				xlist(&list, ", ", tr("'%.*s' in line %d"),
-				    sheet_cut(text), text,
+				    sheet_cut_length(text), text,
 				    c->table->row[i].line);
 		}
 	}
@@ -484,15 +486,15 @@ leave_out_foot(struct reading *r, const struct page *page)
 		if (row->line > first && !rotor &&
 		    !title_heads_any(page->layout, row))
 			leave_out(r->site, where,
-			    "remark below the table: %.*s", sheet_cut(text),
-			    text);
+			    "remark below the table: %.*s",
+			    sheet_cut_length(text), text);
 	}
 }
 
 /* What stands in the table or below it and was not read.  A line that begins
  * with # may be a sieve that somebody thought away. */
 static void
-tell_left_out(struct reading *r)
+note_left_out(struct reading *r)
 {
 	char where[32];
 	for (size_t p = 0; p < r->n_page; p++) {
@@ -507,7 +509,7 @@ tell_left_out(struct reading *r)
 			if (c->line <= head)
 				continue;
 			snprintf(where, sizeof where, tr("line %d"), c->line);
-			int shown = sheet_cut(c->text);
+			int shown = sheet_cut_length(c->text);
 			leave_out(r->site, where, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
@@ -516,7 +518,7 @@ tell_left_out(struct reading *r)
 		snprintf(where, sizeof where, tr("line %d"), beside->line);
 		if (beside->text != NULL)
 			leave_out(r->site, where, "beside the table: %.*s",
-			    sheet_cut(beside->text), beside->text);
+			    sheet_cut_length(beside->text), beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);
@@ -525,7 +527,7 @@ tell_left_out(struct reading *r)
 
 /* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
 static void
-tell_names(struct reading *r)
+note_sieve_names(struct reading *r)
 {
 	for (size_t k = 0; k < r->n_table; k++) {
 		const struct table *t = r->table[k];
@@ -544,7 +546,7 @@ tell_names(struct reading *r)
 
 /* Whether a table has its sieves twice, which is open then. */
 static bool
-is_twice(struct reading *r, const struct table *t)
+has_sieves_twice(struct reading *r, const struct table *t)
 {
 	size_t again, end = site_sieve_end(t, &again);
 	if (end == t->n_row)
@@ -586,7 +588,7 @@ site_read_read_table(struct reading *r, const struct page *page,
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
-	if (is_twice(r, t))
+	if (has_sieves_twice(r, t))
 		return;
 	site_sieve_check(t);
 	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
@@ -601,7 +603,7 @@ site_read_read_table(struct reading *r, const struct page *page,
 	     i++)
 		if (r->all.column[i].role == NO_ROLE)
 			r->all.column[i].role = lone ? FEED : PRODUCT;
-	open_numbers(&r->open, t);
+	site_ask_find_open_numbers(&r->open, t);
 }
 
 /* What a request says in words: columns=, range=. */
@@ -646,7 +648,7 @@ site_read_read_file(struct reading *r, size_t file)
 	struct source *source = &r->source[r->n_source++];
 	bool read =
 	    q->text != NULL
-		? source_read_text(q->path[file], q->text, r->errors, source)
+		? source_read_memory(q->path[file], q->text, r->errors, source)
 		: source_read(q->path[file], r->errors, source);
 	if (!read || !is_measured(source))
 		return false;
@@ -685,7 +687,7 @@ has_tables(struct reading *r)
 	for (size_t i = 0; i < r->n_page; i++)
 		n += r->page[i].layout->n;
 	if (n == 0 && !r->lost)
-		tell_no_table(first_sheet(r));
+		fault_no_table(first_sheet(r));
 	return n > 0;
 }
 
@@ -714,7 +716,7 @@ read_pages(struct reading *r)
 		struct heading_speed told = {0};
 		if (page->layout->n == 0)
 			continue;
-		site_heading(page->layout, page->sheet, r->site, &told);
+		site_heading_read(page->layout, page->sheet, r->site, &told);
 		take_rotor(r, &rotor);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
@@ -734,7 +736,7 @@ file_of(const struct reading *r, const struct column *c)
 
 /* Of files that each have a feed, a feed is that of the speed of its file. */
 static void
-own_feeds(struct reading *r)
+give_feeds_file_speed(struct reading *r)
 {
 	const double *speed = r->request->speed;
 	bool several = false, all = speed != NULL;
@@ -757,10 +759,10 @@ own_feeds(struct reading *r)
 /* Of a sheet whose feed is wanted, products whose speed is not told are no
  * question; one alone, which is called product, may be meant for the feed. */
 static void
-want_feed(struct reading *r)
+choose_feed_column(struct reading *r)
 {
 	struct columns *all = &r->all;
-	size_t feeds = count_role(all, FEED), n = 0;
+	size_t feeds = count_columns_of_role(all, FEED), n = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];
 		bool open = c->role == PRODUCT && !(c->speed > 0);
@@ -812,7 +814,7 @@ give_feeds_speeds(struct columns *all)
 
 /* Tables under titles that differ in the speed alone are no question. */
 static void
-settle_series(struct reading *r)
+choose_series(struct reading *r)
 {
 	bool parts = r->request->parts;
 	bool tests = title_is_tests(r->table, r->n_table, &r->all);
@@ -824,7 +826,7 @@ settle_series(struct reading *r)
 		give_feeds_speeds(&r->all);
 	r->open.other = NULL;
 	char *speeds = product_speeds(&r->all);
-	if (count_role(&r->all, FEED) > 0)
+	if (count_columns_of_role(&r->all, FEED) > 0)
 		xlist(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
@@ -850,8 +852,8 @@ site_read_finish(struct reading *r)
 		r->site->name = site_heading_name(q->path[0]);
 	}
 	make_runs(r->site, &r->all);
-	tell_left_out(r);
-	tell_names(r);
+	note_left_out(r);
+	note_sieve_names(r);
 	site_describe(r->table, r->n_table, &r->all, r->site);
 	struct site *site = r->site;
 	r->site = NULL;
@@ -901,24 +903,25 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		read_pages(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
-		own_feeds(&r);
+		give_feeds_file_speed(&r);
 		if (request->feed)
-			want_feed(&r);
+			choose_feed_column(&r);
 		if (r.n_table > 0)
 			samples_check(&r.samples, r.table[0]);
-		recognise_settle(&r.all, r.site,
+		recognise_roles(&r.all, r.site,
 		    r.names.others || r.samples.n > 0, &r.open.rotor);
-		settle_series(&r);
+		choose_series(&r);
 		bool open = count_faults(&r) == 0 &&
-			    open_ask(&r.open, request, r.table, r.n_table,
+			    site_ask_open(&r.open, request, r.table, r.n_table,
 				&r.all, ask != NULL ? ask : &none, errors);
 		if (!open) {
 			read_columns(&r);
 			settle_top(&r, ask != NULL ? ask : &none);
 		}
 		if (ask != NULL) {
-			ask->no_feed = count_role(&r.all, FEED) == 0;
-			ask->no_product = count_role(&r.all, PRODUCT) == 0;
+			ask->no_feed = count_columns_of_role(&r.all, FEED) == 0;
+			ask->no_product =
+			    count_columns_of_role(&r.all, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
 			site = site_read_finish(&r);

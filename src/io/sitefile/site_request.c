@@ -9,7 +9,7 @@
 
 /* "AB12" */
 static char *
-corner_text(int column, int line)
+cell_name(int column, int line)
 {
 	char letters[8] = "", *first = letters + sizeof letters - 1;
 	for (int c = column; c > 0 && first > letters; c = (c - 1) / 26)
@@ -20,8 +20,8 @@ corner_text(int column, int line)
 char *
 site_box_text(struct site_box box)
 {
-	char *from = corner_text(box.left, box.top);
-	char *to = corner_text(box.right, box.bottom);
+	char *from = cell_name(box.left, box.top);
+	char *to = cell_name(box.right, box.bottom);
 	char *text = xasprintf("%s:%s", from, to);
 	free(from);
 	free(to);

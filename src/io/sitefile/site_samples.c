@@ -98,12 +98,13 @@ samples_label(const struct table *t, size_t c)
 	for (size_t r = 0; r < t->n_head; r++)
 		if (tells_apart(t, r))
 			return xstrdup(t->head[r].cell[c].text);
-	return layout_head(t, c);
+	return layout_head_text(t, c);
 }
 
 /* Whether a name is that of a column: its label, or a cell that heads it. */
 static bool
-is_called(const struct table *t, size_t c, const char *label, const char *name)
+is_name_of_column(
+    const struct table *t, size_t c, const char *label, const char *name)
 {
 	bool same = text_same(label, name);
 	for (size_t r = 0; r < t->n_head && !same && t->name == NULL; r++)
@@ -162,7 +163,8 @@ samples_take(struct samples *s, struct column *c)
 {
 	char *label = samples_label(c->table, c->at);
 	size_t i = 0;
-	while (i < s->n && !is_called(c->table, c->at, label, s->name[i]))
+	while (
+	    i < s->n && !is_name_of_column(c->table, c->at, label, s->name[i]))
 		i++;
 	free(label);
 	if (i == s->n)

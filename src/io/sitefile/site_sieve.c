@@ -26,7 +26,7 @@ site_sieve_mm(
 {
 	double v;
 	if (cell.text[0] == '\0') {
-		sheet_wanted(sheet, cell, wanted,
+		sheet_fault_expected(sheet, cell, wanted,
 		    "write the sieve size, or remove the row");
 		return NAN;
 	}
@@ -35,7 +35,7 @@ site_sieve_mm(
 	double mm = site_column_round(v * unit, 1e9);
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
 		return mm;
-	sheet_wanted(sheet, cell,
+	sheet_fault_expected(sheet, cell,
 	    v > 0 ? N_("a size from 1e-6 to 1e4 mm") : N_("a positive size"),
 	    "%s",
 	    v > 0 ? tr("check the number and its unit")
@@ -45,11 +45,12 @@ site_sieve_mm(
 
 /* Of a name that no sieve has. */
 static void
-tell_name(struct table *t, struct cell cell)
+fault_unknown_name(struct table *t, struct cell cell)
 {
 	if (sieve_names_series(cell.text) == SIEVE_MESH ||
 	    t->unit.series == SIEVE_MESH) {
-		sheet_wanted(t->sheet, cell, "a mesh number with its series",
+		sheet_fault_expected(t->sheet, cell,
+		    "a mesh number with its series",
 		    "write Tyler, BS or No. (ASTM E11) before the numbers, or "
 		    "head the column with it; or load FILE columns=\"%zu=sieve "
 		    "tyler, ..\"",
@@ -57,7 +58,7 @@ tell_name(struct table *t, struct cell cell)
 		return;
 	}
 	char *nearest = sieve_names_nearest(cell.text);
-	sheet_wanted(t->sheet, cell, "a sieve of ASTM E11",
+	sheet_fault_expected(t->sheet, cell, "a sieve of ASTM E11",
 	    "use the nearest: %s; or begin a remark with # and a word, not a "
 	    "number alone",
 	    nearest);
@@ -73,13 +74,13 @@ row_mm(struct table *t, struct cell cell)
 	if (kind == SIEVE_IS_PAN)
 		return 0;
 	if (kind == SIEVE_IS_SIZE && isnan(mm)) {
-		tell_name(t, cell);
+		fault_unknown_name(t, cell);
 		return NAN;
 	}
 	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
 		return mm;
 	if (isalpha((unsigned char)cell.text[0])) {
-		sheet_wanted(t->sheet, cell, "a sieve size or pan",
+		sheet_fault_expected(t->sheet, cell, "a sieve size or pan",
 		    "remove sums and remarks from the table, or begin their "
 		    "line with #");
 		return NAN;
@@ -110,7 +111,7 @@ standard_share(const struct table *t, double factor, double *most)
 
 /* Whether every size has its own unit or is a name. */
 static bool
-all_named(const struct table *t)
+all_sieves_named(const struct table *t)
 {
 	double v;
 	size_t n = 0;
@@ -128,7 +129,7 @@ all_named(const struct table *t)
 }
 
 static bool
-all_whole(const struct table *t)
+all_sieves_whole(const struct table *t)
 {
 	double v;
 	for (size_t i = 0; i < t->n_row; i++)
@@ -209,9 +210,9 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 {
 	struct numbers all = site_sieve_numbers_of(t);
 	double most, share = standard_share(t, 1, &most);
-	bool mesh = t->unit.series == SIEVE_MESH && all_whole(t);
+	bool mesh = t->unit.series == SIEVE_MESH && all_sieves_whole(t);
 	bool said = (means & WORD_NUMBER) != 0;
-	if (all_named(t))
+	if (all_sieves_named(t))
 		return SIEVES_SAID;
 	/* The letter is that of a diameter, too. */
 	if (t->unit.series == SIEVE_PHI && all.n_beyond == 0)
@@ -316,7 +317,7 @@ is_finest_first(const struct table *t)
 }
 
 struct cell
-site_sieve_head(const struct table *t)
+site_sieve_heading(const struct table *t)
 {
 	return t->n_head > t->titles ? t->head[t->titles].cell[0]
 				     : t->row[0].cell[0];
@@ -354,7 +355,7 @@ site_sieve_check_order(struct table *t)
 enum sieve_certainty
 site_sieve_find(struct table *t, uint64_t told)
 {
-	char *head = layout_head(t, 0);
+	char *head = layout_head_text(t, 0);
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
 	struct head said = head_read(head);
 	bool speeds =
@@ -372,7 +373,7 @@ site_sieve_find(struct table *t, uint64_t told)
 		certainty = SIEVES_OPEN;
 	if (split && certainty == SIEVES_SAID)
 		certainty = SIEVES_ASSUMED;
-	bool own = strncmp(site_sieve_head(t).text, "size_", 5) == 0;
+	bool own = strncmp(site_sieve_heading(t).text, "size_", 5) == 0;
 	bool unit = stated.mm > 0 || stated.series != SIEVE_NONE;
 	if ((told != 0 || own) && certainty == SIEVES_OPEN && unit) {
 		t->unit = stated;
@@ -394,7 +395,7 @@ check_heads(struct table *t)
 {
 	size_t heads = 0;
 	for (size_t c = 0; c < t->n_col; c++) {
-		char *head = layout_head(t, c);
+		char *head = layout_head_text(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
 		free(head);
 	}

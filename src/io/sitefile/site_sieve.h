@@ -19,7 +19,7 @@ enum sieve_certainty {
 enum sieve_certainty site_sieve_find(struct table *t, uint64_t told);
 
 /* Returns the cell that heads the sieves, or the cell of the first sieve. */
-struct cell site_sieve_head(const struct table *t);
+struct cell site_sieve_heading(const struct table *t);
 
 /* Reports sizes that are wrong, out of order or repeated. */
 void site_sieve_check(struct table *t);

@@ -19,7 +19,7 @@ has_speed(const struct head *head)
 /* Whether cell c of a line may head a table: within three lines above it, and
  * no key with its value. */
 static bool
-is_above(const struct table *t, const struct row *row, size_t c)
+can_head_table(const struct table *t, const struct row *row, size_t c)
 {
 	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
 	return row->line < top && row->line >= top - 3 &&
@@ -41,7 +41,7 @@ title_heads_any(const struct layout *layout, const struct row *row)
 	for (size_t b = 0; b < layout->n; b++)
 		for (size_t c = 0; c < row->n; c++) {
 			struct head title = head_read(row->cell[c].text);
-			if (is_above(&layout->table[b], row, c) &&
+			if (can_head_table(&layout->table[b], row, c) &&
 			    is_title(&title))
 				return true;
 		}
@@ -50,7 +50,7 @@ title_heads_any(const struct layout *layout, const struct row *row)
 
 /* One cell with something in it: a title. */
 static bool
-is_alone(const struct row *row)
+has_one_cell(const struct row *row)
 {
 	size_t filled = 0;
 	for (size_t i = 0; i < row->n; i++)
@@ -63,7 +63,7 @@ static void
 note_title(struct table *t, const struct row *row, const char *text,
     const struct head *title)
 {
-	if (!is_alone(row) || text[0] == '\0')
+	if (!has_one_cell(row) || text[0] == '\0')
 		return;
 	if (t->title == NULL)
 		t->title = xstrdup(text);
@@ -87,7 +87,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
-			if (!is_above(t, row, c))
+			if (!can_head_table(t, row, c))
 				continue;
 			struct head title = head_read(row->cell[c].text);
 			note_title(t, row, row->cell[c].text, &title);

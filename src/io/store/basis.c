@@ -52,7 +52,7 @@ static const struct taken {
     {"named", offsetof(struct site, named)}};
 
 static char **
-said_at(struct site *site, const struct taken *taken)
+provenance_field(struct site *site, const struct taken *taken)
 {
 	return (char **)(void *)((char *)site + taken->offset);
 }
@@ -136,7 +136,7 @@ basis_written(const struct basis *b)
 	FILE *out = text_memory(&text, &n);
 	write_fit(b, out);
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		const char *said = *said_at(b->then, &TAKEN[k]);
+		const char *said = *provenance_field(b->then, &TAKEN[k]);
 		if (said[0] != '\0')
 			fprintf(out, "%s=%s\n", TAKEN[k].name, said);
 	}
@@ -212,10 +212,10 @@ cut_off(char *text)
 }
 
 static void
-take_said(struct site *site, const char *lines)
+read_provenance(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		char **said = said_at(site, &TAKEN[k]);
+		char **said = provenance_field(site, &TAKEN[k]);
 		char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
@@ -247,7 +247,7 @@ take_train(struct basis *b, const char *train)
 
 /* What the fields of a material have of its fit. */
 static void
-take_fields(struct basis *b, const struct stored *m)
+basis_from_fields(struct basis *b, const struct stored *m)
 {
 	struct fit *fit = &b->fit;
 	fit->params = m->params;
@@ -265,7 +265,7 @@ take_fields(struct basis *b, const struct stored *m)
 
 /* Whether a calibration can have left it. */
 static bool
-basis_holds(const struct basis *b)
+basis_is_possible(const struct basis *b)
 {
 	const struct breakage *of = breakage_of(&b->fit.params);
 	bool good = b->fit.misfit >= 0 && b->fit.rmse >= 0 && b->weight > 0;
@@ -290,9 +290,9 @@ basis_read_text(struct basis *b, char *text)
 	if (!read_fit(b, text, &train) || b->then == NULL ||
 	    (later != NULL && b->now == NULL) || !take_train(b, train))
 		return false;
-	take_said(b->then, said);
+	read_provenance(b->then, said);
 	if (b->now != NULL)
-		take_said(b->now, said);
+		read_provenance(b->now, said);
 	return true;
 }
 
@@ -307,8 +307,8 @@ basis_from_material(
 	bool good = basis_read_text(b, text);
 	free(text);
 	if (good)
-		take_fields(b, m);
-	return (good && basis_holds(b)) ||
+		basis_from_fields(b, m);
+	return (good && basis_is_possible(b)) ||
 	       error_set(error, ERROR_DATA,
 		   "the runs remembered with '%s' cannot be read\n"
 		   "calibrate on its sheet and remember it again",

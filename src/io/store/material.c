@@ -63,7 +63,7 @@ text_at(struct stored *m, const struct field *f)
 }
 
 static const void *
-at(const struct stored *m, const struct field *f)
+field_of(const struct stored *m, const struct field *f)
 {
 	return (const char *)m + f->offset;
 }
@@ -72,21 +72,21 @@ const char *
 stored_text(const struct stored *m, const struct field *f)
 {
 	assert(f->kind == FIELD_TEXT);
-	return *(char *const *)at(m, f);
+	return *(char *const *)field_of(m, f);
 }
 
 double
 stored_number(const struct stored *m, const struct field *f)
 {
 	assert(f->kind == FIELD_NUMBER);
-	return *(const double *)at(m, f);
+	return *(const double *)field_of(m, f);
 }
 
 int64_t
-stored_whole(const struct stored *m, const struct field *f)
+stored_integer(const struct stored *m, const struct field *f)
 {
 	assert(f->kind == FIELD_WHOLE);
-	return *(const int64_t *)at(m, f);
+	return *(const int64_t *)field_of(m, f);
 }
 
 void
@@ -105,7 +105,7 @@ stored_set_number(struct stored *m, const struct field *f, double value)
 }
 
 void
-stored_set_whole(struct stored *m, const struct field *f, int64_t value)
+stored_set_integer(struct stored *m, const struct field *f, int64_t value)
 {
 	assert(f->kind == FIELD_WHOLE);
 	memcpy((char *)m + f->offset, &value, sizeof value);
@@ -122,7 +122,7 @@ stored_empty(void)
 		else if (f->kind == FIELD_NUMBER)
 			stored_set_number(&m, f, NAN);
 		else if (f->kind == FIELD_WHOLE)
-			stored_set_whole(&m, f, -1);
+			stored_set_integer(&m, f, -1);
 		else
 			stored_set_written(&m, f, "");
 	}
@@ -170,7 +170,7 @@ stored_find(const struct stored_list *list, const char *name)
 }
 
 static int
-by_name(const void *a, const void *b)
+compare_names(const void *a, const void *b)
 {
 	const struct stored_name *x = a, *y = b;
 	int order = strcmp(x->fold, y->fold);
@@ -178,7 +178,7 @@ by_name(const void *a, const void *b)
 }
 
 static int
-to_name(const void *fold, const void *name)
+compare_fold_to_name(const void *fold, const void *name)
 {
 	return strcmp(fold, ((const struct stored_name *)name)->fold);
 }
@@ -191,15 +191,15 @@ stored_index(const struct stored_list *list)
 	for (size_t i = 0; i < list->n; i++)
 		index.name[i] =
 		    (struct stored_name){text_fold(list->item[i].name), i};
-	qsort(index.name, index.n, sizeof *index.name, by_name);
+	qsort(index.name, index.n, sizeof *index.name, compare_names);
 	return index;
 }
 
 const struct stored_name *
 stored_index_find(const struct stored_index *index, const char *fold)
 {
-	return bsearch(
-	    fold, index->name, index->n, sizeof *index->name, to_name);
+	return bsearch(fold, index->name, index->n, sizeof *index->name,
+	    compare_fold_to_name);
 }
 
 void
@@ -212,7 +212,7 @@ stored_index_clear(struct stored_index *index)
 
 /* Parameters there are; 0 where the model is not known. */
 static size_t
-count_of(const struct params *p)
+count_params(const struct params *p)
 {
 	return p->breakage < breakage_count() ? breakage_of(p)->n : 0;
 }
@@ -221,7 +221,7 @@ static char *
 params_written(const struct params *p)
 {
 	char *text = xstrdup(""), number[32];
-	for (size_t j = 0; j < count_of(p); j++)
+	for (size_t j = 0; j < count_params(p); j++)
 		xlist(&text, " ", "%s=%s", breakage_of(p)->parameter[j].name,
 		    text_exact(p->at[j], number));
 	return text;
@@ -257,7 +257,7 @@ stored_set_written(struct stored *m, const struct field *f, const char *text)
 	assert(f->kind == FIELD_PARAMS);
 	for (size_t j = 0; j < PARAMS_MOST; j++)
 		p->at[j] = 0;
-	for (size_t j = 0; j < count_of(p); j++)
+	for (size_t j = 0; j < count_params(p); j++)
 		p->at[j] = param_in(text, breakage_of(p)->parameter[j].name);
 }
 
@@ -268,7 +268,7 @@ stored_written(const struct stored *m, const struct field *f)
 	const struct params *params = &m->params;
 	if (f->kind == FIELD_MODEL)
 		return xstrdup(
-		    count_of(params) > 0 ? breakage_of(params)->name : "");
+		    count_params(params) > 0 ? breakage_of(params)->name : "");
 	if (f->kind == FIELD_PARAMS)
 		return params_written(params);
 	if (f->kind == FIELD_TEXT)
@@ -277,12 +277,12 @@ stored_written(const struct stored *m, const struct field *f)
 		return xstrdup(isfinite(stored_number(m, f))
 				   ? text_exact(stored_number(m, f), number)
 				   : "");
-	int64_t whole = stored_whole(m, f);
+	int64_t whole = stored_integer(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
 void
-stored_each(const struct stored *m, stored_take *take, void *data)
+stored_each_field(const struct stored *m, stored_take *take, void *data)
 {
 	char number[32];
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
@@ -293,7 +293,7 @@ stored_each(const struct stored *m, stored_take *take, void *data)
 			free(text);
 			continue;
 		}
-		for (size_t j = 0; j < count_of(p); j++)
+		for (size_t j = 0; j < count_params(p); j++)
 			take(data, breakage_of(p)->parameter[j].name,
 			    isfinite(p->at[j]) ? text_exact(p->at[j], number)
 					       : "");
@@ -316,7 +316,7 @@ uint64_t
 stored_digest(const struct stored *m)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	stored_each(m, digest_one, &h);
+	stored_each_field(m, digest_one, &h);
 	return h;
 }
 
@@ -352,7 +352,7 @@ static size_t
 wrong_param(const struct params *p)
 {
 	size_t j = 0;
-	while (j < count_of(p) &&
+	while (j < count_params(p) &&
 	       p->at[j] >= breakage_of(p)->parameter[j].least &&
 	       p->at[j] <= breakage_of(p)->parameter[j].most)
 		j++;
@@ -369,12 +369,12 @@ model_names(void)
 }
 
 char *
-stored_wanted(const struct stored *m, const struct field *f)
+stored_expected_text(const struct stored *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_MODEL)
 		return model_names();
-	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_of(p)) {
+	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_params(p)) {
 		const struct param_info *info =
 		    &breakage_of(p)->parameter[wrong_param(p)];
 		return xasprintf(tr("a number from %g to %g for %s"),
@@ -398,26 +398,26 @@ stored_wanted(const struct stored *m, const struct field *f)
 }
 
 char *
-stored_found(const struct stored *m, const struct field *f)
+stored_value_text(const struct stored *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
 		return xasprintf("%g", stored_number(m, f));
-	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_of(p))
+	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_params(p))
 		return xasprintf("%g", p->at[wrong_param(p)]);
 	return stored_written(m, f);
 }
 
 bool
-stored_fits(const struct stored *m, const struct field *f)
+stored_is_valid(const struct stored *m, const struct field *f)
 {
 	size_t choice;
 	if (f->kind == FIELD_MODEL)
 		return m->params.breakage < breakage_count();
 	if (f->kind == FIELD_PARAMS)
-		return wrong_param(&m->params) == count_of(&m->params);
+		return wrong_param(&m->params) == count_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
-		return stored_whole(m, f) >= -1;
+		return stored_integer(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
 		double value = stored_number(m, f);
 		return isnan(value) ? !f->needed
@@ -427,10 +427,10 @@ stored_fits(const struct stored *m, const struct field *f)
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
-		return text_choice(f->choices, text, &choice);
+		return text_find_word(f->choices, text, &choice);
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
-	return stored_is_line(text) &&
+	return stored_is_one_line(text) &&
 	       (strcmp(f->name, "date") != 0 || moment_is_day(text));
 }
 
@@ -446,7 +446,7 @@ stored_check_name(const char *name, struct error *error)
 		    "3, which does not change\nchoose another name",
 		    TABLE3);
 	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST_NAME &&
-	    trimmed && stored_is_line(name) && strchr(name, '"') == NULL)
+	    trimmed && stored_is_one_line(name) && strchr(name, '"') == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected a name of 1 to %d bytes on one line, without quotes and "
@@ -461,7 +461,7 @@ stored_is_table3(const struct stored *m)
 }
 
 bool
-stored_is_line(const char *text)
+stored_is_one_line(const char *text)
 {
 	const char *p = text;
 	while (*p != '\0' && !iscntrl((unsigned char)*p))
@@ -470,7 +470,7 @@ stored_is_line(const char *text)
 }
 
 static void
-set(char **text, char *value)
+replace_string(char **text, char *value)
 {
 	free(*text);
 	*text = value;
@@ -505,11 +505,11 @@ material_read_row(
 		    tr("a number above 0, up to %g,"), column[i].most);
 		if (number_read(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
-			sheet_wanted(sheet, row->cell[i], wanted, NULL);
+			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
 		free(wanted);
 	}
-	set(&m.rock, xstrdup(row->cell[ROCK].text));
-	set(&m.site, xstrdup(row->cell[SITE].text));
+	replace_string(&m.rock, xstrdup(row->cell[ROCK].text));
+	replace_string(&m.site, xstrdup(row->cell[SITE].text));
 	m.feed_source = xstrdup(row->cell[FEED_SOURCE].text);
 	stored_list_add(list, m);
 	return true;
@@ -582,17 +582,17 @@ stored_table3(struct stored_list *list)
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {
 		struct stored m = rows.item[i];
-		set(&m.name, table3_name(&rows, list, i));
-		set(&m.machine, xstrdup("Metso Barmac 5100 SE"));
-		set(&m.provenance,
+		replace_string(&m.name, table3_name(&rows, list, i));
+		replace_string(&m.machine, xstrdup("Metso Barmac 5100 SE"));
+		replace_string(&m.provenance,
 		    xasprintf("measured by the paper's authors and not public; "
 			      "Table 3 of Grunditz et al. (2021), %s; beta is "
 			      "not printed: default",
 			m.feed_source));
-		set(&m.origin, xstrdup("table3"));
-		set(&m.method, xstrdup("continuous"));
-		set(&m.appearance, xstrdup("ratio"));
-		set(&m.train_mps, xstrdup("69,79"));
+		replace_string(&m.origin, xstrdup("table3"));
+		replace_string(&m.method, xstrdup("continuous"));
+		replace_string(&m.appearance, xstrdup("ratio"));
+		replace_string(&m.train_mps, xstrdup("69,79"));
 		m.k = 1;
 		stored_list_add(list, m);
 	}

@@ -84,10 +84,10 @@ void stored_index_clear(struct stored_index *index);
 /* Return or set the value of a field.  stored_set_text copies the text. */
 const char *stored_text(const struct stored *m, const struct field *f);
 double stored_number(const struct stored *m, const struct field *f);
-int64_t stored_whole(const struct stored *m, const struct field *f);
+int64_t stored_integer(const struct stored *m, const struct field *f);
 void stored_set_text(struct stored *m, const struct field *f, const char *text);
 void stored_set_number(struct stored *m, const struct field *f, double value);
-void stored_set_whole(struct stored *m, const struct field *f, int64_t value);
+void stored_set_integer(struct stored *m, const struct field *f, int64_t value);
 
 /* Returns any field as text that reads back as the same value, "" if not known.
  * The caller frees. */
@@ -95,14 +95,14 @@ char *stored_written(const struct stored *m, const struct field *f);
 
 /* Sets the model or the parameters from a text of stored_written; set the model
  * first.  Numbers that are missing or cannot be read become NAN, which
- * stored_fits refuses. */
+ * stored_is_valid refuses. */
 void stored_set_written(
     struct stored *m, const struct field *f, const char *text);
 
 /* Calls take for each known value of m, field by field and parameter by
  * parameter, in the order of FIELDS. */
 typedef void stored_take(void *data, const char *name, const char *text);
-void stored_each(const struct stored *m, stored_take *take, void *data);
+void stored_each_field(const struct stored *m, stored_take *take, void *data);
 
 /* Returns a digest of all known fields of m, which detects a row damaged on the
  * disk. */
@@ -111,14 +111,14 @@ uint64_t stored_digest(const struct stored *m);
 /* Returns method, appearance and k as settings. */
 struct model_settings stored_settings(const struct stored *m);
 
-/* stored_wanted returns what a field is expected to be, "a number from 0 to 100
- * for alpha", for the parameters that of the first wrong one in m.
- * stored_found returns the value in m.  The caller frees both.  stored_fits is
- * true if the value in m is as expected.  For imports and for rows of a file,
- * which may come from others. */
-char *stored_wanted(const struct stored *m, const struct field *f);
-char *stored_found(const struct stored *m, const struct field *f);
-bool stored_fits(const struct stored *m, const struct field *f);
+/* stored_expected_text returns what a field is expected to be, "a number from 0
+ * to 100 for alpha", for the parameters that of the first wrong one in m.
+ * stored_value_text returns the value in m.  The caller frees both.
+ * stored_is_valid is true if the value in m is as expected.  For imports and
+ * for rows of a file, which may come from others. */
+char *stored_expected_text(const struct stored *m, const struct field *f);
+char *stored_value_text(const struct stored *m, const struct field *f);
+bool stored_is_valid(const struct stored *m, const struct field *f);
 
 /* True if a name is a line of 1 to 60 bytes without a double quote, does not
  * begin with # and is not a name of Table 3 ("table3/..."). */
@@ -129,7 +129,7 @@ bool stored_is_table3(const struct stored *m);
 bool stored_is_table3_name(const char *name);
 
 /* True if a text is one line of UTF-8 without control characters. */
-bool stored_is_line(const char *text);
+bool stored_is_one_line(const char *text);
 
 /* Adds the rows of a file such as data/table3.csv, with the default beta, as
  * the table does not print beta: columns rock, site, top_size_mm, f_mat,

@@ -53,7 +53,7 @@ const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
 
 /* exact(number): the shortest text that reads back the same, for the steps. */
 static void
-exact(sqlite3_context *context, int n, sqlite3_value **value)
+sql_exact(sqlite3_context *context, int n, sqlite3_value **value)
 {
 	char number[32];
 	(void)n;
@@ -134,7 +134,7 @@ schema_run(sqlite3 *db, const char *path, const char *sql, struct error *error)
 /* The first value of the first row as text, which the caller frees; NULL
  * without a row or after a failure. */
 static char *
-ask(sqlite3 *db, const char *sql)
+query_text(sqlite3 *db, const char *sql)
 {
 	sqlite3_stmt *stmt = NULL;
 	char *text = NULL;
@@ -150,9 +150,9 @@ ask(sqlite3 *db, const char *sql)
 
 /* A whole number; -1 after a failure. */
 static long
-ask_whole(sqlite3 *db, const char *sql)
+query_integer(sqlite3 *db, const char *sql)
 {
-	char *text = ask(db, sql);
+	char *text = query_text(db, sql);
 	long value = text != NULL ? strtol(text, NULL, 10) : -1;
 	free(text);
 	return value;
@@ -161,11 +161,11 @@ ask_whole(sqlite3 *db, const char *sql)
 /* A file that is written is in WAL mode from then on.  To change the mode takes
  * the whole file, and SQLite does not wait for that by itself. */
 static bool
-use_wal(sqlite3 *db, const char *path, struct error *error)
+set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 {
 	const struct timespec pause = {0, PAUSE_MS * 1000000L};
 	for (int waited = 0;; waited += PAUSE_MS) {
-		char *mode = ask(db, "PRAGMA journal_mode = WAL");
+		char *mode = query_text(db, "PRAGMA journal_mode = WAL");
 		bool done = mode != NULL && (strcmp(mode, "wal") == 0 ||
 						strcmp(mode, "memory") == 0);
 		bool busy =
@@ -184,7 +184,7 @@ use_wal(sqlite3 *db, const char *path, struct error *error)
 static bool
 run_steps(sqlite3 *db, const char *path, struct error *error)
 {
-	long version = ask_whole(db, "PRAGMA user_version");
+	long version = query_integer(db, "PRAGMA user_version");
 	if (version < 0)
 		return schema_fail(db, path, error);
 	for (long i = version; i < STORE_SCHEMA; i++)
@@ -220,9 +220,9 @@ static bool
 check_integrity(sqlite3 *db, const char *path, struct error *error)
 {
 	const long small = 1024;
-	if (ask_whole(db, "PRAGMA page_count") > small)
+	if (query_integer(db, "PRAGMA page_count") > small)
 		return true;
-	char *found = ask(db, "PRAGMA integrity_check(1)");
+	char *found = query_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
 		schema_fail(db, path, error);
@@ -239,7 +239,7 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 static bool
 refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 {
-	char *program = ask(db, "SELECT program FROM about");
+	char *program = query_text(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which reads schemas up to %d\n"
@@ -256,11 +256,11 @@ store_look(sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
 		return schema_fail(db, path, error);
-	long tables = ask_whole(db, "SELECT count(*) FROM sqlite_master");
+	long tables = query_integer(db, "SELECT count(*) FROM sqlite_master");
 	if (tables < 0)
 		return schema_fail(db, path, error);
-	long application = ask_whole(db, "PRAGMA application_id");
-	*version = ask_whole(db, "PRAGMA user_version");
+	long application = query_integer(db, "PRAGMA application_id");
+	*version = query_integer(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
 	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
 		return error_at(error, ERROR_DATA, path, 0, 0,
@@ -278,7 +278,7 @@ add_functions(sqlite3 *db)
 	const int flags =
 	    SQLITE_UTF8 | SQLITE_DIRECTONLY | SQLITE_DETERMINISTIC;
 	sqlite3_create_function_v2(
-	    db, "exact", 1, flags, NULL, exact, NULL, NULL, NULL);
+	    db, "exact", 1, flags, NULL, sql_exact, NULL, NULL, NULL);
 	sqlite3_create_function_v2(
 	    db, "folded", 1, flags, NULL, folded, NULL, NULL, NULL);
 }
@@ -333,7 +333,7 @@ store_prepare(
 {
 	bool stale = version < STORE_SCHEMA && (make || version > 0);
 	return (!stale || migrate(db, path, error)) &&
-	       (!make || (use_wal(db, path, error) &&
+	       (!make || (set_wal_mode(db, path, error) &&
 			     schema_run(db, path, INDEX, error)));
 }
 
@@ -394,7 +394,7 @@ store_new(const char *path)
 	struct store *store = xcalloc(1, sizeof *store);
 	store->own_folder = path == NULL;
 	store->path = path != NULL ? xstrdup(path)
-				   : home_path("XDG_DATA_HOME", ".local/share",
+				   : xdg_path("XDG_DATA_HOME", ".local/share",
 					 "store.db");
 	if (store->path == NULL)
 		store->path = xstrdup("");
@@ -442,7 +442,7 @@ store_bytes(const struct store *store)
 static bool
 make_folders(const char *path, struct error *error)
 {
-	char *closed = home_make_folders(path);
+	char *closed = xdg_make_folders(path);
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
@@ -475,7 +475,7 @@ store_begin_change(
 }
 
 static void
-end(struct store *store, sqlite3 *db)
+close_unless_memory(struct store *store, sqlite3 *db)
 {
 	if (db != store->memory)
 		sqlite3_close(db);
@@ -508,10 +508,10 @@ digest_text(const struct stored *m)
 
 /* A name as it can be read and typed, whoever made it: shown, and cut. */
 static char *
-label_of(const char *name)
+shown_name(const char *name)
 {
 	enum { MOST = 60 };
-	char *label = text_shown(name);
+	char *label = text_escaped(name);
 	size_t n = strlen(label);
 	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
 		n--;
@@ -526,12 +526,12 @@ static bool
 check_fields(const struct stored *m, struct error *error)
 {
 	const struct field *f = FIELDS;
-	while (f < FIELDS + FIELD_COUNT && stored_fits(m, f))
+	while (f < FIELDS + FIELD_COUNT && stored_is_valid(m, f))
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
-	char *label = label_of(m->name), *wanted = stored_wanted(m, f),
-	     *found = stored_found(m, f);
+	char *label = shown_name(m->name), *wanted = stored_expected_text(m, f),
+	     *found = stored_value_text(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct the source of this material",
@@ -549,7 +549,7 @@ check_row(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
 {
 	char *of_name = text_fold(m->name), *of_row = digest_text(m);
-	char *label = label_of(m->name);
+	char *label = shown_name(m->name);
 	bool good = check_fields(m, error);
 	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
 		good = error_set(error, ERROR_DATA,
@@ -579,7 +579,7 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 			stored_set_number(
 			    m, f, sqlite3_column_double(stmt, i + 2));
 		else if (f->kind == FIELD_WHOLE && !none)
-			stored_set_whole(
+			stored_set_integer(
 			    m, f, sqlite3_column_int64(stmt, i + 2));
 		else if (f->kind >= FIELD_MODEL)
 			stored_set_written(m, f, column_text(stmt, i + 2));
@@ -587,7 +587,7 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 	if (check_row(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
 	if (error != NULL)
-		error_place(error, store->path, 0, 0);
+		error_set_place(error, store->path, 0, 0);
 	stored_free(m);
 	return false;
 }
@@ -596,7 +596,7 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
  * least and the most top size, ?5 that wanted, ?6 the most rows, ?7 their
  * distance. */
 static char *
-conditions(const struct store_query *q)
+where_clause(const struct store_query *q)
 {
 	/* Rows that are not wanted are not read: an index has what tells. */
 	char *where = xstrdup(
@@ -653,7 +653,7 @@ static bool
 store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
     struct stored_list *list, struct error *error)
 {
-	char *where = conditions(q),
+	char *where = where_clause(q),
 	     *after = xasprintf("%s ORDER BY fold", where);
 	char *sql = columns("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
@@ -683,7 +683,7 @@ store_find(struct store *store, const struct store_query *query,
 	if (!store_begin_change(store, false, &db, error))
 		return false;
 	bool ok = db == NULL || store_read_rows(store, db, query, list, error);
-	end(store, db);
+	close_unless_memory(store, db);
 	return ok;
 }
 
@@ -701,15 +701,15 @@ store_count(struct store *store, size_t *n, struct error *error)
 	if (!store_begin_change(store, false, &db, error))
 		return false;
 	long found =
-	    db != NULL ? ask_whole(db, "SELECT count(*) FROM material") : 0;
+	    db != NULL ? query_integer(db, "SELECT count(*) FROM material") : 0;
 	bool ok = found >= 0 || schema_fail(db, store->path, error);
 	*n = ok ? (size_t)found : 0;
-	end(store, db);
+	close_unless_memory(store, db);
 	return ok;
 }
 
 bool
-store_each(struct store *store, enum store_word what,
+store_each_name(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data, struct error *error)
 {
 	static const char *const SQL[] = {
@@ -726,13 +726,13 @@ store_each(struct store *store, enum store_word what,
 		take(data, column_text(stmt, 0));
 	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
 	sqlite3_finalize(stmt);
-	end(store, db);
+	close_unless_memory(store, db);
 	return ok;
 }
 
 /* One end of the names from fold ?1 to ?2, ?3 of them. */
 static bool
-take_end(struct store *store, sqlite3 *db, bool first, const char *fold,
+list_one_end(struct store *store, sqlite3 *db, bool first, const char *fold,
     size_t most, size_t *n, void (*take)(void *data, const char *name),
     void *data, struct error *error)
 {
@@ -769,12 +769,13 @@ store_begin(struct store *store, const char *beginning, size_t most,
 	if (!store_begin_change(store, false, &db, error))
 		return false;
 	char *fold = text_fold(beginning);
-	bool ok = db == NULL ||
-		  take_end(store, db, true, fold, most, &n, take, data, error);
+	bool ok = db == NULL || list_one_end(store, db, true, fold, most, &n,
+				    take, data, error);
 	if (ok && n == most)
-		ok = take_end(store, db, false, fold, 1, &n, take, data, error);
+		ok = list_one_end(
+		    store, db, false, fold, 1, &n, take, data, error);
 	free(fold);
-	end(store, db);
+	close_unless_memory(store, db);
 	return ok;
 }
 
@@ -794,8 +795,8 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 		else if (f->kind == FIELD_NUMBER &&
 			 isfinite(stored_number(m, f)))
 			sqlite3_bind_double(stmt, i + 3, stored_number(m, f));
-		else if (f->kind == FIELD_WHOLE && stored_whole(m, f) >= 0)
-			sqlite3_bind_int64(stmt, i + 3, stored_whole(m, f));
+		else if (f->kind == FIELD_WHOLE && stored_integer(m, f) >= 0)
+			sqlite3_bind_int64(stmt, i + 3, stored_integer(m, f));
 		if (f->kind < FIELD_MODEL)
 			continue;
 		char *text = stored_written(m, f);
@@ -864,21 +865,21 @@ store_put(struct store *store, const struct stored *item, size_t n,
 		ok = store_put_rows(store, db, item, n, replace, error);
 		ok = commit(store, db, ok, error);
 	}
-	end(store, db);
+	close_unless_memory(store, db);
 	return ok;
 }
 
 /* The fold of the row whose name is shown so, which the caller frees; NULL if
  * there is none. */
 static char *
-fold_shown_as(sqlite3 *db, const char *name)
+find_fold_by_shown_name(sqlite3 *db, const char *name)
 {
 	sqlite3_stmt *stmt = NULL;
 	char *fold = NULL;
 	sqlite3_prepare_v2(
 	    db, "SELECT fold, name FROM material", -1, &stmt, NULL);
 	while (fold == NULL && sqlite3_step(stmt) == SQLITE_ROW) {
-		char *label = label_of(column_text(stmt, 1));
+		char *label = shown_name(column_text(stmt, 1));
 		if (text_same(label, name))
 			fold = xstrdup(column_text(stmt, 0));
 		free(label);
@@ -913,7 +914,7 @@ forget_row(
 	char *fold = text_fold(name);
 	bool ok = delete_row(store, db, fold, &n, error);
 	free(fold);
-	fold = ok && n == 0 ? fold_shown_as(db, name) : NULL;
+	fold = ok && n == 0 ? find_fold_by_shown_name(db, name) : NULL;
 	if (fold != NULL)
 		ok = delete_row(store, db, fold, &n, error);
 	free(fold);
@@ -937,6 +938,6 @@ store_forget(struct store *store, const char *name, struct error *error)
 		    "run 'remember' first: the store is empty",
 		    name);
 	bool ok = forget_row(store, db, name, error);
-	end(store, db);
+	close_unless_memory(store, db);
 	return ok;
 }

@@ -49,11 +49,11 @@ extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
 bool store_list(
     struct store *store, struct stored_list *list, struct error *error);
 
-/* Selects some of the user's own materials; zeros select all.  most: only so
- * many, the nearest to rock ("": any) and to top, the wanted top size, mm;
+/* Selects some of the user's own materials; zeros select all.  most: at most
+ * this many, the nearest to rock ("": any) and to top, the wanted top size, mm;
  * without most they must be of the rock and of a size from top_least to
- * top_most, mm.  first: only the first so many by name.  apart: only every so
- * many-th. */
+ * top_most, mm.  first: at most this many, by name.  apart: only every
+ * apart-th. */
 struct store_query {
 	const char *name, *rock; /* without case and accents; NULL: any */
 	double top_least, top_most, top;
@@ -70,7 +70,7 @@ bool store_count(struct store *store, size_t *n, struct error *error);
 /* Calls take for each name of the user's materials, or once for each of their
  * rocks. */
 enum store_word { STORE_NAMES, STORE_ROCKS };
-bool store_each(struct store *store, enum store_word what,
+bool store_each_name(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data,
     struct error *error);
 

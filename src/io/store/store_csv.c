@@ -110,7 +110,7 @@ store_csv_save(
 /* Whether a file has to have the column: exports of old have no model and no
  * basis, and each model its own parameters. */
 static bool
-is_asked(const struct column *c)
+is_required(const struct column *c)
 {
 	if (c->field != NULL)
 		return c->field->kind != FIELD_MODEL &&
@@ -131,7 +131,7 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 		while (c < n && !text_same(cell.text, column_name(&column[c])))
 			c++;
 		if (c == n)
-			sheet_wanted(sheet, cell,
+			sheet_fault_expected(sheet, cell,
 			    "the name of a column of 'export'",
 			    "use the columns that 'export' writes");
 		else if (column[c].at != SIZE_MAX)
@@ -146,7 +146,7 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 	/* A file of another kind lacks most: the name stands for all. */
 	bool other = column[0].at == SIZE_MAX;
 	for (size_t c = 0; c < (other ? 1 : n); c++)
-		if (column[c].at == SIZE_MAX && is_asked(&column[c]) &&
+		if (column[c].at == SIZE_MAX && is_required(&column[c]) &&
 		    (column[c].field != NULL || !other_model))
 			sheet_fault(sheet, sheet_cell(head, head->n),
 			    "expected a column %s, got none\n"
@@ -160,7 +160,7 @@ store_csv_take_value(struct sheet *sheet, struct cell cell,
     const struct field *f, struct stored *m)
 {
 	double value;
-	char *wanted = stored_wanted(m, f);
+	char *wanted = stored_expected_text(m, f);
 	bool read = true;
 	if (f->kind == FIELD_TEXT)
 		stored_set_text(m, f, cell.text);
@@ -168,8 +168,8 @@ store_csv_take_value(struct sheet *sheet, struct cell cell,
 		stored_set_written(m, f, cell.text);
 	else if ((read = number_read(sheet, cell, wanted, &value)))
 		stored_set_number(m, f, value);
-	if (read && !stored_fits(m, f))
-		sheet_wanted(sheet, cell, wanted, NULL);
+	if (read && !stored_is_valid(m, f))
+		sheet_fault_expected(sheet, cell, wanted, NULL);
 	free(wanted);
 }
 
@@ -190,7 +190,7 @@ take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
 	else if (number_read(sheet, cell, wanted, &value)) {
 		m->params.at[j] = value;
 		if (value < info->least || value > info->most)
-			sheet_wanted(sheet, cell, wanted, NULL);
+			sheet_fault_expected(sheet, cell, wanted, NULL);
 	}
 	free(wanted);
 }
@@ -206,9 +206,10 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	} else if (f->kind != FIELD_WHOLE) {
 		store_csv_take_value(sheet, cell, f, m);
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
-		stored_set_whole(m, f, (int64_t)whole);
+		stored_set_integer(m, f, (int64_t)whole);
 	} else {
-		sheet_wanted(sheet, cell, "a whole number below 2^63", NULL);
+		sheet_fault_expected(
+		    sheet, cell, "a whole number below 2^63", NULL);
 	}
 }
 

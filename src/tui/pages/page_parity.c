@@ -28,7 +28,7 @@ parity_compare(struct tui *t, const struct entry *entry)
 	const struct session *s = t->session;
 	struct parity *y = &t->view.parity;
 	struct error error = {0};
-	if (!entry->has_params || !answers_known(s, entry, &error))
+	if (!entry->has_params || !answers_check_params(s, entry, &error))
 		return;
 	const struct posterior *posterior =
 	    outlook_posterior(s, entry, CORRECTION_TRAIN);
@@ -349,8 +349,7 @@ parity_words(const struct tui *t)
 }
 
 const struct page_ops page_parity = {.name = N_("Parity"),
-    .hints = N_("Up/Down site  ? keys  q quit  1-5 pages  <-/-> speed  "
-		": command"),
+    .hints = N_("Up/Down run  ? keys  q quit  1-5 pages  : command"),
     .update = parity_update,
     .draw = parity_draw,
     .list = &POINTS,

@@ -69,7 +69,7 @@ sites_row_at(struct site_row *row, const struct tui *t)
 	struct error error = {0};
 	row->p50 = NAN;
 	row->beyond = false;
-	if (!answers_known(s, e, &error))
+	if (!answers_check_params(s, e, &error))
 		return;
 	bool here = e == tui_current_entry(t);
 	struct prediction p = forecast_whole(s, here ? tui_asked(t) : e, speed,
@@ -91,7 +91,7 @@ sites_row_of(const struct session *s, size_t i)
 	/* That of a site under way is not known yet. */
 	row.lit = row.lit && session_fitting(s) != e;
 	if (row.lit) {
-		struct trust t = light_of(s, e, NULL);
+		struct trust t = light_of_prediction(s, e, NULL);
 		row.light = t.light;
 		row.verdict = e->has_fit ? light_verdict(s, e, NULL) : NULL;
 		trust_free(&t);
@@ -377,7 +377,7 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	for (size_t j = 0; e->has_params && j < of->n; j++)
 		xappend(&text[1], "%s%s=%.4g", j > 0 ? "  " : "",
 		    of->parameter[j].name, e->params.at[j]);
-	char *label = session_label(e->site);
+	char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
 	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
@@ -386,8 +386,28 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	free(label);
 }
 
-/* In the rows at the foot of the page from `first` on. */
+/* The curves of the site under the cursor, between its row and what is told of
+ * it. */
 static void
+draw_preview(struct tui *t, struct area area)
+{
+	enum { LEAST = 7, NAMES = 16, MOST = 30 };
+	const size_t at = t->ui.list[PAGE_SITES].at;
+	struct plot_request request = plots_request(PLOT_PSD);
+	if (area.rows < LEAST)
+		return;
+	area.rows = area.rows > MOST ? MOST : area.rows;
+	request.entry =
+	    at == t->session->current ? tui_asked(t) : &t->session->entry[at];
+	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
+	request.strip = 0;
+	request.speed = t->ui.tenths / 10.0;
+	pane_plot(t, &request, &area);
+}
+
+/* In the rows at the foot of the page from `first` on; returns how many it
+ * leaves. */
+static int
 draw_site(const struct tui *t, const struct area *area, int first)
 {
 	enum { LABEL = 2 };
@@ -396,7 +416,7 @@ draw_site(const struct tui *t, const struct area *area, int first)
 	int rows[ABOUT], left = area->rows - first;
 	tell_site(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
-		rows[i] = text_rows(text[i], area->columns);
+		rows[i] = text_count_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
 		left -= rows[i];
 	}
@@ -407,12 +427,13 @@ draw_site(const struct tui *t, const struct area *area, int first)
 		    k == LABEL ? LOOK_BOLD : LOOK_PLAIN, text[k], " ..");
 		free(text[k]);
 	}
+	return left;
 }
 
 static void
 sites_draw(struct tui *t)
 {
-	enum { HEAD = 1 };
+	enum { HEAD = 1, GAPS = 2 };
 	const struct area area = pane_list_area(t);
 	sites_update(t);
 	if (t->session->n_entry == 0) {
@@ -420,10 +441,15 @@ sites_draw(struct tui *t)
 		return;
 	}
 	table_draw(t, &area, &TABLE, t->view.site_width);
-	if (rows_count(t) == 0)
+	int first = (int)rows_count(t) + HEAD;
+	if (first == HEAD)
 		screen_text(&area, HEAD, 2, 0, "no site has this word: Esc");
-	else if ((int)rows_count(t) + HEAD + 1 < area.rows)
-		draw_site(t, &area, (int)rows_count(t) + HEAD);
+	if (first == HEAD || first + 1 >= area.rows)
+		return;
+	struct area preview = area;
+	preview.row += first + 1;
+	preview.rows = draw_site(t, &area, first) - GAPS;
+	draw_preview(t, preview);
 }
 
 static size_t

@@ -74,10 +74,10 @@ dialog_share_rows(
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
 	struct parts p = {0};
 	p.line = at_most(1, &left);
-	p.text = at_most(text_rows(asks, columns), &left);
+	p.text = at_most(text_count_rows(asks, columns), &left);
 	p.table = at_most(table < LEAST ? table : LEAST, &left);
-	p.about = at_most(text_rows(about(q), columns), &left);
-	int hint = text_rows(q->hint, columns);
+	p.about = at_most(text_count_rows(about(q), columns), &left);
+	int hint = text_count_rows(q->hint, columns);
 	p.hint = hint <= left ? at_most(hint, &left) : 0;
 	p.table += at_most(table - p.table, &left);
 	p.gap = table > 0 && left >= 2 ? 2 : 0;

@@ -121,7 +121,7 @@ shared(const struct completion *c)
 	const char *first = c->candidate[0].text;
 	size_t n = strlen(first);
 	for (size_t i = 1; i < c->n; i++) {
-		size_t same = text_shared(first, c->candidate[i].text);
+		size_t same = text_shared_prefix(first, c->candidate[i].text);
 		n = same < n ? same : n;
 	}
 	return n;

@@ -56,7 +56,7 @@ envelope_check_update(struct tui *t)
 		    xcalloc(1, sizeof *t->view.envelope_check);
 		t->view.envelope_check->revision = t->view.revision;
 		t->view.envelope_check->feed = tui_feed(t);
-		t->view.envelope_check->open = grading_in_use(t->session,
+		t->view.envelope_check->open = grading_open_in_use(t->session,
 		    tui_asked(t), t->view.envelope_check->feed,
 		    &t->view.envelope_check->grading, &error);
 	}

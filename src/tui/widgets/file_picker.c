@@ -83,7 +83,7 @@ file_picker_run(struct tui *t, const char *line, bool estimates)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
 	size_t products = site_products(entry->site);
-	char *label = session_label(entry->site);
+	char *label = session_site_label(entry->site);
 	if (estimates || products == 0)
 		type_guess(t);
 	else if (!entry->has_params)

@@ -30,13 +30,13 @@ enum { MANY = 4 };
 bool
 goal_known(const struct tui *t)
 {
-	return goals_known(t->session, &t->view.goal);
+	return goals_search_done(t->session, &t->view.goal);
 }
 
 bool
 goal_pending(const struct tui *t)
 {
-	return goals_pending(t->session, &t->view.goal, tui_feed(t));
+	return goals_need_search(t->session, &t->view.goal, tui_feed(t));
 }
 
 double
@@ -138,7 +138,7 @@ complete_goal(struct edit *y)
 		if (first == NULL)
 			first = xstrdup(name);
 		else
-			first[text_shared(first, name)] = '\0';
+			first[text_shared_prefix(first, name)] = '\0';
 	}
 	standards_free(standards);
 	if (first != NULL && strlen(first) > strlen(word)) {

@@ -226,13 +226,13 @@ draw_pace(const struct tui *t, int row)
 static char *
 verdict_words(const struct tui *t, const struct entry *entry)
 {
-	struct trust light = light_of(t->session, entry, NULL);
+	struct trust light = light_of_prediction(t->session, entry, NULL);
 	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
 	    why_stopped(entry->fit.stop), (unsigned long long)entry->fit.seed,
 	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	if (!plots_past_runs(t->session, tui_current_entry(t)) ||
+	if (!plots_past_is_running(t->session, tui_current_entry(t)) ||
 	    !t->session->job.held_back)
 		return words;
 	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
