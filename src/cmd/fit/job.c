@@ -497,7 +497,7 @@ run_ahead(void *data, size_t piece, unsigned thread)
 
 /* The present round and those after it, `most` at most. */
 static size_t
-begin_ahead(struct session *s, struct ahead *ahead, size_t most)
+list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
@@ -562,7 +562,7 @@ session_rounds(struct session *s)
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
 	FREED struct ahead *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = begin_ahead(s, ahead, most);
+	size_t n = list_rounds_ahead(s, ahead, most);
 	struct pool *pool = pool_new(threads);
 	pool_run(pool, n, run_ahead, ahead);
 	pool_free(pool);
