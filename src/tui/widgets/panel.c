@@ -470,7 +470,7 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_FEED] = N_("unusual feed"),
     [TRUST_BOUND] = N_("a parameter at its bound"),
     [TRUST_MACHINE] = N_("another machine"),
-    [TRUST_ORIGIN] = N_("parameters from elsewhere")};
+    [TRUST_ORIGIN] = N_("not calibrated here")};
 
 /* What stands before its colon, or a few words, where there is no room for all
  * of it. */
