@@ -214,7 +214,7 @@ main_run(struct session *s, const struct invocation *in, int argc, char **argv)
 	int status = 0;
 	bool prompt = in->n_action == 0 && terminal_is_interactive();
 	if (prompt)
-		repl_begin(s);
+		repl_greet(s);
 	if (in->first_file < argc)
 		status = open_files(s, argv + in->first_file,
 		    (size_t)(argc - in->first_file), prompt);

@@ -15,7 +15,7 @@ static void
 print_texts(FILE *out)
 {
 	manual_texts(out);
-	keys_texts(manual_text, out);
+	keys_print_texts(manual_text, out);
 }
 
 static const struct {

@@ -420,7 +420,7 @@ set_up_readline(struct session *s)
 }
 
 void
-repl_begin(struct session *s)
+repl_greet(struct session *s)
 {
 	fprintf(stderr,
 	    tr("tipspeed %s: help lists the commands, tui is the full screen, "

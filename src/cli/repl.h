@@ -7,7 +7,7 @@
 
 /* Prints a greeting and runs the user's init file; called before the files of
  * the command line are opened. */
-void repl_begin(struct session *s);
+void repl_greet(struct session *s);
 
 /* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
  * status: 0, 143 or 129.  Errors are printed and the next line is read.

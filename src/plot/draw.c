@@ -147,7 +147,8 @@ flow_legend(struct layout *l, int row)
 /* Text in lines as wide as the canvas, from row on; only counted where row is
  * negative.  Returns how many. */
 static int
-flow_text(struct layout *l, int row, const char *text, unsigned attribute)
+draw_wrapped_text(
+    struct layout *l, int row, const char *text, unsigned attribute)
 {
 	char *wrapped = text_wrapped(text, l->canvas->columns), *save = NULL;
 	int rows = 0;
@@ -166,7 +167,7 @@ flow_notes(struct layout *l, int row)
 	int rows = l->words & CHART_LEGEND ? flow_legend(l, row) : 0;
 	size_t n = l->words & CHART_NOTES ? l->chart->n_note : 0;
 	for (size_t i = 0; i < n; i++)
-		rows += flow_text(
+		rows += draw_wrapped_text(
 		    l, row < 0 ? row : row + rows, l->chart->note[i], 0);
 	return rows;
 }
@@ -176,7 +177,7 @@ static int
 flow_foot(struct layout *l, int row)
 {
 	char *text = xasprintf(tr("data: %s"), l->chart->about);
-	int rows = flow_text(l, row, text, CELL_DIM);
+	int rows = draw_wrapped_text(l, row, text, CELL_DIM);
 	free(text);
 	return rows;
 }

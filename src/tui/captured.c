@@ -12,7 +12,7 @@
 
 /* What is said next is for this screen, which has no use for escapes. */
 void
-captured_forget(struct tui *t)
+captured_clear(struct tui *t)
 {
 	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
 	screen_size(&screen.rows, &screen.columns);
@@ -22,7 +22,7 @@ captured_forget(struct tui *t)
 }
 
 void
-captured_error(
+captured_add_error(
     void *t, const struct error *e, const char *line, const char *name)
 {
 	char place[sizeof e->file + 32] = "";

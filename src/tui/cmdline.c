@@ -28,7 +28,7 @@ draw_screen(struct tui *t, const char *line)
 {
 	struct error error = {0};
 	size_t next;
-	captured_forget(t);
+	captured_clear(t);
 	bool ok =
 	    session_line(t->session, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(t->command);
@@ -38,7 +38,7 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		captured_show(t);
 	else
-		captured_error(t, &error, line, ERROR_TYPED);
+		captured_add_error(t, &error, line, ERROR_TYPED);
 }
 
 /* What a shell command wrote stays until it is read. */
@@ -71,7 +71,7 @@ feed_typed(const char *line)
 /* Whether the page Predict shows all that a line asks: the site's product at a
  * speed, with a feed and a machine of its own. */
 static bool
-only_moves(const char *line)
+is_shown_by_page_predict(const char *line)
 {
 	static const char *const MORE[] = {
 	    " rotor_mm=", " cascade=", " k=", " sieves=", " cut="};
@@ -95,9 +95,9 @@ enum meeting {
 };
 
 static enum meeting
-meeting(const struct tui *t, const char *line)
+conflict_with_job(const struct tui *t, const char *line)
 {
-	const struct command *command = control_command(line);
+	const struct command *command = control_find_command(line);
 	if (!session_busy(t->session))
 		return MEETS_NONE;
 	if (command == NULL)
@@ -112,7 +112,7 @@ meeting(const struct tui *t, const char *line)
 /* On within bounds that were edited in a search; where it was paused the user
  * says when. */
 static void
-go_on_within(struct tui *t, bool edited)
+continue_within_bounds(struct tui *t, bool edited)
 {
 	bool on = t->session->job.paused;
 	if (control_run(t, on ? "continue" : "calibrate") && on && edited)
@@ -121,7 +121,7 @@ go_on_within(struct tui *t, bool edited)
 
 /* Says more behind what a line has said, where no text has opened. */
 static void
-say_more(struct tui *t, const char *more)
+append_to_message(struct tui *t, const char *more)
 {
 	char *said = xstrdup(t->message);
 	if (t->viewer.text == NULL)
@@ -147,9 +147,9 @@ tell_feed(struct tui *t, const char *line)
 /* What a line that was run has said; of a search that it began the page
  * tells. */
 static void
-tell(struct tui *t, const char *line, bool ok, bool began)
+show_result_message(struct tui *t, const char *line, bool ok, bool began)
 {
-	bool moved_only = only_moves(line);
+	bool moved_only = is_shown_by_page_predict(line);
 	fflush(t->said);
 	/* What a check found, the other faults of a sheet. */
 	if (!ok && t->said_n > 0)
@@ -157,7 +157,7 @@ tell(struct tui *t, const char *line, bool ok, bool began)
 	if (!began && (ok ? !moved_only : t->said_n > 0))
 		captured_show(t);
 	if (ok && !moved_only &&
-	    control_command(line) == command_find("predict"))
+	    control_find_command(line) == command_find("predict"))
 		tell_feed(t, line);
 }
 
@@ -171,15 +171,15 @@ run_typed(struct tui *t, const char *line)
 	const bool was_busy = session_busy(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
-	enum meeting meets = meeting(t, line);
-	if (control_command(line) == command_find("screen")) {
+	enum meeting meets = conflict_with_job(t, line);
+	if (control_find_command(line) == command_find("screen")) {
 		draw_screen(t, line);
 		return;
 	}
 	if (meets != MEETS_NONE)
-		stopped = watch_keep(t);
+		stopped = watch_pause(t);
 	bool paused = s->job.paused;
-	if (control_command(line) == command_find("save"))
+	if (control_find_command(line) == command_find("save"))
 		control_set_looks(t);
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
@@ -193,26 +193,27 @@ run_typed(struct tui *t, const char *line)
 	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
 	if (searching && (meets == MEETS_BOUNDS || edited) &&
 	    !session_busy(s)) {
-		go_on_within(t, edited);
+		continue_within_bounds(t, edited);
 		return;
 	}
 	if (ok && edited)
 		tui_say(t, false, "f calibrates within these bounds");
 	bool beside = was_busy && meets == MEETS_NONE;
-	tell(t, line, ok, session_busy(s) && !beside);
+	show_result_message(t, line, ok, session_busy(s) && !beside);
 	/* Who has moved the slider may have meant that. */
-	if (ok && control_command(line) == command_find("undo"))
-		say_more(t, tr("U brings it back (moves of the slider are not "
-			       "undone)"));
+	if (ok && control_find_command(line) == command_find("undo"))
+		append_to_message(
+		    t, tr("U brings it back (moves of the slider are not "
+			  "undone)"));
 	else if (meets == MEETS_END && !session_busy(s) &&
 		 s->job.paused == paused)
-		say_more(t, stopped);
+		append_to_message(t, stopped);
 }
 
 /* Whether a command answers for one speed; pictures, data that are shown and
  * changes are of what they say. */
 static bool
-asks_at_speed(const struct command *command)
+answers_for_one_speed(const struct command *command)
 {
 	const char *group = command_group(command);
 	return command_option_index(command, "speed") < OPTIONS &&
@@ -236,11 +237,11 @@ names_speed(const struct command *asked, const char *rest)
 	       strstr(asked->operands.usage, "SPEED") != NULL;
 }
 
-/* What a typed line means with the slider somewhere, see tui_where.  A question
- * about one speed is about that of the slider, where it is asked of no other:
- * "spec FILE" gets it.  The caller frees. */
+/* What a typed line means with the slider somewhere, see tui_options_at_slider.
+ * A question about one speed is about that of the slider, where it is asked of
+ * no other: "spec FILE" gets it.  The caller frees. */
 static char *
-meant_by(const char *line, const char *where)
+line_at_slider(const char *line, const char *where)
 {
 	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
 	const char *word = line + from, *rest = word + n;
@@ -248,7 +249,7 @@ meant_by(const char *line, const char *where)
 	char *name = xstrndup(word, n);
 	const struct command *asked = command_find_typed(name, true);
 	free(name);
-	if (asked == NULL || !asks_at_speed(asked))
+	if (asked == NULL || !answers_for_one_speed(asked))
 		return xstrdup(line);
 	/* A speed may also stand alone. */
 	bool bare = asked->bare == NULL || strcmp(asked->bare, "speed") == 0;
@@ -268,8 +269,8 @@ meant_by(const char *line, const char *where)
 void
 cmdline_run(struct tui *t, const char *line)
 {
-	char *where = tui_where(t);
-	char *meant = meant_by(line, where);
+	char *where = tui_options_at_slider(t);
+	char *meant = line_at_slider(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);

@@ -51,7 +51,7 @@ control_work(struct session *s)
  * threads of a search ask too, and draw nothing.  A search that was begun here
  * asks when the screen has been left, too. */
 static bool
-control_stops(void)
+control_is_stop_wanted(void)
 {
 	if (open != NULL && !session_busy(open->session))
 		script_progress_draw(open);
@@ -59,7 +59,7 @@ control_stops(void)
 }
 
 const struct command *
-control_command(const char *line)
+control_find_command(const char *line)
 {
 	static const char ENDS[] = " \t>|";
 	if (strchr(line, ';') != NULL)
@@ -79,22 +79,22 @@ control_command(const char *line)
 
 /* What the session is like after any command. */
 void
-control_look(struct tui *t)
+control_refresh(struct tui *t)
 {
 	const struct session *s = t->session;
 	t->session->wants_tui = false;
-	view_look(t);
-	tui_untouch(t);
+	view_mark_changed(t);
+	tui_clear_hits(t);
 	if (t->ui.list[PAGE_SITES].at >= s->n_entry)
 		t->ui.list[PAGE_SITES].at = s->current;
 	if (t->ui.cross_at >= t->view.shown.product.n)
 		t->ui.cross_at = 0;
-	tui_look_at(t, t->ui.generation);
+	tui_show_generation(t, t->ui.generation);
 }
 
 /* The page and the quantity that are set. */
 static void
-take_looks(struct tui *t)
+read_page_and_quantity(struct tui *t)
 {
 	static const struct partition SHARP = {0, 1};
 	const struct choices *set = &t->session->set;
@@ -102,7 +102,7 @@ take_looks(struct tui *t)
 	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
 		t->ui.quantity = strip_usual();
 	t->ui.page = (enum page)set->page;
-	tui_untouch(t);
+	tui_clear_hits(t);
 }
 
 /* The page as `set` would be given it; the caller frees. */
@@ -125,7 +125,7 @@ control_set_looks(struct tui *t)
 	char *page = page_text(t->ui.page);
 	char *quantity = quantities_typed(&t->ui.quantity);
 	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
-	captured_forget(t);
+	captured_clear(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(page);
@@ -135,7 +135,7 @@ control_set_looks(struct tui *t)
 
 /* Whether a line has set others than there were; what is undone has not. */
 static bool
-sets_looks(const struct choices *was, const struct choices *is)
+differs_in_page_or_quantity(const struct choices *was, const struct choices *is)
 {
 	return was->page != is->page ||
 	       strcmp(was->quantity, is->quantity) != 0;
@@ -143,9 +143,9 @@ sets_looks(const struct choices *was, const struct choices *is)
 
 /* The line has begun what takes long. */
 static void
-begin_job(struct tui *t, const char *line)
+show_job_begun(struct tui *t, const char *line)
 {
-	const struct command *command = control_command(line);
+	const struct command *command = control_find_command(line);
 	const struct job *job = &t->session->job;
 	t->job = command != NULL ? command->name : NULL;
 	t->held = false;
@@ -155,7 +155,7 @@ begin_job(struct tui *t, const char *line)
 		t->ran = 0;
 	if (job->fits && !job->rounds->alone) {
 		t->ui.page = PAGE_SITES;
-		tui_untouch(t);
+		tui_clear_hits(t);
 	}
 }
 
@@ -166,7 +166,7 @@ control_follow_speed(struct tui *t, const char *line, bool ok)
 	struct slider_range range = tui_range(t);
 	double said =
 	    session_answer_number(t->session, "predict find", "speed");
-	const struct command *ran = control_command(line);
+	const struct command *ran = control_find_command(line);
 	bool asks =
 	    ran == command_find("predict") || ran == command_find("find");
 	if (slider_has(range, said))
@@ -191,10 +191,10 @@ control_run_line(struct tui *t, const char *line)
 	char site[sizeof t->view.current.site] = "";
 	if (tui_current_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_current_entry(t)->key);
-	captured_forget(t);
+	captured_clear(t);
 	const struct driver d = {.session = s,
 	    .of = t,
-	    .fail = captured_error,
+	    .fail = captured_add_error,
 	    .begins = script_progress_begins,
 	    .work = control_work,
 	    .watches = true};
@@ -203,7 +203,7 @@ control_run_line(struct tui *t, const char *line)
 	bool ok = driver_line(&d, line, ERROR_TYPED, 0) == 0 ||
 		  signals_pending() != 0;
 	script_progress_end(
-	    t, control_command(line) == command_find("restore"), ok);
+	    t, control_find_command(line) == command_find("restore"), ok);
 	control_follow_speed(t, line, ok);
 	bool other = tui_current_entry(t) != NULL &&
 		     strcmp(site, tui_current_entry(t)->key);
@@ -211,15 +211,15 @@ control_run_line(struct tui *t, const char *line)
 		t->ui.list[PAGE_SITES].at = s->current;
 		t->ui.feed = 0;
 	}
-	if (sets_looks(&was, &s->set) && strcmp(line, "undo") != 0 &&
-	    strcmp(line, "redo") != 0)
-		take_looks(t);
+	if (differs_in_page_or_quantity(&was, &s->set) &&
+	    strcmp(line, "undo") != 0 && strcmp(line, "redo") != 0)
+		read_page_and_quantity(t);
 	tui_keep_feed(t);
 	if (strcmp(s->set.feed, was.feed) != 0)
 		tui_take_feed(t);
-	control_look(t);
+	control_refresh(t);
 	if (session_busy(s) && !was_busy)
-		begin_job(t, line);
+		show_job_begun(t, line);
 	return ok;
 }
 
@@ -244,7 +244,7 @@ control_screen(void)
 
 /* All that a state owns. */
 static void
-free_all(struct tui *t)
+free_state(struct tui *t)
 {
 	if (t->said != NULL)
 		fclose(t->said);
@@ -261,7 +261,7 @@ free_all(struct tui *t)
 
 /* What was said and typed. */
 static void
-copy_words(struct tui *t)
+copy_texts(struct tui *t)
 {
 	if (open->command != NULL)
 		t->command = xstrdup(open->command);
@@ -290,8 +290,8 @@ control_new_copy(void)
 	    .job = open->job,
 	    .failed = open->failed,
 	    .bad = open->bad};
-	copy_words(t);
-	control_look(t);
+	copy_texts(t);
+	control_refresh(t);
 	view_form(t);
 	/* The crosshair's sieve is one of that prediction. */
 	t->ui.cross_at =
@@ -302,12 +302,12 @@ control_new_copy(void)
 void
 control_free_copy(struct tui *t)
 {
-	free_all(t);
+	free_state(t);
 	free(t);
 }
 
 static bool
-confirm(struct session *s, const char *question)
+control_confirm(struct session *s, const char *question)
 {
 	int code = 0;
 	bool special = false;
@@ -328,7 +328,7 @@ control_question(struct session *s, const struct inquiry *q)
 
 /* At the end of a search, before there is a result to draw. */
 static void
-control_begins(const char *what)
+control_draw_before_search(const char *what)
 {
 	if (open->ways->show == NULL || open->ui.page != PAGE_FIT ||
 	    !session_busy(open->session) || open->begun != NULL)
@@ -340,7 +340,7 @@ control_begins(const char *what)
 
 /* The speed last asked about, else the usual one of the site. */
 static int
-first_speed(const struct session *s)
+first_slider_tenths(const struct session *s)
 {
 	double speed = s->asked > 0 ? s->asked : NAN;
 	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -356,7 +356,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	*t = (struct tui){.session = s,
 	    .ways = ways,
 	    .aside = ways->leave == NULL,
-	    .ui = {.tenths = first_speed(s),
+	    .ui = {.tenths = first_slider_tenths(s),
 		.list[PAGE_SITES].at = s->current,
 		.pace = PACE_AUTO,
 		.picture = PLOT_SEARCH,
@@ -365,19 +365,19 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	    .view = {.strip = strip_new(), .holdout = NAN},
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
-	s->hooks.confirm = confirm;
+	s->hooks.confirm = control_confirm;
 	s->hooks.question = control_question;
 	s->prompt = true;
 	s->typed_at = s->scripts;
 	s->hooks.show_page = NULL;
-	s->hooks.begins = control_begins;
-	s->hooks.stop = control_stops;
+	s->hooks.begins = control_draw_before_search;
+	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
 	t->said = text_memory(&t->said_text, &t->said_n);
 	s->out = s->notes = t->said;
-	take_looks(t);
-	control_look(t);
+	read_page_and_quantity(t);
+	control_refresh(t);
 	open = t;
 }
 
@@ -399,5 +399,5 @@ control_end(struct tui *t)
 		session_pause(s);
 		session_settle(s, true, &error);
 	}
-	free_all(t);
+	free_state(t);
 }

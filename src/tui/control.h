@@ -27,13 +27,13 @@ void control_free_copy(struct tui *t);
 bool control_run(struct tui *t, const char *line);
 
 /* Updates the screen after a command that was not run here. */
-void control_look(struct tui *t);
+void control_refresh(struct tui *t);
 
 /* ---- For cmdline.c ---- */
 
 /* Returns the command of a line; NULL if the line has several, or no known
  * one. */
-const struct command *control_command(const char *line);
+const struct command *control_find_command(const char *line);
 
 /* Stores the page and the quantity shown as settings, so that they are saved
  * and restored. */

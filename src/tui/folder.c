@@ -139,7 +139,7 @@ item_clear(struct folder_item *item)
 }
 
 void
-folder_only(struct folder *folder, enum folder_kind kind)
+folder_keep_kind(struct folder *folder, enum folder_kind kind)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
@@ -156,7 +156,7 @@ folder_only(struct folder *folder, enum folder_kind kind)
 /* The same sites, made from the table that they were made from: without an
  * installation there are no files of them. */
 static void
-add_made(struct folder *folder)
+add_synthetic_sites(struct folder *folder)
 {
 	struct stored_list paper = {0};
 	stored_table3(&paper);
@@ -202,7 +202,7 @@ folder_list_shipped(struct folder *folder)
 	}
 	folder->n = n;
 	if (n == 0)
-		add_made(folder);
+		add_synthetic_sites(folder);
 }
 
 void
@@ -216,7 +216,7 @@ folder_free(struct folder *folder)
 }
 
 char *
-folder_into(const struct folder *folder, size_t item)
+folder_path_of_item(const struct folder *folder, size_t item)
 {
 	const char *path = folder->path;
 	size_t n = strlen(path);
@@ -248,7 +248,7 @@ folder_command(const struct folder_item *item, bool anew)
 }
 
 static void
-folder_say(FILE *out, const char *what, const char *text)
+folder_print_line(FILE *out, const char *what, const char *text)
 {
 	if (text[0] != '\0')
 		fprintf(out, "%s%s\n", what, text);
@@ -272,13 +272,13 @@ folder_say_site(const struct site *site, FILE *out)
 	if (n > 0)
 		fprintf(out, tr("%zu sieves, %g to %g mm\n"), n,
 		    units_mm(sieve[n - 1]), units_mm(sieve[0]));
-	folder_say(out, tr("read: "), site->read_as);
-	folder_say(out, tr("likely, not stated: "), site->assumed);
-	folder_say(out, "", site->remark);
+	folder_print_line(out, tr("read: "), site->read_as);
+	folder_print_line(out, tr("likely, not stated: "), site->assumed);
+	folder_print_line(out, "", site->remark);
 	for (size_t i = 0; i < site->n_left_out; i++)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
-	folder_say(out, tr("data: "), site->provenance);
+	folder_print_line(out, tr("data: "), site->provenance);
 	free(sieve);
 	free(speeds);
 	free(label);
@@ -296,7 +296,7 @@ folder_site(const struct site *site)
 }
 
 static void
-say_faults(
+print_faults(
     const struct error_list *errors, const struct site_ask *ask, FILE *out)
 {
 	enum { MOST = 3 };
@@ -307,7 +307,7 @@ say_faults(
 		if (e->line > 0)
 			fprintf(out, tr("line %zu: "), (size_t)e->line);
 		fprintf(out, "%s\n", e->text);
-		folder_say(out, "", e->hint);
+		folder_print_line(out, "", e->hint);
 	}
 	if (errors->n > MOST)
 		fprintf(out, tr("and %zu more\n"), errors->n - MOST);
@@ -318,7 +318,7 @@ say_faults(
 }
 
 static void
-say_sheet(const char *path, FILE *out)
+print_sheet(const char *path, FILE *out)
 {
 	const double any = 0;
 	const struct site_request request = {
@@ -329,14 +329,14 @@ say_sheet(const char *path, FILE *out)
 	if (site != NULL)
 		folder_say_site(site, out);
 	else
-		say_faults(&errors, &ask, out);
+		print_faults(&errors, &ask, out);
 	site_ask_clear(&ask);
 	site_free(site);
 }
 
 /* Bytes to read, unpacked where it is an archive. */
 static double
-bytes_of(const char *path, double bytes)
+unpacked_bytes(const char *path, double bytes)
 {
 	size_t n = 0;
 	char *wrong = NULL;
@@ -373,11 +373,11 @@ folder_preview(const struct folder_item *item)
 		return xasprintf("%s\n", strerror(errno));
 	if (about.st_size == 0)
 		return xstrdup(tr("an empty file\n"));
-	if (bytes_of(item->path, (double)about.st_size) > MOST_BYTES)
+	if (unpacked_bytes(item->path, (double)about.st_size) > MOST_BYTES)
 		return xstrdup(tr("large: not read for a preview; Enter loads "
 				  "it\n"));
 	FILE *out = text_memory(&text, &n);
-	say_sheet(item->path, out);
+	print_sheet(item->path, out);
 	fclose(out);
 	return text;
 }

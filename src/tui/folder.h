@@ -46,13 +46,13 @@ void folder_list(struct folder *folder, const char *path);
 void folder_list_shipped(struct folder *folder);
 
 /* Keeps only folders and items of that kind. */
-void folder_only(struct folder *folder, enum folder_kind kind);
+void folder_keep_kind(struct folder *folder, enum folder_kind kind);
 
 void folder_free(struct folder *folder);
 
 /* Returns the folder that an item leads to: "sub/", or ".." from "sub".  The
  * caller frees. */
-char *folder_into(const struct folder *folder, size_t item);
+char *folder_path_of_item(const struct folder *folder, size_t item);
 
 /* Returns the command that opens an item other than a folder; anew: a session
  * replaces the present one.  The caller frees. */

@@ -205,9 +205,9 @@ draw_state(struct tui *t, const struct area *area)
 }
 
 static void
-touch_offer(struct tui *t, const struct touched *touched)
+take_touched_completion(struct tui *t, const struct touched *touched)
 {
-	edit_take(&t->line, touched->item);
+	edit_take_offer(&t->line, touched->item);
 }
 
 /* What a word may become; ".." where there is more, which Tab shows. */
@@ -229,7 +229,8 @@ draw_offers(struct tui *t, const struct area *area)
 		}
 		column = screen_text(area, 0, from, 0, "%s", text);
 		hits_add(&t->hits, HIT_PRESS,
-		    area_cells(area, 0, from, column - from), touch_offer, i);
+		    area_cells(area, 0, from, column - from),
+		    take_touched_completion, i);
 		column += 2;
 		free(text);
 	}
@@ -252,7 +253,7 @@ draw_filter(struct tui *t, const struct area *area)
 }
 
 static bool
-filters(const struct tui *t)
+is_filter_shown(const struct tui *t)
 {
 	return (t->filter.active || t->filter.n > 0) &&
 	       pages_open(t)->list != NULL;
@@ -277,7 +278,7 @@ frame_draw_hints(struct tui *t)
 		    "Enter run  Tab complete  Up earlier lines  Esc give up");
 	else if (t->speed.n > 0)
 		pane_hints(t, LOOK_DIM, "Enter go there  Esc give up");
-	else if (filters(t))
+	else if (is_filter_shown(t))
 		draw_filter(t, &t->layout.hints);
 	else
 		pane_hints(t, LOOK_DIM,
@@ -300,7 +301,7 @@ frame_draw_speed(struct tui *t, const struct area *note)
 /* Whether the state takes the row of the command: it has none of its own, and
  * how good a fit is matters more; on the least screens while it changes. */
 static bool
-tells_state(const struct tui *t)
+is_state_shown(const struct tui *t)
 {
 	const struct layout *l = &t->layout;
 	return l->status.rows == 0 &&
@@ -316,12 +317,12 @@ draw_note(struct tui *t, const struct area *note)
 		frame_draw_speed(t, note);
 	} else if (t->line.active && t->line.offers != NULL) {
 		draw_offers(t, note);
-	} else if (filters(t) && l->hints.rows == 0) {
+	} else if (is_filter_shown(t) && l->hints.rows == 0) {
 		screen_clear(note);
 		draw_filter(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
 		return frame_draw_message(t, note);
-	} else if (note == &l->status || tells_state(t)) {
+	} else if (note == &l->status || is_state_shown(t)) {
 		draw_state(t, note);
 	}
 	return false;
@@ -337,7 +338,7 @@ draw_lower(struct tui *t)
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
 	bool typing = t->line.active;
 	bool taken = line == note &&
-		     (t->message[0] || t->speed.text[0] || tells_state(t));
+		     (t->message[0] || t->speed.text[0] || is_state_shown(t));
 	/* Nothing else is touched by mistake while a line is typed. */
 	if (typing)
 		hits_clear(&t->hits);
@@ -430,7 +431,7 @@ add_wheel(struct tui *t, bool viewing)
 		hits_add(hits, HIT_WHEEL, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
 		hits_add(hits, HIT_WHEEL, over[i], frame_touch_wheel, 0);
-	if (!viewing && rows_here(t))
+	if (!viewing && list_has_rows(t))
 		rows_wheel(t, l->body);
 }
 

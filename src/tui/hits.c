@@ -42,15 +42,15 @@ hits_add_key(struct hits *hits, struct area area, int code)
 }
 
 void
-hits_add_both(
+hits_add_with_key(
     struct hits *hits, struct area area, hit_way *way, size_t item, int code)
 {
 	hits_add_area(hits, (struct hit){area, HIT_PRESS, way, item, code});
 }
 
 static void
-hand_on(struct tui *t, const struct hit *touch, enum hit_kind kind, int row,
-    int column)
+call_hit_handler(struct tui *t, const struct hit *touch, enum hit_kind kind,
+    int row, int column)
 {
 	int by = kind == HIT_UP ? -1 : kind == HIT_DOWN ? 1 : 0;
 	if (touch->way != NULL)
@@ -66,7 +66,7 @@ hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
 	struct hit pressed = hits->pressed;
 	if (kind == HIT_DRAG) {
 		if (pressed.kinds & HIT_DRAG)
-			hand_on(t, &pressed, kind, row, column);
+			call_hit_handler(t, &pressed, kind, row, column);
 		return pressed.kinds & HIT_DRAG;
 	}
 	for (size_t i = hits->n; i-- > 0;) {
@@ -75,7 +75,7 @@ hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
 		if (!(touch.kinds & kind) ||
 		    !area_has(&touch.area, row, column))
 			continue;
-		hand_on(t, &touch, kind, row, column);
+		call_hit_handler(t, &touch, kind, row, column);
 		if (touch.code != 0)
 			key(t, touch.code, touch.code > 255);
 		else if (kind == HIT_PRESS)

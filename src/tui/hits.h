@@ -63,7 +63,7 @@ void hits_add(struct hits *hits, unsigned kinds, struct area area, hit_way *way,
 void hits_add_key(struct hits *hits, struct area area, int code);
 
 /* Adds an area where a press is handled by `way`, and then is the key, too. */
-void hits_add_both(
+void hits_add_with_key(
     struct hits *hits, struct area area, hit_way *way, size_t item, int code);
 
 /* Passes what the mouse did at a cell to the areas there; false if none handled

@@ -18,7 +18,7 @@
 enum { MOST = 2000 };
 
 static void
-input_take(struct tui *t, int code)
+input_add_pasted(struct tui *t, int code)
 {
 	struct paste *p = &t->paste;
 	bool ends = code == '\n' || code == '\r';
@@ -64,14 +64,14 @@ input_paste(struct tui *t, int code, bool special)
 	else if (special && code == SCREEN_PASTED)
 		input_end_paste(t);
 	else if (!special)
-		input_take(t, code);
+		input_add_pasted(t, code);
 	return true;
 }
 
 /* Signals are let in meanwhile: ncurses waits for the end of what begins as a
  * click, and where that was cut off, for ever. */
 static int
-next(wint_t *code)
+read_key(wint_t *code)
 {
 	signals_release();
 	int got = get_wch(code);
@@ -85,11 +85,11 @@ static bool
 pass_over_sequence(void)
 {
 	wint_t code = 0;
-	int got = next(&code);
+	int got = read_key(&code);
 	if (got == OK && (code == '[' || code == 'O')) {
 		bool long_one = code == '[';
 		do
-			got = next(&code);
+			got = read_key(&code);
 		while (got == OK && long_one && code < '@');
 		if (got == KEY_CODE_YES)
 			ungetch((int)code);
@@ -105,7 +105,7 @@ pass_over_sequence(void)
 /* Whether there is more to read: bytes that are no character end get_wch, too.
  */
 static bool
-more_waits(void)
+is_more_to_read(void)
 {
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
 	return poll(&in, 1, 0) > 0 && in.revents == POLLIN;
@@ -122,8 +122,8 @@ input_key(struct tui *t, int *code, bool *special)
 		return true;
 	}
 	while (signals_pending() == 0) {
-		int got = next(&c);
-		if (got == ERR && !more_waits())
+		int got = read_key(&c);
+		if (got == ERR && !is_more_to_read())
 			return false;
 		if (got == ERR || (got == KEY_CODE_YES && c == KEY_RESIZE))
 			continue;

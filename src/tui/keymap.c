@@ -103,7 +103,7 @@ keymap_propose(struct tui *t, const char *line, char *name)
 }
 
 static char *
-slug_of(const struct tui *t)
+file_name_of_site(const struct tui *t)
 {
 	return text_slug(tui_current_entry(t) != NULL
 			     ? tui_current_entry(t)->key
@@ -122,7 +122,7 @@ act_save(struct tui *t, const struct key *key)
 		    xasprintf("\"%s\"%s", holder, saved ? "" : " replace=on"));
 		return;
 	}
-	char *slug = slug_of(t), *name = xasprintf("%s.tip", slug);
+	char *slug = file_name_of_site(t), *name = xasprintf("%s.tip", slug);
 	for (int i = 2; access(name, F_OK) == 0; i++) {
 		free(name);
 		name = xasprintf("%s-%d.tip", slug, i);
@@ -141,7 +141,7 @@ act_export(struct tui *t, const struct key *key)
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
 	}
-	char *line = tui_asks(t), *slug = slug_of(t);
+	char *line = tui_command_of_page(t), *slug = file_name_of_site(t);
 	xappend(&line, " > ");
 	keymap_propose(
 	    t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
@@ -199,7 +199,7 @@ act_correct(struct tui *t, const struct key *key)
 
 /* What was calibrated, set or recalled is replaced only by who wants it. */
 static bool
-may_replace(struct tui *t)
+confirm_replace_params(struct tui *t)
 {
 	struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
@@ -220,7 +220,7 @@ may_replace(struct tui *t)
 static void
 calibrate(struct tui *t, const char *line)
 {
-	watch_keep(t);
+	watch_pause(t);
 	control_run(t, line);
 }
 
@@ -232,7 +232,7 @@ act_fit(struct tui *t, const struct key *key)
 		tui_say(t, true, TUI_NO_SITE);
 		return;
 	}
-	if (!may_replace(t))
+	if (!confirm_replace_params(t))
 		return;
 	pages_go(t, PAGE_FIT);
 	calibrate(t, "calibrate");
@@ -279,7 +279,8 @@ act_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct numbers was = t->view.pinned;
-	char *where = tui_where(t), *line = xasprintf("pin %s", where);
+	char *where = tui_options_at_slider(t),
+	     *line = xasprintf("pin %s", where);
 	if (was.site[0] == '\0' && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
@@ -328,7 +329,7 @@ act_stop(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (session_busy(t->session))
-		watch_keep(t);
+		watch_pause(t);
 	else
 		tui_say(t, false, "no calibration to stop: q quits");
 }
@@ -361,7 +362,7 @@ act_back(struct tui *t, const struct key *key)
 	if (rows_forget(t))
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
-		watch_keep(t);
+		watch_pause(t);
 	else if (predict && t->ui.cross)
 		act_cross(t, key);
 	else if (predict && t->ui.runs)
@@ -403,7 +404,7 @@ act_leave(struct tui *t, const struct key *key)
 
 /* Does what a key is for; nothing for NULL. */
 static void
-act(struct tui *t, const struct key *key)
+run_key_action(struct tui *t, const struct key *key)
 {
 	if (key == NULL)
 		return;
@@ -442,7 +443,7 @@ text_key(struct tui *t, int code, bool special)
 	const struct key *run = NULL;
 	bool took = viewer_key(t, code, special, &run);
 	if (took)
-		act(t, run);
+		run_key_action(t, run);
 	return took;
 }
 
@@ -476,7 +477,7 @@ speed_key(struct tui *t, int code, bool special)
 /* Over a line that is typed only what belongs to it was said to be touched; a
  * speed that was begun ends where another thing is, but for its own keys. */
 static void
-touch(struct tui *t, enum hit_kind kind, int row, int column)
+handle_mouse_key(struct tui *t, enum hit_kind kind, int row, int column)
 {
 	const struct hit *at = hits_at(&t->hits, row, column);
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
@@ -505,7 +506,7 @@ take_mouse(struct tui *t,
 }
 
 static void
-note_key(struct tui *t, int code, bool special)
+remember_pointed_key(struct tui *t, int code, bool special)
 {
 	t->pointed.is = true;
 	t->pointed.code = code;
@@ -515,7 +516,7 @@ note_key(struct tui *t, int code, bool special)
 static void
 touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	hits_mouse(t, &t->hits, kind, row, column, note_key);
+	hits_mouse(t, &t->hits, kind, row, column, remember_pointed_key);
 }
 
 bool
@@ -534,7 +535,7 @@ page_key(struct tui *t, int code, bool special)
 	const struct key *key = keys_find(code, t->ui.page);
 	if (word_begins(t, code, special, key))
 		return true;
-	act(t, key);
+	run_key_action(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
 		tui_say(t, false, "this key has no function: ? lists the keys");
 	return true;
@@ -608,13 +609,13 @@ keymap_open_line(struct tui *t)
 void
 keymap_held(struct tui *t)
 {
-	act(t, word_held(t));
+	run_key_action(t, word_take_held(t));
 }
 
 void
 keymap_key(struct tui *t, int code, bool special)
 {
-	if (word_goes_on(t, code, special))
+	if (word_add_letter(t, code, special))
 		return;
 	/* What the held key asks has this one for an answer. */
 	t->again.is = true;
@@ -635,12 +636,12 @@ keymap_key(struct tui *t, int code, bool special)
 		return;
 	const struct key *key = keys_find(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {
-		take_mouse(t, touch);
+		take_mouse(t, handle_mouse_key);
 		return;
 	}
 	if (key != NULL &&
 	    (key->act == act_suspend || key->act == act_redraw)) {
-		act(t, key);
+		run_key_action(t, key);
 		return;
 	}
 	while (MODES[mode] != NULL && !MODES[mode](t, code, special))

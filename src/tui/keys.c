@@ -200,7 +200,7 @@ keys_code_of_name(const char *name, int *code)
 
 /* The only page a key is there on, in words; "" where it is on all. */
 static const char *
-only_on(const struct key *k)
+only_on_page_words(const struct key *k)
 {
 	unsigned pages = k->where & ON_ALL;
 	return pages == ON_FIT       ? N_(" (page Fit)")
@@ -212,7 +212,7 @@ only_on(const struct key *k)
 
 /* Of the keys that are there on all pages those that do most on some. */
 static bool
-is_own(const struct key *k, enum page page)
+is_key_of_page(const struct key *k, enum page page)
 {
 	unsigned pages = k->where & ON_ALL;
 	if (pages == ON_ALL)
@@ -239,15 +239,16 @@ brief_line(const struct key *k)
 }
 
 static char *
-line_of(const struct key *k)
+help_line_of(const struct key *k)
 {
-	return xasprintf("  %-15s %s%s", k->name, tr(k->what), tr(only_on(k)));
+	return xasprintf(
+	    "  %-15s %s%s", k->name, tr(k->what), tr(only_on_page_words(k)));
 }
 
 static bool
 keys_has_word(const struct key *k, const char *word)
 {
-	char *line = line_of(k);
+	char *line = help_line_of(k);
 	bool has = text_has(line, word);
 	free(line);
 	return has;
@@ -269,7 +270,7 @@ keys_list_keys(enum page page, const char *word,
 	size_t n = 0;
 	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
-			if (is_own(k, page) == own &&
+			if (is_key_of_page(k, page) == own &&
 			    (word[0] != '\0' ? keys_has_word(k, word)
 					     : keys_is_listed(k, page)))
 				line[n++] = k;
@@ -282,8 +283,8 @@ keys_list(enum page page, const char *word, FILE *out)
 	const struct key *line[ARRAY_LEN(KEYS)];
 	size_t n = keys_list_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
-		char *text =
-		    word[0] == '\0' ? brief_line(line[i]) : line_of(line[i]);
+		char *text = word[0] == '\0' ? brief_line(line[i])
+					     : help_line_of(line[i]);
 		fprintf(out, "%s\n", text);
 		free(text);
 	}
@@ -298,7 +299,7 @@ keys_list(enum page page, const char *word, FILE *out)
 }
 
 const struct key *
-keys_nth(enum page page, const char *word, size_t n)
+keys_listed_at(enum page page, const char *word, size_t n)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
 	return n < keys_list_keys(page, word, line) ? line[n] : NULL;
@@ -319,7 +320,7 @@ keys_manual(FILE *out)
 		/* The control characters of mdoc would be taken as such. */
 		fprintf(out, ".It %s%s\n%s%s.\n",
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
-		    only_on(k));
+		    only_on_page_words(k));
 		if (k->command != NULL)
 			fprintf(out, "Runs\n.Ic %s .\n", k->command);
 	}
@@ -334,7 +335,7 @@ keys_manual(FILE *out)
 }
 
 void
-keys_texts(void (*print)(const char *text, FILE *out), FILE *out)
+keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out)
 {
 	for (const struct key *k = KEYS; k->code != 0; k++) {
 		print(k->what, out);

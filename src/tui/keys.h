@@ -23,16 +23,16 @@ bool keys_code_of_name(const char *name, int *code);
 
 /* For the ? page: keys_list prints a line for each key whose line contains the
  * word, without case, the page's own first; for "" all keys of the page, in
- * brief.  keys_nth returns the key of line n, or NULL; keys_count how many keys
- * there are. */
+ * brief.  keys_listed_at returns the key of line n, or NULL; keys_count how
+ * many keys there are. */
 void keys_list(enum page page, const char *word, FILE *out);
-const struct key *keys_nth(enum page page, const char *word, size_t n);
+const struct key *keys_listed_at(enum page page, const char *word, size_t n);
 size_t keys_count(enum page page, const char *word);
 
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_manual(FILE *out);
 
 /* Prints what each key does, with a function, for translators. */
-void keys_texts(void (*print)(const char *text, FILE *out), FILE *out);
+void keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out);
 
 #endif

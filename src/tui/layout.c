@@ -28,7 +28,7 @@ area_row(const struct area *area, int row)
 
 /* One row at the bottom of what is left. */
 static struct area
-take_bottom(struct area *left)
+take_bottom_row(struct area *left)
 {
 	left->rows--;
 	return (struct area){left->row + left->rows, 0, 1, left->columns};
@@ -104,18 +104,18 @@ layout_make(int rows, int columns, struct layout_ask ask)
 	    {FOR_COMMAND, &l.command}, {1, &l.track}};
 	for (size_t i = 0; i < ARRAY_LEN(bottom); i++)
 		if (rows >= bottom[i].least)
-			*bottom[i].area = take_bottom(left);
+			*bottom[i].area = take_bottom_row(left);
 	enum { EVERY = 10 };
 	if (ask.strip && rows >= FOR_STRIP)
 		l.strip = layout_take_rows(left, rows, FOR_STRIP, EVERY);
 	if (rows >= FOR_CAPTION)
-		l.caption = take_bottom(left);
+		l.caption = take_bottom_row(left);
 	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
 		    columns - ask.side_columns > PLOT_COLUMNS;
 	if (rows >= FOR_NUMBERS && !side)
-		l.numbers = take_bottom(left);
+		l.numbers = take_bottom_row(left);
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
-		l.legend = take_bottom(left);
+		l.legend = take_bottom_row(left);
 	split_body(&l, rows, ask.side_columns);
 	if (ask.differences && rows >= FOR_DIFFERENCES) {
 		l.differences = layout_take_rows(
@@ -131,7 +131,7 @@ layout_text(int rows, int columns)
 	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
 	struct layout l = {.body = {0, 0, rows, columns}};
 	if (rows >= FOR_TEXT_HINTS)
-		l.hints = take_bottom(&l.body);
+		l.hints = take_bottom_row(&l.body);
 	if (rows >= FOR_TEXT_HEADER) {
 		l.header = (struct area){0, 0, 1, columns};
 		l.body.row++;

@@ -22,7 +22,7 @@ pages_go(struct tui *t, enum page page)
 	if (t->ui.page != page) {
 		t->filter = (struct edit){0};
 		t->ui.cell.on = false;
-		tui_untouch(t);
+		tui_clear_hits(t);
 	}
 	t->ui.page = page;
 }

@@ -313,7 +313,8 @@ pane_word(struct tui *t, const struct area *area, const char *word,
 char *
 pane_curves_words(const struct tui *t)
 {
-	char *where = tui_where(t), *words = xasprintf("psd %s", where);
+	char *where = tui_options_at_slider(t),
+	     *words = xasprintf("psd %s", where);
 	free(where);
 	return words;
 }

@@ -131,7 +131,7 @@ screen_open(bool colour)
 /* Not every terminal has a second screen to leave: where the picture stays, the
  * shell goes on in a row of its own. */
 static void
-end_screen(void)
+end_curses(void)
 {
 	screen_mouse(false);
 	mark_pastes(false);
@@ -144,7 +144,7 @@ end_screen(void)
 void
 screen_close(void)
 {
-	end_screen();
+	end_curses();
 	delscreen(is.screen);
 	canvas_free(is.frame);
 	forget_shown();
@@ -152,7 +152,7 @@ screen_close(void)
 }
 
 struct display *
-screen_aside(int rows, int columns, enum charset charset, int depth)
+screen_begin_offscreen(int rows, int columns, enum charset charset, int depth)
 {
 	struct display *was = xcalloc(1, sizeof *was);
 	*was = is;
@@ -165,7 +165,7 @@ screen_aside(int rows, int columns, enum charset charset, int depth)
 }
 
 struct canvas *
-screen_back(struct display *was)
+screen_end_offscreen(struct display *was)
 {
 	struct canvas *frame = is.frame;
 	is = *was;
@@ -242,17 +242,17 @@ screen_mouse_on(void)
 }
 
 void
-screen_leave(void)
+screen_suspend_curses(void)
 {
 	bool mouse = is.mouse;
 	def_prog_mode();
-	end_screen();
+	end_curses();
 	is.mouse = mouse;
 	fflush(stdout);
 }
 
 void
-screen_return(void)
+screen_resume_curses(void)
 {
 	reset_prog_mode();
 	bool mouse = is.mouse;
@@ -382,7 +382,7 @@ screen_rule(const struct area *area)
 }
 
 void
-screen_wall(int row, int column, int rows)
+screen_vertical_rule(int row, int column, int rows)
 {
 	bool lines = is.charset != CHARSET_ASCII;
 	for (int r = 0; r < rows && !is.only_text; r++)
@@ -408,7 +408,7 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 
 /* Where there are eight colours, a bright one is a bold one. */
 static attr_t
-attributes(const struct canvas_cell *cell)
+curses_attributes(const struct canvas_cell *cell)
 {
 	unsigned look = cell->attribute;
 	enum series series = (enum series)cell->series;
@@ -421,7 +421,7 @@ attributes(const struct canvas_cell *cell)
 
 /* A letter without its accent, where there is nothing but ASCII. */
 static wchar_t
-bare_letter(uint32_t code)
+letter_without_accent(uint32_t code)
 {
 	char letter[5], *folded = text_fold(canvas_utf8(code, letter));
 	char bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : '?';
@@ -437,8 +437,8 @@ show_cell(int row, int column, const struct canvas_cell *from)
 	short pair = is.pair[from->series];
 	cchar_t cell;
 	if (!is.utf8 && from->code > 126)
-		text[0] = bare_letter(from->code);
-	setcchar(&cell, text, attributes(from), pair, NULL);
+		text[0] = letter_without_accent(from->code);
+	setcchar(&cell, text, curses_attributes(from), pair, NULL);
 	mvadd_wch(row, column, &cell);
 }
 

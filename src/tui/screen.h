@@ -25,14 +25,14 @@ enum { SCREEN_PASTE = 0x7000, SCREEN_PASTED };
 bool screen_open(bool colour);
 void screen_close(void);
 
-/* From screen_aside until screen_back frames are drawn apart from any terminal,
- * with all characters, in that size.  screen_back gives the terminal back, if
- * there is one, and returns the last frame, which the caller frees, or NULL
- * without one.  Pairs may be nested. */
+/* From screen_begin_offscreen until screen_end_offscreen frames are drawn apart
+ * from any terminal, with all characters, in that size.  screen_end_offscreen
+ * gives the terminal back, if there is one, and returns the last frame, which
+ * the caller frees, or NULL without one.  Pairs may be nested. */
 struct display;
-struct display *screen_aside(
+struct display *screen_begin_offscreen(
     int rows, int columns, enum charset charset, int depth);
-struct canvas *screen_back(struct display *was);
+struct canvas *screen_end_offscreen(struct display *was);
 
 /* Leaves out canvases, rules and walls of frames drawn apart, for a screen
  * reader. */
@@ -57,10 +57,10 @@ void screen_theme(enum theme theme);
 bool screen_mouse(bool on);
 bool screen_mouse_on(void);
 
-/* screen_leave leaves the terminal to another program, screen_return takes it
- * back. */
-void screen_leave(void);
-void screen_return(void);
+/* screen_suspend_curses leaves the terminal to another program,
+ * screen_resume_curses takes it back. */
+void screen_suspend_curses(void);
+void screen_resume_curses(void);
 
 /* Asks the terminal for its size; everything is drawn again. */
 void screen_resize(void);
@@ -97,7 +97,7 @@ void screen_clear(const struct area *area);
 
 /* Draw a line along the area's row, or down a column. */
 void screen_rule(const struct area *area);
-void screen_wall(int row, int column, int rows);
+void screen_vertical_rule(int row, int column, int rows);
 
 /* Draws a canvas at the top left of an area, which is as large or larger. */
 void screen_canvas(const struct area *area, const struct canvas *canvas);

@@ -26,7 +26,7 @@ static bool asks;     /* a question stands on the picture */
 /* What the loop does between two keys; the clock goes on by a second, so that
  * the same keys give the same picture on any machine. */
 static void
-press(struct tui *t, int code, bool special)
+press_key(struct tui *t, int code, bool special)
 {
 	keymap_key(t, code, special);
 	t->clock++;
@@ -64,7 +64,7 @@ const struct tui_ways SCRIPT_WAYS = {.answer = script_terminal_answer};
 
 /* A word that is typed: a speed, or into a line. */
 static bool
-is_typed(const struct tui *t, const char *word)
+is_typed_word(const struct tui *t, const char *word)
 {
 	return keymap_types(t, (unsigned char)word[0]) ||
 	       word[strspn(word, "0123456789.")] == '\0';
@@ -72,7 +72,7 @@ is_typed(const struct tui *t, const char *word)
 
 /* Takes "*5" off the end of a word: how often a key is pressed. */
 static long
-times(char *word)
+read_repeat_count(char *word)
 {
 	char *sign = strrchr(word, '*'), *end;
 	if (sign == NULL || sign == word || sign[1] < '0' || sign[1] > '9')
@@ -103,7 +103,7 @@ static bool
 press_word(struct tui *t, char *word, long *pressed, struct error *error)
 {
 	int code;
-	long n = is_typed(t, word) ? 1 : times(word);
+	long n = is_typed_word(t, word) ? 1 : read_repeat_count(word);
 	if (strcmp(word, "^Z") == 0) {
 		error_set(error, ERROR_USAGE,
 		    "^Z needs a shell, and there is none here");
@@ -114,10 +114,10 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 		return false;
 	if (key) {
 		for (; n > 0 && !t->leave && signals_pending() == 0; n--)
-			press(t, code, code > 255);
+			press_key(t, code, code > 255);
 		return true;
 	}
-	if (!is_typed(t, word)) {
+	if (!is_typed_word(t, word)) {
 		error_set(error, ERROR_USAGE, "there is no key '%s'", word);
 		return error_hint(error,
 		    "use the names of tipspeed-tui(1), separated by "
@@ -125,7 +125,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 	}
 	const char *letter = word;
 	while (*letter != '\0')
-		press(t, (int)text_next_code_point(&letter), false);
+		press_key(t, (int)text_next_code_point(&letter), false);
 	return true;
 }
 
@@ -151,7 +151,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 
 /* What describe calls the plot of the page, where there is one. */
 static char *
-picture_of(const struct tui *t)
+plot_kind_words(const struct tui *t)
 {
 	char *(*words)(const struct tui *) = pages_open(t)->words;
 	return t->n_drawn == 0 ? NULL
@@ -186,17 +186,17 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 	view_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
-		press(&t, '0' + request->page, false);
+		press_key(&t, '0' + request->page, false);
 	} else {
 		pages_update(&t);
 		frame_draw(&t);
 	}
 	bool ok = press_all(&t, request->keys, error);
 	if (ok && request->words && t.viewer.text == NULL)
-		request->picture = picture_of(&t);
+		request->picture = plot_kind_words(&t);
 	/* Before the session has its streams again: what a search that ends
 	 * here says is not for the picture. */
-	watch_keep(&t);
+	watch_pause(&t);
 	control_end(&t);
 	return ok;
 }
@@ -217,10 +217,10 @@ script_draw(
 	if (open && !r.colours_asked)
 		r.colours = screen_depth();
 	struct display *was =
-	    screen_aside(r.rows, r.columns, r.charset, r.colours);
+	    screen_begin_offscreen(r.rows, r.columns, r.charset, r.colours);
 	screen_only_text(r.words);
 	bool ok = open ? draw_open(&r, error) : draw_new(s, &r, error);
-	struct canvas *canvas = screen_back(was);
+	struct canvas *canvas = screen_end_offscreen(was);
 	request->picture = r.picture;
 	if (ok)
 		return canvas;

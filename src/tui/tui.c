@@ -36,7 +36,7 @@ static bool aside; /* somebody else has the terminal */
 /* How long to wait, s, for the next generation that is due, or for the end of
  * what is pasted; INFINITY: for ever. */
 static double
-patience(const struct tui *t)
+seconds_to_wait(const struct tui *t)
 {
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
 	bool asks = t->question != NULL || t->inquiry != NULL;
@@ -51,32 +51,32 @@ patience(const struct tui *t)
 
 /* A child process is stopped with us, as the shell waits for both. */
 static void
-leave(void)
+leave_screen(void)
 {
 	aside = true;
-	screen_leave();
+	screen_suspend_curses();
 	signals_note_stop(false);
 	signals_release();
 }
 
 static void
-come_back(void)
+return_to_screen(void)
 {
 	signals_hold();
 	signals_note_stop(true);
 	signals_forget_interrupt();
-	screen_return();
+	screen_resume_curses();
 	aside = false;
 }
 
 static void
-stop_here(struct tui *t)
+suspend_program(struct tui *t)
 {
 	double left = session_clock();
-	screen_leave();
+	screen_suspend_curses();
 	signals_suspend();
 	signals_forget_interrupt();
-	screen_return();
+	screen_resume_curses();
 	t->started += session_clock() - left;
 }
 
@@ -101,7 +101,7 @@ take_keys(struct tui *t)
 /* A terminal that was closed under the program without a hang-up: reading it
  * would go round for ever. */
 static void
-notice_end(void)
+check_terminal_is_there(void)
 {
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
 	if (poll(&in, 1, 0) <= 0 || !(in.revents & (POLLHUP | POLLERR)))
@@ -113,15 +113,15 @@ notice_end(void)
 
 /* One frame, until something happens. */
 static void
-show(struct tui *t)
+draw_and_wait(struct tui *t)
 {
 	frame_draw(t);
 	signals_watch_keys(false);
-	signals_wait(patience(t));
-	notice_end();
+	signals_wait(seconds_to_wait(t));
+	check_terminal_is_there();
 	int news = signals_take_events();
 	if (news & SIGNALS_STOP) {
-		stop_here(t);
+		suspend_program(t);
 		news = signals_take_events();
 	}
 	if (news & (SIGNALS_WAKE | SIGNALS_SIZE))
@@ -136,11 +136,11 @@ is_away(void)
 
 /* False at a signal. */
 static bool
-tui_answer(struct tui *t, int *code, bool *special)
+wait_for_answer_key(struct tui *t, int *code, bool *special)
 {
 	bool done = false;
 	while (!done && signals_pending() == 0) {
-		show(t);
+		draw_and_wait(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
 			done = keymap_pointed(t, code, special);
@@ -154,7 +154,7 @@ tui_answer(struct tui *t, int *code, bool *special)
 
 /* Keys that come before their time are lost. */
 static bool
-stopped(struct tui *t)
+is_stop_key_pressed(struct tui *t)
 {
 	int code;
 	bool special, stops = false;
@@ -166,13 +166,13 @@ stopped(struct tui *t)
 }
 
 static void
-loop(struct tui *t)
+run_loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && signals_pending() == 0) {
 		t->clock = session_clock();
 		signals_watch_keys(true);
 		view_update(t);
-		show(t);
+		draw_and_wait(t);
 		t->clock = session_clock();
 		take_keys(t);
 		signals_watch_keys(true);
@@ -185,15 +185,15 @@ loop(struct tui *t)
 static bool
 show_page(const char *page)
 {
-	leave();
+	leave_screen();
 	bool shown = manpage_show(page);
-	come_back();
+	return_to_screen();
 	return shown;
 }
 
 /* What was kept of the last session. */
 static void
-offer_last(struct tui *t)
+offer_last_session(struct tui *t)
 {
 	char *offer = autosave_begin(t->session);
 	if (offer != NULL)
@@ -204,8 +204,8 @@ offer_last(struct tui *t)
 int
 tui_run(struct session *s)
 {
-	static const struct tui_ways WAYS = {
-	    tui_answer, frame_draw, leave, come_back, is_away, stopped};
+	static const struct tui_ways WAYS = {wait_for_answer_key, frame_draw,
+	    leave_screen, return_to_screen, is_away, is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();
@@ -219,8 +219,8 @@ tui_run(struct session *s)
 	if (opened) {
 		control_begin(&t, s, &WAYS);
 		s->hooks.show_page = show_page;
-		offer_last(&t);
-		loop(&t);
+		offer_last_session(&t);
+		run_loop(&t);
 		control_end(&t);
 		screen_close();
 		restore_done();

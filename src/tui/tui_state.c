@@ -105,7 +105,7 @@ tui_take_feed(struct tui *t)
 }
 
 char *
-tui_where(const struct tui *t)
+tui_options_at_slider(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	double speed = t->ui.tenths / 10.0;
@@ -121,9 +121,9 @@ tui_where(const struct tui *t)
 }
 
 char *
-tui_asks(const struct tui *t)
+tui_command_of_page(const struct tui *t)
 {
-	char *where = tui_where(t);
+	char *where = tui_options_at_slider(t);
 	char *line =
 	    t->view.pinned.site[0] != '\0'
 		? xasprintf("compare pinned %s", where + strlen("speed="))
@@ -141,30 +141,30 @@ tui_past(const struct tui *t)
 }
 
 size_t
-tui_steps(const struct tui *t)
+tui_count_generations(const struct tui *t)
 {
 	struct plots_past past = tui_past(t);
 	return past.n + (past.n > 0 && past.polished);
 }
 
 size_t
-tui_step(const struct tui *t)
+tui_generation_shown(const struct tui *t)
 {
-	size_t n = tui_steps(t);
+	size_t n = tui_count_generations(t);
 	return t->ui.generation > 0 && t->ui.generation < n ? t->ui.generation
 							    : n;
 }
 
 void
-tui_look_at(struct tui *t, size_t step)
+tui_show_generation(struct tui *t, size_t step)
 {
-	t->ui.generation = step < tui_steps(t) ? step : 0;
+	t->ui.generation = step < tui_count_generations(t) ? step : 0;
 }
 
 size_t
 tui_generation(const struct tui *t)
 {
-	size_t n = tui_past(t).n, step = tui_step(t);
+	size_t n = tui_past(t).n, step = tui_generation_shown(t);
 	return step < n ? step : n;
 }
 
@@ -175,7 +175,7 @@ tui_searched(const struct tui *t)
 }
 
 void
-tui_untouch(struct tui *t)
+tui_clear_hits(struct tui *t)
 {
 	hits_clear(&t->hits);
 	hits_release(&t->hits);

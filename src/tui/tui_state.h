@@ -315,12 +315,12 @@ extern const double PACES[PACE_COUNT];
 struct plots_past tui_past(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a
- * better candidate.  tui_steps returns how many; tui_step the one shown, 1..;
- * tui_look_at shows one: at the last of a running search, the later ones are
- * followed. */
-size_t tui_steps(const struct tui *t);
-size_t tui_step(const struct tui *t);
-void tui_look_at(struct tui *t, size_t step);
+ * better candidate.  tui_count_generations returns how many;
+ * tui_generation_shown the one shown, 1..; tui_show_generation shows one: at
+ * the last of a running search, the later ones are followed. */
+size_t tui_count_generations(const struct tui *t);
+size_t tui_generation_shown(const struct tui *t);
+void tui_show_generation(struct tui *t, size_t step);
 
 /* Returns the generation shown, 1..n; at the polish, the last. */
 size_t tui_generation(const struct tui *t);
@@ -362,15 +362,15 @@ bool tui_moved(const struct tui *t, size_t run);
 
 /* Returns the slider's place as options of predict: "speed=77.0 feed=74", with
  * the feed if predict would take another by itself.  The caller frees. */
-char *tui_where(const struct tui *t);
+char *tui_options_at_slider(const struct tui *t);
 
 /* Returns the command that answers all that is shown at the slider: predict, or
  * compare with what is pinned.  The caller frees. */
-char *tui_asks(const struct tui *t);
+char *tui_command_of_page(const struct tui *t);
 
 /* Ignores clicks until the next frame: the frame shown is out of date, and a
  * mouse event may come before the next. */
-void tui_untouch(struct tui *t);
+void tui_clear_hits(struct tui *t);
 /* Discard what was computed, but not where the cursor is. */
 void tui_forget_sheet(struct sheet *sheet);
 void tui_forget_parity(struct parity *parity);

@@ -51,7 +51,7 @@ view_numbers_of(
 
 /* What the session has pinned. */
 static void
-look_at_pin(struct tui *t)
+copy_pinned_numbers(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
 	t->view.pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
@@ -68,7 +68,7 @@ drop_shown(struct tui *t)
 }
 
 static void
-forget(struct tui *t)
+forget_prediction(struct tui *t)
 {
 	drop_shown(t);
 	t->view.current = (struct numbers){0};
@@ -77,7 +77,7 @@ forget(struct tui *t)
 
 /* What was worked out for another one is forgotten. */
 static void
-look_at_basis(struct tui *t)
+update_basis(struct tui *t)
 {
 	struct basis *b = &t->view.basis;
 	const struct entry *entry = tui_current_entry(t);
@@ -104,7 +104,7 @@ look_at_basis(struct tui *t)
 }
 
 void
-view_look(struct tui *t)
+view_mark_changed(struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	t->view.revision++;
@@ -112,19 +112,19 @@ view_look(struct tui *t)
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
 	tui_forget_parity(&t->view.parity);
-	look_at_basis(t);
+	update_basis(t);
 	if (entry != NULL && entry == session_fitting(t->session))
 		t->wish = NULL;
-	look_at_pin(t);
+	copy_pinned_numbers(t);
 	if (isnan(session_answer_number(t->session, "predict", "speed")))
-		forget(t);
+		forget_prediction(t);
 	t->view.holdout = entry != NULL && entry->has_fit
 			      ? 100 * fit_holdout_rmse(entry)
 			      : NAN;
 }
 
 static struct view_key
-key_now(const struct tui *t)
+view_key_now(const struct tui *t)
 {
 	const struct session *s = t->session;
 	bool searching = session_busy(s) && s->job.entry == s->current;
@@ -146,7 +146,7 @@ view_predict(struct tui *t)
 	t->told = false;
 	if (entry == NULL)
 		return;
-	struct view_key was = t->view.of, key = key_now(t);
+	struct view_key was = t->view.of, key = view_key_now(t);
 	bool forming = key.generation > 0;
 	bool moved = was.tenths != key.tenths || was.feed != key.feed;
 	bool other = was.tenths == 0 || was.generation != key.generation,
@@ -163,13 +163,13 @@ view_predict(struct tui *t)
 	t->view.formed = forming;
 	if (!first)
 		t->view.moved = t->clock;
-	char *where = tui_where(t);
+	char *where = tui_options_at_slider(t);
 	char *line = xasprintf("predict %s", where);
 	struct error error = {0};
 	drop_shown(t);
 	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
 		line, &t->view.shown, &error))
-		captured_error(t, &error, line, ERROR_TYPED);
+		captured_add_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
@@ -178,7 +178,7 @@ view_predict(struct tui *t)
 	if (!first && !told)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
-	t->view.of = key_now(t);
+	t->view.of = view_key_now(t);
 	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
 	free(where);
 	free(line);

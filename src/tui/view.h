@@ -7,7 +7,7 @@
 #include "tui/tui_state.h"
 
 /* Updates the basis after anything that may have changed the session. */
-void view_look(struct tui *t);
+void view_mark_changed(struct tui *t);
 
 /* Computes what a frame shows: the prediction at the slider, which is also made
  * the session's latest answer, then what the open page shows beside it; of long

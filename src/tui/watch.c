@@ -32,7 +32,7 @@ static const struct {
 	   "and stay; :accept takes the stopped ones")}};
 
 const char *
-watch_keep(struct tui *t)
+watch_pause(struct tui *t)
 {
 	struct session *s = t->session;
 	if (!session_busy(s))
@@ -44,7 +44,7 @@ watch_keep(struct tui *t)
 	session_settle(s, true, &error);
 	t->ran = tui_searched(t);
 	t->held = false;
-	control_look(t);
+	control_refresh(t);
 	const char *said =
 	    useless != NULL ? useless
 	    : alone
@@ -57,17 +57,17 @@ watch_keep(struct tui *t)
 
 /* The last calibration of several: their table is what they end with. */
 static void
-finish_all(struct tui *t)
+watch_finish_last(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		captured_error(t, &error, "", "");
+		captured_add_error(t, &error, "", "");
 	else
 		tui_say(t, false,
 		    "all sites are calibrated: Enter opens one, :validate all "
 		    "compares them with their held-out runs");
 	t->held = false;
-	control_look(t);
+	control_refresh(t);
 }
 
 /* The calibration has come to its end. */
@@ -76,9 +76,9 @@ watch_finish(struct tui *t)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		captured_error(t, &error, "", "");
+		captured_add_error(t, &error, "", "");
 	t->held = false;
-	control_look(t);
+	control_refresh(t);
 	const struct entry *entry = tui_current_entry(t);
 	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
 		tui_say(t, false,
@@ -97,14 +97,14 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 {
 	struct error error = {0};
 	if (rounds->at == NULL) {
-		(rounds->alone ? watch_finish : finish_all)(t);
+		(rounds->alone ? watch_finish : watch_finish_last)(t);
 		return;
 	}
 	t->held = false;
-	control_look(t);
+	control_refresh(t);
 	captured_show(t);
 	if (!session_settle(t->session, true, &error))
-		captured_error(t, &error, "", "");
+		captured_add_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",
@@ -146,7 +146,7 @@ watch_step(struct tui *t)
 
 /* Generations a second: fewer where the last one gained much. */
 static double
-pace_now(const struct tui *t)
+generations_per_second(const struct tui *t)
 {
 	enum { QUICK = 40, USUAL = 12, SLOW = 4 };
 	const double much = 0.2, little = 0.02;
@@ -178,7 +178,7 @@ watch_pump(struct tui *t)
 	do {
 		/* What each round says is not for a result. */
 		if (rounds->at != NULL)
-			captured_forget(t);
+			captured_clear(t);
 		session_step(s);
 	} while (session_busy(s) && signals_pending() == 0 &&
 		 entry == s->job.entry &&
@@ -186,9 +186,9 @@ watch_pump(struct tui *t)
 		 (t->aside || (!signals_waited_for() &&
 				  session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
-		t->due = t->clock + 1 / pace_now(t);
+		t->due = t->clock + 1 / generations_per_second(t);
 	if (!session_busy(s))
 		finish_rounds(t, rounds);
 	else if (rounds->at == NULL && entry != s->job.entry)
-		control_look(t);
+		control_refresh(t);
 }

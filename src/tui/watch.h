@@ -16,6 +16,6 @@ void watch_step(struct tui *t);
 /* Stops the calibration that runs, see session_pause, and says what became of
  * it.  Returns that in words to append to another message; "" where none
  * ran. */
-const char *watch_keep(struct tui *t);
+const char *watch_pause(struct tui *t);
 
 #endif

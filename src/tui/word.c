@@ -28,7 +28,7 @@ begins_command(const char *letters)
 }
 
 bool
-word_goes_on(struct tui *t, int code, bool special)
+word_add_letter(struct tui *t, int code, bool special)
 {
 	struct word *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
@@ -63,7 +63,7 @@ word_wait(const struct tui *t)
 }
 
 const struct key *
-word_held(struct tui *t)
+word_take_held(struct tui *t)
 {
 	const struct key *held = t->word.held;
 	t->word = (struct word){0};

@@ -7,7 +7,7 @@
 
 /* True if a key is the second letter of a command's name: then the command line
  * is opened with both letters, and what the first letter moved is put back. */
-bool word_goes_on(struct tui *t, int code, bool special);
+bool word_add_letter(struct tui *t, int code, bool special);
 
 /* Holds a key that may begin such a name; true if it is held.  Without a
  * terminal no key is held. */
@@ -17,6 +17,6 @@ bool word_begins(struct tui *t, int code, bool special, const struct key *key);
 double word_wait(const struct tui *t);
 
 /* Returns the key that is held, or NULL, and lets go of it. */
-const struct key *word_held(struct tui *t);
+const struct key *word_take_held(struct tui *t);
 
 #endif

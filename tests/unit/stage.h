@@ -30,7 +30,7 @@ stage_new(
 	stage->desk = desk;
 	if (line != NULL)
 		desk_expect(stage->desk, line);
-	stage->was = screen_aside(rows, columns, charset, depth);
+	stage->was = screen_begin_offscreen(rows, columns, charset, depth);
 	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
 	return stage;
 }
@@ -41,7 +41,7 @@ stage_close(void **state)
 	struct stage *stage = *state;
 	void *desk = stage->desk;
 	control_end(&stage->t);
-	canvas_free(screen_back(stage->was));
+	canvas_free(screen_end_offscreen(stage->was));
 	free(stage);
 	return desk_close(&desk);
 }

@@ -128,9 +128,9 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	frame_draw(t);
 	for (int i = 0; i < 18; i++)
 		press(t, "Down");
-	struct display *was = screen_aside(6, 60, CHARSET_ASCII, 0);
+	struct display *was = screen_begin_offscreen(6, 60, CHARSET_ASCII, 0);
 	frame_draw(t);
-	canvas_free(screen_back(was));
+	canvas_free(screen_end_offscreen(was));
 	assert_int_equal(v->at, 18);
 	assert_in_range(v->at - v->top, 0, t->layout.body.rows - 1);
 	assert_in_range(v->top, 1, 21);
@@ -140,9 +140,9 @@ a_smaller_screen_shows_the_key_under_the_cursor(void **state)
 	press(t, "PgDn");
 	press(t, "PgDn");
 	assert_in_range(v->top, 1, v->lines);
-	was = screen_aside(100, 80, CHARSET_ASCII, 0);
+	was = screen_begin_offscreen(100, 80, CHARSET_ASCII, 0);
 	frame_draw(t);
-	canvas_free(screen_back(was));
+	canvas_free(screen_end_offscreen(was));
 	assert_int_equal(v->top, 0);
 }
 
@@ -151,7 +151,7 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, ":help predict\n");
-	struct display *was = screen_aside(12, 30, CHARSET_ASCII, 0);
+	struct display *was = screen_begin_offscreen(12, 30, CHARSET_ASCII, 0);
 	frame_draw(t);
 	for (int i = 0; i < 9; i++)
 		press(t, "Right");
@@ -162,7 +162,7 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 		press(t, "Left");
 	frame_draw(t);
 	assert_int_equal(t->viewer.left, 0);
-	canvas_free(screen_back(was));
+	canvas_free(screen_end_offscreen(was));
 	type(t, "x");
 	assert_null(t->viewer.text);
 	assert_int_equal(t->view.pinned.site[0], '\0');
@@ -213,7 +213,7 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	assert_int_equal(tui_generation(t), n);
 	press(t, "H");
 	/* The polish is a step of its own behind the last. */
-	assert_int_equal(tui_steps(t), n + 1);
+	assert_int_equal(tui_count_generations(t), n + 1);
 	assert_int_equal(tui_generation(t), n - 9);
 	assert_int_equal(t->ui.tenths, tenths);
 	type(t, "1");
@@ -244,7 +244,7 @@ a_goal_outlives_its_site(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; params set f_mat=1 e0_min=16 alpha=1");
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	type(t, "tp80=5.4\n");
 	draw_all(t);
@@ -269,7 +269,7 @@ an_envelope_waits_for_parameters(void **state)
 	assert_non_null(
 	    strstr(stage->desk->error.text, "has no parameters yet"));
 	assert_false(desk_say(stage->desk, "spec EN 12620 0/4"));
-	control_look(t);
+	control_refresh(t);
 	type(t, "f..:spec\n");
 	draw_all(t);
 	assert_false(t->failed && t->message[0] == '\0');
@@ -282,7 +282,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	type(t, "t5.2\n");
 	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
@@ -318,7 +318,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	type(t, "tpassing 2 = 33..35\n");
 	static const char *const AWAY[] = {"l", "\033", "073.1\n"};
 	t->aside = false;
@@ -365,7 +365,7 @@ a_goal_stays_known_until_something_else_is_asked(void **state)
 				     ":set k 0.9\n", ":params set alpha=0.5\n",
 				     ":set goal p80<5.1\n"};
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	type(t, "tp80<5.2\n");
 	draw_all(t);
 	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
@@ -405,7 +405,7 @@ a_report_that_was_closed_is_shown_again(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	type(t, "V");
 	assert_null(t->viewer.text);
@@ -433,7 +433,7 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	type(t, "c");
 	int tenths = t->ui.tenths;
@@ -462,7 +462,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; bounds alpha 0..60; "
 	    "calibrate generations=3");
-	control_look(t);
+	control_refresh(t);
 	type(t, "2");
 	press(t, "Down");
 	type(t, "\n\033");
@@ -497,7 +497,7 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	struct tui *t = &stage->t;
 	double limit[8];
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	type(t, "tpassing 2 = 33..35, p80 > 5\n");
 	draw_all(t);
 	assert_int_equal(goal_limits(t, limit, 8), 2);
@@ -535,7 +535,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_false(t->line.active);
 	assert_true(t->bad);
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	static const char *const BAD[] = {"p80 = few", "p80=5,p50=2",
 	    "passing 2 < 140", "no such envelope", "p80=-1"};
 	for (size_t i = 0; i < ARRAY_LEN(BAD); i++) {
@@ -584,7 +584,7 @@ an_envelope_shows_what_binds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	type(t, "t\025EN 12620 0/4\n");
 	while (goal_pending(t))
 		goal_step(t);
@@ -600,7 +600,7 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	for (int i = 0; i < 8; i++) {
 		assert_true((t->ui.quantity.kind == QUANTITY_SIZE &&
 				t->ui.quantity.x == 0.8) == (i == 0));
@@ -628,7 +628,7 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed 79\n");
@@ -652,7 +652,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	struct tui *t = &stage->t;
 	double speed, value[3];
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed data/sites/bro.csv@69\n");
@@ -669,7 +669,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		prediction_free(&p);
 		desk_expect(
 		    stage->desk, "calibrate train=69,74,79 population=200");
-		control_look(t);
+		control_refresh(t);
 	}
 	type(t, "tp50=2.66\n");
 	draw_all(t);
@@ -689,7 +689,7 @@ a_band_is_of_the_level_that_is_set(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	const double *range = t->view.shown.range[1];
 	double width = range[1] - range[0];
@@ -708,7 +708,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	double speed, value[3];
 	size_t n = 0;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	for (; strip_point(t, n, &speed, value); n++) {
 		struct question q =
@@ -728,7 +728,7 @@ a_point_makes_one_generation(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_look(t);
+	control_refresh(t);
 	type(t, "f...");
 	assert_true(t->held);
 	assert_int_equal(tui_past(t).n, 3);
@@ -739,15 +739,15 @@ a_point_makes_one_generation(void **state)
 	while (session_busy(t->session))
 		type(t, ".");
 	assert_true(tui_current_entry(t)->has_fit);
-	size_t steps = tui_steps(t);
-	assert_int_equal(tui_step(t), steps);
+	size_t steps = tui_count_generations(t);
+	assert_int_equal(tui_generation_shown(t), steps);
 	type(t, "\t");
 	press(t, "Home");
 	type(t, ".");
-	assert_int_equal(tui_step(t), 2);
-	tui_look_at(t, steps);
+	assert_int_equal(tui_generation_shown(t), 2);
+	tui_show_generation(t, steps);
 	type(t, ".");
-	assert_int_equal(tui_step(t), steps);
+	assert_int_equal(tui_generation_shown(t), steps);
 }
 
 /* With the key of the page and Enter in eight. */
@@ -759,7 +759,7 @@ bounds_are_typed_on_their_strip(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    "load data/sites/tierp.csv; calibrate population=100 "
 	    "generations=9");
-	control_look(t);
+	control_refresh(t);
 	type(t, "2");
 	press(t, "Down");
 	press(t, "Enter");
@@ -786,7 +786,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_look(t);
+	control_refresh(t);
 	assert_int_equal(t->ui.pace, PACE_AUTO);
 	type(t, "f");
 	bool slow = false, quick = false;
@@ -837,7 +837,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
-	control_look(t);
+	control_refresh(t);
 	type(t, "5");
 	t->ui.list[PAGE_SITES].at = 0;
 	type(t, "?/use a site\n");
@@ -886,10 +886,10 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	struct tui *t = &stage->t;
 	double last = NAN, step = NAN;
 	size_t n = 0;
-	canvas_free(screen_back(stage->was));
-	stage->was = screen_aside(1000, 100, CHARSET_ASCII, 0);
+	canvas_free(screen_end_offscreen(stage->was));
+	stage->was = screen_begin_offscreen(1000, 100, CHARSET_ASCII, 0);
 	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	char *text = frame_text();
 	int row = 0, from = t->layout.strip.row,
@@ -944,13 +944,13 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	stage->desk->session->hooks.draw_screen = script_draw;
-	canvas_free(screen_back(stage->was));
-	stage->was = screen_aside(50, 170, CHARSET_ASCII, 0);
+	canvas_free(screen_end_offscreen(stage->was));
+	stage->was = screen_begin_offscreen(50, 170, CHARSET_ASCII, 0);
 	desk_expect(stage->desk,
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "pin speed=70; use bro; calibrate");
 	t->session->hooks.confirm = says_yes;
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	/* On a terminal a goal is worked out part by part. */
 	t->aside = false;
@@ -1092,7 +1092,7 @@ what_is_left_is_found_again(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	view_predict(t);
 	type(t, "xtp80<5.2\ny4");
 	t->aside = false; /* as where somebody looks */
@@ -1118,7 +1118,7 @@ what_is_left_is_found_again(void **state)
 	assert_true(session_busy(s));
 	type(t, "tp80<5.3\n");
 	assert_true(session_busy(s));
-	watch_keep(t);
+	watch_pause(t);
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = open_memstream(&text, &n);
@@ -1179,7 +1179,7 @@ long_commands_leave_the_screen_live(void **state)
 		desk_expect(stage->desk, plain);
 		double want = session_answer_number(s, name, LONG[i].field);
 		session_forget(s);
-		control_look(t);
+		control_refresh(t);
 		draw_all(t);
 		t->aside = false; /* as where somebody looks */
 		type(t, LONG[i].line);
@@ -1213,7 +1213,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_look(t);
+	control_refresh(t);
 	t->aside = false; /* as where somebody looks */
 	t->ui.pace = PACE_FULL;
 	type(t, "f");
@@ -1534,7 +1534,7 @@ a_line_stops_no_search_unsaid(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_look(t);
+	control_refresh(t);
 	const double best = tui_current_entry(t)->fit.misfit;
 	type(t, "f.. ");
 	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
@@ -1570,7 +1570,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_look(t);
+	control_refresh(t);
 	draw_all(t);
 	const double best = tui_current_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
@@ -1657,7 +1657,7 @@ a_word_begins_a_line(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	t->aside = false;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
 		t->clock += 5;
@@ -1680,7 +1680,7 @@ single_letters_are_keys(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	view_predict(t);
 	t->aside = false;
 	type(t, "l");
@@ -1706,7 +1706,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_look(t);
+	control_refresh(t);
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
 	assert_string_equal(t->message, "not calibrated: the parameters stay");
@@ -1792,11 +1792,13 @@ a_question_is_answered_by_y_alone(void **state)
 	assert_false(s->hooks.confirm(s, "shall it?"));
 	assert_null(t->question);
 	/* It stands on the frame that was drawn. */
-	struct canvas *frame = screen_back(((struct stage *)*state)->was);
+	struct canvas *frame =
+	    screen_end_offscreen(((struct stage *)*state)->was);
 	assert_int_equal(canvas_at(frame, 0, 23)->code, 's');
 	assert_int_equal(canvas_at(frame, 12, 23)->code, 'n');
 	canvas_free(frame);
-	((struct stage *)*state)->was = screen_aside(5, 20, CHARSET_ASCII, 0);
+	((struct stage *)*state)->was =
+	    screen_begin_offscreen(5, 20, CHARSET_ASCII, 0);
 }
 
 /* r; again or Esc: back. */

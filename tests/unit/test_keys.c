@@ -73,8 +73,9 @@ the_list_has_every_name(void **state)
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 40);
 	free(text);
-	assert_int_equal(keys_nth(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');
-	assert_null(keys_nth(PAGE_FIT, "no such word", 0));
+	assert_int_equal(
+	    keys_listed_at(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');
+	assert_null(keys_listed_at(PAGE_FIT, "no such word", 0));
 	out = open_memstream(&text, &n);
 	assert_non_null(out);
 	keys_list(PAGE_FIT, "grading", out);
@@ -98,13 +99,13 @@ the_keys_of_the_open_page_come_first(void **state)
 	for (size_t i = 0; i < sizeof OF / sizeof OF[0]; i++) {
 		size_t n = keys_count(OF[i].page, ""), first = n, other = n;
 		for (size_t k = 0; k < n; k++) {
-			int code = keys_nth(OF[i].page, "", k)->code;
+			int code = keys_listed_at(OF[i].page, "", k)->code;
 			first = code == OF[i].first ? k : first;
 			other = code == OF[i].other ? k : other;
 			assert_int_not_equal(code, OF[i].none);
 		}
 		assert_true(first < other && other < n);
-		assert_null(keys_nth(OF[i].page, "", n));
+		assert_null(keys_listed_at(OF[i].page, "", n));
 	}
 }
 

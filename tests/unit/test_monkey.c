@@ -98,8 +98,8 @@ resize(void)
 	const int *most = MOST[size < ARRAY_LEN(MOST) ? size : 0];
 	rows = 1 + (int)below((size_t)most[0]);
 	columns = 1 + (int)below((size_t)most[1]);
-	canvas_free(screen_back(before));
-	before = screen_aside(rows, columns, (enum charset)below(3),
+	canvas_free(screen_end_offscreen(before));
+	before = screen_begin_offscreen(rows, columns, (enum charset)below(3),
 	    DEPTHS[below(ARRAY_LEN(DEPTHS))]);
 }
 
@@ -229,7 +229,7 @@ walk(uint64_t seed)
 	desk->session->hooks.draw_screen = script_draw;
 	/* From here on no file is written and no shell run. */
 	desk->session->safe = true;
-	before = screen_aside(rows, columns, CHARSET_BRAILLE, 256);
+	before = screen_begin_offscreen(rows, columns, CHARSET_BRAILLE, 256);
 	control_begin(&t, desk->session, &WAYS);
 	/* On a terminal what takes long is worked out part by part. */
 	t.aside = below(2) == 0;
@@ -252,7 +252,7 @@ walk(uint64_t seed)
 	keymap_held(&t);
 	assert_true(t.leave);
 	control_end(&t);
-	canvas_free(screen_back(before));
+	canvas_free(screen_end_offscreen(before));
 	desk_close(&open);
 }
 

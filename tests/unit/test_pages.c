@@ -64,12 +64,12 @@ row_of(struct stage *stage, int row)
 	int rows, columns;
 	frame_draw(&stage->t);
 	screen_size(&rows, &columns);
-	struct canvas *frame = screen_back(stage->was);
+	struct canvas *frame = screen_end_offscreen(stage->was);
 	for (int i = 0; i < columns; i++)
 		text[i] = (char)canvas_at(frame, i, row)->code;
 	text[columns] = '\0';
 	canvas_free(frame);
-	stage->was = screen_aside(rows, columns, CHARSET_ASCII, 0);
+	stage->was = screen_begin_offscreen(rows, columns, CHARSET_ASCII, 0);
 	frame_draw(&stage->t);
 	return text;
 }
@@ -77,8 +77,8 @@ row_of(struct stage *stage, int row)
 static void
 resize(struct stage *stage, int rows, int columns)
 {
-	canvas_free(screen_back(stage->was));
-	stage->was = screen_aside(rows, columns, CHARSET_ASCII, 0);
+	canvas_free(screen_end_offscreen(stage->was));
+	stage->was = screen_begin_offscreen(rows, columns, CHARSET_ASCII, 0);
 	frame_draw(&stage->t);
 }
 
@@ -213,7 +213,7 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(stage->desk, "mend product@74 sieve=1 value=15.82");
 	desk_expect(stage->desk, "calibrate");
-	control_look(t);
+	control_refresh(t);
 	press(t, "3");
 	const char *row = row_of(stage, 9);
 	assert_non_null(strstr(row, "15.82!"));
@@ -265,7 +265,7 @@ parity_has_the_statistics_of_validate(void **state)
 	assert_non_null(strstr(row_of(stage, 6), "no loaded site has"));
 	desk_expect(stage->desk, "calibrate all");
 	desk_expect(stage->desk, "validate all");
-	control_look(t);
+	control_refresh(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.n, 3);
 	const struct session *s = t->session;
@@ -316,7 +316,7 @@ one_run_has_a_mark_for_each_size(void **state)
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_look(t);
+	control_refresh(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.n, 1);
 	size_t n = 0;
@@ -345,7 +345,7 @@ small_screens_say_all_or_that_they_cut(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "use tierp; calibrate generations=20 population=100");
-	control_look(t);
+	control_refresh(t);
 	resize(stage, 12, 40);
 	press(t, "1");
 	assert_non_null(strstr(row_of(stage, 11), "? keys"));
@@ -379,12 +379,12 @@ an_extrapolated_size_says_so(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_look(t);
+	control_refresh(t);
 	t->ui.tenths = 840;
 	press(t, "5 g");
 	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
 	t->ui.tenths = 740;
-	control_look(t);
+	control_refresh(t);
 	press(t, "5");
 	assert_false(frame_has(stage, 24, "? extrapolated:"));
 }
@@ -398,7 +398,7 @@ the_sieve_asked_about_has_a_row(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_look(t);
+	control_refresh(t);
 	resize(stage, 30, 100);
 	press(t, "1");
 	for (size_t i = 1; i < 4; i++) {

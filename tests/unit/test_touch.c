@@ -67,7 +67,7 @@ press(struct stage *stage, const char *names)
 static bool
 find_text(struct stage *stage, const char *text, int *row, int *column)
 {
-	struct canvas *frame = screen_back(stage->was);
+	struct canvas *frame = screen_end_offscreen(stage->was);
 	bool found = false;
 	for (int r = 0; r < frame->rows; r++) {
 		char *line = xstrdup(""), code[5];
@@ -86,7 +86,8 @@ find_text(struct stage *stage, const char *text, int *row, int *column)
 		free(line);
 	}
 	canvas_free(frame);
-	stage->was = screen_aside(ROWS, COLUMNS, CHARSET_BRAILLE, 256);
+	stage->was =
+	    screen_begin_offscreen(ROWS, COLUMNS, CHARSET_BRAILLE, 256);
 	frame_draw(&stage->t);
 	return found;
 }
@@ -270,8 +271,8 @@ a_word_filters_the_rows(void **state)
 	press(stage, "Enter Enter");
 	assert_int_equal(t->ui.page, PAGE_SITES);
 	/* Without a row of hints the word is seen, too. */
-	canvas_free(screen_back(stage->was));
-	stage->was = screen_aside(6, 40, CHARSET_ASCII, 0);
+	canvas_free(screen_end_offscreen(stage->was));
+	stage->was = screen_begin_offscreen(6, 40, CHARSET_ASCII, 0);
 	press(stage, "Esc / bro");
 	assert_int_equal(t->layout.hints.rows, 0);
 	assert_int_equal(t->cursor.column, 4);

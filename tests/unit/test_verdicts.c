@@ -30,9 +30,9 @@ stage_open(void **state)
 	desk_open(&desk);
 	stage->desk = desk;
 	desk_expect(stage->desk, TIERP_CALIBRATED "; predict speed=74");
-	struct display *was = screen_aside(24, 80, CHARSET_ASCII, 0);
+	struct display *was = screen_begin_offscreen(24, 80, CHARSET_ASCII, 0);
 	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
-	canvas_free(screen_back(was));
+	canvas_free(screen_end_offscreen(was));
 	view_predict(&stage->t);
 	*state = stage;
 	return 0;
@@ -52,12 +52,13 @@ stage_close(void **state)
 static char *
 page(struct tui *t, int rows, int columns)
 {
-	struct display *was = screen_aside(rows, columns, CHARSET_ASCII, 0);
+	struct display *was =
+	    screen_begin_offscreen(rows, columns, CHARSET_ASCII, 0);
 	char *text = NULL;
 	size_t n = 0;
 	view_update(t);
 	frame_draw(t);
-	struct canvas *canvas = screen_back(was);
+	struct canvas *canvas = screen_end_offscreen(was);
 	FILE *out = text_memory(&text, &n);
 	canvas_print(canvas, 0, out);
 	fclose(out);
@@ -199,16 +200,16 @@ row_of(struct canvas *canvas, const char *words)
 static void
 touch(struct tui *t, const char *words)
 {
-	struct display *was = screen_aside(30, 100, CHARSET_ASCII, 0);
+	struct display *was = screen_begin_offscreen(30, 100, CHARSET_ASCII, 0);
 	frame_draw(t);
-	struct canvas *canvas = screen_back(was);
+	struct canvas *canvas = screen_end_offscreen(was);
 	int row = row_of(canvas, words);
 	canvas_free(canvas);
-	was = screen_aside(30, 100, CHARSET_ASCII, 0);
+	was = screen_begin_offscreen(30, 100, CHARSET_ASCII, 0);
 	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, row,
 	    t->layout.side.column + 1, keymap_key));
 	hits_release(&t->hits);
-	canvas_free(screen_back(was));
+	canvas_free(screen_end_offscreen(was));
 }
 
 static void

@@ -442,7 +442,7 @@ add_key(struct answer *r, const char *key)
 }
 
 static void
-flow_keys(struct answer *r, const struct asked *all)
+add_flow_keys(struct answer *r, const struct asked *all)
 {
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
@@ -468,7 +468,7 @@ add_keys(struct answer *r, const struct asked *all, bool rpm)
 	}
 	add_key(r, "p80_low_mm");
 	add_key(r, "p80_high_mm");
-	flow_keys(r, all);
+	add_flow_keys(r, all);
 	if (all->list.n > 0) {
 		add_key(r, "limits");
 		add_key(r, "certain");

@@ -313,9 +313,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "Conditions are those of window: the condition with = and a single "
 	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
 	    "the speed that gives most or least of a quantity; other "
-	    "conditions are checked at that speed, or limit it. The first "
-	    "range of a speed is that of the true product, the second that in "
-	    "which a belt cut may show the value.",
+	    "conditions are checked at that speed, or limit it. Of the two "
+	    "ranges of a speed the first is for the true product, the second "
+	    "for what a belt cut may show.",
 	.more = "A limit that binds is kept with a certainty of about a half "
 		"only, so the best with 80 % certainty (set level) is said "
 		"too. Of several speeds that give the value the one inside the "

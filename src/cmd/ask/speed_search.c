@@ -462,7 +462,7 @@ best_step(const struct speed_search *s, const struct wanted *w)
 }
 
 static void
-find_best(struct speed_search *s, const struct wanted *w)
+find_best_speed(struct speed_search *s, const struct wanted *w)
 {
 	size_t k = best_step(s, w);
 	if (k == SIZE_MAX) {
@@ -662,7 +662,7 @@ static void
 finish_search(struct speed_search *s, const struct wanted *w)
 {
 	find_inside(s, w);
-	find_best(s, w);
+	find_best_speed(s, w);
 	find_sure(s, w->level);
 	s->alone = xcalloc(w->n + 1, sizeof *s->alone);
 	for (size_t i = 0; i < w->n; i++)

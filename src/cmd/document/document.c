@@ -117,7 +117,7 @@ size_t
 document_answer(struct document *d, const struct answer *answer)
 {
 	document_add(d, (struct document_part){.kind = DOCUMENT_ANSWER,
-			    .answer = answer_shown(answer)});
+			    .answer = answer_escaped(answer)});
 	return answer_view(answer).n_row;
 }
 

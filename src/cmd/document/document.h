@@ -13,7 +13,7 @@
 
 /* A part, in the order in which it was added.  text: of all parts but answers
  * and pictures; DOCUMENT_TEXT: lines that stay as they are.  light: of
- * DOCUMENT_LIGHT.  answer: as shown, see answer_shown. */
+ * DOCUMENT_LIGHT.  answer: as shown, see answer_escaped. */
 enum document_kind {
 	DOCUMENT_HEADING,
 	DOCUMENT_WORDS,

@@ -20,7 +20,7 @@
 
 /* Says beside the results what the job is about to do. */
 static void
-announce(struct session *s)
+note_job_begun(struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
@@ -48,7 +48,7 @@ announce(struct session *s)
 
 /* What is to be paused after some step goes one after the other. */
 static bool
-together(const struct job *job)
+runs_together(const struct job *job)
 {
 	return job->apart && job->pause_at == 0;
 }
@@ -63,10 +63,10 @@ job_begin(struct session *s)
 	job->options.train = job->train;
 	job->options.run_weight = job->run_weight;
 	struct calibrate_options options = job->options;
-	options.threads = together(job) ? 1 : options.threads;
+	options.threads = runs_together(job) ? 1 : options.threads;
 	job->calibration = calibration_new(site, &options);
 	job->started = session_clock();
-	announce(s);
+	note_job_begun(s);
 }
 
 /* Frees what it owns, and leaves it empty. */
@@ -267,7 +267,7 @@ job_take_fit(struct session *s, bool draw)
 }
 
 static void
-give_fit(struct session *s)
+answer_fit(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
 	if (s->job.detail)
@@ -279,7 +279,7 @@ give_fit(struct session *s)
 
 /* "alpha at bound; same data as ubbarp; poor". */
 static char *
-remarks(const struct session *s, const struct entry *entry)
+remarks_on_fit(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
 	const struct breakage *of = breakage_of(&entry->fit.params);
@@ -300,9 +300,9 @@ remarks(const struct session *s, const struct entry *entry)
 }
 
 static void
-summarise(struct session *s, struct answer *r, const struct entry *entry)
+add_summary_row(struct session *s, struct answer *r, const struct entry *entry)
 {
-	FREED char *words = remarks(s, entry);
+	FREED char *words = remarks_on_fit(s, entry);
 	const struct params *p = &entry->fit.params;
 	part_add(r, &(struct part_row){entry->key, words,
 			params_value(p, "f_mat"), params_value(p, "e0_min"),
@@ -322,7 +322,7 @@ static void
 take_alone(struct session *s)
 {
 	job_take_fit(s, true);
-	give_fit(s);
+	answer_fit(s);
 }
 
 static void
@@ -390,7 +390,7 @@ next_every(struct session *s)
 
 /* One line for each site as it ends. */
 static void
-tell_end(const struct session *s)
+note_fit_ended(const struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
@@ -402,11 +402,11 @@ take_every(struct session *s)
 {
 	struct every *every = s->job.of;
 	job_take_fit(s, false);
-	tell_end(s);
+	note_fit_ended(s);
 	every->index =
 	    xrealloc(every->index, every->n + 1, sizeof *every->index);
 	every->index[every->n++] = s->job.entry;
-	summarise(s, every->summary, &s->entry[s->job.entry]);
+	add_summary_row(s, every->summary, &s->entry[s->job.entry]);
 }
 
 static void
@@ -497,7 +497,7 @@ run_ahead(void *data, size_t piece, unsigned thread)
 
 /* The present round and those after it, `most` at most. */
 static size_t
-look_ahead(struct session *s, struct ahead *ahead, size_t most)
+list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
@@ -520,7 +520,7 @@ look_ahead(struct session *s, struct ahead *ahead, size_t most)
 /* Takes the results in the order of the rounds.  One that was stopped is the
  * present one then, and those after it begin anew. */
 static void
-take_ahead(struct session *s, const struct ahead *ahead, size_t n)
+take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
 {
 	struct job *job = &s->job;
 	bool over = true;
@@ -555,18 +555,18 @@ void
 session_rounds(struct session *s)
 {
 	enum { EACH_THREAD = 2 };
-	if (!together(&s->job)) {
+	if (!runs_together(&s->job)) {
 		session_step(s);
 		return;
 	}
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
 	FREED struct ahead *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = look_ahead(s, ahead, most);
+	size_t n = list_rounds_ahead(s, ahead, most);
 	struct pool *pool = pool_new(threads);
 	pool_run(pool, n, run_ahead, ahead);
 	pool_free(pool);
-	take_ahead(s, ahead, n);
+	take_results_ahead(s, ahead, n);
 }
 
 /* What the parameters of the job's site come to by all that the job goes by:
@@ -603,7 +603,7 @@ is_worth_taking(const struct job *job, double best, double present)
 }
 
 static void
-tell_stop(const struct session *s, double best, double present, bool taken)
+note_stop(const struct session *s, double best, double present, bool taken)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (taken && s->job.rounds->alone)
@@ -645,7 +645,7 @@ keep_best(struct session *s)
 		job->given = *params;
 		job->gave = true;
 	}
-	tell_stop(s, best, job->before, taken);
+	note_stop(s, best, job->before, taken);
 	return taken ? STOPPED_TAKEN : STOPPED_WORSE;
 }
 
@@ -681,7 +681,7 @@ session_stop(struct session *s)
 }
 
 void
-session_let_go(struct session *s)
+session_discard_job(struct session *s)
 {
 	if (s->job.calibration == NULL)
 		return;

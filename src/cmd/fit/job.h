@@ -75,7 +75,7 @@ void session_step(struct session *s);
 void session_rounds(struct session *s);
 
 /* Discards a stopped calibration, and says so. */
-void session_let_go(struct session *s);
+void session_discard_job(struct session *s);
 
 /* Stops the job for the user, so that `continue` can resume it.  The best
  * result so far becomes the site's fit, unless the site's parameters fit

@@ -274,7 +274,7 @@ verdict_free(struct verdict *v)
 
 /* Adds b [more] to a [n]. */
 static void
-extend(double **a, size_t n, const double *b, size_t more)
+append_numbers(double **a, size_t n, const double *b, size_t more)
 {
 	*a = xrealloc(*a, n + more + 1, sizeof **a);
 	if (more > 0)
@@ -300,10 +300,10 @@ add_ground(struct verdict *v, const struct ground *g, bool alone)
 		v->misfit[m] += t->fit.misfit;
 		v->parameters[m] += t->parameters;
 		v->model[m].aicc += counts ? aicc : 0;
-		extend(&v->predicted[m], v->n, t->predicted, g->n);
+		append_numbers(&v->predicted[m], v->n, t->predicted, g->n);
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		extend(&v->null[way], v->n, g->null[way], g->n);
+		append_numbers(&v->null[way], v->n, g->null[way], g->n);
 	v->cell = xrealloc(v->cell, v->n + g->n + 1, size);
 	if (g->n > 0)
 		memcpy(v->cell + v->n, g->cell, g->n * size);
@@ -358,7 +358,7 @@ static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
 /* Those who need no model and err least, where that is less than the best model
  * errs; else VALIDATE_MODEL. */
 static enum validate_way
-ahead_of(const struct verdict *v)
+baseline_ahead(const struct verdict *v)
 {
 	double least = v->model[v->best].rmse;
 	enum validate_way ahead = VALIDATE_MODEL;
@@ -376,12 +376,12 @@ ahead_of(const struct verdict *v)
  * errs more than those who need no model: beaten, where sampling does not
  * explain it. */
 static const char *
-standing_of(const struct verdict *v, size_t m)
+standing_words(const struct verdict *v, size_t m)
 {
 	enum league_standing standing = v->model[m].standing;
 	if (standing == LEAGUE_BEST && v->winner != VALIDATE_MODEL)
 		return tr("beaten");
-	if (standing == LEAGUE_BEST && ahead_of(v) != VALIDATE_MODEL)
+	if (standing == LEAGUE_BEST && baseline_ahead(v) != VALIDATE_MODEL)
 		standing = LEAGUE_POSSIBLE;
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
 }
@@ -404,8 +404,8 @@ put_verdict(struct fields *o, const struct verdict *v)
 		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
 		    "parameters %zu cells %zu standing %s weight_pct %g",
 		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
-		    v->misfit[m], v->parameters[m], v->cells, standing_of(v, m),
-		    weight_of(v, m));
+		    v->misfit[m], v->parameters[m], v->cells,
+		    standing_words(v, m), weight_of(v, m));
 	scores_put_null(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", name_of_row(v->best));
@@ -438,7 +438,7 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 		if (programs)
 			answer_cells(r, "%.1f", v->model[m].aicc - least);
 		answer_cells(
-		    r, "%.2f %s", 100 * v->model[m].rmse, standing_of(v, m));
+		    r, "%.2f %s", 100 * v->model[m].rmse, standing_words(v, m));
 		if (weights)
 			answer_cells(r, "%.0f", weight_of(v, m));
 	}
@@ -588,7 +588,7 @@ note_weights(struct answer *r, const struct verdict *v)
 }
 
 static struct answer *
-one_answer(const struct session *s, const struct ground *g)
+answer_one_site(const struct session *s, const struct ground *g)
 {
 	struct verdict v = verdict_of(g, 1);
 	find_weights(&v, s, &s->entry[g->entry]);
@@ -614,7 +614,7 @@ one_answer(const struct session *s, const struct ground *g)
 
 /* A row a site, and all of them together. */
 static struct answer *
-all_answer(const struct session *s, const struct league *l)
+answer_all(const struct session *s, const struct league *l)
 {
 	struct answer *r = answer_new("league");
 	struct fields *sites = fields_list(answer_fields(r), "sites");
@@ -634,7 +634,7 @@ all_answer(const struct session *s, const struct league *l)
 		    league_names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
-		enum validate_way ahead = ahead_of(&v);
+		enum validate_way ahead = baseline_ahead(&v);
 		answer_cells(r, "%s %.2f %.2f %s",
 		    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
 					    : name_of_row(v.best),
@@ -665,12 +665,12 @@ end_league(struct session *s, void *of)
 	for (size_t i = 0; i < l->n; i++)
 		find_noise(&l->ground[i]);
 	session_show_answer(
-	    s, l->all ? all_answer(s, l) : one_answer(s, &l->ground[0]));
+	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->ground[0]));
 	league_drop(l);
 }
 
 static char *
-at_model(const struct session *s)
+job_words_at_model(const struct session *s)
 {
 	const struct league *l = s->job.of;
 	const char *key = s->entry[s->job.entry].key;
@@ -682,7 +682,7 @@ at_model(const struct session *s)
 }
 
 static const struct rounds LEAGUE = {next_round, NULL, take_round, end_league,
-    league_drop, false, at_model,
+    league_drop, false, job_words_at_model,
     N_("stopped before all models were calibrated"), NULL};
 
 bool
@@ -701,7 +701,7 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 	    .n_model = breakage_count() + (s->set.model.impacts.n > 0),
 	    .at = all ? 0 : s->current,
 	    .end = all ? s->n_entry : s->current + 1};
-	session_let_go(s);
+	session_discard_job(s);
 	const struct job job = {
 	    .rounds = &LEAGUE, .of = l, .options = job_options(s)};
 	return job_start(s, &job) ||

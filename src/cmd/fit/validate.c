@@ -367,7 +367,7 @@ validate_each(struct session *s, struct comparison *c, struct error *error)
 {
 	c->at = c->all ? 0 : s->current;
 	c->end = c->all ? s->n_entry : s->current + 1;
-	session_let_go(s);
+	session_discard_job(s);
 	const struct job job = {.rounds = &EACH,
 	    .of = c,
 	    .apart = c->all,

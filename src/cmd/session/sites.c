@@ -166,7 +166,7 @@ void
 session_drop(struct session *s, size_t index)
 {
 	if (s->job.calibration != NULL && s->job.entry == index)
-		session_let_go(s);
+		session_discard_job(s);
 	else if (s->job.calibration != NULL && s->job.entry > index)
 		s->job.entry--;
 	entry_clear(&s->entry[index]);
@@ -188,7 +188,7 @@ session_mend(struct session *s, size_t index, struct site *site)
 	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
 				  entry->origin->whose[0] == '\0');
 	if (s->job.calibration != NULL && s->job.entry == index)
-		session_let_go(s);
+		session_discard_job(s);
 	if (site->n_run != entry->site->n_run) {
 		free(entry->train);
 		entry->train = xcalloc(site->n_run, sizeof *entry->train);
@@ -217,7 +217,7 @@ session_replace_site(struct session *s, struct site *site, const size_t *from)
 {
 	struct entry *entry = session_entry(s);
 	if (s->job.calibration != NULL && s->job.entry == s->current)
-		session_let_go(s);
+		session_discard_job(s);
 	bool *train = xcalloc(site->n_run, sizeof *train);
 	if (!entry->has_fit)
 		misfit_default_train(site, train);

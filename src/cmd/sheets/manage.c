@@ -39,7 +39,7 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 static void
 forget_all(struct session *s, const struct choices *choices)
 {
-	session_let_go(s);
+	session_discard_job(s);
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->log = NULL;
@@ -310,7 +310,7 @@ undo_or_redo(struct session *s, const char *(*where)(struct session *))
 		s->job.entry = i;
 		return label;
 	}
-	session_let_go(s);
+	session_discard_job(s);
 	return label;
 }
 

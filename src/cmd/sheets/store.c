@@ -154,7 +154,7 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 	h->stop = s->hooks.stop;
 	bool own = has_runs(entry->site, h->site);
 	if (s->job.calibration != NULL && s->job.entry == *index)
-		session_let_go(s);
+		session_discard_job(s);
 	if (own && b.now != NULL && !has_runs(entry->site, b.now))
 		entry->site = b.now;
 	if (own)

@@ -241,8 +241,8 @@ const struct command TABLE_DATA[] = {
 	    "appearance: the size classes of the progeny of each broken class "
 	    "(appearance function, Eq 1, the matrix of the paper's Table 1); "
 	    "equations: Eqs 1 to 5 as printed and as used, and what the "
-	    "printed forms would come to at the site; claims: what the paper "
-	    "concludes, held against the calibrated sites; search: the "
+	    "printed forms would give at the site; claims: what the paper "
+	    "concludes, compared with the calibrated sites; search: the "
 	    "generations of the last calibration, as history; store: where "
 	    "remembered materials are kept; log: what the plant's log has.",
 	.example = "load data/sites/tierp.csv\n"

@@ -106,7 +106,7 @@ is_better(const struct league_model *a, const struct league_model *b)
 /* Of the models that err least at the runs held out, alike to LEAST, the one
  * that comes first by AICc; of all where no run was held out. */
 static struct league_model *
-find_best(struct league_model *model, size_t n)
+find_best_model(struct league_model *model, size_t n)
 {
 	struct league_model *best = NULL;
 	double least = INFINITY;
@@ -144,7 +144,7 @@ bool
 league_rank(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n)
 {
-	struct league_model *best = find_best(model, n_model);
+	struct league_model *best = find_best_model(model, n_model);
 	bool agree = true;
 	for (size_t i = 0; i < n_model; i++) {
 		struct league_model *m = &model[i];

@@ -129,7 +129,7 @@ speed_disorder(const struct site *site)
 /* Whether the slower product is the finer one on most of the sieves that tell
  * the two apart: one wrong cell, however large, does not make it so. */
 static bool
-mostly_finer(const struct psd *slow, const struct psd *fast)
+is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 {
 	const double apart = 1e-3;
 	size_t finer = 0, coarser = 0;
@@ -157,7 +157,7 @@ find_exchanged(struct doctor *d, const struct site *site)
 			if (site->individual_feeds ||
 			    site->run[i].product.n == 0 ||
 			    site->run[k].product.n == 0 ||
-			    !mostly_finer(
+			    !is_slower_product_finer(
 				&site->run[i].product, &site->run[k].product))
 				continue;
 			struct site *other = mend_site(site, &m, NULL);

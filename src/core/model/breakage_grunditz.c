@@ -310,7 +310,8 @@ grunditz_density(const struct block *b, const struct plan_run *run, double u,
 	(void)log_u;
 	(void)log_y;
 	const lanes *beta = b->own;
-	return positive(beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3])));
+	return at_least_0(
+	    beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3])));
 }
 
 /* p at the nodes of u and its integral up to each. */

@@ -104,7 +104,7 @@ load(const struct lane_model *m, struct block *b, const struct plan *plan,
 }
 
 static inline lanes
-positive(lanes a)
+at_least_0(lanes a)
 {
 	return lanes_max(a, lanes_of(0));
 }
@@ -522,7 +522,7 @@ classes_block(const struct lane_model *m, const struct plan *plan,
 }
 
 INLINE void
-evaluate(const struct lane_model *m, const struct plan *plan,
+evaluate_block(const struct lane_model *m, const struct plan *plan,
     const double *const *theta, const uint32_t *index, bool smooth,
     double *scratch, const struct kernel_out *out)
 {
@@ -543,7 +543,7 @@ evaluate_all(const struct lane_model *m, const struct plan *plan,
     double *scratch, const struct kernel_out *out)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
-		evaluate(m, plan, theta, index + i, smooth, scratch, out);
+		evaluate_block(m, plan, theta, index + i, smooth, scratch, out);
 }
 
 static inline void

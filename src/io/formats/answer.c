@@ -888,7 +888,7 @@ copy_with_words(char *(*way)(const char *), const struct answer *a)
 }
 
 struct answer *
-answer_shown(const struct answer *a)
+answer_escaped(const struct answer *a)
 {
 	return copy_with_words(text_escaped, a);
 }
@@ -920,7 +920,7 @@ static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = answer_shown(answer);
+	struct answer *a = answer_escaped(answer);
 	const struct table *t = &a->table[0];
 	bool turned = a->across && answer_rows_of(t) > t->n_column;
 	if (turned)

@@ -133,7 +133,7 @@ struct answer_view answer_view(const struct answer *answer);
 
 /* Returns a copy of the answer with all texts as they are shown: only the first
  * clause of the provenance, and warnings first, marked as warnings. */
-struct answer *answer_shown(const struct answer *answer);
+struct answer *answer_escaped(const struct answer *answer);
 
 /* Returns the answer's fields, without command, site and provenance;
  * borrowed. */

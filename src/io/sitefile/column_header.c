@@ -172,7 +172,7 @@ skip_unit_of_mass(const char *text)
 
 /* Notes what a number says, with the unit after it, which *text moves over. */
 static void
-take_number(struct head *head, const char **text, double value, bool at)
+head_read_number(struct head *head, const char **text, double value, bool at)
 {
 	size_t n;
 	const char *p = *text + strspn(*text, " ([");
@@ -306,7 +306,7 @@ column_header_read_number(struct head *head, const char *start,
 		!other_unit_at(to + strspn(to, " ")) &&
 		is_second_speed(before, from, value));
 	if (good && (!inside || speed))
-		take_number(head, text, value, at);
+		head_read_number(head, text, value, at);
 	*before = (struct before){
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }

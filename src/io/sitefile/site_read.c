@@ -257,7 +257,7 @@ feed_below_top(const struct columns *all)
 /* What is assumed of feeds whose coarsest sieve does not pass all: as was said
  * or, where nothing was, asked. */
 static void
-settle_top(struct reading *r, struct site_ask *ask)
+assume_top_size(struct reading *r, struct site_ask *ask)
 {
 	const struct column *c = feed_below_top(&r->all);
 	double top = site_column_round(r->request->top, 1e9);
@@ -916,7 +916,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 				&r.all, ask != NULL ? ask : &none, errors);
 		if (!open) {
 			read_columns(&r);
-			settle_top(&r, ask != NULL ? ask : &none);
+			assume_top_size(&r, ask != NULL ? ask : &none);
 		}
 		if (ask != NULL) {
 			ask->no_feed = count_columns_of_role(&r.all, FEED) == 0;

@@ -328,7 +328,7 @@ static const char INDEX[] = "CREATE INDEX IF NOT EXISTS material_near ON "
 			    "material (rock, top_size_mm, fold)";
 
 static bool
-store_prepare(
+store_create_or_migrate(
     sqlite3 *db, const char *path, bool make, long version, struct error *error)
 {
 	bool stale = version < STORE_SCHEMA && (make || version > 0);
@@ -373,7 +373,7 @@ schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
 	if (!make && access(path, F_OK) != 0)
 		return true;
 	sqlite3 *opened = open_to(path, make, &version, &ok, error);
-	ok = ok && store_prepare(opened, path, make, version, error);
+	ok = ok && store_create_or_migrate(opened, path, make, version, error);
 	if (ok && (make || version > 0))
 		*db = opened;
 	else
@@ -545,7 +545,7 @@ check_fields(const struct stored *m, struct error *error)
 /* Whether a row is what was put.  It has its name also as fold, by which it is
  * found. */
 static bool
-check_row(const struct stored *m, const char *fold, const char *digest,
+is_row_as_put(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
 {
 	char *of_name = text_fold(m->name), *of_row = digest_text(m);
@@ -584,7 +584,7 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 		else if (f->kind >= FIELD_MODEL)
 			stored_set_written(m, f, column_text(stmt, i + 2));
 	}
-	if (check_row(m, column_text(stmt, 0), column_text(stmt, 1), error))
+	if (is_row_as_put(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
 	if (error != NULL)
 		error_set_place(error, store->path, 0, 0);

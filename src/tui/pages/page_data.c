@@ -90,7 +90,7 @@ data_digits_of(const struct sheet *h)
 }
 
 static void
-take_sheet(struct tui *t, const struct site *site)
+make_sheet_of_site(struct tui *t, const struct site *site)
 {
 	enum { LEAST = 9, GAP = 3 };
 	struct sheet *h = &t->view.sheet;
@@ -121,7 +121,7 @@ data_update(struct tui *t)
 	if (entry == NULL || entry->site->n_run == 0)
 		return;
 	if (entry->site != h->site)
-		take_sheet(t, entry->site);
+		make_sheet_of_site(t, entry->site);
 	bool calibrated = mend_is_calibrated(s, entry);
 	double misfit = calibrated ? entry->fit.misfit : 0;
 	bool same = h->calibrated == calibrated && h->misfit == misfit;
@@ -157,7 +157,7 @@ data_is_of(const struct mend *m, const struct sheet_column *column)
 /* What is wrong with a cell, or with the whole of its column; NULL: nothing.
  */
 static const struct finding *
-doubt_of(const struct sheet *h, size_t column, size_t row)
+finding_of_cell(const struct sheet *h, size_t column, size_t row)
 {
 	for (size_t i = 0; h->looked && i < h->doctor.n; i++) {
 		const struct mend *m = &h->doctor.finding[i].mend;
@@ -170,13 +170,14 @@ doubt_of(const struct sheet *h, size_t column, size_t row)
 
 /* The cursor to the next finding after where it is, by columns. */
 static void
-next_doubt(struct tui *t)
+move_to_next_finding(struct tui *t)
 {
 	struct sheet *h = &t->view.sheet;
 	size_t cells = h->n * h->n_column;
 	for (size_t i = 1; i <= cells; i++) {
 		size_t k = (t->ui.cell.at * h->n + t->ui.cell.row + i) % cells;
-		const struct finding *f = doubt_of(h, k / h->n, k % h->n);
+		const struct finding *f =
+		    finding_of_cell(h, k / h->n, k % h->n);
 		/* Of a column its first cell. */
 		if (f == NULL || (!is_cell(&f->mend) && k % h->n > 0))
 			continue;
@@ -190,11 +191,11 @@ next_doubt(struct tui *t)
 }
 
 static void
-mend(struct tui *t)
+mend_cell_at_cursor(struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct finding *f =
-	    h->n > 0 ? doubt_of(h, t->ui.cell.at, t->ui.cell.row) : NULL;
+	    h->n > 0 ? finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) : NULL;
 	if (f == NULL) {
 		tui_say(t, false,
 		    "this cell is not doubtful: ! goes to one that is; help "
@@ -203,7 +204,7 @@ mend(struct tui *t)
 	}
 	char *line = mend_command_line(h->site, &f->mend);
 	char *words = mend_words(h->site, &f->mend);
-	watch_keep(t);
+	watch_pause(t);
 	if (control_run(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "
@@ -233,7 +234,7 @@ has_prediction(const struct tui *t, const struct area *area)
 enum { SAID = 3, SOURCE = 7 };
 
 static struct room
-room_for(const struct tui *t, const struct area *area)
+cells_that_fit(const struct tui *t, const struct area *area)
 {
 	const struct sheet *h = &t->view.sheet;
 	int rows = area->rows - 1 - (area->rows > 2 * SAID ? SAID : 0);
@@ -246,7 +247,7 @@ room_for(const struct tui *t, const struct area *area)
 
 /* The first of n to show, so that `at` is among them. */
 static size_t
-first_of(size_t first, size_t at, size_t n, size_t room)
+first_to_show(size_t first, size_t at, size_t n, size_t room)
 {
 	if (first + room <= at)
 		first = at + 1 - room;
@@ -278,7 +279,7 @@ data_draw_cell(struct tui *t, const struct area *area, int row, int from,
 	const struct sheet *h = &t->view.sheet;
 	bool here =
 	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
-	bool doubtful = doubt_of(h, column, i) != NULL;
+	bool doubtful = finding_of_cell(h, column, i) != NULL;
 	double x = data_cell_of(h, column, i);
 	char text[48];
 	if (isnan(x))
@@ -338,7 +339,7 @@ draw_prediction(
 
 /* Where there is more than what is shown. */
 static void
-draw_more(const struct tui *t, const struct area *area, struct room room)
+draw_more_marks(const struct tui *t, const struct area *area, struct room room)
 {
 	const struct sheet *h = &t->view.sheet;
 	if (t->ui.cell.top > 0)
@@ -371,7 +372,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 	    touch_cells, 0);
 	if (has_prediction(t, area))
 		draw_prediction(t, area, room.rows, from);
-	draw_more(t, area, room);
+	draw_more_marks(t, area, room);
 	return from + (has_prediction(t, area) ? PREDICTED : 0);
 }
 
@@ -402,7 +403,8 @@ cell_words(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct sheet_column *c = &h->column[t->ui.cell.at];
-	const struct finding *f = doubt_of(h, t->ui.cell.at, t->ui.cell.row);
+	const struct finding *f =
+	    finding_of_cell(h, t->ui.cell.at, t->ui.cell.row);
 	double x = data_cell_of(h, t->ui.cell.at, t->ui.cell.row);
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
@@ -423,13 +425,13 @@ cell_words(const struct tui *t)
 
 /* Returns the row after it. */
 static int
-draw_said(const struct tui *t, const struct area *area, int row)
+draw_cell_words(const struct tui *t, const struct area *area, int row)
 {
 	bool here = t->ui.cell.on;
 	char *words = here ? cell_words(t) : state_words(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
-	    here && doubt_of(h, t->ui.cell.at, t->ui.cell.row) != NULL;
+	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
 	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
 	free(words);
 	return row;
@@ -494,12 +496,12 @@ data_draw(struct tui *t)
 	}
 	/* In the midst of a command. */
 	if (entry->site != h->site)
-		take_sheet(t, entry->site);
-	struct room room = room_for(t, &area);
+		make_sheet_of_site(t, entry->site);
+	struct room room = cells_that_fit(t, &area);
 	t->ui.cell.top =
-	    first_of(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
-	t->ui.cell.left =
-	    first_of(t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
+	    first_to_show(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
+	t->ui.cell.left = first_to_show(
+	    t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
 	int behind = draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1, foot = area.rows - SOURCE - SAID;
@@ -508,7 +510,7 @@ data_draw(struct tui *t)
 		return;
 	row = plot && foot > row ? foot : row;
 	/* A blank row where that takes none away. */
-	row = draw_said(t, &area, row + (row + SAID < area.rows));
+	row = draw_cell_words(t, &area, row + (row + SAID < area.rows));
 	draw_source(t, &area, row + (row + SAID < area.rows));
 }
 
@@ -528,7 +530,7 @@ move_sideways(struct tui *t, int amount)
 	enum { COLUMNS = 5 };
 	struct sheet *h = &t->view.sheet;
 	const struct area area = pane_list_area(t);
-	int rows = (int)room_for(t, &area).rows;
+	int rows = (int)cells_that_fit(t, &area).rows;
 	int columns = abs(amount) == STEP ? STEP : COLUMNS;
 	if (abs(amount) == FAR)
 		t->ui.cell.row = (size_t)pane_moved(
@@ -540,10 +542,10 @@ move_sideways(struct tui *t, int amount)
 
 /* Whether the page has cells; then these are those of the sheet in use. */
 static bool
-takes_cells(struct tui *t)
+has_current_cells(struct tui *t)
 {
 	if (has_cells(t) && t->view.sheet.site != tui_current_entry(t)->site)
-		take_sheet(t, tui_current_entry(t)->site);
+		make_sheet_of_site(t, tui_current_entry(t)->site);
 	return has_cells(t);
 }
 
@@ -552,10 +554,10 @@ void
 act_mend(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!takes_cells(t))
+	if (!has_current_cells(t))
 		return;
 	if (t->ui.cell.on)
-		mend(t);
+		mend_cell_at_cursor(t);
 	t->ui.cell.on = true;
 }
 
@@ -563,17 +565,17 @@ void
 act_doubt(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!takes_cells(t))
+	if (!has_current_cells(t))
 		return;
 	t->ui.cell.on = true;
-	next_doubt(t);
+	move_to_next_finding(t);
 }
 
 static bool
 data_move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
-	if (!takes_cells(t))
+	if (!has_current_cells(t))
 		return false;
 	/* The first key shows where the cursor is. */
 	bool here = t->ui.cell.on;

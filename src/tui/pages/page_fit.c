@@ -19,19 +19,19 @@
 static void
 touch_scrubber(struct tui *t, const struct touched *touched)
 {
-	size_t n = tui_steps(t);
+	size_t n = tui_count_generations(t);
 	int last = touched->area.columns - 1, at = touched->column;
 	if (n == 0 || last < 1)
 		return;
 	at = at < 0 ? 0 : at > last ? last : at;
-	tui_look_at(t, 1 + (size_t)at * (n - 1) / (size_t)last);
+	tui_show_generation(t, 1 + (size_t)at * (n - 1) / (size_t)last);
 }
 
 /* The slider of the generations, instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {
-	size_t n = tui_steps(t), at = tui_step(t);
+	size_t n = tui_count_generations(t), at = tui_generation_shown(t);
 	if (n == 0)
 		return false;
 	bool polished = n > tui_past(t).n;
@@ -139,10 +139,11 @@ fit_hints(const struct tui *t)
 }
 
 static void
-go_on(struct tui *t, int by)
+move_by_generations(struct tui *t, int by)
 {
-	int at = (int)tui_step(t) - 1;
-	tui_look_at(t, (size_t)pane_moved(at, by, tui_steps(t)) + 1);
+	int at = (int)tui_generation_shown(t) - 1;
+	tui_show_generation(
+	    t, (size_t)pane_moved(at, by, tui_count_generations(t)) + 1);
 }
 
 /* Of a search that runs the next one is made, of one that is over shown. */
@@ -151,7 +152,7 @@ act_generation(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!session_busy(t->session)) {
-		go_on(t, 1);
+		move_by_generations(t, 1);
 		return;
 	}
 	watch_hold(t, true);
@@ -180,9 +181,10 @@ fit_move(struct tui *t, const struct key *key)
 	else if (tui_past(t).n == 0)
 		return false;
 	else if (key->act == act_ends)
-		tui_look_at(t, key->amount == TO_LEAST ? 1 : tui_steps(t));
+		tui_show_generation(
+		    t, key->amount == TO_LEAST ? 1 : tui_count_generations(t));
 	else
-		go_on(t, key->amount);
+		move_by_generations(t, key->amount);
 	return true;
 }
 

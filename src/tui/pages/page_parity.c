@@ -49,7 +49,7 @@ parity_compare(struct tui *t, const struct entry *entry)
 
 /* The sizes of the chosen run, over all others by the same marks. */
 static void
-choose_points(struct tui *t)
+choose_points_of_run(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
 	const struct validation *v = &y->point[t->ui.list[PAGE_PARITY].at].v;
@@ -93,7 +93,7 @@ parity_finish(struct tui *t)
 		return;
 	if (y->n > 1)
 		add_chosen(y->chart);
-	choose_points(t);
+	choose_points_of_run(t);
 }
 
 /* Site by site, as a first comparison draws what is known of each from its
@@ -121,7 +121,7 @@ parity_update(struct tui *t)
 
 /* The newest comparison with each speed held out in turn, or NULL. */
 static const struct answer *
-each_of(const struct session *s)
+find_answer_of_each(const struct session *s)
 {
 	for (size_t i = s->n_answer; i-- > 0;)
 		if (strcmp(answer_command(s->answer[i]), "validate") == 0 &&
@@ -164,7 +164,7 @@ draw_scores(const struct area *area, int row, const char *who,
 static int
 draw_each(const struct tui *t, const struct area *area, int row)
 {
-	const struct answer *r = each_of(t->session);
+	const struct answer *r = find_answer_of_each(t->session);
 	static const char *const KEYS_OF[] = {"p20", "p50", "p80"};
 	if (r == NULL)
 		return screen_words(area, row, LOOK_DIM,
@@ -188,7 +188,7 @@ draw_each(const struct tui *t, const struct area *area, int row)
 
 /* Difference of a size, % of the measured one. */
 static double
-off_by(const struct validation *v, size_t i)
+size_error(const struct validation *v, size_t i)
 {
 	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
 }
@@ -231,7 +231,7 @@ parity_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 	else if (column == MODEL)
 		snprintf(text, n, "%.2f", 1000 * p->v.size[VALIDATE_MODEL][1]);
 	else
-		snprintf(text, n, "%+.1f%%", off_by(&p->v, SIZE[column]));
+		snprintf(text, n, "%+.1f%%", size_error(&p->v, SIZE[column]));
 }
 
 static const struct list_table TABLE = {
@@ -244,7 +244,7 @@ parity_count(const struct tui *t)
 }
 
 static const struct page_list POINTS = {.n = parity_count,
-    .chosen = choose_points,
+    .chosen = choose_points_of_run,
     .update = parity_update,
     .table = &TABLE};
 

@@ -80,7 +80,7 @@ act_numbers(struct tui *t, const struct key *key)
 		act_fit(t, key);
 		return;
 	}
-	char *line = tui_asks(t);
+	char *line = tui_command_of_page(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
@@ -126,7 +126,7 @@ act_cross(struct tui *t, const struct key *key)
 
 /* The nearest sieve by the ratio of sizes, as the axis has them. */
 static void
-cross_at(struct tui *t, double size)
+move_crosshair_to(struct tui *t, double size)
 {
 	const struct psd *psd = &t->view.shown.product;
 	size_t best = 0;
@@ -138,7 +138,7 @@ cross_at(struct tui *t, double size)
 }
 
 static void
-point(struct tui *t, enum plot_kind kind, double x, double y)
+point_crosshair(struct tui *t, enum plot_kind kind, double x, double y)
 {
 	(void)y;
 	if (kind != PLOT_PSD)
@@ -148,7 +148,7 @@ point(struct tui *t, enum plot_kind kind, double x, double y)
 	if (!t->ui.cross)
 		return;
 	pages_go(t, PAGE_PREDICT);
-	cross_at(t, x / 1000);
+	move_crosshair_to(t, x / 1000);
 }
 
 static char *
@@ -209,5 +209,5 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .draw = predict_draw,
     .list = &START_LIST,
     .move = predict_move,
-    .point = point,
+    .point = point_crosshair,
     .words = predict_words};

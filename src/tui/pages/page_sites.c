@@ -246,7 +246,8 @@ cell_text(const struct tui *t, const struct site_row *row, enum column column,
 /* ---- Their order ---- */
 
 static const char *
-word_of(const struct session *s, const struct site_row *row, enum column column)
+sort_word_of(
+    const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
 	return column == ROCK         ? e->site->rock
@@ -258,7 +259,7 @@ word_of(const struct session *s, const struct site_row *row, enum column column)
 /* Whether row a stands behind b: what has no number or word is last either
  * way. */
 static bool
-is_behind(
+is_sorted_after(
     const struct tui *t, const struct site_row *a, const struct site_row *b)
 {
 	if (t->ui.sort == 0)
@@ -271,8 +272,8 @@ is_behind(
 	if (isnan(x) != isnan(y))
 		return isnan(x);
 	if (isnan(by)) {
-		const char *v = word_of(t->session, a, column);
-		const char *w = word_of(t->session, b, column);
+		const char *v = sort_word_of(t->session, a, column);
+		const char *w = sort_word_of(t->session, b, column);
 		if ((v[0] == '\0') != (w[0] == '\0'))
 			return v[0] == '\0';
 		by = strcmp(v, w);
@@ -287,14 +288,15 @@ sites_sort_rows(struct tui *t)
 	for (size_t i = 1; i < t->view.n_row; i++) {
 		struct site_row row = t->view.row[i];
 		size_t k = i;
-		for (; k > 0 && is_behind(t, &t->view.row[k - 1], &row); k--)
+		for (; k > 0 && is_sorted_after(t, &t->view.row[k - 1], &row);
+		     k--)
 			t->view.row[k] = t->view.row[k - 1];
 		t->view.row[k] = row;
 	}
 }
 
 static void
-cell_at(const struct tui *t, size_t i, int column, char *text, size_t n)
+cell_text_at(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	cell_text(t, &t->view.row[i], (enum column)column, text, n);
 }
@@ -328,7 +330,7 @@ light_series(const struct tui *t, size_t i, int column, const char *text,
 }
 
 static const struct list_table TABLE = {
-    COLUMN, COLUMNS, cell_at, light_series, sort_by_column};
+    COLUMN, COLUMNS, cell_text_at, light_series, sort_by_column};
 
 /* What does not depend on the speed is worked out when the session has changed
  * only (rows_at 0). */
@@ -362,7 +364,7 @@ sites_update(struct tui *t)
  */
 enum { ABOUT = 4 };
 static void
-tell_site(const struct tui *t, char *text[static ABOUT])
+describe_site(const struct tui *t, char *text[static ABOUT])
 {
 	const struct entry *e = &t->session->entry[t->ui.list[PAGE_SITES].at];
 	const struct breakage *of = breakage_of(&e->params);
@@ -414,7 +416,7 @@ draw_site(const struct tui *t, const struct area *area, int first)
 	static const size_t ORDER[ABOUT] = {LABEL, 3, 1, 0};
 	char *text[ABOUT];
 	int rows[ABOUT], left = area->rows - first;
-	tell_site(t, text);
+	describe_site(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
 		rows[i] = text_count_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
@@ -488,7 +490,7 @@ sites_choose(struct tui *t)
 	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
-	watch_keep(t);
+	watch_pause(t);
 	bool used = control_run(t, line);
 	free(line);
 	if (used)
@@ -497,7 +499,7 @@ sites_choose(struct tui *t)
 
 /* Columns that are drawn come in turn. */
 static void
-sort_on(struct tui *t)
+sort_by_next_column(struct tui *t)
 {
 	int width[LIST_COLUMNS], by = t->ui.sort;
 	table_share(
@@ -516,7 +518,7 @@ act_sort(struct tui *t, const struct key *key)
 	if (t->session->n_entry == 0)
 		picker_open(t, PICK_FILES);
 	else if (key->amount > 0)
-		sort_on(t);
+		sort_by_next_column(t);
 	else
 		sort_by(t, t->ui.sort);
 }

@@ -53,7 +53,7 @@ struct parts {
 };
 
 static int
-at_most(int n, int *left)
+take_at_most(int n, int *left)
 {
 	int taken = n < *left ? n : *left;
 	*left -= taken;
@@ -61,7 +61,7 @@ at_most(int n, int *left)
 }
 
 static const char *
-about(const struct inquiry *q)
+text_above_question(const struct inquiry *q)
 {
 	return q->wrong[0] != '\0' ? q->wrong : q->about;
 }
@@ -73,13 +73,14 @@ dialog_share_rows(
 	enum { LEAST = 5 };
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
 	struct parts p = {0};
-	p.line = at_most(1, &left);
-	p.text = at_most(text_count_rows(asks, columns), &left);
-	p.table = at_most(table < LEAST ? table : LEAST, &left);
-	p.about = at_most(text_count_rows(about(q), columns), &left);
+	p.line = take_at_most(1, &left);
+	p.text = take_at_most(text_count_rows(asks, columns), &left);
+	p.table = take_at_most(table < LEAST ? table : LEAST, &left);
+	p.about = take_at_most(
+	    text_count_rows(text_above_question(q), columns), &left);
 	int hint = text_count_rows(q->hint, columns);
-	p.hint = hint <= left ? at_most(hint, &left) : 0;
-	p.table += at_most(table - p.table, &left);
+	p.hint = hint <= left ? take_at_most(hint, &left) : 0;
+	p.table += take_at_most(table - p.table, &left);
 	p.gap = table > 0 && left >= 2 ? 2 : 0;
 	return p;
 }
@@ -95,8 +96,9 @@ draw_frame(struct tui *t, const struct area *box, const char *keys)
 	screen_rule(&edge);
 	edge.row += box->rows - 1;
 	screen_rule(&edge);
-	screen_wall(box->row, box->column, box->rows);
-	screen_wall(box->row, box->column + box->columns - 1, box->rows);
+	screen_vertical_rule(box->row, box->column, box->rows);
+	screen_vertical_rule(
+	    box->row, box->column + box->columns - 1, box->rows);
 	for (int i = 0; i < 4; i++)
 		screen_text(box, i < 2 ? 0 : box->rows - 1,
 		    i % 2 == 0 ? 0 : box->columns - 1, LOOK_DIM, "%s",
@@ -154,7 +156,7 @@ draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
 	struct area area = *inner;
 	area.rows = p->about;
 	if (p->about > 0)
-		screen_words(&area, 0, LOOK_BOLD, about(q));
+		screen_words(&area, 0, LOOK_BOLD, text_above_question(q));
 	area.row += p->about + p->gap / 2;
 	area.rows = p->table;
 	draw_table(t, &area);

@@ -25,7 +25,7 @@ edit_put_text(struct edit *t, const char *text)
 
 /* Puts text instead of the bytes from start to the cursor. */
 static void
-replace(struct edit *t, size_t start, const char *text, size_t n)
+replace_before_cursor(struct edit *t, size_t start, const char *text, size_t n)
 {
 	if (t->n - (t->at - start) + n + 1 > sizeof t->text)
 		return;
@@ -50,7 +50,7 @@ edit_propose(struct edit *t, const char *text, const char *name)
 {
 	edit_begin(t, text);
 	t->fresh = t->n;
-	replace(t, t->n, name, strlen(name));
+	replace_before_cursor(t, t->n, name, strlen(name));
 }
 
 void
@@ -70,7 +70,7 @@ insert(struct edit *t, unsigned code)
 	for (size_t i = n; i-- > 1; code >>= 6)
 		bytes[i] = (char)(0x80 | (code & 0x3F));
 	bytes[0] = (char)(lead[n] | code);
-	replace(t, t->at, bytes, n);
+	replace_before_cursor(t, t->at, bytes, n);
 }
 
 /* The offset of the character before, and after, an offset. */
@@ -83,7 +83,7 @@ edit_before(const struct edit *t, size_t at)
 }
 
 static size_t
-behind(const struct edit *t, size_t at)
+next_letter(const struct edit *t, size_t at)
 {
 	while (at < t->n && (t->text[++at] & 0xC0) == 0x80)
 		;
@@ -102,7 +102,7 @@ word_before(const struct edit *t)
 }
 
 static void
-go_back(struct edit *t, int by)
+go_back_in_history(struct edit *t, int by)
 {
 	int back = t->back + by;
 	if (back < 0 || back > history_length)
@@ -116,7 +116,7 @@ go_back(struct edit *t, int by)
 
 /* How many bytes all candidates begin with. */
 static size_t
-shared(const struct completion *c)
+shared_candidate_bytes(const struct completion *c)
 {
 	const char *first = c->candidate[0].text;
 	size_t n = strlen(first);
@@ -143,7 +143,8 @@ complete_word(struct edit *t, const struct session *s)
 {
 	struct completion *c = complete(s, t->text, t->at);
 	if (c->n > 0)
-		replace(t, c->start, c->candidate[0].text, shared(c));
+		replace_before_cursor(t, c->start, c->candidate[0].text,
+		    shared_candidate_bytes(c));
 	if (c->n == 1 && c->candidate[0].append != '\0')
 		insert(t, (unsigned char)c->candidate[0].append);
 	t->start = c->start;
@@ -159,24 +160,24 @@ edit(struct edit *t, int code)
 	if (code == KEY_LEFT)
 		t->at = edit_before(t, t->at);
 	else if (code == KEY_RIGHT)
-		t->at = behind(t, t->at);
+		t->at = next_letter(t, t->at);
 	else if (code == KEY_HOME)
 		t->at = 0;
 	else if (code == KEY_END)
 		t->at = t->n;
 	else if (code == KEY_UP || code == KEY_DOWN)
-		go_back(t, code == KEY_UP ? 1 : -1);
+		go_back_in_history(t, code == KEY_UP ? 1 : -1);
 	else if (code == KEY_DC && t->at < t->n)
-		t->at = behind(t, t->at);
+		t->at = next_letter(t, t->at);
 	else if (code != KEY_BACKSPACE)
 		return;
 	if (code == KEY_DC || code == KEY_BACKSPACE)
-		replace(t, edit_before(t, t->at), "", 0);
+		replace_before_cursor(t, edit_before(t, t->at), "", 0);
 }
 
 /* What the control keys are short for. */
 static int
-meaning(int code)
+key_of_control(int code)
 {
 	static const struct {
 		int code, key;
@@ -216,7 +217,7 @@ edit_next(const struct edit *t)
 enum edit_result
 edit_key(struct edit *t, const struct session *s, int code, bool special)
 {
-	int key = special ? code : meaning(code);
+	int key = special ? code : key_of_control(code);
 	size_t next = edit_next(t), n = t->n;
 	free(t->offers);
 	t->offers = NULL;
@@ -231,9 +232,9 @@ edit_key(struct edit *t, const struct session *s, int code, bool special)
 	else if (code == '\t')
 		complete_word(t, s);
 	else if (code == CONTROL('U'))
-		replace(t, 0, "", 0);
+		replace_before_cursor(t, 0, "", 0);
 	else if (code == CONTROL('W'))
-		replace(t, word_before(t), "", 0);
+		replace_before_cursor(t, word_before(t), "", 0);
 	else if (code == CONTROL('K'))
 		t->text[t->n = t->at] = '\0';
 	else if (code >= ' ') {
@@ -247,7 +248,7 @@ edit_key(struct edit *t, const struct session *s, int code, bool special)
 }
 
 void
-edit_take(struct edit *t, size_t n)
+edit_take_offer(struct edit *t, size_t n)
 {
 	size_t length;
 	const char *offer = edit_offer(t, n, &length);
@@ -255,7 +256,7 @@ edit_take(struct edit *t, size_t n)
 		return;
 	bool open = length > 0 &&
 		    (offer[length - 1] == '=' || offer[length - 1] == '/');
-	replace(t, t->start, offer, length);
+	replace_before_cursor(t, t->start, offer, length);
 	if (!open)
 		insert(t, ' ');
 	free(t->offers);
@@ -269,7 +270,7 @@ edit_letter(struct edit *t, int code, bool special, size_t most)
 	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
 		return false;
 	if (back)
-		replace(t, edit_before(t, t->at), "", 0);
+		replace_before_cursor(t, edit_before(t, t->at), "", 0);
 	else if (t->n < most)
 		insert(t, (unsigned)code);
 	return true;

@@ -43,7 +43,7 @@ const char *edit_offer(const struct edit *t, size_t n, size_t *length);
 size_t edit_next(const struct edit *t);
 
 /* Replaces the word with offer n. */
-void edit_take(struct edit *t, size_t n);
+void edit_take_offer(struct edit *t, size_t n);
 
 /* Adds an ASCII letter to text of at most `most` letters, or deletes the last
  * one; false if the key does neither, or there is nothing to delete. */

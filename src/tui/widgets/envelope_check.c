@@ -36,7 +36,7 @@ envelope_check_free(struct tui *t)
 }
 
 static bool
-is_current(const struct tui *t)
+is_check_current(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	return l != NULL && l->revision == t->view.revision &&
@@ -47,7 +47,7 @@ void
 envelope_check_update(struct tui *t)
 {
 	struct error error = {0};
-	if (!envelope_check_is_wanted(t) || !is_current(t))
+	if (!envelope_check_is_wanted(t) || !is_check_current(t))
 		envelope_check_free(t);
 	if (!envelope_check_is_wanted(t))
 		return;
@@ -70,7 +70,7 @@ envelope_check_update(struct tui *t)
 const struct grading *
 envelope_check_now(const struct tui *t)
 {
-	bool now = envelope_check_is_wanted(t) && is_current(t) &&
+	bool now = envelope_check_is_wanted(t) && is_check_current(t) &&
 		   t->view.envelope_check->open &&
 		   t->view.envelope_check->tenths == t->ui.tenths;
 	return now ? &t->view.envelope_check->grading : NULL;

@@ -38,7 +38,7 @@ list_all(struct picker *c, const char *path)
 	else
 		folder_list(&c->folder, copy);
 	if (c->what == PICK_FEEDS || c->what == PICK_SESSIONS)
-		folder_only(&c->folder,
+		folder_keep_kind(&c->folder,
 		    c->what == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
 	c->list = (struct list){0};
 	forget_preview(c);
@@ -78,7 +78,7 @@ type_guess(struct tui *t)
 static bool
 file_picker_run(struct tui *t, const char *line, bool estimates)
 {
-	watch_keep(t);
+	watch_pause(t);
 	if (!control_run(t, line) || tui_current_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
@@ -100,7 +100,7 @@ file_picker_enter(struct tui *t)
 		return;
 	const struct folder_item *item = &c->folder.item[c->list.at];
 	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
-		char *into = folder_into(&c->folder, c->list.at);
+		char *into = folder_path_of_item(&c->folder, c->list.at);
 		list_all(c, into);
 		free(into);
 		return;
@@ -184,7 +184,7 @@ go_up(struct tui *t)
 /* Letters of names, and keys that take them back; false for others.  One that
  * nothing has is not taken. */
 static bool
-narrow(struct tui *t, int code, bool special)
+narrow_by_letter(struct tui *t, int code, bool special)
 {
 	struct picker *c = &t->picker;
 	bool back = code == DELETE || code == '\b' || code == ESCAPE,
@@ -209,7 +209,7 @@ narrow(struct tui *t, int code, bool special)
 bool
 picker_key(struct tui *t, int code, bool special)
 {
-	if (narrow(t, code, special))
+	if (narrow_by_letter(t, code, special))
 		return true;
 	const struct key *key = keys_find(code, t->ui.page);
 	key_way *act = key != NULL ? key->act : NULL;
@@ -308,7 +308,7 @@ picker_draw(struct tui *t)
 		preview = list;
 		preview.column = list.columns + 1;
 		preview.columns = body.columns - preview.column;
-		screen_wall(list.row, list.columns, list.rows);
+		screen_vertical_rule(list.row, list.columns, list.rows);
 		preview.column++;
 		preview.columns--;
 	} else if (body.rows >= TALL) {

@@ -157,7 +157,7 @@ complete_goal(struct edit *y)
 }
 
 static void
-close_field(struct tui *t)
+close_goal_field(struct tui *t)
 {
 	edit_end(&t->line);
 	t->goal_field = false;
@@ -166,14 +166,14 @@ close_field(struct tui *t)
 /* The line that sets one, or takes it away; NULL where that changes nothing.
  * An envelope alone is also the one in use, so that its limits are drawn. */
 static char *
-set_goal(struct tui *t, const char *text)
+goal_command_line(struct tui *t, const char *text)
 {
 	const struct session *s = t->session;
 	bool envelope = text[0] != '\0' && !goals_is_condition(text) &&
 			conditions_length(text) == strlen(text);
 	FREED char *goal = text_quoted(text[0] != '\0' ? text : SETTINGS_NONE);
 	char *line = xstrdup("");
-	close_field(t);
+	close_goal_field(t);
 	if (envelope && !session_busy(s))
 		xappend(&line, "spec use %s; ", goal);
 	xappend(&line, "set goal %s", goal);
@@ -197,7 +197,7 @@ take_quantity(struct tui *t, const char *text)
 	free(copy);
 	if (ok && quantities_covered(&q, goal_feed_of(t), &error)) {
 		t->ui.quantity = q;
-		close_field(t);
+		close_goal_field(t);
 		if (goals_set(t->session))
 			tui_say(t, false,
 			    "above the track now: %s; the goal "
@@ -212,7 +212,7 @@ take_quantity(struct tui *t, const char *text)
 /* What is to be seen of conditions: that of the last, of an envelope's that of
  * a sieve in the middle until it is known which one binds. */
 static struct quantity
-most_told(const struct condition_list *list)
+quantity_to_show(const struct condition_list *list)
 {
 	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
 }
@@ -226,7 +226,7 @@ goal_step(struct tui *t)
 	if (!pending || !goal_known(t) ||
 	    goals_is_condition(t->session->set.goal))
 		return;
-	struct quantity first = most_told(&g->list);
+	struct quantity first = quantity_to_show(&g->list);
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
 	/* Not that of a list of sieves, which goes with the goal. */
 	if (quantity_same(&t->ui.quantity, &first) && binds->sieve == NULL)
@@ -235,7 +235,7 @@ goal_step(struct tui *t)
 
 /* Enter: what cannot be read stays to be mended. */
 static char *
-goal_take(struct tui *t)
+read_goal_field(struct tui *t)
 {
 	char *line = NULL;
 	struct condition_list list = {0};
@@ -244,14 +244,14 @@ goal_take(struct tui *t)
 	size_t n_value = 0;
 	t->message[0] = '\0';
 	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
-		line = set_goal(t, "");
+		line = goal_command_line(t, "");
 	} else if (take_quantity(t, text)) {
 		/* said already */
 	} else if (goals_read(t->session, text, goal_feed_of(t), &list,
 		       &n_value, &error)) {
 		if (list.n > 0)
-			t->ui.quantity = most_told(&list);
-		line = set_goal(t, text);
+			t->ui.quantity = quantity_to_show(&list);
+		line = goal_command_line(t, text);
 	} else {
 		tui_say(t, true, "%s%s%s", error.text,
 		    error.hint[0] != '\0' ? ": " : "", error.hint);
@@ -264,7 +264,7 @@ goal_take(struct tui *t)
 /* What stands there was only offered: a letter begins another quantity, a sign
  * stands for its own, a number is a value of it; a comma adds to it. */
 static void
-begin_anew(struct tui *t, int code)
+begins_new_goal(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
@@ -304,15 +304,15 @@ goal_key(struct tui *t, int code, bool special)
 	if (special && (code == KEY_UP || code == KEY_DOWN))
 		return NULL;
 	if (t->goal_fresh && !special && code > ' ' && code < 127)
-		begin_anew(t, code);
+		begins_new_goal(t, code);
 	if (!special && code == '/')
 		begin_fraction(y);
 	t->goal_fresh = false;
 	switch (edit_key(y, t->session, code, special)) {
 	case EDIT_DONE:
-		return goal_take(t);
+		return read_goal_field(t);
 	case EDIT_GIVEN_UP:
-		close_field(t);
+		close_goal_field(t);
 		break;
 	case EDIT_ON:
 		break;

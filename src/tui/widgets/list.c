@@ -74,7 +74,7 @@ list_has_words(const struct page_list *of)
 
 /* All columns, whether there is room for them or not. */
 static bool
-list_has_word(const struct tui *t, size_t i)
+list_row_matches(const struct tui *t, size_t i)
 {
 	const struct edit *word = t->picker.on ? &t->picker.word : &t->filter;
 	const struct page_list *of = list_of(t);
@@ -97,7 +97,7 @@ list_next(const struct tui *t, size_t i, int by)
 {
 	size_t n = list_total(t);
 	for (size_t to = i + (size_t)by; to < n; to += (size_t)by)
-		if (list_has_word(t, to))
+		if (list_row_matches(t, to))
 			return to;
 	return i;
 }
@@ -107,7 +107,7 @@ rows_count(const struct tui *t)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < list_total(t); i++)
-		n += list_has_word(t, i);
+		n += list_row_matches(t, i);
 	return n;
 }
 
@@ -119,12 +119,12 @@ list_settle(struct tui *t)
 	if (list_total(t) == 0)
 		return false;
 	size_t at = list_at(t);
-	if (!list_has_word(t, at))
+	if (!list_row_matches(t, at))
 		at = list_next(t, at, 1);
-	if (!list_has_word(t, at))
+	if (!list_row_matches(t, at))
 		at = list_next(t, at, -1);
 	list_go(t, at);
-	return list_has_word(t, at);
+	return list_row_matches(t, at);
 }
 
 static void
@@ -161,7 +161,7 @@ list_first(struct tui *t, int room)
 }
 
 bool
-rows_here(const struct tui *t)
+list_has_rows(const struct tui *t)
 {
 	return list_total(t) > 0;
 }
@@ -169,7 +169,7 @@ rows_here(const struct tui *t)
 static void
 open_row(struct tui *t)
 {
-	if (list_of(t)->open != NULL && list_has_word(t, list_at(t)))
+	if (list_of(t)->open != NULL && list_row_matches(t, list_at(t)))
 		list_of(t)->open(t);
 }
 
@@ -379,7 +379,7 @@ rows_move(struct tui *t, const struct key *key)
 	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
 	list_update(t);
-	if (!rows_here(t) || (key->act == act_move && steps == FAST))
+	if (!list_has_rows(t) || (key->act == act_move && steps == FAST))
 		return false;
 	if (key->act == act_ends)
 		list_move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
@@ -395,7 +395,7 @@ act_choose(struct tui *t, const struct key *key)
 {
 	(void)key;
 	list_update(t);
-	if (rows_here(t) && list_of(t)->open != NULL)
+	if (list_has_rows(t) && list_of(t)->open != NULL)
 		open_row(t);
 	else
 		tui_say(t, false, "there is nothing to open on this page");

@@ -6,9 +6,9 @@
 
 #include "tui/pane.h"
 
-/* rows_here: true if there is a list with rows; rows_count: how many of its
+/* list_has_rows: true if there is a list with rows; rows_count: how many of its
  * rows have the word searched for; without a word all. */
-bool rows_here(const struct tui *t);
+bool list_has_rows(const struct tui *t);
 size_t rows_count(const struct tui *t);
 
 /* Draws row i of a list; look: of its text; of: as given to rows_draw. */

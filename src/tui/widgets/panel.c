@@ -52,7 +52,7 @@ is_pinned(const struct tui *t)
 
 /* Not 0 as shown. */
 static bool
-is_seen(double change, int digits)
+is_change_visible(double change, int digits)
 {
 	return fabs(change) >= 0.5 * pow(10, -digits);
 }
@@ -62,7 +62,8 @@ static void
 draw_change(
     const struct area *area, int row, double now, double was, int digits)
 {
-	if (isfinite(now) && isfinite(was) && is_seen(now - was, digits))
+	if (isfinite(now) && isfinite(was) &&
+	    is_change_visible(now - was, digits))
 		screen_text(area, row, area->columns - CHANGE_COLUMNS, 0,
 		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
 }
@@ -122,9 +123,9 @@ is_changed(const struct panel *p)
 {
 	bool changed = false;
 	for (int i = 0; i < PSD_SIZES && p->was != NULL; i++)
-		changed |=
-		    isfinite(p->was->size[i]) &&
-		    is_seen(p->t->view.current.size[i] - p->was->size[i], 2);
+		changed |= isfinite(p->was->size[i]) &&
+			   is_change_visible(
+			       p->t->view.current.size[i] - p->was->size[i], 2);
 	return changed;
 }
 
@@ -150,7 +151,7 @@ panel_draw_speed(struct panel *p, const struct area *area)
 }
 
 static struct wish
-three(const struct panel *p)
+rows_of_sizes(const struct panel *p)
 {
 	(void)p;
 	return (struct wish){PSD_SIZES, PSD_SIZES};
@@ -189,7 +190,7 @@ draw_sizes(struct panel *p, const struct area *area)
 }
 
 static struct wish
-one_or_two(const struct panel *p)
+rows_of_break_size(const struct panel *p)
 {
 	(void)p;
 	return (struct wish){1, 2};
@@ -358,7 +359,7 @@ panel_draw_limit(
 
 /* Where limit i stands among margins [n], the least first. */
 static size_t
-place_of_limit(const double *margin, size_t n, size_t i)
+rank_of_limit(const double *margin, size_t n, size_t i)
 {
 	size_t place = 0;
 	for (size_t k = 0; k < n; k++)
@@ -404,7 +405,7 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	for (size_t i = 0; i < n; i++)
 		margin[i] = wanted_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
-		if ((int)place_of_limit(margin, n, i) < area->rows - 1)
+		if ((int)rank_of_limit(margin, n, i) < area->rows - 1)
 			panel_draw_limit(area, row++, g, i);
 	free(margin);
 }
@@ -486,7 +487,7 @@ draw_reason(const struct area *area, const struct trust_reason *reason)
 }
 
 static void
-draw_worth(const struct tui *t, const struct area *area)
+draw_fit_quality(const struct tui *t, const struct area *area)
 {
 	double fit = 100 * tui_current_entry(t)->fit.rmse,
 	       held = t->view.holdout;
@@ -523,7 +524,7 @@ draw_light(struct panel *p, const struct area *area)
 	if (p->reason != NULL)
 		draw_reason(area, p->reason);
 	else if (tui_current_entry(p->t)->has_fit)
-		draw_worth(p->t, area);
+		draw_fit_quality(p->t, area);
 }
 
 /* From the top down.  rank: in this order they get the least rows they need,
@@ -538,8 +539,8 @@ static const struct block {
 } BLOCK[BLOCKS] = {
     {1, false, light_wish, draw_light},
     {2, true, speed_wish, panel_draw_speed},
-    {0, false, three, draw_sizes},
-    {5, false, one_or_two, draw_break},
+    {0, false, rows_of_sizes, draw_sizes},
+    {5, false, rows_of_break_size, draw_break},
     {6, false, fractions_wish, draw_fractions},
     {4, true, limits_wish, panel_draw_limits},
     {8, true, tonnes_wish, draw_tonnes},
@@ -687,7 +688,7 @@ panel_draw(struct tui *t)
 	t->reason_shown = false;
 	if (side->rows == 0)
 		return;
-	screen_wall(side->row, t->layout.wall, side->rows);
+	screen_vertical_rule(side->row, t->layout.wall, side->rows);
 	if (t->view.current.site[0] == '\0') {
 		draw_nothing(t);
 		return;

@@ -46,7 +46,7 @@ strip_free(struct strip *a)
 }
 
 static struct quantity
-usual(enum quantity_kind kind, double x, double coarse)
+usual_quantity(enum quantity_kind kind, double x, double coarse)
 {
 	return (struct quantity){.kind = kind,
 	    .x = x,
@@ -56,7 +56,7 @@ usual(enum quantity_kind kind, double x, double coarse)
 struct quantity
 strip_usual(void)
 {
-	return usual(QUANTITY_SIZE, 0.8, 0);
+	return usual_quantity(QUANTITY_SIZE, 0.8, 0);
 }
 
 static const struct psd *
@@ -69,10 +69,13 @@ void
 act_quantity(struct tui *t, const struct key *key)
 {
 	const struct quantity all[] = {strip_usual(),
-	    usual(QUANTITY_SIZE, 0.5, 0), usual(QUANTITY_SIZE, 0.2, 0),
-	    usual(QUANTITY_PASSING, 4e-3, 0), usual(QUANTITY_PASSING, 2e-3, 0),
-	    usual(QUANTITY_PASSING, 0.063e-3, 0),
-	    usual(QUANTITY_SHARE, 0, 2e-3), usual(QUANTITY_SHARE, 0, 4e-3)};
+	    usual_quantity(QUANTITY_SIZE, 0.5, 0),
+	    usual_quantity(QUANTITY_SIZE, 0.2, 0),
+	    usual_quantity(QUANTITY_PASSING, 4e-3, 0),
+	    usual_quantity(QUANTITY_PASSING, 2e-3, 0),
+	    usual_quantity(QUANTITY_PASSING, 0.063e-3, 0),
+	    usual_quantity(QUANTITY_SHARE, 0, 2e-3),
+	    usual_quantity(QUANTITY_SHARE, 0, 4e-3)};
 	const int n = ARRAY_LEN(all);
 	struct error error = {0};
 	int by = key->amount, at = by > 0 ? n - 1 : 0;
@@ -109,7 +112,7 @@ response_strip_is_of(const struct tui *t)
 }
 
 static bool
-is_fresh(const struct tui *t)
+is_strip_current(const struct tui *t)
 {
 	const struct strip *a = t->view.strip;
 	return a->n == POINTS && response_strip_is_of(t);
@@ -152,7 +155,7 @@ bool
 strip_point(
     const struct tui *t, size_t i, double *speed, double value[static 3])
 {
-	if (!is_fresh(t) || i >= POINTS)
+	if (!is_strip_current(t) || i >= POINTS)
 		return false;
 	*speed = response_strip_speed_at(t, (double)i / (POINTS - 1));
 	memcpy(value, t->view.strip->value[i], 3 * sizeof *value);
@@ -164,14 +167,14 @@ strip_wait(const struct tui *t)
 {
 	if (!has_curve(t))
 		return INFINITY;
-	if (is_fresh(t) && !goal_pending(t))
+	if (is_strip_current(t) && !goal_pending(t))
 		return t->wish != NULL ? 0 : INFINITY;
 	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 
 /* What the heading has no room for on a narrow screen. */
 static void
-step_goal(struct tui *t)
+step_goal_for_heading(struct tui *t)
 {
 	bool pending = goal_pending(t);
 	goal_step(t);
@@ -190,11 +193,11 @@ strip_update(struct tui *t)
 		return;
 	bool now = t->aside || strip_wait(t) <= 0;
 	do
-		if (now && !is_fresh(t))
+		if (now && !is_strip_current(t))
 			response_strip_work_out(t);
 		else if (now)
-			step_goal(t);
-	while (t->aside && (!is_fresh(t) || goal_pending(t)));
+			step_goal_for_heading(t);
+	while (t->aside && (!is_strip_current(t) || goal_pending(t)));
 }
 
 static double
@@ -247,7 +250,7 @@ response_strip_measured_at(const struct tui *t, size_t run)
 /* Moves the ends of an axis to the middle of the first and the last of n parts,
  * as those of the track are. */
 static void
-end_in_middles(struct axis *axis, int n)
+axis_end_in_cell_middles(struct axis *axis, int n)
 {
 	double more = (axis->high - axis->low) / (2 * fmax(1, n - 1));
 	axis->low -= more;
@@ -255,7 +258,7 @@ end_in_middles(struct axis *axis, int n)
 }
 
 static void
-response_strip_hold(struct axis *axis, double value)
+axis_include(struct axis *axis, double value)
 {
 	if (!isfinite(value))
 		return;
@@ -274,16 +277,16 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 	axis->high = -INFINITY;
 	for (size_t i = 0; i < POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			response_strip_hold(axis, t->view.strip->value[i][k]);
+			axis_include(axis, t->view.strip->value[i][k]);
 	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
-		response_strip_hold(axis, response_strip_measured_at(t, r));
+		axis_include(axis, response_strip_measured_at(t, r));
 	if (!(axis->low <= axis->high))
 		return false;
 	double low = axis->low, high = axis->high, more = high - low;
 	for (size_t i = 0; i < n; i++)
 		if (limit[i].value >= low - more &&
 		    limit[i].value <= high + more)
-			response_strip_hold(axis, limit[i].value);
+			axis_include(axis, limit[i].value);
 	if (axis->high - axis->low < 1e-6 * fabs(axis->high) + 1e-9) {
 		axis->low -= 0.5;
 		axis->high += 0.5;
@@ -343,7 +346,7 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 }
 
 static bool
-is_on(const struct axis *axis, double value)
+is_on_axis(const struct axis *axis, double value)
 {
 	return value >= axis->low && value <= axis->high;
 }
@@ -356,7 +359,7 @@ response_strip_add_limits(const struct tui *t, struct chart *chart)
 	struct limit limit[MOST_LIMITS];
 	size_t n = take_limits(t, limit);
 	for (size_t i = 0; i < n; i++) {
-		if (!is_on(&chart->y, limit[i].value))
+		if (!is_on_axis(&chart->y, limit[i].value))
 			continue;
 		struct chart_series *s = chart_add(chart, LOOK, 2, "%s", "");
 		s->x[0] = chart->x.low;
@@ -408,7 +411,7 @@ response_strip_draw_limit(
 	const struct area *area = &t->layout.strip;
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int row = response_strip_row_of(axis, area, limit->value);
-	bool on = is_on(axis, limit->value);
+	bool on = is_on_axis(axis, limit->value);
 	char *name = on ? xstrdup(limit->name)
 			: xasprintf("%s%s %.6g",
 			      ARROWS[!ascii][limit->value > axis->high],
@@ -434,7 +437,7 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 	bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
 	for (size_t i = 0; i < 2 * n; i++) {
 		const struct limit *l = &limit[i % n];
-		bool on = is_on(axis, l->value);
+		bool on = is_on_axis(axis, l->value);
 		int row = response_strip_row_of(axis, area, l->value);
 		if (on == (i < n) && !taken[row])
 			response_strip_draw_limit(t, axis, l);
@@ -492,7 +495,7 @@ response_strip_draw_none(const struct tui *t)
 		why = tr("known when the calibration ends");
 	else if (!has_curve(t))
 		why = tr("known after a calibration");
-	else if (is_fresh(t))
+	else if (is_strip_current(t))
 		why = tr("the feed's sieves cannot show it: y chooses another");
 	screen_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
 }
@@ -509,13 +512,14 @@ strip_draw(struct tui *t)
 	area.column = track.column;
 	area.columns = track.columns;
 	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_touch, 0);
-	if (!has_curve(t) || !is_fresh(t) || !response_strip_scale(t, &y)) {
+	if (!has_curve(t) || !is_strip_current(t) ||
+	    !response_strip_scale(t, &y)) {
 		response_strip_draw_none(t);
 		return;
 	}
 	int dots = area.rows * canvas_cell_dots_down(screen_charset());
-	end_in_middles(&x, area.columns);
-	end_in_middles(&y, dots);
+	axis_end_in_cell_middles(&x, area.columns);
+	axis_end_in_cell_middles(&y, dots);
 	x.title = xstrdup("");
 	y.title = xstrdup("");
 	struct chart *chart = chart_new("", "", x, y);

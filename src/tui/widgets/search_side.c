@@ -31,7 +31,7 @@ struct row {
 };
 
 static size_t
-parameters(const struct plots_past *past)
+count_parameters(const struct plots_past *past)
 {
 	return breakage_of(&past->best)->n;
 }
@@ -44,7 +44,8 @@ search_side_choose(struct tui *t, int by)
 		return;
 	/* The first key shows which one it is. */
 	int at = t->ui.param_at > 0 ? (int)t->ui.param_at - 1 : by > 0 ? -1 : 1;
-	t->ui.param_at = (size_t)pane_moved(at, by, parameters(&past)) + 1;
+	t->ui.param_at =
+	    (size_t)pane_moved(at, by, count_parameters(&past)) + 1;
 }
 
 void
@@ -104,7 +105,7 @@ draw_span(const struct row *r, const struct plots_strip *strip,
 
 /* In few letters: "0.001", "2746". */
 static const char *
-number(double value, bool scaled, char text[static 24])
+shown_number(double value, bool scaled, char text[static 24])
 {
 	if (scaled)
 		snprintf(text, 24, "%.3f", value);
@@ -122,9 +123,9 @@ search_side_draw_bar(const struct row *r, const struct plots_strip *strip)
 	int end = NAME + BOUND + 1 + r->width;
 	char text[24];
 	screen_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
-	    number(strip->lower, false, text));
+	    shown_number(strip->lower, false, text));
 	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
-	    number(strip->upper, false, text));
+	    shown_number(strip->upper, false, text));
 	if (isfinite(strip->drawn[0]))
 		draw_span(r, strip, strip->drawn, SERIES_BAND,
 		    ascii ? "-" : "\u2500");
@@ -159,7 +160,7 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 	else
 		search_side_draw_bar(r, strip);
 	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
-	    "%*s", VALUE - 1, number(strip->best, scaled, text));
+	    "%*s", VALUE - 1, shown_number(strip->best, scaled, text));
 	if (marked)
 		screen_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
 		    r->wide ? " " : "", r->wide ? remark : "");
@@ -195,7 +196,7 @@ draw_parameters(struct tui *t, const struct plots_past *past, int row)
 }
 
 static const char *
-why_stopped(enum calibrate_state stop)
+stop_words(enum calibrate_state stop)
 {
 	return stop == CALIBRATE_TOLERANCE     ? tr("converged")
 	       : stop == CALIBRATE_STALLED     ? tr("stalled")
@@ -228,7 +229,7 @@ verdict_words(const struct tui *t, const struct entry *entry)
 {
 	struct trust light = light_of_prediction(t->session, entry, NULL);
 	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
-	    why_stopped(entry->fit.stop), (unsigned long long)entry->fit.seed,
+	    stop_words(entry->fit.stop), (unsigned long long)entry->fit.seed,
 	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
@@ -326,7 +327,7 @@ parameters_words(const struct tui *t, const struct plots_past *past)
 		    plots_search_strip(t->session, past, t->ui.generation, j);
 		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
 		    of->parameter[j].name,
-		    number(strip.best, j < of->gauge, text),
+		    shown_number(strip.best, j < of->gauge, text),
 		    strip.at_bound ? "!" : "");
 	}
 	return words;
@@ -334,7 +335,7 @@ parameters_words(const struct tui *t, const struct plots_past *past)
 
 /* Where there are no rows for strips: the same in words, and what happens. */
 static void
-draw_low(const struct tui *t, const struct plots_past *past)
+draw_without_strips(const struct tui *t, const struct plots_past *past)
 {
 	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_current_entry(t);
@@ -363,9 +364,9 @@ search_side_draw(struct tui *t)
 	struct plots_past past = tui_past(t);
 	if (side->rows == 0)
 		return;
-	screen_wall(side->row, t->layout.wall, side->rows);
+	screen_vertical_rule(side->row, t->layout.wall, side->rows);
 	if (past.n > 0 && side->rows < LOW) {
-		draw_low(t, &past);
+		draw_without_strips(t, &past);
 		return;
 	}
 	if (past.n > 0) {

@@ -22,7 +22,8 @@ enum { COMPARED = 18, BAR = 25, BAR_CELLS = 4 };
 /* What the product is compared with, and its colour: what is pinned, else the
  * run measured at the nearest speed; NULL without either. */
 static const struct psd *
-compared(const struct tui *t, char name[static 40], enum series *series)
+find_compared_product(
+    const struct tui *t, char name[static 40], enum series *series)
 {
 	const struct site *site = tui_current_entry(t)->site;
 	const struct run *nearest = NULL;
@@ -53,7 +54,7 @@ compared(const struct tui *t, char name[static 40], enum series *series)
 
 /* How far the product lies above what it is compared with, points. */
 static double
-difference(const struct tui *t, const struct psd *other, size_t i)
+difference_from_compared(const struct tui *t, const struct psd *other, size_t i)
 {
 	double x = t->view.shown.product.size[i];
 	if (other == NULL || !psd_covers(other, x))
@@ -67,13 +68,13 @@ difference(const struct tui *t, const struct psd *other, size_t i)
 /* What a full bar is, points: it changes seldom, and not where the scale of the
  * strip does, or both would be written in one step. */
 static double
-full_bar(const struct tui *t, const struct psd *other)
+full_bar_points(const struct tui *t, const struct psd *other)
 {
 	static const double FULL[] = {1.5, 3, 7, 15, 30, 70, 100};
 	double most = 0;
 	size_t at = 0;
 	for (size_t i = 0; i < t->view.shown.product.n; i++)
-		most = fmax(most, fabs(difference(t, other, i)));
+		most = fmax(most, fabs(difference_from_compared(t, other, i)));
 	while (at + 1 < ARRAY_LEN(FULL) && FULL[at] < most)
 		at++;
 	return FULL[at];
@@ -177,8 +178,8 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	size_t n = t->view.shown.product.n, rows = (size_t)area->rows - 1;
 	char name[40] = "";
 	enum series series = SERIES_TEXT;
-	const struct psd *other = compared(t, name, &series);
-	double full = full_bar(t, other);
+	const struct psd *other = find_compared_product(t, name, &series);
+	double full = full_bar_points(t, other);
 	/* "vs 74" of a name longer than its column, or "73.5". */
 	const int room = area->columns - COMPARED;
 	char *vs = name, *last = strrchr(name, ' ');
@@ -192,7 +193,7 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	size_t wanted, at = row_for_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
 		size_t i = r == at ? wanted : sieve_table_sieve_of(t, r, rows);
-		double off = difference(t, other, i);
+		double off = difference_from_compared(t, other, i);
 		draw_sieve(t, area, (int)r + 1, i, off);
 		if (area->columns >= BAR + BAR_CELLS && !isnan(off))
 			sieve_table_draw_bar(area, (int)r + 1, off / full);

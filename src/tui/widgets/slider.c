@@ -65,7 +65,7 @@ slider_at(struct slider_range range, int column, int width)
 
 /* Lies beyond all speeds trained on. */
 static bool
-is_outside(int tenths, const struct slider_mark *mark, size_t n)
+is_outside_training(int tenths, const struct slider_mark *mark, size_t n)
 {
 	bool below = false, above = false;
 	for (size_t i = 0; i < n; i++) {
@@ -76,7 +76,7 @@ is_outside(int tenths, const struct slider_mark *mark, size_t n)
 }
 
 static bool
-is_free(const struct slider_cell *cell, int width, int from, int wanted)
+are_cells_free(const struct slider_cell *cell, int width, int from, int wanted)
 {
 	for (int c = from; c < from + wanted; c++)
 		if (c < 0 || c >= width || cell[c].taken)
@@ -112,7 +112,7 @@ slider_has_room(const struct slider_cell *cell, int width,
 	for (size_t i = 0; i < n; i++) {
 		int from = slider_column(range, mark[i].tenths, width) + 1;
 		int length = mark_label(&mark[i], true, label);
-		if (!is_free(cell, width, from, length + BETWEEN))
+		if (!are_cells_free(cell, width, from, length + BETWEEN))
 			return false;
 	}
 	return true;
@@ -126,9 +126,9 @@ draw_label(struct slider_cell *cell, int width, int column,
 {
 	char label[32];
 	int from = column + 1, wanted = mark_label(mark, words, label);
-	if (words && !is_free(cell, width, from, wanted + 1))
+	if (words && !are_cells_free(cell, width, from, wanted + 1))
 		wanted = mark_label(mark, false, label);
-	if (from == handle || !is_free(cell, width, from, wanted + 1))
+	if (from == handle || !are_cells_free(cell, width, from, wanted + 1))
 		return;
 	slider_write(cell + from, label);
 	/* A label that ran into the dashes would not be read. */
@@ -146,7 +146,7 @@ draw_beyond(struct slider_cell *cell, int width, const char *word)
 			;
 		int at = from + (to - from - n) / 2;
 		if (n == 0 || to - from < n + 4 ||
-		    !is_free(cell, width, at - 1, n + 2))
+		    !are_cells_free(cell, width, at - 1, n + 2))
 			continue;
 		slider_write(cell + at - 1, " ");
 		slider_write(cell + at, word);
@@ -162,7 +162,8 @@ slider_draw(struct slider_cell *cell, int width, struct slider_range range,
 	char label[16];
 	bool any = false;
 	for (int c = 0; c < width; c++) {
-		bool outside = is_outside(slider_at(range, c, width), mark, n);
+		bool outside =
+		    is_outside_training(slider_at(range, c, width), mark, n);
 		cell[c] = (struct slider_cell){
 		    outside ? 'x' : '-', kept != NULL && kept[c], false};
 		any = any || cell[c].taken;

@@ -73,7 +73,7 @@ track_touch(struct tui *t, const struct touched *touched)
 
 /* Whether all that is wanted holds somewhere in a cell of the track. */
 static bool
-cell_holds(
+is_goal_met_in_cell(
     const struct tui *t, const struct area *track, int column, bool *certain)
 {
 	struct slider_range range = tui_range(t);
@@ -92,9 +92,10 @@ window_ends(const struct tui *t, const struct area *track)
 	int was = 0;
 	for (size_t c = 0; c <= n; c++) {
 		bool certain = false;
-		int is = c < n && cell_holds(t, track, (int)c, &certain)
-			     ? 1 + certain
-			     : 0;
+		int is =
+		    c < n && is_goal_met_in_cell(t, track, (int)c, &certain)
+			? 1 + certain
+			: 0;
 		if (is > was)
 			end[c] = true;
 		else if (is < was)
@@ -114,7 +115,7 @@ track_draw_cell(const struct tui *t, const struct area *track, int column,
 	bool ascii = screen_charset() == CHARSET_ASCII, certain = false;
 	char sign = cell->text ? '\0' : cell->sign;
 	bool free = sign == '-' || (sign == 'x' && column % 2 == 0);
-	bool met = free && cell_holds(t, track, column, &certain);
+	bool met = free && is_goal_met_in_cell(t, track, column, &certain);
 	const char letter[2] = {cell->sign};
 	const char *text = met && certain          ? (ascii ? "#" : "\u2501")
 			   : met                   ? (ascii ? "=" : "\u254D")
@@ -271,7 +272,7 @@ say_signs(const struct tui *t, struct part *part)
 
 /* With a rule before it. */
 static int
-width_of(const struct part *part)
+width_of_part(const struct part *part)
 {
 	int width = text_width(part->text[part->at]);
 	return width > 0 ? width + 4 : 0;
@@ -279,32 +280,32 @@ width_of(const struct part *part)
 
 /* Each is as short as can be, then grows in turn while there is room. */
 static void
-fit_parts(struct part part[static PARTS], int columns)
+fit_heading_parts(struct part part[static PARTS], int columns)
 {
 	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, SPEED,
 	    GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;
-		width += width_of(&part[i]);
+		width += width_of_part(&part[i]);
 	}
 	for (size_t k = 0; k < ARRAY_LEN(TURNS); k++) {
 		struct part *p = &part[TURNS[k]];
-		int was = width_of(p);
+		int was = width_of_part(p);
 		if (p->at == 0)
 			continue;
 		p->at--;
-		if (width - was + width_of(p) > columns)
+		if (width - was + width_of_part(p) > columns)
 			p->at++;
-		width += width_of(p) - was;
+		width += width_of_part(p) - was;
 	}
 	int left = 0, right = columns - 2;
 	for (size_t i = 0; i < SPEED; i++) {
 		part[i].column = left + 2;
-		left += width_of(&part[i]);
+		left += width_of_part(&part[i]);
 	}
 	for (size_t i = PARTS; i-- > SPEED;) {
-		right -= width_of(&part[i]);
+		right -= width_of_part(&part[i]);
 		part[i].column = right + 2;
 	}
 }
@@ -319,7 +320,7 @@ track_draw_heading(struct tui *t)
 	say_goal(t, &part[GOAL]);
 	say_speed(t, &part[SPEED]);
 	say_signs(t, &part[SIGNS]);
-	fit_parts(part, area->columns);
+	fit_heading_parts(part, area->columns);
 	screen_rule(area);
 	for (size_t i = 0; i < PARTS; i++) {
 		const char *text = part[i].text[part[i].at];
@@ -355,7 +356,7 @@ track_stops(const struct tui *t, int tenths[static MOST_MARKS])
 }
 
 static void
-to_limit(struct tui *t, int by)
+move_to_limit(struct tui *t, int by)
 {
 	int tenths[MOST_MARKS], best = t->ui.tenths;
 	size_t n = track_stops(t, tenths);
@@ -378,7 +379,7 @@ to_limit(struct tui *t, int by)
 }
 
 static void
-to_best(struct tui *t)
+move_to_best(struct tui *t)
 {
 	double best = goal_best(t);
 	if (isfinite(best))
@@ -390,7 +391,7 @@ to_best(struct tui *t)
 }
 
 static bool
-is_pending(const struct tui *t)
+is_goal_pending(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->has_params && goal_pending(t);
@@ -399,7 +400,7 @@ is_pending(const struct tui *t)
 static void
 track_go(struct tui *t, const struct key *key)
 {
-	if (is_pending(t) &&
+	if (is_goal_pending(t) &&
 	    session_fitting(t->session) == tui_current_entry(t)) {
 		tui_say(t, false,
 		    "the goal's speeds are known when the calibration ends");
@@ -434,14 +435,14 @@ track_wished(struct tui *t, bool now)
 		t->wish = NULL;
 		return;
 	}
-	while (now && is_pending(t))
+	while (now && is_goal_pending(t))
 		goal_step(t);
-	if (is_pending(t))
+	if (is_goal_pending(t))
 		return;
 	t->wish = NULL;
 	t->message[0] = '\0';
 	if (key->act == act_best)
-		to_best(t);
+		move_to_best(t);
 	else
-		to_limit(t, key->amount);
+		move_to_limit(t, key->amount);
 }

@@ -34,7 +34,7 @@ viewer_split(struct viewer *v)
 void
 viewer_close(struct tui *t)
 {
-	tui_untouch(t);
+	tui_clear_hits(t);
 	struct viewer *v = &t->viewer;
 	for (int i = 0; i < v->lines; i++)
 		free(v->line[i]);
@@ -113,7 +113,7 @@ viewer_has_word(const struct viewer *v, int line)
 
 /* How many lines before one have the word. */
 static int
-count_found(const struct viewer *v, int before)
+count_matches_before(const struct viewer *v, int before)
 {
 	int n = 0;
 	for (int i = 0; i < before; i++)
@@ -122,7 +122,7 @@ count_found(const struct viewer *v, int before)
 }
 
 static int
-within(int x, int least, int most)
+clamp(int x, int least, int most)
 {
 	return x < least || most < least ? least : x > most ? most : x;
 }
@@ -142,16 +142,16 @@ key_rows(const struct tui *t)
 
 /* Scrolls as far as the body of the frame wants: the size may be another. */
 static void
-fit(struct tui *t)
+scroll_to_fit(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->layout.body.rows > 1 ? t->layout.body.rows : 1;
 	if (v->keys) {
-		v->at = within(v->at, 0, v->lines - 1);
-		v->top = within(v->top, v->at - rows + 1, v->at);
+		v->at = clamp(v->at, 0, v->lines - 1);
+		v->top = clamp(v->top, v->at - rows + 1, v->at);
 	}
-	v->top = within(v->top, 0, key_rows(t) - rows);
-	v->left = within(v->left, 0, v->columns - t->layout.body.columns);
+	v->top = clamp(v->top, 0, key_rows(t) - rows);
+	v->left = clamp(v->left, 0, v->columns - t->layout.body.columns);
 }
 
 /* To a line with the word, in the middle where it was not to be seen. */
@@ -163,7 +163,7 @@ viewer_go_to(struct tui *t, int line)
 	v->at = line;
 	if (line >= 0 && (line < v->top || line >= v->top + rows))
 		v->top = line - rows / 2;
-	fit(t);
+	scroll_to_fit(t);
 }
 
 /* The first line with the word from a line on, round the end, or by -1 back;
@@ -215,17 +215,17 @@ viewer_scroll(struct tui *t, int by)
 	struct viewer *v = &t->viewer;
 	if (!v->keys) {
 		v->top += by;
-		fit(t);
+		scroll_to_fit(t);
 		return;
 	}
 	int keys = (int)keys_count(t->ui.page, v->word.text);
-	v->at = within(v->at + by, 0, keys - 1);
-	fit(t);
+	v->at = clamp(v->at + by, 0, keys - 1);
+	scroll_to_fit(t);
 }
 
 /* Back from the word that was looked for; false: there is none. */
 static bool
-forget_word(struct tui *t)
+forget_searched_word(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	if (!v->word.active && v->word.n == 0)
@@ -240,7 +240,7 @@ forget_word(struct tui *t)
 
 /* What only goes through the text. */
 static bool
-moves(struct tui *t, const struct key *key, int code)
+scrolls_by_key(struct tui *t, const struct key *key, int code)
 {
 	struct viewer *v = &t->viewer;
 	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
@@ -264,7 +264,7 @@ moves(struct tui *t, const struct key *key, int code)
 					    : find_from(v, v->at + 1, 1));
 	else
 		return false;
-	fit(t);
+	scroll_to_fit(t);
 	return true;
 }
 
@@ -272,7 +272,7 @@ moves(struct tui *t, const struct key *key, int code)
  * pressed to be rid of a text.  A first calibration takes the place of nothing.
  */
 static bool
-changes(const struct tui *t, const struct key *key)
+is_changing_key(const struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_current_entry(t);
 	bool first =
@@ -283,7 +283,7 @@ changes(const struct tui *t, const struct key *key)
 /* A key that is none of the text's has closed it: true where that is all that
  * it does. */
 static bool
-only_closes(struct tui *t, const struct key *key, int code, bool keys)
+is_only_closed(struct tui *t, const struct key *key, int code, bool keys)
 {
 	if (code == ESCAPE || code == '\n')
 		return true;
@@ -291,9 +291,9 @@ only_closes(struct tui *t, const struct key *key, int code, bool keys)
 		return false;
 	if (key->act == act_leave || (keys && key->act == act_help))
 		return true;
-	if (changes(t, key) && code != INTERRUPT)
+	if (is_changing_key(t, key) && code != INTERRUPT)
 		tui_say(t, false, "%s again: %s", key->name, key->what);
-	return changes(t, key);
+	return is_changing_key(t, key);
 }
 
 bool
@@ -302,12 +302,12 @@ viewer_key(struct tui *t, int code, bool special, const struct key **run)
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
-	if (viewer_find(t, code, special) || moves(t, key, code) ||
-	    (code == ESCAPE && forget_word(t)))
+	if (viewer_find(t, code, special) || scrolls_by_key(t, key, code) ||
+	    (code == ESCAPE && forget_searched_word(t)))
 		return true;
 	bool keys = v->keys;
 	if (keys && code == '\n') {
-		*run = keys_nth(t->ui.page, v->word.text, (size_t)v->at);
+		*run = keys_listed_at(t->ui.page, v->word.text, (size_t)v->at);
 		if (*run != NULL)
 			viewer_close(t);
 		return true;
@@ -315,13 +315,13 @@ viewer_key(struct tui *t, int code, bool special, const struct key **run)
 	/* How it is found again is read after it has gone. */
 	t->told = t->told || v->report;
 	viewer_close(t);
-	return only_closes(t, key, code, keys);
+	return is_only_closed(t, key, code, keys);
 }
 
 /* The list of keys has one space between a key and what it does where it is
  * narrow. */
 static void
-squeeze(char *line)
+squeeze_spaces(char *line)
 {
 	char *to = line;
 	for (const char *from = line + strspn(line, " "); *from != '\0'; from++)
@@ -350,7 +350,7 @@ viewer_draw_line(struct tui *t, int n)
 	bool found = !v->keys && v->word.n > 0 && viewer_has_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
 	if (v->keys && body.columns < NARROW)
-		squeeze(line);
+		squeeze_spaces(line);
 	if (rows < v->lines)
 		body.columns /= 2;
 	body.column = n / rows * body.columns;
@@ -381,12 +381,13 @@ draw_word(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct area *hints = &t->layout.hints;
-	int number = v->keys || v->at < 0 ? 0 : count_found(v, v->at + 1);
+	int number =
+	    v->keys || v->at < 0 ? 0 : count_matches_before(v, v->at + 1);
 	char *found = v->word.n == 0 ? NULL
-		      : v->keys
-			  ? xasprintf(tr("%zu keys"),
-				keys_count(t->ui.page, v->word.text))
-			  : xasprintf(tr("%d lines"), count_found(v, v->lines));
+		      : v->keys      ? xasprintf(tr("%zu keys"),
+					   keys_count(t->ui.page, v->word.text))
+				     : xasprintf(tr("%d lines"),
+					   count_matches_before(v, v->lines));
 	if (number > 0 && found != NULL) {
 		char *lines = found;
 		found = xasprintf(tr("line %d of %s"), number, lines);
@@ -402,11 +403,12 @@ draw_word(struct tui *t)
 
 /* What Enter does in the list of keys, where there is room for all of it. */
 static bool
-draw_what(struct tui *t)
+draw_what_enter_does(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct key *key =
-	    v->keys ? keys_nth(t->ui.page, v->word.text, (size_t)v->at) : NULL;
+	    v->keys ? keys_listed_at(t->ui.page, v->word.text, (size_t)v->at)
+		    : NULL;
 	if (key == NULL)
 		return false;
 	char *words = xasprintf(tr("Enter: %s"), tr(key->what));
@@ -436,7 +438,7 @@ viewer_draw_hints(struct tui *t)
 void
 viewer_draw(struct tui *t)
 {
-	fit(t);
+	scroll_to_fit(t);
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
@@ -448,8 +450,9 @@ viewer_draw(struct tui *t)
 			continue;
 		char *cut = viewer_draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
-		if (v->keys && keys_nth(t->ui.page, v->word.text, (size_t)n))
-			hits_add_both(&t->hits,
+		if (v->keys &&
+		    keys_listed_at(t->ui.page, v->word.text, (size_t)n))
+			hits_add_with_key(&t->hits,
 			    area_cells(body, row, n / rows * columns, columns),
 			    touch_key, (size_t)n, '\n');
 	}
@@ -464,7 +467,7 @@ viewer_draw(struct tui *t)
 			    (struct cursor){t->layout.hints.row, column};
 	} else if (rest != NULL)
 		screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
-	else if (!draw_what(t))
+	else if (!draw_what_enter_does(t))
 		viewer_draw_hints(t);
 	free(rest);
 }
