@@ -62,7 +62,7 @@ want '\[74\.5\]'
 [ -n "$before" ] && [ "$(p50)" != "$before" ]
 result $? "and P50 follows"
 want ': predict speed=74\.5' "the command it composed is shown"
-cursor 36,20 'the slider'
+cursor 35,20 'the slider'
 keys Home
 want '\[65\.0\]' "Home"
 want 'EXTRAPOLATED' "outside the speeds trained on it says so"
@@ -96,7 +96,7 @@ want '^\[*tipspeed\|Tierp, Granite'
 keys c b
 want 'crosshair 5\.6 mm  *50 %' "the crosshair reads the curves"
 want 'band  *8[0-9.]* \.\. 8[0-9.]* %' "and the band at its sieve"
-cursor 34,20 'the slider'
+cursor 33,20 'the slider'
 keys Down '>'
 want 'crosshair 4 mm  *55 %' "keys move the sieve and the level"
 want 'band  *6[0-9.]* \.\. 6[0-9.]* %'

@@ -484,6 +484,40 @@ text_width(const char *s)
 	return width;
 }
 
+/* What stands for the rest of a text that is cut. */
+static const char MORE[] = " ..";
+
+char *
+text_fitted(const char *s, int columns)
+{
+	enum { LEAST = 2 };
+	const int more = (int)strlen(MORE);
+	size_t n = strlen(s), blank = strspn(s, " "), word = 0, letter = 0;
+	size_t start = blank; /* of the word that has the last letter */
+	while (n > 0 && s[n - 1] == ' ')
+		n--;
+	int width = 0;
+	for (const char *p = s; p < s + n;) {
+		char shown[TEXT_SHOWN];
+		size_t at = (size_t)(p - s);
+		if (*p == ' ' && at > blank + LEAST && width + more <= columns)
+			word = p[-1] == ' ' ? word : at;
+		width += text_escape_next(&p, shown);
+		if (width + more - 1 > columns)
+			continue;
+		start = s[at] == ' ' ? at + 1 : start;
+		letter = (size_t)(p - s);
+	}
+	if (width <= columns)
+		return xstrdup(s);
+	if (word > 0)
+		return xasprintf("%.*s%s", (int)word, s, MORE);
+	char first = s[start + strspn(s + start, "+-.")];
+	return (first >= '0' && first <= '9') || letter < start + LEAST
+		   ? xstrdup("")
+		   : xasprintf("%.*s%s", (int)letter, s, MORE + 1);
+}
+
 bool
 text_is_plain(const char *s)
 {

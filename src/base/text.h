@@ -102,6 +102,11 @@ void text_put(const char *s, FILE *out);
 void text_put_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
+/* Returns a text, or as much of it as so many columns hold: whole words, and
+ * " .." for the rest; where these are little its beginning with "..", but
+ * nothing of a number, which would be another one.  The caller frees. */
+char *text_fitted(const char *s, int columns);
+
 /* text_is_plain: true if text_escaped changes nothing.  text_is_hidden: true if
  * text_escaped replaces the character. */
 bool text_is_plain(const char *s);

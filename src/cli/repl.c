@@ -423,7 +423,8 @@ void
 repl_begin(struct session *s)
 {
 	fprintf(stderr,
-	    tr("tipspeed %s: help lists the commands, quit exits\n"),
+	    tr("tipspeed %s: help lists the commands, tui is the full screen, "
+	       "quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
 	char *path =

@@ -96,6 +96,16 @@ legend_text(const struct chart_series *series, enum charset charset)
 	return text;
 }
 
+/* As canvas_text; of what the edge would cut as much as can be read. */
+static void
+put_fitted(struct layout *l, int column, int row, const char *text,
+    enum series series, unsigned attribute)
+{
+	char *fitted = text_fitted(text, l->canvas->columns - column);
+	canvas_text(l->canvas, column, row, fitted, series, attribute);
+	free(fitted);
+}
+
 /* Series that have a name, then rules, side by side in rows as wide as the
  * canvas; from row on, or only counted where row is negative.  Returns the rows
  * they take. */
@@ -123,8 +133,7 @@ flow_legend(struct layout *l, int row)
 			rows++;
 		}
 		if (row >= 0)
-			canvas_text(
-			    l->canvas, column, row + rows - 1, text, series, 0);
+			put_fitted(l, column, row + rows - 1, text, series, 0);
 		if (row >= 0 && rule != NULL && column < l->canvas->columns)
 			*canvas_at(l->canvas, column, row + rows - 1) =
 			    (struct canvas_cell){rule_code(series, l->charset),
@@ -346,17 +355,6 @@ short_title(const char *title, int columns)
 	return xstrdup(rest + 2);
 }
 
-/* One that is cut ends in "..". */
-static void
-put_title(struct layout *l, const char *title, unsigned attribute)
-{
-	int columns = l->canvas->columns;
-	canvas_text(l->canvas, 0, l->title, title, SERIES_TEXT, attribute);
-	if (text_width(title) > columns && columns > 2)
-		canvas_text(l->canvas, columns - 2, l->title, "..", SERIES_TEXT,
-		    attribute);
-}
-
 static void
 draw_titles(struct layout *l)
 {
@@ -366,9 +364,10 @@ draw_titles(struct layout *l)
 	char *title =
 	    c->strip > 0 ? xstrdup(c->title) : short_title(c->title, columns);
 	if (l->title >= 0)
-		put_title(l, title, c->strip > 0 ? CELL_DIM : CELL_BOLD);
+		put_fitted(l, 0, l->title, title, SERIES_TEXT,
+		    c->strip > 0 ? CELL_DIM : CELL_BOLD);
 	if (l->y_title >= 0)
-		canvas_text(l->canvas, 0, l->y_title,
+		put_fitted(l, 0, l->y_title,
 		    text_width(axes) <= columns ? axes : c->y.title,
 		    SERIES_TEXT, 0);
 	free(title);

@@ -56,6 +56,18 @@ await_return(void)
 	fputs("\n", stdout);
 }
 
+/* The feed that a line names, as it is typed, or NULL.  The caller frees. */
+static char *
+feed_typed(const char *line)
+{
+	const char *feed = strstr(line, " feed=");
+	if (feed == NULL)
+		return NULL;
+	feed += strlen(" feed=");
+	return xstrndup(feed, feed[0] == '"' ? strcspn(feed + 1, "\"") + 2
+					     : strcspn(feed, " ;>|"));
+}
+
 /* Whether the page Predict shows all that a line asks: the site's product at a
  * speed, with a feed and a machine of its own. */
 static bool
@@ -68,13 +80,10 @@ only_moves(const char *line)
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
 		if (strstr(line, MORE[i]) != NULL)
 			return false;
-	const char *feed = strstr(line, "feed=");
-	if (feed == NULL)
-		return true;
+	char *feed = feed_typed(line);
 	double speed;
-	char *word = xstrndup(feed + 5, strcspn(feed + 5, " ;"));
-	bool own = value_number(word, "m/s", &speed);
-	free(word);
+	bool own = feed == NULL || value_number(feed, "m/s", &speed);
+	free(feed);
 	return own;
 }
 
@@ -121,6 +130,20 @@ say_more(struct tui *t, const char *more)
 	free(said);
 }
 
+/* Below the answer on another sheet's feed the pages go on with their own. */
+static void
+tell_feed(struct tui *t, const char *line)
+{
+	char *feed = feed_typed(line);
+	if (feed != NULL && strchr(line, '>') == NULL &&
+	    strcmp(feed, t->session->set.feed) != 0)
+		tui_say(t, false,
+		    "the pages keep their feed: :set feed %s has them take "
+		    "this one",
+		    feed);
+	free(feed);
+}
+
 /* What a line that was run has said; of a search that it began the page
  * tells. */
 static void
@@ -133,6 +156,9 @@ tell(struct tui *t, const char *line, bool ok, bool began)
 		text_wrap(t->message, 0, 78, t->said);
 	if (!began && (ok ? !moved_only : t->said_n > 0))
 		captured_show(t);
+	if (ok && !moved_only &&
+	    control_command(line) == command_find("predict"))
+		tell_feed(t, line);
 }
 
 static void
@@ -203,7 +229,8 @@ names_speed(const struct command *asked, const char *rest)
 	double v;
 	for (char *word = strtok_r(copy, " \t", &save); word != NULL;
 	     word = strtok_r(NULL, " \t", &save))
-		named |= value_number(word, "m/s", &v);
+		named |= value_number(word, "m/s", &v) ||
+			 value_number(word, "rpm", &v);
 	free(copy);
 	return named && asked->operands.usage != NULL &&
 	       strstr(asked->operands.usage, "SPEED") != NULL;

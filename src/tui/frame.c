@@ -149,36 +149,48 @@ draw_work(const struct tui *t, const struct area *area)
 	    s->job.options.generations);
 }
 
+/* What to do next; where there is little room without what is wrong. */
+static int
+draw_ready(const struct area *area, const char *words)
+{
+	const char *ready = tr("READY  "), *act = strstr(words, ": ");
+	int room = area->columns - text_width(words);
+	return screen_text(area, 0, 0, 0, "%s%s",
+	    room >= text_width(ready) ? ready : "",
+	    room < 0 && act != NULL ? act + 2 : words);
+}
+
 /* What the site's parameters are worth, or how the search stands. */
 static void
 draw_state(struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
-	const int room = area->columns - text_width(tr("READY  %s")) + 2;
+	const int room = area->columns - text_width(tr("READY  "));
 	char *verdict = panel_words(t, room, area->columns);
 	int column;
 	if (session_busy(s)) {
 		column = draw_work(t, area);
 	} else if (entry == NULL) {
-		column = screen_text(
-		    area, 0, 0, 0, "READY  no site: o opens a sheet");
+		column = draw_ready(area, tr("no site: o opens a sheet"));
 	} else if (!entry->has_params) {
-		column = screen_text(area, 0, 0, 0, "READY  %s",
-		    site_products(entry->site) > 0
-			? tr("not calibrated: f calibrates")
-			: tr("no product: type :guess"));
+		column =
+		    draw_ready(area, site_products(entry->site) > 0
+					 ? tr("not calibrated: f calibrates")
+					 : tr("no product: type :guess"));
 	} else if (verdict[0] != '\0') {
-		column = screen_text(area, 0, 0, 0,
-		    text_width(verdict) > room ? "%s" : N_("READY  %s"),
-		    verdict);
+		column = draw_ready(area, verdict);
 	} else if (entry->has_fit) {
-		column = screen_text(area, 0, 0, 0, "READY  %s%s",
+		char *words = xasprintf("%s%s",
 		    fit_too_few(&entry->fit) ? "" : tr("fit "),
 		    light_verdict(s, entry, NULL));
+		column = draw_ready(area, words);
+		free(words);
 	} else {
-		column = screen_text(
-		    area, 0, 0, 0, "READY  parameters %s", origin_words(entry));
+		char *words =
+		    xasprintf(tr("parameters %s"), origin_words(entry));
+		column = draw_ready(area, words);
+		free(words);
 	}
 	free(verdict);
 	char right[64];

@@ -53,13 +53,14 @@ pane_plot(
 	if (area->rows < 1 || area->columns < 1)
 		return;
 	r.charset = screen_charset();
-	r.entry = tui_asked(t);
+	if (r.entry == NULL)
+		r.entry = tui_asked(t);
 	struct canvas *canvas =
 	    plots_draw(t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
 		screen_canvas(area, canvas);
 		canvas_free(canvas);
-		if (t->n_drawn == PLOTS_DRAWN)
+		if (request->entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
 		hits_add(&t->hits, HIT_SLIDE, *area, touch_plot, t->n_drawn++);
@@ -194,7 +195,8 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_plot(t, request, &plot);
 }
 
-void
+/* Cuts off the words, separated by two spaces, that there is no room for. */
+static void
 pane_cut(char *words, int columns)
 {
 	while (text_width(words) > columns) {
@@ -287,7 +289,8 @@ pane_typed(const struct area *area, const char *prompt,
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
 		before -= text_escape_next(&shown, left);
-	screen_text(area, 0, 0, LOOK_BOLD, "%s%s", prompt, shown);
+	screen_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
+	screen_part(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;
 }

@@ -61,7 +61,8 @@ extern const struct page_ops page_predict, page_fit, page_data, page_parity,
     page_sites;
 
 /* Draws a plot in an area, or says why there is none.  A click on it says what
- * is there; see point in page_ops. */
+ * is there, see point in page_ops, unless the request names an entry: without
+ * one it is of the site in use. */
 void pane_plot(
     struct tui *t, const struct plot_request *request, const struct area *area);
 
@@ -96,9 +97,6 @@ int pane_word(struct tui *t, const struct area *area, const char *word,
 /* Draws lines of text from a row on, the first one bold.  Returns the row after
  * them. */
 int pane_lines(const struct area *area, int row, const char *text);
-
-/* Cuts off the words, separated by two spaces, that there is no room for. */
-void pane_cut(char *words, int columns);
 
 /* Returns a place in a list of n, moved by `by` and kept within it. */
 int pane_moved(int at, int by, size_t n);

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/screen.h"
 
-#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -303,7 +302,7 @@ screen_put_cell(
 }
 
 int
-screen_series(const struct area *area, int row, int column, enum series series,
+screen_part(const struct area *area, int row, int column, enum series series,
     unsigned look, const char *text)
 {
 	if (row < 0 || row >= area->rows || column < 0)
@@ -312,6 +311,17 @@ screen_series(const struct area *area, int row, int column, enum series series,
 		   area->row + row, area->column + area->columns, text, series,
 		   look) -
 	       area->column;
+}
+
+int
+screen_series(const struct area *area, int row, int column, enum series series,
+    unsigned look, const char *text)
+{
+	char *fitted = text_fitted(text, area->columns - column);
+	bool whole = strcmp(fitted, text) == 0;
+	int end = screen_part(area, row, column, series, look, fitted);
+	free(fitted);
+	return whole || row < 0 || row >= area->rows ? end : area->columns;
 }
 
 int
@@ -331,15 +341,16 @@ screen_words_within(const struct area *area, int row, int rows, unsigned look,
     const char *text, const char *more)
 {
 	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
-	struct area within = *area;
 	for (char *line = strtok_r(wrapped, "\n", &save);
 	     line != NULL && rows > 0; line = strtok_r(NULL, "\n", &save)) {
 		bool cut = --rows == 0 && *save != '\0';
-		within.columns = area->columns - (cut ? text_width(more) : 0);
-		int end =
-		    screen_series(&within, row, 0, SERIES_TEXT, look, line);
+		char *part = text_wrapped(
+		    line, area->columns - (cut ? text_width(more) : 0));
+		part[strcspn(part, "\n")] = '\0';
+		int end = screen_series(area, row, 0, SERIES_TEXT, look, part);
 		if (cut)
 			screen_series(area, row, end, SERIES_TEXT, look, more);
+		free(part);
 		row++;
 	}
 	free(wrapped);
@@ -349,7 +360,8 @@ screen_words_within(const struct area *area, int row, int rows, unsigned look,
 int
 screen_words(const struct area *area, int row, unsigned look, const char *text)
 {
-	return screen_words_within(area, row, INT_MAX, look, text, "");
+	return screen_words_within(
+	    area, row, area->rows - row, look, text, " ..");
 }
 
 void

@@ -68,8 +68,9 @@ void screen_resize(void);
 /* Begins a frame, in the terminal's present size. */
 void screen_begin(int *rows, int *columns);
 
-/* Draws UTF-8 from a cell of an area on, cut at the area's right edge; nothing
- * below its last row.  Returns the column after it, within the area. */
+/* Draws UTF-8 from a cell of an area on, fitted (see text_fitted) where the
+ * area's right edge would cut it; nothing below its last row.  Returns the
+ * column after it, within the area. */
 int screen_text(const struct area *area, int row, int column, unsigned look,
     const char *format, ...) __attribute__((format(printf, 5, 6)));
 
@@ -77,8 +78,12 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
 int screen_series(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* Draws text in as many rows of the area as it needs, broken at spaces.
- * Returns the row after it. */
+/* As screen_series, of a text that goes on behind the edge. */
+int screen_part(const struct area *area, int row, int column,
+    enum series series, unsigned look, const char *text);
+
+/* Draws text in as many rows of the area as it needs, broken at spaces; what
+ * these do not hold is " ..".  Returns the row after it. */
 int screen_words(
     const struct area *area, int row, unsigned look, const char *text);
 

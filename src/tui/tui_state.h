@@ -203,6 +203,8 @@ struct view {
 	double moved;            /* when the slider last was */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	bool formed;             /* it is of a search that was under way */
+	bool lit;                /* light is of it, see panel.c */
+	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
 	struct prediction
 	    pinned_whole;    /* whose numbers are in pinned, borrowed */
@@ -273,7 +275,6 @@ struct tui {
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is from the command that moved the slider */
-	bool left_out;        /* the panel has more than it shows */
 	bool reason_shown;    /* the panel has room for that of the light */
 	const char *question; /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */

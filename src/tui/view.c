@@ -60,10 +60,17 @@ look_at_pin(struct tui *t)
 }
 
 static void
-forget(struct tui *t)
+drop_shown(struct tui *t)
 {
 	prediction_free(&t->view.shown);
 	t->view.shown = (struct prediction){0};
+	t->view.lit = false;
+}
+
+static void
+forget(struct tui *t)
+{
+	drop_shown(t);
 	t->view.current = (struct numbers){0};
 	t->view.of = (struct view_key){0};
 }
@@ -101,6 +108,7 @@ view_look(struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	t->view.revision++;
+	t->view.lit = false;
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
 	tui_forget_parity(&t->view.parity);
@@ -158,8 +166,7 @@ view_predict(struct tui *t)
 	char *where = tui_where(t);
 	char *line = xasprintf("predict %s", where);
 	struct error error = {0};
-	prediction_free(&t->view.shown);
-	t->view.shown = (struct prediction){0};
+	drop_shown(t);
 	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
 		line, &t->view.shown, &error))
 		captured_error(t, &error, line, ERROR_TYPED);
@@ -188,7 +195,7 @@ view_form(struct tui *t)
 	struct params params = entry->params;
 	if (!answers_best_so_far(s, entry, &params) && !entry->has_params)
 		return;
-	prediction_free(&t->view.shown);
+	drop_shown(t);
 	struct question q = asked_whole(s, tui_asked(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
@@ -206,6 +213,7 @@ void
 view_free(struct tui *t)
 {
 	prediction_free(&t->view.shown);
+	trust_free(&t->view.light);
 	origin_drop(t->view.basis.origin);
 	free(t->view.row);
 	strip_free(t->view.strip);

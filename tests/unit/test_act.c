@@ -1318,6 +1318,30 @@ a_pinned_answer_keeps_its_feed(void **state)
 	type(t, "\033");
 }
 
+/* The answer on another sheet's feed is a text; what is below it keeps its own,
+ * and says what would take the other one. */
+static void
+another_feed_than_that_of_the_pages_is_told(void **state)
+{
+	struct tui *t = &((struct stage *)*state)->t;
+	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
+	view_predict(t);
+	struct numbers before = t->view.current;
+	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
+	assert_non_null(t->viewer.text);
+	assert_non_null(
+	    strstr(t->message, ":set feed data/sites/bro.csv@69 has"));
+	type(t, "\033");
+	view_predict(t);
+	assert_true(t->view.current.size[1] == before.size[1]);
+	type(t, ":set feed data/sites/bro.csv@69\n");
+	view_predict(t);
+	assert_true(t->view.current.size[1] != before.size[1]);
+	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
+	assert_string_equal(t->message, "");
+	type(t, "\033");
+}
+
 /* The linker puts these in the place of what they count. */
 struct prediction __real_predict_table(const struct site *, size_t,
     const struct fraction *, struct response *, double);
@@ -1850,6 +1874,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(the_draws_after_a_fit_can_be_watched),
     ON_STAGE(e_proposes_a_file),
     ON_STAGE(a_pinned_answer_keeps_its_feed),
+    ON_STAGE(another_feed_than_that_of_the_pages_is_told),
     ON_STAGE(d_tells_the_picture_of_the_page),
     ON_STAGE(an_answer_is_measured_by_the_screen_and_not_by_the_text_before),
     ON_STAGE(control_z_stops_wherever_it_is_typed),

@@ -389,6 +389,31 @@ errors_print_their_place_and_hint(void **state)
 	assert_false(error_hint(NULL, "kept nowhere"));
 }
 
+/* Whole words, of a word its beginning, of a number nothing. */
+static void
+what_does_not_fit_is_cut_between_words(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *text;
+		int columns;
+		const char *fitted;
+	} CASES[] = {{"fit good", 8, "fit good"}, {"fit good", 7, "fit .."},
+	    {"fit good   ", 8, "fit good   "}, {"Granite", 6, "Gran.."},
+	    {"Granite", 3, ""}, {"* vastra-gotaland", 12, "* vastra-g.."},
+	    {"   99.45", 7, ""}, {"-0.25", 4, ""}, {"99.45 %", 6, ""},
+	    {"P50 2.85 mm", 11, "P50 2.85 mm"}, {"P50 2.85 mm", 10, "P50 .."},
+	    {"Ume\u00e5 \u00e5", 6, "Ume\u00e5 \u00e5"},
+	    {"Ume\u00e5 \u00e5", 5, "Ume.."}, {"", 0, ""}, {"x", 0, ""},
+	    {"* 74.25", 6, ""}, {"P20 1.10  P50 2.85", 15, "P20 1.10 .."},
+	    {"ab\033[2J", 8, "ab\033.."}, {"ab\033[2J", 7, "ab.."}};
+	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
+		char *fitted = text_fitted(CASES[i].text, CASES[i].columns);
+		assert_string_equal(fitted, CASES[i].fitted);
+		free(fitted);
+	}
+}
+
 int
 main(void)
 {
@@ -411,6 +436,7 @@ main(void)
 	    cmocka_unit_test(digest_is_fnv_1a),
 	    cmocka_unit_test(a_full_error_list_counts_the_rest),
 	    cmocka_unit_test(errors_print_their_place_and_hint),
+	    cmocka_unit_test(what_does_not_fit_is_cut_between_words),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

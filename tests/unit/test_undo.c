@@ -278,6 +278,24 @@ undo_forgets_the_answers(void **state)
 	assert_false(desk_say(desk, "assert p50 > 0"));
 }
 
+/* As the keys of screens that a script draws do, whose lines make no step. */
+static void
+steps_within_lines_that_make_none_push_out_the_oldest(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	enum { MANY = 1000 };
+	size_t deepest = 0;
+	for (int i = 0; i < MANY; i++) {
+		size_t depth = undo_depth(s);
+		undo_push(s, snapshot_take(s), depth, depth, "pin");
+		deepest = depth > deepest ? depth : deepest;
+	}
+	assert_int_equal(undo_depth(s), deepest);
+	while (undo_depth(s) > 1)
+		assert_string_equal(undo_back(s), "pin");
+}
+
 int
 main(void)
 {
@@ -296,6 +314,7 @@ main(void)
 	    at_desk(undo_lets_go_of_a_stopped_calibration),
 	    at_desk(undo_ends_a_running_calibration),
 	    at_desk(undo_forgets_the_answers),
+	    at_desk(steps_within_lines_that_make_none_push_out_the_oldest),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

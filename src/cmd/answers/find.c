@@ -351,7 +351,7 @@ note_sure(
 	forecast_at(goal->wanted.forecast, v);
 	FREED char *words = value_words(goal, goal->wanted.n);
 	answer_note(
-	    r, "with %.0f %% certainty at %.1f m/s: %s", level, v, words);
+	    r, "with %.0f %% certainty at %.2f m/s: %s", level, v, words);
 }
 
 static void

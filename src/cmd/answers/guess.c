@@ -170,7 +170,8 @@ static struct answer *
 guess_table(const struct site *site, const struct guess *guess)
 {
 	struct answer *r = answers_new(site, "guess",
-	    "estimated product at %.1f m/s, not calibrated", guess->speed);
+	    "estimated product at %.*f m/s, not calibrated",
+	    units_speed_digits(guess->speed), guess->speed);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
 			  "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)
@@ -347,9 +348,9 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 	fields_put(answer_fields(r), "extrapolated %d", beyond);
 	if (beyond)
 		answer_say(r, ANSWER_WARNING,
-		    "%.1f m/s is outside the training speeds common to these "
+		    "%.*f m/s is outside the training speeds common to these "
 		    "materials, %g to %g m/s",
-		    speed, slowest, fastest);
+		    units_speed_digits(speed), speed, slowest, fastest);
 }
 
 /* What such guesses are worth.  A band of few materials is too narrow, which is

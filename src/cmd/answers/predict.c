@@ -34,10 +34,11 @@ note_breakage(struct answer *r, const struct params *params,
 		    "the appearance function gives no progeny: feed unchanged");
 	else if (p->break_size >= top)
 		answer_note(r,
-		    "nothing breaks at %.1f m/s: only particles of %.3g mm or "
+		    "nothing breaks at %.*f m/s: only particles of %.3g mm or "
 		    "more would, and the feed has none above %g mm: feed "
 		    "unchanged",
-		    p->speed, 1000 * p->break_size, units_mm(top));
+		    units_speed_digits(p->speed), p->speed,
+		    1000 * p->break_size, units_mm(top));
 	else if (params_value(params, "e0_min") <= 0)
 		answer_note(r,
 		    "all sizes can break (e0_min is 0: no threshold); %.1f %% "
@@ -210,8 +211,9 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	    !detail && p->low != NULL
 		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
 		: xstrdup("");
-	struct answer *r = answers_new(entry->site, "predict",
-	    "product at %.1f m/s%s%s%s", p->speed, more, fraction, band);
+	struct answer *r =
+	    answers_new(entry->site, "predict", "product at %.*f m/s%s%s%s",
+		units_speed_digits(p->speed), p->speed, more, fraction, band);
 	/* One who hears a table wants a sieve's numbers in a line. */
 	if (!s->linear)
 		answer_set_across(r);
@@ -329,10 +331,11 @@ predict_sure(const struct session *s, const struct question *q,
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
 	char *words = xasprintf(
-	    tr("at %.1f m/s %.1f %% passes %g mm: %s between %.1f and "
+	    tr("at %.*f m/s %.1f %% passes %g mm: %s between %.1f and "
 	       "%.1f; a new belt cut between %.1f and %.1f"),
-	    p->speed, units_pct(sample.value), units_mm(passing.x), chance,
-	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
+	    units_speed_digits(p->speed), p->speed, units_pct(sample.value),
+	    units_mm(passing.x), chance, units_pct(p->low[i]),
+	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
 	double most =
 	    q->feed == SITE_MEAN_FEED ? predict_feeds_move(s, q, p, i) : 0;

@@ -21,6 +21,7 @@
 #include "cmd/lang/table.h"
 #include "config.h"
 #include "io/cells/datetime.h"
+#include "io/sitefile/units.h"
 
 /* What a section needs of the session; without parameters it is said to be
  * missing, what else is absent goes without saying. */
@@ -201,13 +202,13 @@ put_light(struct session *s, const struct ask *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
-	FREED char *words =
-	    xasprintf(tr("Trust: %s. %s the answer at %.1f m/s%s"),
-		tr(LIGHT_NAME[t.light]),
-		t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
-		: t.light == LIGHT_RED ? tr("Do not rely on")
-				       : tr("Take care with"),
-		ask->speed, t.n == 0 ? "." : ":");
+	FREED char *words = xasprintf(
+	    tr("Trust: %s. %s the answer at %.*f m/s%s"),
+	    tr(LIGHT_NAME[t.light]),
+	    t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
+	    : t.light == LIGHT_RED ? tr("Do not rely on")
+				   : tr("Take care with"),
+	    units_speed_digits(ask->speed), ask->speed, t.n == 0 ? "." : ":");
 	document_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
 		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
@@ -247,8 +248,8 @@ put_conditions(struct session *s, const struct ask *ask)
 	double share = wanted_certainty(&ask->wanted);
 	FREED char *list = conditions_list_words(&ask->list);
 	FREED char *chance = conditions_chance(share, met);
-	FREED char *words = xasprintf(
-	    tr("Conditions: %s: at %.1f m/s %s"), list, ask->speed, chance);
+	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s %s"),
+	    list, units_speed_digits(ask->speed), ask->speed, chance);
 	append_window(&words, ask);
 	document_say(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS

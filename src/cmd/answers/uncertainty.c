@@ -206,8 +206,9 @@ draws_answer(const struct session *s, const struct question *q,
 	forecast_at(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	FREED char *fraction = screened_title(&at->fraction);
-	struct answer *r = answers_new(q->entry->site, "uncertainty",
-	    "draws at %.1f m/s%s", at->speed, fraction);
+	struct answer *r =
+	    answers_new(q->entry->site, "uncertainty", "draws at %.*f m/s%s",
+		units_speed_digits(at->speed), at->speed, fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -327,9 +328,9 @@ band_parts_answer(const struct session *s, const struct question *q,
 	bool detail = args_value(args, "detail")->choice == 1;
 	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
-	    detail ? N_("half width of the %.0f %% band at %.1f m/s%s, points")
-		   : N_("how sure, %.0f %% bands at %.1f m/s%s"),
-	    100 * q->level, at->speed, fraction);
+	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
+		   : N_("how sure, %.0f %% bands at %.*f m/s%s"),
+	    100 * q->level, units_speed_digits(at->speed), at->speed, fraction);
 	if (!detail && !add_figures(r, s, q, at, args, error)) {
 		answer_free(r);
 		return NULL;

@@ -10,6 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
+#include "cmd/ask/goals.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
@@ -24,6 +25,22 @@ struct asking {
 	struct speed_search *w;
 };
 
+/* Those of the goal that is set, where none are given. */
+static bool
+take_goal(struct session *s, struct asking *a, struct error *error)
+{
+	size_t n_value = 0;
+	if (a->list.n > 0 || !goals_set(s))
+		return true;
+	if (!goals_read(
+		s, s->set.goal, question_feed(a->q), &a->list, &n_value, error))
+		return false;
+	return n_value == 0 || error_set(error, ERROR_USAGE,
+				   "the goal %s is a value, not a limit\nfind "
+				   "has the speed that meets it",
+				   s->set.goal);
+}
+
 static bool
 read_conditions(struct session *s, const struct args *args, struct asking *a,
     struct error *error)
@@ -32,7 +49,8 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 	const struct psd *feed = question_feed(a->q);
 	if (!conditions_add_operands(args, fraction, feed, &a->list, error) ||
 	    !conditions_add_option(
-		s, args, fraction, feed, &a->list, &a->limits, error))
+		s, args, fraction, feed, &a->list, &a->limits, error) ||
+	    !take_goal(s, a, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
 				    "expected conditions, got none\n"

@@ -311,8 +311,8 @@ note_beyond(struct answer *r, const struct entry *entry, double speed,
 	    !answers_extrapolates(entry, speed))
 		return;
 	FREED char *speeds = answers_reach_words(entry, slowest, fastest);
-	answer_say(
-	    r, ANSWER_WARNING, "%.1f m/s is outside the %s", speed, speeds);
+	answer_say(r, ANSWER_WARNING, "%.*f m/s is outside the %s",
+	    units_speed_digits(speed), speed, speeds);
 }
 
 void

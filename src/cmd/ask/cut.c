@@ -150,6 +150,7 @@ cut_compare_later(const struct session *s, const struct entry *entry)
 			continue;
 		later.rms = c.rms;
 		later.missed = c.missed;
+		later.off = c.off;
 		later.speed = site->run[r].speed;
 	}
 	h->later = later;

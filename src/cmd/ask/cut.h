@@ -28,8 +28,8 @@ bool cut_is_same(const struct run *a, const struct run *b);
  * its last runs, in the same order. */
 const char *cut_heading(const struct site *site, size_t run);
 
-/* Returns "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, measured less
- * predicted), 11 of 12 sieves within the 80 % band".  The caller frees. */
+/* Returns "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, answer -
+ * measured), 11 of 12 sieves within the 80 % band".  The caller frees. */
 char *cut_words(const struct cut *cut);
 
 /* Returns what was added to the site after the calibration that its parameters

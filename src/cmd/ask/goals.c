@@ -309,11 +309,11 @@ beyond_words(const struct entry *entry, const struct goal *g, double best)
 {
 	bool window = g->n_value == 0 && g->found->n_inside > 0;
 	if (isfinite(best) && answers_extrapolates(entry, best))
-		return window ? "best extrapolated" : "extrapolated";
+		return window ? N_("best extrapolated") : N_("extrapolated");
 	for (size_t i = 0; i < g->found->n_inside && window; i++)
 		if (answers_extrapolates(entry, g->found->inside[i].from) ||
 		    answers_extrapolates(entry, g->found->inside[i].to))
-			return "partly extrapolated";
+			return N_("partly extrapolated");
 	return "";
 }
 
@@ -321,8 +321,9 @@ beyond_words(const struct entry *entry, const struct goal *g, double best)
  * not. */
 static char *
 outcome_words(const struct session *s, const struct entry *entry,
-    const struct goal *g, double speed, bool full)
+    const struct goal *g, double speed, enum goals_length length)
 {
+	bool full = length < GOALS_PLAIN;
 	double best = goals_best(s, g, speed), level = settings_level(&s->set);
 	const char *beyond = beyond_words(entry, g, best);
 	char *words, *speeds = met_speeds_words(g);
@@ -341,7 +342,8 @@ outcome_words(const struct session *s, const struct entry *entry,
 		xlist(&words, ", ", tr("%.0f %% certain %.1f to %.1f"),
 		    100 * level, g->found->sure[0], g->found->sure[1]);
 	if (beyond[0] != '\0')
-		xappend(&words, "%s%s", full ? ", " : " ?", full ? beyond : "");
+		xappend(
+		    &words, length < GOALS_SHORT ? ", %s" : " ?", tr(beyond));
 	return words;
 }
 
@@ -364,8 +366,7 @@ goals_words(const struct session *s, const struct entry *entry,
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	FREED char *end =
-	    outcome_words(s, entry, g, speed, length != GOALS_SHORT);
+	FREED char *end = outcome_words(s, entry, g, speed, length);
 	return full ? xasprintf(tr("goal %s: met %s"), text, end)
 		    : xasprintf(tr("goal %s"), end);
 }

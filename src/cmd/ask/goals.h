@@ -56,9 +56,16 @@ double goals_best(
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met at 65.0 to 75.6 m/s, 80 %
  * certain to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm";
- * GOALS_SPEEDS leaves out the goal, GOALS_SHORT the certainty, too; while it is
- * being worked out they say so; "" without a goal.  The caller frees. */
-enum goals_length { GOALS_FULL, GOALS_SPEEDS, GOALS_SHORT, GOALS_LENGTHS };
+ * GOALS_SPEEDS leaves out the goal, GOALS_PLAIN the certainty, too, and
+ * GOALS_SHORT has a ? for what is extrapolated; while it is being worked out
+ * they say so; "" without a goal.  The caller frees. */
+enum goals_length {
+	GOALS_FULL,
+	GOALS_SPEEDS,
+	GOALS_PLAIN,
+	GOALS_SHORT,
+	GOALS_LENGTHS
+};
 char *goals_words(const struct session *s, const struct entry *entry,
     const struct goal *goal, double speed, enum goals_length length);
 

@@ -12,6 +12,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/lang/table.h"
+#include "io/sitefile/units.h"
 
 void
 pin_free(struct pin *pin)
@@ -59,10 +60,10 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
 	session_note(s,
-	    forming ? N_("pinned %s at %.1f m/s, of the calibration that runs: "
+	    forming ? N_("pinned %s at %.*f m/s, of the calibration that runs: "
 			 "save leaves it out")
-		    : N_("pinned %s at %.1f m/s"),
-	    pin->key, q->speed);
+		    : N_("pinned %s at %.*f m/s"),
+	    pin->key, units_speed_digits(q->speed), q->speed);
 	return true;
 }
 

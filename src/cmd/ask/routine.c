@@ -318,7 +318,7 @@ routine_state_words(const struct routine *r)
 			   : xstrdup(tr("no drift is signalled"));
 	FREED char *most =
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
-		units_mm(r->worst), 100 * r->by);
+		units_mm(r->worst), -100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
 	FREED char *count = routine_times_words(r->running);
 	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),

@@ -21,6 +21,7 @@
 #include "cmd/ask/feed.h"
 #include "config.h"
 #include "plot/picture.h"
+#include "io/sitefile/units.h"
 
 /* What it is of, and what is shown beside: loaded sites, or what is pinned. */
 static bool
@@ -359,8 +360,8 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	double speed = session_answer_number(s, "predict", "speed");
 	FREED char *title =
 	    isfinite(speed)
-		? xasprintf(tr("tipspeed, full-screen mode: %s at %.1f m/s"),
-		      label, speed)
+		? xasprintf(tr("tipspeed, full-screen mode: %s at %.*f m/s"),
+		      label, units_speed_digits(speed), speed)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	FREED char *from =
 	    entry != NULL ? site_source(entry->site, "") : xstrdup("");

@@ -542,10 +542,10 @@ psd_chart(struct session *s, const struct plot_request *q, struct error *error)
 	FREED char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, sieves_of(&c), axis_percent(tr("passing, %")),
-		known                     ? N_("product at %.1f m/s%s")
+		known                     ? N_("product at %.*f m/s%s")
 		: site_products(site) > 0 ? N_("feed and products")
 					  : N_("feed"),
-		speed, fraction);
+		units_speed_digits(speed), speed, fraction);
 	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	put_curves(chart, &c);
 	bool own = memcmp(&entry->params, &params, sizeof params) == 0;

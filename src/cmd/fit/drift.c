@@ -19,15 +19,18 @@ larger_cusum(const struct drift_chart *c)
 	return c->down > c->up ? -c->down : c->up;
 }
 
-/* charts: with the numbers that decide. */
+/* charts: with the numbers that decide.  Programs get what is measured less
+ * predicted; people, as of all other comparisons, the answer less measured. */
 static void
-drift_add_rows(struct answer *a, const struct routine *r, bool charts)
+drift_add_rows(
+    struct answer *a, const struct routine *r, bool charts, bool programs)
 {
+	double sign = programs ? 1 : -1;
 	answer_columns(a, "cut, date, speed: m/s, mean_points: mean, "
 			  "worst_points: most, worst_mm: mm");
 	if (charts)
-		answer_columns(a, "ewma: EWMA, ewma_limit: limit, cusum_up: "
-				  "up, cusum_down: down, tilt_cusum: tilt");
+		answer_columns(a, "ewma: EWMA, ewma_limit: max, cusum_up: "
+				  "fine, cusum_down: coarse, tilt_cusum: tilt");
 	answer_columns(a, "state");
 	for (size_t j = 0; j < r->n; j++) {
 		const struct routine_cut *c = &r->cut[j];
@@ -38,12 +41,13 @@ drift_add_rows(struct answer *a, const struct routine *r, bool charts)
 		FREED char *day = xstrndup(c->when, strcspn(c->when, " T"));
 		answer_cells(a, "%g", (double)(j + 1));
 		answer_name(a, c->when, day[0] != '\0' ? day : "-");
-		answer_cells(a, "%g %.1f %.1f %g", c->speed, 100 * level->value,
-		    100 * worst, units_mm(c->size[c->worst]));
+		answer_cells(a, "%g %.1f %.1f %g", c->speed,
+		    sign * 100 * level->value, sign * 100 * worst,
+		    units_mm(c->size[c->worst]));
 		if (charts)
-			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f", level->ewma,
-			    level->ewma_limit, level->up, level->down,
-			    larger_cusum(tilt));
+			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f",
+			    sign * level->ewma, level->ewma_limit, level->up,
+			    level->down, sign * larger_cusum(tilt));
 		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
@@ -57,7 +61,7 @@ drift_name_of(const struct routine *r, size_t cut)
 			       : xasprintf("%zu", cut + 1);
 }
 
-/* The speeds of cuts from one on: "72, 76".  *n out: how many differ. */
+/* The speeds of cuts from one on: "72,76".  *n out: how many differ. */
 static char *
 speeds_words_from(const struct routine *r, size_t from, size_t *n)
 {
@@ -69,7 +73,7 @@ speeds_words_from(const struct routine *r, size_t from, size_t *n)
 			known = known || r->cut[i].speed == r->cut[j].speed;
 		if (known)
 			continue;
-		xlist(&list, ", ", "%g", r->cut[j].speed);
+		xlist(&list, ",", "%g", r->cut[j].speed);
 		++*n;
 	}
 	return list;
@@ -78,7 +82,7 @@ speeds_words_from(const struct routine *r, size_t from, size_t *n)
 /* Cuts that tell little of a drift, and for how many nobody waits. */
 enum { FEW = 5, LATE = 50 };
 
-/* When to calibrate anew, and with what. */
+/* What to do now: when to calibrate anew, and with what. */
 static void
 say_what_next(struct answer *a, const struct routine *r)
 {
@@ -86,9 +90,11 @@ say_what_next(struct answer *a, const struct routine *r)
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
 		if (r->n < FEW)
 			answer_note(a,
-			    "fewer than %d cuts show only a large drift", FEW);
+			    "next: nothing needs to be done, though fewer than "
+			    "%d cuts show only a large drift",
+			    FEW);
 		else
-			answer_note(a, "no need to calibrate anew");
+			answer_note(a, "next: nothing needs to be done");
 		return;
 	}
 	FREED char *since = drift_name_of(r, r->since),
@@ -98,13 +104,15 @@ say_what_next(struct answer *a, const struct routine *r)
 	    "it began at about cut %s and was signalled after cut %s", since,
 	    first);
 	answer_note(a,
-	    n > 1 ? N_("calibrate anew only if the change is to last: after "
-		       "cut %zu, on a site file of its own with the feed and "
-		       "the cuts from %s on (%s m/s)")
-		  : N_("calibrate anew only if the change is to last: after "
-		       "cut %zu, on a site file of its own with the feed and "
-		       "the cuts from %s on (%s m/s) and one at another speed"),
-	    r->n, since, speeds);
+	    n > 1
+		? N_("next: see to that first; 'template speeds=%s > new.csv' "
+		     "begins a sheet to calibrate anew with, if the change is "
+		     "to last: the feed and the cuts from %s on")
+		: N_("next: see to that first; 'template speeds=%s > new.csv' "
+		     "begins a sheet to calibrate anew with, if the change is "
+		     "to last: the feed, the cuts from %s on and one at "
+		     "another speed"),
+	    speeds, since);
 }
 
 /* What the limits are, and how often they are passed by chance. */
@@ -116,8 +124,9 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 	double found = drift_detection_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
-	answer_say(
-	    a, ANSWER_REMARK, "mean, most: points, measured less predicted");
+	answer_say(a, ANSWER_REMARK,
+	    "mean, most: points, answer - measured: + where "
+	    "the cut is coarser");
 	if (detail)
 		answer_note(a,
 		    "a signal: EWMA beyond its limit or a CUSUM above %g, of "
@@ -192,11 +201,9 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
 	bool detail = args_value(args, "detail")->choice == 1;
-	drift_add_rows(a, r, detail);
-	if (!detail) {
-		answer_fill_for_programs(a);
-		drift_add_rows(a, r, true);
-	}
+	drift_add_rows(a, r, detail, false);
+	answer_fill_for_programs(a);
+	drift_add_rows(a, r, true, true);
 	drift_put_fields(a, r);
 	FREED char *words = routine_state_words(r);
 	answer_say(a,

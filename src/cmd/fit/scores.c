@@ -232,59 +232,101 @@ is_worst_far_off(const struct validation *v)
 	       worst > times * rmse_of_others(v);
 }
 
-/* Who predicts best, and a warning where that is clearly neither the model nor
- * the corrected answer. */
-static void
-note_winner(struct answer *r, const struct validation *v, const char *run)
+/* Who predicts best.  worse: that is neither the model nor the corrected
+ * answer; clearly: and sampling could tell. */
+struct winner {
+	enum validate_way best;
+	bool worse, clearly;
+};
+
+static struct winner
+winner_of(const double rmse[static VALIDATE_WAYS])
 {
-	enum validate_way best = validate_winner(v->rmse);
-	double own = fmin(v->rmse[VALIDATE_MODEL],
-	    isnan(v->rmse[VALIDATE_CORRECTED]) ? INFINITY
-					       : v->rmse[VALIDATE_CORRECTED]);
-	double least = v->rmse[best];
-	bool clearly = own > 1.1 * least && own - least > CLEARLY;
+	enum validate_way best = validate_winner(rmse);
+	double corrected = rmse[VALIDATE_CORRECTED];
+	double own =
+	    fmin(rmse[VALIDATE_MODEL], isnan(corrected) ? INFINITY : corrected);
+	bool worse = best >= VALIDATE_NULL;
+	return (struct winner){.best = best,
+	    .worse = worse,
+	    .clearly =
+		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
+}
+
+/* A run that something else clearly predicts better. */
+static void
+warn_worse(struct answer *r, const struct validation *v, const char *run)
+{
+	struct winner w = winner_of(v->rmse);
 	bool between =
-	    best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
-	FREED char *who = xstrdup(tr(SCORES_WAYS[best].noun));
-	if (best == VALIDATE_NEAREST)
+	    w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
+	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
+	if (!w.clearly)
+		return;
+	if (w.best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", v->nearest);
-	if (best < VALIDATE_NULL)
+	answer_say(r, ANSWER_WARNING,
+	    between ? N_("at %s model and corrected answer predict "
+			 "worse than %s: between the training speeds, "
+			 "prefer the interpolated products")
+		    : N_("at %s model and corrected answer predict "
+			 "worse than %s"),
+	    run, who);
+}
+
+/* One way for all runs, of which each is warned of by itself. */
+static void
+note_winner(struct answer *r, const struct trials *c)
+{
+	double rmse[VALIDATE_WAYS];
+	run_rmse(c, rmse);
+	struct winner w = winner_of(rmse);
+	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
+	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
+	if (one && w.best == VALIDATE_NEAREST)
+		xappend(&who, ", %g m/s", c->item[0].v.nearest);
+	if (!w.worse)
 		answer_note(r,
-		    isnan(v->rmse[VALIDATE_INTERPOLATION])
-			? N_("  %s predicts best of those with an answer on "
-			     "all sieves")
-			: N_("  %s predicts best"),
+		    one && some ? N_("  %s predicts best of those with an "
+				     "answer on all sieves")
+		    : one       ? N_("  %s predicts best")
+		    : some ? N_("in all: %s predicts best of those with an "
+				"answer on all sieves")
+			   : N_("in all: %s predicts best"),
 		    who);
-	else if (clearly)
-		answer_say(r, ANSWER_WARNING,
-		    between ? N_("at %s model and corrected answer predict "
-				 "worse than %s: between the training speeds, "
-				 "prefer the interpolated products")
-			    : N_("at %s model and corrected answer predict "
-				 "worse than %s"),
-		    run, who);
-	else
+	else if (!w.clearly)
 		answer_say(r, ANSWER_REMARK,
-		    "  the model predicts no better than %s at this speed; the "
-		    "difference is too small for sampling to show",
+		    one ? N_("  the model predicts no better than %s at this "
+			     "speed; the difference is too small for sampling "
+			     "to show")
+			: N_("in all: the model predicts no better than %s; "
+			     "the difference is too small for sampling to "
+			     "show"),
+		    who);
+	else if (!one)
+		answer_say(r, ANSWER_REMARK,
+		    "in all: model and corrected answer predict worse than %s",
 		    who);
 }
 
 static void
-note_run(struct answer *r, const struct trial *item, double level)
+note_run(struct answer *r, const struct trials *c, size_t i)
 {
+	const struct trial *item = &c->item[i];
 	const struct validation *v = &item->v;
 	FREED char *run = xasprintf("%g m/s%s", v->speed, item->run->repeat);
 	answer_note(r,
 	    "at %s: largest error %+.2f points at %g mm (model alone - "
 	    "measured)",
 	    run, 100 * v->worst_difference, units_mm(v->worst_sieve));
-	note_winner(r, v, run);
+	warn_worse(r, v, run);
+	if (c->n == 1)
+		note_winner(r, c);
 	if (item->has_band)
 		answer_note(r,
 		    "  %zu of %zu measured passings lie in the %.0f %% band "
 		    "for a sample there",
-		    item->within, v->n_sieve, 100 * level);
+		    item->within, v->n_sieve, 100 * c->level);
 	else if (item->open)
 		answer_say(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
@@ -327,7 +369,9 @@ scores_site_answer(const struct trials *c, const struct site *site)
 	answer_fill_for_programs(r);
 	add_table(r, c, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_run(r, &c->item[i], c->level);
+		note_run(r, c, i);
+	if (c->n > 1)
+		note_winner(r, c);
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
 		    job_speeds(site) < JOB_FOR_EACH

@@ -62,7 +62,15 @@ next_after_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
 	count_runs(entry, &held_out);
-	if (cut_compare_later(s, entry).n > 0)
+	struct later later = cut_compare_later(s, entry);
+	if (later.missed && later.n > 1)
+		return (struct next){"drift",
+		    N_("follow the new cuts one by one?"), false,
+		    NEXT_CALIBRATE};
+	/* add has said what to look at first. */
+	if (later.missed || later.off)
+		return (struct next){.stage = NEXT_CALIBRATE};
+	if (later.n > 0)
 		return (struct next){"calibrate",
 		    N_("calibrate with the cuts that are new?"), true,
 		    NEXT_CALIBRATE};

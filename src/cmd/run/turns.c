@@ -11,6 +11,15 @@
 
 static const char RPM[] = "rpm";
 
+/* Whether the operands of a command are speeds. */
+static bool
+takes_speeds(const struct command *command)
+{
+	const char *usage = command->operands.usage;
+	return usage != NULL && strstr(usage, "SPEED") != NULL &&
+	       (command->flags & COMMAND_FILES) == 0;
+}
+
 /* The value of a word, behind "from=" or from its beginning, if it is a number,
  * a list or a range in revolutions per minute of something that has m/s; else
  * NULL. */
@@ -26,7 +35,7 @@ turns_in(const struct command *command, const char *word)
 	size_t i = command_option_index(command, name);
 	bool speed = i < OPTIONS ? strcmp(command_option_at(command, i)->unit,
 				       "m/s") == 0
-				 : equals == NULL;
+				 : equals == NULL && takes_speeds(command);
 	bool number = *value >= '0' && *value <= '9' && text_ends(value, RPM) &&
 		      value[strspn(value, "0123456789.,:rpm")] == '\0';
 	return speed && number ? value : NULL;
@@ -98,6 +107,7 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 			continue;
 		bool option =
 		    n == 1 && turns == *word &&
+		    !(diameter > 0 && takes_speeds(command)) &&
 		    command_option_index(command, RPM) < OPTIONS &&
 		    strspn(turns, "0123456789.") + strlen(RPM) == strlen(turns);
 		if (!option && !(diameter > 0))

@@ -166,7 +166,8 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
 	cut_steps(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
-		size_t oldest = inner ? floor : 0;
+		/* Keys of many screens that a script draws fill both halves. */
+		size_t oldest = inner && floor < undo->n ? floor : 0;
 		step_free(&undo->step[oldest]);
 		undo->n--;
 		memmove(&undo->step[oldest], &undo->step[oldest + 1],

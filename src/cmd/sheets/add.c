@@ -220,71 +220,88 @@ warn_of_cuts_loaded(
 	}
 }
 
+/* What the new cuts say of the prediction, from the best to the worst. */
+enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
+
 /* How well what was known meets what came. */
-static void
+static enum verdict
 note_check(struct session *s, size_t run)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
 	if (!entry->has_params || misfit_covered(&site->run[run]) == 0)
-		return;
+		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare(s, entry, run);
 	FREED char *words = cut_words(&cut);
 	session_note(s,
 	    cut.off
 		? N_("  the cut at %g m/s%s is off the prediction, though by "
 		     "no more than careful samples differ: %s")
-	    : !cut.missed ? N_("  the prediction meets the cut at %g m/s%s: %s")
-	    : entry->has_fit
+	    : cut.missed
 		? N_("  warning: the prediction misses the cut at %g m/s%s: "
-		     "%s; calibrate again with train=all")
-		: N_("  warning: the prediction misses the cut at %g m/s%s: "
-		     "%s"),
+		     "%s")
+		: N_("  the prediction meets the cut at %g m/s%s: %s"),
 	    site->run[run].speed, site->run[run].repeat, words);
+	return cut.off ? CUTS_OFF : cut.missed ? CUTS_MISSED : CUTS_MET;
 }
 
-/* Of each run that is new, or of many in sum; from: see site_with_cuts. */
-static void
+/* Of each run that is new, or of many in sum; from: see site_with_cuts.
+ * Returns the worst. */
+static enum verdict
 note_checks(
     struct session *s, const struct site *old, const size_t *from, size_t n)
 {
 	enum { FEW = 3 };
 	const struct entry *entry = session_entry(s);
+	enum verdict worst = CUTS_UNKNOWN, one;
 	size_t compared = 0, missed = 0;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		if (entry->site->run[r].product.n == 0 ||
 		    (from[r] != SIZE_MAX && old->run[from[r]].product.n > 0))
 			continue;
 		if (n <= FEW) {
-			note_check(s, r);
+			one = note_check(s, r);
+			worst = one > worst ? one : worst;
 		} else if (entry->has_params) {
 			compared++;
 			missed += cut_compare(s, entry, r).missed;
 		}
 	}
-	if (compared > 0)
-		session_note(s,
-		    missed > 0
-			? N_("  warning: the prediction misses %zu of the %zu "
-			     "cuts: 'drift' follows them one by one")
-			: N_("  the prediction misses %zu of the %zu cuts: "
-			     "'drift' follows them one by one"),
-		    missed, compared);
+	if (compared == 0)
+		return worst;
+	session_note(s,
+	    missed > 0
+		? N_("  warning: the prediction misses %zu of the %zu cuts")
+		: N_("  the prediction misses %zu of the %zu cuts"),
+	    missed, compared);
+	return missed > 0 ? CUTS_MISSED : CUTS_MET;
 }
 
 static void
-note_next(struct session *s)
+note_products(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	FREED char *speeds = session_speeds(entry->site, ", ", NULL, true);
+	session_note(s, "  %s has products at %s m/s", entry->key, speeds);
+}
+
+/* What to do now that n cuts have been compared. */
+static void
+note_next(struct session *s, enum verdict worst, size_t n)
+{
+	const struct entry *entry = session_entry(s);
+	bool many = n > 1 && entry->has_fit;
 	session_note(s,
-	    entry->has_fit ? N_("  %s has products at %s m/s; 'calibrate' "
-				"takes the new ones into account")
-	    : entry->has_params
-		? N_("  %s has products at %s m/s")
-		: N_("  %s has products at %s m/s; no parameters "
-		     "yet: run 'calibrate'"),
-	    entry->key, speeds);
+	    !entry->has_params ? N_("  next: 'calibrate'")
+	    : worst == CUTS_MISSED && many
+		? N_("  next: 'drift' follows the cuts one by one")
+	    : worst == CUTS_MISSED
+		? N_("  next: check how the cut and its feed were taken; if "
+		     "they are right, 'calibrate train=all'")
+	    : worst == CUTS_OFF
+		? N_("  next: take one more cut before anything is changed")
+		: N_("  next: nothing needs to be done; 'calibrate' takes new "
+		     "cuts into account, too"));
 }
 
 static bool
@@ -353,8 +370,9 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	warn_of_cuts_loaded(s, old, cuts);
 	session_replace_site(s, site, from);
 	check_warn_coarser(s, site);
-	note_next(s);
-	note_checks(s, old, from, cuts->n_run);
+	note_products(s);
+	enum verdict worst = note_checks(s, old, from, cuts->n_run);
+	note_next(s, worst, cuts->n_run);
 	return true;
 }
 

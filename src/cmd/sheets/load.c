@@ -461,6 +461,75 @@ list_words(
 	return good;
 }
 
+/* How unlike the names of two files are, without case, and without an ending
+ * where the first has none; 0 where only the endings differ. */
+static size_t
+apart_in_name(const char *a, const char *b)
+{
+	FREED char *one = text_fold(a), *two = text_fold(b);
+	size_t n = strcspn(one, "."), m = strcspn(two, ".");
+	bool same = n == m && strncmp(one, two, n) == 0;
+	if (one[n] == '\0')
+		two[m] = '\0';
+	return same ? 0 : text_distance(one, two);
+}
+
+/* The sheet in the folder of a path whose name is nearest to it, or NULL; the
+ * caller frees. */
+static char *
+nearest_sheet(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	int head = slash != NULL ? (int)(slash - path) + 1 : 0;
+	const char *name = path + head;
+	FREED char *folder = xasprintf("%.*s.", head, path);
+	size_t least = (strcspn(name, ".") + 2) / 4;
+	char *nearest = NULL;
+	DIR *dir = opendir(folder);
+	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
+		size_t apart = apart_in_name(name, e->d_name);
+		bool first =
+		    nearest == NULL || strcmp(e->d_name, nearest + head) < 0;
+		if (!load_is_sheet(e->d_name) || apart > least ||
+		    (apart == least && !first))
+			continue;
+		least = apart;
+		free(nearest);
+		nearest = xasprintf("%.*s%s", head, path, e->d_name);
+	}
+	if (dir != NULL)
+		closedir(dir);
+	return nearest;
+}
+
+/* Of files one of which is not there: the line with its nearest name.  args:
+ * the options that stand in the line, or NULL. */
+static void
+hint_nearest(const char *command, size_t n, const char *const *word,
+    const struct args *args, struct error *error)
+{
+	FREED char *line = xstrdup(command);
+	const struct command_option *o;
+	bool found = false;
+	for (size_t i = 0; i < n; i++) {
+		FREED char *near =
+		    access(word[i], F_OK) != 0 ? nearest_sheet(word[i]) : NULL;
+		journal_append_word(&line, near != NULL ? near : word[i]);
+		found = found || near != NULL;
+	}
+	for (size_t i = 0;
+	     args != NULL && (o = command_option_at(args->command, i)) != NULL;
+	     i++) {
+		if (!args->value[i].given)
+			continue;
+		FREED char *option =
+		    xasprintf("%s=%s", o->name, args->value[i].text);
+		journal_append_word(&line, option);
+	}
+	if (found && error->kind == ERROR_SYSTEM)
+		error_hint(error, "did you mean '%s'?", line);
+}
+
 bool
 load_files(
     struct session *s, size_t n, const char *const *word, struct error *error)
@@ -471,6 +540,9 @@ load_files(
 		    load_read_operands(
 			&l, list.n, (const char *const *)list.word, error) &&
 		    load_run(s, &l, false, error);
+	if (!good)
+		hint_nearest(
+		    s->prompt ? "load" : "tipspeed", n, word, NULL, error);
 	load_clear(&l);
 	listed_clear(&list);
 	return good;
@@ -651,6 +723,9 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	load_read_options(&l, args);
 	good = good &&
 	       load_run(s, &l, args_value(args, "skip")->choice == 1, error);
+	if (!good)
+		hint_nearest(
+		    "load", args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1)
 		hint_remembered(s, args->operand[0], error);
 	load_clear(&l);

@@ -402,6 +402,45 @@ store_add_all(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
+/* The first of these that the store has by that name, or NULL. */
+static const char *
+stored_already(struct session *s, const struct stored_list *list)
+{
+	const char *found = NULL;
+	for (size_t i = 0; i < list->n && found == NULL; i++) {
+		struct stored_list own = {0};
+		const struct store_query query = {.name = list->item[i].name};
+		if (store_find(s->store, &query, &own, NULL) && own.n > 0)
+			found = list->item[i].name;
+		stored_list_free(&own);
+	}
+	return found;
+}
+
+/* Asks whoever types whether what the store has is to be replaced, and sets
+ * *replace; a script is refused by store_put. */
+static bool
+ask_replace(struct session *s, const struct stored_list *list, bool *replace,
+    struct error *error)
+{
+	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_at;
+	const char *name = asks && !*replace ? stored_already(s, list) : NULL;
+	if (name == NULL)
+		return true;
+	FREED char *question =
+	    list->n == 1
+		? xasprintf(tr("the store has %s: replace it?"), name)
+		: xasprintf(
+		      tr("the store has %s and maybe others of these: replace "
+			 "them?"),
+		      name);
+	*replace = s->hooks.confirm(s, question);
+	return *replace || error_set(error, ERROR_USAGE,
+			       "%s was not replaced\n"
+			       "use another name: remember NAME",
+			       name);
+}
+
 bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
@@ -412,7 +451,8 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	struct stored_list list = {0};
 	bool ok = all ? store_add_all(s, args, &list, error)
 		      : add_material(s, entry, name, args, &list, error);
-	ok = ok && store_put(s->store, list.item, list.n, replace, error);
+	ok = ok && ask_replace(s, &list, &replace, error) &&
+	     store_put(s->store, list.item, list.n, replace, error);
 	if (ok)
 		give_remembered(s, list.item, list.n);
 	stored_list_free(&list);

@@ -8,6 +8,7 @@
 #define SIZE_MOST_MM 1e4
 
 #include <math.h>
+#include <stdbool.h>
 
 /* Converts a size in m to mm.  A size from a sheet is returned as its number
  * there (0.063, not 0.063000000000000000001), exact to a picometre. */
@@ -37,6 +38,17 @@ static inline double
 units_mps(double rpm, double rotor)
 {
 	return 3.14159265358979323846 * rotor * rpm / 60;
+}
+
+/* Returns how many digits after the point a speed in m/s is told with: one, or
+ * two if it is a number of hundredths, as it was then given. */
+static inline int
+units_speed_digits(double v)
+{
+	double tenths = 10 * v, hundredths = 100 * v;
+	bool two = fabs(hundredths - round(hundredths)) < 1e-6 &&
+		   fabs(tenths - round(tenths)) > 1e-6;
+	return two ? 2 : 1;
 }
 
 #endif

@@ -220,10 +220,12 @@ struct room {
 	size_t rows, columns;
 };
 
+/* Beside a column of the sheet at least. */
 static bool
-has_prediction(const struct tui *t)
+has_prediction(const struct tui *t, const struct area *area)
 {
-	return t->view.shown.product.n > 0;
+	return t->view.shown.product.n > 0 &&
+	       area->columns >= SIEVES + t->view.sheet.width + PREDICTED;
 }
 
 /* Rows below the cells: what is said of the one under the cursor, and on a tall
@@ -236,7 +238,7 @@ room_for(const struct tui *t, const struct area *area)
 	const struct sheet *h = &t->view.sheet;
 	int rows = area->rows - 1 - (area->rows > 2 * SAID ? SAID : 0);
 	int columns =
-	    area->columns - SIEVES - (has_prediction(t) ? PREDICTED : 0);
+	    area->columns - SIEVES - (has_prediction(t, area) ? PREDICTED : 0);
 	columns = columns / h->width;
 	return (struct room){
 	    rows < 1 ? 1 : (size_t)rows, columns < 1 ? 1 : (size_t)columns};
@@ -367,10 +369,10 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 	    (struct area){area->row + 1, area->column + SIEVES,
 		(int)(h->n < room.rows ? h->n : room.rows), from - SIEVES},
 	    touch_cells, 0);
-	if (has_prediction(t))
+	if (has_prediction(t, area))
 		draw_prediction(t, area, room.rows, from);
 	draw_more(t, area, room);
-	return from + (has_prediction(t) ? PREDICTED : 0);
+	return from + (has_prediction(t, area) ? PREDICTED : 0);
 }
 
 /* How the sheet is doing as a whole. */
@@ -590,9 +592,8 @@ data_move(struct tui *t, const struct key *key)
 }
 
 const struct page_ops page_data = {.name = N_("Data"),
-    .hints =
-	N_("Up/Down/Left/Right cells  ! next doubtful  Enter mends  ? keys  "
-	   "q quit  1-5 pages  : command"),
+    .hints = N_("<-/-> column  Up/Down sieve  ! next doubtful  Enter mends  "
+		"? keys  q quit  1-5 pages  : command"),
     .update = data_update,
     .draw = data_draw,
     .move = data_move};

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/draw/plots_search.h"
 #include "core/search/misfit.h"
@@ -51,7 +52,7 @@ caption(struct tui *t, const struct area *area)
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
 	screen_text(area, 0, column, LOOK_REVERSE, "%s", label);
-	t->cursor = (struct cursor){area->row, column + 1};
+	t->cursor = (struct cursor){area->row, column};
 	return true;
 }
 
@@ -66,7 +67,7 @@ fit_draw_legend(const struct tui *t)
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int column = 0;
 	size_t nth = 0;
-	char text[64];
+	char text[64], best[32];
 	for (size_t r = 0; r < past.site->n_run; r++) {
 		const struct run *run = &past.site->run[r];
 		if (!past.train[r] || misfit_covered(run) == 0)
@@ -75,13 +76,17 @@ fit_draw_legend(const struct tui *t)
 		size_t kind = nth++ % ARRAY_LEN(BARS);
 		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
 		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);
+		snprintf(best, sizeof best, tr("%c best  "), look.mark);
+		if (column + text_width(text) + text_width(best) >
+		    area->columns)
+			return;
 		column = screen_series(area, 0, column, look.series, 0, text);
-		snprintf(text, sizeof text, tr("%c best  "), look.mark);
 		column =
-		    screen_series(area, 0, column, SERIES_PREDICTED, 0, text);
+		    screen_series(area, 0, column, SERIES_PREDICTED, 0, best);
 	}
-	screen_series(area, 0, column, SERIES_TEXT, 0,
-	    ascii ? tr(", noise") : tr("\u2591 noise"));
+	const char *noise = ascii ? tr(", noise") : tr("\u2591 noise");
+	if (column + text_width(noise) <= area->columns)
+		screen_series(area, 0, column, SERIES_TEXT, 0, noise);
 }
 
 static void

@@ -331,8 +331,7 @@ parity_words(const struct tui *t)
 }
 
 const struct page_ops page_parity = {.name = N_("Parity"),
-    .hints = N_("Up/Down site  ? keys  q quit  1-5 pages  <-/-> speed  "
-		": command"),
+    .hints = N_("Up/Down run  ? keys  q quit  1-5 pages  : command"),
     .update = parity_update,
     .draw = parity_draw,
     .list = &POINTS,

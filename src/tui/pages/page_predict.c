@@ -184,18 +184,18 @@ predict_hints(const struct tui *t)
 	if (undone)
 		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
 			  "command  t goal  x pin  e export  u undo");
-	if (goal && t->left_out)
-		return tr("<-/-> speed  n p limits  N best  ? keys  Enter all "
-			  "numbers  q quit  : command  x pin  e export  t "
-			  "goal");
+	if (t->view.current.site[0] == '\0' && !session_busy(t->session))
+		return site_products(tui_current_entry(t)->site) > 0
+			   ? tr("Enter calibrate  ? keys  q quit  : command  "
+				"o open a sheet  1-5 pages")
+			   : tr(": command  ? keys  q quit  o open a sheet  "
+				"1-5 pages");
 	if (goal)
-		return tr("<-/-> speed  n p limits  N best  ? keys  q quit  : "
-			  "command  x pin  e export  t goal  Enter numbers");
-	if (t->left_out)
-		return tr("<-/-> speed  t goal  ? keys  Enter all numbers  q "
-			  "quit  f fit  : command  x pin  e export  u undo");
-	return tr("<-/-> speed  t goal  ? keys  q quit  f fit  : command  "
-		  "x pin  e export  Enter numbers  c crosshair  u undo");
+		return tr("<-/-> speed  n p limits  N best  ? keys  Enter "
+			  "numbers  q quit  x pin  e export  : command  t "
+			  "goal");
+	return tr("<-/-> speed  t goal  ? keys  Enter numbers  q quit  f fit  "
+		  "x pin  e export  : command  c crosshair  u undo");
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),

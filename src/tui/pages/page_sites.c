@@ -386,8 +386,28 @@ tell_site(const struct tui *t, char *text[static ABOUT])
 	free(label);
 }
 
-/* In the rows at the foot of the page from `first` on. */
+/* The curves of the site under the cursor, between its row and what is told of
+ * it. */
 static void
+draw_preview(struct tui *t, struct area area)
+{
+	enum { LEAST = 7, NAMES = 16, MOST = 30 };
+	const size_t at = t->ui.list[PAGE_SITES].at;
+	struct plot_request request = plots_request(PLOT_PSD);
+	if (area.rows < LEAST)
+		return;
+	area.rows = area.rows > MOST ? MOST : area.rows;
+	request.entry =
+	    at == t->session->current ? tui_asked(t) : &t->session->entry[at];
+	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
+	request.strip = 0;
+	request.speed = t->ui.tenths / 10.0;
+	pane_plot(t, &request, &area);
+}
+
+/* In the rows at the foot of the page from `first` on; returns how many it
+ * leaves. */
+static int
 draw_site(const struct tui *t, const struct area *area, int first)
 {
 	enum { LABEL = 2 };
@@ -407,12 +427,13 @@ draw_site(const struct tui *t, const struct area *area, int first)
 		    k == LABEL ? LOOK_BOLD : LOOK_PLAIN, text[k], " ..");
 		free(text[k]);
 	}
+	return left;
 }
 
 static void
 sites_draw(struct tui *t)
 {
-	enum { HEAD = 1 };
+	enum { HEAD = 1, GAPS = 2 };
 	const struct area area = pane_list_area(t);
 	sites_update(t);
 	if (t->session->n_entry == 0) {
@@ -420,10 +441,15 @@ sites_draw(struct tui *t)
 		return;
 	}
 	table_draw(t, &area, &TABLE, t->view.site_width);
-	if (rows_count(t) == 0)
+	int first = (int)rows_count(t) + HEAD;
+	if (first == HEAD)
 		screen_text(&area, HEAD, 2, 0, "no site has this word: Esc");
-	else if ((int)rows_count(t) + HEAD + 1 < area.rows)
-		draw_site(t, &area, (int)rows_count(t) + HEAD);
+	if (first == HEAD || first + 1 >= area.rows)
+		return;
+	struct area preview = area;
+	preview.row += first + 1;
+	preview.rows = draw_site(t, &area, first) - GAPS;
+	draw_preview(t, preview);
 }
 
 static size_t

@@ -255,7 +255,12 @@ table_share(const struct list_table *table, int columns,
 	for (int rank = 0; rank < table->n; rank++) {
 		int c = table_ranked(table, rank);
 		int least = table->column[c].least;
-		if (columns < (least < wanted[c] ? least : wanted[c]))
+		/* Of a number all of it, with a blank before it. */
+		if (table->column[c].right)
+			least = wanted[c] - GAP + 1;
+		if (wanted[c] < least)
+			least = wanted[c];
+		if (columns < least)
 			return;
 		width[c] = wanted[c] < columns ? wanted[c] : columns;
 		columns -= width[c];

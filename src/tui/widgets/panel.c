@@ -33,8 +33,8 @@ enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
 struct panel {
 	struct tui *t;
 	const struct numbers *was;
-	struct trust light;
-	const char *reason;
+	const struct trust *light;
+	const struct trust_reason *reason;
 	double tph, back;
 };
 
@@ -445,9 +445,9 @@ light_wish(const struct panel *p)
 {
 	enum { TALL = 30, MANY = 4, FEW = 2 };
 	const struct area *side = &p->t->layout.side;
-	if (p->light.light == LIGHT_RED && p->reason != NULL)
+	if (p->light->light == LIGHT_RED && p->reason != NULL)
 		return (struct wish){
-		    MANY, 1 + text_count_rows(p->reason, side->columns)};
+		    MANY, 1 + text_count_rows(p->reason->text, side->columns)};
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
 }
 
@@ -458,16 +458,31 @@ touch_light(struct tui *t, const struct touched *touched)
 	cmdline_run(t, "why");
 }
 
-/* What stands before its colon, where there is no room for all of it. */
+/* What a reason is about, in a few words. */
+static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
+    [TRUST_DATA] = N_("few or doubtful data"),
+    [TRUST_PATTERN] = N_("residuals have a pattern"),
+    [TRUST_HOLDOUT] = N_("held-out run is missed"),
+    [TRUST_BEYOND] = N_("beyond the measured speeds"),
+    [TRUST_SLOW] = N_("slower, less may break"),
+    [TRUST_BAND] = N_("the band is wide"),
+    [TRUST_FEED] = N_("unusual feed"),
+    [TRUST_BOUND] = N_("a parameter at its bound"),
+    [TRUST_MACHINE] = N_("another machine"),
+    [TRUST_ORIGIN] = N_("not calibrated here")};
+
+/* What stands before its colon, or a few words, where there is no room for all
+ * of it. */
 static void
-draw_reason(const struct area *area, const char *reason)
+draw_reason(const struct area *area, const struct trust_reason *reason)
 {
-	char *text = xstrdup(reason), *colon = strchr(text, ':');
-	bool fits = text_count_rows(text, area->columns) < area->rows;
-	if (!fits && colon != NULL)
+	const int rows = area->rows - 1;
+	FREED char *text = xstrdup(reason->text);
+	char *colon = strchr(text, ':');
+	if (text_count_rows(text, area->columns) > rows && colon != NULL)
 		*colon = '\0';
-	screen_words_within(area, 1, area->rows - 1, 0, text, " ..");
-	free(text);
+	bool fits = text_count_rows(text, area->columns) <= rows;
+	screen_words(area, 1, 0, fits ? text : tr(ABOUT[reason->cause]));
 }
 
 static void
@@ -489,7 +504,7 @@ draw_light(struct panel *p, const struct area *area)
 {
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
-	const struct trust *light = &p->light;
+	const struct trust *light = p->light;
 	char *words = xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
 		xappend(&words,
@@ -566,7 +581,6 @@ draw_blocks(struct panel *p)
 	panel_share_rows(p, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
-		p->t->left_out |= rows[i] < BLOCK[i].wish(p).most;
 		if (BLOCK[i].draw == draw_light)
 			p->t->reason_shown = rows[i] > 1;
 	}
@@ -617,14 +631,25 @@ panel_reason(const struct trust *light)
 	return light->n > 0 ? &light->reason[first] : NULL;
 }
 
+/* The light of what is shown, once for all that tells of it. */
+static const struct trust *
+light_shown(struct tui *t)
+{
+	struct view *v = &t->view;
+	if (!v->lit) {
+		trust_free(&v->light);
+		v->light =
+		    light_of_prediction(t->session, tui_asked(t), &v->shown);
+		v->lit = true;
+	}
+	return &v->light;
+}
+
 static void
 take_light(struct panel *p)
 {
-	const struct tui *t = p->t;
-	p->light =
-	    light_of_prediction(t->session, tui_asked(t), &t->view.shown);
-	const struct trust_reason *reason = panel_reason(&p->light);
-	p->reason = reason != NULL ? reason->text : NULL;
+	p->light = light_shown(p->t);
+	p->reason = panel_reason(p->light);
 }
 
 /* Without a prediction there is what to do, and what is pinned or was read. */
@@ -659,7 +684,6 @@ void
 panel_draw(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	t->left_out = side->rows == 0 && t->view.current.site[0] != '\0';
 	t->reason_shown = false;
 	if (side->rows == 0)
 		return;
@@ -675,7 +699,6 @@ panel_draw(struct tui *t)
 	take_tonnes(&p);
 	take_light(&p);
 	draw_blocks(&p);
-	trust_free(&p.light);
 }
 
 /* The light in so many columns, or in `most` in the shortest words, with its
@@ -684,17 +707,6 @@ panel_draw(struct tui *t)
 static char *
 light_words(const struct trust *light, int columns, int most)
 {
-	static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
-	    [TRUST_DATA] = N_("few or doubtful data"),
-	    [TRUST_PATTERN] = N_("residuals have a pattern"),
-	    [TRUST_HOLDOUT] = N_("held-out run is missed"),
-	    [TRUST_BEYOND] = N_("beyond the measured speeds"),
-	    [TRUST_SLOW] = N_("slower, less may break"),
-	    [TRUST_BAND] = N_("the band is wide"),
-	    [TRUST_FEED] = N_("unusual feed"),
-	    [TRUST_BOUND] = N_("a parameter at its bound"),
-	    [TRUST_MACHINE] = N_("another machine"),
-	    [TRUST_ORIGIN] = N_("parameters from elsewhere")};
 	const char *name = tr(LIGHT_NAME[light->light]);
 	const struct trust_reason *reason = panel_reason(light);
 	char *words = xasprintf(tr("trust %s"), name);
@@ -727,8 +739,7 @@ panel_words(struct tui *t, int columns, int most)
 	if (t->ui.page != PAGE_PREDICT || t->view.current.site[0] == '\0' ||
 	    (side && t->reason_shown))
 		return xstrdup("");
-	struct trust light =
-	    light_of_prediction(t->session, tui_asked(t), &t->view.shown);
+	const struct trust *light = light_shown(t);
 	char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,
@@ -736,12 +747,11 @@ panel_words(struct tui *t, int columns, int most)
 							   : tr(", out of %s"),
 		    t->session->spec->name);
 	int taken = text_width(limits);
-	char *words = side && light.n == 0
+	char *words = side && light->n == 0
 			  ? xstrdup("")
-			  : light_words(&light, columns - taken, most - taken);
+			  : light_words(light, columns - taken, most - taken);
 	xappend(&words, "%s", limits);
 	free(limits);
-	trust_free(&light);
 	return words;
 }
 

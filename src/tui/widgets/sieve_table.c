@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/draw/site_chart.h"
@@ -178,11 +179,16 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	enum series series = SERIES_TEXT;
 	const struct psd *other = compared(t, name, &series);
 	double full = full_bar(t, other);
-	/* "vs 74": of a name longer than its column the first words. */
-	if (COMPARED + (int)strlen(name) > area->columns)
-		*strrchr(name, ' ') = '\0';
+	/* "vs 74" of a name longer than its column, or "73.5". */
+	const int room = area->columns - COMPARED;
+	char *vs = name, *last = strrchr(name, ' ');
+	if (text_width(name) > room && last != NULL &&
+	    strchr(name, ' ') != last)
+		*last = '\0';
+	if (text_width(name) > room && strchr(name, ' ') != NULL)
+		vs = strchr(name, ' ') + 1;
 	screen_text(area, 0, 0, LOOK_DIM, "sieve  feed   now");
-	screen_series(area, 0, COMPARED, series, 0, name);
+	screen_series(area, 0, COMPARED, series, 0, vs);
 	size_t wanted, at = row_for_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
 		size_t i = r == at ? wanted : sieve_table_sieve_of(t, r, rows);

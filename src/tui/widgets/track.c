@@ -174,7 +174,8 @@ track_draw(struct tui *t)
 	}
 	free(kept);
 	free(cell);
-	t->cursor.column = track.column + at + (end > at + 1);
+	/* On its bracket: a block would stand out of the number. */
+	t->cursor.column = track.column + at;
 }
 
 /* A part of the heading at several lengths, the longest first; at: the one
@@ -280,8 +281,8 @@ width_of(const struct track_part *part)
 static void
 fit_parts(struct track_part part[static PARTS], int columns)
 {
-	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, SPEED, GOAL,
-	    SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
+	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, SPEED,
+	    GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;

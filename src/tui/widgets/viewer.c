@@ -66,8 +66,9 @@ act_again(struct tui *t, const struct key *key)
 		tui_say(t, false, "no text has been shown yet");
 }
 
-void
-viewer_keys(struct tui *t)
+/* The keys whose line has the word searched for. */
+static void
+list_keys(struct tui *t)
 {
 	struct edit word = t->viewer.word;
 	char *text = NULL;
@@ -86,7 +87,7 @@ void
 act_help(struct tui *t, const struct key *key)
 {
 	(void)key;
-	viewer_keys(t);
+	list_keys(t);
 }
 
 /* The last frame may have been of other text there. */
@@ -197,7 +198,7 @@ viewer_find(struct tui *t, int code, bool special)
 	if (!edit_letter(word, code, special, VIEWER_WORD))
 		return false;
 	if (v->keys) {
-		viewer_keys(t);
+		list_keys(t);
 	} else {
 		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
@@ -231,7 +232,7 @@ forget_word(struct tui *t)
 		return false;
 	v->word = (struct edit){0};
 	if (v->keys)
-		viewer_keys(t);
+		list_keys(t);
 	else
 		v->at = -1;
 	return true;
@@ -362,7 +363,7 @@ viewer_draw_line(struct tui *t, int n)
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_escape_next(&shown, left);
-	screen_series(&body, n % rows - v->top, 0, SERIES_TEXT,
+	screen_part(&body, n % rows - v->top, 0, SERIES_TEXT,
 	    n == v->at ? LOOK_REVERSE
 	    : found    ? LOOK_BOLD
 		       : LOOK_PLAIN,

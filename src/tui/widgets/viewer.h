@@ -11,9 +11,6 @@ void viewer_text(struct tui *t, char *text);
 /* Shows the message on the whole screen if it does not fit its rows. */
 void viewer_message(struct tui *t);
 
-/* Shows the keys whose line has the word searched for. */
-void viewer_keys(struct tui *t);
-
 /* Handles a key: scrolls, searches for a word, or closes.  False if the key is
  * not for the text: the text is then closed, and the key acts as without it.
  * run: the key chosen from the list of keys, else left unchanged. */
