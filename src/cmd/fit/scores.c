@@ -188,23 +188,23 @@ add_sizes(struct answer *r, const struct trial *item, bool exact)
 /* A table of sieves or of sizes for programs; people have both, and RMSE, below
  * each other. */
 static void
-add_table(struct answer *r, const struct trials *c, bool exact)
+add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 {
-	const char *unit = !exact ? "" : c->sieves ? "_pct" : "_mm";
-	answer_columns(r, !exact      ? N_("speed: m/s, of: ")
-			  : c->sieves ? N_("speed, run, sieve_mm")
-				      : N_("speed, run, size"));
+	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
+	answer_columns(r, !exact   ? N_("speed: m/s, of: ")
+			  : sieves ? N_("speed, run, sieve_mm")
+				   : N_("speed, run, size"));
 	answer_columns(r, "measured%s: measured", unit);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
 		answer_columns(r, "%s%s: %s", SCORES_WAYS[way].key, unit,
 		    tr(SCORES_WAYS[way].head));
 	for (size_t i = 0; i < c->n; i++) {
 		const struct trial *item = &c->item[i];
-		if (c->sieves)
+		if (sieves)
 			scores_add_sieves(r, item, exact);
 		if (!exact)
 			add_rmse(r, item->name, item->v.rmse);
-		if (!exact || !c->sieves)
+		if (!exact || !sieves)
 			add_sizes(r, item, exact);
 	}
 }
@@ -355,19 +355,19 @@ note_run(struct answer *r, const struct trials *c, size_t i)
 }
 
 struct answer *
-scores_site_answer(const struct trials *c, const struct site *site)
+scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 {
 	double rmse[VALIDATE_WAYS];
 	struct answer *r = answers_new(site, "validate", "%s",
 	    c->each ? tr("each speed held out, the others calibrated on")
 		    : tr("held-out speeds, measured and predicted"));
-	add_table(r, c, false);
+	add_table(r, c, sieves, false);
 	if (c->n > 1) {
 		run_rmse(c, rmse);
 		add_rmse(r, "all", rmse);
 	}
 	answer_fill_for_programs(r);
-	add_table(r, c, true);
+	add_table(r, c, sieves, true);
 	for (size_t i = 0; i < c->n; i++)
 		note_run(r, c, i);
 	if (c->n > 1)

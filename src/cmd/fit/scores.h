@@ -20,9 +20,10 @@ extern const char *const SCORES_SIZES[PSD_SIZES];
 void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
 /* Returns the answer on the runs of this site: fields, tables, and which
- * predicts best. */
+ * predicts best.  sieves: csv has a row for each sieve, in place of one for each
+ * size. */
 struct answer *scores_site_answer(
-    const struct trials *c, const struct site *site);
+    const struct trials *c, const struct site *site, bool sieves);
 
 /* Returns the answer of `validate all`. */
 struct answer *scores_answer(const struct trials *c);

@@ -21,15 +21,7 @@ trials_clear(struct trials *c)
 		free(c->item[i].passing);
 	}
 	free(c->item);
-	free(c->options);
 	*c = (struct trials){.n = 0};
-}
-
-void
-trials_drop(void *of)
-{
-	trials_clear(of);
-	free(of);
 }
 
 void
@@ -46,7 +38,7 @@ trials_append(struct trials *c, struct trials *from)
 	for (size_t i = 0; i < from->n; i++)
 		trials_add_trial(c, from->item[i]);
 	from->n = 0;
-	trials_drop(from);
+	trials_clear(from);
 }
 
 char *
@@ -130,7 +122,7 @@ trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
 	trial.passing = validate_passings(
 	    site, r, by->train, &by->params, by->settings, corrected);
 	trial.v = validate_predicted(site, r, by->train, trial.passing);
-	trial.has_band = !c->all && by->posterior != NULL && !trial.open;
+	trial.has_band = c->one && by->posterior != NULL && !trial.open;
 	trial.within = trial.has_band ? within : 0;
 	trials_add_trial(c, trial);
 }

@@ -4,7 +4,7 @@
 #ifndef TIPSPEED_CMD_FIT_TRIALS_H
 #define TIPSPEED_CMD_FIT_TRIALS_H
 
-#include "cmd/fit/part.h"
+#include "cmd/session/session.h"
 #include "core/posterior/posterior.h"
 #include "core/check/validate.h"
 
@@ -23,17 +23,14 @@ struct trial {
 	struct validation v;
 };
 
-/* The state of one `validate`.  at, end, speed: for holdout=each, the site
- * under way, the site to stop before, and the speed left out last. */
+/* Such runs, in the order of their sites.  one: of one site, so that bands are
+ * looked at, of this level; each: every speed was held out in turn; left_out:
+ * sites without such a run. */
 struct trials {
-	bool all, each, sieves;
+	bool one, each;
 	double level;
-	struct part part;
-	char *options; /* that all parts must have */
 	size_t n, left_out;
 	struct trial *item;
-	size_t at, end;
-	double speed;
 };
 
 /* What predicts the runs of a site.  rmse: of the fit, 0..1. */
@@ -59,7 +56,7 @@ void trials_add_entry(struct trials *c, const struct session *s, size_t index,
 /* Adds a run, and takes over what it owns. */
 void trials_add_trial(struct trials *c, struct trial trial);
 
-/* Appends the runs of `from` to `c`, and frees `from`. */
+/* Moves the runs of `from` to the end of `c`. */
 void trials_append(struct trials *c, struct trials *from);
 
 /* Returns where the data of the runs are from, each source once, and the number
@@ -72,8 +69,5 @@ struct validate_score trials_score(
 
 /* Frees what it has. */
 void trials_clear(struct trials *c);
-
-/* Frees a struct trials *; also used as a job's `drop`. */
-void trials_drop(void *of);
 
 #endif

@@ -22,15 +22,14 @@
 /* ---- What is compared ---- */
 
 /* The held-out runs of a site. */
-static struct trials *
+static struct trials
 parity_compare(const struct session *s, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	struct error error = {0};
-	struct trials *found = xcalloc(1, sizeof *found);
-	found->level = settings_level(&s->set);
+	struct trials found = {.n = 0};
 	if (entry->has_params && answers_check_params(s, entry, &error))
-		trials_add_entry(found, s, index,
+		trials_add_entry(&found, s, index,
 		    outlook_posterior(s, entry, CORRECTION_TRAIN));
 	return found;
 }
@@ -93,12 +92,12 @@ parity_update(struct tui *t)
 	while (y->next < s->n_entry) {
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
-		struct trials *found = parity_compare(s, y->next);
+		struct trials found = parity_compare(s, y->next);
 		if (!t->aside && signals_waited_for()) {
-			trials_drop(found);
+			trials_clear(&found);
 			return;
 		}
-		trials_append(&y->runs, found);
+		trials_append(&y->runs, &found);
 		y->next++;
 	}
 	parity_finish(t);

@@ -182,7 +182,7 @@ track_draw(struct tui *t)
  * shown; column: where. */
 enum { QUANTITY, GOAL, SPEED, SIGNS, PARTS };
 enum { LENGTHS = 5 };
-struct track_part {
+struct part {
 	size_t n, at;
 	char *text[LENGTHS];
 	unsigned look;
@@ -190,13 +190,13 @@ struct track_part {
 };
 
 static void
-track_say(struct track_part *part, char *text)
+track_say(struct part *part, char *text)
 {
 	part->text[part->n++] = text;
 }
 
 static void
-say_quantity(const struct tui *t, struct track_part *part)
+say_quantity(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
 	if (tui_current_entry(t) == NULL) {
@@ -214,7 +214,7 @@ say_quantity(const struct tui *t, struct track_part *part)
 }
 
 static void
-say_goal(const struct tui *t, struct track_part *part)
+say_goal(const struct tui *t, struct part *part)
 {
 	for (int length = 0; length < GOALS_LENGTHS; length++)
 		track_say(part, goal_words(t, (enum goals_length)length));
@@ -224,7 +224,7 @@ say_goal(const struct tui *t, struct track_part *part)
 
 /* The rim of the rotor goes round at the tip speed. */
 static void
-say_speed(const struct tui *t, struct track_part *part)
+say_speed(const struct tui *t, struct part *part)
 {
 	const struct entry *entry = tui_current_entry(t);
 	double v = t->ui.tenths / 10.0;
@@ -244,7 +244,7 @@ say_speed(const struct tui *t, struct track_part *part)
 
 /* A speed beyond those measured is not to be read without that. */
 static void
-say_signs(const struct tui *t, struct track_part *part)
+say_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
 	if (tui_current_entry(t) == NULL) {
@@ -271,7 +271,7 @@ say_signs(const struct tui *t, struct track_part *part)
 
 /* With a rule before it. */
 static int
-width_of(const struct track_part *part)
+width_of(const struct part *part)
 {
 	int width = text_width(part->text[part->at]);
 	return width > 0 ? width + 4 : 0;
@@ -279,7 +279,7 @@ width_of(const struct track_part *part)
 
 /* Each is as short as can be, then grows in turn while there is room. */
 static void
-fit_parts(struct track_part part[static PARTS], int columns)
+fit_parts(struct part part[static PARTS], int columns)
 {
 	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, SPEED,
 	    GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
@@ -289,7 +289,7 @@ fit_parts(struct track_part part[static PARTS], int columns)
 		width += width_of(&part[i]);
 	}
 	for (size_t k = 0; k < ARRAY_LEN(TURNS); k++) {
-		struct track_part *p = &part[TURNS[k]];
+		struct part *p = &part[TURNS[k]];
 		int was = width_of(p);
 		if (p->at == 0)
 			continue;
@@ -314,7 +314,7 @@ track_draw_heading(struct tui *t)
 {
 	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
 	const struct area *area = &t->layout.caption;
-	struct track_part part[PARTS] = {0};
+	struct part part[PARTS] = {0};
 	say_quantity(t, &part[QUANTITY]);
 	say_goal(t, &part[GOAL]);
 	say_speed(t, &part[SPEED]);
