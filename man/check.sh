@@ -245,7 +245,7 @@ steady() {
 
 # Puts what a session shows, in FILE, into the displays of PAGE.
 renew() {
-	awk -v sign='^([$]|[a-z][^ >]*( [(][a-z]+[)])?>) ' '
+	awk -v sign='^([$]|([a-z][^ >]*( [(][a-z]+[)])?)?>) ' '
 	FNR == NR {
 		n += $0 ~ sign
 		gsub(/\\/, "\\e")

@@ -32,7 +32,7 @@ struct touched {
 	size_t item;
 };
 
-/* Does what the mouse asks for. */
+/* Handles a mouse event. */
 typedef void hit_way(struct tui *t, const struct touched *touched);
 
 struct hit {

@@ -257,7 +257,7 @@ struct tui {
 	bool stopping;                /* a key stops it */
 	double ran_from;              /* when it or its script began, s */
 	double drawn_at;              /* when under_way was last drawn */
-	const char *begun; /* what takes a moment just now, or NULL */
+	const char *begun; /* what is being done that takes a moment, or NULL */
 	bool held;         /* the calibration waits */
 	double due;        /* when the next generation is */
 	struct edit line;  /* a command, or a goal */
@@ -275,7 +275,7 @@ struct tui {
 	char message[800];
 	bool bad;             /* the message is an error */
 	bool told;            /* it is from the command that moved the slider */
-	bool reason_shown;    /* the panel has room for that of the light */
+	bool reason_shown;    /* the panel shows the reason of the light */
 	const char *question; /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */
@@ -354,7 +354,7 @@ void tui_take_feed(struct tui *t); /* the one that is set */
  * moved_product. */
 const struct psd *tui_measured(const struct tui *t, size_t run);
 
-/* True if the product was moved by so much that it has to be told. */
+/* True if the product was moved so far that the page must say so. */
 bool tui_moved(const struct tui *t, size_t run);
 
 /* Returns the slider's place as options of predict: "speed=77.0 feed=74", with

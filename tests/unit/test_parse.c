@@ -76,6 +76,7 @@ static const struct {
 	int column; /* 0: anywhere in the line */
 	const char *text, *hint;
 } FAULTS[] = {{"frobnicate", 1, "no command 'frobnicate'", "help"},
+    {"goal passing 2 >= 30", 1, "no command 'goal'", "'set goal'"},
     {"predct 74", 1, "no command 'predct'", "'predict'"},
     {"cal", 1, "no command 'cal'", "'calibrate'"},
     {"  predict spede=74", 11, "no option 'spede'", "'speed'"},

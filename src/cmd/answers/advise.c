@@ -142,8 +142,8 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 	if (!(high > low))
 		return;
 	answer_say(r, ANSWER_REMARK,
-	    "with the feeds as they were sampled %s is %.3g to %.3g %s: sample "
-	    "the feed with the product",
+	    "with the feeds that were sampled %s ranges from %.3g to %.3g %s: "
+	    "sample the feed together with the product",
 	    w->name, low, high, w->unit);
 	fields_put(answer_fields(r), "feeds_low %g feeds_high %g", low, high);
 }

@@ -522,7 +522,7 @@ note_flow(struct answer *r, const struct asked *all)
 	if (returns)
 		answer_say(r, ANSWER_REMARK,
 		    "sizes and passings are those of the new feed's product, "
-		    "without what comes back; tonnes are with it");
+		    "without what comes back; tonnes include it");
 }
 
 static void

@@ -69,10 +69,10 @@ claim_range(struct answer *r, const struct shown *c)
 	}
 	add_claim(r, N_("properties converge within the range of rock"),
 	    bound == 0,
-	    xasprintf(tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f "
-			 "to %.2f; %zu of %zu sites end with one at a bound of "
-			 "Table 2, which then is the bound's and not the "
-			 "rock's"),
+	    xasprintf(
+		tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f to "
+		   "%.2f; %zu of %zu sites end with one at a bound of Table 2, "
+		   "which then is set by the bound and not by the rock"),
 		low[0], high[0], low[1], high[1], low[2], high[2], bound,
 		c->n));
 }
@@ -269,7 +269,8 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	if (strstr(about, "reconstructed") != NULL)
 		answer_say(r, ANSWER_REMARK,
 		    "reconstructed data are made by the model itself: they can "
-		    "show that its calibration works, not that rock breaks so");
+		    "show that its calibration works, not that rock breaks "
+		    "this way");
 	free(c.fit);
 	trials_clear(&c.runs);
 	stored_list_free(&c.paper);

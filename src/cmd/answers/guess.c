@@ -298,8 +298,8 @@ note_materials(struct answer *r, const struct basis *b)
 	else
 		answer_say(r, ANSWER_REMARK,
 		    open ? N_("estimated from another quarry, not calibrated: "
-			      "from one material, so that the band knows of no "
-			      "other strength")
+			      "from one material, so the band does not cover "
+			      "rock of another strength")
 			 : N_("estimated from another quarry, not calibrated: "
 			      "from one material, so without a band"));
 	if (open)

@@ -271,8 +271,8 @@ note_floor(
 	if (list[0] != '\0' && !fraction_screens(&p->fraction))
 		answer_say(r, ANSWER_REMARK,
 		    "at %s mm the feed has more than measured products, which "
-		    "crushing cannot bring about: the answer is the feed's "
-		    "there; sample the feed again",
+		    "crushing cannot do: there the answer is the feed; sample "
+		    "the feed again",
 		    list);
 }
 
@@ -340,8 +340,8 @@ predict_sure(const struct session *s, const struct question *q,
 	double most =
 	    q->feed == SITE_MEAN_FEED ? predict_feeds_move(s, q, p, i) : 0;
 	if (most >= FEEDS_TOLD) {
-		char *more = xasprintf(
-		    tr("%s; feeds as they varied move it by up to %.1f points"),
+		char *more = xasprintf(tr("%s; the feeds that were sampled "
+					  "change it by up to %.1f points"),
 		    words, 100 * most);
 		free(words);
 		words = more;

@@ -234,14 +234,14 @@ const struct command TABLE_ANSWERS[] = {
 	.option = CARD_OPTIONS,
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
-	    "One row a speed, in m/s and, where the site states the rotor's "
-	    "diameter, in rpm: P20, P50 and P80, the band of P80, figures of "
-	    "one's own choice, tonnes of fractions and the light; with "
-	    "conditions, as window has them, or spec=, how certain it is that "
-	    "they are met. Below it: the date, the feed, the machine, the "
-	    "model, and who answers for what. What a row of 80 columns has no "
-	    "room for is left out, and named; csv and json have all of it. "
-	    "'card > card.pdf' is a page to be pinned up.",
+	    "One row for each speed, in m/s and, where the site states the "
+	    "rotor's diameter, in rpm: P20, P50 and P80, the band of P80, "
+	    "other figures that are named, tonnes of fractions and the light; "
+	    "with conditions, as window has them, or spec=, how certain it is "
+	    "that they are met. Below it: the date, the feed, the machine, the "
+	    "model, and who answers for what. Columns that do not fit into 80 "
+	    "characters are left out, and named; csv and json have all of "
+	    "them. 'card > card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card of=\"passing 2,fines\" tph=120 fractions=0/2,2/5,5/8",
 	.answer = cmd_card},
@@ -270,10 +270,10 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[off]", {"off"}, 0, 1},
 	.flags = COMMAND_CHANGES | COMMAND_BESIDE,
 	.option = PIN_OPTIONS,
-	.text = "Keeps the product of the site in use at a speed as it is "
-		"predicted now, also when the site is calibrated again: "
-		"full-screen mode shows it beside the prediction, and plot psd "
-		"and describe psd do with beside=pinned. 'pin off' lets it go.",
+	.text = "Keeps the product that is predicted now for the site in use "
+		"at a speed, even if the site is calibrated again: full-screen "
+		"mode shows it beside the prediction, and plot psd and "
+		"describe psd do with beside=pinned. 'pin off' unpins it.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npin speed=69\n"
 		   "describe psd speed=74 beside=pinned",
 	.run = cmd_pin},
@@ -286,16 +286,16 @@ const struct command TABLE_ANSWERS[] = {
 	    SHARED_SCREENS},
 	.text =
 	    "What predict does with the names of figures, predict 72 passing 2 "
-	    "P80, or with of=, predict 72 of=fm,D10,0/2. "
-	    "Single numbers of the product at a speed, with their bands: P and "
-	    "a number, or D and a number, the size that so much passes; "
-	    "passing and a size; fines, the passing at 0.063 mm; cu, D60/D10; "
-	    "cc, D30^2/(D60 D10); fm and a standard, the fineness modulus on "
-	    "the sieves of EN 12620, ASTM C136, IS 2386-1, DIN 1045-2 (the "
-	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
-	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
-	    "takes that screened fraction. Figures that the sieves do not "
-	    "reach are left out, or missing.",
+	    "P80, or with of=, predict 72 of=fm,D10,0/2. Single numbers of the "
+	    "product at a speed, with their bands: P and a number, or D and a "
+	    "number, the size which that percentage passes; passing and a "
+	    "size; fines, the passing at 0.063 mm; cu, D60/D10; cc, D30^2/(D60 "
+	    "D10); fm and a standard, the fineness modulus on the sieves of EN "
+	    "12620, ASTM C136, IS 2386-1, DIN 1045-2 (the k-value) or GB/T "
+	    "14684; and a fraction such as 0/2, its share of the product. 'of "
+	    "0/4' after a figure, or cut=0/4 for all of them, takes that "
+	    "screened fraction. Figures that the sieves do not reach are left "
+	    "out, or missing.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
 	.answer = cmd_figures},
@@ -306,15 +306,16 @@ const struct command TABLE_ANSWERS[] = {
 		 COMMAND_CONDITIONS,
 	.option = FIND_OPTIONS,
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
-	.text = "The inverse of predict: finds the tip speed for a P20, P50 or "
-		"P80, for a passing at a size, or the speeds at which the "
-		"product meets a grading envelope; see spec and "
-		"tipspeed-spec(5). Conditions are those of window: the one "
-		"with = and a single number is what the speed is for, \"max "
-		"passing 2\" or \"min P80\" asks for the speed that gives most "
-		"or least of a quantity; others are checked there, or hold it "
-		"back. The first range of a speed is that of the true product, "
-		"the second that in which a belt cut may show the value.",
+	.text =
+	    "The inverse of predict: finds the tip speed for a P20, P50 or "
+	    "P80, for a passing at a size, or the speeds at which the product "
+	    "meets a grading envelope; see spec and tipspeed-spec(5). "
+	    "Conditions are those of window: the condition with = and a single "
+	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
+	    "the speed that gives most or least of a quantity; other "
+	    "conditions are checked at that speed, or limit it. The first "
+	    "range of a speed is that of the true product, the second that in "
+	    "which a belt cut may show the value.",
 	.more = "A limit that binds is kept with a certainty of about a half "
 		"only, so the best with 80 % certainty (set level) is said "
 		"too. Of several speeds that give the value the one inside the "
@@ -380,17 +381,17 @@ const struct command TABLE_ANSWERS[] = {
 	    "they are those of the goal that is set. Shows the speeds, "
 	    "to a tenth of a m/s, at which the answer meets all, what binds "
 	    "below and above them, and the best speed: the one at which they "
-	    "hold most "
-	    "surely, between the measured speeds where there is any there; of "
-	    "those that are as sure to 2 % the one with the largest margin. "
-	    "Margins are given as passings, in points: at the size that is the "
-	    "limit of a P, and a fineness modulus counts its distance for each "
-	    "of its sieves. To compare limits on different sieves they are "
-	    "counted in widths of the band. Moduli and fractions rise and fall "
-	    "with the speed, so that there may be several windows. With the "
-	    "uncertainty band it says at which speeds all conditions hold "
-	    "together with 80 % certainty (set level). If no speed will do, "
-	    "the nearest is shown, and what binds.",
+	    "hold with the highest probability, taken between the measured "
+	    "speeds if there is any there; of speeds within 2 % of that "
+	    "probability, the one with the largest margin. Margins are given "
+	    "as passings, in points: at the size that is the limit of a P, and "
+	    "a fineness modulus counts its distance for each of its sieves. To "
+	    "compare limits on different sieves they are counted in widths of "
+	    "the band. Moduli and fractions rise and fall with the speed, so "
+	    "that there may be several windows. With the uncertainty band it "
+	    "says at which speeds all conditions hold together with 80 % "
+	    "certainty (set level). If no speed will do, the nearest is shown, "
+	    "and what binds.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "window \"passing 2 = 30..36\" \"P80 > 5\"",
@@ -409,16 +410,15 @@ const struct command TABLE_ANSWERS[] = {
 	    "its limits; 'spec off' ends that. Those of ASTM C33, BS 882, BS "
 	    "1200, EN 12620, IS 383 and a Norwegian road base come with the "
 	    "program, second-hand copies to be checked against your own; 'spec "
-	    "list' has their names, of which some words that no other has are "
+	    "list' lists their names; a few words that fit only one are "
 	    "enough. tipspeed-spec(5) describes FILE, an envelope of your own. "
 	    "spec alone, or with a NAME or FILE, shows each sieve with its "
 	    "limits, the passing predicted at a speed, and ok, above or below. "
 	    "An envelope for a fraction, such as a sand, is compared with that "
 	    "fraction of the product, by ideal screens unless sharpness= is "
 	    "given; cut= takes another one, cut=off the product as it is. "
-	    "Where "
-	    "its standard has limits of the fineness modulus and between two "
-	    "sieves, they are compared as well.",
+	    "Where its standard has limits of the fineness modulus and between "
+	    "two sieves, they are compared as well.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "spec use \"ASTM C33\"\nspec speed=79\n"
@@ -437,17 +437,15 @@ const struct command TABLE_ANSWERS[] = {
 	    "figures that are named, with the range in which the true value "
 	    "lies and the one in which a new belt cut is expected; where feeds "
 	    "were sampled with several runs, how far the product moves with "
-	    "them; what errors of the stated tip speeds add; and which sample "
-	    "next would help most, as advise has it. detail=on shows half the "
-	    "width of the band sieve by sieve: of the model alone, which is "
-	    "what its parameters leave open; of the answer, with what the "
+	    "them; what errors of the stated tip speeds add; and which further "
+	    "sample would help most, as advise finds it. detail=on shows half "
+	    "the width of the band sieve by sieve: of the model alone, which "
+	    "is what its parameters leave open; of the answer, with what the "
 	    "model leaves out, which is the band of predict; and of one more "
 	    "sample with its error. Below it are the sizes of these errors as "
-	    "the data show them. "
-	    "level= and noise= are settings, kept for "
-	    "the commands that "
-	    "follow. 'uncertainty draws > FILE.csv' writes the draws: "
-	    "parameters, errors and product of each. See UNCERTAINTY in "
+	    "the data show them. level= and noise= are settings, kept for the "
+	    "commands that follow. 'uncertainty draws > FILE.csv' writes the "
+	    "draws: parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 72 P80\n"
 		   "uncertainty 85 detail=on",
@@ -476,18 +474,18 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_AT_SITE,
 	.text =
 	    "Calibrates each breakage model, with and without a bypass, on the "
-	    "training runs, and shows for each the misfit, how many "
-	    "parameters were free, AICc (lower is better) and the RMSE at the "
-	    "held-out runs, beside predictions that need no model. If no run "
-	    "is held out, each speed is held out in turn where there are three "
-	    "or more. The best is the one that errs least there; of those "
-	    "within 0.1 points, or where no run is held out, the one with the "
-	    "lowest AICc; what interpolation beats is not called best. Reports "
-	    "which models the data rule out, whether they can tell the models "
-	    "apart, and what the answer between measured speeds has of each; "
-	    "see COMPARING MODELS in tipspeed-model(7). The fit in use stays. "
-	    "'league all' does it for "
-	    "all loaded sites and adds up the results.",
+	    "training runs, and shows for each the misfit, how many parameters "
+	    "were free, AICc (lower is better) and the RMSE at the held-out "
+	    "runs, beside predictions that need no model. If no run is held "
+	    "out, each speed is held out in turn where there are three or "
+	    "more. The best is the one that errs least there; of those within "
+	    "0.1 points, or where no run is held out, the one with the lowest "
+	    "AICc; what interpolation beats is not called best. Reports which "
+	    "models the data rule out, whether they can tell the models apart, "
+	    "and how much each contributes to the answer between measured "
+	    "speeds; see COMPARING MODELS in tipspeed-model(7). The fit in use "
+	    "stays. 'league all' does it for all loaded sites and adds up the "
+	    "results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
     {.name = "identify",
@@ -558,20 +556,16 @@ const struct command TABLE_ANSWERS[] = {
 	    SHARED_SCREENS},
 	.text =
 	    "Write it with > FILE.html, for a browser, or > FILE.pdf, for "
-	    "paper (A4). "
-	    "The file holds what other commands answer: the light with its "
-	    "reasons, data, check and mends, the product with its band, other "
-	    "speeds, the window of the conditions, which are those of window, "
+	    "paper (A4). The file holds what other commands answer: the light "
+	    "with its reasons, data, check and mends, the product with its "
+	    "band, other speeds, the window of the conditions (see window), "
 	    "the envelope in use or of spec=, the flow of tph=, the card, "
-	    "routine cuts, "
-	    "validation, fit, "
-	    "plots, with several calibrated sites "
-	    "their common errors, and the script that makes the report again. "
-	    "With conditions it says first whether they are met, and at which "
-	    "speeds. "
-	    "It needs no network and no other file. A site that is not "
-	    "calibrated gets the parts that do not need it, and what is "
-	    "missing is stated.",
+	    "routine cuts, validation, fit, plots, with several calibrated "
+	    "sites their common errors, and the script that makes the report "
+	    "again. With conditions it says first whether they are met, and at "
+	    "which speeds. It needs no network and no other file. For a site "
+	    "that is not calibrated the file has the parts that need no "
+	    "calibration, and states what is missing.",
 	.more = "Without speed= it is of the speed that was last predicted, or "
 		"the best for its conditions.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"

@@ -120,7 +120,7 @@ add_figures(struct answer *r, const struct session *s,
 	FREED char *chance = predict_chance(question->level);
 	answer_note(r,
 	    "low, high: the true value lies between them %s; cut low, cut "
-	    "high: so does a new belt cut",
+	    "high: the same for a new belt cut",
 	    chance);
 	return true;
 }
@@ -247,7 +247,8 @@ note_feeds(struct answer *r, const struct session *s, const struct question *q,
 	double most = predict_feeds_move(s, q, at, i);
 	if (!(most > 0))
 		return;
-	answer_note(r, "feeds as they varied move 0/%g by up to %.1f points",
+	answer_note(r,
+	    "the feeds that were sampled change 0/%g by up to %.1f points",
 	    units_mm(at->product.size[i]), 100 * most);
 	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
 }

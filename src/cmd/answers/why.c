@@ -201,9 +201,9 @@ say_parameters(const struct subject *a, const struct fit *fit)
 /* What the user can do about reasons of a kind; NULL where these say it
  * themselves. */
 static const char *const REMEDY[] = {
-    [TRUST_PATTERN] = N_("look at 'check' and 'plot residuals' for a sample "
-			 "that is off; where all are right, 'league' compares "
-			 "other models"),
+    [TRUST_PATTERN] =
+	N_("look at 'check' and 'plot residuals' for a sample that is off; if "
+	   "all samples are right, 'league' compares other models"),
     [TRUST_HOLDOUT] = N_("sample that speed again; if the sample was right, "
 			 "'league' compares other models"),
     [TRUST_BEYOND] = N_("take a belt cut at this speed, or as near to it as "
@@ -477,13 +477,14 @@ note_correction(struct answer *r, const struct balance *b)
 	    "stays");
 	if (corrected)
 		answer_say(r, ANSWER_REMARK,
-		    "The ledger is of the model alone: what the runs show it "
-		    "to leave out cannot be split by classes; with it the "
-		    "passing changes by up to %.2f points otherwise (at %g mm)",
+		    "The mass balance is of the model alone: what the runs "
+		    "show it to leave out cannot be split by classes; with it, "
+		    "the change in passing differs by up to %.2f points (at %g "
+		    "mm)",
 		    100 * fabs(most), units_mm(sieve));
 	else
 		answer_say(
-		    r, ANSWER_REMARK, "The ledger is of the model alone");
+		    r, ANSWER_REMARK, "The mass balance is of the model alone");
 	fields_put(answer_fields(r), "answer_differs_pct %g",
 	    corrected ? 100 * most : NAN);
 }

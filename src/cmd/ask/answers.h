@@ -61,8 +61,8 @@ void answers_keep_prediction(struct session *s, const struct entry *entry,
 /* The sizes in every prediction. */
 enum { ANSWERS_P20, ANSWERS_P50, ANSWERS_P80, ANSWERS_BREAK, ANSWERS_SIZES };
 
-/* Names that assert knows, each for a field of the newest answer of these
- * commands, with a space between two. */
+/* Names for assert, each a field of the newest answer of these commands,
+ * separated by spaces. */
 struct asserted {
 	const char *name, *from, *path;
 };

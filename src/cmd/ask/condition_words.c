@@ -117,6 +117,16 @@ join_quantities(const struct command *command, struct words *words)
 	}
 }
 
+/* "passing 2 > 30, fines < 5": the comma between conditions says no more than
+ * the blank does. */
+static void
+drop_comma(char *word)
+{
+	size_t n = strlen(word);
+	if (n > 1 && word[n - 1] == ',' && strchr(word, ' ') == NULL)
+		word[n - 1] = '\0';
+}
+
 void
 conditions_join(struct words *words, bool prompt)
 {
@@ -127,6 +137,8 @@ conditions_join(struct words *words, bool prompt)
 		join_quantities(command, words);
 	if (from == 0)
 		return;
+	for (size_t i = from; i + 1 < n; i++)
+		drop_comma(words->text[i]);
 	words->n = from;
 	for (size_t i = from; i < n;) {
 		size_t first = i;

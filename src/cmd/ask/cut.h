@@ -9,7 +9,7 @@
  * square of predicted less measured, and the largest of these with its sieve,
  * m.  inside: sieves within the band of one more sample; no_band: there is
  * none.  level: of it, 0..1.  missed: the prediction does not hold; off: most
- * sieves lie outside the band, but no farther than careful samples repeat. */
+ * sieves lie outside the band, but no farther than careful samples differ. */
 struct cut {
 	size_t n, inside;
 	bool no_band, missed, off;

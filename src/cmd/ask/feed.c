@@ -80,8 +80,7 @@ feed_note_assumed(struct answer *r, const struct site *site, const char *whose)
 	if (!(top > 0))
 		return;
 	answer_say(r, ANSWER_REMARK,
-	    "assumed%s%s: all of the feed passes %g mm, which its coarsest "
-	    "sieve does not show",
+	    "assumed%s%s: all of the feed passes %g mm",
 	    whose != NULL ? tr(" of ") : "", whose != NULL ? whose : "", top);
 	if (whose == NULL)
 		fields_put(answer_fields(r), SITE_ASSUMED_TOP " %g", top);

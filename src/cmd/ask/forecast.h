@@ -29,8 +29,8 @@ struct forecast *forecast_table(
 void forecast_at(struct forecast *f, double speed);
 
 /* As forecast_at, but with the draws of one more sample, or of the model alone:
- * values stay the answer's, bands are of these draws and need not hold the
- * value. */
+ * the values remain those of the answer; the bands are those of these draws and
+ * need not contain the values. */
 void forecast_part_at(
     struct forecast *f, double speed, enum ensemble_part part);
 

@@ -34,7 +34,7 @@ bool question_too(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error);
 
-/* Reads the question of a call, has it answered, and frees it. */
+/* Reads the question of a call, lets the command answer it, and frees it. */
 bool question_run(struct session *s, const struct args *args,
     command_answer *answer, struct error *error);
 

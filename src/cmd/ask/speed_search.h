@@ -1,4 +1,4 @@
-/* Searches for the speeds at which a product is as wanted; the only such
+/* Searches for the speeds at which a product meets conditions; the only such
  * search.  It can be run in steps, so that a screen stays live.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_SPEED_SEARCH_H

@@ -6,7 +6,7 @@
 
 const struct command_option SHARED_TURNS[] = {
     {"rpm", VALUE_NUMBER, "rpm", 1, 20000, NULL, "",
-	"turns of the rotor a minute, in place of a speed"},
+	"rotor speed in rpm, instead of a tip speed"},
     {.name = NULL}};
 
 const struct command_option SHARED_FEED[] = {

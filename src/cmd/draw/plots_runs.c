@@ -120,7 +120,8 @@ add_further(struct chart *chart, const struct session *s,
 	}
 	FREED char *words = feed_words(site, feed);
 	if (q->n_speed > 0 && words != NULL)
-		chart_note(chart, "feed of the speeds not measured: %s", words);
+		chart_note(
+		    chart, "feed at speeds that were not measured: %s", words);
 }
 
 static bool

@@ -6,6 +6,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/cut.h"
 #include "cmd/ask/routine.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
@@ -84,9 +85,17 @@ enum { FEW = 5, LATE = 50 };
 
 /* What to do now: when to calibrate anew, and with what. */
 static void
-say_what_next(struct answer *a, const struct routine *r)
+say_what_next(
+    struct answer *a, const struct routine *r, const struct later *later)
 {
 	size_t n;
+	if (r->point[r->n - 1].state == DRIFT_NONE && later->missed) {
+		answer_note(a,
+		    "next: check how the cut at %g m/s and its feed were "
+		    "taken; if they are right, 'calibrate train=all'",
+		    later->speed);
+		return;
+	}
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
 		if (r->n < FEW)
 			answer_note(a,
@@ -210,7 +219,8 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN
 						   : ANSWER_WARNING,
 	    "%s", words);
-	say_what_next(a, r);
+	struct later later = cut_compare_later(s, entry);
+	say_what_next(a, r, &later);
 	say_limits(a, r, detail);
 	answers_show_basis_of_fit(s, a, entry, false);
 	routine_free(r);

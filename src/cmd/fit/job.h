@@ -34,8 +34,8 @@ struct rounds {
 	 * 74 m/s".  NULL: each round is its site's own fit, and can be
 	 * watched. */
 	char *(*at)(const struct session *s);
-	/* What to say of a stopped job of no use; NULL: what it has found is of
-	 * use. */
+	/* What to say of a stopped job whose results are of no use; NULL: they
+	 * are of use. */
 	const char *useless;
 	/* Returns what follows from a round's calibration once it has ended,
 	 * for `take` as job.found, which owns it; `drop` frees it.  Rounds run

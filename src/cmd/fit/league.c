@@ -476,7 +476,7 @@ say_verdict(struct answer *r, const struct verdict *v)
 	if (v->can_tell)
 		answer_note(r,
 		    open[0] ? N_("the data can tell the models apart: %s and "
-				 "what extends it remain")
+				 "its extensions remain")
 			    : N_("the data can tell the models apart: %s "
 				 "remains"),
 		    name_of_row(v->simplest));

@@ -8,8 +8,8 @@
 /* Names of the appearance forms, in the order of the enum. */
 extern const char *const MODEL_FORMS[3];
 
-/* Gives a site other parameters, which are no fit of its own; takes over the
- * share in their origin. */
+/* Gives a site parameters that were not fitted to it; takes over the share in
+ * their origin. */
 void model_take_params(struct session *s, struct entry *entry,
     const struct params *p, struct origin *origin);
 

@@ -92,20 +92,20 @@ const struct command TABLE_FIT[] = {
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
 	.option = VALIDATE_OPTIONS,
-	.text =
-	    "Shows the root mean square error (RMSE), P20, P50 and P80 at each "
-	    "held-out run, measured and predicted by the model and by three "
-	    "that need no model: the training products interpolated in speed "
-	    "squared (outside the training speeds, on the line through the two "
-	    "nearest), the product at the nearest training speed, and the feed "
-	    "unchanged. Reports who predicts best. holdout=each calibrates "
-	    "without each speed in turn, as 'calibrate' alone would, and "
-	    "predicts it; the fit in use stays. 'validate all' sums up the "
-	    "relative errors of P20, P50 and P80 over all calibrated sites: "
-	    "bias (mean), rms and R2; see VALIDATION in tipspeed-model(7). The "
-	    "sites share the threads; after 'set correction off' the corrected "
-	    "answer is not drawn, which takes most of the time. A site that "
-	    "cannot be compared is listed at the end and excluded.",
+	.text = "Shows the root mean square error (RMSE), P20, P50 and P80 at "
+		"each held-out run, measured and predicted by the model and by "
+		"three methods that need no model: the training products "
+		"interpolated in speed squared (outside the training speeds, "
+		"on the line through the two nearest), the product at the "
+		"nearest training speed, and the feed unchanged. Reports who "
+		"predicts best. holdout=each calibrates without each speed in "
+		"turn, as 'calibrate' alone would, and predicts it; the fit in "
+		"use stays. 'validate all' sums up the relative errors of P20, "
+		"P50 and P80 over all calibrated sites: bias (mean), rms and "
+		"R2; see VALIDATION in tipspeed-model(7). The sites share the "
+		"threads; after 'set correction off' the corrected answer is "
+		"not drawn, which takes most of the time. A site that cannot "
+		"be compared is listed at the end and excluded.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
 		   "validate sieves=on\nvalidate holdout=each",
 	.run = cmd_validate},
@@ -146,11 +146,11 @@ const struct command TABLE_FIT[] = {
 	.alias = "calibrate accept",
 	.brief = "keep the best of a stopped calibration as it is",
 	.flags = COMMAND_CHANGES,
-	.text = "A calibration that is stopped gives its site the best "
-		"parameters so far, unless those that the site had fit better "
-		"on the same runs and settings: these stay then, and accept "
-		"takes the stopped ones. It discards what "
-		"'continue' would need.",
+	.text = "A stopped calibration gives its site the best parameters so "
+		"far, unless the parameters that the site had fit better on "
+		"the same runs and settings. In that case those stay, and "
+		"accept takes the parameters of the stopped calibration; "
+		"'continue' is then no longer possible.",
 	.example =
 	    "load data/sites/tierp.csv\ncalibrate pause=10\ncalibrate accept",
 	.run = cmd_accept},

@@ -222,7 +222,8 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 
 /* Whether the > at a place stands before a limit and not before a file: behind
  * a quantity without quotes, "P80 > 5".  What has a limit already is written
- * into a file, whatever its name. */
+ * into a file, whatever its name.  After what is no command >= is one, so that
+ * the command is what is told. */
 static bool
 is_limit_sign(
     const char *line, size_t at, const struct words *words, struct place place)
@@ -230,8 +231,11 @@ is_limit_sign(
 	const struct command *command =
 	    words->n > 0 ? command_find_typed(words->text[0], place.prompt)
 			 : NULL;
-	if (command == NULL || (command->flags & COMMAND_CONDITIONS) == 0 ||
-	    words->n < 2 || words->n == OPERANDS || line[at] != '>')
+	if (command == NULL)
+		return words->n > 1 && words->n < OPERANDS &&
+		       strncmp(line + at, ">=", 2) == 0;
+	if ((command->flags & COMMAND_CONDITIONS) == 0 || words->n < 2 ||
+	    words->n == OPERANDS || line[at] != '>')
 		return false;
 	const char *last = words->text[words->n - 1];
 	const char *before = words->text[words->n - 2];
@@ -239,7 +243,7 @@ is_limit_sign(
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = parse_skip_blanks(line, at);
-	size_t n = strcspn(line + at, " \t;%");
+	size_t n = strcspn(line + at, " \t;,%");
 	FREED char *number = xstrndup(line + at, n);
 	double limit;
 	return text_typed_number(number, &limit);

@@ -48,8 +48,8 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 	"Number of threads, where 'set threads' does not say it; default: the "
 	"processors that tipspeed may run on. The results are the same."},
     {"SOURCE_DATE_EPOCH",
-	"Seconds since 1970: the day to take for today, so that what is made "
-	"again is the same; default: the clock."},
+	"Seconds since 1970: the date to use as today's, so that repeated "
+	"output is identical; default: the clock."},
     {"XDG_STATE_HOME", "Folder of tipspeed/history, the lines typed at the "
 		       "prompt; default .local/state in HOME."},
     {"XDG_CONFIG_HOME", "Folder of tipspeed/init.tip, the commands run before "
@@ -69,7 +69,7 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {.name = NULL}};
 
 const struct usage_word USAGE_TRUST[] = {
-    {"green", "Nothing that was seen speaks against the answer and its band."},
+    {"green", "Nothing in the data contradicts the answer or its band."},
     {"amber", "Use the answer with the reason in mind."},
     {"red", "Do not rely on the answer."}, {.name = NULL}};
 
@@ -86,10 +86,10 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
 	  "failed, the store is in use by another program, or memory has run "
 	  "out."},
     {"129", "Ended by a hang-up, after the best so far was printed."},
-    {"130", "Interrupted from the keyboard. A calibration stops after the "
-	    "current generation or step and prints the best found so far. At "
-	    "the prompt, 'continue' continues it. Of a file that was being "
-	    "read nothing is taken."},
+    {"130",
+	"Interrupted from the keyboard. A calibration stops after the current "
+	"generation or step and prints the best found so far. At the prompt, "
+	"'continue' continues it. A file that was being read is discarded."},
     {"143", "Ended by kill, after the best so far was printed."},
     {.name = NULL}};
 

@@ -609,10 +609,9 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 	const struct power *w = &p->power;
 	double range[2], idle = plant_idle(p, o->speed, range);
 	if (w->n == 0)
-		return xstrdup(
-		    tr("no motor readings: Q v2 alone, what it takes to bring "
-		       "the rock to the tip speed, which is a lower limit; "
-		       "give power=m/s:kW:t/h"));
+		return xstrdup(tr("no motor readings: Q v2 alone, the power "
+				  "that brings the rock to the tip speed: a "
+				  "lower limit; give power=m/s:kW:t/h"));
 	char *words =
 	    xasprintf(tr_n("engineering estimate from %zu reading %s, idle "
 			   "%.0f kW (%.0f to %.0f) at %g m/s",
@@ -622,8 +621,8 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 		w->n, p->plan->of_cuts ? tr("of the belt cuts") : tr("given"),
 		idle, range[0], range[1], o->speed);
 	if (w->n > 3)
-		xlist(&words, "; ", tr("the readings miss it by %.1f kW (RMS)"),
-		    w->rms);
+		xlist(&words, "; ",
+		    tr("the readings differ from it by %.1f kW (RMS)"), w->rms);
 	if (range[1] - range[0] > 0.1 * o->kw)
 		xlist(&words, "; ", "%s",
 		    tr("the readings cannot separate idle from load: read the "

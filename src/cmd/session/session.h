@@ -53,11 +53,11 @@ struct job {
 				     * NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
-	double started; /* s, of a clock that only goes forward */
-	double stopped; /* by the same clock, if it is paused */
+	double started;                /* s, of a monotonic clock */
+	double stopped;                /* by the same clock, if it is paused */
 	struct calibrate_options options;
 	bool *train;
-	bool fits;          /* its rounds are of their sites' own fits */
+	bool fits;          /* each round is its site's own fit */
 	bool detail;        /* reports the search, and all of the fit */
 	bool watch;         /* its curves are drawn while it goes on */
 	bool paused;        /* stopped by ^C; `continue` goes on */
@@ -99,7 +99,7 @@ struct session {
 	struct entry *entry;
 	struct choices set;
 	bool prompt;     /* lines are typed by a user */
-	size_t typed_at; /* while so many scripts are open */
+	size_t typed_at; /* number of open scripts at which lines are typed */
 	enum isa isa;    /* most that calibrations may use */
 	bool safe;       /* neither commands nor keys may touch files or
 			       the shell */

@@ -462,8 +462,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	    "check found faults in the site file\n"
 	    "correct the spreadsheet, save it and load it again");
 	if (mends)
-		error_hint(error,
-		    "correct the spreadsheet, save it and load it again; or "
-		    "take a mend: mend 1");
+		error_hint(error, "correct the spreadsheet, save it and load "
+				  "it again; or mend it here: mend 1");
 	return false;
 }

@@ -505,10 +505,10 @@ nearest_sheet(const char *path)
 /* Of files one of which is not there: the line with its nearest name.  args:
  * the options that stand in the line, or NULL. */
 static void
-hint_nearest(const char *command, size_t n, const char *const *word,
-    const struct args *args, struct error *error)
+hint_nearest(size_t n, const char *const *word, const struct args *args,
+    struct error *error)
 {
-	FREED char *line = xstrdup(command);
+	FREED char *line = xstrdup("load");
 	const struct command_option *o;
 	bool found = false;
 	for (size_t i = 0; i < n; i++) {
@@ -541,8 +541,7 @@ load_files(
 			&l, list.n, (const char *const *)list.word, error) &&
 		    load_run(s, &l, false, error);
 	if (!good)
-		hint_nearest(
-		    s->prompt ? "load" : "tipspeed", n, word, NULL, error);
+		hint_nearest(n, word, NULL, error);
 	load_clear(&l);
 	listed_clear(&list);
 	return good;
@@ -701,7 +700,7 @@ hint_remembered(const struct session *s, const char *word, struct error *error)
 	if (access(word, F_OK) != 0 &&
 	    store_each_name(s->store, STORE_NAMES, compare_name, &r, NULL) &&
 	    r.found)
-		error_hint(error, "it was remembered: recall %s", word);
+		error_hint(error, "it is in the store: recall %s", word);
 }
 
 bool
@@ -724,8 +723,7 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	good = good &&
 	       load_run(s, &l, args_value(args, "skip")->choice == 1, error);
 	if (!good)
-		hint_nearest(
-		    "load", args->n_operand, args->operand, args, error);
+		hint_nearest(args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1)
 		hint_remembered(s, args->operand[0], error);
 	load_clear(&l);

@@ -10,9 +10,9 @@
 /* Runs load FILE.. as=log: loads the log in which cuts are looked up. */
 bool log_load(struct session *s, const struct args *args, struct error *error);
 
-/* Finds in the log, within so many seconds of a time, the tip speed, m/s, to a
- * tenth, with a rotor of that diameter, m (0: not known); kW and t/h, NAN where
- * the log has none.  Says how they were found. */
+/* Finds in the log, at a time or within a number of seconds of it, the tip
+ * speed, m/s, to a tenth, with a rotor of that diameter, m (0: not known); kW
+ * and t/h, NAN where the log has none.  Says how they were found. */
 struct logged {
 	double speed, power, rate;
 };

@@ -269,15 +269,14 @@ const struct command TABLE_DATA[] = {
 	.text =
 	    "Collision energies of a discrete element simulation: how often "
 	    "particles are hit and how hard, as in the paper's Figure 1. "
-	    "'energy load FILE' reads a table of impacts by the heads of its "
-	    "columns, a list of energies (J/kg) or velocities (m/s), perhaps "
+	    "'energy load FILE' reads a table of impacts by its column "
+	    "headings, a list of energies (J/kg) or velocities (m/s), perhaps "
 	    "with weights, or a binned spectrum (low, high and weight); "
 	    "dem/merge makes a table of a LIGGGHTS dump of contacts. Without "
-	    "operands, shows "
-	    "impacts a particle, energies above the cut, the share of the "
-	    "first impact and the k with which Eq 3 would break as much. "
-	    "'energy write FILE' writes the spectrum. 'set energy FILE' has "
-	    "the model use it in place of one impact at v^2/2.",
+	    "operands, shows impacts per particle, energies above the cut, the "
+	    "share of the first impact and the k with which Eq 3 would break "
+	    "as much. 'energy write FILE' writes the spectrum. 'set energy "
+	    "FILE' makes the model use it instead of one impact at v^2/2.",
 	.example = "energy load data/energy/vsi-69.csv\nenergy cut=100",
 	.run = cmd_energy},
     {.name = "template",

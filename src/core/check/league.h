@@ -75,7 +75,7 @@ struct league_model {
  * size, and the errors of sieves are not.  The data can tell the models apart
  * where all that remain are the simplest of them and models that extend it,
  * none errs less than the best by more than sampling explains, and none has an
- * AICc that is by more than 10 below the best's. */
+ * AICc more than 10 below that of the best. */
 bool league_rank(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n);
 

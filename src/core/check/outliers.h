@@ -12,12 +12,12 @@
 
 /* A mend that would make the sheet consistent.  It is only proposed: the
  * laboratory's sheet decides.
- *   measured, expected, sd  of a cell: as it is, and as all others say (see
- *                 loo.h), passing 0..1; NAN of columns
+ *   measured, expected, sd  of a cell: as measured, and as expected from all
+ *                 others (see loo.h), passing 0..1; NAN of columns
  *   surprise      of a cell after a calibration: how much more probable the
  *                 sheet is without it, as a logarithm; NAN
- *   off           of a column: how far it is from what others say, RMS before
- *                 and after the mend, 0..1; NAN of cells
+ *   off           of a column: its distance from what others make probable, RMS
+ *                 before and after the mend, 0..1; NAN of cells
  *   rmse          of all products to the posterior's fit, before and after the
  *                 mend and without another calibration; NAN without */
 struct finding {

@@ -467,16 +467,15 @@ judge_slow(struct trust *t, const struct evidence *e)
 {
 	if (e->unbounded > 0.05)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
-		    xasprintf(
-			tr("the threshold is only bounded from above (%.0f "
-			   "%% of the draws have none): slower than %g m/s "
-			   "far less may break"),
+		    xasprintf(tr("the threshold is only bounded from above "
+				 "(%.0f %% of the draws have none): below %g "
+				 "m/s far less of the feed may break"),
 			100 * e->unbounded, e->slowest));
 	else if (e->breaks > 0.995)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
 		    xasprintf(tr("already at %g m/s %.0f %% of what is coarse "
 				 "enough breaks: f_mat is only bounded from "
-				 "below, and slower less may break"),
+				 "below, and at lower speeds less may break"),
 			e->slowest, 100 * e->breaks));
 }
 
@@ -497,8 +496,9 @@ judge_speed(struct trust *t, const struct evidence *e, double v)
 			beyond, span));
 	else
 		trust_add(t, LIGHT_AMBER, TRUST_BEYOND,
-		    xasprintf(tr("%.1f m/s beyond the measured speeds: there "
-				 "the model answers, no measurement"),
+		    xasprintf(
+			tr("%.1f m/s beyond the measured speeds: there the "
+			   "answer rests on the model, not on measurements"),
 			beyond));
 	if (slow)
 		judge_slow(t, e);

@@ -32,7 +32,8 @@ struct validation {
 	size_t run;
 	double speed;
 	bool holdout;               /* not among the training runs */
-	size_t n_sieve, n_left_out; /* compared; finer than the feed tells */
+	size_t n_sieve, n_left_out; /* compared; finer than the feed was
+				     * sieved */
 	double misfit;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
 	double measured[PSD_SIZES];           /* P20, P50, P80, m */

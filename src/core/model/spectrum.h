@@ -68,10 +68,10 @@ double spectrum_per_particle(
 
 /* Selection (Eq 3) with a spectrum:
  *   S = 1 - (sum of w_j exp(-f k (x^alpha r_j E - E0_min)))^n
- * for n impacts a particle, each drawn from the spectrum, of which a share w_j
- * has the energy r_j E, E = v^2/2; the bracket is 0 where negative.  One node
- * with w = r = 1 and n = 1 is the paper's.  The nodes: the impacts above the
- * cut, in groups of equal energy w r, each at its mean.  D15.
+ * for n impacts per particle, each drawn from the spectrum, of which a share
+ * w_j has the energy r_j E, E = v^2/2; the bracket is 0 where negative.  One
+ * node with w = r = 1 and n = 1 is the paper's.  The nodes: the impacts above
+ * the cut, in groups of equal energy w r, each at its mean.  D15.
  * n is 1 where particles were not counted.  The speed must be known. */
 struct impacts spectrum_impacts(const struct spectrum *s, double cut);
 

@@ -10,7 +10,8 @@
 /* By the standard deviation of a parameter's draws over that of its prior:
  * determined below 0.1, poorly below 0.5. */
 enum identify_grade {
-	IDENTIFY_FIXED, /* held, by a bound or as what others are scaled to */
+	IDENTIFY_FIXED, /* held by a bound, or the one that others are scaled
+			 * to */
 	IDENTIFY_DETERMINED,
 	IDENTIFY_POORLY,
 	IDENTIFY_NOT

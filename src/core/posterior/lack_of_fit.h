@@ -1,4 +1,5 @@
-/* What runs have along their curves beyond what sampling errs by.
+/* The part of the residuals along the curves that sampling errors do not
+ * explain.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_LACK_OF_FIT_H
 #define TIPSPEED_CORE_POSTERIOR_LACK_OF_FIT_H
@@ -7,14 +8,14 @@
 #include "core/search/misfit.h"
 
 /* The discrepancy of D13 is smooth in the speed: a product that sets in, bends
- * or leaps between two runs is none of its draws, and what is left at the runs
- * would count as errors of their samples.  Of what the mean answer leaves at a
- * run, r [n] along its curve, coarsest first, the share
+ * or jumps between two runs is not among its draws, and its residuals at the
+ * runs would count as sampling errors.  Of the residuals r [n] of the mean
+ * answer at a run, coarsest sieve first, the share
  *   (sum r_i r_i+1 - (2 sigma_s)^2 sum h_i h_i+1) / sum r_i^2,  0 to 1
- * is taken for the product's own (as James and Stein 1961 shrink means):
- * independent errors of neighbours cancel in the first sum, and the second has
- * what a sample may err by along its curve, twice the prior's sigma_s; of a
- * site with repeats, which show sigma_s, twice the mean of the draws'.
+ * is attributed to the product (as James and Stein 1961 shrink means):
+ * independent errors of neighbours cancel in the first sum, and the second is
+ * the error that a sample may have along its curve, twice the prior's sigma_s;
+ * of a site with repeats, which show sigma_s, twice the mean of the draws'.
  *
  * Sets p->lack: that share, over h, at the measured speeds and the knots.
  * m: the runs that inform the draws. */

@@ -94,8 +94,8 @@ struct calibrate_status {
 	size_t infinite; /* candidates whose misfit was not a number */
 	double best, median, worst; /* misfits on the search's scheme */
 	size_t starts_done, starts; /* of the polish, */
-	size_t trials, trials_most; /* and perturbations without a gain, so many
-				     * of which end it */
+	size_t trials, trials_most; /* perturbations without a gain; it ends at
+				     * trials_most */
 	struct params params;       /* the best so far */
 };
 
@@ -127,7 +127,7 @@ struct fit {
 	size_t cells;         /* of these, that crushing can change */
 	size_t parameters;    /* that were searched, not held fixed */
 	bool on_bound[PARAMS_MOST];
-	struct flat flat; /* what the data tell least */
+	struct flat flat; /* the combination that the data determine least */
 	enum calibrate_state stop;
 	bool converged; /* the polish that found it came to rest */
 	bool plain;     /* a search that was not to be polished (plain) */

@@ -7,7 +7,7 @@
 
 /* Returns the diameter in mm that a text states, as in "VSI, rotor 840 mm, 1560
  * rpm", "rotor diameter 0.84 m" or "VSI, \u00D8 840"; 0: none; -1: several that
- * differ.  machine: the text is what a machine is called, in which the number
+ * differ.  machine: the text is the name of a machine, in which the number
  * after the rotor needs no unit; below 10 it is in m. */
 double rotor_size_mm(const char *text, bool machine);
 

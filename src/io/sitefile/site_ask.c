@@ -333,7 +333,7 @@ settled_line(const struct site_request *q, const char *settle)
 static const char *
 hint_for_feed(const struct site_request *q)
 {
-	return q->feed ? tr(", and write it anew for feed=") : "";
+	return q->feed ? tr(", and write it again for feed=") : "";
 }
 
 static bool

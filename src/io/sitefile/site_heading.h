@@ -22,7 +22,8 @@ struct heading_rotor {
 	int line;
 };
 
-/* Adds what the lines of a layout state to *said, of other layouts so far. */
+/* Adds the rotor that the lines of a layout state to *said, which has those of
+ * earlier layouts. */
 void site_heading_rotor(
     const struct layout *layout, struct heading_rotor *said);
 

@@ -49,11 +49,11 @@ extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
 bool store_list(
     struct store *store, struct stored_list *list, struct error *error);
 
-/* Selects some of the user's own materials; zeros select all.  most: only so
- * many, the nearest to rock ("": any) and to top, the wanted top size, mm;
+/* Selects some of the user's own materials; zeros select all.  most: at most
+ * this many, the nearest to rock ("": any) and to top, the wanted top size, mm;
  * without most they must be of the rock and of a size from top_least to
- * top_most, mm.  first: only the first so many by name.  apart: only every so
- * many-th. */
+ * top_most, mm.  first: at most this many, by name.  apart: only every
+ * apart-th. */
 struct store_query {
 	const char *name, *rock; /* without case and accents; NULL: any */
 	double top_least, top_most, top;

@@ -21,10 +21,10 @@ typedef void row_way(struct tui *t, const struct area *line, size_t i,
 int rows_draw(
     struct tui *t, const struct area *area, row_way *draw, const void *of);
 
-/* A column of a list.  least: columns of the screen that it wants to be shown
- * at all, where its texts take as many; rank: those of low rank have room
- * first; indent: how far its heading stands in; right: numbers; fixed: as wide
- * as `least`, whatever its texts take. */
+/* A column of a list.  least: columns of the screen below which it is not
+ * shown, if its texts take as many; rank: columns of low rank get room first;
+ * indent: that of its heading; right: numbers; fixed: as wide as `least`,
+ * whatever its texts take. */
 struct list_column {
 	const char *head;
 	int least, rank, indent;

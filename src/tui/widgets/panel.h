@@ -9,8 +9,8 @@
 void panel_draw(struct tui *t);
 
 /* Returns what the panel has no room for, or what replaces it: "trust amber:
- * beyond the measured speeds, out of ASTM C33", or "".  It has so many columns,
- * `most` where that keeps the reason.  The caller frees. */
+ * beyond the measured speeds, out of ASTM C33", or "".  It is cut to `columns`,
+ * or to `most` if it then has room for the reason.  The caller frees. */
 char *panel_words(struct tui *t, int columns, int most);
 
 /* Draws the row of numbers that replaces the side panel, on any page. */

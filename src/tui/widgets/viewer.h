@@ -19,7 +19,7 @@ bool viewer_key(struct tui *t, int code, bool special, const struct key **run);
 /* Draws the text with its hints. */
 void viewer_draw(struct tui *t);
 
-/* Moves the text, or the choice of a key, by so many lines. */
+/* Moves the text, or the choice of a key, by a number of lines. */
 void viewer_scroll(struct tui *t, int by);
 
 /* Closes the text; printed text can be shown again. */
