@@ -20,8 +20,7 @@ extern const char *const SCORES_SIZES[PSD_SIZES];
 void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
 /* Returns the answer on the runs of this site: fields, tables, and which
- * predicts best.  sieves: csv has a row for each sieve, in place of one for each
- * size. */
+ * predicts best.  sieves: csv has a row a sieve, in place of one a size. */
 struct answer *scores_site_answer(
     const struct trials *c, const struct site *site, bool sieves);
 
