@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/answer/speed_error.h"
 #include "core/numeric/rng.h"
 #include "core/posterior/ensemble.h"
 #include "counts.h"
@@ -38,7 +37,7 @@ ask(const struct plant *p, const struct site *site, struct ensemble *e,
 	means_at(e, v * (1 - step), mean[1]);
 	means_at(e, v * (1 + step), mean[2]);
 	means_at(e, v, mean[0]);
-	double times = 1.2816 * speed_error_times(site, v) * sd;
+	double times = 1.2816 * site_speed_error(site, v) * sd;
 	for (size_t i = 0; i < p->n_sieve; i++) {
 		double P =
 		    plant_product(p, p->feed_n, v * (1 + off), p->sieve[i]);

@@ -159,9 +159,10 @@ text_fold(const char *s)
 	return folded;
 }
 
-/* Unicode's controls and format characters and the two that are none.  Joiners
- * (U+200C, U+200D) are letters' business in Persian and Hindi. */
-bool
+/* True if text_escaped replaces it: Unicode's controls and format
+ * characters and the two that are none.  Joiners (U+200C, U+200D) are letters'
+ * business in Persian and Hindi. */
+static bool
 text_is_hidden(uint32_t code)
 {
 	static const uint32_t RANGES[][2] = {{0, 0x1F}, {0x7F, 0x9F},
@@ -238,6 +239,20 @@ text_unquoted(const char *text, size_t n)
 			quoted = !quoted;
 	}
 	return word;
+}
+
+char *
+text_quoted(const char *s)
+{
+	char *quoted = xcalloc(2 * strlen(s) + 3, 1), *to = quoted;
+	*to++ = '"';
+	for (; *s != '\0'; s++) {
+		if (*s == '"')
+			*to++ = '"';
+		*to++ = *s;
+	}
+	*to = '"';
+	return quoted;
 }
 
 bool

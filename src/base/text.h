@@ -49,6 +49,10 @@ char *text_slug(const char *s);
  * become one.  The caller frees. */
 char *text_unquoted(const char *s, size_t n);
 
+/* Returns a text in quotes ("), with two for each one in it.  The caller
+ * frees. */
+char *text_quoted(const char *s);
+
 /* True if a spreadsheet may take a cell for a formula: a cell that begins with
  * one of = + - @ and is neither a number nor a sign alone.  In a sheet such
  * text is written after an apostrophe, which the reader removes; text that
@@ -107,10 +111,8 @@ int text_width(const char *s);
  * nothing of a number, which would be another one.  The caller frees. */
 char *text_fitted(const char *s, int columns);
 
-/* text_is_plain: true if text_escaped changes nothing.  text_is_hidden: true if
- * text_escaped replaces the character. */
+/* True if text_escaped changes nothing. */
 bool text_is_plain(const char *s);
-bool text_is_hidden(uint32_t code);
 
 /* Prints text as text_escaped shows it, in lines of at most width columns,
  * broken at spaces, each after margin spaces; spaces at the start of the text

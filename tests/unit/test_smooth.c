@@ -1,6 +1,6 @@
 /* Cells that stand out: swapped digits are found, sound curves are left alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "core/psd/smooth.h"
+#include "core/psd/psd.h"
 
 #include <stdlib.h>
 
@@ -8,13 +8,13 @@
 
 enum { RUNS = 3 };
 
-static struct smooth_outlier
+static struct psd_outlier
 outlier_of(const struct site *site)
 {
 	const struct psd *curve[RUNS];
 	for (size_t r = 0; r < RUNS; r++)
 		curve[r] = &site->run[r].product;
-	return smooth_outlier(curve, RUNS);
+	return psd_outlier(curve, RUNS);
 }
 
 static void
@@ -23,18 +23,18 @@ a_straight_line_does_not_bend(void **state)
 	(void)state;
 	double size[4] = {8, 4, 2, 1}, passing[4] = {0.9, 0.6, 0.3, 0};
 	struct psd line = {4, size, passing};
-	expect_near("line", smooth_bend(&line, 1), 0, 1e-12);
+	expect_near("line", psd_bend(&line, 1), 0, 1e-12);
 	passing[2] = 0.4;
-	expect_near("bend", smooth_bend(&line, 2), 0.1, 1e-12);
-	expect_near("bend", smooth_bend(&line, 1), -0.05, 1e-12);
-	assert_true(isnan(smooth_bend(&line, 0)));
-	assert_true(isnan(smooth_bend(&line, 3)));
+	expect_near("bend", psd_bend(&line, 2), 0.1, 1e-12);
+	expect_near("bend", psd_bend(&line, 1), -0.05, 1e-12);
+	assert_true(isnan(psd_bend(&line, 0)));
+	assert_true(isnan(psd_bend(&line, 3)));
 	const struct psd *alone = &line;
-	struct smooth_outlier o = smooth_outlier(&alone, 1);
+	struct psd_outlier o = psd_outlier(&alone, 1);
 	assert_true(o.sieve == 2 && o.others == 0);
 	expect_near("off", o.off, 0.1, 1e-12);
 	line.n = 2;
-	assert_true(smooth_outlier(&alone, 1).off == 0);
+	assert_true(psd_outlier(&alone, 1).off == 0);
 }
 
 static void
@@ -78,7 +78,7 @@ swapped_digits_are_found(void **state)
 				    now < p->passing[i + 1])
 					continue;
 				p->passing[i] = now;
-				struct smooth_outlier o = outlier_of(site);
+				struct psd_outlier o = outlier_of(site);
 				assert_int_equal(o.curve, r);
 				assert_int_equal(o.sieve, i);
 				assert_true(fabs(o.off) > 0.14);
@@ -100,9 +100,9 @@ only_the_same_sieves_are_compared(void **state)
 	double p[4] = {0.9, 0.6, 0.5, 0}, q[4] = {0.9, 0.8, 0.3, 0};
 	struct psd one = {4, a, p}, two = {4, b, q};
 	const struct psd *curve[2] = {&one, &two};
-	assert_int_equal(smooth_outlier(curve, 2).others, 0);
+	assert_int_equal(psd_outlier(curve, 2).others, 0);
 	two.size = a;
-	assert_int_equal(smooth_outlier(curve, 2).others, 1);
+	assert_int_equal(psd_outlier(curve, 2).others, 1);
 }
 
 int

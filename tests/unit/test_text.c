@@ -211,6 +211,23 @@ trimming_takes_blanks_and_no_letters(void **state)
 }
 
 static void
+quotes_come_and_go(void **state)
+{
+	static const char *const PAIRS[][2] = {{"", "\"\""},
+	    {"pit 4", "\"pit 4\""}, {"4\" rock", "\"4\"\" rock\""},
+	    {"\"", "\"\"\"\""}};
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(PAIRS); i++) {
+		char *quoted = text_quoted(PAIRS[i][0]);
+		char *back = text_unquoted(quoted, strlen(quoted));
+		assert_string_equal(quoted, PAIRS[i][1]);
+		assert_string_equal(back, PAIRS[i][0]);
+		free(quoted);
+		free(back);
+	}
+}
+
+static void
 distance_counts_edits(void **state)
 {
 	(void)state;
@@ -425,6 +442,7 @@ main(void)
 	    cmocka_unit_test(a_number_apart_from_another),
 	    cmocka_unit_test(names_lose_case_and_accents_in_every_locale),
 	    cmocka_unit_test(trimming_takes_blanks_and_no_letters),
+	    cmocka_unit_test(quotes_come_and_go),
 	    cmocka_unit_test(distance_counts_edits),
 	    cmocka_unit_test(a_long_word_is_no_edits_from_itself),
 	    cmocka_unit_test(width_counts_characters),

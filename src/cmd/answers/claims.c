@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort_double.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/tr.h"
@@ -139,13 +140,6 @@ claims_table3_row(const struct shown *c, const struct entry *entry)
 	return stored_find(&c->paper, name);
 }
 
-static int
-compare_size(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
 /* Of reconstructed sites the product at a speed is known: that of their row. */
 static void
 claim_beyond(struct answer *r, const struct shown *c)
@@ -172,7 +166,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 			prediction_free(&q);
 		}
 	}
-	qsort(off, n, sizeof *off, compare_size);
+	gsl_sort(off, 1, n);
 	if (n > 0)
 		add_claim(r,
 		    N_("65 and 85 m/s can be predicted from 69 and 79"),

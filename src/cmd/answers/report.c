@@ -304,12 +304,10 @@ report_put_script(struct session *s, const struct ask *ask)
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
 	journal_put(s, out);
-	fprintf(out, "report%s speed=%s%s%s%s%s > \"", ask->conditions,
+	FREED char *file = text_quoted(s->file);
+	fprintf(out, "report%s speed=%s%s%s%s%s > %s\n", ask->conditions,
 	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->asked,
-	    ask->cut);
-	for (const char *p = s->file; *p != '\0'; p++)
-		fprintf(out, *p == '"' ? "\"\"" : "%c", *p);
-	fputs("\"\n", out);
+	    ask->cut, file);
 }
 
 static void
@@ -335,10 +333,8 @@ write_report(struct session *s, const struct ask *ask)
 static void
 add_quoted(char **text, const char *name, const char *words)
 {
-	xappend(text, " %s\"", name);
-	for (const char *p = words; *p != '\0'; p++)
-		xappend(text, *p == '"' ? "\"\"" : "%c", *p);
-	xappend(text, "\"");
+	FREED char *quoted = text_quoted(words);
+	xappend(text, " %s%s", name, quoted);
 }
 
 /* " cut=\"0/4\"", of those that are given; the caller frees. */

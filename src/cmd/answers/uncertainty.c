@@ -18,7 +18,6 @@
 #include "cmd/session/settings.h"
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
-#include "core/answer/speed_error.h"
 #include "core/posterior/ensemble.h"
 #include "io/sitefile/units.h"
 
@@ -290,7 +289,7 @@ note_speeds(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *at, double sd)
 {
 	const double step = 0.005;
-	double times = speed_error_times(q->entry->site, at->speed),
+	double times = site_speed_error(q->entry->site, at->speed),
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];

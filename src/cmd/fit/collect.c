@@ -72,34 +72,25 @@ join_validated(const struct parts *parts, const struct part_site *const *site,
 	return r;
 }
 
-/* A material of one of the stores. */
-struct material {
-	char *fold;
-	const struct stored *stored;
-	const char *path;
-	bool used;
-};
-
-/* What the stores have, by name. */
+/* What the stores have; path, used: of each material. */
 struct shelf {
-	size_t n_list, n;
-	struct stored_list *list;
-	struct material *material;
+	struct stored_list list;
+	struct stored_index index;
+	const char **path;
+	bool *used;
 };
-
-static int
-compare_fold(const void *a, const void *b)
-{
-	return strcmp(((const struct material *)a)->fold,
-	    ((const struct material *)b)->fold);
-}
 
 static bool
-read_store(const char *path, struct stored_list *list, struct error *error)
+read_store(const char *path, struct shelf *shelf, struct error *error)
 {
+	size_t n = shelf->list.n;
 	struct store *store = store_new(path);
-	bool ok = store_list(store, list, error);
+	bool ok = store_list(store, &shelf->list, error);
 	store_free(store);
+	shelf->path =
+	    xrealloc(shelf->path, shelf->list.n + 1, sizeof(*shelf->path));
+	for (; n < shelf->list.n; n++)
+		shelf->path[n] = path;
 	return ok;
 }
 
@@ -108,28 +99,19 @@ static bool
 fill_shelf(
     struct shelf *shelf, const char *const *path, size_t n, struct error *error)
 {
-	shelf->list = xcalloc(n, sizeof *shelf->list);
-	for (; shelf->n_list < n; shelf->n_list++)
-		if (!read_store(path[shelf->n_list],
-			&shelf->list[shelf->n_list], error))
-			return false;
 	for (size_t k = 0; k < n; k++)
-		for (size_t i = 0; i < shelf->list[k].n; i++) {
-			const struct stored *m = &shelf->list[k].item[i];
-			shelf->material = xrealloc(shelf->material,
-			    shelf->n + 1, sizeof *shelf->material);
-			shelf->material[shelf->n++] = (struct material){
-			    text_fold(m->name), m, path[k], false};
-		}
-	if (shelf->n > 1)
-		qsort(shelf->material, shelf->n, sizeof *shelf->material,
-		    compare_fold);
-	for (size_t i = 1; i < shelf->n; i++) {
-		const struct material *a = &shelf->material[i - 1], *b = a + 1;
+		if (!read_store(path[k], shelf, error))
+			return false;
+	shelf->used = xcalloc(shelf->list.n + 1, sizeof *shelf->used);
+	shelf->index = stored_index(&shelf->list);
+	for (size_t i = 1; i < shelf->index.n; i++) {
+		const struct stored_name *a = &shelf->index.name[i - 1],
+					 *b = a + 1;
 		if (strcmp(a->fold, b->fold) == 0)
-			return error_at(error, ERROR_DATA, b->path, 0, 0,
+			return error_at(error, ERROR_DATA, shelf->path[b->at],
+			    0, 0,
 			    "material '%s' is in %s already\nleave one out",
-			    b->stored->name, a->path);
+			    shelf->list.item[b->at].name, shelf->path[a->at]);
 	}
 	return true;
 }
@@ -137,27 +119,22 @@ fill_shelf(
 static void
 clear_shelf(struct shelf *shelf)
 {
-	for (size_t i = 0; i < shelf->n; i++)
-		free(shelf->material[i].fold);
-	for (size_t k = 0; k < shelf->n_list; k++)
-		stored_list_free(&shelf->list[k]);
-	free(shelf->material);
-	free(shelf->list);
+	stored_index_clear(&shelf->index);
+	stored_list_free(&shelf->list);
+	free(shelf->path);
+	free(shelf->used);
 }
 
 /* The material of a site: of this very calibration, which its misfit tells to
  * the last bit. */
-static struct material *
+static const struct stored *
 collect_material_of(const struct shelf *shelf, const struct part_site *site,
     const char *version, struct error *error)
 {
 	enum { MISFIT = 3 };
-	struct material wanted = {.fold = text_fold(site->text[0])};
-	struct material *found =
-	    shelf->n > 0 ? bsearch(&wanted, shelf->material, shelf->n,
-			       sizeof wanted, compare_fold)
-			 : NULL;
-	free(wanted.fold);
+	FREED char *fold = text_fold(site->text[0]);
+	const struct stored_name *found =
+	    stored_index_find(&shelf->index, fold);
 	if (found == NULL) {
 		error_set(error, ERROR_DATA,
 		    "%s was calibrated by a part, but is in none of the "
@@ -167,12 +144,12 @@ collect_material_of(const struct shelf *shelf, const struct part_site *site,
 		    site->text[0]);
 		return NULL;
 	}
-	const struct stored *m = found->stored;
-	found->used = true;
+	const struct stored *m = &shelf->list.item[found->at];
+	shelf->used[found->at] = true;
 	if (m->misfit == site->number[MISFIT] &&
 	    strcmp(m->version, version) == 0)
-		return found;
-	error_at(error, ERROR_DATA, found->path, 0, 0,
+		return m;
+	error_at(error, ERROR_DATA, shelf->path[found->at], 0, 0,
 	    "expected the calibration of '%s' that its part has (misfit %.6g, "
 	    "version %s), got another (misfit %.6g, version %s)\nmake the part "
 	    "and the store again, in one run",
@@ -189,19 +166,20 @@ put_materials(struct session *s, const struct shelf *shelf,
 	FREED struct stored *item = xcalloc(n + 1, sizeof *item);
 	bool ok = true;
 	for (size_t i = 0; ok && i < n; i++) {
-		struct material *m = collect_material_of(
+		const struct stored *m = collect_material_of(
 		    shelf, site[i], parts->part[0].version, error);
 		ok = m != NULL;
 		if (ok)
-			item[i] = *m->stored;
+			item[i] = *m;
 	}
-	for (size_t i = 0; ok && i < shelf->n; i++)
-		if (!shelf->material[i].used)
-			ok = error_at(error, ERROR_DATA,
-			    shelf->material[i].path, 0, 0,
+	for (size_t i = 0; ok && i < shelf->index.n; i++) {
+		size_t at = shelf->index.name[i].at;
+		if (!shelf->used[at])
+			ok = error_at(error, ERROR_DATA, shelf->path[at], 0, 0,
 			    "material '%s' belongs to none of the parts\n"
 			    "let each part begin with an empty store",
-			    shelf->material[i].stored->name);
+			    shelf->list.item[at].name);
+	}
 	ok = ok && store_put(s->store, item, n, replace, error);
 	if (ok)
 		session_note(s, "remembered %zu materials in %s", n,

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/lang/command.h"
 #include "cmd/lang/usage.h"
@@ -50,16 +51,6 @@ print_brief(const struct command *c, FILE *out)
 	FREED char *line = xasprintf(
 	    "%c%s.", toupper((unsigned char)c->brief[0]), c->brief + 1);
 	print_text(line, out);
-}
-
-/* A word as an argument of a macro: quoted, so that no letter acts. */
-static void
-print_quoted(const char *text, FILE *out)
-{
-	fputc('"', out);
-	for (const char *p = text; *p != '\0'; p++)
-		fputs(*p == '"' ? "\"\"" : (char[2]){*p, '\0'}, out);
-	fputc('"', out);
 }
 
 static void
@@ -146,9 +137,9 @@ manual_commands(FILE *out)
 		}
 		group = its;
 		FREED char *usage = command_usage(c);
-		fputs(".It ", out);
-		print_quoted(usage, out);
-		fputc('\n', out);
+		/* In quotes, so that no letter acts. */
+		FREED char *quoted = text_quoted(usage);
+		fprintf(out, ".It %s\n", quoted);
 		if (c->alias != NULL)
 			fprintf(out, "Also called\n.Cm %s .\n",
 			    command_other_name(c));

@@ -147,11 +147,8 @@ void
 journal_append_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
-	xappend(line, plain ? " " : " \"");
-	for (const char *p = word; *p != '\0'; p++)
-		xappend(line, *p == '"' ? "\"\"" : "%c", *p);
-	if (!plain)
-		xappend(line, "\"");
+	FREED char *quoted = text_quoted(word);
+	xappend(line, " %s", plain ? word : quoted);
 }
 
 /* From the root; links are left as they are. */

@@ -13,7 +13,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/sheets/mend.h"
 #include "cmd/lang/table.h"
-#include "core/check/order.h"
+#include "core/check/trust.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
@@ -162,8 +162,10 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 		for (size_t k = i; site_run_repeats(site, k); k--) {
 			const struct run *a = &site->run[k - 1];
 			const struct run *b = &site->run[i];
-			struct order fall = order_of(&a->product, &b->product);
-			struct order rise = order_of(&b->product, &a->product);
+			struct order fall =
+			    trust_order(&a->product, &b->product);
+			struct order rise =
+			    trust_order(&b->product, &a->product);
 			if (rise.most > fall.most)
 				fall = rise;
 			if (fall.most <= far)
@@ -184,8 +186,8 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
     const struct run *fast)
 {
 	const struct site *site = entry->site;
-	struct order fall = order_of(&slow->product, &fast->product);
-	bool fault = !site->individual_feeds && order_wrong(&fall);
+	struct order fall = trust_order(&slow->product, &fast->product);
+	bool fault = !site->individual_feeds && trust_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
 	FREED char *where = runs_words(slow, fast);

@@ -12,7 +12,7 @@
 #include "core/check/loo.h"
 #include "core/search/misfit.h"
 #include "core/search/polish.h"
-#include "core/psd/smooth.h"
+#include "core/psd/psd.h"
 
 /* After a calibration a cell is told of from this surprise on, of a product and
  * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */
@@ -548,7 +548,7 @@ find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
 	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	size_t *run = xcalloc(site->n_run, sizeof *run);
 	size_t n = outliers_gather(site, feed, curve, run);
-	struct smooth_outlier o = smooth_outlier(curve, n);
+	struct psd_outlier o = psd_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
 		add_bent(d, site, noise,

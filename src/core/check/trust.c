@@ -227,8 +227,9 @@ find_contradictions(struct evidence *e, const struct site *site,
 		for (size_t k = 0; k < r; k++) {
 			const struct run *slow = &site->run[k],
 					 *fast = &site->run[r];
-			struct order o = order_of(&moved[k], &moved[r]);
-			if (slow->speed < fast->speed && order_wrong(&o) &&
+			struct order o = trust_order(&moved[k], &moved[r]);
+			if (slow->speed < fast->speed &&
+			    trust_order_wrong(&o) &&
 			    o.most > e->against.order.most) {
 				e->against.slow = slow->speed;
 				e->against.fast = fast->speed;
@@ -589,4 +590,33 @@ trust_feed_difference(const struct psd *a, const struct psd *b)
 			most = fmax(most,
 			    fabs(psd_passing(a, b->size[i]) - b->passing[i]));
 	return most;
+}
+
+struct order
+trust_order(const struct psd *slow, const struct psd *fast)
+{
+	struct order o = {0};
+	double sum = 0, n = 0;
+	for (size_t j = 0; j < fast->n; j++) {
+		double x = fast->size[j];
+		if (!psd_covers(slow, x))
+			continue;
+		double by = psd_passing(slow, x) - fast->passing[j];
+		sum += by;
+		n++;
+		if (by > o.most) {
+			o.most = by;
+			o.at = x;
+		}
+	}
+	o.mean = n > 0 ? sum / n : 0;
+	return o;
+}
+
+bool
+trust_order_wrong(const struct order *o)
+{
+	const double on_the_whole = 0.003, far = 0.05;
+	return o->most > ORDER_NOTABLE &&
+	       (o->mean > on_the_whole || o->most > far);
 }

@@ -10,7 +10,6 @@
 #include "core/search/calibrate.h"
 #include "core/posterior/ensemble.h"
 #include "core/posterior/posterior.h"
-#include "core/check/order.h"
 #include "core/check/validate.h"
 
 enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
@@ -32,6 +31,22 @@ extern const char *const LIGHT_NAME[3];
  * Two points lie on any line, so that nothing shows how the discrepancy bends
  * between them. */
 bool trust_without_band(double rmse, size_t speeds);
+
+/* How far two products contradict that a faster rotor breaks more (D23): by how
+ * much the slower run's is finer than the faster run's, passing 0..1.  most:
+ * the largest difference, at the sieve `at`, m; mean: over their common
+ * sieves. */
+struct order {
+	double most, at, mean;
+};
+struct order trust_order(const struct psd *slow, const struct psd *fast);
+
+/* ORDER_NOTABLE: worth a remark, but sampling may explain it.
+ * trust_order_wrong: more than sampling explains, at one sieve or in the mean.
+ * Of 180 sheets with a noise of 1 point, 29 exceed ORDER_NOTABLE somewhere, and
+ * 3 are called wrong. */
+#define ORDER_NOTABLE 0.02
+bool trust_order_wrong(const struct order *o);
 
 /* The evidence of a fit itself, independent of the question; computed once for
  * each fit.  use: the runs that inform the answer. */

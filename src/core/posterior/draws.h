@@ -33,7 +33,7 @@ struct posterior {
 	double from, to; /* speeds that are looked at, see site_reach */
 	/* The speeds of the runs that inform it, m/s, slowest first, and the
 	 * share of the draws that are straight between neighbouring speeds
-	 * (straight.h). */
+	 * (thin.h). */
 	size_t n_speed;
 	double speed[POSTERIOR_RUNS], straight;
 	size_t n_knot;

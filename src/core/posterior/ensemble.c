@@ -592,7 +592,7 @@ ensemble_is_straight(const struct posterior *p, size_t draw)
 	return (double)place + 0.5 < p->straight * DRAWS;
 }
 
-/* At a speed between two measured ones (D25, straight.h). */
+/* At a speed between two measured ones (D25, thin.h). */
 static void
 ensemble_straighten(struct ensemble *e, double v, size_t k)
 {

@@ -172,4 +172,11 @@ char *site_source(const struct site *site, const char *none);
  * once. */
 void site_add_source(char **list, const struct site *site);
 
+/* Returns the error in speed of the answer at tip speed v, in multiples of the
+ * error of one stated speed: the errors of the runs, as in a straight line
+ * through them in v^2, and the error of v itself:
+ *   sqrt(1 + 1/n + (v^2 - m)^2 / sum (v_i^2 - m)^2),   m the mean of the v_i^2
+ * Infinite where all runs have one speed and v is another. */
+double site_speed_error(const struct site *site, double v);
+
 #endif

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_statistics_double.h>
+
 #include "base/xalloc.h"
 #include "core/search/ga_operators.h"
 #include "core/numeric/elementary.h"
@@ -189,33 +191,6 @@ const double *const *
 ga_told(const struct ga *ga)
 {
 	return (const double *const *)ga->told;
-}
-
-/* The k-th smallest of a, which is put out of order.  Hoare's selection. */
-static double
-kth_smallest(double *a, size_t n, size_t k)
-{
-	size_t low = 0, high = n - 1;
-	while (low < high) {
-		double pivot = a[low + (high - low) / 2];
-		size_t i = low, j = high;
-		for (;;) {
-			while (a[i] < pivot)
-				i++;
-			while (pivot < a[j])
-				j--;
-			if (i >= j)
-				break;
-			double swap = a[i];
-			a[i++] = a[j];
-			a[j--] = swap;
-		}
-		if (k <= j)
-			high = j;
-		else
-			low = j + 1;
-	}
-	return a[k];
 }
 
 static uint64_t
@@ -412,6 +387,6 @@ ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90)
 	size_t n = ga->options.population - first;
 	n = n < SPREAD_SAMPLE ? n : SPREAD_SAMPLE;
 	memcpy(sample, ga->told[gene] + first, n * sizeof *sample);
-	*p10 = kth_smallest(sample, n, n / 10);
-	*p90 = kth_smallest(sample, n, n - 1 - n / 10);
+	*p10 = gsl_stats_select(sample, 1, n, n / 10);
+	*p90 = gsl_stats_select(sample, 1, n, n - 1 - n / 10);
 }

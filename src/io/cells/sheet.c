@@ -586,9 +586,9 @@ void
 sheet_write_cell(const char *text, char separator, FILE *out)
 {
 	const char marks[] = {separator, '"', '\n', '\r', '\0'};
-	const char *quote = strpbrk(text, marks) != NULL ? "\"" : "";
-	fprintf(out, "%s%s", quote, text_is_formula(text) ? "'" : "");
-	for (; *text != '\0'; text++)
-		fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
-	fputs(quote, out);
+	char *cell = xasprintf("%s%s", text_is_formula(text) ? "'" : "", text);
+	char *quoted = text_quoted(cell);
+	fputs(strpbrk(text, marks) != NULL ? quoted : cell, out);
+	free(quoted);
+	free(cell);
 }

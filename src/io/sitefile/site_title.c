@@ -216,7 +216,8 @@ title_is_like(const struct table *a, const struct table *b)
 	return same;
 }
 
-const struct column *
+/* The only sample of a table; NULL: it has none, or several. */
+static const struct column *
 title_only_sample(const struct columns *all, const struct table *t)
 {
 	const struct column *found = NULL;

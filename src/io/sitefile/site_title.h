@@ -21,10 +21,6 @@ bool title_names_differ(const char *a, const char *b);
 /* Whether two tables have titles that differ in their speeds alone. */
 bool title_is_like(const struct table *a, const struct table *b);
 
-/* The only sample of a table; NULL: it has none, or several. */
-const struct column *title_only_sample(
-    const struct columns *all, const struct table *t);
-
 /* Whether a title names limits or a mean: such a table has no sample. */
 bool title_is_limit(const struct table *t);
 

@@ -169,6 +169,47 @@ stored_find(const struct stored_list *list, const char *name)
 	return found;
 }
 
+static int
+compare_names(const void *a, const void *b)
+{
+	const struct stored_name *x = a, *y = b;
+	int order = strcmp(x->fold, y->fold);
+	return order != 0 ? order : (x->at > y->at) - (x->at < y->at);
+}
+
+static int
+compare_fold_to_name(const void *fold, const void *name)
+{
+	return strcmp(fold, ((const struct stored_name *)name)->fold);
+}
+
+struct stored_index
+stored_index(const struct stored_list *list)
+{
+	struct stored_index index = {
+	    list->n, xcalloc(list->n + 1, sizeof *index.name)};
+	for (size_t i = 0; i < list->n; i++)
+		index.name[i] =
+		    (struct stored_name){text_fold(list->item[i].name), i};
+	qsort(index.name, index.n, sizeof *index.name, compare_names);
+	return index;
+}
+
+const struct stored_name *
+stored_index_find(const struct stored_index *index, const char *fold)
+{
+	return bsearch(fold, index->name, index->n, sizeof *index->name,
+	    compare_fold_to_name);
+}
+
+void
+stored_index_clear(struct stored_index *index)
+{
+	for (size_t i = 0; i < index->n; i++)
+		free(index->name[i].fold);
+	free(index->name);
+}
+
 /* Parameters there are; 0 where the model is not known. */
 static size_t
 count_params(const struct params *p)

@@ -67,6 +67,20 @@ void stored_list_add(struct stored_list *list, struct stored m);
 const struct stored *stored_find(
     const struct stored_list *list, const char *name);
 
+/* The names of a list as they are compared, without case and accents, sorted,
+ * those that are the same in the order of the list.  at: of which material. */
+struct stored_index {
+	size_t n;
+	struct stored_name {
+		char *fold;
+		size_t at;
+	} * name;
+};
+struct stored_index stored_index(const struct stored_list *list);
+const struct stored_name *stored_index_find(
+    const struct stored_index *index, const char *fold);
+void stored_index_clear(struct stored_index *index);
+
 /* Return or set the value of a field.  stored_set_text copies the text. */
 const char *stored_text(const struct stored *m, const struct field *f);
 double stored_number(const struct stored *m, const struct field *f);

@@ -213,72 +213,31 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	}
 }
 
-/* Names as they are compared [n], sorted; at: of which material. */
-struct names {
-	size_t n;
-	struct name {
-		char *fold;
-		size_t at;
-	} * name;
-};
-
-static int
-store_csv_by_name(const void *a, const void *b)
-{
-	const struct name *x = a, *y = b;
-	int order = strcmp(x->fold, y->fold);
-	return order != 0 ? order : (x->at > y->at) - (x->at < y->at);
-}
-
-static int
-compare_fold_to_name(const void *fold, const void *b)
-{
-	return strcmp(fold, ((const struct name *)b)->fold);
-}
-
-static struct names
-store_csv_names_of(const struct stored_list *list)
-{
-	struct names names = {.n = list != NULL ? list->n : 0};
-	names.name = xcalloc(names.n + 1, sizeof *names.name);
-	for (size_t i = 0; i < names.n; i++)
-		names.name[i] = (struct name){text_fold(list->item[i].name), i};
-	qsort(names.name, names.n, sizeof *names.name, store_csv_by_name);
-	return names;
-}
-
-static void
-store_csv_names_clear(struct names *names)
-{
-	for (size_t i = 0; i < names->n; i++)
-		free(names->name[i].fold);
-	free(names->name);
-}
-
 /* list: of the rows after the head; column: of their names. */
 static void
 check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
     const struct stored_list *list)
 {
-	struct names own = store_csv_names_of(list),
-		     others = store_csv_names_of(there);
+	const struct stored_list none = {0};
+	struct stored_index own = stored_index(list),
+			    others =
+				stored_index(there != NULL ? there : &none);
 	for (size_t i = 0; i < own.n; i++) {
-		const struct name *name = &own.name[i];
+		const struct stored_name *name = &own.name[i];
 		struct cell cell =
 		    sheet_cell(&sheet->row[1 + name->at], column);
 		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
 			sheet_fault(
 			    sheet, cell, "duplicate name: %.60s", cell.text);
-		else if (bsearch(name->fold, others.name, others.n,
-			     sizeof *others.name, compare_fold_to_name) != NULL)
+		else if (stored_index_find(&others, name->fold) != NULL)
 			sheet_fault(sheet, cell,
 			    "expected a new name, but the store already has "
 			    "'%.60s'\n"
 			    "use replace=on to replace it",
 			    cell.text);
 	}
-	store_csv_names_clear(&own);
-	store_csv_names_clear(&others);
+	stored_index_clear(&own);
+	stored_index_clear(&others);
 }
 
 /* The model first: its parameters depend on it. */

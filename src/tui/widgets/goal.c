@@ -163,16 +163,6 @@ close_field(struct tui *t)
 	t->goal_field = false;
 }
 
-/* Adds a word in quotes. */
-static void
-add_quoted(char **line, const char *text)
-{
-	xappend(line, "\"");
-	for (const char *p = text; *p != '\0'; p++)
-		xappend(line, *p == '"' ? "\"\"" : "%c", *p);
-	xappend(line, "\"");
-}
-
 /* The line that sets one, or takes it away; NULL where that changes nothing.
  * An envelope alone is also the one in use, so that its limits are drawn. */
 static char *
@@ -181,15 +171,12 @@ set_goal(struct tui *t, const char *text)
 	const struct session *s = t->session;
 	bool envelope = text[0] != '\0' && !goals_is_condition(text) &&
 			conditions_length(text) == strlen(text);
+	FREED char *goal = text_quoted(text[0] != '\0' ? text : SETTINGS_NONE);
 	char *line = xstrdup("");
 	close_field(t);
-	if (envelope && !session_busy(s)) {
-		xappend(&line, "spec use ");
-		add_quoted(&line, text);
-		xappend(&line, "; ");
-	}
-	xappend(&line, "set goal ");
-	add_quoted(&line, text[0] != '\0' ? text : SETTINGS_NONE);
+	if (envelope && !session_busy(s))
+		xappend(&line, "spec use %s; ", goal);
+	xappend(&line, "set goal %s", goal);
 	if (strcmp(text, s->set.goal) != 0)
 		return line;
 	free(line);
