@@ -194,9 +194,9 @@ tui_forget_sheet(struct sheet *sheet)
 void
 tui_forget_parity(struct parity *parity)
 {
-	free(parity->point);
+	trials_clear(&parity->runs);
 	chart_free(parity->chart);
-	*parity = (struct parity){.n = 0};
+	*parity = (struct parity){.next = 0};
 }
 
 void

@@ -11,6 +11,7 @@
 #include "cmd/ask/goals.h"
 #include "cmd/draw/plots.h"
 #include "cmd/draw/plots_past.h"
+#include "cmd/fit/trials.h"
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"
 #include "core/psd/quantity.h"
@@ -82,13 +83,9 @@ struct sheet {
 /* All sites' held-out runs on the Parity page, compared site by site: `next`
  * is the one to compare, n_entry when all are; the plot, or why there is
  * none. */
-struct parity_point {
-	size_t entry;
-	struct validation v;
-};
 struct parity {
-	size_t next, n;
-	struct parity_point *point;
+	size_t next;
+	struct trials runs;
 	struct validate_score score[VALIDATE_NULL][PSD_SIZES];
 	struct chart *chart;
 	struct error error;

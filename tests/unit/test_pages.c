@@ -267,7 +267,7 @@ parity_has_the_statistics_of_validate(void **state)
 	desk_expect(stage->desk, "validate all");
 	control_refresh(t);
 	press(t, "4");
-	assert_int_equal(t->view.parity.n, 3);
+	assert_int_equal(t->view.parity.runs.n, 3);
 	const struct session *s = t->session;
 	static const char *const PATHS[2][3] = {
 	    {"p20.rms_pct", "p50.rms_pct", "p80.rms_pct"},
@@ -290,7 +290,7 @@ parity_has_the_statistics_of_validate(void **state)
 	}
 	/* A word shows the runs that have it, and chooses one. */
 	size_t chosen = t->ui.list[PAGE_PARITY].at == 0 ? 1 : 0;
-	const char *key = s->entry[t->view.parity.point[chosen].entry].key;
+	const char *key = s->entry[t->view.parity.runs.item[chosen].entry].key;
 	press(t, "/");
 	for (; *key != '\0'; key++)
 		keymap_key(t, *key, false);
@@ -300,9 +300,9 @@ parity_has_the_statistics_of_validate(void **state)
 	press(t, "Esc");
 	assert_int_equal(rows_count(t), 3);
 	/* A step of the slider compares nothing. */
-	const struct parity_point *was = t->view.parity.point;
+	const struct trial *was = t->view.parity.runs.item;
 	press(t, "= 7 2 Enter");
-	assert_ptr_equal(t->view.parity.point, was);
+	assert_ptr_equal(t->view.parity.runs.item, was);
 }
 
 /* Of one run each size has the mark that the legend says. */
@@ -318,7 +318,7 @@ one_run_has_a_mark_for_each_size(void **state)
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	control_refresh(t);
 	press(t, "4");
-	assert_int_equal(t->view.parity.n, 1);
+	assert_int_equal(t->view.parity.runs.n, 1);
 	size_t n = 0;
 	for (int row = 2; row < 13; row++)
 		for (const char *c = row_of(stage, row), *end = c + PLOT;

@@ -10,19 +10,18 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/fit/trials.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/sites.h"
 #include "core/answer/predict.h"
-#include "core/check/validate.h"
 #include "core/model/breakage.h"
-#include "core/search/misfit.h"
 
-/* The fits of the paper's model at loaded sites [n], their validations at
- * held-out speeds v [n_run], and Table 3. */
+/* The fits of the paper's model at loaded sites [n], their held-out runs, and
+ * Table 3. */
 struct shown {
-	size_t n, n_run;
+	size_t n;
 	const struct entry **fit;
-	struct validation *v;
+	struct trials runs;
 	struct model_settings settings;
 	struct stored_list paper;
 };
@@ -38,14 +37,7 @@ collect_fits(struct shown *c, const struct session *s)
 		if (!e->has_fit || e->params.breakage != 0)
 			continue;
 		c->fit[c->n++] = e;
-		for (size_t r = 0; r < e->site->n_run; r++) {
-			if (e->train[r] ||
-			    misfit_covered(&e->site->run[r]) == 0)
-				continue;
-			c->v = xrealloc(c->v, c->n_run + 1, sizeof *c->v);
-			c->v[c->n_run++] = validate_run(e->site, r, e->train,
-			    &e->params, c->settings, NULL);
-		}
+		trials_add_entry(&c->runs, s, i, NULL);
 	}
 }
 
@@ -89,18 +81,14 @@ claim_range(struct answer *r, const struct shown *c)
 static void
 claim_sizes(struct answer *r, const struct shown *c)
 {
-	FREED const struct validation **v = xcalloc(c->n_run + 1, sizeof(*v));
 	double rms[PSD_SIZES];
-	for (size_t j = 0; j < c->n_run; j++)
-		v[j] = &c->v[j];
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		rms[i] =
-		    100 * validate_score(v, c->n_run, VALIDATE_MODEL, i).rms;
+		rms[i] = 100 * trials_score(&c->runs, VALIDATE_MODEL, i).rms;
 	add_claim(r, N_("P50 differs least"),
 	    rms[1] < rms[0] && rms[1] < rms[2],
 	    xasprintf(tr("relative RMS of P20 %.2f %%, P50 %.2f %%, P80 %.2f "
 			 "%% over %zu held-out runs"),
-		rms[0], rms[1], rms[2], c->n_run));
+		rms[0], rms[1], rms[2], c->runs.n));
 	add_claim(r, N_("the tails lie further off"),
 	    rms[0] > rms[1] && rms[2] > rms[1],
 	    xasprintf(rms[0] > rms[1]
@@ -198,9 +186,9 @@ claim_middle_speed(struct answer *r, const struct shown *c)
 {
 	size_t wins = 0, n = 0;
 	double sum[2] = {0};
-	for (size_t i = 0; i < c->n_run; i++) {
-		double own = c->v[i].rmse[VALIDATE_MODEL],
-		       line = c->v[i].rmse[VALIDATE_INTERPOLATION];
+	for (size_t i = 0; i < c->runs.n; i++) {
+		double own = c->runs.item[i].v.rmse[VALIDATE_MODEL],
+		       line = c->runs.item[i].v.rmse[VALIDATE_INTERPOLATION];
 		if (isnan(line))
 			continue;
 		n++;
@@ -253,7 +241,7 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	FREED char *about = xstrdup("");
 	(void)args;
 	collect_fits(&c, s);
-	bool any = c.n > 0 && c.n_run > 0;
+	bool any = c.n > 0 && c.runs.n > 0;
 	struct answer *r = answer_new("show");
 	answer_fill_for_programs(r);
 	answer_columns(r, "claim, borne_out, figures");
@@ -278,7 +266,7 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 		    "show that its calibration works, not that rock breaks "
 		    "this way");
 	free(c.fit);
-	free(c.v);
+	trials_clear(&c.runs);
 	stored_list_free(&c.paper);
 	if (any)
 		return session_show_answer(s, r);

@@ -23,6 +23,7 @@
 #include "cmd/draw/plots_past.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
+#include "cmd/fit/trials.h"
 #include "cmd/session/sites.h"
 #include "core/numeric/elementary.h"
 #include "core/model/breakage.h"
@@ -675,51 +676,9 @@ residuals_chart(
 	return chart;
 }
 
-/* Sizes measured and predicted, mm: P20, P50, P80 of each run held out, and
- * whose it is.  about: where the sites' data are from, each once. */
-struct pairs {
-	size_t n, n_site;
-	char *about;
-	const struct entry **entry;
-	struct validation *v;
-	double (*measured)[3], (*predicted)[3];
-};
-
 static void
-add_pairs(struct session *s, const struct entry *entry, struct pairs *pairs)
-{
-	size_t before = pairs->n;
-	for (size_t run = 0; run < entry->site->n_run; run++) {
-		if (entry->train[run] ||
-		    misfit_covered(&entry->site->run[run]) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, run,
-		    entry->train, &entry->params, s->set.model, NULL);
-		size_t n = pairs->n++;
-		pairs->entry =
-		    xrealloc(pairs->entry, n + 1, sizeof(*pairs->entry));
-		pairs->entry[n] = entry;
-		pairs->v = xrealloc(pairs->v, n + 1, sizeof *pairs->v);
-		pairs->v[n] = v;
-		pairs->measured =
-		    xrealloc(pairs->measured, n + 1, sizeof *pairs->measured);
-		pairs->predicted =
-		    xrealloc(pairs->predicted, n + 1, sizeof *pairs->predicted);
-		for (size_t i = 0; i < 3; i++) {
-			pairs->measured[n][i] = 1000 * v.measured[i];
-			pairs->predicted[n][i] =
-			    1000 * v.size[VALIDATE_MODEL][i];
-		}
-	}
-	if (pairs->n == before)
-		return;
-	pairs->n_site++;
-	site_add_source(&pairs->about, entry->site);
-}
-
-static void
-put_pairs(
-    struct chart *chart, const struct pairs *pairs, double low, double high)
+put_pairs(struct chart *chart, const struct session *s,
+    const struct trials *pairs, double low, double high)
 {
 	static const char *const NAMES[] = {"P20", "P50", "P80"};
 	struct chart_series *equal = chart_add(chart,
@@ -735,26 +694,26 @@ put_pairs(
 		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
 		chart_add_point_sites(p);
 		for (size_t j = 0; j < pairs->n; j++) {
-			const struct entry *of = pairs->entry[j];
+			const struct trial *of = &pairs->item[j];
+			const struct site *site = s->entry[of->entry].site;
 			p->whose[j] = (struct chart_whose){
-			    xstrdup(of->key), site_source(of->site, ""), NULL};
-			p->x[j] = pairs->measured[j][i];
-			p->y[j] = isnan(p->x[j]) ? NAN : pairs->predicted[j][i];
+			    xstrdup(of->key), site_source(site, ""), NULL};
+			p->x[j] = 1000 * of->v.measured[i];
+			p->y[j] = isnan(p->x[j])
+				      ? NAN
+				      : 1000 * of->v.size[VALIDATE_MODEL][i];
 		}
 	}
 }
 
 /* "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all has it. */
 static void
-note_scores(struct chart *chart, const struct pairs *pairs)
+note_scores(struct chart *chart, const struct trials *pairs)
 {
-	FREED const struct validation **v = xcalloc(pairs->n, sizeof(*v));
-	for (size_t j = 0; j < pairs->n; j++)
-		v[j] = &pairs->v[j];
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		char r2[16] = "-";
 		struct validate_score score =
-		    validate_score(v, pairs->n, VALIDATE_MODEL, i);
+		    trials_score(pairs, VALIDATE_MODEL, i);
 		if (score.n == 0)
 			continue;
 		if (!isnan(score.r2))
@@ -773,27 +732,31 @@ parity_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
-	struct pairs pairs = {.about = xstrdup("")};
+	struct trials pairs = {.n = 0};
 	struct chart *chart = NULL;
 	double low = INFINITY, high = 0;
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			add_pairs(s, &s->entry[i], &pairs);
-	for (size_t j = 0; j < 3 * pairs.n; j++) {
-		double measured = pairs.measured[j / 3][j % 3];
-		double predicted = pairs.predicted[j / 3][j % 3];
+			trials_add_entry(&pairs, s, i, NULL);
+	for (size_t j = 0; j < PSD_SIZES * pairs.n; j++) {
+		const struct validation *v = &pairs.item[j / PSD_SIZES].v;
+		double measured = 1000 * v->measured[j % PSD_SIZES];
+		double predicted =
+		    1000 * v->size[VALIDATE_MODEL][j % PSD_SIZES];
 		low = fmin(low, fmin(measured, predicted));
 		high = fmax(high, fmax(measured, predicted));
 	}
 	if (high > 0) {
 		struct axis x = axis_log(tr("measured, mm"), low, high);
 		struct axis y = axis_log(tr("predicted, mm"), low, high);
-		FREED char *title = xasprintf(
-		    tr_n("sizes at held-out speeds, %zu site",
-			"sizes at held-out speeds, %zu sites", pairs.n_site),
-		    pairs.n_site);
-		chart = chart_new(title, pairs.about, x, y);
-		put_pairs(chart, &pairs, x.low, x.high);
+		size_t sites;
+		FREED char *about = trials_sources(&pairs, &sites);
+		FREED char *title =
+		    xasprintf(tr_n("sizes at held-out speeds, %zu site",
+				  "sizes at held-out speeds, %zu sites", sites),
+			sites);
+		chart = chart_new(title, about, x, y);
+		put_pairs(chart, s, &pairs, x.low, x.high);
 		note_scores(chart, &pairs);
 	} else {
 		error_set(error, ERROR_USAGE,
@@ -802,11 +765,7 @@ parity_chart(
 		    "load sites with three speeds, then run 'calibrate', or "
 		    "'calibrate all' for all of them");
 	}
-	free(pairs.about);
-	free(pairs.entry);
-	free(pairs.v);
-	free(pairs.measured);
-	free(pairs.predicted);
+	trials_clear(&pairs);
 	return chart;
 }
 

@@ -56,19 +56,19 @@ static struct answer *
 join_validated(const struct parts *parts, const struct part_site *const *site,
     size_t n, struct error *error)
 {
-	struct scores scores = {.each = parts->part[0].each > 0};
+	struct trials c = {.each = parts->part[0].each > 0};
 	struct answer *r = NULL;
 	for (size_t k = 0; k < parts->n; k++)
-		scores.left_out += parts->part[k].left_out;
+		c.left_out += parts->part[k].left_out;
 	for (size_t i = 0; i < n; i++)
-		scores_add_part_site(&scores, site[i]);
+		scores_add_part_site(&c, site[i]);
 	if (n > 0)
-		r = scores_answer(&scores);
+		r = scores_answer(&c);
 	else
 		error_set(error, ERROR_DATA,
 		    "no part has a run that was held out\n"
 		    "load sites with three speeds");
-	scores_clear(&scores);
+	trials_clear(&c);
 	return r;
 }
 

@@ -1,13 +1,18 @@
-/* RMSE, bias and R2 of each size over all runs (validate_score), how often each
- * way is the best, and the numbers of runs that parts hand on.
+/* The runs of one site, one by one; of many sites together RMSE, bias and R2 of
+ * each size (validate_score) and how often each way is the best; and the
+ * numbers of runs that parts hand on.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/scores.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/fit/job.h"
+#include "io/sitefile/units.h"
 
 const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_MODEL] = {"model", N_("model"), N_("the model")},
@@ -32,26 +37,352 @@ scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 	}
 }
 
-void
-scores_add(struct scores *scores, const struct scored *item)
+/* Root mean square over the runs of what each way errs. */
+static void
+run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 {
-	scores->item =
-	    xrealloc(scores->item, scores->n + 1, sizeof *scores->item);
-	struct scored *own = &scores->item[scores->n++];
-	*own = *item;
-	own->key = xstrdup(item->key);
-	own->source = xstrdup(item->source);
+	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
+		double sum = 0;
+		for (size_t i = 0; i < c->n; i++)
+			sum += pow(c->item[i].v.rmse[way], 2);
+		rmse[way] = sqrt(sum / (double)c->n);
+	}
 }
 
-void
-scores_clear(struct scores *scores)
+/* What a way predicts at the sieves compared, [v.n_sieve]. */
+static const double *
+passing_of_way(const struct trial *item, enum validate_way way)
 {
-	for (size_t i = 0; i < scores->n; i++) {
-		free(scores->item[i].key);
-		free(scores->item[i].source);
+	return item->passing + way * item->v.n_sieve;
+}
+
+/* "null", "winner". */
+static void
+put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
+{
+	scores_put_null(o, rmse);
+	fields_put(o, "winner %s", SCORES_WAYS[validate_winner(rmse)].key);
+}
+
+static void
+put_sizes(struct fields *o, const struct validation *v)
+{
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		struct fields *size = fields_object(o, SCORES_SIZES[i]);
+		fields_put(size,
+		    "measured_mm %g predicted_mm %g corrected_mm %g",
+		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
+		    1000 * v->size[VALIDATE_CORRECTED][i]);
+		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
+			FREED char *key =
+			    xasprintf("%s_mm", SCORES_WAYS[way].key);
+			fields_number(size, key, 1000 * v->size[way][i]);
+		}
 	}
-	free(scores->item);
-	*scores = (struct scores){0};
+}
+
+static void
+put_sieves(struct fields *o, const struct trial *item)
+{
+	const struct psd *product = &item->run->product;
+	size_t n = item->v.n_sieve;
+	fields_numbers(o, "sieve_mm", product->size, n, units_mm);
+	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
+	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
+		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
+		fields_numbers(o, key, passing_of_way(item, way), n, units_pct);
+	}
+}
+
+static void
+put_run(struct fields *o, const struct trial *item)
+{
+	const struct validation *v = &item->v;
+	fields_number(o, "speed", v->speed);
+	if (item->run->repeat[0] != '\0')
+		fields_put(o, "run %s", item->name);
+	fields_number(o, "rmse_pct", 100 * v->rmse[VALIDATE_MODEL]);
+	fields_number(
+	    o, "corrected_rmse_pct", 100 * v->rmse[VALIDATE_CORRECTED]);
+	if (item->has_band)
+		fields_number(o, "within", (double)item->within);
+	put_sizes(o, v);
+	put_null(o, v->rmse);
+	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
+	    validation_loses_to_interpolation(v), v->nearest);
+	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
+	put_sieves(o, item);
+}
+
+static void
+put_all(struct fields *o, const struct trials *c)
+{
+	struct fields *list = fields_list(o, "holdout");
+	double rmse[VALIDATE_WAYS];
+	for (size_t i = 0; i < c->n; i++)
+		put_run(fields_object(list, NULL), &c->item[i]);
+	if (c->each)
+		fields_put(o, "holdout_each %d", true);
+	if (c->n == 0)
+		return;
+	run_rmse(c, rmse);
+	o = fields_object(o, "overall");
+	fields_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
+	fields_number(o, "corrected_rmse_pct", 100 * rmse[VALIDATE_CORRECTED]);
+	put_null(o, rmse);
+}
+
+/* The run, for programs behind its speed. */
+static void
+scores_begin_row(struct answer *r, const struct trial *item, bool exact)
+{
+	if (exact)
+		answer_cells(r, "%g", item->v.speed);
+	answer_text(r, "%s", item->name);
+}
+
+static void
+scores_add_sieves(struct answer *r, const struct trial *item, bool exact)
+{
+	const struct psd *product = &item->run->product;
+	answer_set_missing(r, "-");
+	for (size_t i = 0; i < item->v.n_sieve; i++) {
+		scores_begin_row(r, item, exact);
+		if (exact)
+			answer_cells(r, "%g", units_mm(product->size[i]));
+		else
+			answer_text(r, "%g mm, %%", units_mm(product->size[i]));
+		answer_cells(r, "%.1f", units_pct(product->passing[i]));
+		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
+			answer_cells(
+			    r, "%.1f", units_pct(passing_of_way(item, way)[i]));
+	}
+}
+
+static void
+add_rmse(struct answer *r, const char *run, const double *rmse)
+{
+	answer_text(r, "%s", run);
+	answer_text(r, "RMSE points");
+	answer_set_missing(r, "-");
+	answer_cells(r, "%.2f", NAN);
+	for (size_t way = 0; way < VALIDATE_WAYS; way++)
+		answer_cells(r, "%.2f", 100 * rmse[way]);
+}
+
+static void
+add_sizes(struct answer *r, const struct trial *item, bool exact)
+{
+	const struct validation *v = &item->v;
+	answer_set_missing(r, "outside");
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		scores_begin_row(r, item, exact);
+		answer_text(
+		    r, exact ? "P%.0f" : N_("P%.0f mm"), 100 * PSD_PASSING[i]);
+		answer_cells(r, "%.3f", 1000 * v->measured[i]);
+		for (size_t way = 0; way < VALIDATE_WAYS; way++)
+			answer_cells(r, "%.3f", 1000 * v->size[way][i]);
+	}
+}
+
+/* A table of sieves or of sizes for programs; people have both, and RMSE, below
+ * each other. */
+static void
+add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
+{
+	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
+	answer_columns(r, !exact   ? N_("speed: m/s, of: ")
+			  : sieves ? N_("speed, run, sieve_mm")
+				   : N_("speed, run, size"));
+	answer_columns(r, "measured%s: measured", unit);
+	for (size_t way = 0; way < VALIDATE_WAYS; way++)
+		answer_columns(r, "%s%s: %s", SCORES_WAYS[way].key, unit,
+		    tr(SCORES_WAYS[way].head));
+	for (size_t i = 0; i < c->n; i++) {
+		const struct trial *item = &c->item[i];
+		if (sieves)
+			scores_add_sieves(r, item, exact);
+		if (!exact)
+			add_rmse(r, item->name, item->v.rmse);
+		if (!exact || !sieves)
+			add_sizes(r, item, exact);
+	}
+}
+
+/* A difference of RMSE, passing 0..1, that sampling could tell. */
+static const double CLEARLY = 0.001;
+
+/* RMSE of the other sieves than the worst, passing 0..1. */
+static double
+rmse_of_others(const struct validation *v)
+{
+	double n = (double)v->n_sieve;
+	double square = v->misfit - v->worst_difference * v->worst_difference;
+	return sqrt(fmax(square, 0) / (n - 1));
+}
+
+/* The worst sieve is far beyond the others and beyond sampling: rather a slip
+ * of the pen than a fault of the model, which errs on several sieves. */
+static bool
+is_worst_far_off(const struct validation *v)
+{
+	const double times = 4, least = 0.03;
+	double worst = fabs(v->worst_difference);
+	return v->n_sieve > 3 && worst > least &&
+	       worst > times * rmse_of_others(v);
+}
+
+/* Who predicts best.  worse: that is neither the model nor the corrected
+ * answer; clearly: and sampling could tell. */
+struct winner {
+	enum validate_way best;
+	bool worse, clearly;
+};
+
+static struct winner
+winner_of(const double rmse[static VALIDATE_WAYS])
+{
+	enum validate_way best = validate_winner(rmse);
+	double corrected = rmse[VALIDATE_CORRECTED];
+	double own =
+	    fmin(rmse[VALIDATE_MODEL], isnan(corrected) ? INFINITY : corrected);
+	bool worse = best >= VALIDATE_NULL;
+	return (struct winner){.best = best,
+	    .worse = worse,
+	    .clearly =
+		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
+}
+
+/* A run that something else clearly predicts better. */
+static void
+warn_worse(struct answer *r, const struct validation *v, const char *run)
+{
+	struct winner w = winner_of(v->rmse);
+	bool between =
+	    w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
+	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
+	if (!w.clearly)
+		return;
+	if (w.best == VALIDATE_NEAREST)
+		xappend(&who, ", %g m/s", v->nearest);
+	answer_say(r, ANSWER_WARNING,
+	    between ? N_("at %s model and corrected answer predict "
+			 "worse than %s: between the training speeds, "
+			 "prefer the interpolated products")
+		    : N_("at %s model and corrected answer predict "
+			 "worse than %s"),
+	    run, who);
+}
+
+/* One way for all runs, of which each is warned of by itself. */
+static void
+note_winner(struct answer *r, const struct trials *c)
+{
+	double rmse[VALIDATE_WAYS];
+	run_rmse(c, rmse);
+	struct winner w = winner_of(rmse);
+	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
+	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
+	if (one && w.best == VALIDATE_NEAREST)
+		xappend(&who, ", %g m/s", c->item[0].v.nearest);
+	if (!w.worse)
+		answer_note(r,
+		    one && some ? N_("  %s predicts best of those with an "
+				     "answer on all sieves")
+		    : one       ? N_("  %s predicts best")
+		    : some ? N_("in all: %s predicts best of those with an "
+				"answer on all sieves")
+			   : N_("in all: %s predicts best"),
+		    who);
+	else if (!w.clearly)
+		answer_say(r, ANSWER_REMARK,
+		    one ? N_("  the model predicts no better than %s at this "
+			     "speed; the difference is too small for sampling "
+			     "to show")
+			: N_("in all: the model predicts no better than %s; "
+			     "the difference is too small for sampling to "
+			     "show"),
+		    who);
+	else if (!one)
+		answer_say(r, ANSWER_REMARK,
+		    "in all: model and corrected answer predict worse than %s",
+		    who);
+}
+
+static void
+note_run(struct answer *r, const struct trials *c, size_t i)
+{
+	const struct trial *item = &c->item[i];
+	const struct validation *v = &item->v;
+	FREED char *run = xasprintf("%g m/s%s", v->speed, item->run->repeat);
+	answer_note(r,
+	    "at %s: largest error %+.2f points at %g mm (model alone - "
+	    "measured)",
+	    run, 100 * v->worst_difference, units_mm(v->worst_sieve));
+	warn_worse(r, v, run);
+	if (c->n == 1)
+		note_winner(r, c);
+	if (item->has_band)
+		answer_note(r,
+		    "  %zu of %zu measured passings lie in the %.0f %% band "
+		    "for a sample there",
+		    item->within, v->n_sieve, 100 * c->level);
+	else if (item->open)
+		answer_say(r, ANSWER_REMARK,
+		    "  no band: the fit is poor, and two speeds do not show "
+		    "how its error changes with the speed");
+	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
+		answer_say(r, ANSWER_REMARK,
+		    isnan(v->line[1])
+			? N_("  no interpolation: there is one training speed")
+			: N_("  no interpolation: a training product lacks "
+			     "some of these sieves"));
+	else if (validation_extrapolates(v))
+		answer_say(r, ANSWER_REMARK,
+		    "  interpolation extrapolates here: the line through %g "
+		    "and %g m/s",
+		    v->line[0], v->line[1]);
+	if (is_worst_far_off(v))
+		answer_say(r, ANSWER_REMARK,
+		    "  %g mm stands out (RMSE of the other sieves: %.2f "
+		    "points): check that cell",
+		    units_mm(v->worst_sieve), 100 * rmse_of_others(v));
+	if (v->n_left_out > 0)
+		answer_say(r, ANSWER_REMARK,
+		    "  %zu finer sieves are not compared: the feed was not "
+		    "sieved so fine",
+		    v->n_left_out);
+}
+
+struct answer *
+scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
+{
+	double rmse[VALIDATE_WAYS];
+	struct answer *r = answers_new(site, "validate", "%s",
+	    c->each ? tr("each speed held out, the others calibrated on")
+		    : tr("held-out speeds, measured and predicted"));
+	add_table(r, c, sieves, false);
+	if (c->n > 1) {
+		run_rmse(c, rmse);
+		add_rmse(r, "all", rmse);
+	}
+	answer_fill_for_programs(r);
+	add_table(r, c, sieves, true);
+	for (size_t i = 0; i < c->n; i++)
+		note_run(r, c, i);
+	if (c->n > 1)
+		note_winner(r, c);
+	if (c->n == 0)
+		answer_say(r, ANSWER_REMARK,
+		    job_speeds(site) < JOB_FOR_EACH
+			? N_("no run was held out; measure another speed to "
+			     "test "
+			     "the model")
+			: N_("no run was held out: 'validate holdout=each' "
+			     "holds "
+			     "out each speed in turn"));
+	put_all(answer_fields(r), c);
+	return r;
 }
 
 /* Bias, rms and R2 of a size. */
@@ -64,18 +395,14 @@ put_score(struct fields *o, size_t i, struct validate_score score)
 }
 
 static void
-add_scores(struct answer *r, const struct scores *c)
+add_scores(struct answer *r, const struct trials *c)
 {
 	struct fields *o = answer_fields(r), *null = NULL;
-	FREED const struct validation **v = xcalloc(c->n + 1, sizeof(*v));
-	for (size_t k = 0; k < c->n; k++)
-		v[k] = &c->item[k].v;
 	answer_columns(r, "size, by: predicted by, n: runs, bias_pct: bias %%, "
 			  "rms_pct: rms %%, r2: R2");
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-			struct validate_score score =
-			    validate_score(v, c->n, way, i);
+			struct validate_score score = trials_score(c, way, i);
 			answer_text(r, "P%.0f", 100 * PSD_PASSING[i]);
 			answer_name(
 			    r, SCORES_WAYS[way].key, tr(SCORES_WAYS[way].key));
@@ -86,20 +413,19 @@ add_scores(struct answer *r, const struct scores *c)
 		}
 	struct fields *corrected = fields_object(o, "corrected");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		put_score(corrected, i,
-		    validate_score(v, c->n, VALIDATE_CORRECTED, i));
+		put_score(corrected, i, trials_score(c, VALIDATE_CORRECTED, i));
 	null = fields_object(o, "null");
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
 	     way++) {
 		struct fields *own = fields_object(null, SCORES_WAYS[way].key);
 		for (size_t i = 0; i < PSD_SIZES; i++)
-			put_score(own, i, validate_score(v, c->n, way, i));
+			put_score(own, i, trials_score(c, way, i));
 	}
 }
 
 /* At how many runs each way is the best. */
 static void
-add_wins(struct answer *r, const struct scores *c)
+add_wins(struct answer *r, const struct trials *c)
 {
 	size_t wins[VALIDATE_WAYS] = {0};
 	struct fields *o = fields_object(answer_fields(r), "wins");
@@ -116,18 +442,11 @@ add_wins(struct answer *r, const struct scores *c)
 }
 
 struct answer *
-scores_answer(const struct scores *c)
+scores_answer(const struct trials *c)
 {
 	struct answer *r = answer_new("validate");
-	FREED char *about = xstrdup("");
-	size_t sites = 0;
-	for (size_t k = 0; k < c->n; k++) {
-		if (k > 0 && c->item[k].index == c->item[k - 1].index)
-			continue;
-		sites++;
-		if (strstr(about, c->item[k].source) == NULL)
-			xlist(&about, "; ", "%s", c->item[k].source);
-	}
+	size_t sites;
+	FREED char *about = trials_sources(c, &sites);
 	answer_title(r,
 	    c->each
 		? tr_n("sizes at each speed held out in turn, %zu site",
@@ -174,31 +493,31 @@ scores_map_numbers(struct validation *v, double *number[static PART_NUMBERS])
 }
 
 void
-scores_put(struct fields *o, const struct scores *scores)
+scores_put(struct fields *o, const struct trials *c)
 {
 	struct fields *list = fields_list(o, "rows");
-	for (size_t k = 0; k < scores->n; k++) {
-		struct validation v = scores->item[k].v;
+	for (size_t k = 0; k < c->n; k++) {
+		struct validation v = c->item[k].v;
 		double *at[PART_NUMBERS], number[PART_NUMBERS];
 		struct fields *row = fields_object(list, NULL);
 		scores_map_numbers(&v, at);
 		for (size_t i = 0; i < PART_NUMBERS; i++)
 			number[i] = *at[i];
-		fields_put(row, "site %s source %s", scores->item[k].key,
-		    scores->item[k].source);
+		fields_put(row, "site %s source %s", c->item[k].key,
+		    c->item[k].source);
 		fields_numbers(row, "numbers", number, PART_NUMBERS, NULL);
 	}
 }
 
 void
-scores_add_part_site(struct scores *scores, const struct part_site *site)
+scores_add_part_site(struct trials *c, const struct part_site *site)
 {
-	struct scored item = {.index = site->index,
-	    .key = site->text[0],
-	    .source = site->text[1]};
+	struct trial trial = {.entry = site->index,
+	    .key = xstrdup(site->text[0]),
+	    .source = xstrdup(site->text[1])};
 	double *at[PART_NUMBERS];
-	scores_map_numbers(&item.v, at);
+	scores_map_numbers(&trial.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
 		*at[i] = site->number[i];
-	scores_add(scores, &item);
+	trials_add_trial(c, trial);
 }

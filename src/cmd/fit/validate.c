@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/fit/comparison.h"
+#include "cmd/fit/trials.h"
 #include "cmd/ask/fit.h"
 #include "cmd/session/turn.h"
 #include "cmd/fit/job.h"
@@ -18,26 +18,42 @@
 #include "cmd/fit/scores.h"
 #include "cmd/lang/table.h"
 
-/* Compares the held-out runs of an entry. */
+/* The state of one `validate`.  at, end, speed: for holdout=each, the site
+ * under way, the site to stop before, and the speed left out last. */
+struct validating {
+	bool all, sieves;
+	struct part part;
+	char *options; /* that all parts must have */
+	struct trials runs;
+	size_t at, end;
+	double speed;
+};
+
+static void
+validate_drop(void *of)
+{
+	struct validating *c = of;
+	trials_clear(&c->runs);
+	free(c->options);
+	free(c);
+}
+
+/* Compares the held-out runs of an entry, or counts that it has none. */
 static void
 compare_entry(const struct session *s, size_t index,
-    const struct posterior *posterior, struct comparison *c)
+    const struct posterior *posterior, struct trials *c)
 {
 	size_t before = c->n;
-	const struct entry *entry = &s->entry[index];
-	const struct fit *fit = origin_fit(entry);
-	comparison_add(c, &(struct predicted_by){index, entry->site,
-			      entry->train, entry->params, s->set.model,
-			      posterior, fit != NULL ? fit->rmse : 0});
+	trials_add_entry(c, s, index, posterior);
 	c->left_out += c->n == before;
 }
 
 /* A line for each run of a site of many as it ends. */
 static void
-tell_compared(const struct session *s, const struct comparison *found)
+tell_compared(const struct session *s, const struct trials *found)
 {
 	for (size_t i = 0; i < found->n; i++) {
-		const struct compared *item = &found->item[i];
+		const struct trial *item = &found->item[i];
 		const double *rmse = item->v.rmse;
 		bool drawn = !isnan(rmse[VALIDATE_CORRECTED]);
 		session_note(s,
@@ -45,36 +61,27 @@ tell_compared(const struct session *s, const struct comparison *found)
 			       "corrected %.2f")
 			  : N_("  %s at %s m/s: RMSE %.2f points (%.2f "
 			       "interpolated)"),
-		    s->entry[item->entry].key, item->name,
-		    100 * rmse[VALIDATE_MODEL],
+		    item->key, item->name, 100 * rmse[VALIDATE_MODEL],
 		    100 * rmse[drawn ? VALIDATE_CORRECTED
 				     : VALIDATE_INTERPOLATION]);
 	}
 }
 
 static void
-give_all(struct session *s, const struct comparison *c)
+give_all(struct session *s, const struct validating *c)
 {
-	struct scores scores = {.each = c->each, .left_out = c->left_out};
-	FREED size_t *index = xcalloc(c->n + 1, sizeof *index);
-	for (size_t i = 0; i < c->n; i++) {
-		const struct compared *item = &c->item[i];
-		FREED char *source =
-		    site_source(item->site, "provenance not stated");
-		index[i] = item->entry;
-		scores_add(
-		    &scores, &(struct scored){item->entry,
-				 s->entry[item->entry].key, source, item->v});
-	}
-	struct answer *r = scores_answer(&scores);
+	const struct trials *runs = &c->runs;
+	struct answer *r = scores_answer(runs);
 	if (c->part.of > 0) {
-		part_put_digest(r, s, &c->part, index, c->n, c->options);
+		FREED size_t *index = xcalloc(runs->n + 1, sizeof *index);
+		for (size_t i = 0; i < runs->n; i++)
+			index[i] = runs->item[i].entry;
+		part_put_digest(r, s, &c->part, index, runs->n, c->options);
 		fields_put(answer_fields(r), "left_out %zu each %zu",
-		    c->left_out, (size_t)c->each);
-		scores_put(answer_fields(r), &scores);
+		    runs->left_out, (size_t)runs->each);
+		scores_put(answer_fields(r), runs);
 	}
 	session_show_answer(s, r);
-	scores_clear(&scores);
 }
 
 /* Sites that `validate all` cannot compare though they are calibrated. */
@@ -104,7 +111,8 @@ fail_late(struct session *s, struct failed *failed, size_t n)
 struct beside {
 	const struct session *s;
 	size_t entry;
-	struct comparison *found; /* NULL: not compared, as somebody waits */
+	bool done; /* false: somebody waits */
+	struct trials found;
 };
 
 static void
@@ -116,16 +124,15 @@ compare_beside(void *data, size_t piece, unsigned thread)
 	if (s->hooks.stop != NULL && s->hooks.stop())
 		return;
 	struct posterior *p = outlook_begin_draws(s, &s->entry[b->entry]);
-	b->found = xcalloc(1, sizeof *b->found);
-	b->found->all = true;
-	compare_entry(s, b->entry, p, b->found);
+	compare_entry(s, b->entry, p, &b->found);
+	b->done = true;
 	posterior_free(p);
 }
 
 /* Compares sites [n], some at a time.  False where somebody stopped it. */
 static bool
 compare_sites(
-    struct session *s, struct comparison *c, const size_t *index, size_t n)
+    struct session *s, struct trials *c, const size_t *index, size_t n)
 {
 	enum { EACH_THREAD = 2 };
 	size_t most = EACH_THREAD * s->set.threads;
@@ -135,14 +142,13 @@ compare_sites(
 	for (size_t from = 0; all && from < n; from += most) {
 		size_t m = n - from < most ? n - from : most;
 		for (size_t i = 0; i < m; i++)
-			beside[i] = (struct beside){s, index[from + i], NULL};
+			beside[i] =
+			    (struct beside){.s = s, .entry = index[from + i]};
 		pool_run(pool, m, compare_beside, beside);
 		for (size_t i = 0; i < m; i++) {
-			all = all && beside[i].found != NULL;
-			if (beside[i].found == NULL)
-				continue;
-			tell_compared(s, beside[i].found);
-			comparison_append(c, beside[i].found);
+			all = all && beside[i].done;
+			tell_compared(s, &beside[i].found);
+			trials_append(c, &beside[i].found);
 		}
 	}
 	pool_free(pool);
@@ -151,7 +157,7 @@ compare_sites(
 
 /* The calibrated sites of the part, index [n_entry]. */
 static size_t
-find_calibrated(const struct session *s, struct comparison *c, size_t *index,
+find_calibrated(const struct session *s, struct validating *c, size_t *index,
     struct failed *failed)
 {
 	size_t n = 0;
@@ -160,7 +166,7 @@ find_calibrated(const struct session *s, struct comparison *c, size_t *index,
 		if (!part_has_site(&c->part, i))
 			continue;
 		if (!s->entry[i].has_fit) {
-			c->left_out++;
+			c->runs.left_out++;
 		} else if (answers_check_params(s, &s->entry[i], &error)) {
 			index[n++] = i;
 		} else {
@@ -214,18 +220,18 @@ fits_words(const struct session *s, const size_t *index, size_t n)
 }
 
 static bool
-validate_all(struct session *s, struct comparison *c, struct error *error)
+validate_all(struct session *s, struct validating *c, struct error *error)
 {
 	struct failed failed = {.keys = xstrdup("")};
 	FREED size_t *index = xcalloc(s->n_entry + 1, sizeof *index);
 	size_t n = find_calibrated(s, c, index, &failed);
 	FREED char *fits = fits_words(s, index, n);
 	struct calibrate_options o = job_options(s);
-	bool whole = compare_sites(s, c, index, n);
+	bool whole = compare_sites(s, &c->runs, index, n);
 	c->options = part_options(s, &o, fits);
 	if (!whole)
 		session_note(s, "stopped before all sites were compared");
-	else if (c->n > 0 || may_be_empty(s, &c->part))
+	else if (c->runs.n > 0 || may_be_empty(s, &c->part))
 		give_all(s, c);
 	else if (failed.n > 0)
 		*error = failed.first;
@@ -245,14 +251,14 @@ validate_all(struct session *s, struct comparison *c, struct error *error)
 }
 
 static bool
-validate_one(struct session *s, struct comparison *c, struct error *error)
+validate_one(struct session *s, struct validating *c, struct error *error)
 {
 	if (!answers_check_current(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	compare_entry(
-	    s, s->current, outlook_posterior(s, entry, CORRECTION_TRAIN), c);
-	struct answer *r = comparison_answer(c, entry->site);
+	compare_entry(s, s->current,
+	    outlook_posterior(s, entry, CORRECTION_TRAIN), &c->runs);
+	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
 	if (entry->has_fit)
 		fields_put(answer_fields(r), "verdict %s",
 		    light_verdict(s, entry, NULL));
@@ -264,13 +270,13 @@ validate_one(struct session *s, struct comparison *c, struct error *error)
 static bool
 validate_next_speed(struct session *s)
 {
-	struct comparison *c = s->job.of;
+	struct validating *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
 		if (!part_has_site(&c->part, c->at))
 			continue;
 		if (job_speeds(site) < JOB_FOR_EACH) {
-			c->left_out++;
+			c->runs.left_out++;
 			continue;
 		}
 		free(s->job.train);
@@ -286,7 +292,7 @@ validate_next_speed(struct session *s)
 static void *
 validate_follow_speed(const struct session *s, const struct round *round)
 {
-	const struct comparison *c = s->job.of;
+	const struct validating *c = s->job.of;
 	const struct site *site = s->entry[round->entry].site;
 	struct fit fit = calibration_fit(round->calibration);
 	bool few = fit.cells <= fit.parameters;
@@ -302,12 +308,13 @@ validate_follow_speed(const struct session *s, const struct round *round)
 	    few ? NULL : posterior_new(site, &fit.params, &o);
 	if (posterior == NULL && !few)
 		return NULL;
-	struct comparison *found = xcalloc(1, sizeof *found);
-	found->all = c->all;
-	found->level = c->level;
-	comparison_add(
-	    found, &(struct predicted_by){round->entry, site, round->train,
-		       fit.params, fit.settings, posterior, fit.rmse});
+	struct validating *found = xcalloc(1, sizeof *found);
+	found->runs.one = c->runs.one;
+	found->runs.level = c->runs.level;
+	trials_add(
+	    &found->runs, &(struct predicted_by){round->entry,
+			      s->entry[round->entry].key, site, round->train,
+			      fit.params, fit.settings, posterior, fit.rmse});
 	posterior_free(posterior);
 	return found;
 }
@@ -315,16 +322,17 @@ validate_follow_speed(const struct session *s, const struct round *round)
 static void
 validate_take_speed(struct session *s)
 {
-	struct comparison *c = s->job.of, *found = s->job.found;
+	struct validating *c = s->job.of, *found = s->job.found;
 	if (c->all)
-		tell_compared(s, found);
-	comparison_append(c, found);
+		tell_compared(s, &found->runs);
+	trials_append(&c->runs, &found->runs);
+	validate_drop(found);
 }
 
 static char *
 at_speed(const struct session *s)
 {
-	const struct comparison *c = s->job.of;
+	const struct validating *c = s->job.of;
 	return xasprintf(tr("validate: %s without %g m/s"),
 	    s->entry[s->job.entry].key, c->speed);
 }
@@ -332,17 +340,18 @@ at_speed(const struct session *s)
 static void
 end_speeds(struct session *s, void *of)
 {
-	struct comparison *c = of;
+	struct validating *c = of;
 	if (c->all)
 		give_all(s, c);
 	else
 		session_show_answer(
-		    s, comparison_answer(c, s->entry[c->end - 1].site));
-	comparison_drop(c);
+		    s, scores_site_answer(
+			   &c->runs, s->entry[c->end - 1].site, c->sieves));
+	validate_drop(c);
 }
 
 static const struct rounds EACH = {validate_next_speed, NULL,
-    validate_take_speed, end_speeds, comparison_drop, false, at_speed,
+    validate_take_speed, end_speeds, validate_drop, false, at_speed,
     N_("stopped before all speeds were predicted"), validate_follow_speed};
 
 /* Sites of the part without enough speeds, where there are no others in it
@@ -363,7 +372,7 @@ holds_none(const struct session *s, const struct part *part, size_t *left_out)
 
 /* Calibrates without each speed in turn; c is the job's. */
 static bool
-validate_each(struct session *s, struct comparison *c, struct error *error)
+validate_each(struct session *s, struct validating *c, struct error *error)
 {
 	c->at = c->all ? 0 : s->current;
 	c->end = c->all ? s->n_entry : s->current + 1;
@@ -375,7 +384,7 @@ validate_each(struct session *s, struct comparison *c, struct error *error)
 	c->options = part_options(s, &job.options, "each");
 	size_t left_out;
 	if (holds_none(s, &c->part, &left_out)) {
-		c->left_out = left_out;
+		c->runs.left_out = left_out;
 		end_speeds(s, c);
 		return true;
 	}
@@ -389,10 +398,11 @@ validate_each(struct session *s, struct comparison *c, struct error *error)
 bool
 cmd_validate(struct session *s, const struct args *args, struct error *error)
 {
-	struct comparison c = {.all = args->n_operand > 0,
-	    .each = args_value(args, "holdout")->choice == 1,
+	struct validating c = {.all = args->n_operand > 0,
 	    .sieves = args_value(args, "sieves")->choice == 1,
-	    .level = settings_level(&s->set)};
+	    .runs = {.one = args->n_operand == 0,
+		.each = args_value(args, "holdout")->choice == 1,
+		.level = settings_level(&s->set)}};
 	if (c.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "validate: expected options or all, got '%s'",
@@ -402,14 +412,14 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
 	if (!part_choose(args, c.all, &c.part, error) ||
-	    (c.each && !fit_settings_agree(
-			   &s->set.model, s->set.model.breakage, error)))
+	    (c.runs.each && !fit_settings_agree(
+				&s->set.model, s->set.model.breakage, error)))
 		return false;
-	struct comparison *own = xcalloc(1, sizeof *own);
+	struct validating *own = xcalloc(1, sizeof *own);
 	*own = c;
-	if (c.each)
+	if (c.runs.each)
 		return validate_each(s, own, error);
 	bool ok = (c.all ? validate_all : validate_one)(s, own, error);
-	comparison_drop(own);
+	validate_drop(own);
 	return ok;
 }

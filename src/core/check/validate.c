@@ -6,6 +6,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/xalloc.h"
 #include "core/search/misfit.h"
@@ -176,10 +177,26 @@ score_way(struct validation *v, const struct site *site, enum validate_way way,
 	v->worst_difference = passing[worst] - product->passing[worst];
 }
 
-struct validation
-validate_run(const struct site *site, size_t run, const bool *train,
+double *
+validate_passings(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     const double *corrected)
+{
+	size_t n = misfit_covered(&site->run[run]);
+	double *passing = xdoubles(VALIDATE_WAYS * n);
+	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
+		if (way == VALIDATE_CORRECTED && corrected != NULL)
+			memcpy(
+			    passing + way * n, corrected, n * sizeof *passing);
+		else
+			validate_passing(site, run, train, p, settings, way,
+			    passing + way * n);
+	return passing;
+}
+
+struct validation
+validate_predicted(const struct site *site, size_t run, const bool *train,
+    const double *passing)
 {
 	const struct run *at = &site->run[run];
 	size_t n = misfit_covered(at);
@@ -193,16 +210,19 @@ validate_run(const struct site *site, size_t run, const bool *train,
 	validate_find_line(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
-	double *passing = xdoubles(n);
-	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-		bool answer = way == VALIDATE_CORRECTED && corrected != NULL;
-		if (!answer)
-			validate_passing(
-			    site, run, train, p, settings, way, passing);
-		score_way(&v, site, way, answer ? corrected : passing);
-	}
-	free(passing);
+	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
+		score_way(&v, site, way, passing + way * n);
 	return v;
+}
+
+struct validation
+validate_run(const struct site *site, size_t run, const bool *train,
+    const struct params *p, struct model_settings settings,
+    const double *corrected)
+{
+	FREED double *passing =
+	    validate_passings(site, run, train, p, settings, corrected);
+	return validate_predicted(site, run, train, passing);
 }
 
 enum validate_way

@@ -56,6 +56,16 @@ void validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     enum validate_way way, double *out);
 
+/* Returns what each way predicts, as validate_passing, [VALIDATE_WAYS][n] over
+ * the n covered sieves; `corrected` as for validate_run.  The caller frees. */
+double *validate_passings(const struct site *site, size_t run,
+    const bool *train, const struct params *p, struct model_settings settings,
+    const double *corrected);
+
+/* As validate_run, of passings that validate_passings returned. */
+struct validation validate_predicted(const struct site *site, size_t run,
+    const bool *train, const double *passing);
+
 /* Returns the way with the smallest RMSE. */
 enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
 

@@ -13,8 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/fit/comparison.h"
-#include "core/search/misfit.h"
+#include "cmd/fit/trials.h"
 #include "tui/frame.h"
 #include "cli/signals.h"
 #include "tui/screen.h"
@@ -22,29 +21,17 @@
 
 /* ---- What is compared ---- */
 
-static void
-parity_compare(struct tui *t, const struct entry *entry)
+/* The held-out runs of a site. */
+static struct trials
+parity_compare(const struct session *s, size_t index)
 {
-	const struct session *s = t->session;
-	struct parity *y = &t->view.parity;
+	const struct entry *entry = &s->entry[index];
 	struct error error = {0};
-	if (!entry->has_params || !answers_check_params(s, entry, &error))
-		return;
-	const struct posterior *posterior =
-	    outlook_posterior(s, entry, CORRECTION_TRAIN);
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (entry->train[r] ||
-		    misfit_covered(&entry->site->run[r]) == 0)
-			continue;
-		size_t within;
-		double *corrected = comparison_corrected(&entry->site->run[r],
-		    posterior, settings_level(&s->set), &within);
-		y->point = xrealloc(y->point, y->n + 1, sizeof *y->point);
-		y->point[y->n++] = (struct parity_point){
-		    y->next, validate_run(entry->site, r, entry->train,
-				 &entry->params, s->set.model, corrected)};
-		free(corrected);
-	}
+	struct trials found = {.n = 0};
+	if (entry->has_params && answers_check_params(s, entry, &error))
+		trials_add_entry(&found, s, index,
+		    outlook_posterior(s, entry, CORRECTION_TRAIN));
+	return found;
 }
 
 /* The sizes of the chosen run, over all others by the same marks. */
@@ -52,9 +39,10 @@ static void
 choose_points_of_run(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
-	const struct validation *v = &y->point[t->ui.list[PAGE_PARITY].at].v;
+	const struct validation *v =
+	    &y->runs.item[t->ui.list[PAGE_PARITY].at].v;
 	struct chart_series **of = y->chart->series + y->chart->n - PSD_SIZES;
-	for (size_t i = 0; i < PSD_SIZES && y->n > 1; i++) {
+	for (size_t i = 0; i < PSD_SIZES && y->runs.n > 1; i++) {
 		of[i]->x[0] = 1000 * v->measured[i];
 		of[i]->y[0] = isnan(v->measured[i])
 				  ? NAN
@@ -79,19 +67,15 @@ parity_finish(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
 	struct plot_request request = plots_request(PLOT_PARITY);
-	const struct validation **v = xcalloc(y->n + 1, sizeof(*v));
-	for (size_t k = 0; k < y->n; k++)
-		v[k] = &y->point[k].v;
 	for (enum validate_way way = 0; way < VALIDATE_NULL; way++)
 		for (size_t i = 0; i < PSD_SIZES; i++)
-			y->score[way][i] = validate_score(v, y->n, way, i);
-	free(v);
-	t->ui.list[PAGE_PARITY].at =
-	    t->ui.list[PAGE_PARITY].at < y->n ? t->ui.list[PAGE_PARITY].at : 0;
+			y->score[way][i] = trials_score(&y->runs, way, i);
+	if (t->ui.list[PAGE_PARITY].at >= y->runs.n)
+		t->ui.list[PAGE_PARITY].at = 0;
 	y->chart = plots_chart(t->session, &request, &y->error);
-	if (y->chart == NULL || y->n == 0)
+	if (y->chart == NULL || y->runs.n == 0)
 		return;
-	if (y->n > 1)
+	if (y->runs.n > 1)
 		add_chosen(y->chart);
 	choose_points_of_run(t);
 }
@@ -108,12 +92,12 @@ parity_update(struct tui *t)
 	while (y->next < s->n_entry) {
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
-		size_t before = y->n;
-		parity_compare(t, &s->entry[y->next]);
+		struct trials found = parity_compare(s, y->next);
 		if (!t->aside && signals_waited_for()) {
-			y->n = before;
+			trials_clear(&found);
 			return;
 		}
+		trials_append(&y->runs, &found);
 		y->next++;
 	}
 	parity_finish(t);
@@ -219,13 +203,11 @@ parity_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	static const size_t SIZE[COLUMNS] = {
 	    [OFF_P50] = 1, [OFF_P20] = 0, [OFF_P80] = 2};
-	const struct parity_point *p = &t->view.parity.point[i];
-	const struct entry *e = &t->session->entry[p->entry];
-	const struct run *run = &e->site->run[p->v.run];
+	const struct trial *p = &t->view.parity.runs.item[i];
 	if (column == SITE)
-		snprintf(text, n, "%s", e->key);
+		snprintf(text, n, "%s", p->key);
 	else if (column == SPEED)
-		snprintf(text, n, "%g%s", run->speed, run->repeat);
+		snprintf(text, n, "%s", p->name);
 	else if (column == MEASURED)
 		snprintf(text, n, "%.2f", 1000 * p->v.measured[1]);
 	else if (column == MODEL)
@@ -240,7 +222,7 @@ static const struct list_table TABLE = {
 static size_t
 parity_count(const struct tui *t)
 {
-	return t->view.parity.chart != NULL ? t->view.parity.n : 0;
+	return t->view.parity.chart != NULL ? t->view.parity.runs.n : 0;
 }
 
 static const struct page_list POINTS = {.n = parity_count,
@@ -253,13 +235,12 @@ static void
 draw_panel(struct tui *t, const struct area *area)
 {
 	const struct parity *y = &t->view.parity;
-	size_t sites = 0;
-	for (size_t k = 0; k < y->n; k++)
-		sites += k == 0 || y->point[k].entry != y->point[k - 1].entry;
+	size_t sites;
+	free(trials_sources(&y->runs, &sites));
 	screen_text(area, 0, 0, LOOK_BOLD,
 	    tr_n("held-out runs: %zu of %zu site",
 		"held-out runs: %zu of %zu sites", sites),
-	    y->n, sites);
+	    y->runs.n, sites);
 	screen_text(area, 1, 0, LOOK_DIM, "%-5s%6s %8s %7s %8s", "", tr("runs"),
 	    tr("bias %"), tr("rms %"), "R2");
 	int row = draw_scores(area, 2, tr("model"), y->score[VALIDATE_MODEL]);
@@ -271,7 +252,7 @@ draw_panel(struct tui *t, const struct area *area)
 	points.row += row;
 	points.rows -= row;
 	int wanted[LIST_COLUMNS];
-	table_measure(t, &TABLE, y->n, wanted);
+	table_measure(t, &TABLE, y->runs.n, wanted);
 	table_draw(t, &points, &TABLE, wanted);
 }
 
@@ -323,7 +304,7 @@ parity_draw(struct tui *t)
 {
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
 	struct area plot = pane_list_area(t), side = plot;
-	if (t->view.parity.chart == NULL || t->view.parity.n == 0) {
+	if (t->view.parity.chart == NULL || t->view.parity.runs.n == 0) {
 		parity_draw_none(t, &plot);
 		return;
 	}

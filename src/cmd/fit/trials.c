@@ -1,0 +1,147 @@
+/* Compares each run that was not trained on with all ways to predict it
+ * (validate_passings).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/fit/trials.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+#include "core/posterior/ensemble.h"
+#include "core/search/misfit.h"
+#include "core/check/trust.h"
+
+void
+trials_clear(struct trials *c)
+{
+	for (size_t i = 0; i < c->n; i++) {
+		free(c->item[i].key);
+		free(c->item[i].source);
+		free(c->item[i].name);
+		free(c->item[i].passing);
+	}
+	free(c->item);
+	*c = (struct trials){.n = 0};
+}
+
+void
+trials_add_trial(struct trials *c, struct trial trial)
+{
+	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
+	c->item[c->n++] = trial;
+}
+
+void
+trials_append(struct trials *c, struct trials *from)
+{
+	c->left_out += from->left_out;
+	for (size_t i = 0; i < from->n; i++)
+		trials_add_trial(c, from->item[i]);
+	from->n = 0;
+	trials_clear(from);
+}
+
+char *
+trials_sources(const struct trials *c, size_t *sites)
+{
+	char *list = xstrdup("");
+	*sites = 0;
+	for (size_t k = 0; k < c->n; k++) {
+		if (k > 0 && c->item[k].entry == c->item[k - 1].entry)
+			continue;
+		++*sites;
+		if (strstr(list, c->item[k].source) == NULL)
+			xlist(&list, "; ", "%s", c->item[k].source);
+	}
+	return list;
+}
+
+struct validate_score
+trials_score(const struct trials *c, enum validate_way way, size_t i)
+{
+	FREED const struct validation **v = xcalloc(c->n + 1, sizeof(*v));
+	for (size_t k = 0; k < c->n; k++)
+		v[k] = &c->item[k].v;
+	return validate_score(v, c->n, way, i);
+}
+
+/* The draws' answer at the run's covered sieves, and how many of its passings
+ * lie in their band for one more sample; NULL and 0 without draws.  The caller
+ * frees. */
+static double *
+trials_corrected(const struct run *run, const struct posterior *posterior,
+    double level, size_t *within)
+{
+	size_t n = misfit_covered(run);
+	*within = 0;
+	if (posterior == NULL)
+		return NULL;
+	double *passing = xdoubles(n);
+	struct ensemble *e =
+	    ensemble_new(posterior, &run->feed, run->product.size, n);
+	ensemble_at(e, run->speed);
+	ensemble_mean(e, passing);
+	for (size_t i = 0; i < n; i++) {
+		double P = run->product.passing[i], low, high;
+		ensemble_band(e, ENSEMBLE_SAMPLE, i, level, &low, &high);
+		/* To the 0.01 % that sheets are rounded to. */
+		*within += P >= low - 1e-4 && P <= high + 1e-4;
+	}
+	ensemble_free(e);
+	return passing;
+}
+
+/* Speeds of the training runs. */
+static size_t
+count_trained(const struct site *site, const bool *train)
+{
+	size_t n = 0;
+	double last = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		n += train[r] && site->run[r].speed != last;
+		last = train[r] ? site->run[r].speed : last;
+	}
+	return n;
+}
+
+static void
+trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
+{
+	const struct site *site = by->site;
+	const struct run *run = &site->run[r];
+	struct trial trial = {.entry = by->entry,
+	    .key = xstrdup(by->key),
+	    .source = site_source(site, "provenance not stated"),
+	    .name = xasprintf("%g%s", run->speed, run->repeat),
+	    .run = run,
+	    .open =
+		trust_without_band(by->rmse, count_trained(site, by->train))};
+	size_t within;
+	FREED double *corrected =
+	    trials_corrected(run, by->posterior, c->level, &within);
+	trial.passing = validate_passings(
+	    site, r, by->train, &by->params, by->settings, corrected);
+	trial.v = validate_predicted(site, r, by->train, trial.passing);
+	trial.has_band = c->one && by->posterior != NULL && !trial.open;
+	trial.within = trial.has_band ? within : 0;
+	trials_add_trial(c, trial);
+}
+
+void
+trials_add(struct trials *c, const struct predicted_by *by)
+{
+	for (size_t r = 0; r < by->site->n_run; r++)
+		if (!by->train[r] && misfit_covered(&by->site->run[r]) > 0)
+			trials_compare(c, by, r);
+}
+
+void
+trials_add_entry(struct trials *c, const struct session *s, size_t index,
+    const struct posterior *posterior)
+{
+	const struct entry *entry = &s->entry[index];
+	const struct fit *fit = origin_fit(entry);
+	trials_add(c, &(struct predicted_by){index, entry->key, entry->site,
+			  entry->train, entry->params, s->set.model, posterior,
+			  fit != NULL ? fit->rmse : 0});
+}
