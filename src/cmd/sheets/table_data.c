@@ -254,11 +254,11 @@ const struct command TABLE_DATA[] = {
 	.operands = {"FILE", {"FILE table3"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES,
 	.option = SYNTH_OPTIONS,
-	.text = "FILE has rows of parameters like data/table3.csv, which the "
-		"word table3 stands for where there is none. Each row becomes "
-		"a synthetic site whose products are computed by the "
-		"model, with sampling error added. Such sites are marked as "
-		"not measured wherever they are shown.",
+	.text = "FILE has rows of parameters like data/table3.csv; the word "
+		"table3 stands for that table if there is no file of this "
+		"name. Each row becomes a synthetic site whose products are "
+		"computed by the model, with sampling error added. Such sites "
+		"are marked as not measured wherever they are shown.",
 	.example = "synth data/table3.csv site=Tierp seed=9\nshow product",
 	.run = cmd_synth},
     {.name = "energy",
