@@ -25,9 +25,10 @@ bool picture_can(enum picture_form form);
 /* Returns the forms that this program can draw, in words. */
 const char *picture_forms(void);
 
-/* Writes the chart with axes, legend, notes and, at the foot, the source of the
- * data and the program (program: "tipspeed 0.1.0").  Ticks, marks and dashes
- * are those of chart_draw.  False if it cannot be drawn or written. */
+/* Writes the chart with axes, legend and notes, and at its foot the source of
+ * the data and the name of the program (program: "tipspeed 0.1.0").  Ticks,
+ * marks and dashes are those of chart_draw.  False if it cannot be drawn or
+ * written. */
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 

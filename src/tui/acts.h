@@ -64,7 +64,7 @@ key_way act_page, act_back, act_choose, act_filter;
 key_way act_command, act_describe, act_type, act_save, act_export;
 
 /* The calibration. */
-key_way act_fit, act_hold, act_stop, act_pace;
+key_way act_fit, act_pause, act_stop, act_pace;
 
 /* What is predicted and shown; act_goal opens a field with the quantity above
  * the track in it. */

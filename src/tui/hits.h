@@ -43,8 +43,8 @@ struct hit {
 	int code; /* a key that is pressed then, or 0 */
 };
 
-/* The n areas of a frame; pressed: the one that a drag is sent to, way NULL:
- * none. */
+/* The n areas of a frame; pressed: the area that receives a drag; none if its
+ * way is NULL. */
 struct hits {
 	size_t n;
 	struct hit *at;

@@ -240,7 +240,7 @@ act_fit(struct tui *t, const struct key *key)
 
 /* Pauses, goes on, or takes a stopped one up again. */
 void
-act_hold(struct tui *t, const struct key *key)
+act_pause(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct session *s = t->session;

@@ -109,7 +109,7 @@ const struct key KEYS[] = {
 	"all runs, measured and predicted; again: back", "all runs"},
     {'f', "f", ON_ALL | FIRST_ON_FIT | CHANGES, act_fit, 0, NULL,
 	"calibrate, or start again", "calibrate"},
-    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_hold, 0, NULL,
+    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_pause, 0, NULL,
 	"pause or resume the calibration; once stopped: continue",
 	"pause, continue"},
     {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0, NULL,

@@ -22,9 +22,9 @@ const struct key *keys_find(int code, enum page page);
 bool keys_code_of_name(const char *name, int *code);
 
 /* For the ? page: keys_list prints a line for each key whose line contains the
- * word, without case, the page's own first; for "" all keys of the page, in
- * brief.  keys_listed_at returns the key of line n, or NULL; keys_count how
- * many keys there are. */
+ * word, ignoring case, the page's own keys first; if the word is "", it prints
+ * all keys of the page, in brief.  keys_listed_at returns the key of line n, or
+ * NULL; keys_count returns the number of lines. */
 void keys_list(enum page page, const char *word, FILE *out);
 const struct key *keys_listed_at(enum page page, const char *word, size_t n);
 size_t keys_count(enum page page, const char *word);
@@ -32,7 +32,8 @@ size_t keys_count(enum page page, const char *word);
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_manual(FILE *out);
 
-/* Prints what each key does, with a function, for translators. */
+/* Prints the text that says what each key does, by calling print on it, for
+ * translators. */
 void keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out);
 
 #endif

@@ -212,7 +212,7 @@ a_written_site_is_the_same(void **state)
 	fresh(desk);
 	say(desk, "add %s/cut.csv@79 date=2026-05-03", folder);
 	say(desk, "add %s/cut.csv@79", folder);
-	assert_noted(desk, "was it added before?");
+	assert_noted(desk, "was the cut added before?");
 	uint64_t digest = site_of(desk)->digest;
 	say(desk, "write %s/copy.csv", folder);
 	say(desk, "load %s/copy.csv", folder);

@@ -409,7 +409,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		    what);
 	if (args_value(args, "feed")->given && !WHAT[i].asked)
 		return error_set(error, ERROR_USAGE,
-		    "show %s: expected no feed=; it is the same with all feeds",
+		    "show %s: expected no feed=; it is the same for every feed",
 		    what);
 	if (args_value(args, "every")->given && WHAT[i].show != cmd_history)
 		return error_set(error, ERROR_USAGE,

@@ -7,15 +7,15 @@
 #include "cmd/session/session.h"
 #include "core/psd/screening.h"
 
-/* entry: the site as it is asked about.  If the question changes feed, machine,
- * sieves or the runs that correct the model, it is a copy with these changes,
- * `own`, which `variant` describes; so a question is not copied.  feed: for
- * site_feed.  speed: m/s; speed_given: the call named it.  at [n_at]: speeds of
- * a command that answers at several, borrowed.  level: of bands, 0..1.
- * fraction: all zeros for the whole product.  params: what forms the product,
- * NULL: the entry's; with others it is the model alone.  moved: how far
- * measured products beside the answer are moved to its feed, 0..1, see
- * cmd/ask/moved.h; 0: not worth a word. */
+/* entry: the site that is asked about.  If the question changes the feed, the
+ * machine, the sieves or the runs that correct the model, entry points to
+ * `own`, a copy with these changes, which `variant` describes; so do not copy a
+ * question.  feed: for site_feed.  speed: m/s; speed_given: the call named it.
+ * at [n_at]: speeds of a command that answers at several, borrowed.  level: of
+ * bands, 0..1.  fraction: all zeros for the whole product.  params: those that
+ * form the product (NULL: the entry's); with any others the answer is that of
+ * the model alone.  moved: how far measured products beside the answer are
+ * moved to its feed, 0..1, see cmd/ask/moved.h; 0 if too little to mention. */
 struct question {
 	const struct entry *entry;
 	const struct params *params;

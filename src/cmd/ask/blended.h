@@ -31,8 +31,8 @@ bool blended_add(struct session *s, const char *file, double share,
 /* Mixes the parts, whose shares may have any sum. */
 void blended_mix(struct blended *b);
 
-/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1; false
- * with an error.  Free with blended_clear in any case. */
+/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1; on
+ * failure returns false with an error.  Free with blended_clear even then. */
 bool blended_read(struct session *s, const char *text, struct blended *b,
     struct error *error);
 void blended_clear(struct blended *b);

@@ -676,7 +676,7 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 	double misses = -100 * found->margin.passing;
 	if (!isfinite(misses)) {
 		answer_note(r,
-		    "no speed from %g to %g m/s gives a value of each "
+		    "no speed from %g to %g m/s gives a value for every "
 		    "condition",
 		    wanted->from, wanted->to);
 	} else if (found->alike) {

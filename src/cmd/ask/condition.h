@@ -91,8 +91,8 @@ void conditions_rows(struct answer *r, struct fields *o,
 struct wanted conditions_open(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target);
 
-/* Returns the speeds at which all hold: "69.0 to 77.9", "69.0 to 70.1 and
- * 74.4", "74.42 to 74.47".  The caller frees. */
+/* Returns the speeds at which all conditions hold, in words: "69.0 to 77.9",
+ * "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller frees. */
 char *conditions_speeds_words(const struct speed_search *found);
 
 /* Returns a margin in widths of the band; NAN for a model alone. */

@@ -621,7 +621,7 @@ add_residuals(struct chart *chart, const struct session *s,
 
 /* A round axis that holds all y of the chart and 0, with a guide at 0. */
 static struct axis
-around_zero(const struct chart *chart, const char *title)
+axis_with_zero(const struct chart *chart, const char *title)
 {
 	double low = 0, high = 0;
 	for (size_t i = 0; i < chart->n; i++)
@@ -671,7 +671,7 @@ residuals_chart(
 		look.ascii = look.mark;
 		add_residuals(chart, s, q->entry, i, &params, look);
 	}
-	chart->y = around_zero(chart, "difference, points");
+	chart->y = axis_with_zero(chart, "difference, points");
 	free_curves(&c);
 	return chart;
 }

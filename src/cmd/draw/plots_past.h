@@ -5,10 +5,10 @@
 
 #include "cmd/draw/plot_request.h"
 
-/* The calibration under way, else the site's last one.  n is 0 where there is
- * none.  site, train: what was fitted; weight: see calibration_weight; runs: it
- * is under way; best, misfit: the best found so far; polished: the best is no
- * longer that of the last generation, but what the polish made of it.
+/* The calibration under way, or else the site's last one; n is 0 if there is
+ * neither.  site, train: what was fitted; weight: see calibration_weight; runs:
+ * whether it is under way; best, misfit: the best found so far; polished:
+ * whether the polish has improved the best since the last generation.
  * Borrowed. */
 struct plots_past {
 	size_t n;

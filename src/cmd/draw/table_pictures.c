@@ -77,13 +77,15 @@ const struct command TABLE_PICTURES[] = {
 	    "psd: feed, measured and predicted products; runs: every run, "
 	    "measured and by the model alone (dashed); parity: P20, P50, P80 "
 	    "predicted against measured; search: candidates of the last "
-	    "search; convergence: the best and the median of them; spread: "
-	    "where they lie; residuals: predicted minus measured; "
-	    "selection: what breaks (Eq 3); appearance: into what (Eq 1); map: "
+	    "search; convergence: their best and median; spread: where they "
+	    "lie within the bounds; residuals: predicted minus measured; "
+	    "selection: what share breaks (Eq 3); appearance: into what sizes "
+	    "(Eq 1); map: "
 	    "materials of the store, and the loaded sites; sweep: products at "
 	    "several speeds; response: quantities against the tip speed; "
-	    "profile: what the data say of a parameter; correlation: of all; "
-	    "drift: control charts; energy: collision energies. > FILE.svg, "
+	    "profile: what the data say about a parameter; correlation: about "
+	    "all; drift: control charts; energy: "
+	    "collision energies. > FILE.svg, "
 	    ".png or .pdf draws a publication figure; .csv and .json get the "
 	    "numbers, .txt the text.",
 	.more =
@@ -116,8 +118,9 @@ const struct command TABLE_PICTURES[] = {
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "What plot does with as=words, plot psd as=words: describes what "
-	    "it would draw, for users of screen readers: the "
+	    "Does the same as plot with as=words, for example plot psd "
+	    "as=words: describes what plot would draw, for users of screen "
+	    "readers: the "
 	    "axes, where each curve begins and ends and its P20, P50 and P80, "
 	    "where curves differ most, the break size, and the provenance of "
 	    "the data. The kinds and options are those of plot.",

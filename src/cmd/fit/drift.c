@@ -173,8 +173,9 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 		    "they were added");
 	if (r->training_only)
 		answer_say(a, ANSWER_REMARK,
-		    "compared with what the training runs alone predict: the "
-		    "site had some of the cuts when it was calibrated");
+		    "compared with what the training runs alone predict: some "
+		    "of the cuts were already in the site when it was "
+		    "calibrated");
 }
 
 static void

@@ -274,7 +274,7 @@ verdict_free(struct verdict *v)
 
 /* Adds b [more] to a [n]. */
 static void
-append_numbers(double **a, size_t n, const double *b, size_t more)
+append_doubles(double **a, size_t n, const double *b, size_t more)
 {
 	*a = xrealloc(*a, n + more + 1, sizeof **a);
 	if (more > 0)
@@ -300,10 +300,10 @@ add_ground(struct verdict *v, const struct ground *g, bool alone)
 		v->misfit[m] += t->fit.misfit;
 		v->parameters[m] += t->parameters;
 		v->model[m].aicc += counts ? aicc : 0;
-		append_numbers(&v->predicted[m], v->n, t->predicted, g->n);
+		append_doubles(&v->predicted[m], v->n, t->predicted, g->n);
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		append_numbers(&v->null[way], v->n, g->null[way], g->n);
+		append_doubles(&v->null[way], v->n, g->null[way], g->n);
 	v->cell = xrealloc(v->cell, v->n + g->n + 1, size);
 	if (g->n > 0)
 		memcpy(v->cell + v->n, g->cell, g->n * size);

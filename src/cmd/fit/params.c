@@ -108,8 +108,8 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	}
 	if (missing[0] != '\0')
 		error_set(error, ERROR_USAGE,
-		    "params set: expected %s too: %s has no parameters of the "
-		    "model %s yet",
+		    "params set: expected %s as well: %s has no parameters for "
+		    "the model %s yet",
 		    missing, entry->site->name, of->name);
 	bool whole = missing[0] == '\0';
 	if (!whole)

@@ -297,11 +297,11 @@ note_winner(struct answer *r, const struct trials *c)
 	else if (!w.clearly)
 		answer_say(r, ANSWER_REMARK,
 		    one ? N_("  the model predicts no better than %s at this "
-			     "speed; the difference is too small for sampling "
-			     "to show")
+			     "speed; the difference is too small to be seen "
+			     "above the sampling error")
 			: N_("in all: the model predicts no better than %s; "
-			     "the difference is too small for sampling to "
-			     "show"),
+			     "the difference is too small to be seen above the "
+			     "sampling error"),
 		    who);
 	else if (!one)
 		answer_say(r, ANSWER_REMARK,

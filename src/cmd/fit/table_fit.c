@@ -147,10 +147,10 @@ const struct command TABLE_FIT[] = {
 	.brief = "keep the best of a stopped calibration as it is",
 	.flags = COMMAND_CHANGES,
 	.text = "A stopped calibration gives its site the best parameters so "
-		"far, unless the parameters that the site had fit better on "
-		"the same runs and settings. In that case those stay, and "
-		"accept takes the parameters of the stopped calibration; "
-		"'continue' is then no longer possible.",
+		"far, unless the site's earlier parameters fit the same runs "
+		"better under the same settings. In that case the earlier ones "
+		"stay, and accept takes those of the stopped calibration "
+		"instead. After accept, 'continue' is no longer possible.",
 	.example =
 	    "load data/sites/tierp.csv\ncalibrate pause=10\ncalibrate accept",
 	.run = cmd_accept},

@@ -158,8 +158,8 @@ const struct command TABLE_SESSION[] = {
     {.name = "version",
 	.brief = "show the version of the program",
 	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
-	.text = "Includes the libraries and the instruction set that numbers "
-		"depend on.",
+	.text = "Also lists the libraries and the instruction set on which the "
+		"numbers depend.",
 	.example = "version",
 	.run = cmd_version},
     {.name = "tui",

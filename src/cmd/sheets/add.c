@@ -191,9 +191,9 @@ warn_of_cuts_loaded(
 					p->n * sizeof *p->passing) == 0;
 			if (same)
 				session_note(s,
-				    "  warning: the numbers are those of the "
-				    "product at %g m/s%s: was it added "
-				    "before? 'undo' takes it back",
+				    "  warning: these numbers are identical to "
+				    "the product at %g m/s%s: was the cut "
+				    "added before? 'undo' removes the new one",
 				    cut->speed, site->run[r].repeat);
 		}
 		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
@@ -234,9 +234,9 @@ note_check(struct session *s, size_t run)
 	struct cut cut = cut_compare(s, entry, run);
 	FREED char *words = cut_words(&cut);
 	session_note(s,
-	    cut.off
-		? N_("  the cut at %g m/s%s is off the prediction, though by "
-		     "no more than careful samples differ: %s")
+	    cut.off ? N_("  the cut at %g m/s%s differs from the prediction, "
+			 "but by no more than carefully taken samples differ "
+			 "from one another: %s")
 	    : cut.missed
 		? N_("  warning: the prediction misses the cut at %g m/s%s: "
 		     "%s")

@@ -408,9 +408,9 @@ check_site(
 	check_cells(r, entry, &d);
 	if (d.unseen > 0)
 		finding(r, entry, false, "all runs",
-		    "%zu passings are too many to compare each with all "
-		    "others, which check does for up to %d: single wrong ones "
-		    "are not looked for; check fewer runs at a time",
+		    "%zu passings are too many to compare each with every "
+		    "other (check does so for up to %d), so single wrong "
+		    "values are not looked for; check fewer runs at a time",
 		    d.unseen, DOCTOR_CELLS);
 	if (!mend_is_calibrated(s, entry))
 		check_fit(r, entry);

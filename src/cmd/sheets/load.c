@@ -548,7 +548,7 @@ load_files(
 }
 
 static char *
-given_text(const struct args *args, const char *name)
+copy_given_text(const struct args *args, const char *name)
 {
 	const struct value *value = args_value(args, name);
 	return value->given ? xstrdup(value->text) : NULL;
@@ -560,10 +560,10 @@ load_read_options(struct load *l, const struct args *args)
 {
 	const struct value *decimal = args_value(args, "decimal");
 	const struct value *rotor = args_value(args, "rotor_mm");
-	l->request.columns = l->columns = given_text(args, "columns");
-	l->request.samples = l->samples = given_text(args, "samples");
-	l->request.sheet = l->sheet = given_text(args, "sheet");
-	l->request.range = l->range = given_text(args, "range");
+	l->request.columns = l->columns = copy_given_text(args, "columns");
+	l->request.samples = l->samples = copy_given_text(args, "samples");
+	l->request.sheet = l->sheet = copy_given_text(args, "sheet");
+	l->request.range = l->range = copy_given_text(args, "range");
 	if (decimal->given)
 		l->request.decimal = decimal->choice == 1 ? ',' : '.';
 	if (rotor->given)

@@ -507,7 +507,8 @@ note_recalled(
 		note_parameters(s, entry, m);
 	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
-		    "  they were calibrated with other settings: run set "
+		    "  the parameters were calibrated with other settings: run "
+		    "set "
 		    "method=%s appearance=%s k=%g",
 		    m->method, m->appearance, m->k);
 	if (stored_is_table3(m))

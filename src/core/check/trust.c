@@ -322,10 +322,10 @@ judge_data(struct trust *t, const struct evidence *e)
 	else if (spare < 4)
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
 		    xasprintf(
-			tr_n("%zu passings for %zu parameter leave little that "
-			     "could show a wrong model; add sieves or a run",
-			    "%zu passings for %zu parameters leave little that "
-			    "could show a wrong model; add sieves or a run",
+			tr_n("%zu passings for %zu parameter are too few to "
+			     "reveal a wrong model; add sieves or a run",
+			    "%zu passings for %zu parameters are too few to "
+			    "reveal a wrong model; add sieves or a run",
 			    e->parameters),
 			e->cells, e->parameters));
 	else if (e->like_feed && !(e->rmse > FIT_POOR))

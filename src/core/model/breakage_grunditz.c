@@ -255,7 +255,7 @@ fill_row(const struct continuous *c, double broken, double total,
 
 /* See breakage.h, product. */
 static void
-moments_product(struct continuous *c, double *passing, double *d_passing)
+product_by_moments(struct continuous *c, double *passing, double *d_passing)
 {
 	const struct appearance *a = grunditz_appearance(&c->b);
 	size_t n_shape = d_passing != NULL ? SHAPES : 1;
@@ -288,7 +288,7 @@ BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .forms = true,
     .reference = PARAMS_MOST, .strength = F_MAT, SELECTION_ROW,
     .prepare = grunditz_prepare, .finer = grunditz_finer, .density = density,
-    .breaks = grunditz_breaks, .product = moments_product,
+    .breaks = grunditz_breaks, .product = product_by_moments,
     .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
 
 #else /* LANES */

@@ -9,18 +9,19 @@
 #include "core/psd/psd.h"
 
 /* Returns the blend of feeds [n], each passing 1 on its coarsest sieve, in
- * parts by mass > 0 of any sum.  Its sieves are the sieves of all feeds,
- * coarsest first, as far down as every feed is known: to the coarsest of the
- * finest sieves, unless a feed passes nothing there.  Between its sieves a feed
- * is straight on log size.  psd_free. */
+ * parts by mass > 0 of any sum.  Its sieves are those of all feeds, coarsest
+ * first, as far down as every feed is known: to the coarsest of the finest
+ * sieves, unless a feed passes nothing there.  Between its sieves a feed is
+ * interpolated linearly in log size.  Free with psd_free. */
 struct psd blend_new(
     const struct psd *const *feed, const double *part, size_t n);
 
-/* Returns the mean of feeds [n], each passing 1 at its coarsest sieve; equal
- * feeds count once (D19).  Its sieves are the sieves of all feeds.  A feed is
- * read straight on log size between its own sieves, and below its finest it
- * falls as the others do there on average, so that a short sheet does not cut
- * the fines of all.  psd_free. */
+/* Returns the mean of feeds [n], each passing 1 at its coarsest sieve;
+ * identical feeds count once (D19).  Its sieves are those of all the feeds.
+ * Between its own sieves each feed is interpolated linearly in log size; below
+ * its finest it is taken to fall as the others do there on average, so that a
+ * sheet that ends early does not cut off the fines of the mean.  Free with
+ * psd_free. */
 struct psd blend_mean(const struct psd *const *feed, size_t n);
 
 /* Returns the largest difference in passing, 0..1, between any two of the feeds

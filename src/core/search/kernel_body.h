@@ -282,8 +282,8 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	room->n_active = c;
 }
 
-/* Rock of two strengths breaks as its two parts do: mixes the shares of the
- * softer rock into those of the other. */
+/* Mixes the shares of the softer rock into those of the harder: rock of two
+ * strengths breaks as its two parts would. */
 static inline void
 mix_softer(const struct block *b, const struct plan *plan,
     const struct gauss *g, struct room *room)

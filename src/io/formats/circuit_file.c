@@ -141,14 +141,13 @@ static const struct key {
 
 static const char *const HINTS[UNIT_KINDS] = {
     [UNIT_FEED] = N_("write: feed,STREAM,120"),
-    [UNIT_CRUSHER] =
-	N_("write: crusher,FROM + FROM,TO, and after it cascade=10 "
-	   "or speed=74"),
-    [UNIT_SCREEN] = N_("write: screen,FROM,8,OVERSIZE,UNDERSIZE, and after it "
-		       "sharpness=6 or cut_size=95"),
+    [UNIT_CRUSHER] = N_("write: crusher,FROM + FROM,TO, optionally followed by "
+			"cascade=10 or speed=74"),
+    [UNIT_SCREEN] = N_("write: screen,FROM,8,OVERSIZE,UNDERSIZE, optionally "
+		       "followed by sharpness=6 or cut_size=95"),
     [UNIT_SPLIT] = N_("write: split,FROM,TO=60,TO=40"),
-    [UNIT_STOCKPILE] =
-	N_("write: stockpile,FROM + FROM,NAME, and after it price=12")};
+    [UNIT_STOCKPILE] = N_(
+	"write: stockpile,FROM + FROM,NAME, optionally followed by price=12")};
 
 /* One cell key=value. */
 static void

@@ -14,13 +14,13 @@
  * own. */
 enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
 
-/* Replaces the content of path by n bytes.  They are written to a new file in
- * the same folder, which is renamed to path only when all bytes are on the
- * disk; a symbolic link is kept, and the file it points to is replaced.  Files
- * other than regular ones (/dev/null, a FIFO) are written to directly.  On
- * failure false, an error of kind ERROR_SYSTEM, and the old file untouched.
- * Only SIGKILL can leave the new file behind; the next call in that folder
- * removes it. */
+/* Replaces the contents of path with n bytes.  They are written to a new file
+ * in the same folder, and that file is renamed to path only once all bytes are
+ * on disk; a symbolic link is kept, and the file it points to is replaced.
+ * Files other than regular ones (/dev/null, a FIFO) are written to directly.
+ * On failure returns false with an error of kind ERROR_SYSTEM and leaves the
+ * old file untouched.  Only SIGKILL can leave the new file behind; the next
+ * call in that folder removes it. */
 bool file_replace(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 

@@ -131,10 +131,10 @@ bool stored_is_table3_name(const char *name);
 /* True if a text is one line of UTF-8 without control characters. */
 bool stored_is_one_line(const char *text);
 
-/* Adds the rows of a file such as data/table3.csv, with the default beta, as
- * the table does not print beta: columns rock, site, top_size_mm, f_mat,
- * feed_source, E0_min and alpha in this order.  On failure false, and all the
- * faults of the sheet in errors, a list that the caller has zeroed;
+/* Adds the rows of a file such as data/table3.csv, whose columns are rock,
+ * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order; beta,
+ * which the table lacks, gets its default.  On failure returns false and puts
+ * all faults of the sheet into errors, a list that the caller has zeroed;
  * ERROR_SYSTEM if the file cannot be read. */
 bool stored_read_printed(
     const char *path, struct stored_list *list, struct error_list *errors);

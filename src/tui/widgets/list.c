@@ -167,7 +167,7 @@ list_has_rows(const struct tui *t)
 }
 
 static void
-open_row(struct tui *t)
+list_open_row(struct tui *t)
 {
 	if (list_of(t)->open != NULL && list_row_matches(t, list_at(t)))
 		list_of(t)->open(t);
@@ -182,7 +182,7 @@ touch_row(struct tui *t, const struct touched *touched)
 	bool again = list_at(t) == touched->item;
 	list_go(t, touched->item);
 	if (again)
-		open_row(t);
+		list_open_row(t);
 }
 
 static void
@@ -396,7 +396,7 @@ act_choose(struct tui *t, const struct key *key)
 	(void)key;
 	list_update(t);
 	if (list_has_rows(t) && list_of(t)->open != NULL)
-		open_row(t);
+		list_open_row(t);
 	else
 		tui_say(t, false, "there is nothing to open on this page");
 }

@@ -1,5 +1,5 @@
-/* A quantity at all speeds of the slider, drawn in the columns of its track,
- * above it.
+/* A quantity plotted at every speed of the slider, just above the slider's
+ * track and aligned with its columns.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_RESPONSE_STRIP_H
 #define TIPSPEED_TUI_WIDGETS_RESPONSE_STRIP_H

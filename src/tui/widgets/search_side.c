@@ -335,7 +335,7 @@ parameters_words(const struct tui *t, const struct plots_past *past)
 
 /* Where there are no rows for strips: the same in words, and what happens. */
 static void
-draw_without_strips(const struct tui *t, const struct plots_past *past)
+draw_params_in_words(const struct tui *t, const struct plots_past *past)
 {
 	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_current_entry(t);
@@ -366,7 +366,7 @@ search_side_draw(struct tui *t)
 		return;
 	screen_vertical_rule(side->row, t->layout.wall, side->rows);
 	if (past.n > 0 && side->rows < LOW) {
-		draw_without_strips(t, &past);
+		draw_params_in_words(t, &past);
 		return;
 	}
 	if (past.n > 0) {
