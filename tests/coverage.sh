@@ -4,8 +4,13 @@
 # interpolation.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
+plants=$(often 0 200)
+if [ "$plants" -eq 0 ] && [ -z "${TIPSPEED_TEST_LONG:-}" ]; then
+	echo '1..0 # SKIP counted in make check-long'
+	exit 0
+fi
 scratch
-bench/coverage "$(often 1 200)" >"$dir/out"
+bench/coverage $((plants > 0 ? plants : 1)) >"$dir/out"
 status=$?
 sed -n 's/^not ok //p; s/^ok //p' "$dir/out" >"$dir/lines"
 while read -r line; do
