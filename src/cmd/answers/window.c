@@ -36,9 +36,9 @@ take_goal(struct session *s, struct asking *a, struct error *error)
 		s, s->set.goal, question_feed(a->q), &a->list, &n_value, error))
 		return false;
 	return n_value == 0 || error_set(error, ERROR_USAGE,
-				   "the goal %s is a value, not a limit\nfind "
-				   "has the speed that meets it",
-				   s->set.goal);
+				   "the goal %s is a value, not a limit\n"
+				   "for the speed that meets it write: find %s",
+				   s->set.goal, s->set.goal);
 }
 
 static bool
