@@ -986,6 +986,27 @@ set_feed_for_all_runs(struct columns *all)
 		only->speed = only->rpm = 0;
 }
 
+/* Feed, product, feed, product ..: each feed is that of the product at its
+ * right. */
+static void
+pair_feeds_with_products(struct columns *all)
+{
+	bool pairs = all->n >= 4 && all->n % 2 == 0;
+	for (size_t i = 0; pairs && i < all->n; i += 2) {
+		const struct column *feed = &all->column[i];
+		const struct column *product = feed + 1;
+		pairs = feed->role == FEED && !(feed->speed > 0) &&
+			product->role == PRODUCT && product->speed > 0 &&
+			product->table == feed->table;
+	}
+	for (size_t i = 0; pairs && i < all->n; i += 2) {
+		struct column *feed = &all->column[i];
+		feed->speed = feed[1].speed;
+		feed->rpm = feed[1].rpm;
+		assume(feed, "each the feed of the product at its right");
+	}
+}
+
 /* Where nothing is called feed, the one column without a role may be it. */
 static void
 guess_feed(struct columns *all, size_t feeds)
@@ -1047,6 +1068,7 @@ recognise_roles(
 	classify_drop_twins(all, site);
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
+	pair_feeds_with_products(all);
 	if (!told)
 		ask_repeats(all);
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {

@@ -54,4 +54,9 @@ bool site_ask_open(const struct open *open, const struct site_request *request,
 void site_ask_top(const struct column *c, const struct site_request *request,
     struct site_ask *ask);
 
+/* Adds the fault of a further feed of the same products; its hint keeps the
+ * first feed. */
+void site_ask_one_feed(const struct column *further, const struct columns *all,
+    const struct site_request *request);
+
 #endif
