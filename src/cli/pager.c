@@ -34,7 +34,7 @@ count_rows(const char *text, int columns)
 	return rows;
 }
 
-/* Less says at its foot how to leave it.  The caller frees. */
+/* Less says at its foot how to go on and to leave it.  The caller frees. */
 static char *
 pager_command(void)
 {
@@ -42,8 +42,8 @@ pager_command(void)
 	if (own != NULL || any != NULL)
 		return xstrdup(own != NULL ? own : any);
 	return xasprintf("command -v less >/dev/null || exit 127; "
-			 "exec less -FRX '-Ps%s'",
-	    tr("space goes on, q leaves"));
+			 "exec less -FRX '-Ps?e%s:%s.'",
+	    tr("the end, q leaves"), tr("space goes on, q leaves"));
 }
 
 static void

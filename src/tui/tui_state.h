@@ -48,7 +48,7 @@ struct viewer {
 enum { PLOTS_DRAWN = 4 };
 
 /* Letters of such a word, and of a typed speed. */
-enum { VIEWER_WORD = 31, SPEED_LETTERS = 7 };
+enum { VIEWER_WORD = 31, SPEED_LETTERS = 12 };
 
 /* A loaded site, entry of the session, at the slider's speed: P50 in mm, and
  * whether the speed is beyond those trained on; the RMSE at the speeds held

@@ -15,12 +15,12 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
-/* Returns the most, 0..1, by which the feeds as they were sampled move the
- * answer at sieve i; how far tomorrow's feed may be from the mean is a question
- * that the band does not answer.  0 if the site has one feed, or another was
- * given. */
+/* Returns the most by which the feeds as they were sampled move a quantity, in
+ * its own unit, from its value at a speed, m/s; how far tomorrow's feed may be
+ * from the mean is a question that the band does not answer.  0 if the site has
+ * one feed, or another was given. */
 double predict_feeds_move(const struct session *s, const struct question *q,
-    const struct prediction *at, size_t i);
+    const struct quantity *of, double speed, double value);
 
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees. */
 char *predict_chance(double level);

@@ -566,7 +566,8 @@ error_unknown_option(
 	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
-		if (text_distance(o->name, name) > 2)
+		size_t far = text_distance(o->name, name);
+		if (far > 2 || far >= strlen(name))
 			continue;
 		error_hint(error, "did you mean '%s'?", o->name);
 		return;

@@ -35,16 +35,6 @@ slider_has(struct slider_range range, double speed)
 	return speed >= range.least / 10.0 && speed <= range.most / 10.0;
 }
 
-bool
-slider_read(struct slider_range range, const char *text, int *tenths)
-{
-	double speed;
-	if (!text_number(text, &speed) || !slider_has(range, speed))
-		return false;
-	*tenths = slider_tenths(range, speed);
-	return true;
-}
-
 int
 slider_column(struct slider_range range, int tenths, int width)
 {

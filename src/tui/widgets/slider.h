@@ -27,9 +27,6 @@ int slider_clamp(struct slider_range range, int tenths);
 int slider_tenths(struct slider_range range, double speed);
 bool slider_has(struct slider_range range, double speed);
 
-/* Reads "74", "74.3"; false if it is not a speed in the range. */
-bool slider_read(struct slider_range range, const char *text, int *tenths);
-
 /* slider_column returns the column of a value on a track of `width` columns, 0
  * at its left end; slider_at the value at a column; values and columns off the
  * track count as its ends. */
