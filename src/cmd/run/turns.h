@@ -14,8 +14,8 @@
 bool turns_to_speeds(struct session *s, struct words *words, struct place place,
     struct error *error);
 
-/* Makes "speeds=69,74,79" of several speeds behind a command that has a list of
- * them, or stands for one that has: "predict 69 74 79", "card 1350 1450 rpm". */
+/* Makes "speeds=69,74,79" of several speeds behind a command that has a list
+ * of them, or stands for one that has: "predict 69 74 79", "card 70 75". */
 void speeds_join(struct words *words, bool prompt);
 
 #endif
