@@ -1,4 +1,4 @@
-/* Reads revolutions per minute as tip speeds: v = pi D n / 60.
+/* Converts revolutions per minute to tip speeds: v = pi D n / 60.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/turns.h"
 
