@@ -313,8 +313,8 @@ struct plots_past tui_past(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a
  * better candidate.  tui_count_generations returns their number;
- * tui_generation_shown the one shown, 1..; tui_show_generation shows one: the
- * last of a running search means to follow it. */
+ * tui_generation_shown the one shown, 1..; tui_show_generation shows one, or
+ * follows a running search if given its last. */
 size_t tui_count_generations(const struct tui *t);
 size_t tui_generation_shown(const struct tui *t);
 void tui_show_generation(struct tui *t, size_t step);

@@ -17,7 +17,7 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
 
 /* Returns the largest change, 0..1, of the answer at sieve i when the mean feed
  * is replaced with a sampled one: the band does not include changes of the
- * feed.  0 if the site has one feed or the question gives another. */
+ * feed.  Returns 0 if the site has one feed or the question gives another. */
 double predict_feeds_move(const struct session *s, const struct question *q,
     const struct prediction *at, size_t i);
 

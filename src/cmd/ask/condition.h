@@ -103,8 +103,8 @@ double conditions_widths(const struct wanted *wanted, struct margin margin);
  * 2/5"; NULL for others.  The caller frees it. */
 char *conditions_extreme(const char *text);
 
-/* Returns the number of decimals for the points by which a limit is missed that
- * keeps them from being shown as 0.0. */
+/* Returns enough decimals to show the points by which a limit is missed as more
+ * than 0.0. */
 int conditions_digits(double points);
 
 /* If no speed meets all conditions, notes which of them prevent it. */

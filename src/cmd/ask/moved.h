@@ -10,8 +10,8 @@
  * is
  *   measured + P(feed of the answer, v) - P(feed of the run, v)
  * with P the answer at the run's speed v; its distance from the answer's curve
- * is then the misfit.  Comparisons with measurements, such as validate, move
- * nothing. */
+ * is then the misfit.  Comparisons with measurements, as in validate, never
+ * move them. */
 struct moved;
 
 /* A larger move, 0..1, is mentioned beside a plot. */

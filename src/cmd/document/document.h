@@ -73,8 +73,8 @@ bool document_end(struct document *document);
  * The caller frees it. */
 char *document_extent_words(const struct document *document);
 
-/* For a table wider than a page, returns the column after those that fit, from
- * `from` on, beside the first column. */
+/* For a table wider than a page, returns the column after the last of those
+ * from `from` on that fit beside the first column. */
 size_t document_block(const struct answer_view *view, size_t from);
 
 /* True if a column contains only numbers, which are right-aligned. */

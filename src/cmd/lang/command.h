@@ -158,7 +158,7 @@ const char *command_group(const struct command *command);
 const char *command_title(const struct command *command);
 const char *command_other_name(const struct command *command);
 
-/* Returns the command, or that one of its `others` which the words call for. */
+/* Returns the command, or one of its `others` if the words call for that. */
 const struct command *command_find_two_words(
     const struct command *command, char *const *word, size_t n);
 

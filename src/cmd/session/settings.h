@@ -1,5 +1,5 @@
-/* Settings.  A row of SETTINGS describes each and where its value is kept; set,
- * undo, save, reset and help use these rows.
+/* Settings: each has a row in SETTINGS, which describes it and where its value
+ * is kept; set, undo, save, reset and help use these rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SETTINGS_H
 #define TIPSPEED_CMD_SESSION_SETTINGS_H

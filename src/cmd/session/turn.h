@@ -24,17 +24,17 @@ void invocation_set_ran(struct session *s);
  * and scripts remain. */
 bool invocation_is_over(const struct session *s);
 
-/* Notes that the job was stopped after `steps` steps, where a saved script is
- * then to stop it; 0: the job gave no result. */
+/* Notes that the job was stopped after `steps` steps, so that a saved script
+ * will stop it there; 0: the job gave no result. */
 void invocation_stopped(struct session *s, size_t steps);
 
 /* Makes the running command's changes part of the previous undo step. */
 void invocation_join_undo(struct session *s);
 
-/* Adds an option that was not typed to the running command as saved. */
+/* Adds an option to the running command's line in the journal. */
 void invocation_adds(struct session *s, const char *option, const char *value);
 
-/* Saves this line instead of the running command. */
+/* Replaces the running command's line in the journal. */
 void invocation_reads(struct session *s, const char *line);
 
 /* Makes the running command fail at its end but keep its results, which cover

@@ -13,13 +13,13 @@
 /* A mend that would make the sheet consistent.  It is only a proposal: the
  * laboratory's records decide.
  *   measured, expected, sd  of a cell: as measured, and as expected from all
- *                 others (see loo.h), passing 0..1; NAN of columns
- *   surprise      of a cell after a calibration: how much more probable the
- *                 sheet is without it, as a logarithm; NAN
- *   off           of a column: its distance from what others make probable, RMS
- *                 before and after the mend, 0..1; NAN of cells
- *   rmse          of all products to the posterior's fit, before and after the
- *                 mend and without another calibration; NAN without */
+ *                 others (loo.h), passing 0..1; NAN for a column
+ *   surprise      of a cell, after a calibration: ln of how much more probable
+ *                 the sheet is without it; else NAN
+ *   off           of a column: its RMS distance from what the others suggest,
+ *                 before and after the mend, 0..1; NAN for a cell
+ *   rmse          of all products from the posterior's fit, before and after
+ *                 the mend, not refitted; NAN without a posterior */
 struct finding {
 	struct mend mend;
 	double measured, expected, sd, surprise;

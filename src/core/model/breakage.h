@@ -18,9 +18,8 @@ struct plan;
 
 /* Results of the kernel, by candidate: the misfit and, if difference is not
  * NULL, the weighted differences simulated - measured, cell i (see struct
- * plan_target) at difference[i * stride].  If softer is not NULL, it gives the
- * e0_min of the share of the rock that is softer than the candidate's e0_min
- * (D16); share 0: none is softer. */
+ * plan_target) at difference[i * stride].  If softer is not NULL, the given
+ * share of the rock has that e0_min, at most the candidate's own (D16). */
 struct kernel_out {
 	double *misfit, *difference;
 	size_t stride;

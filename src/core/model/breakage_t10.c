@@ -3,9 +3,9 @@
  *   B_v(u) = 1 - (1 - B(u)^((E / E_ref)^-gamma))^((E / E_ref)^kappa)
  * D17.  With t10 = 1 - exp(-b E) and t_n = 1 - (1 - t10)^w(n), every -ln(1 -
  * t_n) is proportional to E; this is kappa 1 and gamma 0.  Source: Narayanan,
- * S.S., Whiten, W.J.  (1988), Determination of comminution characteristics from
+ * S.S., Whiten, W.J. (1988), Determination of comminution characteristics from
  * single-particle breakage tests and its application to ball-mill scale-up,
- * Trans.  Instn Min.  Metall.  C 97, 115-124.  Scalar, or with LANES.
+ * Trans. Instn Min. Metall. C 97, 115-124.  Scalar, or with LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 
 /* At u = 1 the density may be without bound; `classes` takes it from where so

@@ -31,7 +31,7 @@ enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 /* Description of one parameter. */
 struct param_info {
 	const char *name;    /* as typed */
-	const char *unit;    /* "-" where there is none */
+	const char *unit;    /* "-" if none */
 	double lower, upper; /* default search bounds */
 	double least, most;  /* of any value */
 	double start; /* if a site has none; NAN: a value must be given */

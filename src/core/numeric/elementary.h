@@ -2,8 +2,9 @@
  *
  * The C library's functions differ in the last bit between processors (it picks
  * a variant with fused multiply-add where there is one), and a genetic
- * algorithm turns one bit into another search.  These functions are plain
- * double arithmetic without branches, so gcc can vectorise a loop over lanes.
+ * algorithm turns one different bit into a different search.  These functions
+ * are plain double arithmetic without branches, so gcc can vectorise a loop
+ * over lanes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 #define TIPSPEED_CORE_NUMERIC_ELEMENTARY_H

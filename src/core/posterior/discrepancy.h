@@ -15,8 +15,8 @@
 /* D13 (Kennedy and O'Hagan 2001):
  *   measured = model + discrepancy + error of the sample
  * The discrepancy at size s and "time" t, which is 0 in the middle of the
- * measured speeds and 1 at e^0.135 times the energy there, as from 74 to 79
- * m/s, is
+ * measured speeds and 1 at e^0.135 times the energy there, as at 79 m/s if the
+ * middle is 74, is
  *   h(P) (f_0(s) + c t f_1(s) + 0.3 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
  * where P is midway between the model's passing and the measured passing or the
  * answer's; the f are independent Gaussian processes with the covariance

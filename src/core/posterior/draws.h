@@ -11,7 +11,7 @@
 
 /* Of more than POSTERIOR_RUNS runs, only that many, spread evenly from the
  * slowest to the fastest, inform the draws: with 80 runs, chains settled where
- * the discrepancy is large and the parameters are wrong, and bands contained
+ * the discrepancy is large and the parameters are wrong, and 80 % bands held
  * only 30 %. */
 enum { POSTERIOR_DRAWS = 256, POSTERIOR_RUNS = 40 };
 

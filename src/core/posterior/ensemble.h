@@ -79,7 +79,7 @@ double ensemble_halves(struct ensemble *e, double v);
 
 /* Pools neighbouring values [n] into blocks whose means, by weights [n], do not
  * fall from one block to the next: the nearest such sequence in the
- * least-squares sense (Barlow and others 1972, ch.  1).  Returns the number of
+ * least-squares sense (Barlow and others 1972, ch. 1).  Returns the number of
  * blocks.  value, weight, length [n]: out, the mean, weight and number of
  * values of each block.
  */

@@ -12,7 +12,7 @@
  *   E(d) = 1 - (e^a - 1) / (e^(a d / d50) + e^a - 2)
  * where a is the sharpness and d50 = cut_size times the opening is the size
  * split in half.  Source: Whiten's efficiency curve without water (Napier-Munn
- * et al. 1996, Mineral comminution circuits, ch.  9).  sharpness 0: an ideal
+ * et al. 1996, Mineral comminution circuits, ch. 9).  sharpness 0: an ideal
  * screen, which cuts at d50. */
 struct partition {
 	double sharpness, cut_size;

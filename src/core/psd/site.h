@@ -9,12 +9,11 @@
 
 #include "core/psd/psd.h"
 
-/* Used as the speed of a run whose feed comes from another sheet that a
- * question is about.  It is the last run of a copy (site_with_feed). */
+/* The speed of a run that only holds a feed from another sheet: the last run of
+ * a copy made by site_with_feed. */
 #define SITE_OTHER_FEED (-1.0)
 
-/* Used as the index of the run whose feed is used: the mean of the feeds
- * sampled (D19). */
+/* As the index of a run, this means the mean of the feeds sampled (D19). */
 #define SITE_MEAN_FEED SIZE_MAX
 
 /* One sampling at a rotor tip speed.  product.n is 0 where only the feed was

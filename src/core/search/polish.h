@@ -35,11 +35,11 @@ struct polish_rival {
  * Bounded least squares by Levenberg and Marquardt: parameters whose bound
  * blocks descent are held; the others take the damped Gauss-Newton step (QR of
  * the stacked Jacobian), truncated at the bounds.  If that is slow, a secant
- * method (BFGS) in the coordinates of that QR takes over.  Source: More, J.  J.
+ * method (BFGS) in the coordinates of that QR takes over.  Source: More, J. J.
  * (1978), The Levenberg-Marquardt algorithm, in Numerical Analysis, LNM 630;
- * Kanzow, Yamashita, Fukushima (2004), J.  Comput.  Appl.  Math.  172; Lewis,
+ * Kanzow, Yamashita, Fukushima (2004), J. Comput. Appl. Math. 172; Lewis,
  * Overton (2013), Nonsmooth optimization via quasi-Newton methods, Math.
- * Program.  141. */
+ * Program. 141. */
 struct polish_result polish_run(struct polish *polish,
     const struct bounds *bounds, int most, const struct polish_rival *rival,
     struct params *p);

@@ -45,7 +45,7 @@ bool sieve_names_is_standard(double mm);
 double sieve_names_coarser(double mm, bool astm);
 
 /* For a name that no sieve has, returns the next coarser and finer sieves: "1/4
- * in (6.3 mm) and No.  3 1/2 (5.6 mm)".  The caller frees the text. */
+ * in (6.3 mm) and No. 3 1/2 (5.6 mm)".  The caller frees the text. */
 char *sieve_names_nearest(const char *text);
 
 /* The unit in the heading of the sieves.  mm: unit of the numbers, in mm, or 0

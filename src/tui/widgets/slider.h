@@ -16,7 +16,7 @@ struct slider_mark {
 	bool trained;
 };
 
-/* Returns the range between two speeds, m/s, widened to whole m/s. */
+/* Returns the range between two speeds, m/s, truncated to whole m/s. */
 struct slider_range slider_range(double from, double to);
 
 /* Returns the nearest value in the range. */
