@@ -49,7 +49,7 @@ void folder_keep_kind(struct folder *folder, enum folder_kind kind);
 
 void folder_free(struct folder *folder);
 
-/* Returns the folder to which an item leads: "sub/", or ".."  from "sub".  The
+/* Returns the folder to which an item leads: "sub/", or ".." from "sub".  The
  * caller frees it. */
 char *folder_path_of_item(const struct folder *folder, size_t item);
 

@@ -32,9 +32,8 @@ const char *cut_heading(const struct site *site, size_t run);
  * measured), 11 of 12 sieves within the 80 % band".  The caller frees it. */
 char *cut_words(const struct cut *cut);
 
-/* Returns the number of runs with a product added to the site since its
- * parameters were calibrated, 0 for none, and the one with the largest
- * misfit. */
+/* Returns the number of runs with a product that were added to the site after
+ * its parameters were calibrated, and the run with the largest misfit. */
 struct later cut_compare_later(
     const struct session *s, const struct entry *entry);
 

@@ -20,8 +20,8 @@ struct routine_cut {
 /* Cuts [n] in the order of their dates if all have one (dated), otherwise in
  * the order in which they were added.  drawn: limits are from a calibration's
  * posterior, otherwise from `set noise`.  first, since: see drift_run_charts.
- * running: the number of last cuts with a mean on the same side of the
- * prediction; worst: m, the sieve at which these differ most; by: their mean
+ * running: the number of latest cuts whose means are on the same side of the
+ * prediction; worst: the sieve, m, at which these differ most; by: their mean
  * difference there, passing. */
 struct routine {
 	size_t n;

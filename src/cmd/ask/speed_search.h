@@ -1,5 +1,5 @@
-/* Searches for the speeds at which a product meets conditions; the only such
- * search.  It can run in steps, which keeps a screen responsive.
+/* The only search for the speeds at which a product meets conditions.  It can
+ * run in steps, which keeps a screen responsive.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_SPEED_SEARCH_H
 #define TIPSPEED_CMD_ASK_SPEED_SEARCH_H

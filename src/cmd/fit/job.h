@@ -29,7 +29,7 @@ struct rounds {
 	 * `of`. */
 	void (*end)(struct session *s, void *of);
 	void (*drop)(void *of); /* frees `of`, or NULL, without an answer */
-	bool alone; /* one calibration, which can be resumed when stopped */
+	bool alone;             /* a single calibration, which can be resumed */
 	/* Returns the name of the current round, "tierp without 74 m/s", which
 	 * the caller frees.  NULL: each round fits its own site and can be
 	 * watched. */

@@ -19,8 +19,8 @@ void manual_trust(FILE *out);
 /* Prints the breakage models, each with its parameters. */
 void manual_models(FILE *out);
 
-/* manual_texts prints the tables' texts for people, manual_text any other text,
- * as C that xgettext reads. */
+/* manual_texts prints the tables' texts for people, and manual_text any other
+ * text, as C for xgettext. */
 void manual_texts(FILE *out);
 void manual_text(const char *text, FILE *out);
 

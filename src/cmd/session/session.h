@@ -98,7 +98,7 @@ struct session {
 	struct choices set;
 	bool prompt;     /* a user types the lines */
 	size_t typed_at; /* number of open scripts when lines are typed */
-	enum isa isa;    /* highest that calibrations may use */
+	enum isa isa;    /* highest set that calibrations may use */
 	bool safe;       /* commands and keys must not touch files or the
 shell */
 	bool linear;     /* for a screen reader: words, no pictures */

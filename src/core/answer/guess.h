@@ -1,4 +1,4 @@
-/* A first guess for a site with no calibration, from materials of other sites.
+/* A first guess for an uncalibrated site, from materials of other sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_GUESS_H
 #define TIPSPEED_CORE_ANSWER_GUESS_H

@@ -38,7 +38,7 @@ struct power {
 struct power power_fit(const struct reading *reading, size_t n);
 
 /* True if, of two readings at similar tonnages, the clearly faster one shows
- * less power.  No motor behaves so, and no estimate from such readings is
+ * less power.  No motor does that, and no estimate from such readings is
  * valid. */
 bool power_falls_with_speed(const struct reading *reading, size_t n);
 

@@ -18,9 +18,9 @@
  * f_mat, e0_min and alpha poorly, as these compensate for each other.  With
  * by_slope, therefore, there is a coordinate from minus to plus infinity for
  * each of
- *   ln x* = (ln e0_min - ln E) / alpha,  from where it is largest,
- *   f_mat,  from bound to bound,
- *   alpha,  from where e0_min is at a bound or alpha at its own to the other;
+ *   ln x* = (ln e0_min - ln E) / alpha,  below its largest value,
+ *   f_mat,  between its bounds,
+ *   alpha,  as far as its own bounds and those of e0_min allow;
  * otherwise the three are used themselves, because one of them is held
  * fixed. */
 struct coordinates {

@@ -15,9 +15,9 @@
  * block for each run, the covariance is
  *   C = B K B' + E,   K = L L',   A = 1 + L' B' E^-1 B L
  *   C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
- * (Rasmussen and Williams 2006, A.9): exact, in time and room proportional to
- * the runs.  With more than COVARIANCE_SIZES sizes, the discrepancy and the
- * shared errors, but not the model, are evaluated at the nearest of
+ * (Rasmussen and Williams 2006, A.9): exact, in time and space proportional to
+ * the number of runs.  With more than COVARIANCE_SIZES sizes, the discrepancy
+ * and the shared errors, but not the model, are evaluated at the nearest of
  * COVARIANCE_SIZES evenly spaced sizes. */
 enum { COVARIANCE_FEW = 96, COVARIANCE_SIZES = COVARIANCE_FEW / 3 };
 

@@ -35,8 +35,8 @@ enum hyper {
 	HYPERS
 };
 
-/* A hyperparameter and its prior: its logarithm is normal about the logarithm
- * of median, with the standard deviation spread.  Sizes are passings, 0..1. */
+/* A hyperparameter and its prior: its logarithm is normal, with mean ln median
+ * and standard deviation spread.  Sizes are passings, 0..1. */
 struct hyper_info {
 	const char *name, *symbol;
 	double median, spread;

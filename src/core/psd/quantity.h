@@ -55,11 +55,11 @@ double quantity_read(
 
 /* Returns how far a value read off the fraction's curve is above a limit, as a
  * passing 0..1, so that all limits can be compared.  For a passing, share or
- * step it is the difference; for D and P, the passing missing at the size of
- * the limit; for Cu and Cc, the passing missing at the size that the limit
- * implies with the other sizes; for a modulus, the difference divided by its
- * number of sieves.  Positive exactly where the value is above the limit; NAN
- * where the curve does not reach that far. */
+ * step it is the difference; for D and P, the shortfall in passing at the size
+ * of the limit; for Cu and Cc, that at the size implied by the limit and the
+ * other sizes; for a modulus, the difference divided by its number of sieves.
+ * Positive exactly where the value is above the limit; NAN where the curve does
+ * not reach that far. */
 double quantity_over(const struct quantity *q, double limit, double value,
     const struct psd *curve);
 

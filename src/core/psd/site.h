@@ -40,8 +40,8 @@ struct site_note {
  * holds a copy of the one feed. */
 struct site {
 	char *name, *rock, *machine, *provenance;
-	double top_size; /* m; 0 when not stated */
-	double rotor;    /* diameter, m; 0 when not stated */
+	double top_size; /* m; 0 if not stated */
+	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;
 	struct psd mean_feed; /* of several feeds; site_settle */
 	size_t n_run;
@@ -150,8 +150,8 @@ void site_reach(const struct site *site, double *from, double *to);
 double site_middle(const struct site *site);
 
 /* Returns the kind of data with that provenance: "reconstructed", "synthetic",
- * "made up" or "simulated" if it begins so; "not stated" if it says so or is
- * empty; "measured" for any other. */
+ * "made up" or "simulated" if it begins with that; "not stated" if it is that
+ * or empty; "measured" for any other. */
 const char *site_data_kind(const char *provenance);
 
 /* The key of the header line for the size, mm, that all of the feed is assumed

@@ -10,8 +10,8 @@
  * the search ranges.  In the gauge, where only the direction matters (D4), the
  * largest parameter is held and the others are scaled by twice its size.
  *   column [n]        parameters that may move
- *   range             the size of a share of 1 of each
- *   sigma [n]         singular values, the largest first
+ *   range             the change of each parameter that is a share of 1
+ *   sigma [n]         singular values, largest first
  *   direction [i][c]  share of column c in the direction of sigma i */
 struct sensitivity {
 	size_t n, column[PARAMS_MOST];

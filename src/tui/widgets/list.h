@@ -33,7 +33,7 @@ struct list_column {
 
 /* The n columns of a list.  cell writes the text of a row in a column.  series
  * finds the colour of a text, or returns false; sort handles a click on a
- * heading and makes the column in ui.sort marked; these two may be NULL. */
+ * heading; with it, the column in ui.sort is marked.  These two may be NULL. */
 struct list_table {
 	const struct list_column *column;
 	int n;
