@@ -106,7 +106,7 @@ void text_put(const char *s, FILE *out);
 void text_put_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
-/* Returns a text shortened to that many columns: whole words, and " .."  for
+/* Returns a text shortened to that many columns: whole words, and " .." for
  * the rest; if little would remain, its beginning and "..", but no part of a
  * number, which would be a different number.  The caller frees it. */
 char *text_fitted(const char *s, int columns);

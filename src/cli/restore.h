@@ -8,7 +8,7 @@ void restore_keep_settings(void);
 
 /* Prepares the bytes that restore the terminal, from what ncurses knows about
  * it.  From now on, these are written if a fault, a failed assertion, an
- * uncaught signal (SEGV, ABRT, QUIT, ..)  or lack of memory ends the program.
+ * uncaught signal (SEGV, ABRT, QUIT, ..) or lack of memory ends the program.
  * SIGTERM, SIGHUP and SIGINT end it in the usual way. */
 void restore_screen(void);
 

@@ -28,7 +28,7 @@ struct axis {
 
 /* Returns an axis with a tick at every sieve of size [n], mm, in any order and
  * possibly repeated; the label is the number as given.  Ranks: the ends, then
- * the doubling series (0.063, 0.125 ..  16), then 5.6, 11.2 and the like, then
+ * the doubling series (0.063, 0.125 .. 16), then 5.6, 11.2 and the like, then
  * all others.  There should be two different sizes; a single one becomes a
  * range around it. */
 struct axis axis_sieves(const char *title, const double *size, size_t n);

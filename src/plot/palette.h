@@ -34,10 +34,10 @@ enum series {
 enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
 
 /* Returns the number of a series' colour at a depth of 0 (no colour), 8, 16 or
- * 256 colours; -1 for the text colour.  The 256 colours can be distinguished
- * with red-green blindness (tests/unit/test_palette.c), and nothing is marked
- * by colour alone.  Of 16 colours, those from 8 up are bright; with 8 colours,
- * such a number means bold. */
+ * 256 colours; -1 for the text colour.  At depth 256 the colours can be told
+ * apart even with red-green blindness (tests/unit/test_palette.c), and nothing
+ * is marked by colour alone.  Of 16 colours, those from 8 up are bright; with 8
+ * colours, such a number means bold. */
 int palette_colour(enum series series, int depth, enum theme theme);
 
 /* Returns the series whose colour shades the band of a series: each has its

@@ -94,10 +94,10 @@ char *answers_reach_words(
 void answers_note_rpm(struct answer *r, const struct site *site, double speed,
     double low, double high);
 
-/* Appends the basis of the answer, after everything else: if it has a band,
- * which runs correct it and what low and high mean; then the source of the
- * parameters, the feed, the model, and the light, which it frees.  speed: that
- * of the answer, noted if it is beyond the measured speeds, or 0. */
+/* Appends the basis of the answer, after everything else: for an answer with a
+ * band, which runs correct it and what low and high mean; then the source of
+ * the parameters, the feed, the model, and the light, which it frees.  speed:
+ * that of the answer, noted if it is beyond the measured speeds, or 0. */
 void answers_show_basis(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band, struct trust light);
 

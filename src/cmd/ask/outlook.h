@@ -19,7 +19,7 @@ enum correction outlook_correction(
  * runs, of the calibration that found the entry's parameters, on this site or
  * another.  The first call draws it, which takes 0.1 s.  NULL if no calibration
  * in this session found them, if it had too few data, or if the user stopped
- * the drawing. */
+ * it. */
 const struct posterior *outlook_posterior(const struct session *s,
     const struct entry *entry, enum correction correction);
 
@@ -40,7 +40,8 @@ const struct posterior *outlook_draws(
 
 /* Returns the posterior of a calibration, for comparison with cuts that it has
  * not seen: that of outlook_draws or, with training_only, that of the training
- * runs.  NULL if answers lack a band for a reason other than set correction. */
+ * runs.  NULL if answers lack a band for a reason other than `set correction
+ * off`. */
 const struct posterior *outlook_posterior_of_unseen(
     const struct session *s, const struct entry *entry, bool training_only);
 

@@ -12,9 +12,9 @@
 /* A picture of the full screen.  columns, rows: if 0, those of the open screen,
  * or else 100 x 30.  page: from 1; 0: the current page.  keys: names of keys to
  * press first; "": none.  charset and colours (0, 8, 16 or 256) are those of
- * the open screen unless `asked`.  words: for a screen reader: omits plots and
- * lines and sets picture to the name that describe has for the page's plot, or
- * NULL; the caller frees it. */
+ * the open screen unless `asked`.  words: draw for a screen reader, without
+ * plots and lines, and set picture to the name that describe has for the page's
+ * plot, or NULL; the caller frees it. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;

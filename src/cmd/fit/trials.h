@@ -11,7 +11,7 @@
  * sites; key: of the site; source: of its data; name: "74 (2)"; passing: see
  * validate_passings; within: number of its passings in the band for one more
  * sample, used only when one site is validated.  Runs read from a part have no
- * name, run and passing. */
+ * name, run or passing. */
 struct trial {
 	size_t entry;
 	char *key, *source, *name;

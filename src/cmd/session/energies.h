@@ -6,7 +6,7 @@
 #include "cmd/session/session.h"
 #include "io/formats/collisions.h"
 
-/* J/kg; by default, impacts with less are not shown and not used in the
+/* J/kg; by default, impacts with less energy are not shown and not used in the
  * model. */
 enum { ENERGIES_CUT = 10 };
 

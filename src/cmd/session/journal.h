@@ -30,8 +30,8 @@ struct tail journal_cut_after(struct session *s, struct mark mark);
 void journal_paste(struct session *s, struct tail *tail);
 void tail_free(struct tail *tail);
 
-/* Adds a line.  latest: the name of a command, or NULL; a last line with that
- * command is replaced. */
+/* Adds a line.  latest: the name of a command whose line is replaced if it is
+ * the last; or NULL. */
 void journal_add(struct session *s, const char *latest, const char *line, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -57,7 +57,7 @@ void journal_append_word(char **line, const char *word);
  * step at which the job stopped.  The caller frees it. */
 char *journal_line(const struct args *args, const struct words *words);
 
-/* Returns "load FILE@SPEED..  digest=HEX" for a site read from n files.  speed:
+/* Returns "load FILE@SPEED.. digest=HEX" for a site read from n files.  speed:
  * of the samples in each file, m/s, or 0. */
 char *journal_load(const struct site *site, size_t n, const char *const *path,
     const double *speed);

@@ -182,8 +182,8 @@ bool origin_is_other(const struct entry *entry);
 
 /* origin_sentence returns "parameters from tierp (..), not calibrated on this
  * site", or "" if they were found on it; the caller frees it.  origin_note adds
- * it as a note for parameters from another site or the store; that parameters
- * were set by hand is reported by the light. */
+ * it as a note for parameters from another site or the store; the light reports
+ * parameters set by hand. */
 char *origin_sentence(const struct entry *entry);
 void origin_note(struct answer *r, const struct entry *entry);
 

@@ -121,10 +121,11 @@ shell */
 	struct plant_log **logs; /* all so far */
 	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
-	struct spec **specs; /* all so far */
-	double asked;        /* speed last asked about, or 0 */
-	struct moved *moved; /* see moved.h */
-	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
+	struct spec **specs;       /* all so far */
+	double asked;              /* speed last asked about, or 0 */
+	struct moved *moved;       /* see moved.h */
+	struct blended *fed;       /* feed from the sheets in `set feed`, see
+			      * blended.h, or NULL */
 	struct standing *standing; /* see question_standing; or NULL */
 	const struct pin *pin;     /* see pin.h, or NULL */
 	size_t n_pin;

@@ -7,7 +7,7 @@
 #include "cmd/session/session.h"
 #include "io/formats/plant_log.h"
 
-/* Runs load FILE..  as=log: loads the log used to look up cuts. */
+/* Runs load FILE.. as=log: loads the log used to look up cuts. */
 bool log_load(struct session *s, const struct args *args, struct error *error);
 
 /* Looks up values in the log at a time, or within a number of seconds of it:

@@ -52,7 +52,7 @@ struct quantity *predict_quantities(const struct site *site,
 
 /* Returns the table of a response opened for predict_quantities, at its speed,
  * with the band of the middle `level` of the draws, if it has draws.  feed_run:
- * the run whose feed it has, or SITE_MEAN_FEED, see site_feed.  Free with
+ * the run whose feed is used, or SITE_MEAN_FEED, see site_feed.  Free with
  * prediction_free. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct response *r, double level);

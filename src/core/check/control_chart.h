@@ -18,7 +18,7 @@ enum drift_component { DRIFT_LEVEL, DRIFT_TILT, DRIFT_COMPONENTS };
 /* k, h: allowance and limit of the CUSUM, in standard deviations; lambda,
  * width: weight of the newest sample in the EWMA, and the limit of the EWMA in
  * its own standard deviations; cuts: weight, as a number of cuts, of the
- * posterior's size of the errors against the size that the cuts show. */
+ * posterior's estimate of the size of errors against that from the cuts. */
 struct drift_rule {
 	double k, h, lambda, width, cuts;
 };

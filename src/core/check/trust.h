@@ -52,7 +52,7 @@ struct evidence {
 	size_t cells, parameters; /* of the fit */
 	double rmse;              /* of the fit, passing 0..1 */
 	bool like_feed;           /* products do not differ from the feed */
-	/* Of the residuals at all runs used, minus the part that a step of the
+	/* Residuals at all runs used, less the part that a step of the
 	 * parameters explains.  size: mean square over that of usual sampling
 	 * errors; alike: correlation of neighbours on a curve, in its standard
 	 * deviations. */

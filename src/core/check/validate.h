@@ -31,8 +31,8 @@ struct validation {
 	size_t run;
 	double speed;
 	bool holdout;               /* not among the training runs */
-	size_t n_sieve, n_left_out; /* compared; ignored, as the feed has no
-				     * sieve so fine */
+	size_t n_sieve, n_left_out; /* compared; ignored, as finer than the
+				     * feed's sieves */
 	double misfit;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
 	double measured[PSD_SIZES];           /* P20, P50, P80, m */

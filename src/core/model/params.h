@@ -34,7 +34,7 @@ struct param_info {
 	const char *unit;    /* "-" if none */
 	double lower, upper; /* default search bounds */
 	double least, most;  /* of any value */
-	double start; /* if a site has none; NAN: a value must be given */
+	double start;        /* value if a site has none; NAN: must be given */
 	const char *meaning;
 	double spread; /* of a normal prior about start; 0: uniform in bounds */
 };

@@ -1,4 +1,4 @@
-/* Instruction sets, for code that is compiled once for each of several.
+/* Instruction sets for which some code is compiled separately.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ISA_H
 #define TIPSPEED_CORE_NUMERIC_ISA_H
@@ -6,8 +6,8 @@
 /* In rising order; ISA_BEST picks at run time. */
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
-/* Returns the wanted set, or the best one this processor has if it lacks
- * that. */
+/* Returns the wanted set or, if the processor lacks it, the best that it
+ * has. */
 enum isa isa_is_usable(enum isa wanted);
 
 /* Returns "baseline", "avx2" or "avx512". */

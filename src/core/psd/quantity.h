@@ -49,7 +49,7 @@ struct quantity {
 bool quantity_same(const struct quantity *a, const struct quantity *b);
 
 /* Returns the value read off the curve of the fraction, or NAN if the curve
- * does not reach that far.  share: of the product, in the fraction. */
+ * does not reach that far.  share: the fraction's share of the product. */
 double quantity_read(
     const struct quantity *q, const struct psd *curve, double share);
 

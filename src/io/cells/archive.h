@@ -18,7 +18,8 @@ void archive_close(struct archive *archive);
 /* True if the archive contains a part with this name, ignoring case. */
 bool archive_has(const struct archive *archive, const char *name);
 
-/* Returns the unpacked size of all parts, in bytes, stated in the archive. */
+/* Returns the unpacked size of all parts, in bytes, as stated in the
+ * archive. */
 double archive_unpacked(const struct archive *archive);
 
 /* Returns a part, *n bytes and a NUL, which the caller frees.  Returns NULL,

@@ -39,9 +39,9 @@ bool sieve_names_is_number(const char *text);
  * E11. */
 bool sieve_names_is_standard(double mm);
 
-/* Returns the next coarser sieve, mm, of those that plants have: EN 933, or the
- * inches and numbers of ASTM E11.  Above them all, it returns the next step of
- * the series. */
+/* Returns the next coarser sieve, mm, of those that plants have: the sieves of
+ * EN 933, or the inch sizes and numbers of ASTM E11.  Above them all, it
+ * returns the next step of the series. */
 double sieve_names_coarser(double mm, bool astm);
 
 /* For a name that no sieve has, returns the next coarser and finer sieves: "1/4

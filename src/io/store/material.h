@@ -31,7 +31,7 @@ struct stored_list {
 };
 
 /* FIELD_MODEL: the name of the breakage model; FIELD_PARAMS: all its
- * parameters, "beta1=0 ..  alpha=0.96". */
+ * parameters, "beta1=0 .. alpha=0.96". */
 enum field_kind {
 	FIELD_TEXT,
 	FIELD_NUMBER,

@@ -22,8 +22,8 @@ int rows_draw(
     struct tui *t, const struct area *area, row_way *draw, const void *of);
 
 /* A column of a list.  least: minimum width, if its texts need that much; with
- * less it is not shown.  rank: columns of low rank get room first; indent: of
- * its heading; right: right-aligned, for numbers; fixed: always `least`
+ * less it is not shown.  rank: columns with a low rank get room first; indent:
+ * of its heading; right: right-aligned, for numbers; fixed: always `least`
  * wide. */
 struct list_column {
 	const char *head;
