@@ -1,5 +1,5 @@
 /* Writes and reads the basis of a calibration as text: a line
- * "name=number,number name=..  " for the fit, a line for each assumption about
+ * "name=number,number name=.. " for the fit, a line for each assumption about
  * the sheet, an empty line, and the sheets, separated by an empty line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/basis.h"
