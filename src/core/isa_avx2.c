@@ -1,5 +1,5 @@
-/* The kernel and the breeding for avx2, compiled with flags for this file only.
- * On other architectures they are those of isa_base.c and are never called.
+/* The kernel and the breeding for AVX2, compiled with flags for this file only.
+ * On other architectures they equal those of isa_base.c and are never called.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef __AVX2__
 #define LANES 4

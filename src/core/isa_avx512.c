@@ -1,5 +1,5 @@
-/* The kernel and the breeding for avx512, compiled with flags for this file
- * only.  On other architectures they are those of isa_base.c and are never
+/* The kernel and the breeding for AVX-512, compiled with flags for this file
+ * only.  On other architectures they equal those of isa_base.c and are never
  * called.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef __AVX512F__

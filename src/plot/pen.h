@@ -59,8 +59,8 @@ struct pen_paper {
  * false if writing failed.
  *
  * For PDF only, which may have several pages: width returns the width of a
- * text, points; next begins another page; place makes the pen draw scaled and
- * relative to x, y from now on. */
+ * text, points; next begins another page; place makes the pen draw at x, y, to
+ * that scale, from now on. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);

@@ -6,7 +6,7 @@
 #include "cmd/session/session.h"
 
 /* A round: a site, its training runs, its calibration.  stop: returns true if
- * the user is waiting; or NULL. */
+ * the user is waiting; may be NULL. */
 struct round {
 	size_t entry;
 	const bool *train;

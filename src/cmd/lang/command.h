@@ -85,7 +85,7 @@ enum command_flag {
 	COMMAND_CHANGES = 1,   /* changes the session: can be undone */
 	COMMAND_FILES = 2,     /* operands are files: refused by --safe */
 	COMMAND_VERBATIM = 4,  /* > and | are ordinary words */
-	COMMAND_UNSAVED = 8,   /* save omits it, or it saves itself */
+	COMMAND_UNSAVED = 8,   /* save omits it, or it adds its own line */
 	COMMAND_LATEST = 16,   /* save keeps the last of several in a row */
 	COMMAND_DRAWS = 32,    /* may write to an image file */
 	COMMAND_AT_SITE = 64,  /* needs a site to work on */

@@ -18,9 +18,9 @@
  * - p = dB / d ln u and B are tabulated at fixed nodes of u, once or for each
  *   speed, depending on the model, and read at the middle of each class as seen
  *   from each sieve; a class adds mass times B there, minus moment times p.
- * On Table 3, it is within 0.05 points of model_product (tested), which is used
- * to polish and report the result of a search.  `classes` is exact if the model
- * has a density.
+ * On Table 3 it is within 0.05 points (tested) of model_product, the accurate
+ * product with which results are polished and reported.  `classes` is exact if
+ * the model has a density.
  *
  * An evaluation allocates nothing.  A candidate's misfit depends, bit for bit,
  * on that candidate alone: not on its neighbours, the number of threads or the

@@ -10,7 +10,7 @@
  * the search ranges.  In the gauge, where only the direction matters (D4), the
  * largest parameter is held and the others are scaled by twice its size.
  *   column [n]        parameters that may move
- *   range             the change of each parameter that is a share of 1
+ *   range             the change of each parameter that counts as 1
  *   sigma [n]         singular values, largest first
  *   direction [i][c]  share of column c in the direction of sigma i */
 struct sensitivity {
