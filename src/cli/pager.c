@@ -1,4 +1,4 @@
-/* Measures text against the screen; runs the user's pager.
+/* Compares the height of text with the screen and runs the user's pager.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/pager.h"
 

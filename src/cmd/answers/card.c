@@ -1,4 +1,4 @@
-/* card: the page for the cabin: what every speed gives.
+/* card: the sheet of speeds and products for the operator.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

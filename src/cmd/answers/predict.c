@@ -1,4 +1,4 @@
-/* predict: what comes out at a speed, and how far to trust it.
+/* predict: the product at a speed, and how far to trust it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/predict.h"
 

@@ -1,5 +1,4 @@
-/* remember, recall, forget, export, import, materials: what outlives the
- * session.
+/* remember, recall, forget, export, import, materials: commands for the store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <inttypes.h>
 #include <math.h>

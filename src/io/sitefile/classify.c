@@ -1,5 +1,5 @@
-/* Finds what the columns of a table are: by what their heads say, else by the
- * shape of their numbers; a column that could be several things is open.
+/* Classifies the columns of a table by their headings, or else by the shape of
+ * their numbers.  An ambiguous column is open.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/classify.h"
 
