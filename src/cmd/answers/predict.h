@@ -15,10 +15,10 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
-/* Returns the largest change of a quantity, in its own unit, from its value at a
- * speed, m/s, when the mean feed is replaced with a sampled one: the band does
- * not include changes of the feed.  Returns 0 if the site has one feed or the
- * question gives another. */
+/* Returns the largest change of a quantity, in its own unit, from its value at
+ * a speed, m/s, when the mean feed is replaced with a sampled one: the band
+ * does not include changes of the feed.  Returns 0 if the site has one feed or
+ * the question gives another. */
 double predict_feeds_move(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double value);
 
