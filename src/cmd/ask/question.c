@@ -367,7 +367,7 @@ set_sheets(struct session *s)
 	const struct setting *row = SETTINGS;
 	if (s->set.feed[0] == '\0')
 		return NULL;
-	while (row->offset != offsetof(struct choices, feed))
+	while (row->option.offset != offsetof(struct choices, feed))
 		row++;
 	return value_read(&row->option, s->set.feed, &value, &none) &&
 		       value_is_file(&row->option, &value)

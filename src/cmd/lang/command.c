@@ -383,6 +383,18 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
+bool
+args_given(const struct args *args, const void *member)
+{
+	size_t offset = (size_t)((const char *)member - (const char *)args);
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++)
+		if (o->offset == offset)
+			return args->value[i].given;
+	return false;
+}
+
 const struct value *
 args_value(const struct args *args, const char *name)
 {

@@ -35,16 +35,16 @@ struct command_option {
 	const char *choices;  /* see option_choices */
 	const char *fallback; /* default, as typed; "" where there is none */
 	const char *brief;
+	size_t offset; /* of the member that gets the value: of struct args or,
+			  of a setting, of struct choices */
 };
 
 /* A setting.  option: its values; option.fallback is the initial value, or ""
- * where the session determines it.  offset: of the member of struct choices
- * that keeps it: a double for a number, letters for a text, an unsigned or an
- * enum for the rest.  looks: it concerns the full screen, which saves it, and
- * is not undone. */
+ * where the session determines it.  It is kept in a double for a number,
+ * letters for a text, an unsigned or an enum for the rest.  looks: it concerns
+ * the full screen, which saves it, and is not undone. */
 struct setting {
 	struct command_option option;
-	size_t offset;
 	bool looks;
 };
 
@@ -58,17 +58,66 @@ struct value {
 	double *list;
 };
 
+struct number_list {
+	size_t n;
+	const double *at;
+};
+
 enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
-/* A parsed call.  column[i]: where operand i begins in the line.  value[i]
- * belongs to the command's option i; an option with a fallback that was not
- * given contains the fallback's value and given = false. */
+/* A parsed call.  column[i]: where operand i begins in the line.  value[i] is
+ * what was read for the command's option i.  Then the values of all options, by
+ * name: as given, else the fallback, else 0, NULL or false, which is also what
+ * options have that the command does not take; args_given tells them apart.  A
+ * choice is an index into the option's choices.  See rows.h. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
 	const char *operand[OPERANDS];
 	int column[OPERANDS];
 	struct value value[OPTIONS];
+
+	/* Of questions. */
+	double speed, rpm, rotor_mm, cascade, k, sharpness, cut_size, from, to;
+	struct number_list speeds, sieves;
+	const char *feed, *cut, *of, *spec;
+	unsigned correction;
+	bool detail, replace, band;
+	/* Of answers. */
+	double p20, p50, p80, passing, at, noise, speed_sd, h;
+	bool curve, interpolated;
+	unsigned probability;
+	uint64_t n, nearest;
+	/* Of flow. */
+	double tph, kwh;
+	const char *fractions, *recycle, *circuit, *power, *prices;
+	bool best;
+	/* Of calibrations. */
+	uint64_t seed, population, generations, stall, threads, pause, every;
+	double tolerance;
+	struct number_list train, run_weights;
+	bool polish, watch, by_sieve;
+	unsigned weights, preset, holdout;
+	const char *part;
+	/* Of pictures. */
+	double other, other_feed, level, width, height;
+	const char *beside, *site, *limits, *param, *keys;
+	uint64_t generation;
+	unsigned charset, colours, page;
+	/* Of sheets. */
+	const char *columns, *samples, *sheet, *range, *digest, *out;
+	unsigned as, decimal, dates, unit;
+	double top, window, exponent, energy_cut;
+	bool skip;
+	/* Of mend. */
+	double sieve, scale, mend_value;
+	const char *with;
+	unsigned mend_do;
+	/* Of the store, and of the session. */
+	const char *rock, *date, *note;
+	unsigned origin;
+	uint64_t most;
+	bool state;
 };
 
 /* Runs a command.  False with an error if it fails. */
@@ -214,6 +263,9 @@ char *command_limits(const struct command_option *option);
 /* True if the value names a file. */
 bool value_is_file(
     const struct command_option *option, const struct value *value);
+
+/* Whether the option was typed whose value is that member of args. */
+bool args_given(const struct args *args, const void *member);
 
 /* Returns the value of an option of the call; asserts that the command has
  * it. */

@@ -17,7 +17,7 @@ void
 settings_put(
     const struct setting *row, const struct value *value, struct choices *set)
 {
-	char *place = (char *)set + row->offset;
+	char *place = (char *)set + row->option.offset;
 	/* What is in a file is read by cmd_set. */
 	if (row->option.kind == VALUE_FILE)
 		return;
@@ -44,7 +44,7 @@ settings_put(
 char *
 settings_text(const struct setting *row, const struct choices *set)
 {
-	const char *place = (const char *)set + row->offset;
+	const char *place = (const char *)set + row->option.offset;
 	const char *word = option_choices(&row->option);
 	double number, end[2];
 	unsigned whole;

@@ -1,19 +1,16 @@
 /* Commands about the session itself, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
 static const struct command_option SAVE_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite an existing file"},
-    {.name = NULL}};
+    {OFF_ON(replace), "off", "overwrite an existing file"}, {.name = NULL}};
 
 static const struct command_option TIMING_OPTIONS[] = {
-    {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "show it or not"},
-    {.name = NULL}};
+    {ON_OFF(state), "on", "show it or not"}, {.name = NULL}};
 
 static const struct command_option MAN_OPTIONS[] = {
-    {"page", VALUE_CHOICE, "", 0, 0,
-	"tipspeed tutorial tui site spec model circuit", "tipspeed",
+    {CHOICE(page), "tipspeed tutorial tui site spec model circuit", "tipspeed",
 	"page of the manual"},
     {.name = NULL}};
 

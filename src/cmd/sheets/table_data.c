@@ -1,109 +1,103 @@
 /* Commands that read, show and write sheets, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
 static const struct command_option SHOW_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
+    {SPEED(speed),
 	"speed of the selection function; default: a held-out speed, else 74"},
-    {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
+    {WHOLE(every), "", 1, 1e6, NULL, "",
 	"search: every N-th generation; default: as many as fit a screen"},
     {.name = NULL}};
 
 /* Options of load and add, which both read sheets. */
-#define SHEET_OPTIONS                                                         \
-	{"columns", VALUE_TEXT, "", 0, 0, NULL, "",                           \
-	    "what the columns are, by number: \"1=sieve mm, 2=feed "          \
-	    "retained_g, 4=product@70\"; others are left out"},               \
-	    {"samples", VALUE_TEXT, "", 0, 0, NULL, "",                       \
-		"what samples are, by name: \"S01=feed, S02=@70\"; others "   \
-		"are left out"},                                              \
-	    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"}, \
-	    {"range", VALUE_TEXT, "", 0, 0, NULL, "",                         \
-		"part of a sheet, as A3:F20; default: all"},                  \
-	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
-		"decimal sign, if the numbers do not show which it is"},      \
-	    {"top", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                  \
-		"size that all of the feed passes, an assumption"},           \
-	{                                                                     \
-		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
-		    "diameter of the rotor, for speeds in rpm"                \
+#define SHEET_OPTIONS                                                       \
+	{TEXT(columns), NULL, "",                                           \
+	    "what the columns are, by number: \"1=sieve mm, 2=feed "        \
+	    "retained_g, 4=product@70\"; others are left out"},             \
+	    {TEXT(samples), NULL, "",                                       \
+		"what samples are, by name: \"S01=feed, S02=@70\"; others " \
+		"are left out"},                                            \
+	    {TEXT(sheet), NULL, "", "sheet of a workbook"},                 \
+	    {TEXT(range), NULL, "",                                         \
+		"part of a sheet, as A3:F20; default: all"},                \
+	    {CHOICE(decimal), "point comma", "",                            \
+		"decimal sign, if the numbers do not show which it is"},    \
+	    {NUMBER(top), "mm", 1e-6, 1e4, NULL, "",                        \
+		"size that all of the feed passes, an assumption"},         \
+	{                                                                   \
+		NUMBER(rotor_mm), "mm", 100, 5000, NULL, "",                \
+		    "diameter of the rotor, for speeds in rpm"              \
 	}
 
 static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
-    {"as", VALUE_CHOICE, "", 0, 0, "site log", "site",
+    {CHOICE(as), "site log", "site",
 	"log: the plant's log of rpm, kW and t/h, for 'add FILE@TIME'"},
-    {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
+    {CHOICE(dates), "day-first month-first", "",
 	"order in dates of a log such as 5/3/2026, if they do not show it"},
-    {"skip", VALUE_CHOICE, "", 0, 0, "off on", "off",
+    {OFF_ON(skip), "off",
 	"on: files that cannot be read are listed and left out, and a script "
 	"goes on"},
-    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(digest), NULL, "",
 	"refuse a file with other numbers; written by save"},
     {.name = NULL}};
 
 static const struct command_option ADD_OPTIONS[] = {SHEET_OPTIONS,
-    {"date", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(date), NULL, "",
 	"day of the cuts, such as 2026-05-03; not set from the clock"},
-    {"window", VALUE_NUMBER, "min", 0.1, 600, NULL, "10",
+    {NUMBER(window), "min", 0.1, 600, NULL, "10",
 	"minutes of the log, half before the time and half after it"},
-    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(digest), NULL, "",
 	"refuse cuts that give the site other numbers; written by save"},
     {.name = NULL}};
 
 static const struct command_option MEND_OPTIONS[] = {
-    {"sieve", VALUE_NUMBER, "mm", 1e-6, 1e6, NULL, "",
-	"sieve of the passing to mend"},
-    {"value", VALUE_NUMBER, "%", 0, 100, NULL, "",
+    {NUMBER(sieve), "mm", 1e-6, 1e6, NULL, "", "sieve of the passing to mend"},
+    {NUMBER_NAMED("value", mend_value), "%", 0, 100, NULL, "",
 	"read the passing at sieve= as this"},
-    {"do", VALUE_CHOICE, "", 0, 0, "out swap up down drop", "",
+    {CHOICE_NAMED("do", mend_do), "out swap up down drop", "",
 	"leave the passing at sieve= out; swap a product with its feed; move a "
 	"column to the next coarser (up) or finer sieves; drop a run"},
-    {"with", VALUE_TEXT, "", 0, 0, NULL, "",
-	"exchange two products: product@79"},
-    {"scale", VALUE_NUMBER, "", 1e-6, 1e6, NULL, "",
+    {TEXT(with), NULL, "", "exchange two products: product@79"},
+    {NUMBER(scale), "", 1e-6, 1e6, NULL, "",
 	"multiply the column's sieve sizes, as by 0.001"},
     {.name = NULL}};
 
 static const struct command_option SYNTH_OPTIONS[] = {
-    {"site", VALUE_TEXT, "", 0, 0, NULL, "",
-	"make only the sites with this name"},
-    {"n", VALUE_NUMBER, "", 0.05, 5, NULL, "1",
+    {TEXT(site), NULL, "", "make only the sites with this name"},
+    {NUMBER_NAMED("n", exponent), "", 0.05, 5, NULL, "1",
 	"exponent of the feed below the top size"},
-    {"noise", VALUE_NUMBER, "", 0, 10, NULL, "0.5",
+    {NUMBER(noise), "", 0, 10, NULL, "0.5",
 	"standard deviation in points at 50 % passing"},
-    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "1",
-	"seed of the noise"},
-    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "69,74,79",
+    {WHOLE(seed), "", 0, 9223372036854774784.0, NULL, "1", "seed of the noise"},
+    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "69,74,79",
 	"tip speeds, slow to fast"},
     {.name = NULL}};
 
 static const struct command_option TEMPLATE_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "69,79",
+    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "69,79",
 	"tip speeds of the products, a column each"},
-    {"unit", VALUE_CHOICE, "", 0, 0, "passing_pct retained_g", "passing_pct",
+    {CHOICE(unit), "passing_pct retained_g", "passing_pct",
 	"what the numbers will be"},
-    {"sieves", VALUE_NUMBERS, "mm", 0.001, 1000, NULL, "",
+    {NUMBERS(sieves), "mm", 0.001, 1000, NULL, "",
 	"sieves, a row each; default: the usual ones of EN 933"},
     {.name = NULL}};
 
 static const struct command_option WRITE_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite existing files"},
-    {.name = NULL}};
+    {OFF_ON(replace), "off", "overwrite existing files"}, {.name = NULL}};
 
 static const struct command_option ENERGY_OPTIONS[] = {
-    {"cut", VALUE_NUMBER, "J/kg", 0, 1e6, NULL, "",
+    {NUMBER_NAMED("cut", energy_cut), "J/kg", 0, 1e6, NULL, "",
 	"impacts below it do not count; default: as loaded, else 10"},
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
+    {SPEED(speed),
 	"load: tip speed of the simulation; else: scale the energies to it by "
 	"v^2"},
-    {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(columns), NULL, "",
 	"load: names of the columns in order, with commas between; - for one "
 	"to skip"},
-    {"unit", VALUE_CHOICE, "", 0, 0, "j_kg m_s", "",
+    {CHOICE(unit), "j_kg m_s", "",
 	"load: of a list of numbers without headings"},
-    {"note", VALUE_TEXT, "", 0, 0, NULL, "",
-	"load: where the energies are from"},
+    {TEXT(note), NULL, "", "load: where the energies are from"},
     {.name = NULL}};
 
 const struct command TABLE_DATA[] = {

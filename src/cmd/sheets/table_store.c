@@ -1,49 +1,44 @@
 /* Commands about the store, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
 static const struct command_option MATERIALS_OPTIONS[] = {
-    {"rock", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(rock), NULL, "",
 	"only this rock type; case and accents do not matter"},
-    {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
+    {NUMBER(top), "mm", 0.1, 1000, NULL, "",
 	"only top sizes within 5 % of this one"},
-    {"origin", VALUE_CHOICE, "", 0, 0, "all table3 own", "all",
+    {CHOICE(origin), "all table3 own", "all",
 	"materials of the paper, your own, or both"},
-    {"most", VALUE_WHOLE, "", 0, 1e9, NULL, "1000",
+    {WHOLE(most), "", 0, 1e9, NULL, "1000",
 	"list at most so many of your own, by name; 0: all"},
     {.name = NULL}};
 
 static const struct command_option RECALL_OPTIONS[] = {
-    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(digest), NULL, "",
 	"refuse a material that has changed; written by save"},
     {.name = NULL}};
 
 static const struct command_option REMEMBER_OPTIONS[] = {
-    {"date", VALUE_TEXT, "", 0, 0, NULL, "",
+    {TEXT(date), NULL, "",
 	"date to store with it, such as 2026-11-21; default: today"},
-    {"note", VALUE_TEXT, "", 0, 0, NULL, "", "text to store with it"},
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"replace a material of the same name"},
+    {TEXT(note), NULL, "", "text to store with it"},
+    {OFF_ON(replace), "off", "replace a material of the same name"},
     {.name = NULL}};
 
 static const struct command_option EXPORT_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite an existing file"},
-    {.name = NULL}};
+    {OFF_ON(replace), "off", "overwrite an existing file"}, {.name = NULL}};
 
 static const struct command_option IMPORT_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"replace materials of the same names"},
+    {OFF_ON(replace), "off", "replace materials of the same names"},
     {.name = NULL}};
 
 static const struct command_option GUESS_OPTIONS[] = {
-    {"rock", VALUE_TEXT, "", 0, 0, NULL, "",
-	"rock type; default: that of the site file"},
-    {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
+    {TEXT(rock), NULL, "", "rock type; default: that of the site file"},
+    {NUMBER(top), "mm", 0.1, 1000, NULL, "",
 	"top size; default: that of the site file"},
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"rotor tip speed; default: a held-out speed, else 74"},
-    {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "",
+    {SPEED(speed), "rotor tip speed; default: a held-out speed, else 74"},
+    {WHOLE(nearest), "", 1, 100, NULL, "",
 	"number of nearest materials to estimate from; default: the number "
 	"that errs least when one site is left out"},
     {.name = NULL}};
