@@ -202,7 +202,7 @@ take_pinned(struct session *s, const struct args *args, struct side *side,
 {
 	const struct pin *pin = s->pin;
 	size_t at = 0;
-	if (args_value(args, "cut")->given)
+	if (args->cut != NULL)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected no cut= with what is pinned, which is "
 		    "the whole product\n"
@@ -238,8 +238,8 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	const char *word = args->operand[i];
 	if (is_pinned(args, i))
 		return take_pinned(s, args, side, error);
-	double v =
-	    args_number(args, "speed", answers_usual_speed(session_entry(s)));
+	double v = args->speed > 0 ? args->speed
+				   : answers_usual_speed(session_entry(s));
 	size_t at = s->current;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
@@ -365,7 +365,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		sites =
 		    sites || (!is_pinned(args, i) &&
 				 !value_number(args->operand[i], "m/s", &v));
-	if (!sites && args_value(args, "speed")->given)
+	if (!sites && args->speed > 0)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected two speeds, or two sites and a speed");
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&

@@ -383,16 +383,40 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
-bool
-args_given(const struct args *args, const void *member)
+/* The index of the option; OPTIONS if the command has none that is kept there. */
+static size_t
+option_of_member(const struct args *args, const void *member)
 {
 	size_t offset = (size_t)((const char *)member - (const char *)args);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
 	     i++)
 		if (o->offset == offset)
-			return args->value[i].given;
-	return false;
+			return i;
+	return OPTIONS;
+}
+
+bool
+args_given(const struct args *args, const void *member)
+{
+	size_t i = option_of_member(args, member);
+	return i < OPTIONS && args->value[i].given;
+}
+
+const char *
+args_typed(const struct args *args, const void *member)
+{
+	size_t i = option_of_member(args, member);
+	assert(i < OPTIONS);
+	return args->value[i].text;
+}
+
+const char *
+args_name(const struct args *args, const void *member)
+{
+	size_t i = option_of_member(args, member);
+	assert(i < OPTIONS);
+	return command_option_at(args->command, i)->name;
 }
 
 const struct value *

@@ -264,8 +264,11 @@ char *command_limits(const struct command_option *option);
 bool value_is_file(
     const struct command_option *option, const struct value *value);
 
-/* Whether the option was typed whose value is that member of args. */
+/* Of the option whose value is that member of args: whether it was given; its
+ * value as typed; its name.  The command must have it, but for args_given. */
 bool args_given(const struct args *args, const void *member);
+const char *args_typed(const struct args *args, const void *member);
+const char *args_name(const struct args *args, const void *member);
 
 /* Returns the value of an option of the call; asserts that the command has
  * it. */
