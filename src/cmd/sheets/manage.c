@@ -124,8 +124,7 @@ bool
 cmd_timing(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *state = args_value(args, "state");
-	s->set.timing = state->choice == 0;
+	s->set.timing = args->state;
 	return true;
 }
 
@@ -226,9 +225,8 @@ bool
 cmd_seed(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *value = args_value(args, "seed");
-	if (value->given) {
-		s->set.seed = value->whole;
+	if (args_given(args, &args->seed)) {
+		s->set.seed = args->seed;
 		return true;
 	}
 	struct answer *r = answer_new("seed");
@@ -254,7 +252,7 @@ may_save(const struct session *s, const struct args *args, const char *path,
 	bool saved;
 	const char *holder = files_holder(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
-	if (again && (saved || args_value(args, "replace")->choice == 1))
+	if (again && (saved || args->replace))
 		return file_may_write(path, error);
 	return files_may_overwrite(s, args, path, error);
 }
