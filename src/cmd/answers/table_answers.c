@@ -3,20 +3,14 @@
 #include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-#define SPEED_OPTION                                                      \
-	{                                                                 \
-		SPEED(speed),                                             \
-		    "rotor tip speed; default: a held-out speed, else 74" \
-	}
+#define USUAL_SPEED \
+	SPEED(speed), "rotor tip speed; default: a held-out speed, else 74"
 
-#define LAST_SPEED_OPTION                                                    \
-	{                                                                    \
-		SPEED(speed),                                                \
-		    "rotor tip speed; default: as last predicted, with its " \
-		    "feed"                                                   \
-	}
+#define LAST_SPEED    \
+	SPEED(speed), \
+	    "rotor tip speed; default: as last predicted, with its feed"
 
-static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
+static const struct command_option PREDICT_OPTIONS[] = {{USUAL_SPEED},
     {OFF_ON(curve), "off", "draw feed, measured and predicted as text"},
     {OFF_ON(interpolated), "off",
 	"add the measured products interpolated at this speed"},
@@ -25,7 +19,7 @@ static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
 	"on: show the model alone, specific energy and break size too"},
     {.name = NULL}};
 
-static const struct command_option BLEND_OPTIONS[] = {SPEED_OPTION,
+static const struct command_option BLEND_OPTIONS[] = {{USUAL_SPEED},
     {PATH(out), "write the blended feed as a sheet, for load and feed="},
     {OFF_ON(replace), "off", "overwrite an existing sheet"}, {.name = NULL}};
 static const struct command_option REPORT_OPTIONS[] = {
@@ -76,7 +70,7 @@ static const struct command_option COMPARE_OPTIONS[] = {
     {SPEED(speed), "speed for two sites; default: a held-out speed, else 74"},
     {.name = NULL}};
 
-static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
+static const struct command_option PIN_OPTIONS[] = {{LAST_SPEED},
     {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
 	"take the feed sampled at this speed, or the mean"},
     {.name = NULL}};
@@ -92,13 +86,13 @@ static const struct command_option FIND_OPTIONS[] = {
     {SPEED(to), "fastest speed; default 85, or more to cover the runs"},
     {.name = NULL}};
 
-static const struct command_option FIGURES_OPTIONS[] = {SPEED_OPTION,
+static const struct command_option FIGURES_OPTIONS[] = {{USUAL_SPEED},
     {TEXT(of), NULL, "",
 	"figures, with commas between: P80, passing 2, fm EN, 0/4, P50 of 0/4"},
     {.name = NULL}};
 
 static const struct command_option FLOW_OPTIONS[] = {
-    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"}, SPEED_OPTION,
+    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"}, {USUAL_SPEED},
     FLOW_PARTS, {OFF_ON(best), "off", "find the speed that earns most"},
     {SPEED(from),
 	"slowest speed of best=on; default 65, or less to cover the runs"},
@@ -112,7 +106,7 @@ static const struct command_option WINDOW_OPTIONS[] = {
     {SPEED(to), "fastest speed; default 85, or more to cover the runs"},
     {.name = NULL}};
 
-static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
+static const struct command_option UNCERTAINTY_OPTIONS[] = {{USUAL_SPEED},
     {TEXT(of), NULL, "",
 	"figures, see figures; default: what passes 2 mm, P20, P50 and P80"},
     {OFF_ON(detail), "off", "on: show each sieve, and the sizes of the errors"},
@@ -137,9 +131,9 @@ static const struct command_option DRIFT_OPTIONS[] = {
 
 /* Of spec and advise; of why. */
 static const struct command_option SPEED_OPTIONS[] = {
-    SPEED_OPTION, {.name = NULL}};
+    {USUAL_SPEED}, {.name = NULL}};
 static const struct command_option LAST_SPEED_OPTIONS[] = {
-    LAST_SPEED_OPTION, {.name = NULL}};
+    {LAST_SPEED}, {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",

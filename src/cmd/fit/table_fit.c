@@ -3,11 +3,9 @@
 #include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-#define PAUSE_OPTION                                         \
-	{                                                    \
-		WHOLE(pause), "", 1, 1e9, NULL, "",          \
-		    "stop after this generation, as ^C does" \
-	}
+#define PAUSE                               \
+	WHOLE(pause), "", 1, 1e9, NULL, "", \
+	    "stop after this generation, as ^C does"
 
 static const struct command_option CALIBRATE_OPTIONS[] = {
     {WHOLE(seed), "", 0, 9223372036854774784.0, NULL, "",
@@ -33,7 +31,7 @@ static const struct command_option CALIBRATE_OPTIONS[] = {
     {OFF_ON(detail), "off", "on: also show what 'show fit' has"},
     {OFF_ON(watch), "off", "on: draw the best curves at a terminal"},
     {TEXT(part), NULL, "", "I/N: of all sites every N-th, from the I-th on"},
-    PAUSE_OPTION, {.name = NULL}};
+    {PAUSE}, {.name = NULL}};
 
 static const struct command_option HISTORY_OPTIONS[] = {
     {WHOLE(every), "", 1, 1e6, NULL, "",
@@ -44,7 +42,7 @@ static const struct command_option COLLECT_OPTIONS[] = {
 	"replace materials of the same name in the store in use"},
     {.name = NULL}};
 static const struct command_option CONTINUE_OPTIONS[] = {
-    PAUSE_OPTION, {.name = NULL}};
+    {PAUSE}, {.name = NULL}};
 
 static const struct command_option VALIDATE_OPTIONS[] = {
     {CHOICE(holdout), "untrained each", "untrained",

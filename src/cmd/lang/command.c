@@ -383,7 +383,7 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
-/* The index of the option; OPTIONS if the command has none that is kept there. */
+/* The index of the option, or OPTIONS if the command has none of this member. */
 static size_t
 option_of_member(const struct args *args, const void *member)
 {
@@ -417,19 +417,4 @@ args_name(const struct args *args, const void *member)
 	size_t i = option_of_member(args, member);
 	assert(i < OPTIONS);
 	return command_option_at(args->command, i)->name;
-}
-
-const struct value *
-args_value(const struct args *args, const char *name)
-{
-	size_t i = command_option_index(args->command, name);
-	assert(i < OPTIONS);
-	return &args->value[i];
-}
-
-double
-args_number(const struct args *args, const char *name, double otherwise)
-{
-	const struct value *value = args_value(args, name);
-	return value->given ? value->number : otherwise;
 }

@@ -270,11 +270,4 @@ bool args_given(const struct args *args, const void *member);
 const char *args_typed(const struct args *args, const void *member);
 const char *args_name(const struct args *args, const void *member);
 
-/* Returns the value of an option of the call; asserts that the command has
- * it. */
-const struct value *args_value(const struct args *args, const char *name);
-
-/* Returns the number of an option if it was given, else `otherwise`. */
-double args_number(const struct args *args, const char *name, double otherwise);
-
 #endif
