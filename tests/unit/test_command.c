@@ -72,7 +72,7 @@ options_are_in_order(void **state)
 			bool limits = !choice && o->kind < VALUE_FILE;
 			assert_true(!limits || o->least < o->most);
 			assert_non_null(o->unit);
-			bool elsewhere = c->setting != NULL ||
+			bool elsewhere = (c->flags & COMMAND_SETTINGS) != 0 ||
 					 (c->flags & COMMAND_PARAMS) != 0;
 			assert_true(elsewhere || o->offset > 0);
 			for (size_t i = 0; i < n && !elsewhere; i++)

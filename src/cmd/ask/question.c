@@ -345,13 +345,13 @@ set_sheets(struct session *s)
 {
 	struct error none = {0};
 	struct value value = {.given = true};
-	const struct setting *row = SETTINGS;
+	const struct command_option *row = SETTINGS;
 	if (s->set.feed[0] == '\0')
 		return NULL;
-	while (row->option.offset != offsetof(struct choices, feed))
+	while (row->offset != offsetof(struct choices, feed))
 		row++;
-	return value_read(&row->option, s->set.feed, &value, &none) &&
-		       value_is_file(&row->option, &value)
+	return value_read(row, s->set.feed, &value, &none) &&
+		       value_is_file(row, &value)
 		   ? blended_set(s, s->set.feed, &none)
 		   : NULL;
 }

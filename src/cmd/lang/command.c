@@ -220,7 +220,6 @@ command_own_option(const struct command *command, size_t i)
 {
 	const struct command_option *o =
 	    command->flags & COMMAND_PARAMS ? command_parameters(i)
-	    : command->setting != NULL      ? &command->setting[i].option
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;

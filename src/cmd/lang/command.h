@@ -26,7 +26,12 @@ enum value_kind {
 	VALUE_TEXT
 };
 
-/* One key=value of a command. */
+/* One key=value of a command, or a setting: of that, fallback is the initial
+ * value, or "" where the session determines it.  offset: of the member that gets
+ * the value, of struct args or, of a setting, of struct choices, which has a
+ * double for a number, letters for a text, an unsigned or an enum for the rest.
+ * looks: a setting that concerns the full screen, which saves it, and is not
+ * undone. */
 struct command_option {
 	const char *name;
 	enum value_kind kind;
@@ -35,16 +40,7 @@ struct command_option {
 	const char *choices;  /* see option_choices */
 	const char *fallback; /* default, as typed; "" where there is none */
 	const char *brief;
-	size_t offset; /* of the member that gets the value: of struct args or,
-			  of a setting, of struct choices */
-};
-
-/* A setting.  option: its values; option.fallback is the initial value, or ""
- * where the session determines it.  It is kept in a double for a number,
- * letters for a text, an unsigned or an enum for the rest.  looks: it concerns
- * the full screen, which saves it, and is not undone. */
-struct setting {
-	struct command_option option;
+	size_t offset;
 	bool looks;
 };
 
@@ -143,8 +139,9 @@ enum command_flag {
 	COMMAND_BESIDE = 1024, /* on the screen a search runs on beside it */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
 	COMMAND_DAILY = 4096,  /* of a day's work: help alone shows it */
-	COMMAND_CONDITIONS = 8192, /* a condition needs no quotes */
-	COMMAND_QUANTITIES = 16384 /* words that name quantities are its of= */
+	COMMAND_CONDITIONS = 8192,  /* a condition needs no quotes */
+	COMMAND_QUANTITIES = 16384, /* words that name quantities are its of= */
+	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
 };
 
 /* Operands of a command: usage: as shown in help, or NULL; at least `least` and
@@ -162,19 +159,17 @@ struct command_operands {
  * names of commands that are meant instead if a line has an option that only
  * they have, or a range of speeds ("predict 65..85"), see
  * command_find_two_words.  bare: option that a bare word stands for ("predict
- * 74"), or NULL.  setting: options that may be written as two words ("set
- * method classes").  text: sentences for help and manual.  more: further
- * sentences for the manual, or NULL.  example: lines of a script that runs in a
- * folder with the project's data/. */
+ * 74"), or NULL.  text: sentences for help and manual.  more: further sentences
+ * for the manual, or NULL.  example: lines of a script that runs in a folder
+ * with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
 	const char *others[2];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
-	/* At most one of the two; ends with a name of NULL. */
+	/* NULL, or ends with a name of NULL. */
 	const struct command_option *option;
-	const struct setting *setting;
 	/* Options shared with other commands, of SHARED_..; NULL after the
 	 * last. */
 	const struct command_option *shared[SHARES + 1];
@@ -195,7 +190,7 @@ extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
     SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
 /* The settings; ends with a name of NULL. */
-extern const struct setting SETTINGS[];
+extern const struct command_option SETTINGS[];
 
 /* Goes through the table by group: returns the first command for NULL, else the
  * one after.  NULL at the end. */

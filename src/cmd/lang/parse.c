@@ -686,7 +686,7 @@ take_values(struct args *args, struct error *error)
 		struct value *value = &args->value[i];
 		if (!value->given && o->fallback[0] != '\0')
 			ok = value_read(o, o->fallback, value, error);
-		if (o->offset > 0 && command->setting == NULL &&
+		if (o->offset > 0 && (command->flags & COMMAND_SETTINGS) == 0 &&
 		    value->text != NULL)
 			put_value(o, value, args);
 	}
@@ -804,7 +804,8 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
-		bool set = command->setting != NULL, last = i + 1 == words->n;
+		bool set = (command->flags & COMMAND_SETTINGS) != 0,
+		     last = i + 1 == words->n;
 		bool pair = set && !last && strchr(word, '=') == NULL;
 		bool ok = pair ? read_option_as_pair(
 				     word, words->text[i + 1], args, error)

@@ -145,10 +145,10 @@ show_settings(struct session *s)
 {
 	struct answer *r = answer_new("set");
 	answer_columns(r, "setting, value");
-	for (const struct setting *row = SETTINGS; row->option.name != NULL;
+	for (const struct command_option *row = SETTINGS; row->name != NULL;
 	     row++) {
 		FREED char *text = settings_text(row, &s->set);
-		answer_cells(r, "%s %s", row->option.name, text);
+		answer_cells(r, "%s %s", row->name, text);
 	}
 	return session_show_answer(s, r);
 }
@@ -156,31 +156,30 @@ show_settings(struct session *s)
 /* Texts that cannot be read and speeds that are no range are refused; a feed
  * may not tell of them yet. */
 static bool
-check_value(struct session *s, const struct setting *row,
+check_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
 {
 	static const struct partition SHARP = {0, 1};
 	struct condition_list list = {0};
 	struct quantity q;
 	size_t n_value;
-	bool text = row->option.kind == VALUE_TEXT ||
-		    (row->option.kind == VALUE_FEED &&
-			value_is_file(&row->option, value));
-	if (row->option.kind == VALUE_NUMBERS && value->n > 0 &&
+	bool text = row->kind == VALUE_TEXT ||
+		    (row->kind == VALUE_FEED && value_is_file(row, value));
+	if (row->kind == VALUE_NUMBERS && value->n > 0 &&
 	    value->list[0] >= value->list[value->n - 1])
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected two speeds, the slower one first, got '%s'\n"
 		    "for instance: set %s 20..120",
-		    row->option.name, value->text, row->option.name);
+		    row->name, value->text, row->name);
 	if (!text || strcmp(value->text, SETTINGS_NONE) == 0)
 		return true;
 	if (strlen(value->text) >= SETTINGS_TEXT)
 		return error_set(error, ERROR_USAGE,
-		    "%s: expected %d letters at most", row->option.name,
+		    "%s: expected %d letters at most", row->name,
 		    SETTINGS_TEXT - 1);
-	if (row->option.offset == offsetof(struct choices, feed))
+	if (row->offset == offsetof(struct choices, feed))
 		return blended_set(s, value->text, error) != NULL;
-	if (row->option.offset == offsetof(struct choices, quantity))
+	if (row->offset == offsetof(struct choices, quantity))
 		return quantities_read(value->text, &SHARP, &q, error);
 	bool ok = goals_read(s, value->text, NULL, &list, &n_value, error);
 	conditions_free(&list);
@@ -193,10 +192,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct choices was = s->set;
 	const struct model_settings before = was.model;
 	bool any = false;
-	for (size_t i = 0; SETTINGS[i].option.name != NULL; i++) {
+	for (size_t i = 0; SETTINGS[i].name != NULL; i++) {
 		if (!args->value[i].given)
 			continue;
-		if (SETTINGS[i].option.kind == VALUE_FILE &&
+		if (SETTINGS[i].kind == VALUE_FILE &&
 		    !energies_set(s, args->value[i].text, error))
 			return false;
 		if (!check_value(s, &SETTINGS[i], &args->value[i], error))
