@@ -382,7 +382,7 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
-/* The index of the option, or OPTIONS if the command has none of this member. */
+/* The index of the option, or OPTIONS where the command has none there. */
 static size_t
 option_of_member(const struct args *args, const void *member)
 {

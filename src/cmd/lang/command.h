@@ -27,11 +27,11 @@ enum value_kind {
 };
 
 /* One key=value of a command, or a setting: of that, fallback is the initial
- * value, or "" where the session determines it.  offset: of the member that gets
- * the value, of struct args or, of a setting, of struct choices, which has a
- * double for a number, letters for a text, an unsigned or an enum for the rest.
- * looks: a setting that concerns the full screen, which saves it, and is not
- * undone. */
+ * value, or "" where the session determines it.  offset: of the member that
+ * gets the value, of struct args or, of a setting, of struct choices, which has
+ * a double for a number, letters for a text, an unsigned or an enum for the
+ * rest.  looks: a setting that concerns the full screen, which saves it, and is
+ * not undone. */
 struct command_option {
 	const char *name;
 	enum value_kind kind;
