@@ -32,40 +32,19 @@
 		    "psd with at=: sizes at this passing"                  \
 	}
 
-static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
-    {NUMBER(width), "columns", 1, 1000, NULL, "",
-	"default: that of the screen, at most 100"},
-    {NUMBER(height), "rows", 1, 1000, NULL, "",
-	"default: that of the screen, at most 24"},
-    {CHOICE(charset), "auto ascii quadrants braille", "auto", "drawn with"},
-    {.name = NULL}};
-
-static const struct command_option SCREEN_OPTIONS[] = {
-    {NUMBER(width), "columns", 1, 1000, NULL, "",
-	"default: that of full-screen mode if it is open, else 100"},
-    {NUMBER(height), "rows", 1, 1000, NULL, "",
-	"default: that of full-screen mode if it is open, else 30"},
-    {CHOICE(page), SETTINGS_PAGES, "",
-	"the page to show; default: the open page, else predict"},
-    {CHOICE(charset), "auto ascii quadrants braille", "auto", "drawn with"},
-    {CHOICE(colours), "auto 256 16 8 0", "auto",
-	"number of colours; auto: those of the terminal, 256 in an image"},
-    {TEXT(keys), NULL, "",
-	"keys to press first, named as in tipspeed-tui(1); Right*5: five "
-	"times; 9999 in all"},
-    {.name = NULL}};
-
-static const struct command_option DESCRIBE_OPTIONS[] = {WHAT_OPTIONS,
-    {CHOICE(as), "words", "words", "for plot: words, no picture"},
-    {.name = NULL}};
-
 const struct command TABLE_PICTURES[] = {
     {.name = "plot",
 	.others = {"describe"},
 	.brief = "draw a plot",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
-	.option = PLOT_OPTIONS,
+	.option = OPTION_LIST(WHAT_OPTIONS,
+	    {NUMBER(width), "columns", 1, 1000, NULL, "",
+		"default: that of the screen, at most 100"},
+	    {NUMBER(height), "rows", 1, 1000, NULL, "",
+		"default: that of the screen, at most 24"},
+	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
+		"drawn with"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -109,7 +88,8 @@ const struct command TABLE_PICTURES[] = {
 	.brief = "describe a plot in sentences",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_BESIDE,
-	.option = DESCRIBE_OPTIONS,
+	.option = OPTION_LIST(WHAT_OPTIONS,
+	    {CHOICE(as), "words", "words", "for plot: words, no picture"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -126,7 +106,21 @@ const struct command TABLE_PICTURES[] = {
     {.name = "screen",
 	.brief = "make an image of full-screen mode",
 	.flags = COMMAND_DRAWS | COMMAND_UNSAVED | COMMAND_BESIDE,
-	.option = SCREEN_OPTIONS,
+	.option = OPTION_LIST(
+	    {NUMBER(width), "columns", 1, 1000, NULL, "",
+		"default: that of full-screen mode if it is open, else 100"},
+	    {NUMBER(height), "rows", 1, 1000, NULL, "",
+		"default: that of full-screen mode if it is open, else 30"},
+	    {CHOICE(page), SETTINGS_PAGES, "",
+		"the page to show; default: the open page, else predict"},
+	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
+		"drawn with"},
+	    {CHOICE(colours), "auto 256 16 8 0", "auto",
+		"number of colours; auto: those of the terminal, 256 in an "
+		"image"},
+	    {TEXT(keys), NULL, "",
+		"keys to press first, named as in tipspeed-tui(1); Right*5: "
+		"five times; 9999 in all"}),
 	.text =
 	    "In full-screen mode: shows the screen as it is without the "
 	    "command line; a running calibration continues. Otherwise: shows "

@@ -49,11 +49,6 @@ const struct command_option SETTINGS[] = {
 	"page that full-screen mode opens on", .looks = true},
     {.name = NULL}};
 
-static const struct command_option SEED_OPTIONS[] = {
-    {WHOLE(seed), "", 0, 9223372036854774784.0, NULL, "",
-	"seed of calibrations"},
-    {.name = NULL}};
-
 const struct command TABLE_MODEL[] = {
     {.name = "params",
 	.brief = "show, set or compare the model's parameters",
@@ -106,7 +101,8 @@ const struct command TABLE_MODEL[] = {
 	.brief = "seed of calibrations",
 	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
 	.bare = "seed",
-	.option = SEED_OPTIONS,
+	.option = OPTION_LIST({WHOLE(seed), "", 0, 9223372036854774784.0, NULL,
+	    "", "seed of calibrations"}),
 	.text = "The same seed gives the same result to the last bit, with "
 		"any number of threads.",
 	.example = "set seed 7",

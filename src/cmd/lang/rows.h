@@ -11,6 +11,16 @@
 #include "cmd/lang/command.h"
 #include "core/psd/site.h"
 
+/* The options of a command, within its row. */
+#define OPTION_LIST(...)                \
+	(const struct command_option[]) \
+	{                               \
+		__VA_ARGS__,            \
+		{                       \
+			.name = NULL    \
+		}                       \
+	}
+
 #define ROW(option, member, type, k)                              \
 	.name = option,                                           \
 	.offset = _Generic(&((struct args *)NULL)->member, type * \
