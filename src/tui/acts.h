@@ -12,7 +12,8 @@ enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 /* Where a key acts: bits of 1 << page.  For a key that acts on all pages the
  * same bits, shifted, name the pages that list it first.  AT_SPEED: it concerns
  * the speed of the slider, which is first made the one asked for.  CHANGES: it
- * changes what is calculated, see viewer.c. */
+ * changes what is calculated, see viewer.c.  RUNS_COMMAND: its hint is the name
+ * of the command it runs. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,
@@ -24,7 +25,8 @@ enum {
 	FIRST_ON_FIT = ON_FIT << PAGES,
 	FIRST_ON_LISTS = (ON_DATA | ON_SITES) << PAGES,
 	AT_SPEED = 1 << 2 * PAGES,
-	CHANGES = AT_SPEED << 1
+	CHANGES = AT_SPEED << 1,
+	RUNS_COMMAND = CHANGES << 1
 };
 
 struct tui;
@@ -32,16 +34,16 @@ struct key;
 typedef void key_way(struct tui *t, const struct key *key);
 
 /* code: as ncurses has it; name: as shown, "Left, h" where h does the same.
- * act: does it, with the amount; command: the command it runs, or NULL.  what:
- * what it does, in words; brief: the same for a list that fits one screen;
- * NULL: listed with the key before it. */
+ * act: does it, with the amount.  what: what it does, in words; brief: the same
+ * for a list that fits one screen, NULL: listed with the key before it; hint:
+ * the same in the row of hints, NULL: as brief. */
 struct key {
 	int code;
 	const char *name;
 	unsigned where;
 	key_way *act;
 	int amount;
-	const char *command, *what, *brief;
+	const char *what, *brief, *hint;
 };
 
 /* Amounts of act_move, and of act_ends. */

@@ -259,30 +259,40 @@ is_filter_shown(const struct tui *t)
 	       pages_open(t)->list != NULL;
 }
 
+/* Of what is typed, or NULL. */
+static const char *
+hints_of_typing(const struct tui *t)
+{
+	const struct edit *line = &t->line;
+	if (!line->active)
+		return t->speed.n > 0 ? N_("Enter go there  Esc give up")
+				      : NULL;
+	if (t->goal_field)
+		return line->n > 0
+			   ? N_("Enter set it  Tab complete  ^U clear  "
+				"Esc give up")
+			   : N_("Enter no goal  Tab offers  Esc give up");
+	return strstr(line->text, " > ") != NULL
+		   ? N_("Enter write  Esc give up  ending: .csv .xlsx .json "
+			"table, .svg .png .pdf plot")
+		   : N_("Enter run  Tab complete  Up earlier lines  Esc give "
+			"up");
+}
+
 static void
 frame_draw_hints(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
-	if (t->line.active && t->goal_field)
-		pane_hints(t, LOOK_DIM,
-		    t->line.n > 0
-			? N_("Enter set it  Tab complete  ^U clear  "
-			     "Esc give up")
-			: N_("Enter no goal  Tab offers  Esc give up"));
-	else if (t->line.active && strstr(t->line.text, " > ") != NULL)
-		pane_hints(t, LOOK_DIM,
-		    "Enter write  Esc give up  ending: .csv .xlsx .json table, "
-		    ".svg .png .pdf plot");
-	else if (t->line.active)
-		pane_hints(t, LOOK_DIM,
-		    "Enter run  Tab complete  Up earlier lines  Esc give up");
-	else if (t->speed.n > 0)
-		pane_hints(t, LOOK_DIM, "Enter go there  Esc give up");
-	else if (is_filter_shown(t))
+	const char *typing = hints_of_typing(t);
+	if (typing == NULL && is_filter_shown(t)) {
 		draw_filter(t, &t->layout.hints);
-	else
-		pane_hints(t, LOOK_DIM,
-		    page->hints != NULL ? page->hints : page->hints_now(t));
+		return;
+	}
+	const char *keys =
+	    page->hints != NULL ? page->hints : page->hints_now(t);
+	FREED char *hints =
+	    typing != NULL ? xstrdup(typing) : keys_bar(tr(keys), t->ui.page);
+	pane_hints(t, LOOK_DIM, hints);
 }
 
 /* A speed being typed. */

@@ -160,7 +160,7 @@ act_type(struct tui *t, const struct key *key)
 void
 act_command(struct tui *t, const struct key *key)
 {
-	cmdline_run(t, key->command);
+	cmdline_run(t, key->hint);
 }
 
 void
@@ -168,7 +168,7 @@ act_describe(struct tui *t, const struct key *key)
 {
 	char *(*words)(const struct tui *) = pages_open(t)->words;
 	char *of = words != NULL ? words(t) : pane_curves_words(t);
-	char *line = xasprintf("%s %s", key->command, of);
+	char *line = xasprintf("%s %s", key->hint, of);
 	cmdline_run(t, line);
 	free(of);
 	free(line);

@@ -26,7 +26,7 @@ struct page_list {
  * Operations that a page does not need are NULL. */
 struct page_ops {
 	const char *name;  /* in the heading */
-	const char *hints; /* of its keys, two spaces between them; or NULL: */
+	const char *hints; /* its keys, see keys_bar; or NULL: */
 	const char *(*hints_now)(const struct tui *t);
 	/* Columns of its side panel; the same on screens of 100 columns or
 	 * more, or 0: no other; of 120 or more. */

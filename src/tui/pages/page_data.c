@@ -594,8 +594,7 @@ data_move(struct tui *t, const struct key *key)
 }
 
 const struct page_ops page_data = {.name = N_("Data"),
-    .hints = N_("<-/-> column  Up/Down sieve  ! next doubtful  Enter mends  "
-		"? keys  q quit  1-5 pages  : command"),
+    .hints = N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :"),
     .update = data_update,
     .draw = data_draw,
     .move = data_move};

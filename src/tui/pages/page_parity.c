@@ -330,7 +330,7 @@ parity_words(const struct tui *t)
 }
 
 const struct page_ops page_parity = {.name = N_("Parity"),
-    .hints = N_("Up/Down run  ? keys  q quit  1-5 pages  : command"),
+    .hints = N_("Up/Down run  ?  q  1-5 pages  :"),
     .update = parity_update,
     .draw = parity_draw,
     .list = &POINTS,

@@ -172,30 +172,21 @@ static const char *
 predict_hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
-	bool goal = goals_set(t->session);
 	if (tui_current_entry(t) == NULL)
-		return tr(START_HINTS);
+		return START_HINTS;
 	if (t->ui.runs)
-		return tr("r this speed  <-/-> speed  ? keys  q "
-			  "quit  : command  d describe");
+		return N_("r this speed  <-/->  ?  q  :  d");
 	if (t->ui.cross)
-		return tr("<-/-> speed  Up/Down sieve  < > passing  c no "
-			  "crosshair  ? keys  q quit  : command");
+		return N_("<-/->  Up/Down  < >  c no crosshair  ?  q  :");
 	if (undone)
-		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
-			  "command  t goal  x pin  e export  u undo");
+		return "<-/->  U  ?  q  f  :  t  x  e  u";
 	if (t->view.current.site[0] == '\0' && !session_busy(t->session))
 		return site_products(tui_current_entry(t)->site) > 0
-			   ? tr("Enter calibrate  ? keys  q quit  : command  "
-				"o open a sheet  1-5 pages")
-			   : tr(": command  ? keys  q quit  o open a sheet  "
-				"1-5 pages");
-	if (goal)
-		return tr("<-/-> speed  n p limits  N best  ? keys  Enter "
-			  "numbers  q quit  x pin  e export  : command  t "
-			  "goal");
-	return tr("<-/-> speed  t goal  ? keys  Enter numbers  q quit  f fit  "
-		  "x pin  e export  : command  c crosshair  u undo");
+			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
+			   : N_(":  ?  q  o  1-5 pages");
+	return goals_set(t->session)
+		   ? "<-/->  n p  N  ?  Enter  q  x  e  :  t"
+		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),

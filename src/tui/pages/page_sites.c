@@ -534,9 +534,8 @@ static const char *
 sites_hints(const struct tui *t)
 {
 	return t->session->n_entry == 0
-		   ? tr("o open a sheet  ? keys  q quit  : command")
-		   : tr("Up/Down site  Enter use it  o sort  / filter  ? keys  "
-			"q quit  x pin  : command");
+		   ? N_("o open a sheet  ?  q  :")
+		   : N_("Up/Down site  Enter  o  /  ?  q  x  :");
 }
 
 const struct page_ops page_sites = {.name = N_("Sites"),
