@@ -66,14 +66,12 @@ control_find_command(const char *line)
 		return NULL;
 	line += strspn(line, " \t");
 	size_t n = strcspn(line, ENDS), gap = strspn(line + n, " \t");
-	char *word = xstrndup(line, n);
-	char *both = xasprintf("%s %.*s", word,
+	FREED char *word = xstrndup(line, n);
+	FREED char *both = xasprintf("%s %.*s", word,
 	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
 	const struct command *command = command_find(both);
 	if (command == NULL)
 		command = command_find_typed(word, true);
-	free(both);
-	free(word);
 	return command;
 }
 
@@ -122,15 +120,13 @@ control_set_looks(struct tui *t)
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
-	char *page = page_text(t->ui.page);
-	char *quantity = quantities_typed(&t->ui.quantity);
-	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
+	FREED char *page = page_text(t->ui.page);
+	FREED char *quantity = quantities_typed(&t->ui.quantity);
+	FREED char *line =
+	    xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_clear(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
-	free(page);
-	free(quantity);
-	free(line);
 }
 
 /* Whether a line has set others than there were; what is undone has not. */

@@ -48,14 +48,14 @@ draw_header(struct tui *t)
 		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
-	char *label = entry != NULL ? session_site_label(tui_asked(t)->site)
-		      : left.columns < 18 ? xstrdup(tr("no site"))
-					  : xstrdup(tr("no site is loaded"));
+	FREED char *label =
+	    entry != NULL       ? session_site_label(tui_asked(t)->site)
+	    : left.columns < 18 ? xstrdup(tr("no site"))
+				: xstrdup(tr("no site is loaded"));
 	bool room = text_width(label) + 11 <= left.columns,
 	     fits = text_width(label) < left.columns || entry == NULL;
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s",
 	    room ? tr("tipspeed  ") : "", fits ? label : entry->site->name);
-	free(label);
 	column = column < 0 ? 0 : column;
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
@@ -113,7 +113,7 @@ static bool
 frame_draw_message(const struct tui *t, const struct area *row)
 {
 	struct area area = *row;
-	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
 	     hints = wide && t->layout.hints.rows > 0;
 	if (wide)
@@ -122,7 +122,6 @@ frame_draw_message(const struct tui *t, const struct area *row)
 		area.row--;
 	screen_clear(&area);
 	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
-	free(text);
 	return hints;
 }
 
@@ -132,12 +131,10 @@ draw_work(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	if (!s->job.fits) {
-		char *at = s->job.rounds->at(s);
-		int column = screen_text(area, 0, 0, LOOK_BOLD,
+		FREED char *at = s->job.rounds->at(s);
+		return screen_text(area, 0, 0, LOOK_BOLD,
 		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
 		    t->held ? tr("PAUSED") : tr("WORKING"), at);
-		free(at);
-		return column;
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	return screen_text(area, 0, 0, LOOK_BOLD,
@@ -167,7 +164,7 @@ draw_state(struct tui *t, const struct area *area)
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
 	const int room = area->columns - text_width(tr("READY  "));
-	char *verdict = panel_words(t, room, area->columns);
+	FREED char *verdict = panel_words(t, room, area->columns);
 	int column;
 	if (session_busy(s)) {
 		column = draw_work(t, area);
@@ -181,18 +178,15 @@ draw_state(struct tui *t, const struct area *area)
 	} else if (verdict[0] != '\0') {
 		column = draw_ready(area, verdict);
 	} else if (entry->has_fit) {
-		char *words = xasprintf("%s%s",
+		FREED char *words = xasprintf("%s%s",
 		    fit_too_few(&entry->fit) ? "" : tr("fit "),
 		    light_verdict(s, entry, NULL));
 		column = draw_ready(area, words);
-		free(words);
 	} else {
-		char *words =
+		FREED char *words =
 		    xasprintf(tr("parameters %s"), origin_words(entry));
 		column = draw_ready(area, words);
-		free(words);
 	}
-	free(verdict);
 	char right[64];
 	snprintf(right, sizeof right,
 	    t->mouse ? tr("mouse on  %s  %d colours")
@@ -243,11 +237,10 @@ draw_offers(struct tui *t, const struct area *area)
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
-	char *found = xasprintf(
+	FREED char *found = xasprintf(
 	    tr("%zu of %zu"), rows_count(t), pages_open(t)->list->n(t));
 	int at = pane_word(
 	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
-	free(found);
 	if (t->filter.active && area->rows > 0)
 		t->cursor = (struct cursor){area->row, at};
 }
@@ -371,8 +364,8 @@ draw_lower(struct tui *t)
 static void
 draw_question(struct tui *t, int rows, int columns)
 {
-	char *asks = xasprintf("%s y/n", t->question),
-	     *text = text_wrapped(asks, columns);
+	FREED char *asks = xasprintf("%s y/n", t->question),
+		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
 	screen_clear(&area);
@@ -386,8 +379,6 @@ draw_question(struct tui *t, int rows, int columns)
 	hits_add_key(
 	    &t->hits, area_cells(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
 	hits_add_key(&t->hits, area_cells(&area, n - 1, end - 1, 2), 'n');
-	free(text);
-	free(asks);
 }
 
 static void

@@ -283,16 +283,14 @@ static char *
 brief_line(const struct key *k)
 {
 	enum { ROOM = 13 };
-	char *names = xstrndup(k->name, strcspn(k->name, ","));
+	FREED char *names = xstrndup(k->name, strcspn(k->name, ","));
 	for (const struct key *next = k + 1;
 	     next->code != 0 && next->brief == NULL; next++) {
 		size_t n = strcspn(next->name, ",");
 		if (strlen(names) + 1 + n <= ROOM)
 			xappend(&names, " %.*s", (int)n, next->name);
 	}
-	char *line = xasprintf("  %-*s %s", ROOM, names, tr(k->brief));
-	free(names);
-	return line;
+	return xasprintf("  %-*s %s", ROOM, names, tr(k->brief));
 }
 
 static char *
@@ -305,10 +303,8 @@ help_line_of(const struct key *k)
 static bool
 keys_has_word(const struct key *k, const char *word)
 {
-	char *line = help_line_of(k);
-	bool has = text_has(line, word);
-	free(line);
-	return has;
+	FREED char *line = help_line_of(k);
+	return text_has(line, word);
 }
 
 /* In brief a key of other pages is left out. */
@@ -340,10 +336,9 @@ keys_list(enum page page, const char *word, FILE *out)
 	const struct key *line[ARRAY_LEN(KEYS)];
 	size_t n = keys_list_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
-		char *text = word[0] == '\0' ? brief_line(line[i])
-					     : help_line_of(line[i]);
+		FREED char *text = word[0] == '\0' ? brief_line(line[i])
+						   : help_line_of(line[i]);
 		fprintf(out, "%s\n", text);
-		free(text);
 	}
 	if (n == 0)
 		fprintf(out,

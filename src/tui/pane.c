@@ -113,10 +113,9 @@ pane_draw_runs(
 			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look = site_chart_run(site, r, held_out);
-		char *sample = chart_sample(&look, screen_charset());
+		FREED char *sample = chart_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    site->run[r].speed, held_out ? tr(" held out") : "");
-		free(sample);
 		column =
 		    pane_draw_name(t, column, look.series, LOOK_BOLD, text);
 		moved = moved || (may && tui_moved(t, r));
@@ -294,9 +293,8 @@ pane_lines(const struct area *area, int row, const char *text)
 	for (unsigned look = LOOK_BOLD; *text != '\0' && row < area->rows;
 	     look = LOOK_PLAIN) {
 		size_t n = strcspn(text, "\n");
-		char *line = xstrndup(text, n);
+		FREED char *line = xstrndup(text, n);
 		row = screen_words(area, row, look, line);
-		free(line);
 		text += n + (text[n] == '\n');
 	}
 	return row;

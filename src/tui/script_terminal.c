@@ -132,7 +132,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 static bool
 press_all(struct tui *t, const char *keys, struct error *error)
 {
-	char *copy = xstrdup(keys);
+	FREED char *copy = xstrdup(keys);
 	bool ok = true;
 	long pressed = 0;
 	asks = false;
@@ -144,7 +144,6 @@ press_all(struct tui *t, const char *keys, struct error *error)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}
-	free(copy);
 	keys_left = letters = NULL;
 	return ok;
 }

@@ -202,16 +202,14 @@ mend_cell_at_cursor(struct tui *t)
 		    "mend: any other");
 		return;
 	}
-	char *line = mend_command_line(h->site, &f->mend);
-	char *words = mend_words(h->site, &f->mend);
+	FREED char *line = mend_command_line(h->site, &f->mend);
+	FREED char *words = mend_words(h->site, &f->mend);
 	watch_pause(t);
 	if (control_run(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "
 		    "FILE saves the sheet",
 		    words);
-	free(words);
-	free(line);
 }
 
 /* ---- On the screen ---- */
@@ -408,11 +406,9 @@ cell_words(const struct tui *t)
 	double x = data_cell_of(h, t->ui.cell.at, t->ui.cell.row);
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
-		char *why = mend_finding_words(h->site, f),
-		     *call = mend_command_line(h->site, &f->mend);
+		FREED char *why = mend_finding_words(h->site, f),
+			   *call = mend_command_line(h->site, &f->mend);
 		words = xasprintf(tr("! %s; Enter: %s"), why, call);
-		free(why);
-		free(call);
 	} else if (isnan(x))
 		words = xasprintf(tr("%s: not sieved at %g mm"), name,
 		    units_mm(h->sieve[t->ui.cell.row]));
@@ -428,12 +424,11 @@ static int
 draw_cell_words(const struct tui *t, const struct area *area, int row)
 {
 	bool here = t->ui.cell.on;
-	char *words = here ? cell_words(t) : state_words(t);
+	FREED char *words = here ? cell_words(t) : state_words(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
 	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
-	free(words);
 	return row;
 }
 
@@ -454,10 +449,9 @@ draw_source(const struct tui *t, const struct area *area, int row)
 	for (size_t i = 0; i < sizeof MORE / sizeof *MORE; i++) {
 		if (MORE[i].text[0] == '\0' || row >= area->rows)
 			continue;
-		char *line =
+		FREED char *line =
 		    xasprintf("%s: %s", tr(MORE[i].what), MORE[i].text);
 		row = screen_words(area, row, 0, line);
-		free(line);
 	}
 	for (size_t i = 0; i < site->n_left_out && row < area->rows; i++)
 		screen_text(area, row++, 0, 0, "not read, %s: %s",

@@ -80,12 +80,11 @@ act_numbers(struct tui *t, const struct key *key)
 		act_fit(t, key);
 		return;
 	}
-	char *line = tui_command_of_page(t);
+	FREED char *line = tui_command_of_page(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
 		cmdline_show(t, line);
-	free(line);
 }
 
 void

@@ -379,13 +379,12 @@ describe_site(const struct tui *t, char *text[static ABOUT])
 	for (size_t j = 0; e->has_params && j < of->n; j++)
 		xappend(&text[1], "%s%s=%.4g", j > 0 ? "  " : "",
 		    of->parameter[j].name, e->params.at[j]);
-	char *label = session_site_label(e->site);
+	FREED char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
 	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
 						? e->site->provenance
 						: tr("provenance not stated"));
-	free(label);
 }
 
 /* The curves of the site under the cursor, between its row and what is told of
@@ -486,13 +485,12 @@ sites_choose(struct tui *t)
 		pages_go(t, PAGE_PREDICT);
 		return;
 	}
-	char *line =
+	FREED char *line =
 	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
 	watch_pause(t);
 	bool used = control_run(t, line);
-	free(line);
 	if (used)
 		pages_go(t, PAGE_PREDICT);
 }

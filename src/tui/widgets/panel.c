@@ -384,12 +384,11 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	name.columns -= 4;
 	hits_add(&t->hits, HIT_PRESS, *area, touch_limits, 0);
 	/* The fraction, where the name has room behind it. */
-	char *words = plots_limits_words(t->session);
+	FREED char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width(words) <= name.columns;
 	screen_text(
 	    &name, 0, 0, LOOK_DIM, "%s", fits ? words : t->session->spec->name);
-	free(words);
 	if (g == NULL) {
 		screen_text(area, 1, 0, 0,
 		    session_busy(t->session) ? N_("after the calibration")
@@ -401,13 +400,12 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	    in ? N_(" in") : N_("OUT"));
 	int row = 1;
 	size_t n = g->limits.n;
-	double *margin = xdoubles(n);
+	FREED double *margin = xdoubles(n);
 	for (size_t i = 0; i < n; i++)
 		margin[i] = wanted_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
 		if ((int)rank_of_limit(margin, n, i) < area->rows - 1)
 			panel_draw_limit(area, row++, g, i);
-	free(margin);
 }
 
 static struct wish
@@ -506,7 +504,8 @@ draw_light(struct panel *p, const struct area *area)
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
 	const struct trust *light = p->light;
-	char *words = xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
+	FREED char *words =
+	    xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
 		xappend(&words,
 		    tr_n(", %zu reason, see :why", ", %zu reasons, see :why",
@@ -514,12 +513,10 @@ draw_light(struct panel *p, const struct area *area)
 		    light->n);
 	else if (light->n > 0)
 		xappend(&words, tr(", %zu, see :why"), light->n);
-	char *row =
+	FREED char *row =
 	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
 	screen_series(
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
-	free(row);
-	free(words);
 	hits_add(&p->t->hits, HIT_PRESS, *area, touch_light, 0);
 	if (p->reason != NULL)
 		draw_reason(area, p->reason);
@@ -668,9 +665,8 @@ draw_nothing(const struct tui *t)
 				    : N_("no product: type :guess"));
 	row++;
 	if (!is_pinned(t)) {
-		char *read = folder_site(site);
+		FREED char *read = folder_site(site);
 		pane_lines(side, row, read);
-		free(read);
 		return;
 	}
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
@@ -741,7 +737,7 @@ panel_words(struct tui *t, int columns, int most)
 	    (side && t->reason_shown))
 		return xstrdup("");
 	const struct trust *light = light_shown(t);
-	char *limits = xstrdup("");
+	FREED char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,
 		    wanted_holds(&g->conditions, SIZE_MAX) ? tr(", in %s")
@@ -752,7 +748,6 @@ panel_words(struct tui *t, int columns, int most)
 			  ? xstrdup("")
 			  : light_words(light, columns - taken, most - taken);
 	xappend(&words, "%s", limits);
-	free(limits);
 	return words;
 }
 

@@ -155,9 +155,9 @@ track_draw(struct tui *t)
 	struct area track = layout_track(&t->layout);
 	const bool acts = t->ui.page == PAGE_PREDICT;
 	struct slider_range range = tui_range(t);
-	struct slider_cell *cell =
+	FREED struct slider_cell *cell =
 	    xcalloc((size_t)track.columns + 1, sizeof *cell);
-	bool *kept = window_ends(t, &track);
+	FREED bool *kept = window_ends(t, &track);
 	int at = make_cells(t, &track, cell, kept), end = at + 1;
 	while (end < track.columns && cell[end - 1].sign != ']' &&
 	       cell[at].sign == '[')
@@ -173,8 +173,6 @@ track_draw(struct tui *t)
 		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
 		    "%d", range.most / 10);
 	}
-	free(kept);
-	free(cell);
 	/* On its bracket: a block would stand out of the number. */
 	t->cursor.column = track.column + at;
 }
@@ -204,14 +202,13 @@ say_quantity(const struct tui *t, struct part *part)
 		track_say(part, xstrdup(""));
 		return;
 	}
-	char *words = quantities_words(&t->ui.quantity);
+	FREED char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->layout.strip.rows > 0 && !goals_set(t->session))
 		track_say(part, xasprintf(tr("%s at all speeds"), words));
 	if (t->layout.strip.rows > 0)
 		track_say(part, xstrdup(words));
 	track_say(part, xstrdup(""));
-	free(words);
 }
 
 static void
@@ -232,15 +229,14 @@ say_speed(const struct tui *t, struct part *part)
 	double rotor = entry != NULL ? entry->site->rotor : 0;
 	char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
-	char *turns = rotor > 0
-			  ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
-			  : xstrdup("");
+	FREED char *turns =
+	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
+		      : xstrdup("");
 	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
 	track_say(part, xasprintf("%s%s", words, turns));
 	track_say(part, words);
 	track_say(part, xasprintf("%.1f m/s", v));
 	track_say(part, xasprintf("%.1f", v));
-	free(turns);
 }
 
 /* A speed beyond those measured is not to be read without that. */
@@ -257,17 +253,15 @@ say_signs(const struct tui *t, struct part *part)
 	bool beyond =
 	    t->layout.side.columns < REASONS && t->view.shown.product.n > 0 &&
 	    answers_extrapolates(tui_current_entry(t), t->view.shown.speed);
-	char *word = xasprintf("%s %s", signs.beyond,
+	FREED char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
-	char *marks = xasprintf(
+	FREED char *marks = xasprintf(
 	    tr("%s trained  %s held out"), signs.trained, signs.held_out);
 	track_say(part, xasprintf("%s  %s", word, marks));
 	track_say(part, xstrdup(beyond ? word : marks));
 	if (!beyond)
 		track_say(part, xstrdup(""));
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
-	free(word);
-	free(marks);
 }
 
 /* With a rule before it. */
