@@ -232,7 +232,7 @@ control_run(struct tui *t, const char *line)
 	return ok;
 }
 
-const struct tui *
+struct tui *
 control_screen(void)
 {
 	return open;
@@ -253,53 +253,6 @@ free_state(struct tui *t)
 	free(t->picker.preview);
 	view_free(t);
 	hits_free(&t->hits);
-}
-
-/* What was said and typed. */
-static void
-copy_texts(struct tui *t)
-{
-	if (open->command != NULL)
-		t->command = xstrdup(open->command);
-	snprintf(t->message, sizeof t->message, "%s", open->message);
-	edit_begin(&t->speed, open->speed.text);
-	edit_begin(&t->filter, open->filter.text);
-	t->filter.active = open->filter.active;
-}
-
-/* What follows from what is chosen is worked out for the new state, so that the
- * two own nothing together. */
-struct tui *
-control_new_copy(void)
-{
-	struct tui *t = xcalloc(1, sizeof *t);
-	*t = (struct tui){.session = open->session,
-	    .ways = open->ways,
-	    .ui = open->ui,
-	    .aside = true,
-	    .clock = open->clock,
-	    .started = open->started,
-	    .ran = open->ran,
-	    .view = {.strip = strip_new(), .reference = open->view.reference},
-	    .mouse = open->mouse,
-	    .held = open->held,
-	    .job = open->job,
-	    .failed = open->failed,
-	    .bad = open->bad};
-	copy_texts(t);
-	control_refresh(t);
-	view_form(t);
-	/* The crosshair's sieve is one of that prediction. */
-	t->ui.cross_at =
-	    open->ui.cross_at < t->view.shown.product.n ? open->ui.cross_at : 0;
-	return t;
-}
-
-void
-control_free_copy(struct tui *t)
-{
-	free_state(t);
-	free(t);
 }
 
 static bool

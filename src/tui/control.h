@@ -14,13 +14,7 @@ void control_begin(
 void control_end(struct tui *t);
 
 /* Returns the full screen that is open, or NULL. */
-const struct tui *control_screen(void);
-
-/* Makes a second state that shows the same, to draw a frame apart from the open
- * screen, which it does not change; control_free_copy frees it.  It has a copy
- * of the user's choices (struct ui), and computes the rest. */
-struct tui *control_new_copy(void);
-void control_free_copy(struct tui *t);
+struct tui *control_screen(void);
 
 /* Runs a line that a key composed, and shows it.  False with a message where
  * it failed. */

@@ -188,12 +188,12 @@ view_form(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
+	forget_prediction(t);
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
 	if (!answers_best_so_far(s, entry, &params) && !entry->has_params)
 		return;
-	drop_shown(t);
 	struct question q = asked_whole(s, tui_asked(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
