@@ -56,8 +56,9 @@ key_way act_move, act_ends, act_list;
 
 /* Moves the slider to a run (-1 the slowest, 0 one in the middle, 1 the
  * fastest), to the next limit of the goal, or of a run where there is no goal,
- * or to the goal's best speed.  Until these speeds are known the key waits. */
-key_way act_speed, act_run_speed, act_limit, act_best;
+ * or by an amount of 0 to the goal's best speed.  Until these speeds are known
+ * the key waits. */
+key_way act_speed, act_run_speed, act_limit;
 
 key_way act_page, act_back, act_choose, act_filter;
 

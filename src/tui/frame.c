@@ -157,36 +157,40 @@ draw_ready(const struct area *area, const char *words)
 	    room < 0 && act != NULL ? act + 2 : words);
 }
 
-/* What the site's parameters are worth, or how the search stands. */
-static void
-draw_state(struct tui *t, const struct area *area)
+/* What the site's parameters are worth, or what to do first; the caller
+ * frees. */
+static char *
+ready_words(struct tui *t, int columns)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
-	const int room = area->columns - text_width(tr("READY  "));
-	FREED char *verdict = panel_words(t, room, area->columns);
-	int column;
-	if (session_busy(s)) {
-		column = draw_work(t, area);
-	} else if (entry == NULL) {
-		column = draw_ready(area, tr("no site: o opens a sheet"));
-	} else if (!entry->has_params) {
-		column =
-		    draw_ready(area, site_products(entry->site) > 0
-					 ? tr("not calibrated: f calibrates")
-					 : tr("no product: type :guess"));
-	} else if (verdict[0] != '\0') {
-		column = draw_ready(area, verdict);
-	} else if (entry->has_fit) {
-		FREED char *words = xasprintf("%s%s",
-		    fit_too_few(&entry->fit) ? "" : tr("fit "),
-		    light_verdict(s, entry, NULL));
-		column = draw_ready(area, words);
-	} else {
-		FREED char *words =
-		    xasprintf(tr("parameters %s"), origin_words(entry));
-		column = draw_ready(area, words);
-	}
+	if (entry == NULL)
+		return xstrdup(tr("no site: o opens a sheet"));
+	if (!entry->has_params)
+		return xstrdup(site_products(entry->site) > 0
+				   ? tr("not calibrated: f calibrates")
+				   : tr("no product: type :guess"));
+	char *verdict =
+	    panel_words(t, columns - text_width(tr("READY  ")), columns);
+	if (verdict[0] != '\0')
+		return verdict;
+	free(verdict);
+	return entry->has_fit
+		   ? xasprintf("%s%s",
+			 fit_too_few(&entry->fit) ? "" : tr("fit "),
+			 light_verdict(s, entry, NULL))
+		   : xasprintf(tr("parameters %s"), origin_words(entry));
+}
+
+/* That, or how the search stands: what its parameters are worth would be worked
+ * out with each frame. */
+static void
+draw_state(struct tui *t, const struct area *area)
+{
+	FREED char *words =
+	    session_busy(t->session) ? NULL : ready_words(t, area->columns);
+	int column =
+	    words == NULL ? draw_work(t, area) : draw_ready(area, words);
 	char right[64];
 	snprintf(right, sizeof right,
 	    t->mouse ? tr("mouse on  %s  %d colours")

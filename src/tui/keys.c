@@ -52,7 +52,7 @@ const struct key KEYS[] = {
 	"its limits, or runs", "limits"},
     {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, "to the one before", NULL,
 	NULL},
-    {'N', "N", ON_ALL | AT_SPEED, act_best, 0, "to the best speed of the goal",
+    {'N', "N", ON_ALL | AT_SPEED, act_limit, 0, "to the best speed of the goal",
 	"its best speed", "best"},
     {'y', "y", ON_PREDICT, act_quantity, 1,
 	"next quantity above the track: P80, P50 ..", "other quantity", NULL},

@@ -213,12 +213,12 @@ number_text(const struct tui *t, const struct site_row *row, enum column column,
 }
 
 static void
-cell_text(const struct tui *t, const struct site_row *row, enum column column,
-    char *text, size_t n)
+sites_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	const struct session *s = t->session;
+	const struct site_row *row = &t->view.row[i];
 	const struct entry *e = &s->entry[row->entry];
-	switch (column) {
+	switch ((enum column)column) {
 	case LIGHT:
 		light_text(t, row, text, n);
 		break;
@@ -239,7 +239,7 @@ cell_text(const struct tui *t, const struct site_row *row, enum column column,
 		snprintf(text, n, "%s", e->site->machine);
 		break;
 	default:
-		number_text(t, row, column, text, n);
+		number_text(t, row, (enum column)column, text, n);
 	}
 }
 
@@ -295,25 +295,15 @@ sites_sort_rows(struct tui *t)
 	}
 }
 
-static void
-cell_text_at(const struct tui *t, size_t i, int column, char *text, size_t n)
-{
-	cell_text(t, &t->view.row[i], (enum column)column, text, n);
-}
-
-/* 0: as they were loaded, else 1 + the column; again: the other way round. */
-static void
-sort_by(struct tui *t, int by)
-{
-	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
-	t->ui.sort = by;
-	sites_sort_rows(t);
-}
-
+/* By another column from the least on, by the same one the other way round; -1:
+ * as they were loaded. */
 static void
 sort_by_column(struct tui *t, int column)
 {
-	sort_by(t, column + 1);
+	int by = column + 1;
+	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
+	t->ui.sort = by;
+	sites_sort_rows(t);
 }
 
 static bool
@@ -330,7 +320,7 @@ light_series(const struct tui *t, size_t i, int column, const char *text,
 }
 
 static const struct list_table TABLE = {
-    COLUMN, COLUMNS, cell_text_at, light_series, sort_by_column};
+    COLUMN, COLUMNS, sites_cell, light_series, sort_by_column};
 
 /* What does not depend on the speed is worked out when the session has changed
  * only (rows_at 0). */
@@ -518,7 +508,7 @@ act_sort(struct tui *t, const struct key *key)
 	else if (key->amount > 0)
 		sort_by_next_column(t);
 	else
-		sort_by(t, t->ui.sort);
+		sort_by_column(t, t->ui.sort - 1);
 }
 
 static const struct page_list LIST = {.n = sites_count,

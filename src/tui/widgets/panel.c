@@ -88,13 +88,6 @@ draw_range(const struct area *area, int row, double low, double high,
 	    high < long_number ? digits : 0, high);
 }
 
-static void
-panel_draw_name(
-    const struct area *area, int row, unsigned look, const char *name)
-{
-	screen_text(area, row, 0, look, "%s", name);
-}
-
 /* Draws a size or why there is none. */
 static void
 draw_size(const struct area *area, int row, unsigned look, double mm)
@@ -178,7 +171,7 @@ draw_sizes(struct panel *p, const struct area *area)
 	struct tui *t = p->t;
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
-		panel_draw_name(area, i, LOOK_BOLD, NAME[i]);
+		screen_text(area, i, 0, LOOK_BOLD, "%s", NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
@@ -201,7 +194,7 @@ draw_break(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
-	panel_draw_name(area, 0, 0, tr("break"));
+	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
 	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
@@ -264,7 +257,7 @@ draw_passings(struct panel *p, const struct area *area, int row,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		panel_draw_name(area, row, 0, name[i]);
+		screen_text(area, row, 0, 0, "%s", name[i]);
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
@@ -346,7 +339,7 @@ panel_draw_limit(
 		snprintf(limits, sizeof limits, "<= %g", most);
 	else
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
-	panel_draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
+	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
 	screen_text(area, row, VALUE, 0,
 	    q.kind == QUANTITY_MODULUS ? "%6.2f" : "%6.1f",
 	    quantities_shown(
@@ -368,11 +361,11 @@ rank_of_limit(const double *margin, size_t n, size_t i)
 	return place;
 }
 
+/* What says more of the light, and of the limits. */
 static void
-touch_limits(struct tui *t, const struct touched *touched)
+touch_verdict(struct tui *t, const struct touched *touched)
 {
-	(void)touched;
-	cmdline_run(t, "spec");
+	cmdline_run(t, touched->item == 0 ? "why" : "spec");
 }
 
 static void
@@ -382,7 +375,7 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
-	hits_add(&t->hits, HIT_PRESS, *area, touch_limits, 0);
+	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 1);
 	/* The fraction, where the name has room behind it. */
 	FREED char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
@@ -450,13 +443,6 @@ light_wish(const struct panel *p)
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
 }
 
-static void
-touch_light(struct tui *t, const struct touched *touched)
-{
-	(void)touched;
-	cmdline_run(t, "why");
-}
-
 /* What a reason is about, in a few words. */
 static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_DATA] = N_("few or doubtful data"),
@@ -517,7 +503,7 @@ draw_light(struct panel *p, const struct area *area)
 	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
 	screen_series(
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
-	hits_add(&p->t->hits, HIT_PRESS, *area, touch_light, 0);
+	hits_add(&p->t->hits, HIT_PRESS, *area, touch_verdict, 0);
 	if (p->reason != NULL)
 		draw_reason(area, p->reason);
 	else if (tui_current_entry(p->t)->has_fit)

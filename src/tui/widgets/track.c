@@ -372,18 +372,6 @@ move_to_limit(struct tui *t, int by)
 	t->ui.tenths = best;
 }
 
-static void
-move_to_best(struct tui *t)
-{
-	double best = goal_best(t);
-	if (isfinite(best))
-		t->ui.tenths = slider_tenths(tui_range(t), best);
-	else
-		tui_say(t, false,
-		    goals_set(t->session) ? N_("no best speed is known")
-					  : N_("no goal yet: t sets one"));
-}
-
 static bool
 is_goal_pending(const struct tui *t)
 {
@@ -391,8 +379,8 @@ is_goal_pending(const struct tui *t)
 	return entry != NULL && entry->has_params && goal_pending(t);
 }
 
-static void
-track_go(struct tui *t, const struct key *key)
+void
+act_limit(struct tui *t, const struct key *key)
 {
 	if (is_goal_pending(t) &&
 	    session_fitting(t->session) == tui_current_entry(t)) {
@@ -410,18 +398,6 @@ track_go(struct tui *t, const struct key *key)
 }
 
 void
-act_limit(struct tui *t, const struct key *key)
-{
-	track_go(t, key);
-}
-
-void
-act_best(struct tui *t, const struct key *key)
-{
-	track_go(t, key);
-}
-
-void
 track_wished(struct tui *t, bool now)
 {
 	const struct key *key = t->wish;
@@ -435,8 +411,13 @@ track_wished(struct tui *t, bool now)
 		return;
 	t->wish = NULL;
 	t->message[0] = '\0';
-	if (key->act == act_best)
-		move_to_best(t);
-	else
+	double best = key->amount == 0 ? goal_best(t) : NAN;
+	if (key->amount != 0)
 		move_to_limit(t, key->amount);
+	else if (isfinite(best))
+		t->ui.tenths = slider_tenths(tui_range(t), best);
+	else
+		tui_say(t, false,
+		    goals_set(t->session) ? N_("no best speed is known")
+					  : N_("no goal yet: t sets one"));
 }
