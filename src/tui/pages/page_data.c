@@ -271,107 +271,93 @@ touch_cells(struct tui *t, const struct touched *touched)
 }
 
 static void
-data_draw_cell(struct tui *t, const struct area *area, int row, int from,
-    size_t column, size_t i)
+data_draw_cell(
+    struct tui *t, const struct area *line, int from, size_t column, size_t i)
 {
 	const struct sheet *h = &t->view.sheet;
 	bool here =
 	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
 	bool doubtful = finding_of_cell(h, column, i) != NULL;
 	double x = data_cell_of(h, column, i);
-	char text[48];
-	if (isnan(x))
-		snprintf(text, sizeof text, "%*s", h->width - 2, "-");
-	else
-		snprintf(
-		    text, sizeof text, "%*.*f", h->width - 2, h->digits, x);
-	unsigned look = here ? LOOK_REVERSE : LOOK_PLAIN;
+	char text[48] = "-";
+	if (!isnan(x))
+		snprintf(text, sizeof text, "%.*f", h->digits, x);
+	FREED char *cell = xasprintf("%*s", h->width - 2, text);
 	if (doubtful)
-		screen_series(area, row, from + h->width - 1, SERIES_PREDICTED,
+		screen_series(line, 0, from + h->width - 1, SERIES_PREDICTED,
 		    LOOK_BOLD, "!");
-	screen_series(area, row, from + 1,
+	screen_series(line, 0, from + 1,
 	    doubtful ? SERIES_PREDICTED : SERIES_TEXT,
-	    look | (doubtful ? LOOK_BOLD : LOOK_PLAIN), text);
+	    (here ? LOOK_REVERSE : 0) | (doubtful ? LOOK_BOLD : 0), cell);
 	if (here)
 		t->cursor = (struct cursor){
-		    area->row + row, area->column + from + h->width - 2};
+		    line->row, line->column + from + h->width - 2};
 }
 
-/* Returns the column after it. */
-static int
-draw_column(struct tui *t, const struct area *area, size_t rows, int from,
-    size_t column)
-{
-	const struct sheet *h = &t->view.sheet;
-	char text[48];
-	data_head_text(t, column, text);
-	bool trained = text[strlen(text) - 1] == '*';
-	screen_text(area, 0, from, LOOK_BOLD, "%*s",
-	    h->width - (trained ? 0 : 1), text);
-	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
-	     i++)
-		data_draw_cell(
-		    t, area, (int)(i - t->ui.cell.top) + 1, from, column, i);
-	return from + h->width;
-}
-
+/* A sieve with its cells and what is predicted, or for SIZE_MAX the heads. */
 static void
-draw_prediction(
-    const struct tui *t, const struct area *area, size_t rows, int from)
+data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct psd *psd = &t->view.shown.product;
-	screen_text(area, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, tr("PRED"));
-	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
-	     i++) {
-		int row = (int)(i - t->ui.cell.top) + 1;
-		if (psd_covers(psd, h->sieve[i]))
-			screen_text(area, row, from, LOOK_BOLD, "%*.*f",
-			    PREDICTED - 1, h->digits,
-			    100 * psd_passing(psd, h->sieve[i]));
+	bool heads = i == SIZE_MAX;
+	int from = SIEVES;
+	char text[48];
+	if (heads)
+		screen_text(
+		    line, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
+	else
+		screen_text(
+		    line, 0, 0, 0, "%*g", SIEVES - 1, units_mm(h->sieve[i]));
+	for (size_t c = t->ui.cell.left;
+	     c < h->n_column && c < t->ui.cell.left + columns;
+	     c++, from += h->width) {
+		data_head_text(t, c, text);
+		bool trained = text[strlen(text) - 1] == '*';
+		if (heads)
+			screen_text(line, 0, from, LOOK_BOLD, "%*s",
+			    h->width - (trained ? 0 : 1), text);
 		else
-			screen_text(area, row, from, LOOK_BOLD, "%*s",
-			    PREDICTED - 1, "-");
+			data_draw_cell(t, line, from, c, i);
 	}
+	if (!has_prediction(t, line))
+		return;
+	snprintf(text, sizeof text, "%s", heads ? tr("PRED") : "-");
+	if (!heads && psd_covers(psd, h->sieve[i]))
+		snprintf(text, sizeof text, "%.*f", h->digits,
+		    100 * psd_passing(psd, h->sieve[i]));
+	screen_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
 }
 
-/* Where there is more than what is shown. */
-static void
-draw_more_marks(const struct tui *t, const struct area *area, struct room room)
-{
-	const struct sheet *h = &t->view.sheet;
-	if (t->ui.cell.top > 0)
-		screen_text(area, 1, 0, LOOK_BOLD, "^");
-	if (t->ui.cell.top + room.rows < h->n)
-		screen_text(area, (int)room.rows, 0, LOOK_BOLD, "v");
-	if (t->ui.cell.left > 0)
-		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
-}
-
-/* Returns the column after the table. */
+/* With marks where there is more than what is shown.  Returns the column after
+ * the table. */
 static int
 draw_cells(struct tui *t, const struct area *area, struct room room)
 {
 	const struct sheet *h = &t->view.sheet;
-	int from = SIEVES;
-	screen_text(area, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
-	for (size_t i = t->ui.cell.top;
-	     i < h->n && i < t->ui.cell.top + room.rows; i++)
-		screen_text(area, (int)(i - t->ui.cell.top) + 1, 0, 0, "%*g",
-		    SIEVES - 1, units_mm(h->sieve[i]));
-	for (size_t c = t->ui.cell.left;
-	     c < h->n_column && c < t->ui.cell.left + room.columns; c++)
-		from = draw_column(t, area, room.rows, from, c);
-	if (t->ui.cell.left + room.columns < h->n_column)
-		screen_text(area, 0, from - 1, LOOK_BOLD, ">");
+	const size_t top = t->ui.cell.top, left = t->ui.cell.left;
+	size_t rows = h->n - top < room.rows ? h->n - top : room.rows,
+	       columns = h->n_column - left < room.columns ? h->n_column - left
+							   : room.columns;
+	int end = SIEVES + (int)columns * h->width;
 	hits_add(&t->hits, HIT_PRESS | HIT_WHEEL,
-	    (struct area){area->row + 1, area->column + SIEVES,
-		(int)(h->n < room.rows ? h->n : room.rows), from - SIEVES},
+	    (struct area){
+		area->row + 1, area->column + SIEVES, (int)rows, end - SIEVES},
 	    touch_cells, 0);
-	if (has_prediction(t, area))
-		draw_prediction(t, area, room.rows, from);
-	draw_more_marks(t, area, room);
-	return from + (has_prediction(t, area) ? PREDICTED : 0);
+	for (size_t r = 0; r <= rows && (int)r < area->rows; r++) {
+		const struct area line = area_row(area, (int)r);
+		data_draw_row(
+		    t, &line, r == 0 ? SIZE_MAX : top + r - 1, columns);
+	}
+	if (left + columns < h->n_column)
+		screen_text(area, 0, end - 1, LOOK_BOLD, ">");
+	if (top > 0)
+		screen_text(area, 1, 0, LOOK_BOLD, "^");
+	if (top + rows < h->n)
+		screen_text(area, (int)rows, 0, LOOK_BOLD, "v");
+	if (left > 0)
+		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
+	return end + (has_prediction(t, area) ? PREDICTED : 0);
 }
 
 /* How the sheet is doing as a whole. */
