@@ -305,15 +305,14 @@ act_band(struct tui *t, const struct key *key)
 	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
 	bool known = t->view.shown.low != NULL;
-	tui_say(t, false,
-	    known || (entry->has_fit && fit_too_few(&entry->fit))
-		? "%s%s"
-		: N_("%s%s; f calibrates"),
-	    known ? "" : outlook_why_none(t->session, entry),
-	    !known ? ""
-	    : screen_charset() != CHARSET_ASCII
-		? tr("band on")
-		: tr("band on; not visible where it is thinner than a row"));
+	if (known)
+		tui_say(t, false, "band on; where thin, the line hides it");
+	else
+		tui_say(t, false,
+		    entry->has_fit && fit_too_few(&entry->fit)
+			? "%s"
+			: N_("%s; f calibrates"),
+		    outlook_why_none(t->session, entry));
 }
 
 void

@@ -295,8 +295,14 @@ static void
 screen_put_cell(
     int row, int column, uint32_t code, unsigned look, enum series series)
 {
+	enum { LIGHT_SHADE = 0x2591, MIDDLE_DOT = 0xB7 };
 	if (row < 0 || row >= is.rows || column < 0 || column >= is.columns)
 		return;
+	/* With few colours nothing is dim: the shade outshone what lies on it.
+	 */
+	if (code == LIGHT_SHADE && series == SERIES_TEXT && is.depth > 0 &&
+	    is.depth < 256)
+		code = MIDDLE_DOT;
 	*canvas_at(is.frame, column, row) = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)look};
 }

@@ -771,11 +771,12 @@ panel_row(struct tui *t)
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
 	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
-		bool narrow = area->columns < 34;
+		bool narrow = area->columns < 34, least = area->columns < 24;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
-		    narrow ? N_("%g %.1f %% P%d %s mm")
-			   : N_("%g mm %.1f %%  %d %% %s"),
+		    least    ? "%g %.1f%% P%d %s"
+		    : narrow ? N_("%g %.1f %% P%d %s mm")
+			     : N_("%g mm %.1f %%  %d %% %s"),
 		    units_mm(p->product.size[t->ui.cross_at]),
 		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
 		    narrow ? short_size(mm, a) : readout_size(mm, a));

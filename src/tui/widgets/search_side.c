@@ -106,8 +106,9 @@ draw_span(const struct row *r, const struct plots_strip *strip,
 static const char *
 shown_number(double value, bool scaled, char text[static 24])
 {
+	/* Not "-0.000". */
 	if (scaled)
-		snprintf(text, 24, "%.3f", value);
+		snprintf(text, 24, "%.3f", fabs(value) < 0.5e-3 ? 0 : value);
 	else
 		snprintf(text, 24, "%.*g", fabs(value) >= 1000 ? 5 : 3, value);
 	return text;
