@@ -12,8 +12,9 @@ struct sheet;
  * in.  The caller frees. */
 char *results_command(const struct sheet *sheet);
 
-/* As results_command, for a text file, by its first lines alone, so that many
- * files can be checked.  NULL if it cannot be read. */
+/* As results_command, for a file: of a text by its first lines alone, of
+ * workbooks only small ones, so that many files can be checked.  NULL if it
+ * cannot be read. */
 char *results_command_in(const char *path);
 
 #endif
