@@ -183,6 +183,11 @@ predict_hints(const struct tui *t)
 		return site_products(tui_current_entry(t)->site) > 0
 			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
 			   : N_(":  ?  q  o  1-5 pages");
+	if (t->view.pinned.site[0] != '\0')
+		return goals_set(t->session)
+			   ? N_("<-/->  n p  N  ?  Enter  q  x unpin  e  :  t")
+			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
+				"u");
 	return goals_set(t->session)
 		   ? "<-/->  n p  N  ?  Enter  q  x  e  :  t"
 		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";

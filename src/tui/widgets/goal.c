@@ -109,6 +109,10 @@ act_goal(struct tui *t, const struct key *key)
 	FREED char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
 						 : xasprintf("%s=", words);
 	t->message[0] = '\0';
+	if (!goals_set(t->session))
+		tui_say(t, false,
+		    "such as p80=5.4, or passing 2 = 32..36, fines<3; Tab has "
+		    "more");
 	t->goal_field = t->goal_fresh = true;
 	edit_begin(&t->line, line);
 }

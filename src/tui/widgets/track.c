@@ -360,7 +360,9 @@ move_to_limit(struct tui *t, int by)
 		    (best == t->ui.tenths || by * (best - tenths[i]) > 0))
 			best = tenths[i];
 	}
-	if (best == t->ui.tenths)
+	if (tui_current_entry(t) == NULL)
+		tui_say(t, true, TUI_NO_SITE);
+	else if (best == t->ui.tenths)
 		tui_say(t, false,
 		    goals_set(t->session)
 			? (by > 0 ? N_("no faster limit: p goes to a slower "
