@@ -117,12 +117,13 @@ continue_within_bounds(struct tui *t, bool edited)
 		tui_say(t, false, "continues within the new bounds");
 }
 
-/* Says more behind what a line has said, where no text has opened. */
+/* Says more behind what a line has said; where a text has opened, if nothing
+ * else was said, to be read when it is closed. */
 static void
 append_to_message(struct tui *t, const char *more)
 {
 	FREED char *said = xstrdup(t->message);
-	if (t->viewer.text == NULL)
+	if (t->viewer.text == NULL || said[0] == '\0')
 		tui_say(t, t->bad, "%s%s%s", said, said[0] != '\0' ? "; " : "",
 		    more);
 }

@@ -185,7 +185,7 @@ predict_hints(const struct tui *t)
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')
 		return goals_set(t->session)
-			   ? N_("<-/->  n p  N  ?  Enter  q  x unpin  e  :  t")
+			   ? N_("<-/->  n p  N  ?  Enter  q  e  x unpin  :  t")
 			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
 				"u");
 	return goals_set(t->session)
