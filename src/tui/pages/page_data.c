@@ -110,6 +110,17 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 	t->ui.cell.at = t->ui.cell.at < h->n_column ? t->ui.cell.at : 0;
 }
 
+/* Whether the page has cells; then these are those of the sheet in use. */
+static bool
+has_cells(struct tui *t)
+{
+	const struct entry *entry = tui_current_entry(t);
+	bool has = entry != NULL && entry->site->n_run > 0;
+	if (has && t->view.sheet.site != entry->site)
+		make_sheet_of_site(t, entry->site);
+	return has;
+}
+
 /* Looks for doubtful cells once for a sheet and a calibration, which may take a
  * while: the page stands there meanwhile. */
 static void
@@ -118,10 +129,8 @@ data_update(struct tui *t)
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
-	if (entry == NULL || entry->site->n_run == 0)
+	if (!has_cells(t))
 		return;
-	if (entry->site != h->site)
-		make_sheet_of_site(t, entry->site);
 	bool calibrated = mend_is_calibrated(s, entry);
 	double misfit = calibrated ? entry->fit.misfit : 0;
 	bool same = h->calibrated == calibrated && h->misfit == misfit;
@@ -468,15 +477,12 @@ static void
 data_draw(struct tui *t)
 {
 	const struct area area = pane_list_area(t);
-	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
-	if (entry == NULL || entry->site->n_run == 0) {
+	/* It may be another one in the midst of a command. */
+	if (!has_cells(t)) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
 	}
-	/* In the midst of a command. */
-	if (entry->site != h->site)
-		make_sheet_of_site(t, entry->site);
 	struct room room = cells_that_fit(t, &area);
 	t->ui.cell.top =
 	    first_to_show(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
@@ -496,13 +502,6 @@ data_draw(struct tui *t)
 
 /* ---- Keys ---- */
 
-static bool
-has_cells(const struct tui *t)
-{
-	const struct entry *entry = tui_current_entry(t);
-	return entry != NULL && entry->site->n_run > 0;
-}
-
 /* A column, some of them, or a page of rows. */
 static void
 move_sideways(struct tui *t, int amount)
@@ -520,21 +519,12 @@ move_sideways(struct tui *t, int amount)
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
-/* Whether the page has cells; then these are those of the sheet in use. */
-static bool
-has_current_cells(struct tui *t)
-{
-	if (has_cells(t) && t->view.sheet.site != tui_current_entry(t)->site)
-		make_sheet_of_site(t, tui_current_entry(t)->site);
-	return has_cells(t);
-}
-
 /* What is seen to be chosen is mended. */
 void
 act_mend(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_current_cells(t))
+	if (!has_cells(t))
 		return;
 	if (t->ui.cell.on)
 		mend_cell_at_cursor(t);
@@ -545,7 +535,7 @@ void
 act_doubt(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_current_cells(t))
+	if (!has_cells(t))
 		return;
 	t->ui.cell.on = true;
 	move_to_next_finding(t);
@@ -555,7 +545,7 @@ static bool
 data_move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
-	if (!has_current_cells(t))
+	if (!has_cells(t))
 		return false;
 	/* The first key shows where the cursor is. */
 	bool here = t->ui.cell.on;

@@ -143,13 +143,6 @@ panel_draw_speed(struct panel *p, const struct area *area)
 		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
-static struct wish
-rows_of_sizes(const struct panel *p)
-{
-	(void)p;
-	return (struct wish){PSD_SIZES, PSD_SIZES};
-}
-
 /* The crosshair where the curve passes so much. */
 static void
 touch_size(struct tui *t, const struct touched *touched)
@@ -180,13 +173,6 @@ draw_sizes(struct panel *p, const struct area *area)
 		hits_add(&t->hits, HIT_PRESS, area_row(area, i), touch_size,
 		    (size_t)i);
 	}
-}
-
-static struct wish
-rows_of_break_size(const struct panel *p)
-{
-	(void)p;
-	return (struct wish){1, 2};
 }
 
 static void
@@ -512,23 +498,24 @@ draw_light(struct panel *p, const struct area *area)
 
 /* From the top down.  rank: in this order they get the least rows they need,
  * and then what they may have more; apart: a blank row above it where there is
- * one left. */
+ * one left; always: what it takes whatever there is to show. */
 enum { BLOCKS = 9 };
 static const struct block {
 	int rank;
 	bool apart;
 	struct wish (*wish)(const struct panel *p);
+	struct wish always;
 	void (*draw)(struct panel *p, const struct area *area);
 } BLOCK[BLOCKS] = {
-    {1, false, light_wish, draw_light},
-    {2, true, speed_wish, panel_draw_speed},
-    {0, false, rows_of_sizes, draw_sizes},
-    {5, false, rows_of_break_size, draw_break},
-    {6, false, fractions_wish, draw_fractions},
-    {4, true, limits_wish, panel_draw_limits},
-    {8, true, tonnes_wish, draw_tonnes},
-    {3, true, readings_wish, draw_readings},
-    {7, true, sieves_wish, draw_sieves},
+    {1, false, light_wish, {0, 0}, draw_light},
+    {2, true, speed_wish, {0, 0}, panel_draw_speed},
+    {0, false, NULL, {PSD_SIZES, PSD_SIZES}, draw_sizes},
+    {5, false, NULL, {1, 2}, draw_break},
+    {6, false, fractions_wish, {0, 0}, draw_fractions},
+    {4, true, limits_wish, {0, 0}, panel_draw_limits},
+    {8, true, tonnes_wish, {0, 0}, draw_tonnes},
+    {3, true, readings_wish, {0, 0}, draw_readings},
+    {7, true, sieves_wish, {0, 0}, draw_sieves},
 };
 
 /* Rows [BLOCKS] out for a panel of so many. */
@@ -538,7 +525,8 @@ panel_share_rows(const struct panel *p, int left, int rows[BLOCKS])
 	struct wish wish[BLOCKS];
 	size_t at[BLOCKS];
 	for (size_t i = 0; i < BLOCKS; i++) {
-		wish[i] = BLOCK[i].wish(p);
+		wish[i] =
+		    BLOCK[i].wish != NULL ? BLOCK[i].wish(p) : BLOCK[i].always;
 		at[BLOCK[i].rank] = i;
 	}
 	for (size_t r = 0; r < BLOCKS; r++) {
