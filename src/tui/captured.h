@@ -11,7 +11,7 @@ void captured_clear(struct tui *t);
 
 /* See `fail` in struct driver, of = struct tui *: the line itself is on the
  * screen already. */
-void captured_add_error(
+void captured_say_error(
     void *of, const struct error *e, const char *line, const char *name);
 
 /* Shows what was printed: a single line as a message, more on the whole

@@ -653,7 +653,7 @@ keymap_held(struct tui *t)
 void
 keymap_key(struct tui *t, int code, bool special)
 {
-	if (word_add_letter(t, code, special))
+	if (word_opens_line(t, code, special))
 		return;
 	/* What the held key asks has this one for an answer. */
 	t->again.is = true;

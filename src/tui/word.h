@@ -7,7 +7,7 @@
 
 /* True if a key is the second letter of a command's name: then the command line
  * is opened with both letters, and what the first letter moved is put back. */
-bool word_add_letter(struct tui *t, int code, bool special);
+bool word_opens_line(struct tui *t, int code, bool special);
 
 /* Holds a key that may begin such a name; true if it is held.  Without a
  * terminal no key is held. */

@@ -207,7 +207,7 @@ read_feed(struct session *s, const struct args *args, struct named *r,
 	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
 	if (given_value(args, "feed") == NULL)
-		r->scenario.feed = blended_set(s, text, error);
+		r->scenario.feed = blended_read_cached(s, text, error);
 	else if (blended_read(s, text, &r->blend, error))
 		r->scenario.feed = &r->blend;
 	return r->scenario.feed != NULL;
@@ -371,7 +371,7 @@ set_sheets(struct session *s)
 		row++;
 	return value_read(&row->option, s->set.feed, &value, &none) &&
 		       value_is_file(&row->option, &value)
-		   ? blended_set(s, s->set.feed, &none)
+		   ? blended_read_cached(s, s->set.feed, &none)
 		   : NULL;
 }
 

@@ -407,7 +407,7 @@ is_measured(const struct wanted *w, double v)
 
 /* Whether any speed at which all holds lies where it was measured. */
 static bool
-any_measured(const struct speed_search *s, const struct wanted *w)
+holds_within_measured(const struct speed_search *s, const struct wanted *w)
 {
 	for (size_t k = 0; k < s->n; k++)
 		if (holds_at(s, k) && is_measured(w, s->speed[k]))
@@ -436,7 +436,8 @@ is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
 static size_t
 best_step(const struct speed_search *s, const struct wanted *w)
 {
-	struct eligible e = {s->n_inside > 0, any_measured(s, w), -INFINITY};
+	struct eligible e = {
+	    s->n_inside > 0, holds_within_measured(s, w), -INFINITY};
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
 				: (w->from + w->to) / 2;

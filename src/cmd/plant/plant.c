@@ -92,7 +92,7 @@ fraction_name(double fine, double coarse)
 	if (!(coarse > 0))
 		return xasprintf("+%g", units_mm(fine));
 	struct fraction f = {.fine = fine, .coarse = coarse};
-	return quantities_fraction_words(&f);
+	return quantities_fraction_text(&f);
 }
 
 /* Whether a list has that name; taken: counts the names found. */

@@ -172,7 +172,7 @@ touch_size(struct tui *t, const struct touched *touched)
 }
 
 static void
-draw_sizes(struct panel *p, const struct area *area)
+draw_p_sizes(struct panel *p, const struct area *area)
 {
 	static const char *const NAME[PSD_SIZES] = {"P20", "P50", "P80"};
 	struct tui *t = p->t;
@@ -539,7 +539,7 @@ static const struct block {
 } BLOCK[BLOCKS] = {
     {1, false, light_wish, draw_light},
     {2, true, speed_wish, panel_draw_speed},
-    {0, false, rows_of_sizes, draw_sizes},
+    {0, false, rows_of_sizes, draw_p_sizes},
     {5, false, rows_of_break_size, draw_break},
     {6, false, fractions_wish, draw_fractions},
     {4, true, limits_wish, panel_draw_limits},
