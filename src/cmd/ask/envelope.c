@@ -497,7 +497,7 @@ step_range(const struct grading *g, size_t at, double range[2])
 	const double *fine = forecast_draws(f, at + 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		step[d] = 100 * (coarse[d] - fine[d]);
-	ensemble_range(step, g->conditions.level, NAN, range);
+	ensemble_interval_with_answer(step, g->conditions.level, NAN, range);
 }
 
 static void

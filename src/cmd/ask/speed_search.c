@@ -106,7 +106,7 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 		if (held != NULL)
 			held[d] = held[d] && over[d] >= -EXACT;
 	}
-	ensemble_middle(over, w->level, &low, &high);
+	ensemble_interval(over, w->level, &low, &high);
 	double width = isfinite(low) && isfinite(high) ? high - low : 0;
 	if (isfinite(m.passing))
 		m.widths = m.passing / fmax(width, NARROW);
@@ -653,10 +653,10 @@ find_ranges(struct speed_search *s, const struct wanted *w)
 	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
 	for (size_t d = 0; d < DRAWS; d++)
 		speed[d] = root_crossing(s, t->draw, d, sign, about);
-	ensemble_middle(speed, w->level, &s->range[0], &s->range[1]);
+	ensemble_interval(speed, w->level, &s->range[0], &s->range[1]);
 	for (size_t d = 0; d < DRAWS; d++)
 		speed[d] = root_crossing(s, t->sample, d, sign, about);
-	ensemble_middle(speed, w->level, &s->cut[0], &s->cut[1]);
+	ensemble_interval(speed, w->level, &s->cut[0], &s->cut[1]);
 }
 
 static void

@@ -599,7 +599,7 @@ plant_idle(const struct plant *p, double speed, double range[static 2])
 		draw[d] = power_idle(&p->power, d, speed);
 		mean += draw[d] / POWER_DRAWS;
 	}
-	ensemble_range(draw, p->level, mean, range);
+	ensemble_interval_with_answer(draw, p->level, mean, range);
 	return mean;
 }
 
