@@ -36,10 +36,9 @@ struct goal {
 static bool
 asks_for_spec(const struct session *s, const struct args *args)
 {
-	bool other = args_value(args, "p20")->given ||
-		     args_value(args, "p50")->given ||
-		     args_value(args, "p80")->given ||
-		     args_value(args, "passing")->given || args->n_operand > 0;
+	bool other = args_value(args, "passing")->given || args->n_operand > 0;
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		other = other || args_value(args, PSD_KEY[i])->given;
 	return !other && (args_value(args, "spec")->given || s->spec != NULL);
 }
 
@@ -55,14 +54,13 @@ static void
 read_options(
     const struct args *args, const struct fraction *fraction, struct goal *goal)
 {
-	static const char *const NAMES[PSD_SIZES] = {"p20", "p50", "p80"};
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		if (args_value(args, NAMES[i])->given)
+		if (args_value(args, PSD_KEY[i])->given)
 			add_target(goal,
 			    (struct quantity){.kind = QUANTITY_SIZE,
 				.x = PSD_PASSING[i],
 				.fraction = *fraction},
-			    args_value(args, NAMES[i])->number / 1000);
+			    args_value(args, PSD_KEY[i])->number / 1000);
 	if (args_value(args, "passing")->given)
 		add_target(goal,
 		    (struct quantity){.kind = QUANTITY_PASSING,

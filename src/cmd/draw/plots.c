@@ -680,18 +680,17 @@ static void
 put_pairs(struct chart *chart, const struct session *s,
     const struct trials *pairs, double low, double high)
 {
-	static const char *const NAMES[] = {"P20", "P50", "P80"};
 	struct chart_series *equal = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
 	    2, N_("as measured (1:1)"));
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
-	for (size_t i = 0; i < 3; i++) {
+	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct chart_series look = site_chart_style(i);
 		look.line = CHART_MARKS;
 		struct chart_series *p =
-		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
+		    chart_add(chart, look, pairs->n, "%s", PSD_NAME[i]);
 		chart_add_point_sites(p);
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct trial *of = &pairs->item[j];

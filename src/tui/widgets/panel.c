@@ -174,11 +174,10 @@ touch_size(struct tui *t, const struct touched *touched)
 static void
 draw_p_sizes(struct panel *p, const struct area *area)
 {
-	static const char *const NAME[PSD_SIZES] = {"P20", "P50", "P80"};
 	struct tui *t = p->t;
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
-		panel_draw_name(area, i, LOOK_BOLD, NAME[i]);
+		panel_draw_name(area, i, LOOK_BOLD, PSD_NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
