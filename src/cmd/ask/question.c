@@ -10,6 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/parse.h"
@@ -243,14 +244,9 @@ choose_feed(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	struct value feed;
-	const struct site *site = q->entry->site;
 	if (feed_asked(s, args, &feed) == NULL || !(feed.number > 0))
 		return true;
-	q->feed = site_run_at(site, feed.number);
-	return q->feed < site->n_run || error_set(error, ERROR_USAGE,
-					    "%s has no feed sampled at %g m/s\n"
-					    "run 'show feed' for its feeds",
-					    site->name, feed.number);
+	return feed_find_sampled(q->entry->site, feed.number, &q->feed, error);
 }
 
 /* cut=off is the whole product, as it is where an envelope is for a fraction;

@@ -417,13 +417,9 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
 		if (other)
 			feed = SITE_MEAN_FEED;
-		if (q->other_feed != 0)
-			feed = feed_sampled_at(site, q->other_feed);
-		if (q->other_feed != 0 && feed >= site->n_run)
-			return error_set(error, ERROR_USAGE,
-			    "%s has no feed sampled at %g m/s\n"
-			    "run 'show feed' for its feeds",
-			    site->name, q->other_feed);
+		if (q->other_feed != 0 &&
+		    !feed_find_sampled(site, q->other_feed, &feed, error))
+			return false;
 		second->p =
 		    make_prediction(c, s, q, second->whose, own, v, feed);
 	}
