@@ -371,15 +371,15 @@ double
 quantities_shown(const struct quantity *q, double value)
 {
 	const char *unit = quantities_unit(q);
-	return unit[0] == '%'   ? units_pct(value)
-	       : unit[0] == 'm' ? units_mm(value)
-				: value;
+	return strcmp(unit, "%") == 0    ? units_pct(value)
+	       : strcmp(unit, "mm") == 0 ? units_mm(value)
+					 : value;
 }
 
 int
 quantities_decimals(const struct quantity *q)
 {
-	return quantities_unit(q)[0] == '%' ? 1 : 2;
+	return strcmp(quantities_unit(q), "%") == 0 ? 1 : 2;
 }
 
 bool

@@ -322,6 +322,20 @@ limits_wish(const struct panel *p)
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
 }
 
+/* What a limit is of, as short as there is room for. */
+static void
+panel_name_quantity(const struct quantity *q, char *name, size_t size)
+{
+	FREED char *typed = quantities_as_typed(q);
+	if (q->kind == QUANTITY_PASSING)
+		snprintf(name, size, "%g", units_mm(q->x));
+	else
+		snprintf(name, size, "%s",
+		    q->kind == QUANTITY_MODULUS ? "FM"
+		    : q->kind == QUANTITY_STEP  ? "step"
+						: typed);
+}
+
 /* Limit i at the slider's speed: in, or by how much it is missed. */
 static void
 panel_draw_limit(
@@ -332,13 +346,8 @@ panel_draw_limit(
 	char name[16], limits[32] = "";
 	double least = quantities_shown(&q, c->least),
 	       most = quantities_shown(&q, c->most);
-	bool sieve = q.kind == QUANTITY_PASSING,
-	     in = wanted_holds(&g->conditions, i);
-	if (sieve)
-		snprintf(name, sizeof name, "%g", units_mm(q.x));
-	else
-		snprintf(name, sizeof name, "%s",
-		    q.kind == QUANTITY_MODULUS ? "FM" : "step");
+	bool in = wanted_holds(&g->conditions, i);
+	panel_name_quantity(&q, name, sizeof name);
 	if (isnan(most))
 		snprintf(limits, sizeof limits, ">= %g", least);
 	else if (isnan(least))
@@ -346,8 +355,7 @@ panel_draw_limit(
 	else
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
 	panel_draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
-	screen_text(area, row, VALUE, 0,
-	    q.kind == QUANTITY_MODULUS ? "%6.2f" : "%6.1f",
+	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
 	    quantities_shown(
 		&q, forecast_figure(g->conditions.forecast, i).value));
 	if (!isnan(least) || !isnan(most))
