@@ -1,4 +1,5 @@
-/* What stands around every page: heading, slider, last command, state, hints.
+/* Draws the surroundings of every page: heading, slider, last command, status,
+ * hints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/frame.h"
 

@@ -1,4 +1,4 @@
-/* From keys of the table to what they do.
+/* Finds the action of each key and runs it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/keymap.h"
 

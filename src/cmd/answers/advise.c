@@ -1,4 +1,4 @@
-/* advise: which sample next narrows the band of an answer most.
+/* advise: the next sample that would narrow the band of an answer most.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/advise.h"
 

@@ -1,5 +1,5 @@
-/* compare: two speeds of a site, two sites at a speed, or a speed and what is
- * pinned, side by side.
+/* compare: two speeds of a site, two sites at a speed, or a speed and the
+ * pinned prediction, side by side.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

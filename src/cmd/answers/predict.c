@@ -1,4 +1,4 @@
-/* predict: what comes out at a speed, and how far to trust it.
+/* predict: the product at a speed, and how far to trust it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/predict.h"
 
@@ -366,13 +366,14 @@ static double
 largest_move_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
+	const double SHOWN = 5e-4; /* what changes a tenth of a point */
 	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
 			most = fmax(most, moved_largest(s, q->entry, q->params,
 					      k, p->feed_run));
-	return most > MOVED_TOLD ? most : 0;
+	return most > SHOWN ? most : 0;
 }
 
 /* The answer with what is to be said of it; wanted: with the interpolated

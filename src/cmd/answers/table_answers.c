@@ -1,4 +1,4 @@
-/* Commands that answer, as rows of the command table.
+/* Commands that answer questions, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/table.h"
 

@@ -1,4 +1,4 @@
-/* uncertainty: what makes an answer uncertain, and its draws.
+/* uncertainty: the sources of an answer's uncertainty, and its draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Speeds as they are typed: several in a row, and revolutions per minute as tip
- * speeds, v = pi D n / 60.
+/* Reads speeds as they are typed: several in a row, and revolutions per minute,
+ * which it converts to tip speeds: v = pi D n / 60.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/turns.h"
 

@@ -1,4 +1,4 @@
-/* check: the search for faults in site files.  It reports and changes nothing.
+/* check: the search for faults in site files.  It only reports.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/check.h"
 

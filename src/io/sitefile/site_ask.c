@@ -1,5 +1,5 @@
-/* Makes the questions about what is open in a sheet, in the words that answer
- * them, and reads the answers: columns= and range=.
+/* Makes the questions that a sheet leaves open, in the words of their answers,
+ * and parses the answers: columns= and range=.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_ask.h"
 

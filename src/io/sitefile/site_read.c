@@ -1,5 +1,5 @@
 /* Reads the sheets of one site, or of its samples: sheets come from source.c,
- * tables from layout.c, what they hold from classify.c.
+ * tables from layout.c, the meaning of columns from classify.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_read.h"
 

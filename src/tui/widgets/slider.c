@@ -1,4 +1,4 @@
-/* The slider's arithmetic and drawing: no terminal, no session.
+/* The slider's arithmetic and drawing, without terminal or session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/slider.h"
 
