@@ -65,8 +65,8 @@ void ensemble_mean(const struct ensemble *e, double *passing);
  * their order.  NAN counts as the lowest value, so an end may be NAN. */
 void ensemble_interval(double *value, double level, double *low, double *high);
 
-/* As ensemble_interval, but keeps the order of the values and widens the range to
- * contain the answer, unless that is NAN. */
+/* As ensemble_interval, but keeps the order of the values and widens the range
+ * to contain the answer, unless that is NAN. */
 void ensemble_interval_with_answer(
     const double *draw, double level, double answer, double range[static 2]);
 
