@@ -61,7 +61,7 @@ band_of(const struct asking *a, const struct site *site)
 		asked[i] = psd_passing(feed, p->sieve[i]);
 	ensemble_at(e, a->speed);
 	ensemble_mean(e, mean);
-	ensemble_band(e, ENSEMBLE_ANSWER, a->sieve, 0.8, &low, &high);
+	ensemble_row_interval(e, ENSEMBLE_ANSWER, a->sieve, 0.8, &low, &high);
 	struct band band = {.width = high - low,
 	    .off = mean[a->sieve] -
 		   plant_truth(p, asked, a->speed, p->sieve[a->sieve])};

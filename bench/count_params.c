@@ -92,7 +92,7 @@ count_plant(enum law law, uint64_t number, struct held held[WHATS])
 		for (size_t d = 0; d < DRAWS; d++)
 			draw[d] = value_of(w, &posterior->draw[d].params,
 			    &posterior->settings);
-		ensemble_middle(draw, 0.8, &low, &high);
+		ensemble_interval(draw, 0.8, &low, &high);
 		bool in = truth >= low && truth <= high;
 		held[w].in += in;
 		held[w].outside += found < low || found > high;

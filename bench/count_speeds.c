@@ -44,7 +44,8 @@ ask(const struct plant *p, const struct site *site, struct ensemble *e,
 		double more = times * (mean[2][i] - mean[1][i]) / 2 / step;
 		if (plant_feed(p, p->sieve[i], p->feed_n) >= 1)
 			continue;
-		ensemble_band(e, ENSEMBLE_ANSWER, i, 0.8, &low[i], &high[i]);
+		ensemble_row_interval(
+		    e, ENSEMBLE_ANSWER, i, 0.8, &low[i], &high[i]);
 		cells++;
 		in += P > low[i] - 1e-4 && P < high[i] + 1e-4;
 		with +=

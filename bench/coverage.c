@@ -42,7 +42,7 @@ static bool
 is_within(double P, double *draw, double level, double *low, double *high)
 {
 	const double slack = 1e-4;
-	ensemble_middle(draw, level, low, high);
+	ensemble_interval(draw, level, low, high);
 	return P >= *low - slack && P <= *high + slack;
 }
 

@@ -139,7 +139,7 @@ static const struct {
 };
 
 void
-typed_search_names(void)
+history_search_define(void)
 {
 	/* The first function of a name is the one that settings get. */
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++)
@@ -158,7 +158,7 @@ replace_bindings_in(Keymap map, size_t i)
 }
 
 void
-typed_search_keys(void)
+history_search_bind(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++) {
 		replace_bindings_in(emacs_standard_keymap, i);

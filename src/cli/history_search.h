@@ -3,10 +3,10 @@
 #ifndef TIPSPEED_CLI_HISTORY_SEARCH_H
 #define TIPSPEED_CLI_HISTORY_SEARCH_H
 
-/* typed_search_names binds our searches to readline's names, before the user's
- * settings are read; typed_search_keys binds them, after the settings, to the
+/* history_search_define gives our searches readline's names for them, before
+ * the user's settings are read; history_search_bind, after the settings, the
  * keys that readline uses for its own searches. */
-void typed_search_names(void);
-void typed_search_keys(void);
+void history_search_define(void);
+void history_search_bind(void);
 
 #endif

@@ -46,19 +46,19 @@ pager_command(void)
 	    tr("the end, q leaves"), tr("space goes on, q leaves"));
 }
 
+/* A handler, as the pager would inherit SIG_IGN. */
 static void
-ignore_signal(int signal)
+on_signal_do_nothing(int signal)
 {
 	(void)signal;
 }
 
-/* The pager's own business: ^C, and to end before all is written.  Handlers
- * and not SIG_IGN, which the pager would inherit. */
+/* The pager's own business: ^C, and to end before all is written. */
 static void
 leave_signals_to_pager(struct sigaction was[2])
 {
 	struct sigaction action = {
-	    .sa_handler = ignore_signal, .sa_flags = SA_RESTART};
+	    .sa_handler = on_signal_do_nothing, .sa_flags = SA_RESTART};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGINT, &action, &was[0]);
 	sigaction(SIGPIPE, &action, &was[1]);

@@ -402,9 +402,9 @@ set_up_readline(struct session *s)
 	rl_completer_quote_characters = "";
 	if (s->safe)
 		setenv("INPUTRC", "/dev/null", 1);
-	typed_search_names();
+	history_search_define();
 	rl_initialize();
-	typed_search_keys();
+	history_search_bind();
 	if (s->safe)
 		confine_readline();
 	/* Text is UTF-8 in every locale: its bytes are no meta keys. */

@@ -23,7 +23,7 @@ captured_clear(struct tui *t)
 }
 
 void
-captured_add_error(
+captured_say_error(
     void *t, const struct error *e, const char *line, const char *name)
 {
 	char place[sizeof e->file + 32] = "";

@@ -38,7 +38,7 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		captured_show(t);
 	else
-		captured_add_error(t, &error, line, ERROR_TYPED);
+		captured_say_error(t, &error, line, ERROR_TYPED);
 }
 
 /* What a shell command wrote stays until it is read. */

@@ -122,7 +122,7 @@ control_set_looks(struct tui *t)
 	struct error error = {0};
 	size_t next;
 	FREED char *page = page_text(t->ui.page);
-	FREED char *quantity = quantities_typed(&t->ui.quantity);
+	FREED char *quantity = quantities_as_typed(&t->ui.quantity);
 	FREED char *line =
 	    xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_clear(t);
@@ -191,7 +191,7 @@ control_run_line(struct tui *t, const char *line)
 	captured_clear(t);
 	const struct driver d = {.session = s,
 	    .of = t,
-	    .fail = captured_add_error,
+	    .fail = captured_say_error,
 	    .begins = script_progress_begins,
 	    .work = control_work,
 	    .watches = true};

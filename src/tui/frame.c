@@ -22,8 +22,8 @@
 #include "tui/widgets/panel.h"
 #include "tui/widgets/viewer.h"
 
-/* How a page is called in the heading: in full, by its number but for the one
- * that is open, or all by their numbers. */
+/* How a page is called in the heading: in full, by its key but for the one that
+ * is open, or all by their keys. */
 static const char *
 tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
@@ -33,8 +33,8 @@ tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 			       : "";
 	const char *gap = name[0] != '\0' ? " " : "";
 	const char *open = here ? "[" : columns >= 76 ? " " : "";
-	snprintf(
-	    text, 24, "%s%zu%s%s%s", open, p + 1, gap, name, here ? "]" : "");
+	snprintf(text, 24, "%s%c%s%s%s", open, keys_code_of_page((enum page)p),
+	    gap, name, here ? "]" : "");
 	return text;
 }
 
@@ -64,7 +64,7 @@ draw_header(struct tui *t)
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
 		hits_add_key(&t->hits, area_cells(area, 0, from, column - from),
-		    '1' + (int)p);
+		    keys_code_of_page((enum page)p));
 		column++;
 	}
 	if (help == 0)

@@ -481,14 +481,22 @@ go_to_typed_speed(struct tui *t, const char *text)
 		    range.least / 10, range.most / 10, text);
 }
 
-/* A speed, behind the = that began it, or of digits that are no page. */
+/* A digit begins a speed unless it is a key, as those of the pages are: speeds
+ * from 50 to 59 m/s take the =. */
+static bool
+begins_speed(const struct tui *t, int code)
+{
+	return code >= '0' && code <= '9' &&
+	       keys_find(code, t->ui.page) == NULL;
+}
+
+/* A speed, behind the = or the digit that began it. */
 static bool
 speed_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->speed;
-	bool digit = code >= '0' && code <= '9',
-	     back = code == DELETE || code == '\b';
-	if (y->n == 0 && !(digit && (code == '0' || code > '0' + PAGES)))
+	bool back = code == DELETE || code == '\b';
+	if (y->n == 0 && !begins_speed(t, code))
 		return false;
 	if (code == ',')
 		code = '.';
@@ -643,7 +651,7 @@ keymap_held(struct tui *t)
 void
 keymap_key(struct tui *t, int code, bool special)
 {
-	if (word_add_letter(t, code, special))
+	if (word_opens_line(t, code, special))
 		return;
 	/* What the held key asks has this one for an answer. */
 	t->again.is = true;

@@ -183,6 +183,15 @@ keys_find(int code, enum page page)
 	return NULL;
 }
 
+int
+keys_code_of_page(enum page page)
+{
+	const struct key *k = KEYS;
+	while (k->act != act_page || k->amount != (int)page)
+		k++;
+	return k->code;
+}
+
 bool
 keys_code_of_name(const char *name, int *code)
 {

@@ -16,6 +16,9 @@ extern const struct key KEYS[];
 /* Returns the row of a key on a page, or NULL. */
 const struct key *keys_find(int code, enum page page);
 
+/* Returns the code of the key that opens a page. */
+int keys_code_of_page(enum page page);
+
 /* Finds the code of a key by its name ("Left", "^L", "Esc") or its character.
  * Returns false if there is no such key.  Codes above 255 are special keys of
  * ncurses. */

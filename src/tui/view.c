@@ -169,7 +169,7 @@ view_predict(struct tui *t)
 	drop_shown(t);
 	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
 		line, &t->view.shown, &error))
-		captured_add_error(t, &error, line, ERROR_TYPED);
+		captured_say_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);

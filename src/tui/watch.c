@@ -61,7 +61,7 @@ watch_finish(struct tui *t, bool alone)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
-		captured_add_error(t, &error, "", "");
+		captured_say_error(t, &error, "", "");
 	t->held = false;
 	control_refresh(t);
 	const struct entry *entry = tui_current_entry(t);
@@ -95,7 +95,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	control_refresh(t);
 	captured_show(t);
 	if (!session_settle(t->session, true, &error))
-		captured_add_error(t, &error, "", "");
+		captured_say_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",

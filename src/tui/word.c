@@ -27,7 +27,7 @@ begins_command(const char *letters)
 }
 
 bool
-word_add_letter(struct tui *t, int code, bool special)
+word_opens_line(struct tui *t, int code, bool special)
 {
 	struct word *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};

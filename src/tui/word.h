@@ -7,7 +7,7 @@
 
 /* If a key is the second letter of a command's name, opens the command line
  * with both letters, reverses what the first letter moved, and returns true. */
-bool word_add_letter(struct tui *t, int code, bool special);
+bool word_opens_line(struct tui *t, int code, bool special);
 
 /* Holds a key that may begin such a name and returns true if it is held.
  * Without a terminal, no key is held. */

@@ -122,6 +122,26 @@ a_speed_is_typed_with_its_unit(void **state)
 	assert_int_equal(t->ui.tenths, 725);
 }
 
+/* Speeds of crushers are from 60 to 99 m/s: no page may take their digits. */
+static void
+a_digit_that_is_no_page_begins_a_speed(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(
+	    stage->desk, "load data/sites/tierp.csv; set slider 60..99");
+	control_refresh(t);
+	for (int tens = 6; tens <= 9; tens++) {
+		char typed[] = {(char)('0' + tens), '9', '\n', '\0'};
+		type(t, typed);
+		assert_int_equal(t->ui.page, PAGE_PREDICT);
+		assert_int_equal(t->ui.tenths, 100 * tens + 90);
+	}
+	type(t, "5");
+	assert_int_equal(t->ui.page, PAGE_SITES);
+	assert_int_equal(t->speed.n, 0);
+}
+
 static void
 a_word_too_long_to_find_does_nothing_else(void **state)
 {
@@ -1894,6 +1914,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),
     ON_STAGE(a_speed_is_typed_with_its_unit),
+    ON_STAGE(a_digit_that_is_no_page_begins_a_speed),
     ON_STAGE(a_word_too_long_to_find_does_nothing_else),
     ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),
     ON_STAGE(text_wider_than_the_screen_is_read_to_its_end),

@@ -303,7 +303,7 @@ count(const struct known *k, struct ensemble *e, size_t *in, size_t *all)
 	for (size_t i = 0; i < run->feed.n; i++) {
 		memcpy(row, ensemble_products(e, ENSEMBLE_ANSWER) + i * N,
 		    sizeof row);
-		ensemble_middle(row, 0.8, &low, &high);
+		ensemble_interval(row, 0.8, &low, &high);
 		if (truth[i] < 0.002 || run->feed.passing[i] >= 1)
 			continue;
 		*in += truth[i] >= low && truth[i] <= high;
@@ -336,7 +336,7 @@ test_bands_hold(void **state)
 
 /* ---- Many runs ---- */
 
-enum { MANY = 12, TOO_MANY = 60 };
+enum { MANY = 20, TOO_MANY = 60 };
 
 /* The draws of a made-up site of many runs, that of its true parameters in the
  * place of a fit. */
@@ -390,7 +390,7 @@ test_many_runs(void **state)
 	ensemble_at(e, run->speed);
 	ensemble_mean(e, answer);
 	for (size_t i = 0; i < n; i++) {
-		ensemble_band(e, ENSEMBLE_ANSWER, i, 0.9, &low, &high);
+		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.9, &low, &high);
 		expect_near("answer", answer[i], truth[i], 0.004);
 		held += truth[i] > low - 1e-4 && truth[i] < high + 1e-4;
 		assert_true(high - low < 0.01);
@@ -678,8 +678,8 @@ answers_of(const struct known *k, size_t n, double speed)
 	ensemble_at(e, speed);
 	ensemble_mean(e, answer);
 	for (size_t i = 0; i < n; i++)
-		ensemble_band(e, ENSEMBLE_ANSWER, i, 0.8, &answer[n + i],
-		    &answer[2 * n + i]);
+		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.8,
+		    &answer[n + i], &answer[2 * n + i]);
 	ensemble_free(e);
 	posterior_free(p);
 	return answer;

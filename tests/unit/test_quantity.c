@@ -173,7 +173,7 @@ size_of_draws(
 	}
 	ensemble_mean(e, curve.passing);
 	double mean = psd_size(&curve, 0.8);
-	ensemble_range(size, 0.8, mean, range);
+	ensemble_interval_with_answer(size, 0.8, mean, range);
 	psd_free(&curve);
 	return mean;
 }

@@ -179,7 +179,7 @@ static struct advised *
 candidates_by_width(const struct session *s, const struct wanted *w,
     double *answer, double ends[2], size_t *n)
 {
-	ensemble_range(answer, w->question->level, NAN, ends);
+	ensemble_interval_with_answer(answer, w->question->level, NAN, ends);
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;

@@ -587,7 +587,7 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 	    fines ? tr(", fines under 0.063 mm") : "",
 	    all->flows ? tr(", fractions in t/h") : "");
 	if (fraction_screens(&q->fraction)) {
-		FREED char *cut = quantities_fraction_words(&q->fraction);
+		FREED char *cut = quantities_fraction_text(&q->fraction);
 		answer_note(r, "all of these of the fraction %s", cut);
 	}
 	if (dropped[0] != '\0')

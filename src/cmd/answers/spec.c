@@ -29,7 +29,7 @@ static char *
 cut_words(const struct spec *spec)
 {
 	struct fraction f = {.fine = spec->cut[0], .coarse = spec->cut[1]};
-	return fraction_screens(&f) ? quantities_fraction_words(&f)
+	return fraction_screens(&f) ? quantities_fraction_text(&f)
 				    : xstrdup(tr("whole product"));
 }
 

@@ -135,8 +135,9 @@ add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
 		double unit = size ? 100 : 1;
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 			value[d] = unit * p->draw[d].hyper[h];
-		ensemble_range(value, settings_level(&s->set), NAN, range);
-		ensemble_middle(value, 0, &median, &unused);
+		ensemble_interval_with_answer(
+		    value, settings_level(&s->set), NAN, range);
+		ensemble_interval(value, 0, &median, &unused);
 		struct fields *one = fields_object(o, HYPER[h].name);
 		fields_put(one, "median %g low %g high %g", median, range[0],
 		    range[1]);

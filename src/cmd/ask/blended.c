@@ -190,7 +190,7 @@ blended_free(struct blended *b)
 }
 
 const struct blended *
-blended_set(struct session *s, const char *text, struct error *error)
+blended_read_cached(struct session *s, const char *text, struct error *error)
 {
 	if (s->fed != NULL && strcmp(s->fed->text, text) == 0)
 		return s->fed;

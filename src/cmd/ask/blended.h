@@ -42,7 +42,7 @@ const char *blended_from(const struct blended *b);
 
 /* As blended_read, for the feed of `set feed`, which the session owns.  On
  * failure, returns NULL with an error. */
-const struct blended *blended_set(
+const struct blended *blended_read_cached(
     struct session *s, const char *text, struct error *error);
 void blended_free(struct blended *b);
 

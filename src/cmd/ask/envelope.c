@@ -288,7 +288,7 @@ grading_close(struct grading *g)
 char *
 grading_words(const struct grading *g)
 {
-	FREED char *fraction = quantities_fraction_words(&g->fraction);
+	FREED char *fraction = quantities_fraction_text(&g->fraction);
 	return fraction_screens(&g->fraction)
 		   ? xasprintf(tr("%s, fraction %s"), g->spec->name, fraction)
 		   : xstrdup(g->spec->name);
@@ -497,7 +497,7 @@ step_range(const struct grading *g, size_t at, double range[2])
 	const double *fine = forecast_draws(f, at + 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		step[d] = 100 * (coarse[d] - fine[d]);
-	ensemble_range(step, g->conditions.level, NAN, range);
+	ensemble_interval_with_answer(step, g->conditions.level, NAN, range);
 }
 
 static void
@@ -545,7 +545,7 @@ grading_notes(struct answer *r, const struct grading *g)
 	note_steps(r, g, all);
 	if (fraction_screens(&g->fraction)) {
 		double share = 100 * grading_value(g, g->limits.n);
-		FREED char *words = quantities_fraction_words(&g->fraction);
+		FREED char *words = quantities_fraction_text(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0
 			? N_("the fraction %s is %.1f %% of the product")
@@ -571,7 +571,7 @@ grading_put_fields(struct answer *r, const struct grading *g)
 	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
 	    g->spec->source);
 	if (fraction_screens(&g->fraction)) {
-		FREED char *words = quantities_fraction_words(&g->fraction);
+		FREED char *words = quantities_fraction_text(&g->fraction);
 		fields_put(answer_fields(r), "cut %s", words);
 	}
 	answer_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");

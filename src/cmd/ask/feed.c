@@ -16,6 +16,18 @@ feed_sampled_at(const struct site *site, double speed)
 	return run < site->n_run ? run : SITE_MEAN_FEED;
 }
 
+bool
+feed_find_sampled(
+    const struct site *site, double speed, size_t *feed, struct error *error)
+{
+	*feed = feed_sampled_at(site, speed);
+	return *feed != SITE_MEAN_FEED ||
+	       error_set(error, ERROR_USAGE,
+		   "%s has no feed sampled at %g m/s\n"
+		   "run 'show feed' for its feeds",
+		   site->name, speed);
+}
+
 double
 feed_speed(const struct site *site, size_t run)
 {

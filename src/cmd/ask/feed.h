@@ -5,12 +5,18 @@
 
 #include <stdbool.h>
 
+#include "base/error.h"
 #include "core/psd/site.h"
 #include "io/formats/answer.h"
 
 /* Returns the run with the feed sampled at a speed, m/s, for site_feed, or
  * SITE_MEAN_FEED for 0 and for a speed without a feed. */
 size_t feed_sampled_at(const struct site *site, double speed);
+
+/* The same for a feed that has to be there: returns false with an error if none
+ * was sampled at the speed. */
+bool feed_find_sampled(
+    const struct site *site, double speed, size_t *feed, struct error *error);
 
 /* Returns the speed at which the run's feed was sampled, m/s, or NAN for the
  * mean of several and for the feed of another sheet. */

@@ -101,7 +101,7 @@ fit_param_band(const struct posterior *p, const struct session *s,
 	const char *name = breakage_of(fit)->parameter[j].name;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value(&p->draw[d].params, name);
-	ensemble_middle(value, settings_level(&s->set), &range[0], &range[1]);
+	ensemble_interval(value, settings_level(&s->set), &range[0], &range[1]);
 	/* Of these only the direction counts, which no range shows. */
 	if (j < breakage_of(fit)->gauge)
 		range[0] = range[1] = NAN;

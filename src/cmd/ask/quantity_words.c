@@ -233,7 +233,7 @@ quantities_asked(const char *text, const struct fraction *cut,
 }
 
 char *
-quantities_fraction_words(const struct fraction *fraction)
+quantities_fraction_text(const struct fraction *fraction)
 {
 	return xasprintf(
 	    "%g/%g", units_mm(fraction->fine), units_mm(fraction->coarse));
@@ -251,7 +251,7 @@ kind_words(const struct quantity *q)
 		return xasprintf(
 		    "%c%g", q->letter != 0 ? q->letter : 'P', units_pct(q->x));
 	case QUANTITY_SHARE:
-		return quantities_fraction_words(&q->fraction);
+		return quantities_fraction_text(&q->fraction);
 	case QUANTITY_MODULUS:
 		return xasprintf(
 		    tr("fineness modulus (%s)"), q->modulus->standard);
@@ -271,7 +271,7 @@ quantities_words(const struct quantity *q)
 	char *words = kind_words(q);
 	if (q->kind == QUANTITY_SHARE || !fraction_screens(&q->fraction))
 		return words;
-	FREED char *fraction = quantities_fraction_words(&q->fraction);
+	FREED char *fraction = quantities_fraction_text(&q->fraction);
 	xappend(&words, " of %s", fraction);
 	return words;
 }
@@ -312,7 +312,7 @@ quantities_key(const struct quantity *q)
 }
 
 char *
-quantities_typed(const struct quantity *q)
+quantities_as_typed(const struct quantity *q)
 {
 	char *words;
 	switch (q->kind) {
@@ -332,7 +332,7 @@ quantities_typed(const struct quantity *q)
 		return quantities_words(q);
 	}
 	if (fraction_screens(&q->fraction)) {
-		FREED char *of = quantities_fraction_words(&q->fraction);
+		FREED char *of = quantities_fraction_text(&q->fraction);
 		xappend(&words, " of %s", of);
 	}
 	return words;
@@ -371,15 +371,15 @@ double
 quantities_shown(const struct quantity *q, double value)
 {
 	const char *unit = quantities_unit(q);
-	return unit[0] == '%'   ? units_pct(value)
-	       : unit[0] == 'm' ? units_mm(value)
-				: value;
+	return strcmp(unit, "%") == 0    ? units_pct(value)
+	       : strcmp(unit, "mm") == 0 ? units_mm(value)
+					 : value;
 }
 
 int
 quantities_decimals(const struct quantity *q)
 {
-	return quantities_unit(q)[0] == '%' ? 1 : 2;
+	return strcmp(quantities_unit(q), "%") == 0 ? 1 : 2;
 }
 
 bool

@@ -48,10 +48,10 @@ char *quantities_key(const struct quantity *q);
 
 /* Returns the quantity as typed: "p80", "passing 2 mm".  The caller frees
  * it. */
-char *quantities_typed(const struct quantity *q);
+char *quantities_as_typed(const struct quantity *q);
 
 /* Returns "0/4".  The caller frees it. */
-char *quantities_fraction_words(const struct fraction *fraction);
+char *quantities_fraction_text(const struct fraction *fraction);
 
 /* Returns " (2.91 to 3.02)", or "" without a band.  The caller frees it. */
 char *quantities_band(double low, double high, int decimals);

@@ -10,6 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/parse.h"
@@ -191,7 +192,7 @@ read_feed(struct session *s, const struct args *args, struct named *r,
 	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
 	if (args->feed == NULL)
-		r->scenario.feed = blended_set(s, text, error);
+		r->scenario.feed = blended_read_cached(s, text, error);
 	else if (blended_read(s, text, &r->blend, error))
 		r->scenario.feed = &r->blend;
 	return r->scenario.feed != NULL;
@@ -227,14 +228,9 @@ choose_feed(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	struct value feed;
-	const struct site *site = q->entry->site;
 	if (feed_asked(s, args, &feed) == NULL || !(feed.number > 0))
 		return true;
-	q->feed = site_run_at(site, feed.number);
-	return q->feed < site->n_run || error_set(error, ERROR_USAGE,
-					    "%s has no feed sampled at %g m/s\n"
-					    "run 'show feed' for its feeds",
-					    site->name, feed.number);
+	return feed_find_sampled(q->entry->site, feed.number, &q->feed, error);
 }
 
 /* cut=off is the whole product, as it is where an envelope is for a fraction;
@@ -352,7 +348,7 @@ set_sheets(struct session *s)
 		row++;
 	return value_read(row, s->set.feed, &value, &none) &&
 		       value_is_file(row, &value)
-		   ? blended_set(s, s->set.feed, &none)
+		   ? blended_read_cached(s, s->set.feed, &none)
 		   : NULL;
 }
 

@@ -88,7 +88,7 @@ screened_title(const struct fraction *fraction)
 {
 	if (!fraction_screens(fraction))
 		return xstrdup("");
-	FREED char *words = quantities_fraction_words(fraction);
+	FREED char *words = quantities_fraction_text(fraction);
 	return xasprintf(tr(", fraction %s"), words);
 }
 
@@ -98,7 +98,7 @@ screened_note(struct answer *r, const struct prediction *p)
 	const struct partition *screen = &p->fraction.partition;
 	if (!fraction_screens(&p->fraction))
 		return;
-	FREED char *words = quantities_fraction_words(&p->fraction);
+	FREED char *words = quantities_fraction_text(&p->fraction);
 	FREED char *range = quantities_band(
 	    units_pct(p->share_range[0]), units_pct(p->share_range[1]), 1);
 	FREED char *how =
@@ -120,7 +120,7 @@ screened_put(struct fields *o, const struct prediction *p)
 {
 	if (!fraction_screens(&p->fraction))
 		return;
-	FREED char *words = quantities_fraction_words(&p->fraction);
+	FREED char *words = quantities_fraction_text(&p->fraction);
 	fields_put(o,
 	    "fraction %s share_pct %g share_low_pct %g share_high_pct %g "
 	    "sharpness %g cut_size_pct %g",

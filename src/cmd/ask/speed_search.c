@@ -107,7 +107,7 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 		if (held != NULL)
 			held[d] = held[d] && over[d] >= -EXACT;
 	}
-	ensemble_middle(over, w->level, &low, &high);
+	ensemble_interval(over, w->level, &low, &high);
 	double width = isfinite(low) && isfinite(high) ? high - low : 0;
 	if (isfinite(m.passing))
 		m.widths = m.passing / fmax(width, NARROW);
@@ -408,7 +408,7 @@ is_measured(const struct wanted *w, double v)
 
 /* Whether any speed at which all holds lies where it was measured. */
 static bool
-any_measured(const struct speed_search *s, const struct wanted *w)
+holds_within_measured(const struct speed_search *s, const struct wanted *w)
 {
 	for (size_t k = 0; k < s->n; k++)
 		if (holds_at(s, k) && is_measured(w, s->speed[k]))
@@ -437,7 +437,8 @@ is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
 static size_t
 best_step(const struct speed_search *s, const struct wanted *w)
 {
-	struct eligible e = {s->n_inside > 0, any_measured(s, w), -INFINITY};
+	struct eligible e = {
+	    s->n_inside > 0, holds_within_measured(s, w), -INFINITY};
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
 				: (w->from + w->to) / 2;
@@ -653,10 +654,10 @@ find_ranges(struct speed_search *s, const struct wanted *w)
 	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
 	for (size_t d = 0; d < DRAWS; d++)
 		speed[d] = root_crossing(s, t->draw, d, sign, about);
-	ensemble_middle(speed, w->level, &s->range[0], &s->range[1]);
+	ensemble_interval(speed, w->level, &s->range[0], &s->range[1]);
 	for (size_t d = 0; d < DRAWS; d++)
 		speed[d] = root_crossing(s, t->sample, d, sign, about);
-	ensemble_middle(speed, w->level, &s->cut[0], &s->cut[1]);
+	ensemble_interval(speed, w->level, &s->cut[0], &s->cut[1]);
 }
 
 static void

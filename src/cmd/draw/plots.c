@@ -417,13 +417,9 @@ add_second(struct curves *c, struct session *s, const struct plot_request *q,
 		double v = isnan(q->other_speed) ? speed : q->other_speed;
 		if (other)
 			feed = SITE_MEAN_FEED;
-		if (q->other_feed != 0)
-			feed = feed_sampled_at(site, q->other_feed);
-		if (q->other_feed != 0 && feed >= site->n_run)
-			return error_set(error, ERROR_USAGE,
-			    "%s has no feed sampled at %g m/s\n"
-			    "run 'show feed' for its feeds",
-			    site->name, q->other_feed);
+		if (q->other_feed != 0 &&
+		    !feed_find_sampled(site, q->other_feed, &feed, error))
+			return false;
 		second->p =
 		    make_prediction(c, s, q, second->whose, own, v, feed);
 	}
@@ -680,18 +676,17 @@ static void
 put_pairs(struct chart *chart, const struct session *s,
     const struct trials *pairs, double low, double high)
 {
-	static const char *const NAMES[] = {"P20", "P50", "P80"};
 	struct chart_series *equal = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
 	    2, N_("as measured (1:1)"));
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
-	for (size_t i = 0; i < 3; i++) {
+	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct chart_series look = site_chart_style(i);
 		look.line = CHART_MARKS;
 		struct chart_series *p =
-		    chart_add(chart, look, pairs->n, "%s", NAMES[i]);
+		    chart_add(chart, look, pairs->n, "%s", PSD_NAME[i]);
 		chart_add_point_sites(p);
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct trial *of = &pairs->item[j];

@@ -29,9 +29,8 @@ char *
 plots_limits_words(const struct session *s)
 {
 	struct fraction fraction = fraction_of(s->spec);
-	return fraction_screens(&fraction)
-		   ? quantities_fraction_words(&fraction)
-		   : xstrdup("");
+	return fraction_screens(&fraction) ? quantities_fraction_text(&fraction)
+					   : xstrdup("");
 }
 
 /* One of the two limits, where there are any that the axis has. */

@@ -242,7 +242,7 @@ add_drawn(struct session *s, const char *name, struct plots_strip *strip)
 		return;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value(&p->draw[d].params, name);
-	ensemble_range(value, 0.8, NAN, strip->drawn);
+	ensemble_interval_with_answer(value, 0.8, NAN, strip->drawn);
 }
 
 struct plots_strip

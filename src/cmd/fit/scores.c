@@ -24,8 +24,6 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
 	N_("the product at the nearest training speed")},
     [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed")}};
 
-const char *const SCORES_SIZES[PSD_SIZES] = {"p20", "p50", "p80"};
-
 void
 scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
@@ -68,7 +66,7 @@ static void
 put_sizes(struct fields *o, const struct validation *v)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		struct fields *size = fields_object(o, SCORES_SIZES[i]);
+		struct fields *size = fields_object(o, PSD_KEY[i]);
 		fields_put(size,
 		    "measured_mm %g predicted_mm %g corrected_mm %g",
 		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
@@ -389,7 +387,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 static void
 put_score(struct fields *o, size_t i, struct validate_score score)
 {
-	fields_put(fields_object(o, SCORES_SIZES[i]),
+	fields_put(fields_object(o, PSD_KEY[i]),
 	    "n %zu bias_pct %g rms_pct %g r2 %g", score.n, 100 * score.bias,
 	    100 * score.rms, score.r2);
 }

@@ -8,13 +8,11 @@
 #include "io/formats/answer.h"
 #include "io/formats/shards.h"
 
-/* Names of each way to predict, for keys, column headings and sentences; and of
- * each size, for keys. */
+/* Names of each way to predict, for keys, column headings and sentences. */
 struct scores_way {
 	const char *key, *head, *noun;
 };
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
-extern const char *const SCORES_SIZES[PSD_SIZES];
 
 /* Puts "null": {"feed_rmse_pct": ..}: the errors of the null models, 0..1. */
 void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);

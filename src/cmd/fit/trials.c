@@ -82,7 +82,8 @@ trials_corrected(const struct run *run, const struct posterior *posterior,
 	ensemble_mean(e, passing);
 	for (size_t i = 0; i < n; i++) {
 		double P = run->product.passing[i], low, high;
-		ensemble_band(e, ENSEMBLE_SAMPLE, i, level, &low, &high);
+		ensemble_row_interval(
+		    e, ENSEMBLE_SAMPLE, i, level, &low, &high);
 		/* To the 0.01 % that sheets are rounded to. */
 		*within += P >= low - 1e-4 && P <= high + 1e-4;
 	}

@@ -29,7 +29,7 @@ flow_range_of(const struct plant *p, const struct outcome *o,
 {
 	range[0] = range[1] = NAN;
 	if (o->flow.draws == DRAWS)
-		ensemble_range(draw, p->level, answer, range);
+		ensemble_interval_with_answer(draw, p->level, answer, range);
 }
 
 /* Of what goes into a unit, or for NULL in a stream. */
@@ -178,7 +178,8 @@ note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 	FREED char *words = plant_power_words(p, o);
 	struct fields *f = answer_fields(r);
 	if (!p->power.least)
-		ensemble_range(o->kw_draw, p->level, o->kw, range);
+		ensemble_interval_with_answer(
+		    o->kw_draw, p->level, o->kw, range);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		factor += p->power.draw[d].factor / POWER_DRAWS;
 	if (isfinite(range[0]))
@@ -289,7 +290,7 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_range(best, p->level, s->speed[s->best], range);
+	ensemble_interval_with_answer(best, p->level, s->speed[s->best], range);
 }
 
 /* What the best speed gains over the usual one, and whether that is more than
@@ -537,7 +538,7 @@ add_draws_of_point(const struct plant *p, const struct outcome *o,
 		return;
 	for (size_t d = 0; d < DRAWS; d++)
 		draw[d] = flow_draw_into_unit(&o->flow, unit, d);
-	ensemble_range(draw, p->level, s->y[k], range);
+	ensemble_interval_with_answer(draw, p->level, s->y[k], range);
 	s->low[k] = range[0];
 	s->high[k] = range[1];
 }

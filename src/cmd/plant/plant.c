@@ -92,7 +92,7 @@ fraction_name(double fine, double coarse)
 	if (!(coarse > 0))
 		return xasprintf("+%g", units_mm(fine));
 	struct fraction f = {.fine = fine, .coarse = coarse};
-	return quantities_fraction_words(&f);
+	return quantities_fraction_text(&f);
 }
 
 /* Whether a list has that name; taken: counts the names found. */
@@ -594,7 +594,7 @@ plant_idle(const struct plant *p, double speed, double range[static 2])
 		draw[d] = power_idle(&p->power, d, speed);
 		mean += draw[d] / POWER_DRAWS;
 	}
-	ensemble_range(draw, p->level, mean, range);
+	ensemble_interval_with_answer(draw, p->level, mean, range);
 	return mean;
 }
 

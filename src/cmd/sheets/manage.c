@@ -179,7 +179,7 @@ check_value(struct session *s, const struct command_option *row,
 		    "%s: expected %d letters at most", row->name,
 		    SETTINGS_TEXT - 1);
 	if (row->offset == offsetof(struct choices, feed))
-		return blended_set(s, value->text, error) != NULL;
+		return blended_read_cached(s, value->text, error) != NULL;
 	if (row->offset == offsetof(struct choices, quantity))
 		return quantities_read(value->text, &SHARP, &q, error);
 	bool ok = goals_read(s, value->text, NULL, &list, &n_value, error);

@@ -306,7 +306,7 @@ response_break_band(
 		draw[d] = params_break_size_by(
 		    &p->draw[d].params, &p->settings, r->speed);
 	if (p != NULL)
-		ensemble_middle(draw, level, &range[0], &range[1]);
+		ensemble_interval(draw, level, &range[0], &range[1]);
 }
 
 double
@@ -375,7 +375,7 @@ response_band(
 	bool answer = r->of == ENSEMBLE_ANSWER;
 	range[0] = range[1] = NAN;
 	if (r->draw[i] != NULL)
-		ensemble_range(
+		ensemble_interval_with_answer(
 		    r->draw[i], level, answer ? r->value[i] : NAN, range);
 }
 

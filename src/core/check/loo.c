@@ -436,7 +436,7 @@ mean_log_energy(const struct site *site)
 
 /* Cells of a block, with values and covariance of smooth curves. */
 static void
-fill_smooth(struct leave_out *l, struct block *b, bool feed)
+block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 {
 	double middle = mean_log_energy(l->site);
 	for (size_t i = 0; i < b->n; i++) {
@@ -611,9 +611,9 @@ leave_out_new(
 	for (size_t i = 0; i < l->n; i++)
 		l->passing[i] =
 		    loo_curve_of(l, &l->of[i])->passing[l->of[i].sieve];
-	fill_smooth(l, &l->block[FEEDS], true);
+	block_fill_from_curves(l, &l->block[FEEDS], true);
 	if (posterior == NULL) {
-		fill_smooth(l, &l->block[PRODUCTS], false);
+		block_fill_from_curves(l, &l->block[PRODUCTS], false);
 		return l;
 	}
 	fill_differences(l, &l->block[PRODUCTS], posterior);

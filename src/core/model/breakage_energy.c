@@ -76,9 +76,10 @@ KERNELS(energy);
 BREAKAGE_ROWS(ENERGY, "grunditz-energy",
     "the paper's, with finer progeny at higher energy (gamma)", 9,
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
-    .reference = E_REF, .strength = 4, SELECTION_ROW, .prepare = energy_prepare,
-    .finer = energy_finer, .density = energy_density, .breaks = grunditz_breaks,
-    .appearance_text = energy_appearance_text, .kernel = KERNEL_ROW(energy))
+    .reference = E_REF, .strength = 4, SELECTION_MEMBERS,
+    .prepare = energy_prepare, .finer = energy_finer, .density = energy_density,
+    .breaks = grunditz_breaks, .appearance_text = energy_appearance_text,
+    .kernel = KERNEL_ROW(energy))
 
 #else /* LANES */
 

@@ -91,7 +91,7 @@ KERNELS(t10);
 BREAKAGE_ROWS(T10, "grunditz-t10",
     "grunditz-energy, with finer progeny as t10 has it too (kappa)", 10,
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
-    .strength = 4, SELECTION_ROW, .prepare = prepare, .finer = finer,
+    .strength = 4, SELECTION_MEMBERS, .prepare = prepare, .finer = finer,
     .density = density, .breaks = grunditz_breaks,
     .appearance_text = appearance_text, .kernel = KERNEL_ROW(t10))
 

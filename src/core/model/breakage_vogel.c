@@ -105,7 +105,7 @@ KERNELS(vogel);
 
 BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
     6, .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
-    SELECTION_ROW, .prepare = prepare, .finer = finer,
+    SELECTION_MEMBERS, .prepare = prepare, .finer = finer,
     .at_size = fines_factor_with_slope, .density = density, .breaks = breaks,
     .appearance_text = appearance_text, .kernel = KERNEL_ROW(vogel))
 

@@ -85,7 +85,7 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 	}
 
 /* The members of a model's row for SELECTION_PARAMETERS, see breakage.h. */
-#define SELECTION_ROW                                            \
+#define SELECTION_MEMBERS                                        \
 	.selection = selection_of, .size_at = selection_size_at, \
 	.break_size = selection_break_size, .selection_text = selection_text
 

@@ -673,7 +673,7 @@ middle_interval(
 }
 
 void
-ensemble_middle(double *value, double level, double *low, double *high)
+ensemble_interval(double *value, double level, double *low, double *high)
 {
 	for (size_t i = 0; i < DRAWS; i++)
 		if (isnan(value[i]))
@@ -686,23 +686,23 @@ ensemble_middle(double *value, double level, double *low, double *high)
 }
 
 void
-ensemble_range(
+ensemble_interval_with_answer(
     const double *draw, double level, double answer, double range[static 2])
 {
 	double value[DRAWS];
 	memcpy(value, draw, sizeof value);
-	ensemble_middle(value, level, &range[0], &range[1]);
+	ensemble_interval(value, level, &range[0], &range[1]);
 	range[0] = fmin(range[0], answer);
 	range[1] = fmax(range[1], answer);
 }
 
 void
-ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
+ensemble_row_interval(struct ensemble *e, enum ensemble_part part, size_t row,
     double level, double *low, double *high)
 {
 	double value[DRAWS];
 	memcpy(value, ensemble_products(e, part) + row * DRAWS, sizeof value);
-	ensemble_middle(value, level, low, high);
+	ensemble_interval(value, level, low, high);
 }
 
 double

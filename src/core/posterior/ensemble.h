@@ -55,19 +55,19 @@ void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 const struct posterior *ensemble_posterior(const struct ensemble *e);
 
 /* Computes the middle `level` of a row of products. */
-void ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
-    double level, double *low, double *high);
+void ensemble_row_interval(struct ensemble *e, enum ensemble_part part,
+    size_t row, double level, double *low, double *high);
 
 /* Computes the mean of the answers, [n] out: the best single answer. */
 void ensemble_mean(const struct ensemble *e, double *passing);
 
 /* Computes the middle `level` (0..1) of values [POSTERIOR_DRAWS] and changes
  * their order.  NAN counts as the lowest value, so an end may be NAN. */
-void ensemble_middle(double *value, double level, double *low, double *high);
+void ensemble_interval(double *value, double level, double *low, double *high);
 
-/* As ensemble_middle, but keeps the order of the values and widens the range to
- * contain the answer, unless that is NAN. */
-void ensemble_range(
+/* As ensemble_interval, but keeps the order of the values and widens the range
+ * to contain the answer, unless that is NAN. */
+void ensemble_interval_with_answer(
     const double *draw, double level, double answer, double range[static 2]);
 
 /* Returns the difference at speed v between the two halves of the draws, which

@@ -135,6 +135,6 @@ identify_break(const struct posterior *p, double v, double size)
 	}
 	a.mean = sum[0] > 0 ? sum[1] / sum[0] : INFINITY;
 	a.sd = sqrt(fmax(sum[2] / sum[0] - a.mean * a.mean, 0));
-	ensemble_middle(value, 0.8, &a.low, &a.high);
+	ensemble_interval(value, 0.8, &a.low, &a.high);
 	return a;
 }

@@ -367,7 +367,7 @@ swap_pointers(double **a, double **b)
 
 /* Takes the trial as the chain's next state. */
 static void
-chain_accept(struct chain *chain, struct chain *trial, bool hyper)
+chain_take_trial(struct chain *chain, struct chain *trial, bool hyper)
 {
 	memcpy(chain->x, trial->x, sizeof chain->x);
 	chain->likelihood = trial->likelihood;
@@ -391,7 +391,7 @@ accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 	if (!(el_log(rng_uniform(key, at)) < -rise))
 		return;
 	s->accepted++;
-	chain_accept(now, trial, s->hyper);
+	chain_take_trial(now, trial, s->hyper);
 }
 
 /* On to the other half; true when both have had their turn. */
@@ -461,7 +461,7 @@ start_half(struct sampler *s)
 	}
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
-		chain_accept(&s->chain[s->first + i], &s->trial[i], false);
+		chain_take_trial(&s->chain[s->first + i], &s->trial[i], false);
 	s->started = posterior_other_half(s);
 }
 

@@ -217,7 +217,7 @@ find_means(struct ensemble *e, double v, double *model, double *answer)
 /* Returns q for a feed at sieves [n], coarsest first; 0 with fewer than two
  * speeds. */
 static double
-straight_share(const struct posterior *p, const struct psd *feed,
+share_of_straight_draws(const struct posterior *p, const struct psd *feed,
     const double *sieve, size_t n)
 {
 	double missed = 0, all = 0;
@@ -244,5 +244,6 @@ straight_share(const struct posterior *p, const struct psd *feed,
 void
 thin_set_straight(const struct thin *t, struct posterior *p)
 {
-	p->straight = straight_share(p, &t->feed, t->sieve, t->n_sieve);
+	p->straight =
+	    share_of_straight_draws(p, &t->feed, t->sieve, t->n_sieve);
 }

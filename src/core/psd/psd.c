@@ -12,6 +12,8 @@
 #include "core/numeric/elementary.h"
 
 const double PSD_PASSING[PSD_SIZES] = {0.2, 0.5, 0.8};
+const char *const PSD_NAME[PSD_SIZES] = {"P20", "P50", "P80"};
+const char *const PSD_KEY[PSD_SIZES] = {"p20", "p50", "p80"};
 
 struct psd
 psd_new(size_t n)

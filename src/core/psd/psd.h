@@ -51,9 +51,11 @@ double psd_at_sieve(const struct psd *psd, double x);
  * the sieves. */
 double psd_size(const struct psd *psd, double passing);
 
-/* The passings of P20, P50 and P80, which summarise a product. */
+/* The sizes that summarise a product, P20, P50 and P80: their passings, names
+ * and keys, "p80", which are also options. */
 enum { PSD_SIZES = 3 };
 extern const double PSD_PASSING[PSD_SIZES];
+extern const char *const PSD_NAME[PSD_SIZES], *const PSD_KEY[PSD_SIZES];
 
 /* Returns the sieve above the widest gap: the next sieve is finer by a factor
  * of more than 2.5, and more than 5 points of passing lie between them.

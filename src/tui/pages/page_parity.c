@@ -117,8 +117,6 @@ find_answer_of_each(const struct session *s)
 
 /* ---- On the screen ---- */
 
-static const char *const SIZES[PSD_SIZES] = {"P20", "P50", "P80"};
-
 static void
 draw_score(const struct area *area, int row, const char *size, double n,
     double bias, double rms, double r2)
@@ -140,7 +138,7 @@ draw_scores(const struct area *area, int row, const char *who,
 {
 	screen_text(area, row++, 0, LOOK_BOLD, "%s", who);
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		draw_score(area, row++, SIZES[i], (double)score[i].n,
+		draw_score(area, row++, PSD_NAME[i], (double)score[i].n,
 		    score[i].bias, score[i].rms, score[i].r2);
 	return row;
 }
@@ -149,7 +147,6 @@ static int
 draw_each(const struct tui *t, const struct area *area, int row)
 {
 	const struct answer *r = find_answer_of_each(t->session);
-	static const char *const KEYS_OF[] = {"p20", "p50", "p80"};
 	if (r == NULL)
 		return screen_words(area, row, LOOK_DIM,
 		    tr("leave-one-out: :validate all holdout=each"));
@@ -161,11 +158,11 @@ draw_each(const struct tui *t, const struct area *area, int row)
 		for (size_t k = 0; k < 4; k++) {
 			char path[32];
 			snprintf(
-			    path, sizeof path, "%s.%s", KEYS_OF[i], WHAT[k]);
+			    path, sizeof path, "%s.%s", PSD_KEY[i], WHAT[k]);
 			x[k] = answer_number(r, path);
 		}
-		draw_score(
-		    area, row++, SIZES[i], x[0], x[1] / 100, x[2] / 100, x[3]);
+		draw_score(area, row++, PSD_NAME[i], x[0], x[1] / 100,
+		    x[2] / 100, x[3]);
 	}
 	return row;
 }

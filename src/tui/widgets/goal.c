@@ -105,7 +105,7 @@ act_goal(struct tui *t, const struct key *key)
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
 	}
-	FREED char *words = quantities_typed(&t->ui.quantity);
+	FREED char *words = quantities_as_typed(&t->ui.quantity);
 	FREED char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
 						 : xasprintf("%s=", words);
 	t->message[0] = '\0';
@@ -269,7 +269,7 @@ begins_new_goal(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
-	FREED char *words = quantities_typed(&t->ui.quantity);
+	FREED char *words = quantities_as_typed(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
 	edit_begin(&t->line, isalpha(code) ? "" : words);

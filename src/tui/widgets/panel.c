@@ -158,13 +158,12 @@ touch_size(struct tui *t, const struct touched *touched)
 }
 
 static void
-draw_sizes(struct panel *p, const struct area *area)
+draw_p_sizes(struct panel *p, const struct area *area)
 {
-	static const char *const NAME[PSD_SIZES] = {"P20", "P50", "P80"};
 	struct tui *t = p->t;
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
-		screen_text(area, i, 0, LOOK_BOLD, "%s", NAME[i]);
+		screen_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
@@ -302,6 +301,20 @@ limits_wish(const struct panel *p)
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
 }
 
+/* What a limit is of, as short as there is room for. */
+static void
+panel_name_quantity(const struct quantity *q, char *name, size_t size)
+{
+	FREED char *typed = quantities_as_typed(q);
+	if (q->kind == QUANTITY_PASSING)
+		snprintf(name, size, "%g", units_mm(q->x));
+	else
+		snprintf(name, size, "%s",
+		    q->kind == QUANTITY_MODULUS ? "FM"
+		    : q->kind == QUANTITY_STEP  ? "step"
+						: typed);
+}
+
 /* Limit i at the slider's speed: in, or by how much it is missed. */
 static void
 panel_draw_limit(
@@ -312,13 +325,8 @@ panel_draw_limit(
 	char name[16], limits[32] = "";
 	double least = quantities_shown(&q, c->least),
 	       most = quantities_shown(&q, c->most);
-	bool sieve = q.kind == QUANTITY_PASSING,
-	     in = wanted_holds(&g->conditions, i);
-	if (sieve)
-		snprintf(name, sizeof name, "%g", units_mm(q.x));
-	else
-		snprintf(name, sizeof name, "%s",
-		    q.kind == QUANTITY_MODULUS ? "FM" : "step");
+	bool in = wanted_holds(&g->conditions, i);
+	panel_name_quantity(&q, name, sizeof name);
 	if (isnan(most))
 		snprintf(limits, sizeof limits, ">= %g", least);
 	else if (isnan(least))
@@ -326,8 +334,7 @@ panel_draw_limit(
 	else
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
 	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
-	screen_text(area, row, VALUE, 0,
-	    q.kind == QUANTITY_MODULUS ? "%6.2f" : "%6.1f",
+	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
 	    quantities_shown(
 		&q, forecast_figure(g->conditions.forecast, i).value));
 	if (!isnan(least) || !isnan(most))
@@ -509,7 +516,7 @@ static const struct block {
 } BLOCK[BLOCKS] = {
     {1, false, light_wish, {0, 0}, draw_light},
     {2, true, speed_wish, {0, 0}, panel_draw_speed},
-    {0, false, NULL, {PSD_SIZES, PSD_SIZES}, draw_sizes},
+    {0, false, NULL, {PSD_SIZES, PSD_SIZES}, draw_p_sizes},
     {5, false, NULL, {1, 2}, draw_break},
     {6, false, fractions_wish, {0, 0}, draw_fractions},
     {4, true, limits_wish, {0, 0}, panel_draw_limits},
