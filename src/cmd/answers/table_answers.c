@@ -1,4 +1,4 @@
-/* Commands that answer, as rows of the command table.
+/* Commands that answer questions, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
@@ -140,22 +140,26 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "two speeds or two sites side by side",
 	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
 	    {"SPEED SITE pinned"}, 2, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_DRAWS,
-	.option = OPTION_LIST({SPEED(speed),
-	    "speed for two sites; default: a held-out speed, else 74"}),
+	.flags = COMMAND_AT_SITE | COMMAND_DRAWS | COMMAND_QUANTITIES,
+	.option = OPTION_LIST(
+	    {SPEED(speed),
+		"speed for two sites; default: a held-out speed, else 74"},
+	    {TEXT(of), NULL, "",
+		"figures, see figures; default: the curves and sizes"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "Compares the predicted products of the site in use at two speeds, "
 	    "with the same feed, or of two loaded sites at one speed, each "
 	    "with its own feed: passing sieve by sieve and the difference "
-	    "(second minus first), P20, P50, P80 and the break sizes. 'pinned' "
-	    "is what pin has kept, with its own site and feed, "
-	    "and without a band of the difference. > FILE.svg, .png or .pdf "
+	    "(second minus first), P20, P50, P80 and the break sizes; or of "
+	    "the figures that are named, and says which of the two has more. "
+	    "'pinned' is what pin has kept, with its own site and feed, and "
+	    "without a band of the difference. > FILE.svg, .png or .pdf "
 	    "draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
-		   "compare 69 79",
+		   "compare 69 79\ncompare 69 79 2/4 P80",
 	.run = cmd_compare},
     {.name = "pin",
 	.brief = "keep a prediction to compare others with",
@@ -387,20 +391,21 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "advise",
 	.alias = "uncertainty next",
 	.brief = "which sample next narrows a band most",
-	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
-	.option = OPTION_LIST({USUAL_SPEED}),
+	.bare = "speed",
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
+	.option = OPTION_LIST({USUAL_SPEED},
+	    {TEXT(of), NULL, "", "figure, see figures; default: P80"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
-	.text = "The quantity is p20, p50, p80 (the default), or passing and a "
-		"size in mm, at a speed. For a repeat at each measured speed "
-		"and a sample at each round one, it shows how wide the "
-		"uncertainty band is expected to be after it; see UNCERTAINTY "
-		"in tipspeed-model(7). Where several feeds were sampled, "
-		"it also shows what they change.",
+	.text =
+	    "For a repeat at each measured speed and a sample at each "
+	    "round one, it shows how wide the band of one figure of the "
+	    "product at a speed is expected to be after it; see UNCERTAINTY "
+	    "in tipspeed-model(7). Where several feeds were sampled, "
+	    "it also shows what they change.",
 	.example =
 	    "load data/sites/tierp.csv\ncalibrate\nuncertainty next p80\n"
-	    "uncertainty next passing 2 speed=85",
+	    "uncertainty next 85 passing 2",
 	.answer = cmd_advise},
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",

@@ -84,8 +84,9 @@ const struct command TABLE_DATA[] = {
 	    "cut.csv@2026-05-03T10:15: the speed is then the median of the log "
 	    "around it, and its power and feed rate are noted. A cut has the "
 	    "site's feed unless its sheet has one. The parameters stay, and "
-	    "what they predict is compared with the cut at once; calibrate "
-	    "again to train on it. The site's own file stays as it is: 'write' "
+	    "what they predict is compared with the cut at once; 'calibrate "
+	    "train=all' trains on it too. The site's own file stays as it is: "
+	    "'write' "
 	    "saves the site with its cuts, and a line 'cut' for each. 'undo' "
 	    "takes the cuts out again.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
