@@ -30,8 +30,8 @@ enum value_kind {
 /* One key=value of a command, or a setting.  offset: of the member of struct
  * args that gets the value.  Of a setting fallback is the initial value, or ""
  * if the session determines it, and offset is that of a member of struct
- * choices: a double for a number, a char array for a text, otherwise an unsigned
- * or an enum.  looks: a setting that concerns the appearance of the full screen,
+ * choices: a double for a number, a char array for a text, else an unsigned or
+ * an enum.  looks: a setting that concerns the appearance of the full screen,
  * which saves it; undo ignores it. */
 struct command_option {
 	const char *name;
@@ -64,9 +64,9 @@ enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
 /* A parsed call.  column[i]: where operand i begins in the line.  value[i]: of
  * the command's option i, as it was read.  The other members are the values of
- * all options, by name: the one given, else the fallback, else 0, NULL or false,
- * also if the command has no such option; args_given tells these apart.  A
- * choice is an index into the option's choices.  See rows.h. */
+ * all options, by name: the one given, else the fallback, else 0, NULL or
+ * false, also if the command has no such option; args_given tells these apart.
+ * A choice is an index into the option's choices.  See rows.h. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
@@ -140,9 +140,8 @@ enum command_flag {
 	COMMAND_BESIDE = 1024, /* full screen: a search continues meanwhile */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
 	COMMAND_DAILY = 4096,  /* in daily use: shown by plain `help` */
-	COMMAND_CONDITIONS = 8192, /* a condition needs no quotes */
-	COMMAND_QUANTITIES =
-	    16384,               /* words that name quantities form its of= */
+	COMMAND_CONDITIONS = 8192,  /* a condition needs no quotes */
+	COMMAND_QUANTITIES = 16384, /* words that name figures form its of= */
 	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
 };
 
