@@ -27,12 +27,12 @@ enum value_kind {
 	VALUE_TEXT
 };
 
-/* One key=value of a command, or a setting: of that, fallback is the initial
- * value, or "" where the session determines it.  offset: of the member that
- * gets the value, of struct args or, of a setting, of struct choices, which has
- * a double for a number, letters for a text, an unsigned or an enum for the
- * rest.  looks: a setting that concerns the full screen, which saves it, and is
- * not undone. */
+/* One key=value of a command, or a setting.  offset: of the member of struct
+ * args that gets the value.  Of a setting fallback is the initial value, or ""
+ * if the session determines it, and offset is that of a member of struct
+ * choices: a double for a number, a char array for a text, else an unsigned or
+ * an enum.  looks: a setting that concerns the appearance of the full screen,
+ * which saves it; undo ignores it. */
 struct command_option {
 	const char *name;
 	enum value_kind kind;
@@ -62,11 +62,11 @@ struct number_list {
 
 enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
-/* A parsed call.  column[i]: where operand i begins in the line.  value[i] is
- * what was read for the command's option i.  Then the values of all options, by
- * name: as given, else the fallback, else 0, NULL or false, which is also what
- * options have that the command does not take; args_given tells them apart.  A
- * choice is an index into the option's choices.  See rows.h. */
+/* A parsed call.  column[i]: where operand i begins in the line.  value[i]: of
+ * the command's option i, as it was read.  The other members are the values of
+ * all options, by name: the one given, else the fallback, else 0, NULL or
+ * false, also if the command has no such option; args_given tells these apart.
+ * A choice is an index into the option's choices.  See rows.h. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
@@ -139,9 +139,9 @@ enum command_flag {
 	COMMAND_SPEC = 512,    /* operands are like VALUE_SPEC */
 	COMMAND_BESIDE = 1024, /* full screen: a search continues meanwhile */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
-	COMMAND_DAILY = 4096,  /* of a day's work: help alone shows it */
+	COMMAND_DAILY = 4096,  /* in daily use: shown by plain `help` */
 	COMMAND_CONDITIONS = 8192,  /* a condition needs no quotes */
-	COMMAND_QUANTITIES = 16384, /* words that name quantities are its of= */
+	COMMAND_QUANTITIES = 16384, /* words that name figures form its of= */
 	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
 };
 
@@ -156,23 +156,22 @@ struct command_operands {
 };
 
 /* name: one word, under which answers are kept.  alias: a second name, or NULL;
- * an alias of two words ("store list") is the name shown to people.  others:
- * names of commands that are meant instead if a line has an option that only
- * they have, or a range of speeds ("predict 65..85"), see
- * command_find_two_words.  bare: option that a bare word stands for ("predict
- * 74"), or NULL.  text: sentences for help and manual.  more: further sentences
- * for the manual, or NULL.  example: lines of a script that runs in a folder
- * with the project's data/. */
+ * a two-word alias ("store list") is the name shown to people.  others:
+ * commands that are meant instead if a line has an option that only they have,
+ * or a range of speeds ("predict 65..85"), see command_find_two_words.  bare:
+ * the option that a bare word sets ("predict 74"), or NULL.  text: sentences
+ * for help and manual.  more: further sentences for the manual, or NULL.
+ * example: lines of a script that runs in a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
 	const char *others[2];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
-	/* NULL, or ends with a name of NULL. */
+	/* NULL, or ends with a NULL name. */
 	const struct command_option *option;
-	/* Options shared with other commands, of SHARED_..; NULL after the
-	 * last. */
+	/* Options shared with other commands, from SHARED_..; ends with
+	 * NULL. */
 	const struct command_option *shared[SHARES + 1];
 	const char *text, *more, *example;
 	/* Exactly one of these. */
@@ -189,7 +188,7 @@ extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
 extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
     SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
-/* The settings; ends with a name of NULL. */
+/* The settings, ending with a NULL name. */
 extern const struct command_option SETTINGS[];
 
 /* Iterates over the table by group: returns the command after the given one,
@@ -258,8 +257,9 @@ char *command_limits(const struct command_option *option);
 bool value_is_file(
     const struct command_option *option, const struct value *value);
 
-/* Of the option whose value is that member of args: whether it was given; its
- * value as typed; its name.  The command must have it, but for args_given. */
+/* For the option whose value is the given member of args: whether it was given,
+ * its value as typed, and its name.  The last two require that the command has
+ * the option. */
 bool args_given(const struct args *args, const void *member);
 const char *args_typed(const struct args *args, const void *member);
 const char *args_name(const struct args *args, const void *member);
