@@ -1,4 +1,4 @@
-/* tipspeed: reads the command line and hands over to a driver.
+/* tipspeed: reads the command line and runs a driver.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <assert.h>
 #include <fcntl.h>

@@ -1,10 +1,10 @@
-/* malloc and its kin for the whole process.
+/* malloc and related functions for the whole process.
  *
- * Libraries call these too, and cannot be relied on when there is no memory:
- * GSL and the loaders of fonts write through NULL, jansson leaves out a key, to
- * getline it is the end of the file.  So nothing here returns NULL: the program
- * ends, as it does for what it takes itself (xalloc.h).  The memory comes from
- * the C library, or from whatever was loaded before it.
+ * Libraries call these too and cannot be relied on when memory runs out: GSL
+ * and font loaders write through NULL, jansson omits a key, and getline reports
+ * the end of the file.  So these functions never return NULL: the program ends,
+ * as with its own allocations (xalloc.h).  The memory comes from the C library,
+ * or from whatever was loaded before it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* RTLD_NEXT */
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-/* Errors as values.  Leaves to the drivers where they are shown.
+/* Errors as values.  Drivers decide where to show them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 

@@ -14,19 +14,19 @@ enum error_kind {
 	ERROR_CHECK = 1,   /* a check found a fault, or an assertion failed */
 	ERROR_USAGE = 2,   /* a command that cannot be understood */
 	ERROR_DATA = 3,    /* a file whose contents are wrong */
-	ERROR_NUMERIC = 4, /* a computation without an answer */
+	ERROR_NUMERIC = 4, /* a computation without a result */
 	ERROR_SYSTEM = 5,  /* a file or resource the system refused */
-	/* The user no longer waits.  130 is the status after INT; after
-	 * another signal the driver returns the status of that signal. */
+	/* The user interrupted it.  130 is the status after INT; after another
+	 * signal, the driver returns that signal's status. */
 	ERROR_STOPPED = 130
 };
 
-/* The file name of a line typed at a prompt.  The user can see that line, so
- * its errors are shown without a place. */
+/* The file name of a line typed at a prompt.  The user can see the line, so its
+ * errors are shown without a position. */
 #define ERROR_TYPED "typed"
 
-/* A plain value: nothing to free.  line and column count from 1; 0: no place.
- * in_grid: the place is a cell of a workbook, shown as B5.  text: what was
+/* A plain value: nothing to free.  line and column count from 1; 0: unknown.
+ * in_grid: the position is a cell of a workbook, shown as B5.  text: what was
  * expected and what was found; hint: the next step, or "". */
 struct error {
 	enum error_kind kind;
@@ -38,8 +38,8 @@ struct error {
 };
 
 /* Several faults of one file, in the order found; after 20 they are only
- * counted, in `more`.  stop: returns true if reading should end, as the user no
- * longer waits; NULL: reading never ends early.  stopped: stop returned
+ * counted, in `more`.  stop: returns true if reading should end because the
+ * user interrupted it; NULL: reading never ends early.  stopped: stop returned
  * true. */
 struct error_list {
 	size_t n, more;
@@ -48,13 +48,13 @@ struct error_list {
 	struct error item[20];
 };
 
-/* Fills e (NULL: the error is dropped).  The first line of the format is the
- * text, the rest is the hint: "no site '%s' is loaded\nload its file".  Always
- * returns false, so that a function can end with return error_set(...). */
+/* Sets e, if not NULL.  The first line of the format is the text, the rest is
+ * the hint: "no site '%s' is loaded\nload its file".  Always returns false, so
+ * a function can end with return error_set(...). */
 bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* As error_set, for a place in a file.  line 0: the place is not known. */
+/* As error_set, with a position in a file.  line 0: unknown. */
 bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
 
@@ -62,11 +62,11 @@ bool error_say(struct error *e, enum error_kind kind, const char *file,
     int line, int column, const char *format, va_list ap)
     __attribute__((format(printf, 6, 0)));
 
-/* Changes the place of an error already set. */
+/* Changes the position of an error already set. */
 void error_set_place(struct error *e, const char *file, int line, int column);
 
-/* As error_set_place, for an error about a whole file: the file's name is put
- * before the text, and the place becomes the given one in the script. */
+/* As error_set_place, for an error about a whole file: puts the file's name
+ * before the text and sets the position in the script. */
 void error_prefix_place(
     struct error *e, const char *file, int line, int column);
 
@@ -75,7 +75,7 @@ bool error_hint(struct error *e, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds a fault to the list, or counts it if the list is full.  Returns the
- * error to be filled in, never NULL. */
+ * error to fill in, never NULL. */
 struct error *error_add(struct error_list *list);
 
 /* True if reading should end; each loop over the contents of a file calls it
@@ -84,11 +84,11 @@ struct error *error_add(struct error_list *list);
 bool error_stopped(struct error_list *list);
 
 /* Prints "file:line:column: text", or for a workbook "file, B5: text", and the
- * hint, if any, below it.  The hint is wrapped, with a margin; the text, which
- * programs may read, is wrapped on a terminal only. */
+ * hint, if any, below it.  Wraps the hint, with a margin, but wraps the text,
+ * which programs may read, only on a terminal. */
 void error_print(const struct error *e, FILE *out);
 
-/* Prints the hint alone. */
+/* Prints only the hint. */
 void error_print_hint(const struct error *e, FILE *out);
 
 #endif

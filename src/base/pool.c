@@ -1,7 +1,7 @@
-/* Work sharing by one atomic ticket.
+/* Work sharing with one atomic ticket.
  *
- * OpenMP was tried first: its barriers wait for every thread, so that on a
- * machine busy with something else a calibration of 2 s took 12.
+ * OpenMP was tried first: its barriers wait for every thread, so on a busy
+ * machine a calibration of 2 s took 12 s.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/pool.h"
 

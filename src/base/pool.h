@@ -1,28 +1,28 @@
-/* Threads that share out pieces of work.
+/* Threads that share pieces of work.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_POOL_H
 #define TIPSPEED_BASE_POOL_H
 
 #include <stddef.h>
 
-/* A few threads that sleep until there is work.  Each free thread, and the
- * caller too, runs the next piece, and the caller waits only for pieces that
- * have begun: on a busy machine a thread that gets no processor delays no
- * other. */
+/* A few threads that sleep until there is work.  Each idle thread, and the
+ * caller, runs the next piece, and the caller waits only for pieces that have
+ * begun: on a busy machine, a thread without a processor does not delay the
+ * others. */
 struct pool;
 
 /* Starts threads - 1 threads; threads >= 1 includes the caller.  If a thread
- * cannot be started the pool has only those before it. */
+ * cannot be started, the pool has only those before it. */
 struct pool *pool_new(unsigned threads);
 void pool_free(struct pool *pool);
 
-/* Returns the number of threads, the caller included; 1 for NULL. */
+/* Returns the number of threads including the caller; 1 for NULL. */
 unsigned pool_threads(const struct pool *pool);
 
 /* Calls run(data, piece, thread) for each piece from 0 to n-1, n < 2^32 - 1,
- * once each and in any order; thread is below pool_threads and never in use
- * twice at a time.  Returns when all pieces are done.  pool NULL: runs them one
- * after the other. */
+ * once each and in any order; thread is less than pool_threads and unique among
+ * concurrent pieces.  Returns when all pieces are done.  pool NULL: runs them
+ * one after the other. */
 void pool_run(struct pool *pool, size_t n,
     void (*run)(void *data, size_t piece, unsigned thread), void *data);
 

@@ -1,5 +1,5 @@
-/* Numbers and words, the same in every locale; and text as a terminal shows it,
- * made safe, measured and wrapped.
+/* Numbers and words, independent of the locale; and text for terminals:
+ * escaped, measured and wrapped.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "base/text.h"

@@ -1,5 +1,6 @@
-/* The catalogues stand beside a program that was built and not installed, in
- * locale/, else where those of the system are.  The state is that of libc.
+/* Translation with gettext.  Catalogues are in locale/ beside a program that is
+ * not installed, otherwise among those of the system.  The state is that of
+ * libc.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 

@@ -1,5 +1,5 @@
-/* Translates texts for people by gettext: English in the sources, other
- * languages in po/.  Text that programs read or people type is not translated.
+/* Translates texts for people with gettext: the sources contain English, po/
+ * other languages.  Text that programs read or people type is not translated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_TR_H
 #define TIPSPEED_BASE_TR_H
@@ -9,20 +9,19 @@
 /* Marks a text that is translated later, where it is shown. */
 #define N_(text) text
 
-/* Chooses the language: "sv"; NULL: the language of the locale.  False if there
- * is no catalogue for it. */
+/* Chooses the language, such as "sv", or for NULL that of the locale.  Returns
+ * false if there is no catalogue for it. */
 bool tr_begin(const char *language);
 
-/* Returns the text in that language, or the text itself if the catalogue lacks
- * it. */
+/* Returns the text in that language, or unchanged if the catalogue lacks it. */
 const char *tr(const char *text) __attribute__((format_arg(1)));
 
-/* As tr, for a text that names a number of things: returns the form for n. */
+/* As tr, for a text that counts things: returns the form for n. */
 const char *tr_n(const char *one, const char *several, unsigned long n)
     __attribute__((format_arg(1), format_arg(2)));
 
-/* Turns translation on or off: results for programs are in English whatever the
- * language.  Returns the previous setting. */
+/* Turns translation on or off, because results for programs are always in
+ * English.  Returns the previous setting. */
 bool tr_on(bool on);
 
 #endif

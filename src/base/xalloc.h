@@ -1,4 +1,4 @@
-/* Allocation that never returns NULL: lack of memory ends the program.
+/* Allocation that never returns NULL: running out of memory ends the program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_XALLOC_H
 #define TIPSPEED_BASE_XALLOC_H
@@ -8,7 +8,7 @@
 
 #define ARRAY_LEN(a) (sizeof(a) / sizeof((a)[0]))
 
-/* Exit status without memory: ERROR_SYSTEM. */
+/* The exit status when memory runs out: ERROR_SYSTEM. */
 enum { XALLOC_STATUS = 5 };
 
 /* xcalloc returns zeroed memory for n objects of the given size.  None of these
@@ -21,13 +21,12 @@ char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvasprintf(const char *format, va_list ap)
     __attribute__((format(printf, 1, 0)));
 
-/* Before a declaration of pointers, each with a value of one of these functions
- * or NULL: they are freed where their block ends, after the value of a return
- * is worked out. */
+/* Before a declaration of pointers, each from one of these functions or NULL:
+ * frees them where their block ends, after a return value has been computed. */
 #define FREED __attribute__((cleanup(xfree_at)))
 void xfree_at(void *pointer);
 
-/* Append to a text that one of the functions above returned; xlist puts the
+/* Append to a text returned by one of the functions above; xlist adds the
  * separator first if the list is not empty. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
@@ -38,7 +37,8 @@ void xlist(char **list, const char *separator, const char *format, ...)
  * kernels. */
 double *xdoubles(size_t n);
 
-/* Ends the program for lack of memory; called for libraries that report it. */
+/* Ends the program because memory has run out; called for libraries that report
+ * it. */
 _Noreturn void xalloc_fail(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* Questions on standard error, answers from the terminal.
+/* Prints questions on standard error and reads answers from the terminal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/ask.h"
 

@@ -5,14 +5,15 @@
 
 #include "cmd/sheets/ask_user.h"
 
-/* Waits for a line typed at the terminal, through stops and changes of the
- * terminal's size.  Returns the first character, or EOF at the end of input or
- * a signal; appends the line without its end to *line, if not NULL. */
+/* Waits for a line typed at the terminal, even if the program is stopped or the
+ * terminal resized meanwhile.  Returns the first character, or EOF at the end
+ * of input or on a signal.  If line is not NULL, appends the line without its
+ * end to *line. */
 int ask_line(char **line);
 
 /* Ask at the prompt, for session->hooks.confirm and .question.  read: prompts
  * with a text and returns the line without its end, which the caller frees, or
- * NULL at the end of input or a signal. */
+ * NULL at the end of input or on a signal. */
 bool ask_confirm(struct session *s, const char *question);
 char *ask_question(struct session *s, const struct inquiry *inquiry);
 char *ask_with(struct session *s, const struct inquiry *inquiry,

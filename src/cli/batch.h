@@ -8,22 +8,22 @@
 #include "cmd/session/session.h"
 #include "cli/pager.h"
 
-/* Run a script.  Return the exit status so far: 0, or that of the first error,
- * which ends a script and is printed to stderr with its line and a caret. */
+/* Run a script.  Return the exit status: 0, or that of the first error, which
+ * ends the script and is printed to stderr with its line and a caret. */
 int batch_text(struct session *s, const char *text, const char *name, int line);
 int batch_stream(struct session *s, FILE *in, const char *name);
 int batch_file(struct session *s, const char *path);
 
-/* Tells the session that lines are typed from now on: starts autosaving, and
- * announces the session that was autosaved last. */
+/* Tells the session that a user now types the lines: starts autosaving and
+ * announces the last autosaved session. */
 void batch_attend(struct session *s);
 
-/* Reads and runs lines typed at a terminal while results go elsewhere; an error
- * is printed and the next line read. */
+/* Reads and runs lines typed at a terminal while results go elsewhere.  After
+ * an error, prints it and continues. */
 int batch_typed(struct session *s);
 
-/* Runs a typed line with its jobs.  An error is printed.  pager: holds its
- * results back at a prompt, or NULL. */
+/* Runs a typed line with its jobs and prints any error.  pager: holds back its
+ * results at a prompt, or NULL. */
 int batch_line(
     struct session *s, const char *line, int number, struct pager *pager);
 

@@ -1,4 +1,5 @@
-/* Commands never loop, so that every driver stays live: this does.
+/* Commands return at once, which keeps every driver responsive; the loop is
+ * here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/driver.h"
 

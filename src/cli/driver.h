@@ -1,4 +1,5 @@
-/* The loop of every driver: a line, the scripts it opens, the jobs it starts.
+/* The loop used by every driver: a line, the scripts it opens, the jobs it
+ * starts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_DRIVER_H
 #define TIPSPEED_CLI_DRIVER_H
@@ -9,29 +10,29 @@
 /* Callbacks that differ between drivers. */
 struct driver {
 	struct session *session;
-	struct pager *pager; /* holds results back at a prompt, or NULL */
+	struct pager *pager; /* holds back results at a prompt, or NULL */
 	void *of;            /* for `fail` */
-	/* Reports an error of that line of `name`; "": there was no line. */
+	/* Reports an error in that line of `name`; "": there was no line. */
 	void (*fail)(void *of, const struct error *e, const char *line,
 	    const char *name);
-	/* Reports that a signal ended a line; NULL: the user sees that. */
+	/* Reports that a signal ended a line; NULL if the user can see that. */
 	void (*interrupted)(const char *name, int number);
 	/* Called with a line of a script before it is run, or NULL. */
 	void (*begins)(void *of, const char *line);
-	/* Runs the job to its end; false when a signal came, with the job as it
-	 * was. */
+	/* Runs the job to its end.  Returns false on a signal, with the job
+	 * unchanged. */
 	bool (*work)(struct session *s);
-	/* True: a calibration that a typed line ends with is left under way. */
+	/* True: a calibration at the end of a typed line is left running. */
 	bool watches;
 };
 
-/* Runs one line to its end; name and number: its place in messages; number 0
+/* Runs one line to its end.  name, number: its position in messages; number 0
  * for a line typed on the full screen.  Returns 0, the status of the first
- * error, which was reported, or that of a signal. */
+ * error, after reporting it, or that of a signal. */
 int driver_line(
     const struct driver *d, const char *line, const char *name, int number);
 
-/* Runs the open scripts to their ends, all but the outermost `depth`. */
+/* Runs all open scripts to their ends, except the outermost `depth`. */
 int driver_scripts(const struct driver *d, size_t depth);
 
 #endif

@@ -1,4 +1,4 @@
-/* The file of typed lines, which is only ever appended to, a line a write.
+/* The file of typed lines.  It is only appended to, one line per write.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/history.h"
 

@@ -5,14 +5,13 @@
 
 #include <stdbool.h>
 
-/* Reads the history into readline.  If it cannot be read or kept, one remark
- * goes to stderr, and lines are held in memory only, as they are without
- * with_file. */
+/* Reads the history into readline.  If it cannot be read or written, prints one
+ * remark to stderr and keeps lines only in memory, as without with_file. */
 void typed_history_open(bool with_file);
 
-/* Adds a line, in memory and at the end of the file, before it is run, so that
- * it is kept however the program ends.  Lines of several sessions at a time are
- * in the order they were typed. */
+/* Adds a line, in memory and at the end of the file.  Called before the line is
+ * run, so that it is kept however the program ends.  Lines of simultaneous
+ * sessions are in the order in which they were typed. */
 void typed_add(const char *line);
 
 void typed_close(void);

@@ -1,6 +1,6 @@
-/* readline 8.2 frees a line's changes twice where its own searches put a line
- * of the history in the place of one that was changed.  These put it there as
- * if it were typed, which every other key and undo go on from.
+/* In readline 8.2, the built-in searches free an edited line's undo list twice
+ * when they replace it with a line from the history.  These searches insert the
+ * line as if it had been typed, so undo and all other keys work as usual.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/history_search.h"
 

@@ -1,4 +1,4 @@
-/* Finds a page of the manual and hands it to man(1).
+/* Finds a manual page and passes it to man(1).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/manpage.h"
 

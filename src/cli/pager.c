@@ -1,4 +1,4 @@
-/* Measures text against the screen; runs the user's pager.
+/* Compares the height of text with the screen and runs the user's pager.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/pager.h"
 
@@ -34,7 +34,8 @@ count_rows(const char *text, int columns)
 	return rows;
 }
 
-/* Less says at its foot how to leave it.  The caller frees. */
+/* Less says at its foot how to go on and to leave it, and writes no file and
+ * runs no shell for a line that is typed into it.  The caller frees. */
 static char *
 pager_command(void)
 {
@@ -42,8 +43,8 @@ pager_command(void)
 	if (own != NULL || any != NULL)
 		return xstrdup(own != NULL ? own : any);
 	return xasprintf("command -v less >/dev/null || exit 127; "
-			 "exec less -FRX '-Ps%s'",
-	    tr("space goes on, q leaves"));
+			 "LESSSECURE=1 exec less -FRX '-Ps?e%s:%s.'",
+	    tr("the end, q leaves"), tr("space goes on, q leaves"));
 }
 
 static void

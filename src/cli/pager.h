@@ -1,4 +1,4 @@
-/* Shows text, through a pager where it is taller than the screen.
+/* Shows text, in a pager if it is taller than the screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_PAGER_H
 #define TIPSPEED_CLI_PAGER_H
@@ -9,7 +9,7 @@
 #include "cmd/session/session.h"
 
 /* The output of a line, held back until its height is known.  The session's
- * results go to file, and with them its notes while they are held. */
+ * results go to file, and so do its notes while held. */
 struct pager {
 	struct session *session;
 	FILE *file, *out, *notes;
@@ -19,12 +19,12 @@ struct pager {
 
 void pager_open(struct pager *pager, struct session *s);
 
-/* Also holds notes back, so that they appear beside their results.  Does
- * nothing for NULL. */
+/* Also holds back notes, so that they appear with their results.  Does nothing
+ * for NULL. */
 void pager_hold(struct pager *pager);
 
-/* Shows the new output on standard output, through a pager where it is tall,
- * and lets notes through again. */
+/* Shows the new output on standard output, in a pager if it is tall, and lets
+ * notes through again. */
 void pager_show(struct pager *pager);
 
 /* Gives the session back its streams. */

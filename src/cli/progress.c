@@ -1,4 +1,4 @@
-/* The job to its end, with lines or a picture of how it goes.
+/* Runs the job to its end and shows its progress in lines or as a plot.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/progress.h"
 

@@ -5,8 +5,8 @@
 
 #include "cmd/session/session.h"
 
-/* Runs the job to its end.  False when a signal came: the job is then
- * unchanged, for session_pause. */
+/* Runs the job to its end.  On a signal, returns false with the job unchanged,
+ * for session_pause. */
 bool progress_run(struct session *s);
 
 #endif

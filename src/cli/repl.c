@@ -1,6 +1,6 @@
-/* The prompt, its signals and its lines.  Signals are let in only where the
- * program waits: in pselect at the prompt, and while a command runs.  So none
- * finds readline or the session half done.
+/* The prompt, its signals and its lines.  Signals are unblocked only in pselect
+ * at the prompt and while a command runs, so none interrupts readline or the
+ * session in an inconsistent state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/repl.h"
 

@@ -1,20 +1,20 @@
-/* The prompt: readline on a terminal.
+/* The prompt, using readline on a terminal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CLI_REPL_H
 #define TIPSPEED_CLI_REPL_H
 
 #include "cmd/session/session.h"
 
-/* Prints a greeting and runs the user's init file; called before the files of
+/* Prints a greeting and runs the user's init file.  Called before the files on
  * the command line are opened. */
 void repl_greet(struct session *s);
 
-/* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP; returns the exit
- * status: 0, 143 or 129.  Errors are printed and the next line is read.
- * signals_catch must have been called. */
+/* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP, and returns the exit
+ * status: 0, 143 or 129.  Prints errors and continues.  signals_catch must have
+ * been called. */
 int repl_run(struct session *s);
 
-/* As repl_run, but called instead of the full screen, with --linear.  Does
+/* As repl_run, but called instead of the full screen with --linear.  Does
  * nothing at the prompt. */
 int repl_for_screen(struct session *s);
 

@@ -1,5 +1,5 @@
-/* What is written in a signal handler is prepared before: nothing there may
- * take memory or ask ncurses.
+/* The bytes for the signal handlers are prepared in advance, because a handler
+ * must not allocate memory or call ncurses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/restore.h"
 

@@ -1,4 +1,4 @@
-/* Signals are noted by their handlers, and answered where a loop waits.
+/* Handlers record signals; loops act on them where they wait.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/signals.h"
 

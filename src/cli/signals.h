@@ -10,55 +10,54 @@
  * calibration print a line about its progress. */
 void signals_catch(void);
 
-/* signals_hold blocks the signals that are handled at a terminal, so that they
- * arrive only where a loop waits; signals_release unblocks them. */
+/* signals_hold blocks the signals handled at a terminal, so they arrive only
+ * where a loop waits; signals_release unblocks them. */
 void signals_hold(void);
 void signals_release(void);
 
-/* Waits until there is something to read; false when a signal came, or after so
- * many seconds (INFINITY: never). */
+/* Waits for input.  Returns false on a signal or after that many seconds
+ * (INFINITY: never). */
 bool signals_wait(double seconds);
 
-/* As signals_wait, with the mask of signals that is used while waiting. */
+/* As signals_wait, with the signal mask to use while waiting. */
 bool signals_wait_with(const sigset_t *mask, double seconds);
 
 /* Lets held signals arrive now. */
 void signals_deliver(void);
 
-/* Between take and give, ^Z, a continue and a change of size are recorded for
- * signals_take_events, which returns as these bits what arrived since the last
- * call. */
+/* Between take and give, ^Z, a continue and a resize are recorded;
+ * signals_take_events returns those since the last call, as these bits. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
 void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
 int signals_take_events(void);
 
-/* note: between take and give ^Z is recorded; else it stops the program with
+/* note: between take and give, record ^Z; otherwise it stops the program with
  * its child processes. */
 void signals_note_stop(bool note);
 
-/* Stops the program as ^Z does by default, and returns when it continues; the
+/* Stops the program, as ^Z does by default, and returns when it continues.  The
  * caller restores the terminal. */
 void signals_suspend(void);
 
-/* The signal recorded, or 0; others take precedence over SIGINT. */
+/* Returns the recorded signal, or 0; others take precedence over SIGINT. */
 int signals_pending(void);
 
-/* Whether the terminal or the system asked the program to end. */
+/* True if the terminal or the system has asked the program to end. */
 bool signals_is_ending(void);
 
-/* Forgets a SIGINT that was handled. */
+/* Clears a SIGINT that has been handled. */
 void signals_forget_interrupt(void);
 
-/* The exit status that shells give a program ended by the recorded signal; 0
- * without one. */
+/* Returns the exit status that shells give a program ended by the recorded
+ * signal, or 0. */
 int signals_status(void);
 
-/* Whether SIGUSR1 arrived since the last call. */
+/* True if SIGUSR1 has arrived since the last call. */
 bool signals_take_report_wanted(void);
 
-/* For hooks.stop, from any thread: whether a signal arrived or is held; or,
- * after signals_watch_keys(true), a key was pressed. */
+/* For hooks.stop, from any thread: true if a signal has arrived or is blocked
+ * or, after signals_watch_keys(true), a key was pressed. */
 bool signals_waited_for(void);
 void signals_watch_keys(bool keys);
 

@@ -1,5 +1,5 @@
-/* What the terminal is: its size, colours and characters, and whether somebody
- * types there.
+/* Queries the terminal: its size, colours and characters, and whether a user is
+ * there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/terminal.h"
 

@@ -9,32 +9,34 @@
 
 enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 
-/* Reads "auto", "always" or "never". */
+/* Parses "auto", "always" or "never". */
 bool terminal_colour_word(const char *word, enum colour *colour);
 
 /* Sets the value of --color. */
 void terminal_set_colour(enum colour asked);
 
-/* Whether to use colour, by the first of --color, TIPSPEED_COLOR and NO_COLOR
- * that decides; else whether standard output is a terminal with colour. */
+/* True if colour is to be used.  The first of --color, TIPSPEED_COLOR and
+ * NO_COLOR that is set decides; if none is, standard output must be a terminal
+ * with colour. */
 bool terminal_has_colour(void);
 
-/* Whether standard input and output are terminals, so that a user is there. */
+/* True if standard input and output are terminals, so that there is a user. */
 bool terminal_is_interactive(void);
 
-/* True if the terminal has no escape sequences, or no known type. */
+/* True if the terminal has no escape sequences or no known type. */
 bool terminal_is_dumb(void);
 
-/* Whether the locale's text is UTF-8; whether the terminal has braille and
- * box-drawing characters. */
+/* True if the locale uses UTF-8; if the terminal has braille and box-drawing
+ * characters. */
 bool terminal_is_utf8(void);
 bool terminal_can_draw(void);
 
-/* The size of the terminal of standard error; 24 by 80 where it is not
- * known. */
+/* Returns the size of the terminal on standard error, or 24 by 80 if
+ * unknown. */
 void terminal_size(int *rows, int *columns);
 
-/* Describes the terminal that standard output is; all zero where it is none. */
+/* Describes the terminal on standard output; all zeros if it is not a
+ * terminal. */
 struct screen terminal_describe(void);
 
 #endif

@@ -1,5 +1,5 @@
-/* The kernel and the breeding for avx2, by the flags of this file alone; on
- * other processors, where nobody calls them, as in isa_base.c.
+/* The kernel and the breeding for AVX2, compiled with flags for this file only.
+ * On other architectures they equal those of isa_base.c and are never called.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef __AVX2__
 #define LANES 4

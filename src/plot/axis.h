@@ -1,4 +1,4 @@
-/* Axes: places of the ticks, and which of their labels are shown.
+/* Axes: positions of ticks, and the choice of labels to show.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_AXIS_H
 #define TIPSPEED_PLOT_AXIS_H
@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* rank: labels of rank 0 are placed first.  guide: a faint line is drawn across
- * the plot if there is room. */
+/* rank: labels of rank 0 are placed first.  guide: draw a faint line across the
+ * plot if there is room. */
 struct axis_tick {
 	double at;
 	char label[24];
@@ -15,9 +15,9 @@ struct axis_tick {
 	bool guide;
 };
 
-/* From low to high.  log: distances are those of the logarithm.  straight: if
- * above 0, distances are those of the logarithm on both sides of 0, and even
- * within +-straight.  title: with the unit, "size, mm". */
+/* An axis from low to high.  log: logarithmic scale.  straight: if positive,
+ * the scale is logarithmic on both sides of 0 and linear within +-straight.
+ * title: with the unit, "size, mm". */
 struct axis {
 	char *title;
 	bool log;
@@ -26,25 +26,25 @@ struct axis {
 	struct axis_tick *tick;
 };
 
-/* Returns an axis with a tick at every sieve of size [n], mm, in any order,
- * repeated sizes allowed; its label is the number as given.  Ranks: the ends,
- * then the doubling series (0.063, 0.125 .. 16), then 5.6, 11.2 and the like,
- * then any other.  At least two different sizes are expected; a single one
- * becomes a range around it. */
+/* Returns an axis with a tick at every sieve of size [n], mm, in any order and
+ * possibly repeated; the label is the number as given.  Ranks: the ends, then
+ * the doubling series (0.063, 0.125 .. 16), then 5.6, 11.2 and the like, then
+ * all others.  There should be two different sizes; a single one becomes a
+ * range around it. */
 struct axis axis_sieves(const char *title, const double *size, size_t n);
 
-/* Returns an axis of 0 to 100 %, with guides at 20, 50 and 80, for reading P20,
- * P50 and P80. */
+/* Returns an axis from 0 to 100 %, with guides at 20, 50 and 80 for reading
+ * P20, P50 and P80. */
 struct axis axis_percent(const char *title);
 
-/* Returns an axis with round numbers that cover low to high, which may be
+/* Returns an axis with round numbers that covers low to high, which may be
  * equal. */
 struct axis axis_linear(const char *title, double low, double high);
 
 /* As axis_linear, but a log axis in 1-2-5 steps; low > 0. */
 struct axis axis_log(const char *title, double low, double high);
 
-/* Returns an axis of -most to +most on a symmetric log scale with ticks in
+/* Returns an axis from -most to +most on a symmetric log scale, with ticks in
  * 1-3-10 steps and a guide at 0; most > straight > 0. */
 struct axis axis_symlog(const char *title, double straight, double most);
 
@@ -53,21 +53,21 @@ void axis_add(struct axis *axis, double at, const char *label, int rank);
 
 void axis_free(struct axis *axis);
 
-/* Returns the unit of the title: " mm" for "size, mm", "" if there is none. */
+/* Returns the unit in the title: " mm" for "size, mm", or "". */
 const char *axis_unit_suffix(const struct axis *axis);
 
-/* Returns the place of a value, 0 at low and 1 at high, clamped to these. */
+/* Returns the position of a value, 0 at low and 1 at high, clamped to these. */
 double axis_share(const struct axis *axis, double value);
 
-/* Returns which of n parts of equal size contains that share. */
+/* Returns which of n equal parts contains that position. */
 int axis_place_of(double share, int n);
 
 enum { AXIS_DROPPED = -1 };
 
 /* Places the labels of an axis across `columns`, equal parts of the axis: by
- * rank, centred, with a space between two, in up to `rows` rows.  column, row
- * [axis->n] out: the first column of each label and its row; AXIS_DROPPED as
- * row: no room.  Returns how many rows are used. */
+ * rank, centred, with a space between labels, in at most `rows` rows.  column,
+ * row [axis->n] out: the first column and the row of each label; row is
+ * AXIS_DROPPED if there is no room.  Returns the number of rows used. */
 int axis_place(
     const struct axis *axis, int columns, int rows, int *column, int *row);
 

@@ -1,4 +1,4 @@
-/* A grid of cells: text into it, escape sequences out of it.
+/* A grid of cells: writes text to it and prints it with escape sequences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/canvas.h"
 

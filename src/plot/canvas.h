@@ -1,4 +1,4 @@
-/* A grid of cells that plots draw on and screens show.
+/* A grid of cells on which plots are drawn and which screens show.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_CANVAS_H
 #define TIPSPEED_PLOT_CANVAS_H
@@ -15,7 +15,7 @@ enum charset { CHARSET_ASCII, CHARSET_QUADRANTS, CHARSET_BRAILLE };
 
 enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4 };
 
-/* code: a Unicode code point; 0 after a character that is two columns wide. */
+/* code: a Unicode code point, or 0 after a character two columns wide. */
 struct canvas_cell {
 	uint32_t code;
 	unsigned char series, attribute;
@@ -28,37 +28,37 @@ struct canvas {
 	struct canvas_cell *cell;
 };
 
-/* Returns a blank canvas; columns and rows of at least 1. */
+/* Returns a blank canvas; columns and rows must be at least 1. */
 struct canvas *canvas_new(int columns, int rows);
 void canvas_free(struct canvas *canvas);
 
 /* Returns a cell; asserts that it is on the canvas. */
 struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
 
-/* Writes text as text_escape_next shows it (base/text.h) from a cell to the
- * right, cut at the edge; text off the canvas is left out. */
+/* Writes text, as shown by text_escape_next (base/text.h), from a cell to the
+ * right, clipped at the edges of the canvas. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 
-/* As canvas_text, but cut at column `end`.  Returns the column after the
+/* As canvas_text, but clipped at column `end`.  Returns the column after the
  * text. */
 int canvas_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 
-/* Writes a code point as UTF-8 to text, and returns text. */
+/* Writes a code point as UTF-8 to text and returns text. */
 const char *canvas_utf8(uint32_t code, char text[static 5]);
 
-/* True if a cell is drawn faint: it is dim, and there are 256 colours without
- * high contrast. */
+/* True if a cell is drawn faint: it is dim, there are 256 colours, and the
+ * theme is not a high-contrast one. */
 bool canvas_is_faint(
     const struct canvas *canvas, const struct canvas_cell *cell, int depth);
 
-/* Prints the rows, each without spaces at its end and with a line feed; with
- * escape sequences if depth > 0. */
+/* Prints the rows as lines without trailing spaces, with escape sequences if
+ * depth > 0. */
 void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 
 /* canvas_cell_dots_across and canvas_cell_dots_down return the number of dots
- * of a cell in each direction.  canvas_dots_code returns the character with the
+ * in a cell in each direction.  canvas_dots_code returns the character with the
  * given dots set, bit 2 * row + column; ASCII has none. */
 int canvas_cell_dots_across(enum charset charset);
 int canvas_cell_dots_down(enum charset charset);

@@ -1,4 +1,4 @@
-/* Charts as data: made, asked, freed.
+/* Makes, queries and frees charts as data.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/chart.h"
 

@@ -1,4 +1,4 @@
-/* Charts as plain data, independent of where they are drawn.
+/* Charts as plain data, independent of the output.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_CHART_H
 #define TIPSPEED_PLOT_CHART_H
@@ -9,9 +9,9 @@
 #include "plot/axis.h"
 #include "plot/canvas.h"
 
-/* Dashes are counted along the path, so that steep and flat parts look alike;
- * on a canvas they are counted from the column of each point, so that a curve
- * that changes in one part keeps its dashes elsewhere. */
+/* Dashes are counted along the path, so steep and flat parts look alike.  On a
+ * canvas they are counted from the column of each point, so a curve that
+ * changes in one part keeps its dashes elsewhere. */
 enum chart_line {
 	CHART_MARKS, /* no line */
 	CHART_SOLID,
@@ -21,13 +21,13 @@ enum chart_line {
 };
 
 /* The site of a point, for a chart with several sites.  label: text that may be
- * written beside the point, or NULL. */
+ * shown beside the point, or NULL. */
 struct chart_whose {
 	char *site, *about, *label;
 };
 
-/* A field drawn around a point instead of a mark, one unit wide and high,
- * filled in proportion to |value|, at most 1, with its label; value NAN: no
+/* A field with a label, drawn around a point instead of a mark: one unit wide
+ * and high, filled in proportion to |value|, at most 1.  value NAN: no
  * field. */
 struct chart_field {
 	double value;
@@ -36,14 +36,14 @@ struct chart_field {
 
 /* One curve or set of points.  fine: its marks have the shapes of
  * plot/marks.h.  x, y [n]: in the axes' units; a NAN in y interrupts the line.
- * low, high [n]: a shade behind all lines, or both NULL.  ascii: the character
- * of the line if there are only ASCII characters.  mark: an ASCII character at
- * each point, 0: none.  bars: low..high are a bar at each point instead of a
- * shade, and y is not drawn; long dashes make the bar heavy.  beside: drawn
- * that many cells to the right of x.  lifted: its marks are set off from bars,
- * in reverse, with a gap on either side.  named: the labels of its points are
- * written if there is room.  whose, field [n]: may be NULL.  finer: points of
- * the same curve that chart_x_at reads instead, owned; NULL: none. */
+ * low, high [n]: a shaded band behind all lines, or both NULL.  ascii: the
+ * character for the line if only ASCII is available.  mark: an ASCII character
+ * at each point; 0: none.  bars: low..high is drawn as a bar at each point, not
+ * as a band, and y is not drawn; with CHART_LONG the bar is heavy.  beside:
+ * draw it that many cells to the right of x.  lifted: marks are set off from
+ * bars, in reverse, with a gap on either side.  named: show the labels of
+ * points if there is room.  whose, field [n]: may be NULL.  finer: a closer set
+ * of points of the same curve for chart_x_at to read, owned, or NULL. */
 struct chart_series {
 	char *name;
 	enum series series;
@@ -59,18 +59,18 @@ struct chart_series {
 	struct chart_series *finer;
 };
 
-/* A line across the plot from its foot to its top, at x. */
+/* A vertical line across the plot at x. */
 struct chart_rule {
 	double x;
 	enum series series;
 	char *name;
 };
 
-/* strip: the number of rows for the chart, drawn without labels, below another
- * chart of the same sizes; 0: a chart of its own.  Later series are drawn on
- * top.  about: the source of the data, shown at the foot after "data: ".  note:
- * lines below the legend.  below: another chart that is drawn below this one,
- * with the same x axis and other units, or NULL; chart_free frees it too. */
+/* strip: the number of rows of a chart drawn without labels below another chart
+ * with the same x axis; 0: a chart of its own.  Later series are drawn on top.
+ * about: the source of the data, shown at the foot after "data: ".  note: lines
+ * below the legend.  below: another chart to draw below this one, with the same
+ * x axis but other units, or NULL; chart_free also frees it. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
@@ -83,45 +83,45 @@ struct chart {
 	struct chart *below;
 };
 
-/* Makes a chart that takes over the axes; title and about are copied. */
+/* Makes a chart and takes ownership of the axes; title and about are copied. */
 struct chart *chart_new(
     const char *title, const char *about, struct axis x, struct axis y);
 void chart_free(struct chart *chart);
 
 /* Adds a series of n points at zero, to be filled in.  look: line, ascii and
- * mark, which distinguish the series without colour; its data are ignored.  The
- * result is borrowed, and does not move when others are added. */
+ * mark, which distinguish the series without colour; its data are ignored.
+ * Returns the series, borrowed; it stays valid when others are added. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
- * then owns. */
+ * will own. */
 void chart_add_point_sites(struct chart_series *series);
 
-/* Adds arrays low and high to a series, for its shade. */
+/* Adds arrays low and high to a series, for its band. */
 void chart_add_band(struct chart_series *series);
 
-/* Adds n finer points to a series; x and y of the result are to be filled
+/* Adds n finer points to a series and returns them, with x and y to be filled
  * in. */
 struct chart_series *chart_add_finer(struct chart_series *series, size_t n);
 
-/* Adds a rule; adds none if x is outside the axis. */
+/* Adds a rule, unless x is outside the axis. */
 void chart_add_rule(struct chart *chart, enum series series, double x,
     const char *name, ...) __attribute__((format(printf, 4, 5)));
 
 void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* chart_y_at returns y at x, on straight lines between the points as the axes
- * show them; NAN outside the points.  chart_x_at returns x at y, for points
- * whose y only rises or only falls. */
+/* chart_y_at returns y at x, on lines between the points that are straight on
+ * the axes, or NAN outside the points.  chart_x_at returns x at y, for
+ * monotonic y. */
 double chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x);
 double chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y);
 
-/* Sets *on to how many dots of a line's path are drawn, *off to how many are
- * then left out, and so on; off is 0 for a solid line. */
+/* Sets *on and *off to the number of dots in each dash of a line and in each
+ * gap; off is 0 for a solid line. */
 void chart_dash_lengths(enum chart_line line, int *on, int *off);
 
 #endif

@@ -1,5 +1,5 @@
-/* Lays a chart's parts out on a canvas and draws them: what stands around the
- * data, then bands, guides, rules, lines and marks.
+/* Lays out a chart on a canvas and draws it: the surroundings of the data, then
+ * bands, guides, rules, lines and marks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/draw.h"
 

@@ -5,8 +5,8 @@
 
 #include "plot/chart.h"
 
-/* The words around the axes; the foot is part of the legend.  CHART_BARE: the
- * data alone, in all cells. */
+/* Texts around the axes; the foot is part of the legend.  CHART_BARE: only the
+ * data, in all cells. */
 enum {
 	CHART_TITLE = 1,
 	CHART_LEGEND = 2,
@@ -15,18 +15,17 @@ enum {
 	CHART_BARE = 8
 };
 
-/* Draws a chart in exactly columns x rows cells, however few or many.  If room
- * is short its parts are dropped in this order: title of the y axis, notes and
- * legend, second row of labels, foot, title, labels, axis.  words: the parts to
- * draw at all, out of CHART_ALL.  A label is in the row or column that contains
- * its value, a dot of a line in the part of a cell that does.
- * The caller frees. */
+/* Draws a chart in exactly columns x rows cells.  If room is short, parts are
+ * dropped in this order: title of the y axis, notes and legend, second row of
+ * labels, foot, title, labels, axis.  words: the parts to draw, from CHART_ALL.
+ * Each label is in the row or column, and each dot of a line in the part of a
+ * cell, that contains its value.  The caller frees the canvas. */
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words);
 
-/* The content of a cell of that canvas: the chart there, the values of its
- * axes, and the nearest of its marks within a cell, or else the line drawn
- * there; point: the nearest point of the series.  series NULL: none. */
+/* The content of a cell on that canvas: the chart there, the values on its
+ * axes, and the nearest mark within a cell, or else the line drawn there.
+ * point: the nearest point of the series.  series NULL: neither. */
 struct chart_found {
 	const struct chart *chart;
 	double x, y;
@@ -34,13 +33,13 @@ struct chart_found {
 	size_t point;
 };
 
-/* Finds the content of a cell; false for a cell outside the data. */
+/* Finds the content of a cell.  Returns false for a cell outside the data. */
 bool chart_find(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 
-/* Returns the sample of a series in a legend: its line and mark.  The caller
- * frees. */
+/* Returns the sample of a series for a legend: its line and mark.  The caller
+ * frees it. */
 char *chart_sample(const struct chart_series *series, enum charset charset);
 
 #endif

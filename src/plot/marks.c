@@ -1,4 +1,4 @@
-/* A table of marks: as characters and polygons.
+/* A table of marks, as characters and as polygons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/marks.h"
 

@@ -1,13 +1,13 @@
-/* Marks of what was measured, each with a shape of its own.
+/* Marks for measured points, each with its own shape.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_MARKS_H
 #define TIPSPEED_PLOT_MARKS_H
 
 #include <stdbool.h>
 
-/* The shape for an ASCII character.  sign: in a cell.  On paper the shape has
- * `sides` sides, and its first corner is at the part `turn` of a full turn.
- * hollow: of a run that was held out. */
+/* The shape for an ASCII character.  sign: code point in a cell.  On paper the
+ * shape has `sides` sides, with the first corner at `turn` of a full turn.
+ * hollow: for a held-out run. */
 struct mark {
 	char code;
 	unsigned sign;
@@ -19,8 +19,7 @@ struct mark {
 /* Returns the mark of a character, or NULL. */
 const struct mark *mark_of(char code);
 
-/* Returns character i of the full marks, or of the hollow ones, which take
- * turns. */
+/* Returns character i of the full or hollow marks, which repeat cyclically. */
 char mark_code(unsigned i, bool hollow);
 
 #endif

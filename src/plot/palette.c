@@ -1,4 +1,4 @@
-/* One table of colours for terminals and pictures.
+/* One table of colours for terminals and images.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/palette.h"
 

@@ -1,12 +1,12 @@
-/* All colours of the screen, the prompt and pictures, by their meaning.
+/* All colours on the screen, at the prompt and in images, by their meaning.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_PALETTE_H
 #define TIPSPEED_PLOT_PALETTE_H
 
-/* The group that a drawn thing belongs to, which decides its colour.  Runs of
- * several speeds take turns in the colours MEASURED, each the same in every
- * plot; quantities, rocks, streams and others that are not runs take turns in
- * the colours KIND. */
+/* The meaning of something drawn, which decides its colour.  Runs at several
+ * speeds use the colours MEASURED in turn, each the same in every plot;
+ * quantities, rocks, streams and others that are not runs use the colours KIND
+ * in turn. */
 enum series {
 	SERIES_TEXT, /* axes, labels, legend */
 	SERIES_FEED, /* and other things drawn behind */
@@ -19,7 +19,7 @@ enum series {
 	SERIES_KIND_3,
 	SERIES_KIND_4,
 	SERIES_PREDICTED,
-	SERIES_OTHER, /* a second prediction, beside the first */
+	SERIES_OTHER, /* a second prediction */
 	SERIES_BAND,
 	SERIES_BREAK, /* a limit across the plot */
 	SERIES_CROSSHAIR,
@@ -34,21 +34,21 @@ enum series {
 enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
 
 /* Returns the number of a series' colour at a depth of 0 (no colour), 8, 16 or
- * 256 colours; -1 for the colour of the text.  With 256 the colours can be
- * distinguished with red-green blindness (tests/unit/test_palette.c), and
- * colour is never the only mark.  Of 16 colours those from 8 on are bright;
- * with 8 colours such a number means bold. */
+ * 256 colours; -1 for the text colour.  At depth 256 the colours can be told
+ * apart even with red-green blindness (tests/unit/test_palette.c), and nothing
+ * is marked by colour alone.  Of 16 colours, those from 8 up are bright; with 8
+ * colours, such a number means bold. */
 int palette_colour(enum series series, int depth, enum theme theme);
 
-/* Returns the series that colours the shade behind a series: each has its
+/* Returns the series whose colour shades the band of a series: each has its
  * own. */
 enum series palette_tint(enum series series);
 
-/* Returns 0xRRGGBB of a colour by its number, as in xterm. */
+/* Returns 0xRRGGBB for a colour number, as in xterm. */
 unsigned palette_rgb(int colour);
 
-/* Returns 0xRRGGBB of a series on white paper: its colour at depth 256, for
- * high contrast that of THEME_LIGHT. */
+/* Returns 0xRRGGBB for a series on white paper: its colour at depth 256 or, for
+ * high contrast, that of THEME_LIGHT. */
 unsigned palette_print_rgb(enum series series, enum theme theme);
 
 #endif

@@ -1,4 +1,4 @@
-/* A pen draws a picture: on a page in points, y downward from the top left.
+/* A pen draws an image on a page, in points, with y downward from the top left.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_PEN_H
 #define TIPSPEED_PLOT_PEN_H
@@ -10,8 +10,8 @@
 /* The opacity of faint parts. */
 #define PEN_FAINT 0.6
 
-/* Fonts with letters of one width, by their names on each system: a browser's
- * own monospace is often Courier. */
+/* Monospaced fonts by their names on each system, as a browser's default
+ * monospace is often Courier. */
 #define PEN_MONO                                                            \
 	"ui-monospace, SFMono-Regular, Menlo, Consolas, DejaVu Sans Mono, " \
 	"Liberation Mono, monospace"
@@ -19,8 +19,7 @@
 enum pen_fill { PEN_OPEN, PEN_PAPER, PEN_FULL, PEN_TINT };
 enum pen_anchor { PEN_START, PEN_MIDDLE, PEN_END };
 
-/* How a path is drawn.  width 0: its outline is not drawn; a fill closes the
- * path. */
+/* How to draw a path.  width 0: no outline.  A fill closes the path. */
 struct pen_stroke {
 	enum series series;
 	enum chart_line line; /* dashes */
@@ -29,8 +28,8 @@ struct pen_stroke {
 };
 
 /* size: in points.  upward: reads from bottom to top; inverse: in the colour of
- * the paper; faint: as dim on a terminal; mono: in letters of one width.
- * length: the text is stretched to it; 0: not stretched. */
+ * the paper; faint: like dim on a terminal; mono: monospaced.  length: that to
+ * which the text is stretched; 0: not stretched. */
 struct pen_style {
 	double size, length;
 	enum pen_anchor anchor;
@@ -38,8 +37,7 @@ struct pen_style {
 	enum series series;
 };
 
-/* How bars are drawn.  round: with round ends, so that a bar of length 0 is a
- * dot. */
+/* How to draw bars.  round: with round ends, so a bar of length 0 is a dot. */
 struct pen_bar {
 	enum series series;
 	double width, opacity;
@@ -47,22 +45,22 @@ struct pen_bar {
 };
 
 /* The paper and its colours, 0xRRGGBB.  corner: radius of its corners.  edge:
- * colour of the line around it, drawn if corner is not 0.  mono: all letters
- * have one width. */
+ * colour of its border, drawn if corner is not 0.  mono: all text is
+ * monospaced. */
 struct pen_paper {
 	unsigned colour, edge, ink[SERIES_COUNT];
 	double corner;
 	bool mono;
 };
 
-/* path: draws a path through x, y [n].  bars: draws n straight bars, bar i from
- * x, y [2 i] to the next.  text: draws a text whose base line begins, is
- * centred or ends at x, y.  close: writes the rest and frees the pen; false if
- * writing failed.
+/* path draws a path through x, y [n].  bars draws n straight bars, bar i from
+ * point 2 i to point 2 i + 1.  text draws a text whose baseline starts, is
+ * centred or ends at x, y.  close writes the rest, frees the pen and returns
+ * false if writing failed.
  *
- * For PDF only, which may have many pages: width returns the width of a text,
- * points; next begins another page; place makes the pen draw relative to x, y
- * of the page, scaled, from now on. */
+ * For PDF only, which may have several pages: width returns the width of a
+ * text, points; next begins another page; place makes the pen draw at x, y, to
+ * that scale, from now on. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);
@@ -77,9 +75,9 @@ struct pen {
 	void (*place)(struct pen *, double x, double y, double scale);
 };
 
-/* Makes a pen for a page.  title and about are written into the file's
- * description; the paper is copied.  other: pen_cairo makes a PDF, else a PNG;
- * pen_svg makes an SVG as a part of a page of HTML, else a file of its own. */
+/* Makes a pen for a page.  title and about go into the file's metadata; the
+ * paper is copied.  other: pen_cairo makes a PDF, not a PNG; pen_svg makes an
+ * SVG for an HTML page, not for a file of its own. */
 typedef struct pen *pen_maker(double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     bool other, FILE *out);

@@ -1,4 +1,4 @@
-/* A pen that writes SVG, with text that stays text.
+/* A pen that writes SVG and keeps text as text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

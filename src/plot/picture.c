@@ -1,4 +1,4 @@
-/* Lays a chart or a screen out on a page and draws it with any pen.
+/* Lays out a chart or a screen on a page and draws it with any pen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/picture.h"
 

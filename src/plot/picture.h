@@ -1,4 +1,4 @@
-/* Charts as pictures for papers: SVG, PNG, PDF.
+/* Charts as images for publication: SVG, PNG, PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_PICTURE_H
 #define TIPSPEED_PLOT_PICTURE_H
@@ -8,56 +8,54 @@
 #include "plot/chart.h"
 #include "plot/pen.h"
 
-/* PICTURE_INLINE: SVG inside a page of HTML. */
+/* PICTURE_INLINE: SVG inside an HTML page. */
 enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF, PICTURE_INLINE };
 
 /* The width of a chart, points. */
 #define PICTURE_WIDTH 592.0
 
-/* Finds the form from the end of a file's name (".svg"); false for other
- * ends. */
+/* Determines the form from the extension of a file (".svg").  Returns false for
+ * other extensions. */
 bool picture_form_of(const char *path, enum picture_form *form);
 
-/* True if this program can draw the form: it may have been built without cairo,
- * which png and pdf need. */
+/* True if this program can draw the form.  PNG and PDF need cairo, without
+ * which it may have been built. */
 bool picture_can(enum picture_form form);
 
 /* Returns the forms that this program can draw, in words. */
 const char *picture_forms(void);
 
-/* Writes the chart with axes, legend and notes, and at its foot the source of
- * the data and the name of the program (program: "tipspeed 0.1.0").  Ticks,
- * marks and dashes are those of chart_draw.  False if it cannot be drawn or
- * written. */
+/* Writes the chart with axes, legend and notes and, at its foot, the source of
+ * the data and the program ("tipspeed 0.1.0").  Ticks, marks and dashes are
+ * those of chart_draw.  Returns false if it cannot be drawn or written. */
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 
 /* For callers that lay out the pages of a PDF, in points.  picture_pages
  * returns a pen, or NULL if this program was built without cairo.
- * picture_height returns the height of a chart that is PICTURE_WIDTH wide.
- * picture_draw draws the chart, beginning at the pen's place. */
+ * picture_height returns the height of a chart PICTURE_WIDTH wide.
+ * picture_draw draws the chart from the pen's place. */
 struct pen *picture_pages(double width, double height, const char *title,
     const char *about, FILE *out);
 double picture_height(const struct chart *chart, const char *program);
 void picture_draw(
     const struct chart *chart, const char *program, struct pen *pen);
 
-/* Writes cells as a terminal with a dark background shows them; lines, dots and
- * blocks are drawn as shapes, so that they join in any font.  depth: how many
- * colours, 0, 8, 16 or 256.  title and about: the file's description.  False if
- * it cannot be drawn or written. */
+/* Writes cells as shown by a terminal with a dark background.  Lines, dots and
+ * blocks are drawn as shapes, so they join in any font.  depth: number of
+ * colours, 0, 8, 16 or 256.  title, about: the file's metadata.  Returns false
+ * if it cannot be drawn or written. */
 bool picture_cells(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out);
 
-/* For callers that make the page: picture_cells_paper returns the paper and its
- * size in points [2]; picture_cells_draw draws the cells. */
+/* For callers that make the page.  picture_cells_paper returns the paper and
+ * its size [2], points; picture_cells_draw draws the cells. */
 struct pen_paper picture_cells_paper(
     const struct canvas *canvas, int depth, double size[2]);
 void picture_cells_draw(
     const struct canvas *canvas, int depth, struct pen *pen);
 
-/* Places of cells, measured from their margin, are multiples of this,
- * points. */
+/* Cell positions, measured from the margin, are multiples of this, points. */
 #define PICTURE_GRID 0.75
 
 /* The width of a letter of size 1. */

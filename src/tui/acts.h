@@ -1,18 +1,18 @@
-/* Keys, and the functions they run, each defined in the page or widget that it
- * concerns.
+/* Keys and the functions they run, each defined in the page or widget
+ * concerned.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_ACTS_H
 #define TIPSPEED_TUI_ACTS_H
 
 enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
 
-/* Keys without a name of curses. */
+/* Keys without a name in curses. */
 enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 
-/* Where a key acts: bits of 1 << page.  For a key that acts on all pages the
+/* Where a key acts: bits of 1 << page.  For a key that acts on all pages, the
  * same bits, shifted, name the pages that list it first.  AT_SPEED: it concerns
- * the speed of the slider, which is first made the one asked for.  CHANGES: it
- * changes what is calculated, see viewer.c. */
+ * the slider's speed, which first becomes the speed last asked about.  CHANGES:
+ * it changes results, see viewer.c. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,
@@ -31,10 +31,10 @@ struct tui;
 struct key;
 typedef void key_way(struct tui *t, const struct key *key);
 
-/* code: as ncurses has it; name: as shown, "Left, h" where h does the same.
- * act: does it, with the amount; command: the command it runs, or NULL.  what:
- * what it does, in words; brief: the same for a list that fits one screen;
- * NULL: listed with the key before it. */
+/* code: as in ncurses; name: as shown, such as "Left, h" if h does the same.
+ * act: the function, which uses the amount; command: the command to run, or
+ * NULL.  what: the effect in words; brief: the same for a list that fits on one
+ * screen; NULL: listed with the previous key. */
 struct key {
 	int code;
 	const char *name;
@@ -48,30 +48,30 @@ struct key {
 enum { STEP = 1, FAST = 10, FAR = 50 };
 enum { TO_LEAST = -1, TO_MOST = 1 };
 
-/* In what the page has, else the slider: by the amount, to an end; up and
+/* Move within the page, or else the slider: by the amount, to an end; up and
  * down. */
 key_way act_move, act_ends, act_list;
 
-/* Moves the slider to a run (-1 the slowest, 0 one in the middle, 1 the
- * fastest), to the next limit of the goal, or of a run where there is no goal,
- * or to the goal's best speed.  Until these speeds are known the key waits. */
+/* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
+ * fastest); to the next limit of the goal or, without a goal, the next run; to
+ * the goal's best speed.  The last two wait until these speeds are known. */
 key_way act_speed, act_run_speed, act_limit, act_best;
 
 key_way act_page, act_back, act_choose, act_filter;
 
-/* Lines: the command of the key; the field of one, empty, with `save` or with
- * what is to be exported. */
+/* Lines: run the key's command or describe; open the command line, empty, with
+ * `save` or with a command to export. */
 key_way act_command, act_describe, act_type, act_save, act_export;
 
 /* The calibration. */
 key_way act_fit, act_pause, act_stop, act_pace;
 
-/* What is predicted and shown; act_goal opens a field with the quantity above
- * the track in it. */
+/* Change what is predicted and shown.  act_goal opens a field that starts with
+ * the quantity above the track. */
 key_way act_correct, act_band, act_pin, act_cross, act_level, act_quantity,
     act_goal;
 
-/* Of pages. */
+/* For single pages. */
 key_way act_runs, act_numbers, act_picture, act_generation, act_bounds,
     act_mend, act_doubt, act_sort;
 

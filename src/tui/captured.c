@@ -1,4 +1,5 @@
-/* One line goes to the message row, several to the viewer.
+/* Captures the output of commands: one line goes to the message row, more to
+ * the viewer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/captured.h"
 

@@ -1,21 +1,20 @@
-/* Output of commands while a full screen is open, kept off the screen until it
- * is shown.
+/* Captures the output of commands while the full screen is open, until it is
+ * shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_CAPTURED_H
 #define TIPSPEED_TUI_CAPTURED_H
 
 #include "tui/tui_state.h"
 
-/* Discards what was printed before. */
+/* Discards earlier output. */
 void captured_clear(struct tui *t);
 
-/* See `fail` in struct driver, of = struct tui *: the line itself is on the
- * screen already. */
+/* See `fail` in struct driver; of: a struct tui *.  The line itself is already
+ * on the screen. */
 void captured_add_error(
     void *of, const struct error *e, const char *line, const char *name);
 
-/* Shows what was printed: a single line as a message, more on the whole
- * screen. */
+/* Shows the output: a single line as a message, more on the whole screen. */
 void captured_show(struct tui *t);
 
 #endif

@@ -1,5 +1,5 @@
-/* Gives a question without a speed that of the slider, runs it, and goes on
- * with a search whose bounds it changed.
+/* Runs typed lines: gives questions without a speed that of the slider, and
+ * continues a search after its bounds were changed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/cmdline.h"
 

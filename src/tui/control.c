@@ -1,4 +1,5 @@
-/* The full screen on a session: lines that are run, and what it is like after.
+/* Opens the full screen on a session, runs lines, and updates the screen
+ * afterwards.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/control.h"
 

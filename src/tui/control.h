@@ -1,4 +1,4 @@
-/* Runs command lines for the full screen, and keeps their output off it.
+/* Runs command lines for the full screen and keeps their output off it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_CONTROL_H
 #define TIPSPEED_TUI_CONTROL_H
@@ -6,37 +6,36 @@
 #include "tui/tui_state.h"
 #include "tui/view.h"
 
-/* control_begin opens a full screen on a session; control_end closes it: a
- * running calibration is stopped and kept, and the session's streams and hooks
- * are restored. */
+/* control_begin opens a full screen on a session.  control_end closes it,
+ * pauses a running calibration, and restores the session's streams and
+ * hooks. */
 void control_begin(
     struct tui *t, struct session *s, const struct tui_ways *ways);
 void control_end(struct tui *t);
 
-/* Returns the full screen that is open, or NULL. */
+/* Returns the open full screen, or NULL. */
 const struct tui *control_screen(void);
 
-/* Makes a second state that shows the same, to draw a frame apart from the open
- * screen, which it does not change; control_free_copy frees it.  It has a copy
- * of the user's choices (struct ui), and computes the rest. */
+/* Makes a second state with the same content, for drawing a frame without
+ * changing the open screen.  It has a copy of the user's choices (struct ui)
+ * and computes the rest.  Free with control_free_copy. */
 struct tui *control_new_copy(void);
 void control_free_copy(struct tui *t);
 
-/* Runs a line that a key composed, and shows it.  False with a message where
- * it failed. */
+/* Runs a line composed by a key and shows it.  On failure, returns false with a
+ * message. */
 bool control_run(struct tui *t, const char *line);
 
-/* Updates the screen after a command that was not run here. */
+/* Updates the screen after a command that was run elsewhere. */
 void control_refresh(struct tui *t);
 
 /* ---- For cmdline.c ---- */
 
-/* Returns the command of a line; NULL if the line has several, or no known
- * one. */
+/* Returns the command in a line, or NULL if there are several or it is
+ * unknown. */
 const struct command *control_find_command(const char *line);
 
-/* Stores the page and the quantity shown as settings, so that they are saved
- * and restored. */
+/* Stores the page and the quantity shown as settings, for save and restore. */
 void control_set_looks(struct tui *t);
 
 #endif

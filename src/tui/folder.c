@@ -1,4 +1,4 @@
-/* Folders are read, and their sheets, by the reader of sites itself.
+/* Lists folders; the reader of sites itself reads the sheets in them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/folder.h"
 

@@ -1,4 +1,4 @@
-/* Lists of files to open, and what each of them is.
+/* Lists of files to open, with the kind of each.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_FOLDER_H
 #define TIPSPEED_TUI_FOLDER_H
@@ -18,17 +18,16 @@ enum folder_kind {
 	FOLDER_RESULTS
 };
 
-/* about: for a site that comes with the program "Granite, 11.2 mm, 69 74 79
- * m/s"; for FOLDER_RESULTS "results of predict", for FOLDER_SESSION its
- * contents; else NULL.  made: the command that makes the item, if it has no
- * file. */
+/* about: for a shipped site, "Granite, 11.2 mm, 69 74 79 m/s"; for
+ * FOLDER_RESULTS, "results of predict"; for FOLDER_SESSION, its contents; else
+ * NULL.  made: the command that makes the item, if it has no file. */
 struct folder_item {
 	enum folder_kind kind;
 	char *name, *path, *about, *made;
 };
 
-/* path: "" is the folder that the program runs in.  item [n].  why: why it
- * cannot be read, or NULL; more: not all items are listed. */
+/* path: "" is the program's working folder.  item [n].  why: why it cannot be
+ * read, or NULL; more: not all items are listed. */
 struct folder {
 	size_t n;
 	struct folder_item *item;
@@ -37,12 +36,12 @@ struct folder {
 	bool more;
 };
 
-/* Lists what can be opened in a folder: sheets, the folder above, folders,
- * other files; leaves out hidden ones, and what is neither folder nor file. */
+/* Lists a folder: sheets, the parent folder, folders, other files.  Omits
+ * hidden items and those that are neither folders nor files. */
 void folder_list(struct folder *folder, const char *path);
 
-/* Lists the sites that come with the program: those of the source tree if it
- * runs in one, else those installed. */
+/* Lists the shipped sites: those in the source tree if the program runs in one,
+ * otherwise those installed. */
 void folder_list_shipped(struct folder *folder);
 
 /* Keeps only folders and items of that kind. */
@@ -50,19 +49,19 @@ void folder_keep_kind(struct folder *folder, enum folder_kind kind);
 
 void folder_free(struct folder *folder);
 
-/* Returns the folder that an item leads to: "sub/", or ".." from "sub".  The
- * caller frees. */
+/* Returns the folder to which an item leads: "sub/", or ".." from "sub".  The
+ * caller frees it. */
 char *folder_path_of_item(const struct folder *folder, size_t item);
 
-/* Returns the command that opens an item other than a folder; anew: a session
- * replaces the present one.  The caller frees. */
+/* Returns the command that opens an item other than a folder.  anew: a session
+ * replaces the current one.  The caller frees it. */
 char *folder_command(const struct folder_item *item, bool anew);
 
-/* Returns what was read of a site, in lines.  The caller frees. */
+/* Describes a site as read, in lines.  The caller frees the text. */
 char *folder_site(const struct site *site);
 
-/* Returns what load would say of a file, in lines, or what it would ask.  The
- * file is not read where that could take long.  The caller frees. */
+/* Returns what load would print about a file, in lines, or what it would ask.
+ * Does not read a file if that could take long.  The caller frees the text. */
 char *folder_preview(const struct folder_item *item);
 
 #endif

@@ -1,4 +1,5 @@
-/* What stands around every page: heading, slider, last command, state, hints.
+/* Draws the surroundings of every page: heading, slider, last command, status,
+ * hints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/frame.h"
 
@@ -293,8 +294,11 @@ frame_draw_speed(struct tui *t, const struct area *note)
 	int at =
 	    screen_text(note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"),
 		t->speed.text + (t->speed.text[0] == '='));
+	bool unit = strpbrk(t->speed.text, "rpms") != NULL;
 	screen_text(note, 0, at, LOOK_BOLD,
-	    narrow ? N_("_ m/s, Enter") : N_("_ m/s (Enter)"));
+	    unit     ? N_("_ (Enter)")
+	    : narrow ? N_("_ m/s, Enter")
+		     : N_("_ m/s (Enter)"));
 	t->cursor = (struct cursor){note->row, at};
 }
 

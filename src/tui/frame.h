@@ -1,4 +1,4 @@
-/* A frame of the full screen: what surrounds every page, and the page.
+/* A frame of the full screen: the page and its surroundings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_FRAME_H
 #define TIPSPEED_TUI_FRAME_H

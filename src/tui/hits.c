@@ -1,4 +1,4 @@
-/* A list of areas with what they do.
+/* A list of areas and their actions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/hits.h"
 

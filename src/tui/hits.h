@@ -1,5 +1,5 @@
-/* The areas of a frame that react to the mouse: each is added while it is
- * drawn; the one drawn last is on top.
+/* The areas of a frame that react to the mouse.  Each is added as it is drawn;
+ * the last is on top.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_HITS_H
 #define TIPSPEED_TUI_HITS_H
@@ -11,8 +11,8 @@
 
 struct tui;
 
-/* What the mouse does, as bits.  HIT_DRAG is sent to what was pressed, wherever
- * the mouse is by then. */
+/* Mouse actions, as bits.  HIT_DRAG goes to the area that was pressed, wherever
+ * the mouse is now. */
 enum hit_kind {
 	HIT_PRESS = 1,
 	HIT_DRAG = 2,
@@ -22,9 +22,9 @@ enum hit_kind {
 	HIT_WHEEL = HIT_UP | HIT_DOWN
 };
 
-/* row, column: from the top left of the area, negative or beyond it where it
- * was dragged off; by: rows that the wheel moves a list down; item: as given to
- * hits_add. */
+/* row, column: from the top left of the area; negative or beyond the area after
+ * a drag out of it.  by: rows by which the wheel moves a list down.  item: as
+ * passed to hits_add. */
 struct touched {
 	enum hit_kind kind;
 	int row, column, by;
@@ -40,10 +40,10 @@ struct hit {
 	unsigned kinds;
 	hit_way *way; /* or NULL */
 	size_t item;
-	int code; /* a key that is pressed then, or 0 */
+	int code; /* a key to press then, or 0 */
 };
 
-/* The n areas of a frame; pressed: the area that receives a drag; none if its
+/* The n areas of a frame.  pressed: the area that receives a drag; none if its
  * way is NULL. */
 struct hits {
 	size_t n;
@@ -51,23 +51,25 @@ struct hits {
 	struct hit pressed;
 };
 
-/* Clears the areas for a new frame; what is being dragged stays. */
+/* Clears the areas for a new frame, except the one being dragged. */
 void hits_clear(struct hits *hits);
 void hits_free(struct hits *hits);
 
-/* Adds an area that handles these kinds; areas without a cell are left out. */
+/* Adds an area that handles these kinds, unless it has no cells. */
 void hits_add(struct hits *hits, unsigned kinds, struct area area, hit_way *way,
     size_t item);
 
-/* Adds an area where a press is a key: above 255 a special one of ncurses. */
+/* Adds an area in which a press acts as a key (above 255: a special key of
+ * ncurses). */
 void hits_add_key(struct hits *hits, struct area area, int code);
 
-/* Adds an area where a press is handled by `way`, and then is the key, too. */
+/* Adds an area in which a press is handled by `way` and then acts as the
+ * key. */
 void hits_add_with_key(
     struct hits *hits, struct area area, hit_way *way, size_t item, int code);
 
-/* Passes what the mouse did at a cell to the areas there; false if none handled
- * it.  A key is passed to `key`. */
+/* Passes a mouse action at a cell to the areas there, and a resulting key to
+ * `key`.  Returns false if none handled it. */
 bool hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
     int column, void (*key)(struct tui *t, int code, bool special));
 

@@ -1,6 +1,6 @@
-/* What ncurses makes of the bytes, and what it leaves to others.  Of what is
- * pasted the first line is typed: lines put together could mean something else,
- * and what nobody has seen is not to be run.
+/* Reads keys from ncurses, and pasted text.  Only the first pasted line is
+ * typed: joined lines could mean something else, and what the user has not seen
+ * must not be run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/input.h"
 

@@ -1,4 +1,4 @@
-/* Keys as they come from the terminal.
+/* Keys from the terminal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_INPUT_H
 #define TIPSPEED_TUI_INPUT_H
@@ -7,17 +7,17 @@
 
 #include "tui/tui_state.h"
 
-/* Reads the next key, if there is one by now.  Pasted text is handled meanwhile
- * and, as it may be long, signals are let in.  code: as ncurses has it where
- * special, else a character. */
+/* Reads the next key, if there is one.  Handles pasted text, with signals
+ * unblocked, because it may be long.  code: from ncurses if special, else a
+ * character. */
 bool input_key(struct tui *t, int *code, bool *special);
 
 /* Handles pasted text, which terminals enclose in marks: it is typed into the
- * line that is open, and never run.  True for a mark and for text between two
- * marks, which is then handled. */
+ * open line and never run.  Returns true for a mark and for text between marks,
+ * which are then handled. */
 bool input_paste(struct tui *t, int code, bool special);
 
-/* Ends pasted text, also where its end mark does not arrive. */
+/* Ends pasted text, even if its end mark never arrives. */
 void input_end_paste(struct tui *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* From keys of the table to what they do.
+/* Finds the action of each key and runs it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/keymap.h"
 
@@ -16,6 +16,8 @@
 #include "cmd/session/files.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
+#include "cmd/lang/parse.h"
+#include "io/sitefile/column_header.h"
 #include "tui/acts.h"
 #include "tui/widgets/dialog.h"
 #include "tui/widgets/file_picker.h"
@@ -447,7 +449,49 @@ text_key(struct tui *t, int code, bool special)
 	return took;
 }
 
-/* Digits of a speed, behind the = that began it, or one that is no page. */
+/* Whether a key is a letter of the speed that was begun: behind "=" units too,
+ * "72.5 m/s" or "1450 rpm". */
+static bool
+is_speed_letter(const struct edit *y, int code)
+{
+	static const char UNITS[] = " rpm/s";
+	bool unit = y->text[0] == '=' && y->n > 1 && code > 0 && code < 128 &&
+		    strchr(UNITS, code) != NULL;
+	return y->n < SPEED_LETTERS &&
+	       (code == '.' || (code >= '0' && code <= '9') || unit);
+}
+
+/* Goes to the speed that was typed. */
+static void
+go_to_typed_speed(struct tui *t, const char *text)
+{
+	struct slider_range range = tui_range(t);
+	const struct entry *entry = tui_current_entry(t);
+	double rotor = entry != NULL ? entry->site->rotor : 0, v;
+	bool turns = strstr(text, "rpm") != NULL;
+	if (!value_number(text, turns ? "rpm" : "m/s", &v))
+		tui_say(t, true, "expected a speed as 72.5 or 1450 rpm, got %s",
+		    text);
+	else if (turns && !(rotor > 0))
+		tui_say(t, true,
+		    "the rotor's diameter is not known: type m/s, or state it "
+		    "in the sheet as rotor_mm");
+	else if (slider_has(range, turns ? head_mps(v, SPEED_RPM, rotor) : v))
+		t->ui.tenths = slider_tenths(
+		    range, turns ? head_mps(v, SPEED_RPM, rotor) : v);
+	else if (!turns && v > SITE_FASTEST)
+		tui_say(t, true,
+		    "expected a speed from %d to %d m/s, got %s; for turns "
+		    "type =%g rpm",
+		    range.least / 10, range.most / 10, text, v);
+	else
+		tui_say(t, true,
+		    "expected a speed from %d to %d m/s, got %s; :set "
+		    "slider 20..120 shows others",
+		    range.least / 10, range.most / 10, text);
+}
+
+/* A speed, behind the = that began it, or of digits that are no page. */
 static bool
 speed_key(struct tui *t, int code, bool special)
 {
@@ -458,17 +502,12 @@ speed_key(struct tui *t, int code, bool special)
 		return false;
 	if (code == ',')
 		code = '.';
-	if (back || ((digit || code == '.') && y->n < SPEED_LETTERS))
+	if (back || (!special && is_speed_letter(y, code)))
 		return edit_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
-		struct slider_range range = tui_range(t);
-		const char *number = y->text + (y->text[0] == '=');
-		if (*number != '\0' &&
-		    !slider_read(range, number, &t->ui.tenths))
-			tui_say(t, true,
-			    "expected a speed from %d to %d m/s, got %s; :set "
-			    "slider 20..120 shows others",
-			    range.least / 10, range.most / 10, number);
+		const char *text = y->text + (y->text[0] == '=');
+		if (*text != '\0')
+			go_to_typed_speed(t, text);
 	}
 	edit_begin(y, "");
 	return code == '\n' || code == '\r' || code == ESCAPE;
@@ -591,9 +630,8 @@ keymap_types(const struct tui *t, int code)
 	case TEXT:
 		return t->viewer.word.active;
 	case SPEED:
-		return t->speed.n > 0 && t->speed.n < SPEED_LETTERS &&
-		       (code == '.' || code == ',' ||
-			   (code >= '0' && code <= '9'));
+		return t->speed.n > 0 &&
+		       is_speed_letter(&t->speed, code == ',' ? '.' : code);
 	default:
 		return false;
 	}

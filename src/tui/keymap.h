@@ -1,25 +1,25 @@
-/* What keys and mouse do on the full screen.
+/* Handling of keys and mouse on the full screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_KEYMAP_H
 #define TIPSPEED_TUI_KEYMAP_H
 
 #include "tui/tui_state.h"
 
-/* Handles one key: code as ncurses has it; special: a key with a name, not a
- * character.  The mouse is a special key, whose event ncurses holds. */
+/* Handles one key.  code: from ncurses; special: a named key, not a character.
+ * The mouse is a special key, whose event ncurses holds. */
 void keymap_key(struct tui *t, int code, bool special);
 
-/* True if a character is typed into what has the keys now. */
+/* True if a character would now be typed as text. */
 bool keymap_types(const struct tui *t, int code);
 
-/* Opens the command line, where a page has the keys. */
+/* Opens the command line, if a page has the focus. */
 void keymap_open_line(struct tui *t);
 
-/* Does what the held key does, see word.h. */
+/* Acts on the held key, see word.h. */
 void keymap_held(struct tui *t);
 
-/* While an answer is waited for: handles the mouse event that ncurses holds.
- * True if it is a key, which answers. */
+/* Handles the mouse event that ncurses holds while the program waits for an
+ * answer.  Returns true if it acts as a key, which is the answer. */
 bool keymap_pointed(struct tui *t, int *code, bool *special);
 
 #endif

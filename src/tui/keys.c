@@ -1,5 +1,5 @@
-/* The table of keys.  Only the names of keys are taken from curses here: who
- * prints the manual does not link it, nor what keys do.
+/* The table of keys.  It takes only key codes from curses, because the program
+ * that prints the manual links neither curses nor the actions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/keys.h"
 

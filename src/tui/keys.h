@@ -1,5 +1,5 @@
-/* The keys of the full screen, as data: what is pressed, what it does, and the
- * command it composes.  The ? page and the manual are printed from it.
+/* The keys of the full screen, as data: each key, its effect, and the command
+ * it composes.  The ?  page and the manual are generated from this.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_KEYS_H
 #define TIPSPEED_TUI_KEYS_H
@@ -16,15 +16,15 @@ extern const struct key KEYS[];
 /* Returns the row of a key on a page, or NULL. */
 const struct key *keys_find(int code, enum page page);
 
-/* Finds the code of a key by its name ("Left", "^L", "Esc") or its character;
- * false where there is no such key.  Codes above 255 are special keys of
+/* Finds the code of a key by its name ("Left", "^L", "Esc") or its character.
+ * Returns false if there is no such key.  Codes above 255 are special keys of
  * ncurses. */
 bool keys_code_of_name(const char *name, int *code);
 
-/* For the ? page: keys_list prints a line for each key whose line contains the
- * word, ignoring case, the page's own keys first; if the word is "", it prints
- * all keys of the page, in brief.  keys_listed_at returns the key of line n, or
- * NULL; keys_count returns the number of lines. */
+/* For the ?  page.  keys_list prints each key whose line contains the word,
+ * ignoring case, the page's own keys first; for "", it prints all keys of the
+ * page, in brief.  keys_listed_at returns the key on line n, or NULL;
+ * keys_count returns the number of lines. */
 void keys_list(enum page page, const char *word, FILE *out);
 const struct key *keys_listed_at(enum page page, const char *word, size_t n);
 size_t keys_count(enum page page, const char *word);
@@ -32,8 +32,7 @@ size_t keys_count(enum page page, const char *word);
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_manual(FILE *out);
 
-/* Prints the text that says what each key does, by calling print on it, for
- * translators. */
+/* Calls print on the text that describes each key, for translators. */
 void keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out);
 
 #endif

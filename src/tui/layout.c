@@ -1,4 +1,4 @@
-/* Arithmetic of rows and columns: no terminal, no session.
+/* Arithmetic with rows and columns, without terminal or session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/layout.h"
 

@@ -1,4 +1,4 @@
-/* What pages draw with.
+/* Drawing functions for pages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pane.h"
 

@@ -1,5 +1,5 @@
-/* A frame is drawn on a canvas, and ncurses shows it: nothing else here is of
- * ncurses, and nothing of what is shown.
+/* Frames are drawn on a canvas, which ncurses then shows; only that step
+ * depends on ncurses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/screen.h"
 

@@ -1,4 +1,4 @@
-/* The terminal as a full screen, by ncurses.
+/* The terminal as a full screen, using ncurses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_SCREEN_H
 #define TIPSPEED_TUI_SCREEN_H
@@ -8,7 +8,7 @@
 #include "plot/canvas.h"
 #include "tui/layout.h"
 
-/* How a piece of text looks: bits. */
+/* The look of a piece of text, as bits. */
 enum {
 	LOOK_PLAIN = 0,
 	LOOK_BOLD = CELL_BOLD,
@@ -16,61 +16,62 @@ enum {
 	LOOK_REVERSE = CELL_REVERSE
 };
 
-/* Codes of the marks around pasted text, which no terminal's description
+/* Codes for the marks around pasted text, which no terminal description
  * contains. */
 enum { SCREEN_PASTE = 0x7000, SCREEN_PASTED };
 
-/* Takes over the terminal.  False, and nothing changed, if the terminal lacks
- * the abilities or ncurses does not know it. */
+/* Takes control of the terminal.  Returns false and changes nothing if ncurses
+ * does not know the terminal or it lacks capabilities. */
 bool screen_open(bool colour);
 void screen_close(void);
 
-/* From screen_begin_offscreen until screen_end_offscreen frames are drawn apart
- * from any terminal, with all characters, in that size.  screen_end_offscreen
- * gives the terminal back, if there is one, and returns the last frame, which
- * the caller frees, or NULL without one.  Pairs may be nested. */
+/* Between screen_begin_offscreen and screen_end_offscreen, frames are drawn
+ * without a terminal, with all characters and in that size.
+ * screen_end_offscreen restores the terminal, if any, and returns the last
+ * frame, which the caller frees, or NULL without one.  Pairs may be nested. */
 struct display;
 struct display *screen_begin_offscreen(
     int rows, int columns, enum charset charset, int depth);
 struct canvas *screen_end_offscreen(struct display *was);
 
-/* Leaves out canvases, rules and walls of frames drawn apart, for a screen
+/* Omits canvases, rules and walls from offscreen frames, for a screen
  * reader. */
 void screen_only_text(bool on);
 
-/* Returns the last frame, which the screen owns; NULL if there is none. */
+/* Returns the last frame, which the screen owns, or NULL. */
 const struct canvas *screen_frame(void);
 
-/* The size of the last frame. */
+/* Returns the size of the last frame. */
 void screen_size(int *rows, int *columns);
 
-/* Returns the characters that lines are drawn with. */
+/* Returns the characters with which lines are drawn. */
 enum charset screen_charset(void);
 
-/* Returns the number of colours in use, 0 without. */
+/* Returns the number of colours in use, or 0. */
 int screen_depth(void);
 
 /* Sets the colours from the next frame on. */
 void screen_theme(enum theme theme);
 
-/* Turns reports of the mouse on or off; false if the terminal has no mouse. */
+/* Turns mouse reports on or off.  Returns false if the terminal has no
+ * mouse. */
 bool screen_mouse(bool on);
 bool screen_mouse_on(void);
 
-/* screen_suspend_curses leaves the terminal to another program,
+/* screen_suspend_curses leaves the terminal to another program;
  * screen_resume_curses takes it back. */
 void screen_suspend_curses(void);
 void screen_resume_curses(void);
 
-/* Asks the terminal for its size; everything is drawn again. */
+/* Queries the terminal's size and redraws everything. */
 void screen_resize(void);
 
-/* Begins a frame, in the terminal's present size. */
+/* Begins a frame of the terminal's current size. */
 void screen_begin(int *rows, int *columns);
 
-/* Draws UTF-8 from a cell of an area on, fitted (see text_fitted) where the
- * area's right edge would cut it; nothing below its last row.  Returns the
- * column after it, within the area. */
+/* Draws UTF-8 text from a cell of an area, shortened (text_fitted) if it would
+ * cross the right edge; draws nothing below the last row.  Returns the column
+ * after the text, within the area. */
 int screen_text(const struct area *area, int row, int column, unsigned look,
     const char *format, ...) __attribute__((format(printf, 5, 6)));
 
@@ -78,31 +79,32 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
 int screen_series(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* As screen_series, of a text that goes on behind the edge. */
+/* As screen_series, for a text that continues beyond the edge. */
 int screen_part(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* Draws text in as many rows of the area as it needs, broken at spaces; what
- * these do not hold is " ..".  Returns the row after it. */
+/* Draws text in as many rows of the area as needed, broken at spaces; the rest,
+ * if any, becomes " ..".  Returns the row after it. */
 int screen_words(
     const struct area *area, int row, unsigned look, const char *text);
 
-/* As screen_words, in at most `rows` rows: text that is cut ends in `more`, as
- * " ..". */
+/* As screen_words, in at most `rows` rows; text that is cut ends in `more`,
+ * such as " ..". */
 int screen_words_within(const struct area *area, int row, int rows,
     unsigned look, const char *text, const char *more);
 
 /* Clears the area. */
 void screen_clear(const struct area *area);
 
-/* Draw a line along the area's row, or down a column. */
+/* Draw a line along the area's row or down a column. */
 void screen_rule(const struct area *area);
 void screen_vertical_rule(int row, int column, int rows);
 
-/* Draws a canvas at the top left of an area, which is as large or larger. */
+/* Draws a canvas at the top left of an area, which must be at least as
+ * large. */
 void screen_canvas(const struct area *area, const struct canvas *canvas);
 
-/* Ends the frame, with the cursor at that cell, and sends what changed. */
+/* Ends the frame, with the cursor at that cell, and sends the changes. */
 void screen_show(int row, int column);
 
 #endif

@@ -1,5 +1,5 @@
-/* Draws over the page which command is at work, at most ten times a second, and
- * has Esc interrupt it.
+/* Draws the running command over the page, at most ten times a second, and lets
+ * Esc interrupt it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/script_progress.h"
 

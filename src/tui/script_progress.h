@@ -5,19 +5,19 @@
 
 #include "tui/tui_state.h"
 
-/* Notes that a typed line starts to run. */
+/* Notes that a typed line starts running. */
 void script_progress_typed(struct tui *t, const char *line);
 
-/* See `begins` in struct driver, of = struct tui *: shows the line, then checks
- * for Esc again. */
+/* See `begins` in struct driver; of: a struct tui *.  Shows the line, then
+ * checks for Esc again. */
 void script_progress_begins(void *of, const char *line);
 
-/* As script_progress_begins, but amid a line, as often as its progress
+/* As script_progress_begins, but during a line, whenever its progress
  * changes. */
 void script_progress_draw(struct tui *t);
 
-/* Says at the end whether the line was stopped and, for a script, which sites
- * it left.  restores: it restored a session. */
+/* Reports at the end whether the line was stopped and, for a script, which
+ * sites it left loaded.  restores: it restored a session. */
 void script_progress_end(struct tui *t, bool restores, bool ok);
 
 #endif

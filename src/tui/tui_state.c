@@ -1,4 +1,4 @@
-/* What follows from the state of the full screen.
+/* Values derived from the state of the full screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/tui_state.h"
 

@@ -1,5 +1,5 @@
-/* The state of the full screen, beside the session.  Pages read it; keys and
- * commands change it.
+/* The state of the full screen, in addition to the session.  Pages read it;
+ * keys and commands change it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_TUI_STATE_H
 #define TIPSPEED_TUI_TUI_STATE_H
@@ -23,37 +23,37 @@
 #include "tui/hits.h"
 #include "tui/widgets/edit.h"
 
-/* The numbers of a prediction, for a difference: P20, P50 and P80 and the break
- * size, mm; passing at 0.063, 2 and 4 mm, %, NAN where these lie off its
- * sieves; feed: m/s of the run that it was sampled in, 0: one for all. */
+/* The numbers of a prediction, for showing differences: P20, P50, P80 and the
+ * break size, mm; passing at 0.063, 2 and 4 mm, %, NAN outside its sieves;
+ * feed: m/s of the run in which it was sampled; 0: one for all. */
 enum { NUMBERS_FRACTIONS = 3 };
 struct numbers {
 	char site[64];
 	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* Text on the whole screen: lines from `top` on, from column `left` on.  text
- * NULL: none; line [lines]: its lines, owned.  keys: it is the list of keys,
- * those with the word; the key `at` can be run.  In other text `at` is the line
- * where the word was found. */
+/* Text on the whole screen, shown from line `top` and column `left`.  text
+ * NULL: none; line [lines]: its lines, owned.  keys: it is the list of keys
+ * that match the word; the key `at` can be run.  In other text, `at` is the
+ * line in which the word was found. */
 struct viewer {
 	char *text, **line;
 	int top, lines, left, columns;
-	bool keys, report; /* what a long job has ended with */
+	bool keys, report; /* report: the result of a long job */
 	int at;
 	struct edit word;
 };
 
-/* Plots of one frame that can be pointed at. */
+/* Number of plots in a frame that react to the mouse. */
 enum { PLOTS_DRAWN = 4 };
 
-/* Letters of such a word, and of a typed speed. */
-enum { VIEWER_WORD = 31, SPEED_LETTERS = 7 };
+/* Maximum letters in such a word, and in a typed speed. */
+enum { VIEWER_WORD = 31, SPEED_LETTERS = 12 };
 
-/* A loaded site, entry of the session, at the slider's speed: P50 in mm, and
- * whether the speed is beyond those trained on; the RMSE at the speeds held
- * out, points; NAN: none; the light of its parameters, where it is lit; and the
- * verdict on a fit of its own, or NULL. */
+/* A loaded site, an entry of the session, at the slider's speed.  p50: mm;
+ * beyond: outside the training speeds; holdout: RMSE at held-out speeds,
+ * points, or NAN; light: of its parameters, if lit; verdict: on the site's own
+ * fit, or NULL. */
 struct site_row {
 	size_t entry;
 	const char *verdict;
@@ -62,9 +62,9 @@ struct site_row {
 	enum light light;
 };
 
-/* The sheet on the Data page: its sieves, m; its columns, each a feed or a
- * product of a run; the digits that its cells need; and the doctor's findings,
- * once it has looked. */
+/* The sheet on the page Data: its sieves, m; its columns, each the feed or
+ * product of a run; the digits that its cells need; and the findings, once
+ * computed (looked). */
 struct sheet_column {
 	bool feed;
 	size_t run;
@@ -76,13 +76,13 @@ struct sheet {
 	struct sheet_column *column;
 	int digits, width;
 	bool looked, calibrated;
-	double misfit; /* of the calibration by which it looked */
+	double misfit; /* of the calibration behind the findings */
 	struct doctor doctor;
 };
 
-/* All sites' held-out runs on the Parity page, compared site by site: `next`
- * is the one to compare, n_entry when all are; the plot, or why there is
- * none. */
+/* The held-out runs of all sites on the page Parity, compared site by site.
+ * next: the site to compare next, or n_entry when done; chart: the plot; error:
+ * why there is none. */
 struct parity {
 	size_t next;
 	struct trials runs;
@@ -91,11 +91,11 @@ struct parity {
 	struct error error;
 };
 
-/* Most columns of a list. */
+/* Maximum number of columns in a list. */
 enum { LIST_COLUMNS = 12 };
 
-/* Text being pasted: how many of its characters were typed, whether its first
- * line has ended, and whether something was not accepted. */
+/* Text being pasted.  taken: number of characters typed; ended: its first line
+ * has ended; left: something was not accepted. */
 struct paste {
 	bool on, ended, left;
 	size_t taken;
@@ -109,19 +109,17 @@ struct cursor {
 struct strip;
 struct page_list;
 struct page_ops;
-/* Lists of files: all files of the folder that the program runs in; its sheets,
- * for a feed whose product is estimated; the saved sessions; or the sites that
- * come with the program. */
+/* Lists of files: all files in the working folder; its sheets, for a feed whose
+ * product is to be estimated; saved sessions; or shipped sites. */
 enum picker_list { PICK_FILES, PICK_FEEDS, PICK_SESSIONS, PICK_SHIPPED };
 
-/* Of a list the row under the cursor and the first one shown. */
+/* The row under the cursor in a list, and the first row shown. */
 struct list {
 	size_t at, top;
 };
 
-/* The list of files to open, over the page.  rows: the list as rows; word: only
- * files with this word are shown; preview: of the item `previewed`, SIZE_MAX:
- * of none. */
+/* The list of files to open, over the page.  rows: the list as rows; word: a
+ * filter for files; preview: that of the item `previewed`; SIZE_MAX: none. */
 struct picker {
 	bool on;
 	enum picker_list what;
@@ -137,48 +135,49 @@ struct inquiry;
 struct envelope_check;
 struct tui;
 
-/* How a full screen is shown and gets its keys. */
+/* How a full screen is shown and gets its keys (callbacks). */
 struct tui_ways {
-	/* The next key for t->question or t->inquiry; false: none comes. */
+	/* Gets the next key for t->question or t->inquiry; returns false if
+	 * there is none. */
 	bool (*answer)(struct tui *t, int *code, bool *special);
-	/* Draws a frame amid a step; NULL: nothing is shown. */
+	/* Draws a frame during a step; NULL: nothing is shown. */
 	void (*show)(struct tui *t);
-	/* leave leaves terminal and signals to another program, come_back takes
-	 * them back; NULL where the screen is drawn without a terminal. */
+	/* leave hands the terminal and signals to another program; come_back
+	 * takes them back.  NULL without a terminal. */
 	void (*leave)(void), (*come_back)(void);
 	bool (*is_away)(void); /* NULL: never */
-	/* True if Esc or ^C was pressed amid a step; NULL: never. */
+	/* True if Esc or ^C was pressed during a step; NULL: never. */
 	bool (*stopped)(struct tui *t);
 };
 
-/* The user's choices, without anything that follows from them or is owned: a
- * frame drawn beside the open screen begins with a copy. */
+/* The user's choices only, nothing computed or owned: a frame drawn apart from
+ * the open screen starts with a copy. */
 struct ui {
 	enum page page;
-	int tenths;  /* of the slider */
-	double feed; /* m/s of the run whose feed is taken; 0: the mean */
+	int tenths;  /* slider position */
+	double feed; /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
 	bool cross, band, runs;   /* runs: page Predict has plot runs */
 	size_t cross_at;          /* a sieve of the prediction */
-	int level; /* passing that the crosshair reads sizes at, % */
-	enum plot_kind picture; /* of the page Fit */
+	int level; /* passing, %, at which the crosshair reads sizes */
+	enum plot_kind picture; /* on the page Fit */
 	int pace;               /* index of PACES */
-	size_t generation;      /* looked at, 1..; 0: the end so far */
+	size_t generation;      /* shown, 1..; 0: the latest */
 	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
-	/* The cell of the cursor on the page Data, whether the cursor is shown,
-	 * and the first cell shown. */
+	/* On the page Data: the cell of the cursor, if shown (on), and the
+	 * first cell shown. */
 	struct {
 		bool on;
 		size_t row, at, top, left;
 	} cell;
-	/* Of the pages' lists; on the page Sites `at` is a site. */
+	/* For the pages' lists; on the page Sites, `at` is a site. */
 	struct list list[PAGES];
-	int sort; /* of sites, by 1 + a column; 0: as loaded */
+	int sort; /* order of sites: 1 + a column; 0: as loaded */
 	bool sort_down;
 };
 
-/* All that a prediction depends on besides speed and feed: while it is the
- * same, so are the answers.  origin: a share in it. */
+/* Everything but speed and feed on which a prediction depends: while it is
+ * unchanged, so are the answers.  origin: a share in it. */
 struct basis {
 	const struct site *site;
 	struct origin *origin;
@@ -186,42 +185,42 @@ struct basis {
 	struct choices set;
 };
 
-/* What a prediction depends on.  basis: number of its basis; generation: of a
- * search under way, which has its own parameters; tenths 0: no prediction. */
+/* Everything on which a prediction depends.  basis: number of its basis;
+ * generation: in a running search, which has its own parameters; tenths 0: no
+ * prediction. */
 struct view_key {
 	size_t basis, feed, generation;
 	int tenths;
 };
 
-/* What is shown, as it follows from the session and the user's choices, see
+/* The content shown, computed from the session and the user's choices, see
  * view.h. */
 struct view {
 	struct basis basis;
 	size_t n_basis;
-	size_t revision; /* counts what may have changed the session */
+	size_t revision; /* counts possible changes of the session */
 	struct view_key of;
-	double moved;            /* when the slider last was */
+	double moved;            /* when the slider was last moved */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	bool formed;             /* it is of a search that was under way */
-	bool lit;                /* light is of it, see panel.c */
+	bool formed;             /* it is from a running search */
+	bool lit;                /* light is for it, see panel.c */
 	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
-	struct prediction
-	    pinned_whole;    /* whose numbers are in pinned, borrowed */
-	double holdout;      /* RMSE of the site in use, points, or NAN */
+	struct prediction pinned_whole; /* the prediction in pinned, borrowed */
+	double holdout;      /* RMSE for the current site, points, or NAN */
 	struct strip *strip; /* the response strip */
-	struct goal goal;    /* the one that is set, see goals.h */
+	struct goal goal;    /* from `set goal`, see goals.h */
 	struct envelope_check *envelope_check; /* owned, or NULL */
-	struct sheet sheet;                    /* of the Data page */
-	struct parity parity;                  /* of the Parity page */
-	struct site_row *row; /* [n_row] of the Sites page as sorted, owned */
+	struct sheet sheet;                    /* for the page Data */
+	struct parity parity;                  /* for the page Parity */
+	struct site_row *row; /* [n_row] for the page Sites, as sorted, owned */
 	size_t n_row;
-	int site_width[LIST_COLUMNS]; /* width of each one's texts */
-	int rows_at; /* slider of these rows, tenths; 0: out of date */
+	int site_width[LIST_COLUMNS]; /* width of each column's texts */
+	int rows_at; /* slider position for these rows; 0: out of date */
 };
 
 /* A letter that may begin a word, see word.h.  held: its key, which has not
- * acted yet; was: the choices before it. */
+ * acted yet; was: the choices before that. */
 struct word {
 	char letter;
 	double at;
@@ -237,59 +236,60 @@ struct tui {
 	struct view view;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
-	double clock;    /* s; a step with every key where it is drawn aside */
-	double started;  /* the search or its last part, by that clock */
-	double ran;      /* s of its parts before */
-	bool goal_field; /* the typed line is a goal; fresh: still as offered */
+	double clock;         /* s; if aside, advances with every key */
+	double started;       /* start of the search or its last part, on that
+			  * clock */
+	double ran;           /* s spent in its earlier parts */
+	bool goal_field; /* the typed line is a goal; fresh: still unedited */
 	bool goal_fresh;
-	const struct key *wish; /* of its speeds, pressed before they are */
-	int wish_from;          /* known, and where the slider then stood */
+	const struct key *wish; /* key pressed before its speeds are */
+	int wish_from;          /* known, and the slider's position then */
 	bool mouse;
-	struct hits hits; /* of the frame shown */
+	struct hits hits; /* in the frame shown */
 	struct {
 		struct plot_request request;
 		struct area area;
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
 	const struct page_ops *shows; /* their page */
-	char *under_way;              /* line that is run, or NULL */
-	bool of_script;               /* it is one of a script */
-	bool stopping;                /* a key stops it */
-	double ran_from;              /* when it or its script began, s */
+	char *under_way;              /* running line, or NULL */
+	bool of_script;               /* the line is from a script */
+	bool stopping;                /* a key is stopping it */
+	double ran_from;              /* start of the line or its script, s */
 	double drawn_at;              /* when under_way was last drawn */
-	const char *begun; /* what is being done that takes a moment, or NULL */
-	bool held;         /* the calibration waits */
-	double due;        /* when the next generation is */
+	const char *begun; /* lengthy computation in progress, or NULL */
+	bool held;         /* the calibration is paused */
+	double due;        /* time of the next generation */
 	struct edit line;  /* a command, or a goal */
 	struct edit speed;
-	struct edit filter; /* a word that rows of a list must have */
+	struct edit filter; /* filter for the rows of a list */
 	struct word word;
 	struct paste paste;
-	double pasted; /* when its last character came */
+	double pasted; /* time of its last character */
 	struct viewer viewer;
-	char *closed; /* the text that was closed last, or NULL */
+	char *closed; /* the text last closed, or NULL */
 	struct picker picker;
-	char *command;   /* the last one, for show */
-	const char *job; /* command that began the job, or NULL */
-	bool failed;     /* that command did */
+	char *command;   /* last command, for display */
+	const char *job; /* command that started the job, or NULL */
+	bool failed;     /* that command failed */
 	char message[800];
 	bool bad;             /* the message is an error */
-	bool told;            /* it is from the command that moved the slider */
-	bool reason_shown;    /* the panel shows the reason of the light */
+	bool told;            /* it is from a command that moved the slider */
+	bool reason_shown;    /* the panel shows the light's reason */
 	const char *question; /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */
-	int inquiry_up;                /* rows its table is moved up */
+	int inquiry_up;                /* rows by which its table is scrolled */
 	struct {
 		bool is, special;
 		int code;
-	} pointed,  /* the key that the mouse pressed for an answer */
-	    again;  /* the key that is to be read next */
-	FILE *said; /* what commands print */
+	} pointed,  /* key pressed by the mouse, as an answer */
+	    again;  /* key to read next */
+	FILE *said; /* output of commands */
 	char *said_text;
 	size_t said_n;
 	bool leave;
-	/* Members of the session, restored at the end. */
+	/* Members of the session to restore at the end. */
 	struct {
 		FILE *out, *notes;
 		struct hooks hooks;
@@ -299,80 +299,80 @@ struct tui {
 	} before;
 };
 
-/* Paces of the search, generations a second; the last: as many as possible. */
+/* Paces of the search, generations per second; the last is full speed. */
 enum {
-	PACE_AUTO, /* slow while the best gains much */
+	PACE_AUTO, /* slow while the best improves fast */
 	PACE_USUAL = 5,
 	PACE_FULL = 7,
 	PACE_COUNT
 };
 extern const double PACES[PACE_COUNT];
 
-/* Returns what is known of the search of the site in use, see plots_past.h. */
+/* Returns the search for the current site's parameters, see plots_past.h. */
 struct plots_past tui_past(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a
- * better candidate.  tui_count_generations returns how many;
- * tui_generation_shown the one shown, 1..; tui_show_generation shows one: at
- * the last of a running search, the later ones are followed. */
+ * better candidate.  tui_count_generations returns their number;
+ * tui_generation_shown the one shown, 1..; tui_show_generation shows one, or
+ * follows a running search if given its last. */
 size_t tui_count_generations(const struct tui *t);
 size_t tui_generation_shown(const struct tui *t);
 void tui_show_generation(struct tui *t, size_t step);
 
-/* Returns the generation shown, 1..n; at the polish, the last. */
+/* Returns the generation shown, 1..n; during the polish, the last. */
 size_t tui_generation(const struct tui *t);
 
-/* Returns how long the search under way has run, s, without pauses. */
+/* Returns how long the current search has run, s, without pauses. */
 double tui_searched(const struct tui *t);
 
-/* Returns the site in use, or NULL. */
+/* Returns the current site, or NULL. */
 const struct entry *tui_current_entry(const struct tui *t);
 
-/* Returns the site in use as the slider's predictions have it: with the feed of
- * the sheet that is set, unless a run's feed is taken; or NULL. */
+/* Returns the current site as used for the slider's predictions, or NULL: with
+ * the feed from the sheet in `set feed`, unless a run's feed is used. */
 const struct entry *tui_asked(const struct tui *t);
 
-/* What to do first if no site is loaded; tui_why_none returns why nothing is
- * predicted. */
+/* The first step if no site is loaded; tui_why_none returns why there is no
+ * prediction. */
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
 const char *tui_why_none(const struct tui *t);
 
-/* Return the speeds of the slider at the site. */
+/* Return the range of the slider for the site. */
 struct slider_range tui_range(const struct tui *t);
 struct slider_range tui_range_of(
     const struct session *s, const struct entry *entry);
 
-/* The feed of the slider's predictions, the same at all speeds, so that only
- * the speed changes them.  tui_feed returns its run: the one of the last
- * prediction if that took a run's feed, else the one that is set; of a sheet
+/* The feed for the slider's predictions is the same at all speeds, so that only
+ * the speed changes them.  tui_feed returns its run: that of the last
+ * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
  * see tui_asked. */
 size_t tui_feed(const struct tui *t);
 void tui_keep_feed(struct tui *t);
-void tui_take_feed(struct tui *t); /* the one that is set */
+void tui_take_feed(struct tui *t); /* from `set feed` */
 
-/* Returns the measured product of a run as shown beside the prediction, see
+/* Returns the measured product of a run as shown with the prediction, see
  * moved_product. */
 const struct psd *tui_measured(const struct tui *t, size_t run);
 
-/* True if the product was moved so far that the page must say so. */
+/* True if the product was moved far enough that the page must say so. */
 bool tui_moved(const struct tui *t, size_t run);
 
-/* Returns the slider's place as options of predict: "speed=77.0 feed=74", with
- * the feed if predict would take another by itself.  The caller frees. */
+/* Returns the slider's speed as options of predict, "speed=77.0 feed=74", with
+ * the feed if predict would otherwise use another.  The caller frees it. */
 char *tui_options_at_slider(const struct tui *t);
 
-/* Returns the command that answers all that is shown at the slider: predict, or
- * compare with what is pinned.  The caller frees. */
+/* Returns the command for everything shown at the slider's speed: predict, or
+ * compare with the pinned prediction.  The caller frees it. */
 char *tui_command_of_page(const struct tui *t);
 
-/* Ignores clicks until the next frame: the frame shown is out of date, and a
- * mouse event may come before the next. */
+/* Ignores clicks until the next frame, because the frame shown is out of
+ * date. */
 void tui_clear_hits(struct tui *t);
-/* Discard what was computed, but not where the cursor is. */
+/* Discard computed results, but not the cursor's position. */
 void tui_forget_sheet(struct sheet *sheet);
 void tui_forget_parity(struct parity *parity);
 
-/* Sets the message row; bad: it is an error. */
+/* Sets the message.  bad: it is an error. */
 void tui_say(struct tui *t, bool bad, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

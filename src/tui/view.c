@@ -1,4 +1,4 @@
-/* What is predicted for the full screen, and when it has to be anew.
+/* Makes the prediction for the full screen, and decides when to make it again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/view.h"
 

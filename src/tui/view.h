@@ -1,5 +1,5 @@
-/* What is shown of the session, struct view: one prediction and what follows
- * from it, made again when what it depends on (struct view_key) changes.
+/* struct view, the content shown: one prediction and results derived from it,
+ * recomputed when its struct view_key changes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_VIEW_H
 #define TIPSPEED_TUI_VIEW_H
@@ -9,15 +9,15 @@
 /* Updates the basis after anything that may have changed the session. */
 void view_mark_changed(struct tui *t);
 
-/* Computes what a frame shows: the prediction at the slider, which is also made
- * the session's latest answer, then what the open page shows beside it; of long
- * computations, a part in the time between two keys. */
+/* Computes the content of a frame: the prediction at the slider's speed, which
+ * also becomes the session's latest answer, then what else the open page shows.
+ * Long computations advance by a part between keys. */
 void view_update(struct tui *t);
 
 /* Computes the prediction alone. */
 void view_predict(struct tui *t);
 
-/* As view_predict, but without an answer to the session. */
+/* As view_predict, but without an answer for the session. */
 void view_form(struct tui *t);
 
 void view_free(struct tui *t);

@@ -1,5 +1,5 @@
-/* Takes generations at the pace that was chosen, or by how much the last one
- * gained, and ends with what the search found.
+/* Runs generations at the chosen pace, or by the gain of the last one, and
+ * shows the result of the search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/watch.h"
 

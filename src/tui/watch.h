@@ -1,21 +1,20 @@
-/* Runs the calibration under way while the full screen shows it.
+/* Runs a calibration while the full screen shows it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WATCH_H
 #define TIPSPEED_TUI_WATCH_H
 
 #include "tui/tui_state.h"
 
-/* Runs as many steps of the running calibration as are due. */
+/* Runs those steps of the calibration that are due. */
 void watch_pump(struct tui *t);
 
-/* watch_hold pauses the running calibration, or lets it continue; watch_step
- * runs one step of it. */
+/* watch_hold pauses or continues the calibration; watch_step runs one step of
+ * it. */
 void watch_hold(struct tui *t, bool hold);
 void watch_step(struct tui *t);
 
-/* Stops the calibration that runs, see session_pause, and says what became of
- * it.  Returns that in words to append to another message; "" where none
- * ran. */
+/* Stops the running calibration (session_pause) and shows the outcome.  Returns
+ * it in words to append to another message, or "" if none ran. */
 const char *watch_pause(struct tui *t);
 
 #endif

@@ -1,6 +1,6 @@
-/* Words that are typed where letters are keys.  A letter that does more than
- * move waits for a moment: where the next one goes on with the name of a
- * command neither is a key.
+/* Command names typed where letters are keys.  A letter that does more than
+ * move waits for a moment: if the next letter continues the name of a command,
+ * neither acts as a key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/word.h"
 

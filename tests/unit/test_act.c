@@ -100,6 +100,29 @@ the_keypad_has_an_enter(void **state)
 }
 
 static void
+a_speed_is_typed_with_its_unit(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "load data/sites/tierp.csv");
+	control_refresh(t);
+	type(t, "=1500 rpm\n");
+	assert_non_null(strstr(t->message, "diameter is not known"));
+	session_entry(t->session)->site->rotor = 0.9;
+	type(t, "=1500 rpm\n");
+	assert_int_equal(t->ui.tenths, 707);
+	type(t, "=72,5 m/s\n");
+	assert_int_equal(t->ui.tenths, 725);
+	type(t, "=1500\n");
+	assert_non_null(strstr(t->message, "for turns type =1500 rpm"));
+	type(t, "=64.9\n");
+	assert_non_null(strstr(t->message, "from 65 to 85"));
+	type(t, "=7.2.\n");
+	assert_non_null(strstr(t->message, "expected a speed"));
+	assert_int_equal(t->ui.tenths, 725);
+}
+
+static void
 a_word_too_long_to_find_does_nothing_else(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
@@ -1781,7 +1804,7 @@ ten_megabytes_are_pasted(void **state)
 			input_paste(t, '5', false);
 		input_end_paste(t);
 	}
-	assert_string_equal(t->speed.text, "7555555");
+	assert_string_equal(t->speed.text, "755555555555");
 }
 
 static void
@@ -1856,6 +1879,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(every_letter_is_text_in_a_line),
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),
+    ON_STAGE(a_speed_is_typed_with_its_unit),
     ON_STAGE(a_word_too_long_to_find_does_nothing_else),
     ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),
     ON_STAGE(text_wider_than_the_screen_is_read_to_its_end),

@@ -76,7 +76,7 @@ static const struct {
 	14, "pan", "last row"},
     {"Maskvidd;feed;product@69;product@79\n8;1;1;1\n", 1, 10,
 	"what column 2 is", "1=sieve mm, 2=feed fraction"},
-    {"size_mm,feed,feed,product@79\n" ROWS, 1, 14, "duplicate column", "keep"},
+    {"size_mm,feed,feed,product@79\n" ROWS, 1, 14, "expected one feed", "keep"},
     {"size_mm,feed,feed@69,product@69,product@79\n8,100,100,100,100\n"
      "4,60,60,80,90\n",
 	1, 14, "one kind of feed", "feed@"},

@@ -51,21 +51,6 @@ speeds_become_tenths_exactly(void **state)
 	assert_int_equal(slider_clamp(ALL, SLIDER_MOST + 1), SLIDER_MOST);
 }
 
-static void
-typed_speeds_are_read_within_the_range(void **state)
-{
-	(void)state;
-	int tenths = 0;
-	assert_true(slider_read(ALL, "72.3", &tenths));
-	assert_int_equal(tenths, 723);
-	assert_true(slider_read(ALL, "85", &tenths));
-	assert_false(slider_read(ALL, "64.9", &tenths));
-	assert_false(slider_read(ALL, "86", &tenths));
-	assert_false(slider_read(ALL, "7.", &tenths) && tenths != 850);
-	assert_false(slider_read(ALL, "", &tenths));
-	assert_int_equal(tenths, 850);
-}
-
 /* On a track of 201 columns each value has a column of its own. */
 static void
 a_column_and_its_value_agree(void **state)
@@ -124,8 +109,8 @@ the_range_holds_the_runs_of_the_site(void **state)
 	assert_int_equal(range.least, 620);
 	assert_int_equal(range.most, 880);
 	assert_int_equal(slider_tenths(range, 62.4), 624);
-	int tenths;
-	assert_true(slider_read(range, "62.4", &tenths));
+	assert_true(slider_has(range, 62.4));
+	assert_false(slider_has(range, 61.9));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
 	char text[64];
 	draw(text, 27, range, 740, marks, 2, NULL, "");
@@ -214,7 +199,6 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(speeds_become_tenths_exactly),
-	    cmocka_unit_test(typed_speeds_are_read_within_the_range),
 	    cmocka_unit_test(a_column_and_its_value_agree),
 	    cmocka_unit_test(the_track_shows_zones_runs_and_value),
 	    cmocka_unit_test(a_word_says_what_is_beyond),

@@ -1,4 +1,4 @@
-/* advise: which sample next narrows the band of an answer most.
+/* advise: the next sample that would narrow the band of an answer most.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/advise.h"
 
@@ -21,7 +21,7 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* What is asked, and how it is called. */
+/* What is asked, how it is called, and the unit of a width after a number. */
 struct wanted {
 	const struct question *question;
 	struct quantity q;
@@ -142,9 +142,9 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 	if (!(high > low))
 		return;
 	answer_say(r, ANSWER_REMARK,
-	    "with the feeds that were sampled %s ranges from %.3g to %.3g %s: "
+	    "with the feeds that were sampled %s ranges from %.3g to %.3g%s: "
 	    "sample the feed together with the product",
-	    w->name, low, high, w->unit);
+	    w->name, low, high, quantities_unit_suffix(&w->q));
 	fields_put(answer_fields(r), "feeds_low %g feeds_high %g", low, high);
 }
 
@@ -157,7 +157,7 @@ advise_note_best(struct answer *r, const struct wanted *w,
 	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
-		    "m/s (%.2g %s wide) by more than %.0f %%: take several",
+		    "m/s (%.2g%s wide) by more than %.0f %%: take several",
 		    level, w->name, w->question->speed, width, w->unit,
 		    fmax(less, 0));
 	else
@@ -165,10 +165,10 @@ advise_note_best(struct answer *r, const struct wanted *w,
 		    best->repeat
 			? N_("a sample at %g m/s (a repeat) is expected to "
 			     "narrow the %.0f %% band of %s at %g m/s most: "
-			     "from %.2g to %.2g %s, by %.0f %%")
+			     "from %.2g to %.2g%s, by %.0f %%")
 			: N_("a sample at %g m/s is expected to narrow the "
 			     "%.0f %% band of %s at %g m/s most: from %.2g to "
-			     "%.2g %s, by %.0f %%"),
+			     "%.2g%s, by %.0f %%"),
 		    best->speed, level, w->name, w->question->speed, width,
 		    best->width, w->unit, less);
 }
@@ -221,9 +221,12 @@ advise_answer(const struct session *s, const struct wanted *w, double *answer)
 	    "what to sample next, for %s at %g m/s", w->name,
 	    w->question->speed);
 	answer_columns(r,
-	    "speed: sample at m/s, kind, width_%s: band after "
-	    "%s, narrower_pct: narrower %%",
-	    w->q.kind == QUANTITY_PASSING ? "points" : "mm", w->unit);
+	    "speed: sample at m/s, kind, width%s: band after%s, "
+	    "narrower_pct: narrower %%",
+	    w->q.kind == QUANTITY_SIZE                 ? "_mm"
+	    : strcmp(quantities_unit(&w->q), "%") == 0 ? "_points"
+						       : "",
+	    w->unit);
 	for (size_t i = 0; i < n; i++)
 		answer_cells(r, "%g %s %.3f %.0f", c[i].speed,
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
@@ -234,42 +237,33 @@ advise_answer(const struct session *s, const struct wanted *w, double *answer)
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
 	advise_note_best(r, w, &c[0], width);
+	answers_note_rpm(r, entry->site, c[0].speed, NAN, NAN);
 	note_feed(r, s, w);
 	return r;
 }
 
-/* "p80", or "passing" and a size. */
+/* The quantity that is named, P80 without. */
 static bool
 take_quantity(const struct args *args, struct wanted *w, struct error *error)
 {
-	const char *word = args->n_operand > 0 ? args->operand[0] : "p80";
-	double mm = NAN;
-	bool size = args->n_operand > 1 &&
-		    value_number(args->operand[1], "mm", &mm) && mm > 0;
-	for (size_t i = 0; i < PSD_SIZES; i++) {
-		FREED char *name = xasprintf("p%.0f", 100 * PSD_PASSING[i]);
-		if (strcmp(word, name) == 0 && args->n_operand < 2) {
-			w->q.kind = QUANTITY_SIZE;
-			w->q.x = PSD_PASSING[i];
-			w->name = xasprintf("P%.0f", 100 * PSD_PASSING[i]);
-			w->unit = "mm";
-		}
-	}
-	if (strcmp(word, "passing") == 0 && size) {
-		w->q.kind = QUANTITY_PASSING;
-		w->q.x = mm / 1000;
-		w->name = xasprintf(tr("the passing at %g mm"), mm);
-		w->unit = tr("points");
-	}
-	FREED char *of = quantities_fraction_words(&w->q.fraction);
-	if (w->name != NULL && fraction_screens(&w->q.fraction))
-		xappend(&w->name, tr(" of %s"), of);
-	return w->name != NULL ||
-	       error_set(error, ERROR_USAGE,
-		   "advise: expected p20, p50, p80, or passing and a size in "
-		   "mm, got '%s'\n"
-		   "write 'advise p80' or 'advise passing 2'",
-		   word);
+	const struct value *of = args_value(args, "of");
+	size_t n;
+	FREED struct quantity *q = quantities_asked(
+	    of->given ? of->text : "P80", &w->question->fraction,
+	    question_feed(w->question), true, &n, error);
+	if (q == NULL)
+		return false;
+	if (n > 1)
+		return error_set(error, ERROR_USAGE,
+		    "advise: expected one figure, got '%s'\n"
+		    "write 'advise p80' or 'advise passing 2'",
+		    of->text);
+	w->q = q[0];
+	w->name = quantities_words(&w->q);
+	w->unit = strcmp(quantities_unit(&w->q), "%") == 0
+		      ? tr(" points")
+		      : quantities_unit_suffix(&w->q);
+	return true;
 }
 
 static bool
@@ -301,7 +295,7 @@ cmd_advise(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	question_as_last(s, args, q);
-	struct wanted w = {.question = q, .q.fraction = q->fraction};
+	struct wanted w = {.question = q};
 	bool ok = take_quantity(args, &w, error) && advise(s, &w, error);
 	free(w.name);
 	return ok;

@@ -1,4 +1,4 @@
-/* Finds the next sample that narrows a band most.
+/* Finds the next sample that would narrow a band most.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ANSWERS_ADVISE_H
 #define TIPSPEED_CMD_ANSWERS_ADVISE_H
@@ -6,19 +6,18 @@
 #include "cmd/ask/asked.h"
 #include "core/psd/quantity.h"
 
-/* A possible sample.  width: of the band expected after it, as people see it;
- * repeat: that speed was sampled already. */
+/* A possible sample.  width: expected width of the band after it, in the units
+ * shown; repeat: the speed was sampled before. */
 struct advised {
 	double speed, width;
 	bool repeat;
 };
 
-/* If no single sample narrows the band by this share of it, several are
- * advised. */
+/* If no single sample narrows the band by this share, several are advised. */
 #define ADVISE_WORTH 0.05
 
 /* Finds the best sample for a quantity of a question at its speed, and the
- * width of the band now; false if there is no band to narrow. */
+ * current width of the band.  Returns false if there is no band. */
 bool advise_best(const struct session *s, const struct question *q,
     const struct quantity *of, struct advised *best, double *width);
 

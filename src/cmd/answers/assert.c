@@ -1,4 +1,4 @@
-/* Compares answers with what was expected of them.
+/* assert: compares answers with expected values.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <inttypes.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-/* card: the page for the cabin: what every speed gives.
+/* card: the sheet of speeds and products for the operator.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -167,6 +167,7 @@ card_request_read(struct session *s, struct asked *all, const struct args *args,
  * tonnes of the plant's lines, NAN where it does not become steady. */
 struct card_row {
 	double speed, rpm, *value, low, high, *tph, kwh, earned, share;
+	struct figure ranged; /* the figure whose range people see */
 	bool holds;
 	enum light light;
 };
@@ -185,6 +186,19 @@ work_out_flow(const struct asked *all, struct card_row *row)
 	row->kwh = o.flow.open ? NAN : o.kw / all->plan.circuit->tph;
 	row->earned = o.flow.open ? NAN : o.money;
 	flow_free(&o.flow);
+}
+
+/* The figure whose range a page has room for: the first that has a limit, or
+ * the first behind the sizes. */
+static size_t
+ranged_figure(const struct asked *all)
+{
+	for (size_t c = 0; c < all->list.n; c++)
+		for (size_t i = 0; i < all->n; i++)
+			if (quantity_same(
+				&all->q[i], &all->list.at[c].quantity))
+				return i;
+	return PSD_SIZES < all->n ? PSD_SIZES : PSD_SIZES - 1;
 }
 
 /* Where the feed does not tell a size at this speed nothing stands. */
@@ -206,6 +220,7 @@ card_work_out(struct session *s, struct asked *all, double speed,
 	struct figure p80 = forecast_figure(all->forecast, P80);
 	row->low = 1000 * p80.low;
 	row->high = 1000 * p80.high;
+	row->ranged = forecast_figure(all->forecast, ranged_figure(all));
 	if (all->flows)
 		work_out_flow(all, row);
 	if (all->list.n > 0) {
@@ -304,7 +319,7 @@ page_flow(
 		page_cell(earned, k, row[k].earned, NULL);
 }
 
-/* level: of the band of P80, %. */
+/* level: of the band, %. */
 static void
 page_sizes(struct page *page, const struct asked *all,
     const struct card_row *row, double level)
@@ -319,13 +334,16 @@ page_sizes(struct page *page, const struct asked *all,
 		    one ? 1 : 2, i < SIZES ? SPARE[i] : FIGURE);
 		for (size_t k = 0; k < page->rows; k++)
 			page_cell(c, k, row[k].value[i], NULL);
-		if (i != P80 || isnan(row[0].low))
+		if (i != ranged_figure(all) || isnan(row[0].ranged.low))
 			continue;
 		c = page_column(
 		    page, xasprintf(tr("%.0f %% range"), level), WORDS, RANGE);
 		for (size_t k = 0; k < page->rows; k++)
 			page_cell(c, k, NAN,
-			    xasprintf("%.2f..%.2f", row[k].low, row[k].high));
+			    xasprintf("%.*f..%.*f", one ? 1 : 2,
+				quantities_shown(q, row[k].ranged.low),
+				one ? 1 : 2,
+				quantities_shown(q, row[k].ranged.high)));
 	}
 }
 
@@ -360,7 +378,7 @@ page_of(const struct asked *all, const struct card_row *row, size_t rows,
 			page_cell(c, k, NAN,
 			    conditions_chance(row[k].share, row[k].holds));
 	}
-	c = page_column(&page, xstrdup(tr("light")), WORDS, NEEDED);
+	c = page_column(&page, xstrdup(tr("trust")), WORDS, NEEDED);
 	for (size_t k = 0; k < rows; k++)
 		page_cell(c, k, NAN, light_cell(all, &row[k]));
 	return page;
@@ -525,12 +543,29 @@ note_flow(struct answer *r, const struct asked *all)
 		    "without what comes back; tonnes include it");
 }
 
+/* The limits, and the speed of the page at which they are met most surely. */
 static void
-note_limits(struct answer *r, const struct asked *all)
+note_limits(struct answer *r, const struct asked *all,
+    const struct card_row *row, size_t n)
 {
 	FREED char *words = conditions_list_words(&all->list);
-	if (all->list.n > 0)
+	size_t best = 0;
+	for (size_t i = 1; i < n && all->list.n > 0; i++)
+		if (row[i].share > row[best].share)
+			best = i;
+	if (all->list.n > 0) {
+		FREED char *share = conditions_percent(row[best].share);
 		answer_note(r, "limits: %s", words);
+		if (row[best].share >= 0.5)
+			answer_note(r,
+			    "met most surely at %g m/s, with %s certainty",
+			    row[best].speed, share);
+		else if (!isnan(row[best].share))
+			answer_say(r, ANSWER_WARNING,
+			    "no speed on this page is likely to meet the "
+			    "limits: at most %s, at %g m/s",
+			    share, row[best].speed);
+	}
 	if (all->limits != NULL)
 		answer_say(r, ANSWER_REMARK, "%s", all->limits);
 }
@@ -560,8 +595,8 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 		answer_note(r, "left out, as there is no room: %s", dropped);
 	if (range)
 		answer_note(r,
-		    "%.0f %% range: the true P80 lies in it with %.0f %% "
-		    "probability",
+		    "%.0f %% range: of the figure at its left; the true value "
+		    "lies in it with %.0f %% probability",
 		    100 * q->level, 100 * q->level);
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
@@ -637,7 +672,7 @@ card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
 		card_add_row(r, all, &row[i], rpm);
 	fields_put(answer_fields(r), "date %s machine %s model %s", today,
 	    entry->site->machine, breakage_of(&entry->params)->name);
-	note_limits(r, all);
+	note_limits(r, all, row, n);
 	note_flow(r, all);
 	note_basis(r, s, all, dropped, page_has_spare(&page, RANGE));
 	note_light(r, s, all->question, row, n, &light);

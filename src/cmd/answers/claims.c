@@ -1,5 +1,5 @@
-/* show claims: what the paper concludes, held against the sites that are loaded
- * and calibrated.
+/* show claims: the paper's conclusions, compared with the loaded and calibrated
+ * sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* compare: two speeds of a site, two sites at a speed, or a speed and what is
- * pinned, side by side.
+/* compare: two speeds of a site, two sites at a speed, or a speed and the
+ * pinned prediction, side by side.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,9 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/answers/predict.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/trust_light.h"
@@ -128,6 +130,124 @@ comparison_rows(struct answer *r, const struct side side[2],
 		else if (band)
 			answer_cells(r, "%.2f %.2f", NAN, NAN);
 	}
+}
+
+/* The least and the most of the differences that each of the feeds that were
+ * sampled makes between the speeds; false where the answer has one feed. */
+static bool
+feeds_difference(const struct session *s, const struct side side[2],
+    const struct quantity *q, double range[static 2])
+{
+	const struct site *site = side[0].q.entry->site;
+	if (are_two_sites(side) || side[0].q.feed != SITE_MEAN_FEED ||
+	    !site->individual_feeds)
+		return false;
+	range[0] = INFINITY;
+	range[1] = -INFINITY;
+	for (size_t run = 0; run < site->n_run; run++) {
+		struct question own = side[0].q;
+		own.feed = run;
+		struct forecast *f = forecast_open(s, &own, q, 1);
+		forecast_at(f, side[0].p.speed);
+		double a = forecast_figure(f, 0).value;
+		forecast_at(f, side[1].p.speed);
+		double more = forecast_figure(f, 0).value - a;
+		range[0] = fmin(range[0], more);
+		range[1] = fmax(range[1], more);
+		forecast_close(f);
+	}
+	return range[0] <= range[1];
+}
+
+/* A difference as it is shown, rounded, never -0. */
+static double
+shown_difference(const struct quantity *q, double value)
+{
+	double steps = pow(10, quantities_decimals(q));
+	return round(steps * quantities_shown(q, value)) / steps + 0.0;
+}
+
+/* Which of the two has more, and whether the feeds change that. */
+static void
+note_difference(struct answer *r, const struct session *s,
+    const struct side side[2], const struct quantity *q, struct figure more)
+{
+	int digits = quantities_decimals(q);
+	const char *unit = quantities_unit_suffix(q);
+	unit = strcmp(unit, " %") == 0 ? tr(" points") : unit;
+	FREED char *words = quantities_words(q);
+	FREED char *chance = predict_chance(side[0].q.level);
+	double range[2], low = shown_difference(q, more.low);
+	double high = shown_difference(q, more.high);
+	if (low > 0 || high < 0)
+		answer_note(r,
+		    low > 0 ? N_("%s is higher at %s, %s by %.*f to %.*f%s")
+			    : N_("%s is lower at %s, %s by %.*f to %.*f%s"),
+		    words, side[1].head, chance, digits,
+		    fmin(fabs(low), fabs(high)), digits,
+		    fmax(fabs(low), fabs(high)), unit);
+	else if (low < 0 || high > 0)
+		answer_note(r,
+		    "the data do not tell which of the two has the higher %s: "
+		    "the difference is %s between %+.*f and %+.*f%s",
+		    words, chance, digits, low, digits, high, unit);
+	else
+		answer_note(r, "%s: the same at both, as it is shown", words);
+	bool differ = low < 0 || high > 0;
+	if (differ && feeds_difference(s, side, q, range))
+		answer_note(r,
+		    "with each of the feeds that were sampled the difference "
+		    "in %s is between %+.*f and %+.*f%s",
+		    words, digits, shown_difference(q, range[0]), digits,
+		    shown_difference(q, range[1]), unit);
+}
+
+/* A row, an object for programs and a sentence for each of the figures that
+ * were named [n]. */
+static void
+compare_figures(struct answer *r, const struct session *s,
+    const struct side side[2], const struct quantity *q, size_t n)
+{
+	struct fields *list = fields_list(answer_fields(r), "figures");
+	struct forecast *f[2];
+	for (size_t i = 0; i < 2; i++) {
+		f[i] = forecast_open(s, &side[i].q, q, n);
+		forecast_at(f[i], side[i].p.speed);
+	}
+	bool band =
+	    forecast_draws(f[0], 0) != NULL && forecast_draws(f[1], 0) != NULL;
+	answer_columns(r, "quantity: figure, a: %s, b: %s, unit, difference",
+	    side[0].head, side[1].head);
+	if (band)
+		answer_columns(r, "low, high");
+	for (size_t i = 0; i < n; i++) {
+		struct figure more = forecast_difference(f[0], f[1], i);
+		double a =
+		    quantities_shown(&q[i], forecast_figure(f[0], i).value);
+		double b =
+		    quantities_shown(&q[i], forecast_figure(f[1], i).value);
+		double low = quantities_shown(&q[i], more.low);
+		double high = quantities_shown(&q[i], more.high);
+		bool tenths = quantities_decimals(&q[i]) == 1;
+		FREED char *key = quantities_key(&q[i]);
+		FREED char *words = quantities_words(&q[i]);
+		const char *unit = quantities_unit(&q[i]);
+		answer_name(r, key, words);
+		answer_cells(r,
+		    tenths ? "%.1f %.1f %s %+.1f" : "%.2f %.2f %s %+.2f", a, b,
+		    unit, b - a);
+		if (band)
+			answer_cells(r, tenths ? "%+.1f %+.1f" : "%+.2f %+.2f",
+			    low, high);
+		fields_put(fields_object(list, NULL),
+		    "quantity %s unit %s a %g b %g difference %g low %g high "
+		    "%g",
+		    key, unit, a, b, b - a, low, high);
+		if (band)
+			note_difference(r, s, side, &q[i], more);
+	}
+	for (size_t i = 0; i < 2; i++)
+		forecast_close(f[i]);
 }
 
 static void
@@ -281,55 +401,71 @@ set_column_headings(bool sites, struct side side[2])
 
 /* The heading of two sites. */
 static void
-set_title(struct answer *r, const struct side side[2], const char *fraction)
+set_title(struct answer *r, const struct side side[2], const char *passing,
+    const char *fraction)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
 	FREED char *data = provenance_of_both(side);
 	if (side[0].p.speed != side[1].p.speed)
-		answer_title(r, "%s and %s, %% passing%s", side[0].head,
-		    side[1].head, fraction);
+		answer_title(r, "%s and %s%s%s", side[0].head, side[1].head,
+		    passing, fraction);
 	else if (a->with[0] != '\0')
-		answer_title(r, "%s and %s, with %s, at %g m/s, %% passing%s",
-		    a->name, b->name, a->with, side[0].p.speed, fraction);
+		answer_title(r, "%s and %s, with %s, at %g m/s%s%s", a->name,
+		    b->name, a->with, side[0].p.speed, passing, fraction);
 	else
-		answer_title(r, "%s and %s at %g m/s, %% passing%s", a->name,
-		    b->name, side[0].p.speed, fraction);
+		answer_title(r, "%s and %s at %g m/s%s%s", a->name, b->name,
+		    side[0].p.speed, passing, fraction);
 	answers_put_variant(r, a);
 	answer_sites(r, both, data);
 }
 
-static struct answer *
-comparison(const struct session *s, const struct side side[2])
+/* The sieves, sizes and break sizes of both. */
+static void
+compare_curves(struct answer *r, const struct session *s,
+    const struct side side[2], const double *x, size_t n)
 {
-	size_t n;
-	FREED double *x = all_sieves(side, &n);
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++)
 		f[i] = side_forecast(s, &side[i], x, n);
 	bool band = f[0] != NULL && f[1] != NULL &&
 		    forecast_draws(f[0], n) != NULL &&
 		    forecast_draws(f[1], n) != NULL;
-	FREED char *fraction = screened_title(&side[0].p.fraction);
-	struct answer *r = are_two_sites(side)
-			       ? answer_new("compare")
-			       : answers_new(side[0].entry->site, "compare",
-				     "%s and %s, %% passing%s", side[0].head,
-				     side[1].head, fraction);
-	if (are_two_sites(side))
-		set_title(r, side, fraction);
 	comparison_rows(r, side, f, band, x, n);
 	if (band)
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
 		    100 * side[0].q.level);
-	comparison_notes(r, side);
+	for (size_t i = 0; i < 2; i++)
+		forecast_close(f[i]);
+}
+
+/* q [n_q]: the figures that are shown; NULL: the curves. */
+static struct answer *
+comparison(const struct session *s, const struct side side[2],
+    const struct quantity *q, size_t n_q)
+{
+	size_t n;
+	FREED double *x = all_sieves(side, &n);
+	FREED char *fraction = screened_title(&side[0].p.fraction);
+	const char *passing = q != NULL ? "" : tr(", % passing");
+	struct answer *r =
+	    are_two_sites(side)
+		? answer_new("compare")
+		: answers_new(side[0].entry->site, "compare", "%s and %s%s%s",
+		      side[0].head, side[1].head, passing, fraction);
+	if (are_two_sites(side))
+		set_title(r, side, passing, fraction);
+	if (q != NULL) {
+		compare_figures(r, s, side, q, n_q);
+	} else {
+		compare_curves(r, s, side, x, n);
+		comparison_notes(r, side);
+	}
 	show_basis(s, r, side);
 	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
-	for (size_t i = 0; i < 2; i++) {
+	for (size_t i = 0; i < 2; i++)
 		put_side(answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
-		forecast_close(f[i]);
-	}
 	return r;
 }
 
@@ -355,6 +491,24 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	return chart != NULL && plot_write_image(s, chart, error);
 }
 
+/* The figures of of=, NULL without; *q is the caller's to free. */
+static bool
+take_figures(const struct args *args, const struct side side[2],
+    struct quantity **q, size_t *n, struct error *error)
+{
+	const struct value *of = args_value(args, "of");
+	if (!of->given)
+		return true;
+	if (side[0].pinned || side[1].pinned)
+		return error_set(error, ERROR_USAGE,
+		    "compare: expected no figures with what is pinned\n"
+		    "leave out '%s', or write two speeds",
+		    of->text);
+	*q = quantities_asked(of->text, &side[0].q.fraction,
+	    question_feed(&side[0].q), true, n, error);
+	return *q != NULL;
+}
+
 bool
 cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
@@ -368,13 +522,16 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	if (!sites && args_value(args, "speed")->given)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected two speeds, or two sites and a speed");
+	FREED struct quantity *q = NULL;
+	size_t n = 0;
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
-		  take_side(s, args, sites, 1, &side[1], error);
+		  take_side(s, args, sites, 1, &side[1], error) &&
+		  take_figures(args, side, &q, &n, error);
 	if (ok && plot_writes_image(s)) {
 		ok = draw_both(s, side, error);
 	} else if (ok) {
 		set_column_headings(sites, side);
-		session_show_answer(s, comparison(s, side));
+		session_show_answer(s, comparison(s, side, q, n));
 	}
 	for (size_t i = 0; i < 2; i++) {
 		if (!side[i].pinned)

@@ -1,5 +1,5 @@
-/* show equations: Eqs 1 to 5 as they stand in print and as they are used, and
- * for each departure what the printed form would come to at the site in use.
+/* show equations: Eqs 1 to 5 as printed and as used, and for each departure the
+ * result of the printed form at the current site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 

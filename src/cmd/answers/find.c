@@ -271,6 +271,9 @@ find_note_speed(struct answer *r, const struct goal *goal,
 	}
 	answers_note_rpm(
 	    r, goal->question->entry->site, f->found, f->range[0], f->range[1]);
+	if (!isnan(f->range[0]))
+		conditions_note_farther(r, &goal->wanted, !(f->range[0] > 0),
+		    !isfinite(f->range[1]));
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
 		if (v != f->found)
@@ -463,6 +466,19 @@ put_found(
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }
 
+/* The end of the speeds searched at which the goal is missed by less. */
+static double
+nearer_end(const struct goal *goal)
+{
+	double from = goal->wanted.from, to = goal->wanted.to;
+	double wanted =
+	    quantities_shown(&goal->target.quantity, goal->target.least);
+	return fabs(find_value_at(goal, from) - wanted) <
+		       fabs(find_value_at(goal, to) - wanted)
+		   ? from
+		   : to;
+}
+
 /* The product at the speed found; without one those at the two ends. */
 static void
 answer_goal(struct session *s, struct goal *goal)
@@ -485,8 +501,9 @@ answer_goal(struct session *s, struct goal *goal)
 	note_finding(r, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	answers_show_basis(
-	    s, r, q, found ? v : 0, false, light_worst(s, entry, p, n));
+	s->asked = found ? v : s->asked;
+	answers_show_basis(s, r, q, found ? v : 0, false,
+	    light_at(s, entry, found ? v : nearer_end(goal), q->feed));
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);

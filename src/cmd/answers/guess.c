@@ -1,4 +1,4 @@
-/* guess: a first product for a site with no calibration.
+/* guess: an estimate of the product of an uncalibrated site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "core/answer/guess.h"

@@ -1,4 +1,4 @@
-/* identify: what the data determine, and what they do not.
+/* identify: which parameters the data determine, and which they do not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

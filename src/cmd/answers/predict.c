@@ -1,4 +1,4 @@
-/* predict: what comes out at a speed, and how far to trust it.
+/* predict: the product at a speed, and how far to trust it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/predict.h"
 
@@ -298,21 +298,20 @@ predict_chance(double level)
 
 double
 predict_feeds_move(const struct session *s, const struct question *q,
-    const struct prediction *at, size_t i)
+    const struct quantity *of, double speed, double value)
 {
 	const struct site *site = q->entry->site;
-	double x = at->product.size[i], most = 0;
+	double most = 0;
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	size_t n = site->individual_feeds && !other ? site->n_run : 0;
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
 		own.feed = run;
-		struct prediction p = forecast_product(s, &own, at->speed);
-		double passing = psd_at_sieve(&p.product, x);
-		if (isfinite(passing))
-			most =
-			    fmax(most, fabs(passing - at->product.passing[i]));
-		prediction_free(&p);
+		struct forecast *f = forecast_open(s, &own, of, 1);
+		forecast_at(f, speed);
+		double moved = fabs(forecast_figure(f, 0).value - value);
+		most = isfinite(moved) ? fmax(most, moved) : most;
+		forecast_close(f);
 	}
 	return most;
 }
@@ -337,8 +336,10 @@ predict_sure(const struct session *s, const struct question *q,
 	    units_mm(passing.x), chance, units_pct(p->low[i]),
 	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
-	double most =
-	    q->feed == SITE_MEAN_FEED ? predict_feeds_move(s, q, p, i) : 0;
+	double most = q->feed == SITE_MEAN_FEED
+			  ? predict_feeds_move(
+				s, q, &passing, p->speed, p->product.passing[i])
+			  : 0;
 	if (most >= FEEDS_TOLD) {
 		char *more = xasprintf(tr("%s; the feeds that were sampled "
 					  "change it by up to %.1f points"),
@@ -365,13 +366,14 @@ static double
 largest_move_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
+	const double SHOWN = 5e-4; /* what changes a tenth of a point */
 	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
 			most = fmax(most, moved_largest(s, q->entry, q->params,
 					      k, p->feed_run));
-	return most > MOVED_TOLD ? most : 0;
+	return most > SHOWN ? most : 0;
 }
 
 /* The answer with what is to be said of it; wanted: with the interpolated

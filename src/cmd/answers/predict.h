@@ -1,4 +1,4 @@
-/* predict without its text, for a slider.
+/* The command predict without its text, for a slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ANSWERS_PREDICT_H
 #define TIPSPEED_CMD_ANSWERS_PREDICT_H
@@ -7,26 +7,26 @@
 
 struct question;
 
-/* Runs the `predict` command in `line` without producing its text, for the site
- * in use as given by question_standing.  The session keeps the answer, the
- * journal keeps the line, and *p gets the prediction (prediction_free).  False
- * where there is nothing to predict with. */
+/* Runs the `predict` command in `line` without producing its text, for the
+ * current site from question_standing.  Keeps the answer in the session and the
+ * line in the journal, and sets *p; free that with prediction_free.  Returns
+ * false if there is no basis for a prediction. */
 bool predict_step(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
-/* Returns the most, 0..1, by which the feeds as they were sampled move the
- * answer at sieve i; how far tomorrow's feed may be from the mean is a question
- * that the band does not answer.  0 if the site has one feed, or another was
- * given. */
+/* Returns the largest change of a quantity, in its own unit, from its value at
+ * a speed, m/s, when the mean feed is replaced with a sampled one: the band
+ * does not include changes of the feed.  Returns 0 if the site has one feed or
+ * the question gives another. */
 double predict_feeds_move(const struct session *s, const struct question *q,
-    const struct prediction *at, size_t i);
+    const struct quantity *of, double speed, double value);
 
-/* Returns "8 times in 10" or "with 95 % probability".  The caller frees. */
+/* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */
 char *predict_chance(double level);
 
-/* Returns a sentence on how sure the answer is at one passing (D22); NULL for a
- * screened fraction, and without draws.  The caller frees. */
+/* Returns a sentence on the certainty of the answer at one passing (D22), or
+ * NULL for a screened fraction or without draws.  The caller frees it. */
 char *predict_sure(const struct session *s, const struct question *q,
     const struct prediction *p);
 

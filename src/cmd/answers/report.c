@@ -1,5 +1,5 @@
-/* report: what other commands answer, one after the other, as a document.  What
- * stands in it is the table of sections.
+/* report: the answers of other commands as a document.  The table of sections
+ * defines its content.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

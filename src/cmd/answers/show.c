@@ -1,5 +1,5 @@
-/* show: what a sheet says, the model taken apart, equation by equation, and the
- * table of all that can be shown.
+/* show: the content of a sheet, the model equation by equation, and the table
+ * of everything that can be shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>

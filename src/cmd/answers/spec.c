@@ -1,4 +1,4 @@
-/* spec: grading envelopes chosen, listed, and the product compared with one.
+/* spec: chooses and lists grading envelopes, and compares the product with one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

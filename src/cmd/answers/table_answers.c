@@ -1,4 +1,4 @@
-/* Commands that answer, as rows of the command table.
+/* Commands that answer questions, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/table.h"
 
@@ -82,6 +82,8 @@ static const struct command_option CARD_OPTIONS[] = {
 static const struct command_option COMPARE_OPTIONS[] = {
     {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
 	"speed for two sites; default: a held-out speed, else 74"},
+    {"of", VALUE_TEXT, "", 0, 0, NULL, "",
+	"figures, see figures; default: the curves and sizes"},
     {.name = NULL}};
 
 static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
@@ -158,6 +160,10 @@ static const struct command_option SPEED_OPTIONS[] = {
     SPEED_OPTION, {.name = NULL}};
 static const struct command_option LAST_SPEED_OPTIONS[] = {
     LAST_SPEED_OPTION, {.name = NULL}};
+
+static const struct command_option ADVISE_OPTIONS[] = {SPEED_OPTION,
+    {"of", VALUE_TEXT, "", 0, 0, NULL, "", "figure, see figures; default: P80"},
+    {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
@@ -246,7 +252,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "two speeds or two sites side by side",
 	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
 	    {"SPEED SITE pinned"}, 2, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_DRAWS,
+	.flags = COMMAND_AT_SITE | COMMAND_DRAWS | COMMAND_QUANTITIES,
 	.option = COMPARE_OPTIONS,
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS},
@@ -254,13 +260,14 @@ const struct command TABLE_ANSWERS[] = {
 	    "Compares the predicted products of the site in use at two speeds, "
 	    "with the same feed, or of two loaded sites at one speed, each "
 	    "with its own feed: passing sieve by sieve and the difference "
-	    "(second minus first), P20, P50, P80 and the break sizes. 'pinned' "
-	    "is what pin has kept, with its own site and feed, "
-	    "and without a band of the difference. > FILE.svg, .png or .pdf "
+	    "(second minus first), P20, P50, P80 and the break sizes; or of "
+	    "the figures that are named, and says which of the two has more. "
+	    "'pinned' is what pin has kept, with its own site and feed, and "
+	    "without a band of the difference. > FILE.svg, .png or .pdf "
 	    "draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
-		   "compare 69 79",
+		   "compare 69 79\ncompare 69 79 2/4 P80",
 	.run = cmd_compare},
     {.name = "pin",
 	.brief = "keep a prediction to compare others with",
@@ -449,20 +456,19 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "advise",
 	.alias = "uncertainty next",
 	.brief = "which sample next narrows a band most",
-	.operands = {"[QUANTITY] [SIZE]", {"p20 p50 p80 passing", ""}, 0, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
-	.option = SPEED_OPTIONS,
+	.bare = "speed",
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
+	.option = ADVISE_OPTIONS,
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "The quantity is p20, p50, p80 (the default), or passing and a "
-	    "size in mm, at a speed. For a repeat at each measured speed, and "
-	    "a sample at each round speed, shows the expected width of the "
-	    "uncertainty band after it; see UNCERTAINTY in tipspeed-model(7). "
-	    "If several feeds were sampled, also shows what they change.",
+	    "For a repeat at each measured speed, and a sample at each round "
+	    "speed, shows the expected width of the band of one figure of the "
+	    "product at a speed; see UNCERTAINTY in tipspeed-model(7). If "
+	    "several feeds were sampled, also shows what they change.",
 	.example =
 	    "load data/sites/tierp.csv\ncalibrate\nuncertainty next p80\n"
-	    "uncertainty next passing 2 speed=85",
+	    "uncertainty next 85 passing 2",
 	.answer = cmd_advise},
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",

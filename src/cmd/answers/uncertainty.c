@@ -1,4 +1,4 @@
-/* uncertainty: what makes an answer uncertain, and its draws.
+/* uncertainty: the sources of an answer's uncertainty, and its draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>
@@ -238,47 +238,78 @@ draws_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-static void
-note_feeds(struct answer *r, const struct session *s, const struct question *q,
+/* The figure that the sentences are about: the first that is named, or the
+ * passing that predict's sentence is of. */
+static struct quantity
+first_figure(const struct question *q, const struct args *args,
     const struct prediction *at)
 {
-	size_t i = answers_usual_sieve(&at->product);
-	double most = predict_feeds_move(s, q, at, i);
-	if (!(most > 0))
-		return;
-	answer_note(r,
-	    "the feeds that were sampled change 0/%g by up to %.1f points",
-	    units_mm(at->product.size[i]), 100 * most);
-	fields_put(answer_fields(r), "feeds_move_pct %g", 100 * most);
+	const struct value *of = args_value(args, "of");
+	struct error none;
+	size_t n;
+	FREED struct quantity *list =
+	    of->given ? quantities_asked(of->text, &q->fraction,
+			    question_feed(q), true, &n, &none)
+		      : NULL;
+	if (list != NULL)
+		return list[0];
+	return (struct quantity){.kind = QUANTITY_PASSING,
+	    .x = at->product.size[answers_usual_sieve(&at->product)],
+	    .fraction = q->fraction};
 }
 
-/* The next sample, of the passing that predict's sentence is of. */
+/* "0/2" for what passes 2 mm; the caller frees. */
+static char *
+figure_name(const struct quantity *of)
+{
+	if (of->kind == QUANTITY_PASSING && !fraction_screens(&of->fraction))
+		return xasprintf("0/%g", units_mm(of->x));
+	return quantities_words(of);
+}
+
+static void
+note_feeds(struct answer *r, const struct session *s, const struct question *q,
+    const struct quantity *of, double speed)
+{
+	struct forecast *f = forecast_open(s, q, of, 1);
+	forecast_at(f, speed);
+	double most =
+	    predict_feeds_move(s, q, of, speed, forecast_figure(f, 0).value);
+	forecast_close(f);
+	if (!(most > 0))
+		return;
+	FREED char *name = figure_name(of);
+	const char *unit = quantities_unit_suffix(of);
+	double shown = quantities_shown(of, most);
+	answer_note(r, "the feeds that were sampled change %s by up to %.*f%s",
+	    name, quantities_decimals(of), shown,
+	    strcmp(unit, " %") == 0 ? tr(" points") : unit);
+	if (of->kind == QUANTITY_PASSING)
+		fields_put(answer_fields(r), "feeds_move_pct %g", shown);
+}
+
+/* The next sample, for a figure. */
 static void
 note_next(struct answer *r, const struct session *s, const struct question *q,
-    const struct prediction *at)
+    const struct quantity *of)
 {
-	size_t i = answers_usual_sieve(&at->product);
-	const struct quantity passing = {.kind = QUANTITY_PASSING,
-	    .x = at->product.size[i],
-	    .fraction = q->fraction};
 	struct advised best;
 	double width;
-	if (!advise_best(s, q, &passing, &best, &width))
+	if (!advise_best(s, q, of, &best, &width))
 		return;
 	double share = 1 - best.width / width;
+	FREED char *name = figure_name(of);
 	answer_note(r,
 	    share < ADVISE_WORTH
 		? N_("what would help most: several samples, as at %.4g m/s; "
-		     "one "
-		     "narrows the band at %g mm by %.0f %% only")
+		     "one narrows the band of %s by %.0f %% only")
 	    : best.repeat
-		? N_("what would help most: another sample at %.4g m/s; "
-		     "it is expected to narrow the band at %g mm by "
-		     "%.0f %%")
+		? N_("what would help most: another sample at %.4g m/s; it is "
+		     "expected to narrow the band of %s by %.0f %%")
 		: N_("what would help most: a sample at %.4g m/s; it is "
-		     "expected to narrow the band at %g mm by %.0f "
-		     "%%"),
-	    best.speed, units_mm(passing.x), 100 * fmax(share, 0));
+		     "expected to narrow the band of %s by %.0f %%"),
+	    best.speed, name, 100 * fmax(share, 0));
+	answers_note_rpm(r, q->entry->site, best.speed, NAN, NAN);
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
@@ -352,10 +383,11 @@ band_parts_answer(const struct session *s, const struct question *q,
 		answer_note(r, "%s", outlook_words(s, entry));
 	add_hyper(r, s, p, detail);
 	note_strengths(r, p, detail);
-	note_feeds(r, s, q, at);
+	struct quantity of = first_figure(q, args, at);
+	note_feeds(r, s, q, &of, at->speed);
 	note_speeds(r, s, q, at, args_value(args, "speed_sd")->number / 100);
 	note_draws(r, p, outlook_evidence(s, entry), detail);
-	note_next(r, s, q, at);
+	note_next(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
 }

@@ -1,5 +1,6 @@
-/* why: in plain words, why the numbers look the way they do.  Each sentence
- * follows from numbers of the site in use; what does not apply is not said.
+/* why: explains in plain words why the numbers are as they are.  Each sentence
+ * follows from numbers of the current site; those that do not apply are
+ * omitted.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

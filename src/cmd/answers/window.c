@@ -135,6 +135,13 @@ note_inside(struct answer *r, const struct asking *a)
 	conditions_note_farther(r, &a->wanted,
 	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
 	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
+	double slowest, fastest;
+	if (!origin_reach(a->q->entry, &slowest, &fastest) ||
+	    (in->from >= slowest && in->to <= fastest))
+		return;
+	FREED char *reach = answers_reach_words(a->q->entry, slowest, fastest);
+	answer_say(
+	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
 static void
@@ -213,23 +220,6 @@ put_limits(struct fields *o, const struct asking *a)
 	}
 }
 
-/* The least trusted of the best speed and the ends of the window about it. */
-static struct trust
-window_light(const struct session *s, const struct asking *a)
-{
-	const struct entry *entry = a->q->entry;
-	const struct speed_range *in = speed_search_around(a->w);
-	double speed[] = {a->w->best, in != NULL ? in->from : a->w->best,
-	    in != NULL ? in->to : a->w->best};
-	struct prediction p[3];
-	for (size_t i = 0; i < 3; i++)
-		p[i] = forecast_whole(s, entry, speed[i], a->q->feed);
-	struct trust light = light_worst(s, entry, p, 3);
-	for (size_t i = 0; i < 3; i++)
-		prediction_free(&p[i]);
-	return light;
-}
-
 static void
 put_window(struct fields *o, const struct asking *a, bool outside)
 {
@@ -285,8 +275,8 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_picture(r, args);
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
-		answers_show_basis(
-		    s, r, q, a.w->best, false, window_light(s, &a));
+		answers_show_basis_at(s, r, q, a.w->best, false);
+		s->asked = a.w->best;
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

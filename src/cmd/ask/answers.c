@@ -1,4 +1,4 @@
-/* What the commands that answer have in common.
+/* Functions shared by commands that answer questions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/answers.h"
 

@@ -1,4 +1,4 @@
-/* The plain question about an entry.
+/* Makes the simplest question about an entry.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/asked.h"
 

@@ -1,4 +1,4 @@
-/* Mixes feeds of sheets and tells what they are.
+/* Mixes feeds from sheets and describes them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/blended.h"
 

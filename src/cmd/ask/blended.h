@@ -1,11 +1,11 @@
-/* Feeds of other sheets, one or several mixed by mass.
+/* Feeds from other sheets: a single one, or several mixed by mass.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_BLENDED_H
 #define TIPSPEED_CMD_ASK_BLENDED_H
 
 #include "cmd/session/session.h"
 
-/* One feed: its file, the sheet, its feed, and its part. */
+/* One feed: file, sheet, feed and part. */
 struct blend_part {
 	char *file;
 	struct site *sheet;
@@ -13,9 +13,9 @@ struct blend_part {
 	double share;
 };
 
-/* All n parts, and their mixture.  text: as they were named; words: "60 % a.csv
- * + 40 % b.csv"; of: what the sheets say of their data; rock: "Granite and
- * Gneiss", or "". */
+/* All n parts and their mixture.  text: as typed; words: "60 % a.csv + 40 %
+ * b.csv"; of: the provenance in the sheets; rock: "Granite and Gneiss", or
+ * "". */
 struct blended {
 	size_t n;
 	struct blend_part *part;
@@ -24,15 +24,15 @@ struct blended {
 	char *text, *words, *of, *rock;
 };
 
-/* Adds the feed that load_feed reads of FILE or FILE@SPEED. */
+/* Adds the feed that load_feed reads from FILE or FILE@SPEED. */
 bool blended_add(struct session *s, const char *file, double share,
     struct blended *b, struct error *error);
 
 /* Mixes the parts, whose shares may have any sum. */
 void blended_mix(struct blended *b);
 
-/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1; on
- * failure returns false with an error.  Free with blended_clear even then. */
+/* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1.  On
+ * failure, returns false with an error.  Always free with blended_clear. */
 bool blended_read(struct session *s, const char *text, struct blended *b,
     struct error *error);
 void blended_clear(struct blended *b);
@@ -40,8 +40,8 @@ void blended_clear(struct blended *b);
 /* Returns the source of the feed, for programs; borrowed. */
 const char *blended_from(const struct blended *b);
 
-/* As blended_read, for the feed that is set; the session owns it.  NULL with an
- * error. */
+/* As blended_read, for the feed of `set feed`, which the session owns.  On
+ * failure, returns NULL with an error. */
 const struct blended *blended_set(
     struct session *s, const char *text, struct error *error);
 void blended_free(struct blended *b);

@@ -1,5 +1,5 @@
-/* Reads conditions and lists of them, writes them for people and for programs,
- * and asks for the speeds at which they hold.
+/* Parses conditions and lists of conditions, writes them for people and for
+ * programs, and searches for the speeds at which they hold.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition.h"
 

@@ -1,4 +1,4 @@
-/* Joins the words of each condition, and of quantities, of a line.
+/* Joins the words of each condition, and of quantities, in a line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition_words.h"
 

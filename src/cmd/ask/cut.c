@@ -1,5 +1,5 @@
-/* A cut against the band of a sample at its speed: how many sieves lie inside,
- * RMSE, and the sieve that is farthest off.
+/* Compares a cut with the band of a sample at its speed: sieves inside, RMSE,
+ * and the sieve with the largest difference.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/cut.h"
 

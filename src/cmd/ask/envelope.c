@@ -1,4 +1,4 @@
-/* Turns an envelope into conditions on a fraction, and judges each by the
+/* Turns an envelope into conditions on a fraction and checks each against the
  * forecast at a speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/envelope.h"

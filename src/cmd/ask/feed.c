@@ -1,4 +1,4 @@
-/* How feeds are called; question.c chooses one (D19).
+/* The names of feeds; question.c chooses the feed (D19).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/feed.h"
 

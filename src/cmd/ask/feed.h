@@ -8,31 +8,32 @@
 #include "core/psd/site.h"
 #include "io/formats/answer.h"
 
-/* Returns the run with the feed sampled at a speed, m/s, for site_feed;
+/* Returns the run with the feed sampled at a speed, m/s, for site_feed, or
  * SITE_MEAN_FEED for 0 and for a speed without a feed. */
 size_t feed_sampled_at(const struct site *site, double speed);
 
-/* Returns the speed at which that feed was sampled, m/s; NAN for the mean of
- * several, and for another sheet's. */
+/* Returns the speed at which the run's feed was sampled, m/s, or NAN for the
+ * mean of several and for the feed of another sheet. */
 double feed_speed(const struct site *site, size_t run);
 
 /* Returns "mean of those sampled at 69, 74, 79 m/s, which differ by up to 5.6
- * points at 8 mm", or "sampled at 69 m/s"; NULL if the site has only one feed,
- * or it is of another sheet, which titles name.  The caller frees. */
+ * points at 8 mm", or "sampled at 69 m/s"; NULL if the site has only one feed
+ * or the feed is from another sheet, which titles name.  The caller frees
+ * it. */
 char *feed_words(const struct site *site, size_t run);
 
-/* Adds the note "feed: " and the words of feed_words, which are also the
- * answer's key feed; for one of two products (whose) "feed of tierp: "; and if
- * moved > 0 by how much measured products are moved, see struct question. */
+/* Adds the note "feed: ", or "feed of tierp: " for one of two products (whose),
+ * with the words of feed_words, which also become the answer's field "feed"; if
+ * moved > 0, adds how far measured products are moved (struct question). */
 void feed_note(struct answer *r, const struct site *site, size_t run,
     const char *whose, double moved);
 
-/* Notes, as feed_note, what size all of the site's feeds were assumed to pass,
- * if any was; without whose its key is assumed_top_mm. */
+/* Notes, like feed_note, the size that all of the site's feeds are assumed to
+ * pass, if there is one; without whose, also as assumed_top_mm. */
 void feed_note_assumed(
     struct answer *r, const struct site *site, const char *whose);
 
-/* Returns a path without its folders, for titles; borrowed. */
+/* Returns a path without its folders, for titles, borrowed. */
 const char *feed_file(const char *path);
 
 #endif

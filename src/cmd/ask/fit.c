@@ -1,4 +1,5 @@
-/* What a fit is worth.
+/* Assesses a fit by its null model, held-out runs and residuals, and puts its
+ * parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/fit.h"
 

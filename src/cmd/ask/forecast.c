@@ -1,4 +1,5 @@
-/* The one way from a question to numbers.
+/* The only path from a question to numbers: a response and the draws of
+ * outlook.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/forecast.h"
 

@@ -6,8 +6,8 @@
 #include "cmd/ask/asked.h"
 #include "core/answer/predict.h"
 
-/* A quantity of the answer with its band; NAN beyond the ends of the curve, and
- * where there is no band. */
+/* A quantity of the answer with its band.  The value is NAN beyond the ends of
+ * the curve; low and high are NAN without a band. */
 struct figure {
 	double value, low, high;
 };
@@ -15,22 +15,22 @@ struct figure {
 /* Opaque; the question's entry must outlive it. */
 struct forecast;
 
-/* Opens a forecast of quantities [n]; free with forecast_close. */
+/* Opens a forecast of quantities [n].  Free with forecast_close. */
 struct forecast *forecast_open(const struct session *s,
     const struct question *q, const struct quantity *quantity, size_t n);
 void forecast_close(struct forecast *f);
 
-/* Opens a forecast of what a table of the question's product shows, in the
- * order of predict_quantities. */
+/* Opens a forecast of the quantities in a table of the question's product, in
+ * the order of predict_quantities. */
 struct forecast *forecast_table(
     const struct session *s, const struct question *q);
 
 /* Moves the forecast to a speed, m/s. */
 void forecast_at(struct forecast *f, double speed);
 
-/* As forecast_at, but with the draws of one more sample, or of the model alone:
- * the values remain those of the answer; the bands are those of these draws and
- * need not contain the values. */
+/* As forecast_at, but with the draws of one more sample or of the model alone.
+ * Values are still those of the answer; bands are those of the draws and need
+ * not contain the values. */
 void forecast_part_at(
     struct forecast *f, double speed, enum ensemble_part part);
 
@@ -39,25 +39,25 @@ struct figure forecast_figure(const struct forecast *f, size_t i);
 /* Returns quantity i of the model alone. */
 double forecast_model(struct forecast *f, size_t i);
 
-/* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed;
- * NULL where the answer is the model alone, and before the first move. */
+/* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed,
+ * or NULL if the answer is the model alone or before the first move. */
 const double *forecast_draws(const struct forecast *f, size_t i);
 
-/* How far quantity i lies above a limit, see quantity_over: forecast_over of
- * the answer, forecast_overs of the draws, [POSTERIOR_DRAWS] out; call these
- * before another forecast moves. */
+/* Compute how far quantity i is above a limit (quantity_over): forecast_over in
+ * the answer, forecast_overs in each draw.  Call them before another forecast
+ * moves. */
 double forecast_over(struct forecast *f, size_t i, double limit);
 void forecast_overs(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
-/* Returns quantity i of the second forecast less that of the first, each at its
- * own speed.  Draws are paired if both are of one posterior, else
+/* Returns quantity i of the second forecast minus that of the first, each at
+ * its own speed.  Draws are paired if both are from one posterior, otherwise
  * independent. */
 struct figure forecast_difference(
     const struct forecast *one, const struct forecast *two, size_t i);
 
-/* Returns the table of the question's product, or of the fraction that it asks
- * for, at a speed: passings at all sieves, sizes, what breaks; free with
+/* Returns the table of the question's product or fraction at a speed: passings
+ * at all sieves, sizes, and the share that breaks.  Free with
  * prediction_free. */
 struct prediction forecast_product(
     const struct session *s, const struct question *q, double speed);

@@ -1,4 +1,5 @@
-/* The speeds are searched in parts, so that a screen stays live meanwhile.
+/* Searches for the speeds that meet the goal, in parts, so a screen stays
+ * responsive.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/goals.h"
 

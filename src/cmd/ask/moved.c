@@ -1,5 +1,5 @@
-/* The products of one site moved to one feed are kept, as each step of a slider
- * shows them.
+/* Moves measured products to a feed and caches those of one site and feed,
+ * because each step of a slider shows them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/moved.h"
 

@@ -1,5 +1,5 @@
-/* Draws from the posterior when first asked, and keeps it with the calibration;
- * chooses by the setting correction which runs inform an answer.
+/* Draws the posterior on first use and caches it with the calibration; chooses
+ * the runs that inform an answer by the setting correction.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/outlook.h"
 

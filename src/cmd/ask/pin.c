@@ -1,5 +1,5 @@
-/* The prediction itself is kept, so that it stays what it was when the site is
- * calibrated again.
+/* A pin holds the prediction itself, which therefore does not change when the
+ * site is calibrated again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/pin.h"
 

@@ -1,12 +1,12 @@
-/* A prediction kept beside the one shown.
+/* A prediction pinned for comparison.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_PIN_H
 #define TIPSPEED_CMD_ASK_PIN_H
 
 #include "cmd/session/session.h"
 
-/* site, key: the site of the prediction, which may no longer be loaded, or have
- * another key. */
+/* site, key: those of the prediction; the site may no longer be loaded or may
+ * now have another key. */
 struct pin {
 	const struct site *site;
 	char *key;

@@ -1,5 +1,5 @@
-/* Reads quantities as they are typed, writes them for people, keys and units,
- * and checks that the feed covers them.
+/* Parses typed quantities, writes them for people and as keys with units, and
+ * checks that the feed covers them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/quantity_words.h"
 

@@ -9,63 +9,63 @@
 /* The sieve that fines pass, m. */
 #define QUANTITIES_FINES 0.000063
 
-/* Reads a quantity, of the whole product if it names no fraction; sizes in mm.
- * Screens separate as the partition says. */
+/* Parses a quantity, which is of the whole product if it names no fraction;
+ * sizes in mm.  The partition describes the screens. */
 bool quantities_read(const char *text, const struct partition *partition,
     struct quantity *q, struct error *error);
 
 /* True if the first word of a text is a quantity, or begins one. */
 bool quantities_begins(const char *text);
 
-/* Reads a list of quantities with commas between; the caller frees.  NULL with
- * an error if one is not a quantity. */
+/* Parses a list of quantities separated by commas.  The caller frees it.
+ * Returns NULL with an error if one is not a quantity. */
 struct quantity *quantities_list(const char *text,
     const struct partition *partition, size_t *n, struct error *error);
 
-/* Reads a fraction, "0/4" or "4/8", mm. */
+/* Parses a fraction, "0/4" or "4/8", mm. */
 bool quantities_fraction(
     const char *text, struct fraction *fraction, struct error *error);
 
-/* Applies cut= to a quantity that names no fraction; false where the quantity
- * is a fraction itself, which would leave cut= without a meaning. */
+/* Applies cut= to a quantity that names no fraction.  Returns false if the
+ * quantity is itself a fraction, to which cut= cannot apply. */
 bool quantities_cut(
     struct quantity *q, const struct fraction *cut, struct error *error);
 
-/* True if a feed covers all sizes of the quantity; else an error. */
+/* True if a feed covers all sizes of the quantity.  Otherwise sets an error. */
 bool quantities_covered(
     const struct quantity *q, const struct psd *feed, struct error *error);
 
-/* Reads a list as quantities_list does, and applies cut= to each.  What the
- * feed does not cover is an error or, without `all`, left out. */
+/* As quantities_list, but applies cut= to each.  A quantity that the feed does
+ * not cover is an error or, without `all`, omitted. */
 struct quantity *quantities_asked(const char *text, const struct fraction *cut,
     const struct psd *feed, bool all, size_t *n, struct error *error);
 
 /* quantities_words returns "passing 2 mm", "P80 of 0/4", "fineness modulus (EN
  * 12620)", "0/2"; quantities_key a key with the unit, "passing_2_pct",
- * "p80_mm", "share_0_2_pct".  The caller frees. */
+ * "p80_mm", "share_0_2_pct".  The caller frees it. */
 char *quantities_words(const struct quantity *q);
 char *quantities_key(const struct quantity *q);
 
-/* Returns the quantity as it is typed: "p80", "passing 2 mm".  The caller
- * frees. */
+/* Returns the quantity as typed: "p80", "passing 2 mm".  The caller frees
+ * it. */
 char *quantities_typed(const struct quantity *q);
 
-/* Returns "0/4".  The caller frees. */
+/* Returns "0/4".  The caller frees it. */
 char *quantities_fraction_words(const struct fraction *fraction);
 
-/* Returns " (2.91 to 3.02)", or "" without a band.  The caller frees. */
+/* Returns " (2.91 to 3.02)", or "" without a band.  The caller frees it. */
 char *quantities_band(double low, double high, int decimals);
 
 /* quantities_unit_suffix returns the unit as written after a number, " mm", "
- * %" or ""; quantities_unit without the space; quantities_shown a value in that
- * unit; quantities_decimals how many decimals people see. */
+ * %" or ""; quantities_unit omits the space; quantities_shown returns a value
+ * in that unit, and quantities_decimals the number of decimals to show. */
 const char *quantities_unit_suffix(const struct quantity *q);
 const char *quantities_unit(const struct quantity *q);
 double quantities_shown(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);
 
-/* The options of SHARED_CUT of a call: the fraction, or the whole product.
- * alone: screens may be described without one. */
+/* Reads the options of SHARED_CUT in a call: a fraction, or the whole product.
+ * alone: screens may be described without a fraction. */
 bool quantities_option(const struct args *args, struct fraction *fraction,
     bool alone, struct error *error);
 

@@ -1,4 +1,4 @@
-/* Questions are read here from the options of a call, and nowhere else.
+/* The only place that makes questions from the options of a call.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/question.h"
 

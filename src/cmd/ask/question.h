@@ -8,8 +8,8 @@
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 
-/* How the question differs from the loaded site.  feed: NULL for the site's
- * own; rotor: m, 0: not given; rpm: 0: not given; bypass: 0..1; k: 0: as set.
+/* Differences of the question from the loaded site.  feed: NULL for the site's
+ * own; rotor: m; 0: not given; rpm: 0: not given; bypass: 0..1; k: 0: as set.
  * sieve [n_sieve]: sieves to show, m, coarsest first. */
 struct scenario {
 	const struct blended *feed;
@@ -20,16 +20,16 @@ struct scenario {
 };
 
 /* Read the options of SHARED_... (table_shared.c) that the command has:
- * question_read for the site in use, question_of for a loaded one.  No other
- * function chooses a feed or a machine for a command.  Free with question_free,
- * also where they return false. */
+ * question_read for the current site, question_of for any loaded site.  No
+ * other function chooses a feed or a machine for a command.  Always free with
+ * question_free. */
 bool question_read(struct session *s, const struct args *args,
     struct question *q, struct error *error);
 bool question_of(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error);
 
-/* As question_of, for the same question about another loaded site; nothing is
- * read again. */
+/* As question_of, but repeats a question for another loaded site without
+ * reading files again. */
 bool question_too(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error);
@@ -38,27 +38,26 @@ bool question_too(struct session *s, const struct entry *loaded,
 bool question_run(struct session *s, const struct args *args,
     command_answer *answer, struct error *error);
 
-/* Makes the question about a loaded site, with the mean of its feeds, or as
- * changed by the scenario. */
+/* Makes the question about a loaded site, with the mean of its feeds or the
+ * changes of the scenario. */
 void question_make(const struct session *s, const struct entry *loaded,
     const struct scenario *scenario, struct question *q);
 
-/* Returns the site in use as it is asked about where no call says otherwise:
- * with the feed of the sheet that is set, if one is, and can be read; NULL
- * where no site is loaded.  Borrowed until the session changes.
- * question_forget frees what it keeps. */
+/* Returns the current site as in a question without options, with the feed from
+ * the sheet in `set feed`, if that can be read; NULL if no site is loaded.
+ * Valid until the session changes.  question_forget frees it. */
 const struct entry *question_standing(struct session *s);
 void question_forget(struct session *s);
 
-/* If the call names no speeds to answer at, the question takes the usual ones,
- * from 65 to 85 m/s, extended or moved to cover the runs: by 1 m/s, or seven at
- * most. */
+/* If the call names no speeds, sets the question to the usual ones, 65 to 85
+ * m/s, extended or moved to cover the runs: in steps of 1 m/s if each,
+ * otherwise seven at most. */
 void question_usual_speeds(
     const struct session *s, struct question *q, bool each);
 
-/* If the call names no speed, the question takes the speed that was last asked
- * about by any command, and the feed last predicted with, at the site in use,
- * if there are any. */
+/* If the call names no speed, sets the question to the speed last asked about
+ * by any command and the feed of the last prediction for the current site, if
+ * any. */
 void question_as_last(
     const struct session *s, const struct args *args, struct question *q);
 

@@ -1,5 +1,5 @@
 /* Orders the cuts by date, takes the residuals at the sieves that crushing can
- * change, and follows them (drift_run_charts).
+ * change, and charts them (drift_run_charts).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 

@@ -1,4 +1,4 @@
-/* A fraction of a measured product by the partition curve
+/* Computes a fraction of a measured product with the partition curve
  * (core/psd/screening.h), and its share of the product.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/screened.h"

@@ -1,4 +1,5 @@
-/* A table over the tenths of a m/s, and what can be read off it.
+/* Fills a table over the tenths of a m/s, and reads ranges, roots and the best
+ * speed off it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/speed_search.h"
 

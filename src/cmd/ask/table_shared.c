@@ -1,5 +1,5 @@
-/* Options that several commands take, as rows of the command table: what a
- * question may be asked with, see question.h.
+/* Options shared by commands that ask questions (question.h), as rows of the
+ * command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/command.h"
 #include "core/psd/site.h"

@@ -1,5 +1,5 @@
-/* Gathers the facts about an entry, its calibration and the prediction, and has
- * core (trust_judge) judge them.
+/* Gathers the facts about an entry, its calibration and the prediction for
+ * trust_judge in core.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/trust_light.h"
 

@@ -1,4 +1,4 @@
-/* How far an answer holds, for commands and the full screen: one light and its
+/* The trust in an answer, for commands and the full screen: one light and its
  * reasons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_TRUST_LIGHT_H
@@ -7,8 +7,8 @@
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
-/* Returns the light of the entry's answer p, or for NULL of its fit; free with
- * trust_free. */
+/* Returns the light of the entry's answer p or, for NULL, that of its fit.
+ * Free with trust_free. */
 struct trust light_of_prediction(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
@@ -19,8 +19,8 @@ struct trust light_worst(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n);
 
 /* light_at returns the light of the answer at a speed with the feed of a run;
- * light_words_at, for charts, "trust at 74 m/s: amber: " and the first reason,
- * which the caller frees. */
+ * light_words_at returns, for charts, "trust at 74 m/s: amber: " and the first
+ * reason, which the caller frees. */
 struct trust light_at(const struct session *s, const struct entry *entry,
     double speed, size_t feed);
 char *light_words_at(const struct session *s, const struct entry *entry,
@@ -29,18 +29,18 @@ char *light_words_at(const struct session *s, const struct entry *entry,
 /* Puts "trust" and "reasons". */
 void light_put(struct fields *o, const struct trust *t);
 
-/* Puts the light into the answer's fields and adds the sentence about it, as a
- * warning if the light is red; frees it. */
+/* Adds the light to the answer's fields and the sentence about it, as a warning
+ * if it is red.  Frees the light. */
 void light_show(struct answer *r, struct trust t);
 
-/* Returns the verdict on the fit behind an answer p, or for NULL alone: "poor",
- * "too few data", "nothing breaks"; "good" if the light is green, else
- * "doubtful". */
+/* Returns the verdict on the fit behind an answer p, or on the fit alone for
+ * NULL: "poor", "too few data", "nothing breaks", "good" if the light is green,
+ * or else "doubtful". */
 const char *light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p);
 
-/* As light_verdict of a fit, but without draws from its posterior, which take
- * three times as long as the calibration.  With them "good" may become
+/* As light_verdict for a fit, but without draws from its posterior, which take
+ * three times as long as the calibration.  With draws, "good" may become
  * "doubtful". */
 const char *light_verdict_undrawn(
     const struct session *s, const struct entry *entry);

@@ -1,5 +1,5 @@
-/* Collects the parts of a document.  How they look is left to those who write
- * it as HTML or PDF.
+/* Collects the parts of a document.  html.c and pdf.c determine their
+ * appearance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/document/document.h"
 

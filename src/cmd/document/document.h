@@ -11,8 +11,8 @@
 #include "io/formats/answer.h"
 #include "plot/chart.h"
 
-/* A part, in the order in which it was added.  text: of all parts but answers
- * and pictures; DOCUMENT_TEXT: lines that stay as they are.  light: of
+/* A part; parts are in the order in which they were added.  text: for all parts
+ * except answers and pictures; DOCUMENT_TEXT is preformatted.  light: for
  * DOCUMENT_LIGHT.  answer: as shown, see answer_escaped. */
 enum document_kind {
 	DOCUMENT_HEADING,
@@ -31,25 +31,25 @@ struct document_part {
 	struct chart *chart;
 };
 
-/* title: NULL: the title of its first answer or picture, part titled_by;
- * SIZE_MAX where it comes from no part.  made_by: the program and the command.
- * one_page: a document of a single part is one page on paper, upright or
- * across, with letters as large as fit. */
+/* title: if NULL, that of the first answer or picture; titled_by is then the
+ * index of that part, else SIZE_MAX.  made_by: the program and the command.
+ * one_page: a document with a single part is printed on one page, portrait or
+ * landscape, in the largest letters that fit. */
 struct document {
 	char *title, *made_by;
 	bool one_page;
 	size_t n, titled_by;
 	struct document_part *part;
 	FILE *out;            /* see document_out */
-	char *text;           /* printed there */
-	size_t n_text, taken; /* bytes of it, and of those in parts */
+	char *text;           /* the text printed to it */
+	size_t n_text, taken; /* its bytes, and how many are in parts */
 };
 
 /* made_by: copied. */
 struct document *document_new(const char *made_by);
 void document_free(struct document *document); /* NULL is allowed */
 
-/* Returns a stream; text printed to it is put in the document as it is. */
+/* Returns a stream.  Text printed to it goes into the document unchanged. */
 FILE *document_out(struct document *document);
 
 void document_title(struct document *document, const char *title);
@@ -59,29 +59,29 @@ void document_say(struct document *document, enum document_kind kind,
 void document_light(
     struct document *document, enum light light, const char *words);
 
-/* Returns how many rows its table has. */
+/* Returns the number of rows in its table. */
 size_t document_answer(struct document *document, const struct answer *answer);
 
-/* Adds the chart, which the document then owns. */
+/* Adds the chart and takes ownership of it. */
 void document_picture(struct document *document, struct chart *chart);
 
-/* Ends the document: the text printed last becomes a part, and a title is
- * chosen.  False if the document has no part. */
+/* Completes the document: turns remaining text into a part and chooses a title.
+ * Returns false if the document has no part. */
 bool document_end(struct document *document);
 
-/* Returns "3 tables, 1 image"; without either, how many lines its text has.
- * The caller frees. */
+/* Returns "3 tables, 1 image" or, without either, the number of lines of text.
+ * The caller frees it. */
 char *document_extent_words(const struct document *document);
 
-/* For a table wider than a page: returns the column after those that fit beside
- * the first one, from the column `from` on. */
+/* For a table wider than a page, returns the column after the last of those
+ * from `from` on that fit beside the first column. */
 size_t document_block(const struct answer_view *view, size_t from);
 
-/* True if a column contains only numbers, which are set flush right. */
+/* True if a column contains only numbers, which are right-aligned. */
 bool document_is_number(const struct answer_view *view, size_t column);
 
-/* Returns the next line of a text, without its end, or NULL at its end; the
- * caller frees it. */
+/* Returns the next line of a text, without its line end, or NULL at the end of
+ * the text.  The caller frees it. */
 char *document_line(const char **text);
 
 #endif

@@ -1,5 +1,5 @@
-/* Writes a document as HTML that any browser shows and prints.  What a colour
- * says stands there in words too.
+/* Writes a document as HTML that any browser can show and print.  The meaning
+ * of each colour is also stated in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/document/html.h"
 

@@ -1,5 +1,5 @@
-/* Lays a document out on pages of A4.  It is laid out several times: to count
- * the pages, and where it is to be one page to find its scale.
+/* Lays out a document on A4 pages, several times: to count the pages and, if it
+ * is to be one page, to find its scale.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/document/pdf.h"
 

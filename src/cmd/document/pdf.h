@@ -1,13 +1,13 @@
-/* Documents on paper: A4, as PDF.
+/* Documents as A4 pages in PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DOCUMENT_PDF_H
 #define TIPSPEED_CMD_DOCUMENT_PDF_H
 
 #include "cmd/document/document.h"
 
-/* Returns the file, *n bytes, which the caller frees; pages: how many it has.
- * NULL if this program draws no PDF, see picture_can.  The same document gives
- * the same bytes. */
+/* Returns the file, *n bytes, which the caller frees.  pages: out, their
+ * number.  Returns NULL if this program cannot draw PDF, see picture_can.  The
+ * same document gives the same bytes. */
 char *document_pdf(const struct document *document, size_t *n, size_t *pages);
 
 #endif

@@ -1,5 +1,5 @@
-/* plot: a picture as text, its numbers, or a file for a paper; describe: a plot
- * in sentences, made from the data that plot draws; screen.
+/* plot: a plot as text, as numbers, or as an image file; describe: a plot in
+ * sentences, made from the data that plot draws; screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plot.h"
 

@@ -26,57 +26,56 @@ enum plot_kind {
 	PLOT_ENERGY
 };
 
-/* In the order of the enum, a space between two. */
+/* In the order of the enum, separated by spaces. */
 #define PLOT_KINDS                                                           \
 	"psd runs parity convergence spread residuals selection appearance " \
 	"map sweep response profile correlation drift search energy"
 
 struct plot_request {
 	enum plot_kind kind;
-	const char *site; /* of this loaded site; NULL: of the one in use */
-	const struct entry *entry, /* the site as asked about, see question.h;
-				    * NULL: as it is loaded */
-	    *second;               /* the same of `beside` */
-	double speed;              /* of psd, selection; NAN: the middle of the
+	const char *site;          /* the loaded site; NULL: the current one */
+	const struct entry *entry, /* the site as in the question, see
+				    * question.h; NULL: as loaded */
+	    *second;               /* the same for `beside` */
+	double speed;              /* psd, selection; NAN: the middle of the
 			      * site's speeds */
-	double other_speed; /* a second prediction beside the first, or NAN */
-	double other_feed;  /* psd: feed of the second, as feed_speed; 0: that
-			     * of the first or, at another site, the one
-			     * nearest to its speed */
+	double other_speed;        /* of a second prediction, or NAN */
+	double other_feed;  /* psd: feed of the second, like feed_speed; 0: that
+			     * of the first or, at another site, that nearest to
+			     * its speed */
 	int strip;          /* psd: rows of a strip of differences, 0: none */
 	const char *beside; /* psd: loaded site of the second; NULL: the same
 			      * site */
-	const struct prediction *kept; /* psd: the second, made before, of the
-					* site `beside`; NULL: it is made now */
-	const struct prediction *made; /* psd: the first, made before; NULL: it
-					* is made now */
+	const struct prediction *kept; /* psd: the second, if already made, for
+					* the site `beside`; or NULL */
+	const struct prediction *made; /* psd: the first, if already made; or
+					* NULL */
 	double crosshair_mm; /* psd: a vertical line with values; NAN: none */
-	double level;        /* psd: passing whose sizes are reported with the
-			      * line, % */
-	bool band; /* psd: shade the uncertainty of the prediction, if there is
-		    * one */
-	size_t generation; /* psd, search, convergence, spread: as of this
+	double level;        /* psd: passing, %, whose sizes are reported with
+			      * the line */
+	bool band;           /* psd: shade the band of the prediction, if any */
+	size_t generation;   /* psd, search, convergence, spread: state at this
 			    * generation of the history (1..n); 0: the end */
 	enum charset charset;
-	unsigned words; /* of CHART_ALL: texts around the chart.  Without
-			 * CHART_NOTES the names of psd contain no numbers that
+	unsigned words; /* bits of CHART_ALL: texts around the chart.  Without
+			 * CHART_NOTES, the names in psd contain no numbers that
 			 * change with the speed */
-	size_t n_speed; /* sweep: speeds [n_speed]; 0: answers_speeds.
-			 * runs: speeds besides the measured ones */
+	size_t n_speed; /* sweep: number of speeds; 0: answers_speeds.  runs:
+			 * speeds besides the measured ones */
 	const double *speeds;
-	const char *param;        /* profile: of this parameter; NULL: e0_min */
+	const char *param;        /* profile: the parameter; NULL: e0_min */
 	const char *of, *limits;  /* response: quantities and conditions in
-				  * words, with commas between; NULL: as
-				  * usual, none */
-	struct fraction fraction; /* psd, sweep, response: of the product; zeros
-				   * of the whole */
-	double feed_speed; /* psd, sweep: use the feed sampled at this speed;
-			    * 0: the mean, or the feed of another sheet in
+				  * words, separated by commas; NULL: the usual;
+				  * none */
+	struct fraction fraction; /* psd, sweep, response: of the product;
+				   * zeros: all of it */
+	double feed_speed; /* psd, sweep: use the feed sampled at this speed; 0:
+			    * the mean, or the feed from another sheet in
 			    * entry */
 };
 
-/* Makes the chart of a kind, which the caller frees with chart_free; NULL with
- * an error that says what is missing. */
+/* Makes a chart, which the caller frees with chart_free.  Returns NULL with an
+ * error that says what is missing. */
 typedef struct chart *plot_make(
     struct session *, const struct plot_request *, struct error *);
 

@@ -1,5 +1,5 @@
-/* Plots of a session: what all kinds share, the kinds by what they show, and
- * which function makes each.
+/* Plots of a session: functions that all kinds share, most of the kinds, and
+ * the table of all.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 

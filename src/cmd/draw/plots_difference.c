@@ -1,5 +1,5 @@
-/* Each curve less another, at its own points, on a scale of one of a few limits
- * (1, 2, 5, 10 .. points).
+/* Subtracts curves at their own points, on a scale with one of a few limits (1,
+ * 2, 5, 10 .. points).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_difference.h"
 

@@ -1,4 +1,4 @@
-/* Differences of curves, magnified, as a strip below the chart.
+/* Differences between curves, magnified, in a strip below the chart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOTS_DIFFERENCE_H
 #define TIPSPEED_CMD_DRAW_PLOTS_DIFFERENCE_H
@@ -12,8 +12,8 @@
 enum { PLOTS_STRIP = 6 };
 
 /* Adds the strip below a chart whose last series is the prediction: the
- * prediction less the second prediction, and less each series of marks with
- * wanted [chart->n] set.  Adds nothing where there is neither. */
+ * prediction minus the second prediction, and minus each series of marks with
+ * wanted [chart->n] set.  Adds nothing if there is neither. */
 void plots_difference(struct chart *chart, int rows, const bool *wanted);
 
 #endif

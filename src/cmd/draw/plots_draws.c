@@ -1,6 +1,6 @@
 /* Correlations of the parameters over the posterior's draws, as fields of a
- * grid; the misfit along one parameter with the others held, beside the density
- * of the draws.
+ * grid; the misfit along one parameter with the others refitted, beside the
+ * density of the draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 

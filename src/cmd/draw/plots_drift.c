@@ -1,5 +1,5 @@
-/* Each cut, EWMA and CUSUM (core/check/control_chart.h) as shares of their
- * limits.
+/* Plots each cut, EWMA and CUSUM (core/check/control_chart.h) as shares of
+ * their limits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 

@@ -1,4 +1,4 @@
-/* Impacts a particle in half octaves of the energy, from the bins of core's
+/* Plots impacts per particle in half octaves of energy, from the bins of core's
  * spectrum.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"

@@ -1,5 +1,5 @@
-/* Least and most of each sieve as two series; a product's fraction by the same
- * screens, taken from the curve of the whole.
+/* Plots the limits of each sieve as two series; screens a product's fraction in
+ * the same way, from the curve of the whole.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_limits.h"
 

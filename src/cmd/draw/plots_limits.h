@@ -1,4 +1,4 @@
-/* The grading envelope in use, in a plot of size distributions.
+/* The chosen grading envelope, in a plot of size distributions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOTS_LIMITS_H
 #define TIPSPEED_CMD_DRAW_PLOTS_LIMITS_H
@@ -10,18 +10,17 @@
 /* Styles of the upper and the lower limits. */
 extern const struct chart_series PLOTS_LIMITS[2];
 
-/* Adds the limits on sieves within the axis, behind what is added later; notes:
- * says in words what they are.  Adds nothing where no envelope is chosen. */
+/* Adds the limits on sieves within the axis, behind anything added later.
+ * notes: describe them in words.  Adds nothing if no envelope is chosen. */
 void plots_limits_add(struct chart *chart, const struct session *s, bool notes);
 
-/* Puts into part the product of the fraction that the envelope in use is for,
- * read off the prediction's curve, and nothing else of the prediction; free
- * with prediction_free.  False where the envelope is for the whole product. */
+/* Fills only the product in part: the fraction to which the chosen envelope
+ * applies, read off the prediction's curve.  Free with prediction_free.
+ * Returns false if the envelope is for the whole product. */
 bool plots_limits_fraction(const struct session *s, const struct entry *entry,
     const struct prediction *whole, struct prediction *part);
 
-/* Returns the envelope's fraction, "0/4.75"; "" where it has none.  The caller
- * frees. */
+/* Returns the envelope's fraction, "0/4.75", or "".  The caller frees it. */
 char *plots_limits_words(const struct session *s);
 
 #endif

@@ -1,5 +1,5 @@
-/* f_mat against e0_min of Table 3, the store and the loaded sites, a series for
- * each rock.
+/* Plots f_mat against e0_min for Table 3, the store and the loaded sites, with
+ * a series for each rock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 

@@ -1,5 +1,5 @@
-/* Takes generations, bounds and best from the running calibration, or from what
- * one left.
+/* Takes generations, bounds and the best candidate from the running
+ * calibration, or from the history of the last.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_past.h"
 

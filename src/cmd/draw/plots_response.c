@@ -1,5 +1,5 @@
-/* Quantities, their bands, limits, measured values and the window at speeds
- * across the range, a chart for each unit.
+/* Plots quantities, their bands, limits, measured values and the window over
+ * the range of speeds, with a chart for each unit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 

@@ -1,5 +1,5 @@
-/* Each feed once, each product with its prediction by the model alone, as many
- * as a chart can tell apart.
+/* Plots each feed once and each product with its prediction by the model alone,
+ * as many as can be told apart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 

@@ -1,5 +1,5 @@
-/* Residuals of candidates run by run, misfits over the generations, and the
- * ranges of candidates and draws within the bounds.
+/* Plots residuals of candidates run by run, misfits over the generations, and
+ * the ranges of candidates and draws within the bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_search.h"
 

@@ -1,5 +1,5 @@
-/* Plots of a search: how far its candidates lie from what was measured, how
- * they converged, and where they lie within the bounds.
+/* Plots of a search: the residuals of its candidates, their convergence, and
+ * their positions within the bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOTS_SEARCH_H
 #define TIPSPEED_CMD_DRAW_PLOTS_SEARCH_H
@@ -9,14 +9,14 @@
 
 plot_make plots_search, plots_search_convergence, plots_search_spread;
 
-/* Returns the style of the nth run that is fitted: its own colour. */
+/* Returns the style of the nth fitted run, which has a colour of its own. */
 struct chart_series plots_search_look(
     const struct site *site, size_t run, size_t nth);
 
-/* Parameter j between its bounds as it is reported; the gauge parameters from
- * -1 to 1, whatever their bounds (D4).  p10, p90: of the candidates; drawn: the
- * middle 80 % of the draws, NAN without draws.  near: in the outer 5 % of the
- * bounds; at_bound: on a bound. */
+/* Parameter j, as reported, between its bounds; those in the gauge are between
+ * -1 and 1, whatever their bounds (D4).  p10, p90: of the candidates; drawn:
+ * the middle 80 % of the draws, NAN without draws.  near: within 5 % of a
+ * bound; at_bound: on a bound. */
 struct plots_strip {
 	double lower, upper, p10, p90, best, drawn[2];
 	bool fixed, near, at_bound;
@@ -24,8 +24,8 @@ struct plots_strip {
 struct plots_strip plots_search_strip(struct session *s,
     const struct plots_past *past, size_t generation, size_t j);
 
-/* Returns a sentence on what happens at that generation, which has to exist.
- * The caller frees. */
+/* Returns a sentence on what happens at that generation, which must exist.  The
+ * caller frees it. */
 char *plots_search_words(
     struct session *s, const struct plots_past *past, size_t generation);
 

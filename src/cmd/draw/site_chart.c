@@ -1,4 +1,5 @@
-/* The title from the site's name, the source below it, and a look for each run.
+/* Makes charts with the site's name as title and the source of its data below,
+ * and a style for each run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/site_chart.h"
 

@@ -1,4 +1,4 @@
-/* Charts about a site.
+/* Charts of a site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_SITE_CHART_H
 #define TIPSPEED_CMD_DRAW_SITE_CHART_H
@@ -10,26 +10,25 @@
 #include "plot/chart.h"
 
 /* Returns a chart titled "Tierp, Granite, 11.2 mm: ..", with the source of the
- * site's data; takes over the axes. */
+ * site's data.  Takes ownership of the axes. */
 struct chart *site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...) __attribute__((format(printf, 4, 5)));
 
-/* Returns style i of those that several series of a chart take in turn; the
- * first 23 differ without colour. */
+/* Returns style i of those used in turn for several series in a chart; the
+ * first 23 differ even without colour. */
 struct chart_series site_chart_style(size_t i);
 
-/* Returns the style of what was measured in a run, the same in every plot:
- * marks alone, full ones where the model was fitted to the run.  Repeats look
- * alike. */
+/* Returns the style for a run's measurements, the same in every plot: marks
+ * only, filled unless held_out.  Repeats look alike. */
 struct chart_series site_chart_run(
     const struct site *site, size_t run, bool held_out);
 
-/* Says below a chart that its measured products were moved to the feed, if the
- * largest move, 0..1, is large enough to be told, see moved_largest. */
+/* Notes below a chart that its measured products were moved to the feed, if the
+ * largest move, 0..1 (moved_largest), is large enough to mention. */
 void site_chart_moved(struct chart *chart, double most);
 
-/* psd shows the measured products of SITE_CHART_RUNS speeds, the nearest to its
- * own; site_chart_speeds_left_out returns how many speeds are left out. */
+/* psd shows the measured products at the SITE_CHART_RUNS speeds nearest to its
+ * own; site_chart_speeds_left_out returns the number of other speeds. */
 enum { SITE_CHART_RUNS = 12 };
 size_t site_chart_speeds_left_out(const struct site *site);
 

@@ -1,5 +1,5 @@
-/* collect: the parts of many sites become the answer of one run, and the stores
- * that they remembered sites in one store.
+/* collect: joins the parts of many sites into the answer of one run, and the
+ * stores that they wrote into one store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include <string.h>

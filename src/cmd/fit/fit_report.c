@@ -1,4 +1,4 @@
-/* The table of a fit and its fields; history: the generations of the search.
+/* The table of a fit and its fields; history: the generations of a search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/fit_report.h"
 

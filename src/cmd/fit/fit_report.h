@@ -1,17 +1,18 @@
-/* The report of a fit, as calibrate shows it.
+/* The report of a fit, as shown by calibrate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_FIT_REPORT_H
 #define TIPSPEED_CMD_FIT_FIT_REPORT_H
 
 #include "cmd/session/session.h"
 
-/* Returns the report of a site's fit, with its fields; seconds: how long it
- * took.  detail: with the table of parameters and the course of the search,
- * which programs get in any case; else a few lines on how good it is. */
+/* Returns the report of a site's fit, with its fields.  seconds: duration of
+ * the search.  detail: include the table of parameters and the course of the
+ * search, which programs always get; otherwise a few lines on the quality of
+ * the fit. */
 struct answer *fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail);
 
-/* Puts the fields that json has of an entry's fit, except for its ranges. */
+/* Puts the JSON fields of an entry's fit, except its ranges. */
 void fit_put(struct fields *o, const struct entry *entry, const char *verdict,
     double seconds);
 

@@ -1,4 +1,5 @@
-/* Calibrations: started, paused, ended and summed up.  The driver pumps them.
+/* Starts, pauses, ends and summarises calibrations.  The driver runs them step
+ * by step.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/job.h"
 

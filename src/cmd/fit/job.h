@@ -1,12 +1,12 @@
-/* The calibration under way, for its driver and for other commands.
+/* The calibration in progress, for its driver and for other commands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_JOB_H
 #define TIPSPEED_CMD_FIT_JOB_H
 
 #include "cmd/session/session.h"
 
-/* A round: a site, the runs it is trained on, its calibration.  stop: returns
- * true if the user waits, or NULL. */
+/* A round: a site, its training runs, its calibration.  stop: returns true if
+ * the user is waiting; may be NULL. */
 struct round {
 	size_t entry;
 	const bool *train;
@@ -16,54 +16,53 @@ struct round {
 
 /* What a job calibrates, round by round. */
 struct rounds {
-	/* Sets up the first round or the next: job.entry, and job.train for
-	 * that site.  False where there is none left. */
+	/* Prepares the first or the next round: job.entry, and job.train for
+	 * that site.  Returns false if none is left. */
 	bool (*next)(struct session *s);
-	/* Called when the round's calibration has ended: computes part of what
-	 * follows from it; true when nothing is left to do.  NULL: nothing
-	 * follows. */
+	/* Called after the round's calibration, to compute further results in
+	 * steps; returns true when done.  NULL: there are none. */
 	bool (*draw)(struct session *s);
-	/* Keeps the round's result: called once `draw` is done, or if the job
-	 * was stopped. */
+	/* Keeps the round's result: called when `draw` is done or the job was
+	 * stopped. */
 	void (*take)(struct session *s);
-	/* Called after the last round or ^C: answers, and owns `of`. */
+	/* Called after the last round or ^C: answers, and takes ownership of
+	 * `of`. */
 	void (*end)(struct session *s, void *of);
-	void (*drop)(void *of); /* without an answer; `of` or NULL */
-	bool alone; /* one calibration, to be continued when stopped */
-	/* Returns the round under way, which the caller frees: "tierp without
-	 * 74 m/s".  NULL: each round is its site's own fit, and can be
+	void (*drop)(void *of); /* frees `of`, or NULL, without an answer */
+	bool alone;             /* a single calibration, which can be resumed */
+	/* Returns the name of the current round, "tierp without 74 m/s", which
+	 * the caller frees.  NULL: each round fits its own site and can be
 	 * watched. */
 	char *(*at)(const struct session *s);
-	/* What to say of a stopped job whose results are of no use; NULL: they
-	 * are of use. */
+	/* The message if a stopped job's results are useless; NULL: they are
+	 * useful. */
 	const char *useless;
-	/* Returns what follows from a round's calibration once it has ended,
-	 * for `take` as job.found, which owns it; `drop` frees it.  Rounds run
-	 * side by side call it in their threads, so it changes nothing in the
-	 * session.  Returns NULL where it was stopped.  A NULL function:
-	 * nothing follows. */
+	/* Returns further results of a round's finished calibration, or NULL if
+	 * stopped.  `take` finds them in job.found, which owns them; `drop`
+	 * frees them.  Parallel rounds call this in their threads, so it must
+	 * not change the session.  NULL: there are none. */
 	void *(*follow)(const struct session *s, const struct round *round);
 };
 
 /* Returns the options of a plain `calibrate` in this session. */
 struct calibrate_options job_options(const struct session *s);
 
-/* Starts a job in which rounds, of, options, pause_at and, if there is one
- * round, train and run_weight are set; takes over what it owns.  False if it
- * has no round. */
+/* Starts a job in which rounds, of, options, pause_at and, for a single round,
+ * train and run_weight are set.  Takes ownership of the members.  Returns false
+ * if there is no round. */
 bool job_start(struct session *s, const struct job *job);
 
 /* Marks in train [n_run] the runs with a product that their feed covers: all,
- * or those at the slowest and the fastest speed.  Returns how many. */
+ * or those at the slowest and fastest speeds.  Returns their number. */
 size_t job_mark(const struct site *site, bool all, bool *train);
 
-/* Returns how many speeds have a product that the feed covers.  Holding out
- * each in turn needs JOB_FOR_EACH, so that at least two are left. */
+/* Returns the number of speeds with a product that the feed covers.  Holding
+ * out each in turn needs JOB_FOR_EACH, which leaves at least two. */
 enum { JOB_FOR_EACH = 3 };
 size_t job_speeds(const struct site *site);
 
-/* Advances `speed` to the next of these speeds, 0 being before the first, and
- * marks the runs at the others in train.  False if none is left. */
+/* Advances `speed` to the next of these speeds (0: before the first) and marks
+ * the runs at all others in train.  Returns false if none is left. */
 bool job_hold_out(const struct site *site, double *speed, bool *train);
 
 /* Runs one step of the job; prints the result and ends the job when it is
@@ -71,20 +70,20 @@ bool job_hold_out(const struct site *site, double *speed, bool *train);
 void session_step(struct session *s);
 
 /* As session_step, for drivers that need not respond meanwhile: runs several
- * rounds to their ends, side by side, if they do not depend on each other. */
+ * independent rounds to their ends in parallel. */
 void session_rounds(struct session *s);
 
-/* Discards a stopped calibration, and says so. */
+/* Discards a stopped calibration and says so. */
 void session_discard_job(struct session *s);
 
-/* Stops the job for the user, so that `continue` can resume it.  The best
- * result so far becomes the site's fit, unless the site's parameters fit
- * better: these stay then, and `accept` takes the stopped ones.  A job without
- * a generation, or of no use when stopped, gives no result. */
+/* Stops the job for the user; `continue` can resume it.  The best result so far
+ * becomes the site's fit, unless the site's parameters fit better: these are
+ * then kept, and `accept` takes the result.  A job without a generation, or
+ * useless when stopped, gives no result. */
 enum stopped { STOPPED_EMPTY, STOPPED_TAKEN, STOPPED_WORSE };
 enum stopped session_pause(struct session *s);
 
-/* Ends the job, and discards its results. */
+/* Ends the job and discards its results. */
 void session_stop(struct session *s);
 
 #endif

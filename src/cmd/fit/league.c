@@ -1,4 +1,4 @@
-/* league: every breakage model on the same runs, beside those who need none.
+/* league: compares all breakage models, and null models, on the same runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

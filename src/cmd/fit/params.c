@@ -1,4 +1,4 @@
-/* Parameters and their bounds.
+/* params, bounds: show and set parameters and their bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/params.h"
 

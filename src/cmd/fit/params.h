@@ -1,4 +1,4 @@
-/* Commands about the model: params, bounds.
+/* Commands for the model: params, bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_PARAMS_H
 #define TIPSPEED_CMD_FIT_PARAMS_H
@@ -8,8 +8,8 @@
 /* Names of the appearance forms, in the order of the enum. */
 extern const char *const MODEL_FORMS[3];
 
-/* Gives a site parameters that were not fitted to it; takes over the share in
- * their origin. */
+/* Gives a site parameters that were not fitted to it and takes ownership of the
+ * share in their origin. */
 void model_take_params(struct session *s, struct entry *entry,
     const struct params *p, struct origin *origin);
 

@@ -1,5 +1,5 @@
 /* Reads "2/5" or the task number that a batch system sets, chooses the sites,
- * and signs an answer by a digest (FNV-1a) of all loaded data and options.
+ * and adds a digest (FNV-1a) of all loaded data and options to an answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/part.h"
 

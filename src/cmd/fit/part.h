@@ -1,5 +1,5 @@
-/* Parts of many sites, shared out to several programs, and the table of sites
- * that the parts are joined into.
+/* Division of many sites into parts for several programs, and the table of
+ * sites that joins the parts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_PART_H
 #define TIPSPEED_CMD_FIT_PART_H
@@ -9,19 +9,19 @@
 #include "io/formats/answer.h"
 
 /* Part `number`, from 1, of `of`: every of-th site.  of 0: all sites.  from:
- * where the part was given, "part" or a variable of the environment. */
+ * the source of the part, "part" or an environment variable. */
 struct part {
 	size_t number, of;
 	const char *from;
 };
 
-/* Reads the part from part= of the call, else from the environment that Slurm
- * gives to the tasks of a job array, or Open MPI to its ranks.  all: the call
- * is for all sites; other calls have no part. */
+/* Reads the part from part= in the call, or else from the environment set by
+ * Slurm for tasks of a job array or by Open MPI for ranks.  all: the call is
+ * for all sites; other calls have no part. */
 bool part_choose(
     const struct args *args, bool all, struct part *part, struct error *error);
 
-/* True if the part contains site `index`, counted from 0. */
+/* True if the part contains site `index`, from 0. */
 bool part_has_site(const struct part *part, size_t index);
 
 /* part_answer returns the answer of `calibrate all`; part_add adds a site to
@@ -34,13 +34,13 @@ struct part_row {
 struct answer *part_answer(void);
 void part_add(struct answer *answer, const struct part_row *row);
 
-/* Returns all that the results of a calibration with these options depend on,
- * in words; parts made elsewhere have to agree on them.  more: what else they
- * depend on.  The caller frees. */
+/* Returns in words everything on which the results of a calibration with these
+ * options depend; all parts must agree on it.  more: further dependencies.  The
+ * caller frees it. */
 char *part_options(const struct session *s, const struct calibrate_options *o,
     const char *more);
 
-/* Puts what `collect` needs to know of a part into its answer: indices [n] of
+/* Puts what `collect` needs to know about a part into its answer.  index [n]:
  * its sites; options: see part_options. */
 void part_put_digest(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n,

@@ -1,6 +1,6 @@
-/* The runs of one site, one by one; of many sites together RMSE, bias and R2 of
- * each size (validate_score) and how often each way is the best; and the
- * numbers of runs that parts hand on.
+/* The runs of one site, one by one; for many sites together, RMSE, bias and R2
+ * of each size (validate_score) and how often each way is best; and the numbers
+ * of runs that parts pass on.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/scores.h"
 

@@ -1,5 +1,5 @@
-/* The summaries of `validate`: of the runs of one site, and of many sites, from
- * one program or from the parts that several wrote.
+/* The summaries of `validate`: for the runs of one site, and for many sites,
+ * from one program or from parts written by several.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_SCORES_H
 #define TIPSPEED_CMD_FIT_SCORES_H
@@ -8,8 +8,8 @@
 #include "io/formats/answer.h"
 #include "io/formats/shards.h"
 
-/* Names of each way to predict: in keys, over its column, and in sentences; and
- * of each size in keys. */
+/* Names of each way to predict, for keys, column headings and sentences; and of
+ * each size, for keys. */
 struct scores_way {
 	const char *key, *head, *noun;
 };
@@ -19,8 +19,8 @@ extern const char *const SCORES_SIZES[PSD_SIZES];
 /* Puts "null": {"feed_rmse_pct": ..}: the errors of the null models, 0..1. */
 void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
-/* Returns the answer on the runs of this site: fields, tables, and which
- * predicts best.  sieves: csv has a row a sieve, in place of one a size. */
+/* Returns the answer on the runs of this site: fields, tables, and which way
+ * predicts best.  sieves: csv has a row for each sieve instead of each size. */
 struct answer *scores_site_answer(
     const struct trials *c, const struct site *site, bool sieves);
 
@@ -28,7 +28,7 @@ struct answer *scores_site_answer(
 struct answer *scores_answer(const struct trials *c);
 
 /* scores_put writes the runs as "rows" of a part; scores_add_part_site reads
- * those of one site of a part. */
+ * the runs of one site in a part. */
 void scores_put(struct fields *o, const struct trials *c);
 void scores_add_part_site(struct trials *c, const struct part_site *site);
 

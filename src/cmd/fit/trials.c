@@ -1,5 +1,4 @@
-/* Compares each run that was not trained on with all ways to predict it
- * (validate_passings).
+/* Compares each held-out run with all predictions of it (validate_passings).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/trials.h"
 

@@ -1,5 +1,4 @@
-/* Runs that were measured and predicted: by whom, from which training, and how
- * far apart they are.
+/* Runs both measured and predicted, and their differences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_TRIALS_H
 #define TIPSPEED_CMD_FIT_TRIALS_H
@@ -8,11 +7,11 @@
 #include "core/posterior/posterior.h"
 #include "core/check/validate.h"
 
-/* A run that was measured and predicted.  entry: the index of its site among
- * all loaded ones; key: of the site; source: of its data; name: "74 (2)";
- * passing: see validate_passings; within: how many of its passings lie in the
- * band for one more sample.  One of a part that was read has no name, run and
- * passing; within is used only when one site is validated. */
+/* A run both measured and predicted.  entry: index of its site among all loaded
+ * sites; key: of the site; source: of its data; name: "74 (2)"; passing: see
+ * validate_passings; within: number of its passings in the band for one more
+ * sample, used only when one site is validated.  Runs read from a part have no
+ * name, run or passing. */
 struct trial {
 	size_t entry;
 	char *key, *source, *name;
@@ -23,9 +22,9 @@ struct trial {
 	struct validation v;
 };
 
-/* Such runs, in the order of their sites.  one: of one site, so that bands are
- * looked at, of this level; each: every speed was held out in turn; left_out:
- * sites without such a run. */
+/* Such runs, in the order of their sites.  one: they are of one site, so bands
+ * are compared, of this level; each: every speed was held out in turn;
+ * left_out: number of sites without such a run. */
 struct trials {
 	bool one, each;
 	double level;
@@ -33,7 +32,7 @@ struct trials {
 	struct trial *item;
 };
 
-/* What predicts the runs of a site.  rmse: of the fit, 0..1. */
+/* The basis for predicting the runs of a site.  rmse: of the fit, 0..1. */
 struct predicted_by {
 	size_t entry;
 	const char *key;
@@ -48,26 +47,26 @@ struct predicted_by {
 /* Adds all held-out runs of the site that have a product. */
 void trials_add(struct trials *c, const struct predicted_by *by);
 
-/* As trials_add, by the entry's parameters, corrected by the posterior, or
- * NULL. */
+/* As trials_add, but predicted by the entry's parameters and corrected by the
+ * posterior, or NULL. */
 void trials_add_entry(struct trials *c, const struct session *s, size_t index,
     const struct posterior *posterior);
 
-/* Adds a run, and takes over what it owns. */
+/* Adds a run and takes ownership of its members. */
 void trials_add_trial(struct trials *c, struct trial trial);
 
 /* Moves the runs of `from` to the end of `c`. */
 void trials_append(struct trials *c, struct trials *from);
 
-/* Returns where the data of the runs are from, each source once, and the number
- * of their sites.  The caller frees. */
+/* Returns the sources of the runs' data, each once, and the number of their
+ * sites.  The caller frees the text. */
 char *trials_sources(const struct trials *c, size_t *sites);
 
 /* Returns the score of a way at size i of PSD_PASSING over all runs. */
 struct validate_score trials_score(
     const struct trials *c, enum validate_way way, size_t i);
 
-/* Frees what it has. */
+/* Frees the members. */
 void trials_clear(struct trials *c);
 
 #endif

@@ -1,4 +1,4 @@
-/* validate: the model against runs it has not seen, beside who needs no model.
+/* validate: compares the model and null models on held-out runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

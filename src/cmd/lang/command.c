@@ -1,4 +1,4 @@
-/* Looking things up in the command table.
+/* Lookup in the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/command.h"
 

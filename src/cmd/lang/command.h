@@ -20,9 +20,10 @@ enum value_kind {
 	VALUE_WHOLE,   /* 0 to 2^64-1 */
 	VALUE_CHOICE,  /* one of the option's choices */
 	VALUE_NUMBERS, /* a,b,c or a..b[:step]; n is 0 for a choice */
-	VALUE_FILE,    /* path of a file */
-	VALUE_FEED,    /* a number, or path of a sheet with a feed */
-	VALUE_SPEC,    /* path of an envelope, or the name of a shipped one */
+	VALUE_FILE,    /* path */
+	VALUE_FEED,    /* a number, or the path of a sheet with a feed */
+	VALUE_SPEC,    /* path of an envelope, or the name of a shipped
+			* envelope */
 	VALUE_TEXT
 };
 
@@ -30,18 +31,18 @@ enum value_kind {
 struct command_option {
 	const char *name;
 	enum value_kind kind;
-	const char *unit;     /* "m/s"; "" where there is none */
+	const char *unit;     /* "m/s"; "" if none */
 	double least, most;   /* of numbers */
 	const char *choices;  /* see option_choices */
-	const char *fallback; /* default, as typed; "" where there is none */
+	const char *fallback; /* default, as typed; "" if none */
 	const char *brief;
 };
 
 /* A setting.  option: its values; option.fallback is the initial value, or ""
- * where the session determines it.  offset: of the member of struct choices
- * that keeps it: a double for a number, letters for a text, an unsigned or an
- * enum for the rest.  looks: it concerns the full screen, which saves it, and
- * is not undone. */
+ * if the session determines it.  offset: that of its member in struct choices:
+ * a double for a number, a char array for a text, otherwise an unsigned or an
+ * enum.  looks: it concerns the appearance of the full screen, which saves it;
+ * undo ignores it. */
 struct setting {
 	struct command_option option;
 	size_t offset;
@@ -61,8 +62,8 @@ struct value {
 enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
 /* A parsed call.  column[i]: where operand i begins in the line.  value[i]
- * belongs to the command's option i; an option with a fallback that was not
- * given contains the fallback's value and given = false. */
+ * belongs to the command's option i; an option that was not given has given =
+ * false and the value of its fallback, if any. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
@@ -71,7 +72,7 @@ struct args {
 	struct value value[OPTIONS];
 };
 
-/* Runs a command.  False with an error if it fails. */
+/* Runs a command.  On failure, returns false with an error. */
 typedef bool command_run(struct session *, const struct args *, struct error *);
 
 /* Runs a command that answers a question (cmd/ask/question.h). */
@@ -83,139 +84,136 @@ typedef bool command_answer(
 enum command_flag {
 	COMMAND_CHANGES = 1,   /* changes the session: can be undone */
 	COMMAND_FILES = 2,     /* operands are files: refused by --safe */
-	COMMAND_VERBATIM = 4,  /* > and | are words like others */
-	COMMAND_UNSAVED = 8,   /* save leaves it out, or it sees to it itself */
-	COMMAND_LATEST = 16,   /* of several in a row save keeps the last */
-	COMMAND_DRAWS = 32,    /* may write into a picture's file */
+	COMMAND_VERBATIM = 4,  /* > and | are ordinary words */
+	COMMAND_UNSAVED = 8,   /* save omits it, or it adds its own line */
+	COMMAND_LATEST = 16,   /* save keeps the last of several in a row */
+	COMMAND_DRAWS = 32,    /* may write to an image file */
 	COMMAND_AT_SITE = 64,  /* needs a site to work on */
-	COMMAND_LOOKS = 128,   /* what it changes alone is not worth keeping */
+	COMMAND_LOOKS = 128,   /* its changes alone are not worth keeping */
 	COMMAND_PARAMS = 256,  /* its options are the models' parameters */
-	COMMAND_SPEC = 512,    /* operands are as VALUE_SPEC */
-	COMMAND_BESIDE = 1024, /* on the screen a search runs on beside it */
+	COMMAND_SPEC = 512,    /* operands are like VALUE_SPEC */
+	COMMAND_BESIDE = 1024, /* full screen: a search continues meanwhile */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
-	COMMAND_DAILY = 4096,  /* of a day's work: help alone shows it */
+	COMMAND_DAILY = 4096,  /* in daily use: shown by plain `help` */
 	COMMAND_CONDITIONS = 8192, /* a condition needs no quotes */
-	COMMAND_QUANTITIES = 16384 /* words that name quantities are its of= */
+	COMMAND_QUANTITIES = 16384 /* words that name quantities form its of= */
 };
 
-/* Operands of a command: usage: as shown in help, or NULL; at least `least` and
- * at most `most`.  expect: what completion offers for the first, the second ..;
- * the last entry applies to all further operands.  Words between spaces: those
- * in capitals stand for what exists (see KINDS in complete.c), others for
- * themselves. */
+/* Operands of a command.  usage: as shown in help, or NULL; at least `least`
+ * and at most `most`.  expect: what completion offers for the first, second and
+ * further operands; the last entry applies to all that follow.  Words are
+ * separated by spaces: words in capitals stand for what exists (see KINDS in
+ * complete.c), others for themselves. */
 struct command_operands {
 	const char *usage, *expect[EXPECTS];
 	size_t least, most;
 };
 
 /* name: one word, under which answers are kept.  alias: a second name, or NULL;
- * an alias of two words ("store list") is the name shown to people.  others:
- * names of commands that are meant instead if a line has an option that only
- * they have, or a range of speeds ("predict 65..85"), see
- * command_find_two_words.  bare: option that a bare word stands for ("predict
- * 74"), or NULL.  setting: options that may be written as two words ("set
- * method classes").  text: sentences for help and manual.  more: further
- * sentences for the manual, or NULL.  example: lines of a script that runs in a
- * folder with the project's data/. */
+ * a two-word alias ("store list") is the name shown to people.  others:
+ * commands that are meant instead if a line has an option that only they have,
+ * or a range of speeds ("predict 65..85"), see command_find_two_words.  bare:
+ * the option that a bare word sets ("predict 74"), or NULL.  setting: options
+ * that may be written as two words ("set method classes").  text: sentences for
+ * help and manual.  more: further sentences for the manual, or NULL.  example:
+ * lines of a script that runs in a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
 	const char *others[2];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
-	/* At most one of the two; ends with a name of NULL. */
+	/* At most one of these; each ends with a NULL name. */
 	const struct command_option *option;
 	const struct setting *setting;
-	/* Options shared with other commands, of SHARED_..; NULL after the
-	 * last. */
+	/* Options shared with other commands, from SHARED_..; ends with
+	 * NULL. */
 	const struct command_option *shared[SHARES + 1];
 	const char *text, *more, *example;
-	/* One of the two. */
+	/* Exactly one of these. */
 	command_run *run;
 	command_answer *answer;
 };
 
-/* The parts of the table, a file for each group; each ends with a name of
- * NULL. */
+/* The parts of the table, one file for each group; each ends with a NULL
+ * name. */
 extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
     TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
 
-/* Options of several commands, described once; each ends with a name of
- * NULL. */
+/* Options common to several commands; each ends with a NULL name. */
 extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
     SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
-/* The settings; ends with a name of NULL. */
+/* The settings, ending with a NULL name. */
 extern const struct setting SETTINGS[];
 
-/* Goes through the table by group: returns the first command for NULL, else the
- * one after.  NULL at the end. */
+/* Iterates over the table by group: returns the command after the given one,
+ * the first for NULL, and NULL at the end. */
 const struct command *command_next(const struct command *after);
 
-/* Returns the group of a command: "answers". */
+/* Returns the group of a command, such as "answers". */
 const char *command_group(const struct command *command);
 
-/* Return the name shown to people, and the other name or NULL. */
+/* Return the name shown to people, and the other name, or NULL. */
 const char *command_title(const struct command *command);
 const char *command_other_name(const struct command *command);
 
-/* Returns the command or, of its `others`, the one that the words are for. */
+/* Returns the command, or one of its `others` if the words call for that. */
 const struct command *command_find_two_words(
     const struct command *command, char *const *word, size_t n);
 
-/* Finds a command by full name or alias; NULL if there is none. */
+/* Returns the command with that full name or alias, or NULL. */
 const struct command *command_find(const char *name);
 
-/* As command_find; at a prompt also without case, by a prefix of two letters
- * or more that only one command has, and quit by q. */
+/* As command_find, but at a prompt also ignores case and accepts a unique
+ * prefix of at least two letters, and q for quit. */
 const struct command *command_find_typed(const char *name, bool prompt);
 
-/* Returns the names that begin with `name`, without case: "calibrate, check".
- * The caller frees. */
+/* Returns the names that begin with `name`, ignoring case: "calibrate, check".
+ * The caller frees it. */
 char *command_candidates(const char *name);
 
-/* Returns the name nearest to a mistyped one, or NULL when none is near. */
+/* Returns the name closest to a mistyped one, or NULL if none is close. */
 const char *command_nearest(const char *name);
 
-/* Option i, counted from 0; NULL past the last.  command_option_at counts the
+/* Return option i, from 0, or NULL past the last.  command_option_at counts the
  * command's own options, then its shared ones; command_own_option only its own;
- * command_shared_option all shared ones. */
+ * command_shared_option those shared by any commands. */
 const struct command_option *command_option_at(
     const struct command *command, size_t i);
 const struct command_option *command_own_option(
     const struct command *command, size_t i);
 const struct command_option *command_shared_option(size_t i);
 
-/* Returns the options that the command shares with others: "feed, cascade"; ""
- * where there are none.  The caller frees. */
+/* Returns the options that the command shares with others, "feed, cascade", or
+ * "".  The caller frees it. */
 char *command_shared(const struct command *command);
 
-/* Returns the index of an option, or OPTIONS if the command has none of that
- * name. */
+/* Returns the index of the option with that name, or OPTIONS. */
 size_t command_option_index(const struct command *command, const char *name);
 
 /* Returns the call as shown in help, with the command's own options: "predict
- * [speed=V]".  The caller frees. */
+ * [speed=V]".  The caller frees it. */
 char *command_usage(const struct command *command);
 
-/* Returns an option in words: "brief (limits), default D".  The caller
- * frees. */
+/* Returns an option in words: "brief (limits), default D".  The caller frees
+ * it. */
 char *command_option_words(const struct command_option *option);
 
-/* Returns the words of an option: "on off"; of a text, as `expect` of operands;
- * of numbers, the words allowed instead; or NULL.  A choice without words is
- * one of the breakage models. */
+/* Returns the words of an option, "on off"; for a text, as in `expect` of
+ * operands; for numbers, the words allowed instead; or NULL.  A choice without
+ * words is a breakage model. */
 const char *option_choices(const struct command_option *option);
 
-/* Returns the values an option may have: "1 to 200 m/s", "on, off".  The caller
- * frees. */
+/* Returns the allowed values of an option: "1 to 200 m/s", "on, off".  The
+ * caller frees it. */
 char *command_limits(const struct command_option *option);
 
 /* True if the value names a file. */
 bool value_is_file(
     const struct command_option *option, const struct value *value);
 
-/* Returns the value of an option of the call; asserts that the command has
+/* Returns the value of an option in the call; asserts that the command has
  * it. */
 const struct value *args_value(const struct args *args, const char *name);
 

@@ -1,5 +1,5 @@
-/* The tables as mdoc, and as a script for bash.  Run at build time by
- * tools/make-manual.c.
+/* Prints the tables as mdoc and as a script for bash.  tools/make-manual.c uses
+ * this at build time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/manual.h"
 

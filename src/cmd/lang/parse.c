@@ -1,6 +1,7 @@
-/* From a line of text to calls: the line as commands, words and where the
- * results go; what may stand after an option; words as options and operands of
- * a command.  The grammar is that of tipspeed(1), COMMAND LANGUAGE.
+/* Parses a line of text into calls: splits it into commands, words and the
+ * target of results, parses the values of options, and matches words with the
+ * options and operands of a command.  The grammar is that of tipspeed(1),
+ * COMMAND LANGUAGE.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/parse.h"
 
@@ -566,7 +567,8 @@ error_unknown_option(
 	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
-		if (text_distance(o->name, name) > 2)
+		size_t far = text_distance(o->name, name);
+		if (far > 2 || far >= strlen(name))
 			continue;
 		error_hint(error, "did you mean '%s'?", o->name);
 		return;

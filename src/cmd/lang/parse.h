@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "cmd/lang/command.h"
 
-/* Where a line comes from, for messages.  prompt: it was typed at a prompt,
- * where names of commands may be cut short.  column: of the command's first
- * character, 0 where it is not known. */
+/* The origin of a line, for messages.  prompt: it was typed at a prompt, where
+ * names of commands may be abbreviated.  column: that of the command's first
+ * character; 0 if not known. */
 struct place {
 	const char *file;
 	int line;
@@ -24,8 +24,9 @@ enum target { TO_SCREEN, TO_FILE, TO_END, TO_PIPE };
 
 /* The words of one command and the columns where they start (from 1).  typed:
  * the words as typed in the line; NULL after an error.  next: the offset in the
- * line at which the next command may begin.  target: file of TO_FILE (">") and
- * TO_END (">>"), shell command of TO_PIPE; to_column: the column of > or |. */
+ * line at which the next command may begin.  target: the file for TO_FILE (">")
+ * and TO_END (">>"), or the shell command for TO_PIPE; to_column: the column of
+ * > or |. */
 struct words {
 	size_t n;
 	char *text[OPERANDS];
@@ -40,31 +41,31 @@ struct words {
 };
 
 /* Splits the command that begins at line + from into words at spaces; "quoted"
- * words are kept whole ("" within quotes is one quote).  Ends at ; or # or the
- * end of the line.  False on an open quote, too many words or a faulty
- * redirection.  Free with words_free in any case. */
+ * words stay whole ("" within quotes is one quote).  The command ends at ; or #
+ * or the end of the line.  Returns false on an open quote, too many words or a
+ * faulty redirection.  Always free with words_free. */
 bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
 /* Finds the command and checks every value against its table.  args borrows
- * from words; free with args_free in any case. */
+ * from words; always free with args_free. */
 const struct command *parse_call(const struct words *words, struct place place,
     struct args *args, struct error *error);
 void args_free(struct args *args);
 
-/* Reads word as the option's value, which borrows it; the caller frees
- * value->list.  False, with an error that says what was expected and a hint at
- * what was meant. */
+/* Parses word as the option's value, which borrows it; the caller frees
+ * value->list.  On failure, returns false with an error that states what was
+ * expected and suggests what may have been meant. */
 bool value_read(const struct command_option *option, const char *word,
     struct value *value, struct error *error);
 
-/* Reads a number, with or without its unit: 69, 69m/s. */
+/* Parses a number, with or without its unit: 69, 69m/s. */
 bool value_number(const char *word, const char *unit, double *value);
 
-/* Reads the first feed of a blend "a.csv*0.6+b.csv*40%": the length of its
- * name, and its share; without a share NAN, and the length of the whole text.
- * Returns the next feed, or NULL after the last. */
+/* Parses the first feed of a blend "a.csv*0.6+b.csv*40%": length of its name,
+ * and share; without a share, the length of the whole text and NAN.  Returns
+ * the next feed, or NULL after the last. */
 const char *value_feed(const char *text, size_t *length, double *share);
 
 #endif

@@ -1,4 +1,4 @@
-/* The functions that the rows of the command table run.
+/* The functions of the rows in the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_LANG_TABLE_H
 #define TIPSPEED_CMD_LANG_TABLE_H

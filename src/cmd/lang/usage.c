@@ -1,4 +1,4 @@
-/* The command line's words, and the command table's for people.
+/* The texts of the command line, and the command table printed for people.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/usage.h"
 

@@ -8,9 +8,9 @@
 
 #include "cmd/lang/command.h"
 
-/* An option of the command line.  code: the value that getopt_long returns for
- * it, its letter where it has one.  argument: name of the argument in usage, or
- * NULL.  choices: values of the argument, between spaces, or NULL. */
+/* A command-line option.  code: the value that getopt_long returns, which is
+ * its letter if it has one.  argument: name of the argument in the usage text,
+ * or NULL.  choices: values of the argument, separated by spaces, or NULL. */
 struct usage_option {
 	int code;
 	const char *name, *argument, *choices, *brief;
@@ -30,8 +30,8 @@ enum {
 /* Ends with a code of 0.  An option without a name has only its letter. */
 extern const struct usage_option USAGE_OPTIONS[];
 
-/* A variable, an exit status or a light with its meaning; ends with a name of
- * NULL. */
+/* A variable, an exit status or a light with its meaning; lists end with a NULL
+ * name. */
 struct usage_word {
 	const char *name, *meaning;
 };
@@ -45,10 +45,10 @@ void usage_list(const char *group, FILE *out);
 /* Prints the options that many commands share. */
 void usage_shared(FILE *out);
 
-/* Explains the light that answers end in. */
+/* Explains the light at the end of answers. */
 void usage_trust(FILE *out);
 
-/* Print a command in one line; everything the table says about it; the lines of
+/* Print a command on one line; everything in the table about it; the lines of
  * its example, each after the margin. */
 void usage_brief(const struct command *command, FILE *out);
 void usage_command(const struct command *command, FILE *out);

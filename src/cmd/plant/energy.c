@@ -1,4 +1,4 @@
-/* energy: collision energies loaded, shown, compared and judged.
+/* energy: loads, shows, compares and assesses collision energies.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* flow: tonnes an hour, what circulates, power and earnings.
+/* flow: tonnes per hour, circulating load, power and earnings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* A crusher with its screens, as asked for and as computed at a speed: tonnes,
+/* A crusher with its screens, as specified and as computed at a speed: tonnes,
  * power, earnings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_PLANT_PLANT_H
@@ -10,10 +10,10 @@
 #include "core/answer/crusher.h"
 #include "core/answer/power.h"
 
-/* What flow computes: a circuit with its prices and its power.  question:
+/* The task of flow: a circuit with its prices and its power.  question:
  * borrowed.  size [n]: the classes.  back: the stream that returns to the
  * crusher, in words; NULL for a circuit from a file.  priced: there are prices;
- * kwh: price of a kWh, 0 where none is given. */
+ * kwh: price per kWh, 0 if not given. */
 struct flow_plan {
 	struct circuit *circuit;
 	char *back;
@@ -23,7 +23,7 @@ struct flow_plan {
 	double *size, kwh;
 	size_t n_reading;
 	struct reading *reading;
-	bool of_cuts; /* the readings are those of belt cuts */
+	bool of_cuts; /* the readings are from belt cuts */
 };
 
 /* Reads the options and the file of the call. */
@@ -31,9 +31,9 @@ bool flow_plan_read(struct session *s, const struct args *args,
     const struct question *q, struct flow_plan *plan, struct error *error);
 void flow_plan_free(struct flow_plan *plan);
 
-/* A circuit with what is needed to compute its crushers.  feed [plan->n]:
- * masses of the new feed.  own [n_unit]: of crushers with a speed of their own.
- * bypass: the fitted share that misses the rotor; level: of bands. */
+/* A circuit with the data for computing its crushers.  feed [plan->n]: masses
+ * of the new feed.  own [n_unit]: for crushers with their own speed.  bypass:
+ * the fitted share that bypasses the rotor; level: of bands. */
 struct plant {
 	struct session *s;
 	const struct flow_plan *plan;
@@ -45,7 +45,7 @@ struct plant {
 	double bypass, level;
 };
 
-/* Results at a speed: values for the answer, then of each draw. */
+/* Results at a speed: for the answer, then for each draw. */
 struct outcome {
 	double speed;
 	struct flow flow;
@@ -55,8 +55,8 @@ struct outcome {
 struct plant plant_new(struct session *s, const struct flow_plan *plan);
 void plant_free(struct plant *p);
 
-/* plant_rotor_share returns the part of a crusher's feed, t/h, that meets the
- * rotor; plant_speed the crusher's speed. */
+/* plant_rotor_share returns the share of a crusher's feed that meets the rotor;
+ * plant_speed its speed. */
 double plant_rotor_share(const struct plant *p, const struct unit *unit);
 double plant_speed(const struct unit *unit, double speed);
 
@@ -70,21 +70,20 @@ struct plant_line {
 	size_t stream;
 };
 
-/* Lists products and returned streams, in the order of the deck from fine to
- * coarse, for a file in its own order; [n_stream + n_unit] out.  Returns how
- * many. */
+/* Lists products and returned streams, [n_stream + n_unit] out, from fine to
+ * coarse, or for a circuit from a file in its order.  Returns their number. */
 size_t plant_lines(
     const struct plant *p, const struct outcome *o, struct plant_line *line);
 
-/* Sets the error of an outcome that did not become steady.  Returns false. */
+/* Sets the error for an outcome that did not become steady.  Returns false. */
 bool plant_not_steady(
     const struct plant *p, const struct outcome *o, struct error *error);
 
-/* Returns the power of an empty crusher at a speed, kW, as estimated from the
+/* Returns the power of the empty crusher at a speed, kW, estimated from the
  * readings, and its band. */
 double plant_idle(const struct plant *p, double speed, double range[static 2]);
 
-/* Returns what the power was estimated from, in words.  The caller frees. */
+/* Returns the basis of the power estimate, in words.  The caller frees it. */
 char *plant_power_words(const struct plant *p, const struct outcome *o);
 
 #endif

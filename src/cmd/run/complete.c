@@ -1,5 +1,5 @@
-/* Finds the word at the cursor, what the table says of its place, and what
- * there is of that kind.
+/* Finds the word at the cursor, what the command table expects there, and the
+ * candidates of that kind.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/complete.h"
 

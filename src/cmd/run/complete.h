@@ -7,24 +7,25 @@
 
 #include "cmd/session/session.h"
 
-/* A candidate.  text: as it is typed, with its quotes.  append: the character
- * that follows once it is chosen: a space, '=' after an option, or '\0' where
- * the word itself continues (a folder). */
+/* A candidate.  text: as typed, with quotes.  append: the character to add once
+ * it is chosen: a space, '=' after an option, or '\0' if the word continues (a
+ * folder). */
 struct candidate {
 	char *text;
 	char append;
 };
 
-/* The candidates in the order of their text, each once.  start: offset in the
- * line of the word that they replace (or of its part after '=' or a comma). */
+/* The candidates in alphabetical order, without duplicates.  start: offset in
+ * the line of the word that they replace (or of its part after '=' or a
+ * comma). */
 struct completion {
 	size_t start, n;
 	struct candidate *candidate;
 };
 
 /* Returns the candidates at the cursor, an offset into line.  Text after the
- * cursor does not matter.  Reads the session and, for files, the folders;
- * changes nothing and cannot fail.  Free with completion_free. */
+ * cursor is ignored.  Reads the session and, for files, folders; changes
+ * nothing and cannot fail.  Free with completion_free. */
 struct completion *complete(
     const struct session *s, const char *line, size_t cursor);
 void completion_free(struct completion *completion);

@@ -1,4 +1,5 @@
-/* Help is the table, printed.
+/* help, apropos, man, version, quit: print the command table, the manual and
+ * the version.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <assert.h>
 #include <gsl/gsl_version.h>

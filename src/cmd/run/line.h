@@ -1,4 +1,4 @@
-/* Makes sessions, and runs the lines that drivers pass to them.
+/* Creates sessions and runs the lines that drivers pass to them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_RUN_LINE_H
 #define TIPSPEED_CMD_RUN_LINE_H
@@ -8,10 +8,10 @@
 struct session *session_new(FILE *out, FILE *notes);
 void session_free(struct session *s);
 
-/* Runs the commands of one line, from the offset `from`.  file, number: its
- * place, for errors.  Stops at the first error, and after a command that
- * started a job, opened a script or asks for the full screen: then *next is the
- * offset in line at which to continue, otherwise 0. */
+/* Runs the commands of one line, from the offset `from`.  file, number: the
+ * position of the line, for errors.  Stops at the first error, and after a
+ * command that started a job, opened a script or requested the full screen;
+ * *next is then the offset in line at which to continue, otherwise 0. */
 bool session_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 

@@ -1,4 +1,4 @@
-/* Chooses the next step by what the site in use lacks: a check, a calibration,
+/* Chooses the next step by what the current site lacks: a check, a calibration,
  * a validation, or nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/next.h"

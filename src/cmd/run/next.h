@@ -5,10 +5,10 @@
 
 #include "cmd/session/session.h"
 
-/* The next step: a command line, or NULL where no line fits, and a sentence for
+/* The next step: a command line, or NULL if none fits, and a sentence for
  * people: a question or, without a line, what to type.  brief:
- * next_note_offered tells the results of the line's commands.  stage: how far
- * the session is; it starts again with another fit. */
+ * next_note_offered reports the results of the line's commands.  stage: how far
+ * the session has progressed; another fit restarts it. */
 struct next {
 	const char *line, *words;
 	bool brief;
@@ -21,7 +21,7 @@ struct next {
 	} stage;
 };
 
-/* Returns the next step; words is NULL where there is nothing to say. */
+/* Returns the next step; words is NULL if there is nothing to say. */
 struct next next_step(const struct session *s);
 
 /* Prints the results of check, calibrate and validate in a few lines. */

@@ -1,4 +1,5 @@
-/* Reads revolutions per minute as tip speeds: v = pi D n / 60.
+/* Reads speeds as they are typed: several in a row, and revolutions per minute,
+ * which it converts to tip speeds: v = pi D n / 60.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/turns.h"
 
@@ -24,18 +25,19 @@ takes_speeds(const struct command *command)
  * a list or a range in revolutions per minute of something that has m/s; else
  * NULL. */
 static const char *
-turns_in(const struct command *command, const char *word)
+turns_in(const struct command *command, char *word)
 {
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
-	FREED char *name =
-	    equals != NULL
-		? xstrndup(word, (size_t)(equals - word))
-		: xstrdup(command->bare != NULL ? command->bare : "");
-	size_t i = command_option_index(command, name);
-	bool speed = i < OPTIONS ? strcmp(command_option_at(command, i)->unit,
-				       "m/s") == 0
-				 : equals == NULL && takes_speeds(command);
+	char *const one[] = {word};
+	const struct command *of = command_find_two_words(command, one, 1);
+	FREED char *name = equals != NULL
+			       ? xstrndup(word, (size_t)(equals - word))
+			       : xstrdup(of->bare != NULL ? of->bare : "");
+	size_t i = command_option_index(of, name);
+	bool speed = i < OPTIONS
+			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
+			 : equals == NULL && takes_speeds(command);
 	bool number = *value >= '0' && *value <= '9' && text_ends(value, RPM) &&
 		      value[strspn(value, "0123456789.,:rpm")] == '\0';
 	return speed && number ? value : NULL;
@@ -52,6 +54,25 @@ diameter_of(struct session *s, const struct words *words)
 		    value_number(words->text[i] + strlen(OPTION), "mm", &mm))
 			return mm / 1000;
 	return s->n_entry > 0 ? session_entry(s)->site->rotor : 0;
+}
+
+/* "1500,1550,1600" of "1500..1600:50", as the tip speeds of equal steps in
+ * turns are none; what is no such range stays.  The caller frees. */
+static char *
+steps_of(const char *turns)
+{
+	enum { MOST = 200 };
+	const char *dots = strstr(turns, "..");
+	const char *colon = dots != NULL ? strchr(dots, ':') : NULL;
+	double from = strtod(turns, NULL);
+	double to = colon != NULL ? strtod(dots + 2, NULL) : 0;
+	double step = colon != NULL ? strtod(colon + 1, NULL) : 0;
+	if (!(step > 0) || !(to > from) || (to - from) / step > MOST)
+		return xstrdup(turns);
+	char *list = xstrdup("");
+	for (double n = from; n <= to + step * 1e-9; n += step)
+		xlist(&list, ",", "%g", n);
+	return list;
 }
 
 /* The text with each of its numbers as the tip speed of so many turns, and
@@ -119,14 +140,81 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 			    "command has it, or a line rotor_mm to the site "
 			    "file",
 			    session_entry(s)->site->name);
-		FREED char *speeds = speeds_of(turns, diameter);
+		FREED char *steps = steps_of(turns);
+		FREED char *speeds = speeds_of(steps, diameter);
 		char *now = option
 				? xasprintf("rpm=%.*s",
 				      (int)strspn(turns, "0123456789."), turns)
+			    : turns == *word && strchr(steps, ',') != NULL
+				? xasprintf("speeds=%s", speeds)
 				: xasprintf("%.*s%s", (int)(turns - *word),
 				      *word, speeds);
 		free(*word);
 		*word = now;
 	}
 	return true;
+}
+
+/* Whether a word is a speed as it is typed, or a list of three or more: "69,74"
+ * may be 69.74. */
+static bool
+is_typed_speed(const char *word, bool *list)
+{
+	size_t n = strspn(word, "0123456789.,");
+	size_t commas = 0;
+	for (size_t i = 0; i < n; i++)
+		commas += word[i] == ',';
+	*list = commas > 1;
+	return n > 0 && word[0] != '.' && strstr(word, "..") == NULL &&
+	       (word[n] == '\0' || strcmp(word + n, RPM) == 0 ||
+		   strcmp(word + n, "m/s") == 0);
+}
+
+/* "1350", "1450rpm" as part of a list, in which a comma stands between
+ * numbers. */
+static char *
+list_part(const char *word, bool list)
+{
+	size_t n = strlen(word);
+	if (text_ends(word, "m/s"))
+		n -= strlen("m/s");
+	char *part = xstrndup(word, n);
+	for (char *c = part; *c != '\0' && !list; c++)
+		if (*c == ',')
+			*c = '.';
+	return part;
+}
+
+void
+speeds_join(struct words *words, bool prompt)
+{
+	static char OPTION[] = "speeds=", NAME[] = "speeds";
+	char *const word[] = {OPTION};
+	const struct command *command =
+	    words->n > 1 ? command_find_typed(words->text[0], prompt) : NULL;
+	const struct command *lister =
+	    command != NULL ? command_find_two_words(command, word, 1) : NULL;
+	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
+		return;
+	bool lists = false, list;
+	size_t n = 1;
+	char *joined = xstrdup("");
+	for (; n < words->n && is_typed_speed(words->text[n], &list); n++) {
+		FREED char *part = list_part(words->text[n], list);
+		xlist(&joined, ",", "%s", part);
+		lists = lists || list;
+	}
+	/* One word is for the parser where it knows what to do with it. */
+	bool alone = lister == command && command->bare == NULL;
+	if (n > 2 || lists || (n > 1 && alone)) {
+		for (size_t i = 1; i < n; i++)
+			free(words->text[i]);
+		words->text[1] = xasprintf("%s%s", OPTION, joined);
+		for (size_t i = n; i < words->n; i++) {
+			words->text[i - n + 2] = words->text[i];
+			words->column[i - n + 2] = words->column[i];
+		}
+		words->n -= n - 2;
+	}
+	free(joined);
 }

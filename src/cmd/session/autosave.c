@@ -1,4 +1,4 @@
-/* The file is written after each command and not at the end: at a fault, or
+/* Writes the file after each command, because at the end, after a crash or
  * without memory, it would be too late.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/autosave.h"

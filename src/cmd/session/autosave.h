@@ -1,5 +1,5 @@
-/* Keeps the unsaved part of a session, so that it is not lost however the
- * program ends.  Drivers with a user at a terminal call autosave_begin first.
+/* Autosaves a session, so that it is not lost however the program ends.
+ * Drivers with a user at a terminal call autosave_begin first.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_AUTOSAVE_H
 #define TIPSPEED_CMD_SESSION_AUTOSAVE_H
@@ -9,24 +9,24 @@
 #include "base/error.h"
 #include "cmd/session/session.h"
 
-/* Starts autosaving: from now on, after each command that changes something,
- * the session is written to a file in the user's folder, see autosave_file.h,
- * until it is saved.  Its current state counts as saved.  Nothing is written
- * with --safe, or where the store is to leave no trace.  Returns what to say
- * about the last session, or NULL; the caller frees. */
+/* Starts autosaving: until the session is saved, each command that changes
+ * something also writes it to a file in the user's folder (autosave_file.h).
+ * The current state counts as saved.  Nothing is written with --safe or with a
+ * store in memory.  Returns a message about the last session, or NULL.  The
+ * caller frees it. */
 char *autosave_begin(struct session *s);
 
-/* Called after each command.  saved: a file of the user's now contains the
- * session. */
+/* Called after each command.  saved: the user has saved the session to a
+ * file. */
 void autosave_after_command(struct session *s, bool ok, bool saved);
 
-/* Called at the session's end; notes an error if the session could not be
+/* Called when the session ends.  Prints an error if the session could not be
  * kept. */
 void autosave_end(struct session *s);
 
-/* Returns the path of the newest unsaved session, which the command that runs
- * restores, after which the file is removed.  NULL with an error where there is
- * none; the caller frees. */
+/* Returns the path of the newest unsaved session, for the running command to
+ * restore; the file is then removed.  Returns NULL with an error if there is
+ * none.  The caller frees it. */
 char *autosave_last(struct session *s, struct error *error);
 
 /* Lists the sessions that can be restored.  Returns true. */

@@ -1,5 +1,5 @@
-/* Reads spectra, keeps them by file, and has Eq 3 take the impacts above the
- * cut of one.
+/* Reads spectra, keeps them by file, and makes Eq 3 use the impacts of one
+ * above its cut.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/energies.h"
 

@@ -1,4 +1,4 @@
-/* Collision energies in the session.
+/* The session's collision energies.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_ENERGIES_H
 #define TIPSPEED_CMD_SESSION_ENERGIES_H
@@ -6,12 +6,12 @@
 #include "cmd/session/session.h"
 #include "io/formats/collisions.h"
 
-/* J/kg; impacts below it are not shown and do not count in the model, unless
- * told otherwise. */
+/* J/kg; by default, impacts with less energy are not shown and not used in the
+ * model. */
 enum { ENERGIES_CUT = 10 };
 
-/* A file that was read; not changed afterwards.  name: the file's name without
- * its ending; cut: of the impacts that count, J/kg. */
+/* A file that was read; immutable.  name: the file's name without extension;
+ * cut: lowest energy of the impacts used, J/kg. */
 struct energies {
 	char *name, *path;
 	double cut;
@@ -19,23 +19,23 @@ struct energies {
 };
 
 /* Reads a file and keeps it until the session ends.  A file already read in the
- * same way is not read again.  NULL with an error. */
+ * same way is not read again.  On failure, returns NULL with an error. */
 const struct energies *energies_read(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error);
 
 void energies_free(struct energies *e);
 
-/* Returns the energies read last; NULL with an error where there are none. */
+/* Returns the energies last read, or NULL with an error if there are none. */
 const struct energies *energies_loaded(
     const struct session *s, struct error *error);
 
-/* Makes the model use the energies of a file instead of the single energy
- * (D15), or for "off" the single energy again.  False with an error, also for a
- * file without a speed. */
+/* Makes the model use the energies in a file instead of the single energy
+ * (D15), or, for "off", the single energy again.  On failure, or if the file
+ * has no speed, returns false with an error. */
 bool energies_set(struct session *s, const char *path, struct error *error);
 
-/* Returns what Eq 3 uses instead of the single energy, as a reason to doubt;
- * NULL where it uses the single energy.  The caller frees. */
+/* Returns a reason for the light that names what Eq 3 uses instead of the
+ * single energy, or NULL if it uses that.  The caller frees it. */
 char *energies_words(const struct session *s);
 
 #endif

@@ -1,6 +1,5 @@
-/* A list of paths as they were given.  They are looked up when they are
- * compared, so that links are known for what they are, and so is a file that
- * somebody else has put in place of another.
+/* A list of paths as given.  They are resolved only when compared, to recognise
+ * links and files that another program has replaced.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/files.h"
 

@@ -1,5 +1,5 @@
-/* The files that the session has read and written, so that no result overwrites
- * a sheet that it was made from.
+/* The files that the session has read and written, so that results do not
+ * overwrite the sheets behind them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_FILES_H
 #define TIPSPEED_CMD_SESSION_FILES_H
@@ -10,41 +10,41 @@
 
 #include "cmd/session/session.h"
 
-/* files_note_read notes a file that a command is about to read,
+/* files_note_read notes a file that a command is about to read;
  * files_note_written one that it has written. */
 void files_note_read(struct session *s, const char *path);
 void files_note_written(struct session *s, const char *path);
 
-/* Notes the script that contains the session, because it was restored from it
- * or, saved, saved to it. */
+/* Notes the script that contains the session: it was saved to that script, if
+ * saved, or else restored from it. */
 void files_set_holder(struct session *s, const char *path, bool saved);
 
 /* Returns the script noted by files_set_holder, or NULL; saved: out, or
  * NULL. */
 const char *files_holder(const struct session *s, bool *saved);
 
-/* True if path can be written and is neither a file that the session has read
+/* True if path is writable and is neither a file that the session has read
  * (sheet, script, envelope, store), under any name, nor the script that
- * contains it; else an error of kind ERROR_SYSTEM. */
+ * contains it.  Otherwise sets an error of kind ERROR_SYSTEM. */
 bool files_may_write(
     const struct session *s, const char *path, struct error *error);
 
-/* As files_may_write, but a file that exists may be overwritten only if the
- * call has replace=on; else an error of kind ERROR_USAGE. */
+/* As files_may_write, but false with an error of kind ERROR_USAGE also if the
+ * file exists and the call does not have replace=on. */
 bool files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 
-/* Asks the user before a file that the session did not write is replaced.
- * False with an error if the user declines.  Scripts are not asked. */
+/* Asks the user before replacing a file that the session did not write.
+ * Returns false with an error if the user declines.  Scripts are not asked. */
 bool files_may_replace(
     struct session *s, const char *path, struct error *error);
 
-/* Computes the digest of a regular file's bytes; false if it cannot be read. */
+/* Computes the digest of a regular file's bytes.  Returns false if it cannot be
+ * read. */
 bool files_digest(const char *path, uint64_t *digest);
 
 /* files_readings returns how many times files with known digests were read;
- * files_reading, for i below that, returns the path of reading i and its digest
- * at the time. */
+ * files_reading returns the path of reading i, and the digest at that time. */
 size_t files_readings(const struct session *s);
 const char *files_reading(const struct session *s, size_t i, uint64_t *digest);
 

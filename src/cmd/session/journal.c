@@ -1,4 +1,4 @@
-/* Commands that succeeded, in a form that can be run again.
+/* Keeps the commands that succeeded, as lines that can be run again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/journal.h"
 

@@ -1,4 +1,4 @@
-/* What belongs to a loaded site, and where its parameters are from.
+/* The entry of a loaded site, and the origin of its parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/loaded.h"
 

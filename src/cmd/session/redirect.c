@@ -1,5 +1,5 @@
-/* Keeps what a command prints until it is done, then hands it over: so a
- * command that fails leaves a file as it was.
+/* Holds back a command's output until the command ends, so a command that fails
+ * leaves the file unchanged.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/redirect.h"
 

@@ -1,5 +1,4 @@
-/* Lines from files, streams and the command line alike.  Leaves to the driver
- * to run them.
+/* Reads lines from files, streams and the command line.  The driver runs them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/script.h"
 

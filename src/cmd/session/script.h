@@ -1,4 +1,4 @@
-/* The scripts a session is reading, one within the other.
+/* The nested scripts that a session is reading.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SCRIPT_H
 #define TIPSPEED_CMD_SESSION_SCRIPT_H
@@ -9,34 +9,36 @@
 #include "cmd/lang/parse.h"
 #include "cmd/session/session.h"
 
-/* Open a script within the one being read; the driver reads its lines to its
- * end.  script_open: false where the file cannot be read, or 16 are open
- * already.  script_open_stream borrows the stream.  script_open_text: all lines
- * have the number `line`. */
+/* Open a script within the one being read; the driver reads it to its end.
+ * script_open returns false if the file cannot be read or 16 scripts are open.
+ * script_open_stream borrows the stream.  In script_open_text, all lines have
+ * the number `line`. */
 bool script_open(struct session *s, const char *path, struct error *error);
 void script_open_stream(struct session *s, FILE *in, const char *name);
 void script_open_text(
     struct session *s, const char *text, const char *name, int line);
 
-/* Returns the next line of the innermost script, continued lines joined; the
- * caller frees.  NULL at its end, which closes it, and, with an error, where it
- * cannot be read or is not text.  place is valid until the script is closed. */
+/* Returns the next line of the innermost script, with continued lines joined;
+ * the caller frees it.  At the end, closes the script and returns NULL; also
+ * returns NULL, with an error, if the script cannot be read or is not text.
+ * place is valid until the script is closed. */
 char *script_line(struct session *s, struct place *place, struct error *error);
 
-/* Position of the line read last in the innermost script: command `at` of `of`;
- * `of` is 0 where that is not known, as for a stream. */
+/* The position of the last line read in the innermost script: command `at` of
+ * `of`; `of` is 0 if not known, as for a stream. */
 struct script_place {
 	size_t at, of;
 };
 struct script_place script_place(const struct session *s);
 
-/* Closes the innermost scripts until `depth` are left. */
+/* Closes the innermost scripts until `depth` remain. */
 void script_close(struct session *s, size_t depth);
 
 /* Sets the error of a line that is too long.  Returns false. */
 bool script_too_long(const char *name, int line, struct error *error);
 
-/* Cuts the line end off; true if the line is continued (it ended in \). */
+/* Removes the line end.  Returns true if the line is continued (it ended in
+ * \). */
 bool script_goes_on(char *line);
 
 #endif

@@ -1,4 +1,4 @@
-/* What all commands need of the session.
+/* Functions of the session that all commands need.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/session.h"
 

@@ -1,4 +1,4 @@
-/* A session: what has been loaded, set and found so far.
+/* A session: everything loaded, set and found so far.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SESSION_H
 #define TIPSPEED_CMD_SESSION_SESSION_H
@@ -19,63 +19,61 @@ struct session;
 
 /* Functions of the driver that commands call. */
 struct hooks {
-	/* Clears progress off the line for a note or an answer; NULL: there is
-	 * none. */
+	/* Clears the progress display before a note or an answer; or NULL. */
 	void (*tidy)(void);
-	bool (*stop)(void); /* whether a long computation should end, as the
-			       user waits; NULL: never */
-	/* Called before a computation that takes a moment, with a few words
-	 * for the user; NULL if not interactive. */
+	bool (*stop)(void); /* true if a long computation should end, because
+the user is waiting; NULL: never */
+	/* Called before a computation that takes a while, with a few words for
+	 * the user; NULL if not interactive. */
 	void (*begins)(const char *what);
 	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
-						where there is no terminal */
-	/* Draws the full screen, see plot.h; NULL: there is none. */
+without a terminal */
+	/* Draws the full screen, see plot.h; NULL if not available. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
-	/* Runs the full screen until the user quits; returns an exit status.
-	 * NULL: it is not available. */
+	/* Runs the full screen until the user quits and returns an exit status;
+	 * NULL if not available. */
 	int (*run_screen)(struct session *);
 	/* Asks the user yes or no; NULL if not interactive. */
 	bool (*confirm)(struct session *s, const char *question);
-	/* Asks the user for a line about a sheet.  The caller frees it; NULL
-	 * when the user gives up.  NULL if not interactive. */
+	/* Asks the user for a line about a sheet, which the caller frees;
+	 * returns NULL if the user gives up.  NULL if not interactive. */
 	char *(*question)(struct session *s, const struct inquiry *inquiry);
 };
 
-/* A calibration under way, or several in succession.  The driver calls
+/* A calibration in progress, or several in succession.  The driver calls
  * session_step until session_busy is false. */
 struct job {
 	const struct rounds *rounds; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
 	void *found;                 /* returned by rounds->follow; owned */
 	struct calibration *calibration;
-	struct calibration *lowest; /* what a plain search is compared with, or
-				     * NULL */
+	struct calibration *lowest; /* reference for a plain search, or NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
-	double started;                /* s, of a monotonic clock */
-	double stopped;                /* by the same clock, if it is paused */
+	double started;                /* s, on a monotonic clock */
+	double stopped;                /* on the same clock, if paused */
 	struct calibrate_options options;
 	bool *train;
-	bool fits;          /* each round is its site's own fit */
-	bool detail;        /* reports the search, and all of the fit */
-	bool watch;         /* its curves are drawn while it goes on */
-	bool paused;        /* stopped by ^C; `continue` goes on */
-	bool held_back;     /* its site's parameters were better and stayed */
-	bool gave;          /* its site `given` when it was last stopped */
-	bool taken;         /* its fit is in its site, and draws of it follow */
-	bool newest;        /* paused, and undo would begin with it */
-	bool apart;         /* rounds can be calibrated side by side */
-	size_t step;        /* of all rounds so far */
+	bool fits;          /* each round fits its own site */
+	bool detail;        /* reports the search and the whole fit */
+	bool watch;         /* its curves are drawn while it runs */
+	bool paused;        /* stopped by ^C; `continue` resumes it */
+	bool held_back;     /* the site's parameters were better and were
+			     * kept */
+	bool gave;          /* gave the site `given` when last stopped */
+	bool taken;         /* its fit is in the site; draws follow */
+	bool newest;        /* paused, and undo would start with it */
+	bool apart;         /* rounds can be calibrated in parallel */
+	size_t step;        /* counted over all rounds */
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
 	struct params given;
-	double before; /* misfit of the site's parameters then, or INFINITY */
+	double before; /* misfit of the site's former parameters, or INFINITY */
 };
 
-/* The terminal that results are printed on.  columns: 0 where it is no
- * terminal; colours: 0 (none), 8, 16 or 256; drawing: it shows more than
- * ASCII. */
+/* The terminal on which results are printed.  columns: 0 if not a terminal;
+ * colours: 0 (none), 8, 16 or 256; drawing: it can show more than ASCII. */
 struct screen {
 	int columns, rows, colours;
 	bool drawing;
@@ -98,110 +96,112 @@ struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
 	struct choices set;
-	bool prompt;     /* lines are typed by a user */
-	size_t typed_at; /* number of open scripts at which lines are typed */
-	enum isa isa;    /* most that calibrations may use */
-	bool safe;       /* neither commands nor keys may touch files or
-			       the shell */
-	bool linear;     /* the screen is heard: words, no pictures */
+	bool prompt;     /* a user types the lines */
+	size_t typed_at; /* number of open scripts when lines are typed */
+	enum isa isa;    /* highest set that calibrations may use */
+	bool safe;       /* commands and keys must not touch files or the
+shell */
+	bool linear;     /* for a screen reader: words, no pictures */
 	FILE *out;       /* results */
-	FILE *notes;     /* lines beside results; NULL: none */
+	FILE *notes;     /* messages besides results; NULL: none */
 	struct screen screen;
 	const char *file;          /* target of the results; NULL: no file */
-	struct book *book;         /* workbook that collects them, or NULL */
-	struct document *document; /* document that collects them, or NULL */
-	size_t rows;               /* reported to the present target */
+	struct book *book;         /* workbook that collects results, or NULL */
+	struct document *document; /* document that collects results, or NULL */
+	size_t rows;               /* rows written to the current target */
 	size_t n_answer;
-	struct answer *
-	    *answer; /* kept, the newest last: see session_keep_answer */
+	struct answer **answer; /* newest last, see session_keep_answer */
 	struct job job;
 	struct hooks hooks;  /* functions of the driver */
-	struct files *files; /* read and written, see files.h; or NULL */
+	struct files *files; /* those read and written, see files.h; or NULL */
 	size_t n_site;
-	struct site **site;    /* every site there was; entries borrow them */
+	struct site **site;    /* all sites so far; entries borrow them */
 	struct plant_log *log; /* in use, or NULL */
 	size_t n_log;
-	struct plant_log **logs; /* every one there was */
-	const struct spec *spec; /* envelope chosen, or NULL */
+	struct plant_log **logs; /* all so far */
+	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
-	struct spec **specs; /* every one there was */
-	double asked;        /* speed that was last asked about, or 0 */
-	struct moved *moved; /* see moved.h */
-	struct blended *fed; /* sheets of 'set feed', see blended.h, or NULL */
-	struct standing *standing; /* see question_standing; NULL: none made */
+	struct spec **specs;       /* all so far */
+	double asked;              /* speed last asked about, or 0 */
+	struct moved *moved;       /* see moved.h */
+	struct blended *fed;       /* feed from the sheets in `set feed`, see
+			      * blended.h, or NULL */
+	struct standing *standing; /* see question_standing; or NULL */
 	const struct pin *pin;     /* see pin.h, or NULL */
 	size_t n_pin;
-	struct pin **pins;             /* every one there was */
+	struct pin **pins;             /* all so far */
 	const struct energies *energy; /* shown, or NULL */
 	size_t n_energies;
-	struct energies **energies; /* every one there was */
+	struct energies **energies; /* all so far */
 	struct choices *first;      /* as set by the command line, for reset */
 	struct journal *journal;
 	struct keep *keep; /* autosave, see autosave.h; NULL: off */
 	struct undo *undo;
-	struct script *script;         /* scripts being read, innermost first */
-	size_t scripts;                /* how many */
-	struct invocation *invocation; /* commands under way, innermost first */
-	struct store *store; /* ":memory:" until another is put here */
-	bool wants_tui; /* the driver opens the full screen, then goes on */
+	struct script *script;         /* being read, innermost first */
+	size_t scripts;                /* number of scripts */
+	struct invocation *invocation; /* commands in progress, innermost
+					* first */
+	struct store *store;           /* ":memory:" until replaced */
+	bool wants_tui; /* the driver opens the full screen, then continues */
 	bool quit;
 };
 
-/* Returns the site in use; asserts that there is one. */
+/* Returns the current site; asserts that there is one. */
 struct entry *session_entry(struct session *s);
 
-/* False, with an error that says what to do next, when no site is loaded; what:
- * the command that needs one. */
+/* Returns false, with an error that says what to do next, if no site is loaded.
+ * what: the command that needs one. */
 bool session_need_site(
     const struct session *s, const char *what, struct error *error);
 
-/* Discards the answers kept, because the site or its parameters changed. */
+/* Discards the answers kept, because the site or its parameters have
+ * changed. */
 void session_forget(struct session *s);
 
-/* Reports the faults of a file: the last becomes the error, those before it are
- * printed to notes, so that they appear in order; if reading was interrupted,
- * only that is reported.  Returns false. */
+/* Reports the faults of a file in order: prints all but the last to notes and
+ * makes the last the error.  If reading was interrupted, reports only that.
+ * Returns false. */
 bool session_tell_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Prints an answer in the format that is set, and keeps it.  Returns true, for
- * a command to end with. */
+/* Prints an answer in the chosen format and keeps it.  Returns true, so that a
+ * command can end with it. */
 bool session_show_answer(struct session *s, struct answer *answer);
 
-/* Keeps an answer, which the session then owns, as the newest of its command.
- * An answer without fields is freed instead, as nothing could be read from
- * it. */
+/* Keeps an answer as the newest of its command and takes ownership of it.
+ * Frees an answer without fields, from which nothing could be read. */
 void session_keep_answer(struct session *s, struct answer *answer);
 
-/* Returns the number of a field, see answer_number, from the newest answer that
- * has it, of the commands listed, with a space between two; else NAN. */
+/* Returns the number in a field (see answer_number) of the newest answer that
+ * has it and is from one of the commands, which are separated by spaces, or
+ * NAN. */
 double session_answer_number(
     const struct session *s, const char *commands, const char *path);
 
-/* Sets whether texts are translated: they are unless the results are for
- * programs.  Called after each change of the results' format. */
+/* Turns translation on, or off if results are for programs.  Call it after each
+ * change of the results' format. */
 void session_language(const struct session *s);
 
-/* Prints a line beside the results. */
+/* Prints a line to notes. */
 void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* True if a calibration is under way and not stopped. */
+/* True if a calibration is in progress and not stopped. */
 bool session_busy(const struct session *s);
 
-/* Returns the site that receives the fit of the calibration under way, or
+/* Returns the site that will receive the fit of the calibration in progress, or
  * NULL. */
 const struct entry *session_fitting(const struct session *s);
 
-/* Returns seconds of a monotonic clock. */
+/* Returns the time on a monotonic clock, s. */
 double session_clock(void);
 
 /* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */
 char *session_site_label(const struct site *site);
 
-/* Returns "69, 79 (2 runs)": speeds of the runs with a product that have mark
- * [n_run] equal to `marked`; mark NULL: of all.  between: put between two
- * speeds.  The caller frees. */
+/* Returns "69, 79 (2 runs)": the speeds of the runs with a product whose mark
+ * [n_run] equals `marked`, or of all if mark is NULL.  between: the separator.
+ * The caller frees it. */
 char *session_speeds(const struct site *site, const char *between,
     const bool *mark, bool marked);
 

@@ -1,4 +1,5 @@
-/* Settings by their rows, and seed.
+/* Reads and writes the values of settings, as described by the rows of
+ * SETTINGS.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "cmd/session/settings.h"

@@ -1,5 +1,5 @@
-/* Settings.  A row of SETTINGS describes each and says where its value is kept;
- * set, undo, save, reset and help follow from it.
+/* Settings: each has a row in SETTINGS, which describes it and where its value
+ * is kept; set, undo, save, reset and help use these rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SETTINGS_H
 #define TIPSPEED_CMD_SESSION_SETTINGS_H
@@ -9,11 +9,11 @@
 #include "core/psd/site.h"
 #include "io/formats/answer.h"
 
-/* Which runs inform an answer beside the parameters (D13): every measured one,
- * the training runs only, or none. */
+/* The runs that inform an answer in addition to the parameters (D13): all
+ * measured runs, the training runs, or none. */
 enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 
-/* The size of the text of a setting, and the text that stands for none. */
+/* The size of a setting's text, and the text that means no value. */
 enum { SETTINGS_TEXT = 200 };
 #define SETTINGS_NONE "none"
 
@@ -24,43 +24,43 @@ enum { SETTINGS_TEXT = 200 };
  * SETTINGS. */
 struct choices {
 	struct model_settings model;
-	const char *energy; /* file that model.impacts are from, borrowed; NULL:
-			       a single impact */
+	const char *energy; /* source file of model.impacts, borrowed; NULL: a
+single impact */
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
 	enum correction correction;
-	unsigned level;     /* of bands: 0 80 %, 1 90 % */
-	double noise;       /* points, of a passing at 50 %; 0: not known */
+	unsigned level;     /* of bands: 0: 80 %, 1: 90 % */
+	double noise;       /* points, for a passing of 50 %; 0: not known */
 	unsigned draw_seed; /* of the draws behind answers and bands */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned theme;     /* enum theme */
-	unsigned unpaged;   /* 0: at a prompt, what is taller than the screen is
-			       paged */
+	unsigned unpaged;   /* 0: at a prompt, page results taller than the
+screen */
 	bool timing;        /* print how long each command took */
-	/* The conditions on the product, see goals.h; and the quantity that the
+	/* The conditions on the product (goals.h), and the quantity that the
 	 * full screen shows above its track.  "": none. */
 	char goal[SETTINGS_TEXT], quantity[SETTINGS_TEXT];
 	/* Ends of the range of speeds, m/s; 0: as given by site_reach. */
 	double slider[2];
-	char
-	    feed[SETTINGS_TEXT]; /* of answers, as in feed=: "mean" or others */
-	unsigned page;           /* of the full screen that is open */
+	char feed[SETTINGS_TEXT]; /* for answers, as in feed=: "mean" or
+				  * another */
+	unsigned page;            /* open page of the full screen */
 };
 
 /* Returns the choices of a new session. */
 struct choices settings_default(void);
 
-/* True if the choices are equal, bounds, seed and timing included; the looks of
- * the full screen are not compared. */
+/* True if the choices are equal, including bounds, seed and timing but not the
+ * appearance of the full screen. */
 bool settings_same(const struct choices *a, const struct choices *b);
 
 /* Returns the probability of bands, 0..1. */
 double settings_level(const struct choices *set);
 
-/* Range of speeds, m/s, that commands cover unless told otherwise: as set, else
- * as given by site_reach.  site: or NULL. */
+/* Computes the default range of speeds, m/s, of commands: as set, else from
+ * site_reach.  site may be NULL. */
 void settings_reach(const struct choices *set, const struct site *site,
     double *from, double *to);
 
@@ -68,7 +68,7 @@ void settings_reach(const struct choices *set, const struct site *site,
 void settings_put(
     const struct setting *row, const struct value *value, struct choices *set);
 
-/* Returns the value as it would be typed after `set`; the caller frees. */
+/* Returns the value as typed after `set`.  The caller frees it. */
 char *settings_text(const struct setting *row, const struct choices *set);
 
 #endif

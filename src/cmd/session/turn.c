@@ -1,5 +1,5 @@
-/* What goes with every command: where its results go, how long it takes,
- * what of it can be undone and saved.
+/* Accompanies every command: the target of its results, its duration, and its
+ * part in undo and the journal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/turn.h"
 

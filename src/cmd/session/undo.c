@@ -1,5 +1,5 @@
-/* A step holds the session before it and, once undone, after it, with the lines
- * of the journal in between.
+/* An undo step holds the session before it and, once undone, after it, with the
+ * journal's lines in between.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/undo.h"
 

@@ -1,4 +1,4 @@
-/* add: belt cuts of later days to the site in use.
+/* add: adds belt cuts from later days to the current site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <inttypes.h>
 #include <math.h>

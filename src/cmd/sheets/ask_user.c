@@ -1,5 +1,5 @@
-/* Questions about a sheet: the table, one question after the other, answers.
- * Who asks, and where, is the driver's business.
+/* Questions about a sheet: the table, the questions one by one, and the
+ * answers.  The driver puts them to the user.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/ask_user.h"
 

@@ -1,4 +1,4 @@
-/* blend: feeds mixed by mass, and what the site makes of them.
+/* blend: feeds mixed by mass, and the site's product from the mixture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* check: the search for faults in site files.  It reports and changes nothing.
+/* check: the search for faults in site files.  It only reports.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/check.h"
 
@@ -357,9 +357,8 @@ check_twins(struct session *s, struct answer *r, size_t index)
 		if (i == index || other->site->digest != entry->site->digest)
 			continue;
 		finding(r, entry, false, "all runs",
-		    "identical data: %s (%s) and %s (%s) have the same numbers",
-		    entry->site->name, entry->site->rock, other->site->name,
-		    other->site->rock);
+		    "identical data: %s and %s have the same numbers",
+		    entry->site->name, other->site->name);
 	}
 }
 

@@ -1,4 +1,4 @@
-/* Sheets in and out.
+/* sites, use, synth, write: list, choose, make and write sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* load: from files to sites, by way of questions.
+/* load: reads files into sites and asks what they leave open.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/load.h"
 

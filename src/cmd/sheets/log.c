@@ -1,5 +1,4 @@
-/* Loads a log, says what it holds, and takes the median of its rows about a
- * time.
+/* Loads a log, describes it, and takes the median of its rows around a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/log.h"
 

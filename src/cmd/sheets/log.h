@@ -7,12 +7,12 @@
 #include "cmd/session/session.h"
 #include "io/formats/plant_log.h"
 
-/* Runs load FILE.. as=log: loads the log in which cuts are looked up. */
+/* Runs load FILE.. as=log: loads the log used to look up cuts. */
 bool log_load(struct session *s, const struct args *args, struct error *error);
 
-/* Finds in the log, at a time or within a number of seconds of it, the tip
- * speed, m/s, to a tenth, with a rotor of that diameter, m (0: not known); kW
- * and t/h, NAN where the log has none.  Says how they were found. */
+/* Looks up values in the log at a time, or within a number of seconds of it:
+ * the tip speed, m/s, to a tenth, for the rotor's diameter, m (0: not known);
+ * kW and t/h, NAN if the log has none.  Notes how they were found. */
 struct logged {
 	double speed, power, rate;
 };

@@ -1,4 +1,5 @@
-/* What is loaded and set as a whole, and small things about the session.
+/* Commands for the session as a whole: set, seed, drop, reset, save, restore,
+ * undo, redo and small ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 #include <unistd.h>

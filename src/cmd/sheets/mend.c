@@ -1,4 +1,4 @@
-/* mend: takes one of the mends that check proposes, or one that is told.
+/* mend: applies one of the mends that check proposes, or one given in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/mend.h"
 

@@ -1,4 +1,4 @@
-/* Mends of the site in use.
+/* Mends of the current site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SHEETS_MEND_H
 #define TIPSPEED_CMD_SHEETS_MEND_H
@@ -6,22 +6,22 @@
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"
 
-/* Looks for faults of an entry's sheet: with the posterior of its own
- * calibration if there is one, else with its curves alone; free with
+/* Looks for faults in an entry's sheet, with the posterior of its own
+ * calibration if there is one, or else with its curves alone.  Free with
  * outliers_free. */
 struct doctor mend_look(const struct session *s, const struct entry *entry);
 
-/* True if the entry's faults are found with a calibration. */
+/* True if there is a calibration with which to find the entry's faults. */
 bool mend_is_calibrated(const struct session *s, const struct entry *entry);
 
-/* Puts the mends into an answer, numbered: as sentences, and as a list "mends"
- * among its fields, with a mark to recognise them by. */
+/* Adds the mends to an answer, numbered, as sentences and as the list "mends"
+ * in its fields, each with a mark that identifies it. */
 void mend_put(
     struct answer *r, const struct entry *entry, const struct doctor *d);
 
-/* mend_finding_words returns a finding as a sentence, for a cell the sentence
- * of check; mend_command_line the call that applies its mend in any session,
- * "mend product@79 sieve=2 value=61.9".  The caller frees. */
+/* mend_finding_words returns a finding as a sentence, which for a cell is that
+ * of check; mend_command_line returns the call that applies its mend in any
+ * session, "mend product@79 sieve=2 value=61.9".  The caller frees it. */
 char *mend_finding_words(
     const struct site *site, const struct finding *finding);
 char *mend_command_line(const struct site *site, const struct mend *mend);

@@ -1,5 +1,4 @@
-/* remember, recall, forget, export, import, materials: what outlives the
- * session.
+/* remember, recall, forget, export, import, materials: commands for the store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <inttypes.h>
 #include <math.h>
@@ -13,6 +12,7 @@
 #include "cmd/sheets/load.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
+#include "cmd/session/journal.h"
 #include "cmd/ask/fit.h"
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
@@ -363,6 +363,11 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 	else
 		answer_sites(r, "all", about);
 	answer_note(r, "in %s", store_path(s->store));
+	if (n == 1) {
+		FREED char *line = xstrdup("recall");
+		journal_append_word(&line, item->name);
+		answer_note(r, "'%s' brings it back on any day", line);
+	}
 	session_show_answer(s, r);
 }
 
@@ -559,10 +564,19 @@ store_add_name(void *data, const char *name)
 	xlist(data, ", ", "%s", name);
 }
 
-/* recall without a name: the one that there is, which the caller frees, or NULL
- * and which there are. */
+/* Whether a list has a name. */
+static bool
+has_name(const char *names, const char *name)
+{
+	FREED char *all = xasprintf(", %s,", names);
+	FREED char *one = xasprintf(", %s,", name);
+	return strstr(all, one) != NULL;
+}
+
+/* recall without a name: that of the site in use, or the one that there is,
+ * which the caller frees; NULL with an error that lists them. */
 static char *
-find_only_name(const struct session *s, struct error *error)
+find_only_name(struct session *s, struct error *error)
 {
 	char *names = xstrdup("");
 	if (!store_each_name(
@@ -572,6 +586,10 @@ find_only_name(const struct session *s, struct error *error)
 	}
 	if (names[0] != '\0' && strchr(names, ',') == NULL)
 		return names;
+	if (s->n_entry > 0 && has_name(names, session_entry(s)->key)) {
+		free(names);
+		return xstrdup(session_entry(s)->key);
+	}
 	if (names[0] != '\0')
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"

@@ -150,9 +150,9 @@ const struct command TABLE_DATA[] = {
 		"log around it, and its power and feed rate are noted. A cut "
 		"has the site's feed unless its sheet has one. The parameters "
 		"stay, and the cut is compared at once with what they predict; "
-		"calibrate again to include it. The site's own file stays as "
-		"it is: 'write' saves the site with its cuts, and a line 'cut' "
-		"for each. 'undo' takes the cuts out again.",
+		"'calibrate train=all' also includes the cut. The site's own "
+		"file stays as it is: 'write' saves the site with its cuts, "
+		"and a line 'cut' for each. 'undo' takes the cuts out again.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "add data/cuts/tierp-72.csv@72 date=2026-05-03\n"
 		   "load data/cuts/log.csv as=log\n"

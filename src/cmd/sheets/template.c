@@ -1,4 +1,4 @@
-/* template: an empty site file for who starts from nothing.
+/* template: an empty site file to fill in.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 

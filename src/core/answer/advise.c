@@ -1,5 +1,5 @@
 /* Regresses an answer on the principal components of one more sample, over the
- * draws: singular values by GSL, R^2 adjusted for the number of components.
+ * draws: singular values by svd.h, R^2 adjusted for the number of components.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/advise.h"
 

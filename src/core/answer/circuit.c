@@ -1,6 +1,6 @@
 /* Solves a circuit in steady state by successive substitution, for each draw:
- * streams that close loops begin empty, and the units are computed in turn
- * until they change no more.
+ * streams that close loops start empty, and the units are computed in turn
+ * until these streams no longer change.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/circuit.h"
 

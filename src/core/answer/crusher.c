@@ -1,5 +1,5 @@
-/* Transfer matrices: the products of the single size classes by ensembles or
- * the model, and the discrepancy by the product of the whole feed.
+/* Transfer matrices: products of single size classes, from ensembles or the
+ * model, plus the discrepancy for the product of the whole feed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/crusher.h"
 

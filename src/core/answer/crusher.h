@@ -1,4 +1,5 @@
-/* The transfer matrix of a crusher: its product of each size class, at a speed.
+/* The transfer matrix of a crusher: its product from each size class, at a
+ * speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_CRUSHER_H
 #define TIPSPEED_CORE_ANSWER_CRUSHER_H
@@ -8,44 +9,43 @@
 #include "core/model/params.h"
 #include "core/psd/psd.h"
 
-/* Classes between sizes [n], m, coarsest first: class i lies between sizes i
- * and i + 1, with mass that is uniform in ln d; the last class is the pan,
- * which does not break.  A model's product is linear in the feed, so that the
- * products of all feeds follow from the products of the classes.  The
- * discrepancy (discrepancy.h) follows from the model's product of the whole
- * feed. */
+/* Class i lies between sizes i and i + 1 of [n], m, coarsest first, with mass
+ * uniform in ln d; the last class is the pan, which does not break.  A model's
+ * product is linear in the feed, so the products of the classes determine those
+ * of all feeds.  The discrepancy (discrepancy.h) depends on the model's product
+ * of the whole feed. */
 struct crusher;
 struct posterior;
 
 /* posterior: NULL for the model alone; else it must outlive the crusher.  The
- * bypass of the settings is left to the circuit. */
+ * circuit handles the bypass of the settings. */
 struct crusher *crusher_new(const double *size, size_t n,
     const struct params *p, struct model_settings settings,
     const struct posterior *posterior);
 void crusher_free(struct crusher *crusher);
 
-/* Sets the feed of the question, with the sieves [n], m, coarsest first, at
- * which its product is predicted.  At the sieves that are sizes of the crusher
+/* Sets the feed of the question and the sieves [n], m, coarsest first, at which
+ * its product is predicted.  At those sieves that are sizes of the crusher,
  * this feed then gives exactly the predicted product, and other feeds are
- * corrected by the same difference, for each t. */
+ * corrected by the same difference per tonne. */
 void crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
 /* Returns the transfer at tip speed v, m/s: a matrix for each draw of the
- * posterior, or a single one for the model alone.  transfer_free. */
+ * posterior, or a single one for the model alone.  Free with transfer_free. */
 struct transfer;
 struct transfer *crusher_at(struct crusher *crusher, double v);
 void transfer_free(struct transfer *t);
 size_t transfer_draws(const struct transfer *t);
 
-/* Computes the product, out [n], of the masses in [n] by class, in one draw:
- * the total mass is kept, and nothing becomes coarser.  in and out must differ;
- * one thread at a time. */
+/* Computes the product, out [n], of the masses in [n] by class, in one draw.
+ * It conserves mass, and nothing becomes coarser.  in and out must not overlap.
+ * Not thread-safe. */
 void transfer_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
-/* Computes the masses of the crusher's classes in a feed, [n] out; they add up
- * to 1.  All of the feed passes its coarsest size.  For draws the feed is
+/* Computes the masses of the crusher's classes in a feed, [n] out, with sum 1.
+ * All of the feed must pass the coarsest size.  For draws, the feed's curve is
  * smooth between its sieves (D18). */
 void crusher_classes(
     const struct crusher *c, const struct psd *feed, double *out);

@@ -1,5 +1,5 @@
-/* Sends each class of a feed alone through the model, Eq 2 being linear in the
- * feed, and adds up where its mass goes.
+/* Passes each class of a feed through the model separately, as Eq 2 is linear
+ * in the feed, and adds up where its mass goes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/mass_balance.h"
 

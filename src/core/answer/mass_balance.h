@@ -12,23 +12,22 @@
  * finest sieve.  All are shares of the mass of the whole feed, 0..1, [n] each:
  *   feed     = unbroken + within + left
  *   product  = unbroken + within + arrived
- * unbroken: mass that did not break; within: broke and is still in the class;
- * left: broke and is now in finer classes; arrived: broke in coarser classes.
- * The sums of feed and product are 1, those of left and arrived are equal. */
+ * unbroken: did not break; within: broke but is still in the class; left: broke
+ * into finer classes; arrived: came from coarser classes.  Feed and product
+ * each add up to 1; left and arrived have equal sums. */
 struct ledger {
 	size_t n;
 	double *feed, *unbroken, *within, *left, *arrived, *product;
 	double broken; /* of the whole feed */
 };
 
-/* Returns the ledger of the model at tip speed v, m/s, which it computes for
- * each class alone (Eq 2 is linear in the feed).  ledger_free. */
+/* Returns the ledger of the model at tip speed v, m/s, computed class by class
+ * (Eq 2 is linear in the feed).  Free with ledger_free. */
 struct ledger ledger_new(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v);
 void ledger_free(struct ledger *ledger);
 
-/* Returns the index of the largest of a [n], or of a - b where b is not
- * NULL. */
+/* Returns the index of the largest of a [n], or of a - b if b is not NULL. */
 size_t ledger_most(const double *a, const double *b, size_t n);
 
 #endif

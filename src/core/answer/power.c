@@ -1,6 +1,6 @@
-/* Weighs a grid of exponents and factors by least squares on the readings, with
- * the idle power a normal cut at 0 for each; draws at even steps of the
- * weights.
+/* Weights a grid of exponents and factors by their least-squares fit to the
+ * readings, each with a normal distribution of the idle power truncated at 0,
+ * and takes draws at even steps of the weights.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/power.h"
 

@@ -1,5 +1,5 @@
-/* The table of a product at a speed: passings, sizes, what breaks, and their
- * bands.
+/* The table of a product at a speed: passings, sizes, the share that breaks,
+ * and their bands.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/predict.h"
 

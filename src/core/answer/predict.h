@@ -12,14 +12,14 @@
 #include "core/psd/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers, or of site->shown.  curve: the product at predict_sizes,
- * from which sizes are read straight on log size (D20).  model [product.n]: the
+ * the feed covers, or of site->shown.  curve: the product at predict_sizes, off
+ * which sizes are read linearly in log size (D20).  model [product.n]: the
  * product of the model alone.  low, high [product.n], range: the band; NULL and
- * NAN without.  Sizes in m; NAN where they lie outside the sieves. */
+ * NAN without one.  Sizes are in m; NAN if outside the sieves. */
 struct prediction {
 	double speed;    /* m/s */
 	double energy;   /* J/kg */
-	size_t feed_run; /* the run whose feed was taken */
+	size_t feed_run; /* the run whose feed was used */
 	struct psd feed, product, curve;
 	double *model, *low, *high;
 	double range[PSD_SIZES + 1][2]; /* of size, below */
@@ -31,8 +31,8 @@ struct prediction {
 		};
 		double size[PSD_SIZES + 1];
 	};
-	/* The part of the product, and its share; for the whole product all
-	 * zeros, and 1. */
+	/* The part of the product and its share; for the whole product, all
+	 * zeros and 1. */
 	struct fraction fraction;
 	double share, share_range[2];
 	double selected;   /* mass fraction of the feed that is selected */
@@ -42,22 +42,22 @@ struct prediction {
 void prediction_free(struct prediction *prediction);
 
 /* Returns the site's sieves that the feed covers and the sieves of site->shown,
- * coarsest first; passings 0.  psd_free. */
+ * coarsest first; passings are 0.  Free with psd_free. */
 struct psd predict_sizes(const struct site *site, const struct psd *feed);
 
 /* Returns the quantities that predict_table reads, of the whole product or of a
- * fraction, [*n]; the caller frees. */
+ * fraction, [*n].  The caller frees it. */
 struct quantity *predict_quantities(const struct site *site,
     const struct psd *feed, const struct fraction *fraction, size_t *n);
 
-/* Returns the table of a response to the quantities of predict_quantities, at
- * its speed, with the band that holds the middle `level` of the draws, if it
- * has draws; prediction_free.  feed_run: the run whose feed it is, or
- * SITE_MEAN_FEED, see site_feed. */
+/* Returns the table of a response opened for predict_quantities, at its speed,
+ * with the band of the middle `level` of the draws, if it has draws.  feed_run:
+ * the run whose feed is used, or SITE_MEAN_FEED, see site_feed.  Free with
+ * prediction_free. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct response *r, double level);
 
-/* As predict_table, but of the model alone and of the whole product.  Cannot
+/* As predict_table, but for the model alone and the whole product.  Cannot
  * fail. */
 struct prediction predict(const struct site *site, const struct params *p,
     struct model_settings settings, double speed, size_t feed_run);
@@ -66,15 +66,15 @@ struct prediction predict(const struct site *site, const struct params *p,
 void prediction_drop_band(struct prediction *p);
 
 /* Computes the selection of each size class of a feed: the share of its mass
- * that breaks.  Class i lies between the sieves i and i + 1, the last is the
- * pan.  S [feed->n] out, 0..1; weighted by the classes' masses it sums to
- * `selected`.  Method continuous: the mean of Eq 3 over the class, straight on
- * log size, and 0 in the pan, which is never broken; classes: Eq 3 at the
- * class's size. */
+ * that breaks.  Class i lies between sieves i and i + 1; the last is the pan.
+ * S [feed->n] out, 0..1; weighted by the classes' masses, it sums to
+ * `selected`.  Method continuous: the mean of Eq 3 over the class, uniform in
+ * log size, and 0 in the pan, which never breaks; classes: Eq 3 at the size of
+ * the class. */
 void predict_selection(const struct psd *feed, const struct params *p,
     struct model_settings settings, double speed, double *S);
 
-/* True when speed lies outside the speeds of the runs marked in train. */
+/* True if the speed is outside the speeds of the runs marked in train. */
 bool predict_extrapolates(
     const struct site *site, const bool *train, double speed);
 

@@ -1,4 +1,4 @@
-/* Reads quantities off the curve of the answer and of each draw, straight on
+/* Reads quantities off the curve of the answer and of each draw, linearly in
  * log size between the sieves (D20).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/response.h"

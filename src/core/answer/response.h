@@ -10,9 +10,9 @@
 /* Opaque. */
 struct response;
 
-/* size [n]: the sieves, m, coarsest first, see predict_sizes; between them the
- * curve is read straight on log size (D20), also at the sizes that the
- * quantities asked [n_asked] need. */
+/* size [n]: the sieves, m, coarsest first, see predict_sizes.  Between them,
+ * also at the sizes that the quantities asked [n_asked] need, the curve is
+ * interpolated linearly in log size (D20). */
 struct response *response_new(const struct psd *feed, const double *size,
     size_t n, const struct quantity *asked, size_t n_asked,
     const struct params *p, struct model_settings settings);
@@ -20,46 +20,46 @@ void response_free(struct response *r);
 
 /* Moves to tip speed v, m/s: for the model alone (e NULL), or with the draws of
  * an ensemble of the same feed and sieves, borrowed until the next move.  of:
- * the part of the ensemble that draws and bands are read from; values are
- * always the answer's. */
+ * the part of the ensemble from which draws and bands are read; values are
+ * always those of the answer. */
 void response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
-/* Return quantity i at the response's speed: of the answer, and of the model
- * alone.  NAN where the curve does not reach that far. */
+/* Return quantity i at the response's speed, for the answer and for the model
+ * alone; NAN if the curve does not reach that far. */
 double response_value(const struct response *r, size_t i);
 double response_model(struct response *r, size_t i);
 
 double response_speed(const struct response *r);
 
-/* Return the break size at the response's speed, m, see params_break_size, and
+/* Return the break size at the response's speed, m (see params_break_size), and
  * the band of the draws' break sizes. */
 double response_break_size(const struct response *r);
 void response_break_band(
     const struct response *r, double level, double range[static 2]);
 
-/* For predict_table, for the model alone: return the share of the feed that is
+/* For predict_table and the model alone: return the share of the feed that is
  * selected, and whether the product differs from the feed. */
 double response_selected(struct response *r);
 bool response_breaks(struct response *r);
 
-/* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed;
- * NULL for a model alone. */
+/* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed,
+ * or NULL for a model alone. */
 const double *response_draws(const struct response *r, size_t i);
 
-/* Return the distance of quantity i above a limit at the response's speed, see
- * quantity_over: of the answer; of the draws, [POSTERIOR_DRAWS] out. */
+/* Return how far quantity i is above a limit at the response's speed (see
+ * quantity_over), for the answer and, in over, for each draw. */
 double response_excess(struct response *r, size_t i, double limit);
 void response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Computes the band of quantity i, the middle `level` of the draws, for
- * ENSEMBLE_ANSWER widened to hold the value; NAN for a model alone. */
+ * ENSEMBLE_ANSWER widened to contain the value; NAN for a model alone. */
 void response_band(
     const struct response *r, size_t i, double level, double range[static 2]);
 
 /* Returns the answer's curve of the fraction of quantity i at the response's
- * speed, at the sizes of the product's curve; psd_free. */
+ * speed, at the sizes of the product's curve.  Free with psd_free. */
 struct psd response_screened(const struct response *r, size_t i);
 
 #endif

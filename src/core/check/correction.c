@@ -1,5 +1,5 @@
 /* Changes one column or cell of a copy of a site, checks that the result is a
- * site, and notes the change in its provenance.
+ * valid site, and notes the change in its provenance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/correction.h"
 

@@ -1,4 +1,4 @@
-/* Corrections of a site whose sheet is wrong, which the user chooses (mends).
+/* Mends: corrections that the user makes to a site whose sheet is wrong.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_CORRECTION_H
 #define TIPSPEED_CORE_CHECK_CORRECTION_H
@@ -12,17 +12,17 @@
 enum mend_kind {
 	MEND_READ,  /* a passing is read as `value` */
 	MEND_OUT,   /* a passing is left out */
-	MEND_SWAP,  /* a product and its feed change places */
-	MEND_UP,    /* a column belongs one sieve coarser */
-	MEND_DOWN,  /* or finer */
-	MEND_WITH,  /* two products change places */
-	MEND_SCALE, /* the sieves of a column are `value` times as large */
+	MEND_SWAP,  /* a product and its feed are swapped */
+	MEND_UP,    /* a column moves up to the next coarser sieve */
+	MEND_DOWN,  /* or down to the next finer */
+	MEND_WITH,  /* two products are swapped */
+	MEND_SCALE, /* the sieves of a column are multiplied by `value` */
 	MEND_DROP   /* a run is left out */
 };
 
-/* A mend of one column.  run: 0 for a feed that all runs share.  size: the
- * sieve of a passing, m.  value: a passing, 0..1, or a factor.  other: the run
- * with which a product changes places. */
+/* A mend of one column.  run: 0 for a feed shared by all runs.  size: the sieve
+ * of a passing, m.  value: a passing, 0..1, or a factor.  other: the run with
+ * which a product is swapped. */
 struct mend {
 	enum mend_kind kind;
 	bool feed;
@@ -30,9 +30,9 @@ struct mend {
 	double size, value;
 };
 
-/* Returns the corrected site, with the mend in its provenance; or NULL with an
- * error where the result would not be a site: passings that rise on finer
- * sieves, a feed that does not all pass its coarsest sieve, a curve of fewer
+/* Returns the corrected site, with the mend in its provenance, or NULL with an
+ * error if the result would not be a valid site: if passings rise on finer
+ * sieves, not all of a feed passes its coarsest sieve, or a curve has fewer
  * than two sieves. */
 struct site *mend_site(
     const struct site *site, const struct mend *mend, struct error *error);
@@ -42,7 +42,7 @@ struct site *mend_site(
 char *mend_column(const struct site *site, bool feed, size_t run);
 char *mend_words(const struct site *site, const struct mend *mend);
 
-/* Finds the column of that name; false where there is none. */
+/* Finds the column with that name.  Returns false if there is none. */
 bool mend_find_column(
     const struct site *site, const char *name, bool *feed, size_t *run);
 

@@ -1,5 +1,5 @@
-/* Compares models calibrated on the same runs: Akaike's criterion, and their
- * errors at runs that were held out.
+/* Comparison of models calibrated on the same runs, by Akaike's criterion and
+ * by their errors on held-out runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_LEAGUE_H
 #define TIPSPEED_CORE_CHECK_LEAGUE_H
@@ -9,53 +9,54 @@
 
 #include "core/search/calibrate.h"
 
-/* Akaike's information criterion, corrected for few data, of least squares with
- * an unknown variance:
+/* Returns Akaike's information criterion, corrected for small samples, for
+ * least squares with unknown variance:
  *   AICc = n ln(E / n) + 2 K + 2 K (K + 1) / (n - K - 1),   K = p + 1
- * E misfit over n cells, p parameters; K counts the variance as one more.  NAN
- * where n is not above K + 1, or E is 0.
+ * for the misfit E over n cells and p parameters; K also counts the variance.
+ * NAN if n is not above K + 1 or E is 0.
  * Source: Hurvich and Tsai (1989), Biometrika 76; Burnham and Anderson (2002),
  * Model Selection and Multimodel Inference, section 2.4. */
 double league_aicc(double misfit, size_t cells, size_t parameters);
 
-/* Returns the number of parameters that a fit found: all that were searched,
- * without the free scale of a gauge that no bound holds. */
+/* Returns the number of parameters fitted: all that were searched, less one for
+ * the scale of a gauge if no bound fixes it. */
 size_t league_count_fitted(const struct fit *fit, const struct bounds *bounds);
 
-/* A passing of a run that was held out, 0..1; log_size: ln of its sieve, m;
- * noise: standard deviation of its sampling error.  The cells of a run follow
- * one another. */
+/* A passing, 0..1, of a held-out run.  log_size: ln of its sieve, m; noise:
+ * standard deviation of its sampling error.  The cells of a run are
+ * adjacent. */
 struct league_cell {
 	size_t run;
 	double log_size, measured, noise;
 };
 
-/* Returns the root mean square, over the runs, of the RMSE of predicted [n];
- * NAN with no cell, or where a cell has no prediction. */
+/* Returns the root mean square over the runs of the RMSE of predicted [n], or
+ * NAN if there is no cell or a cell has no prediction. */
 double league_rmse(
     const struct league_cell *cell, size_t n, const double *predicted);
 
-/* difference: the squared errors of a less the squared errors of b, summed over
- * all cells; error: the standard error of this sum, from the sampling error of
- * the cells alone.  The error of a run's cells is partly shared along its
- * curve, in the shares of the priors of HYPER (D13). */
+/* difference: the squared errors of a minus those of b, summed over all cells;
+ * error: the standard error of this sum, from the sampling errors of the cells
+ * alone.  Errors are partly shared along the curve of a run, in proportion to
+ * the priors in HYPER (D13). */
 struct league_pair {
 	double difference, error;
 };
 struct league_pair league_compare(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
-/* True if a errs more than b by more than twice league_pair's error and 0.1
- * points of RMSE. */
+/* True if the errors of a exceed those of b by more than both twice
+ * league_pair's error and 0.1 points of RMSE. */
 bool league_errs_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
 /* A model to be compared.  model: its index in BREAKAGES.  standing: out. */
 enum league_standing {
-	LEAGUE_BEST,     /* errs least where held out; of such the least AICc */
+	LEAGUE_BEST,     /* smallest held-out error; among these, smallest
+			  * AICc */
 	LEAGUE_POSSIBLE, /* not distinguishable from the best */
 	LEAGUE_OUT_AICC, /* ruled out by AICc, */
-	LEAGUE_OUT_ERROR /* or by its error at the runs held out */
+	LEAGUE_OUT_ERROR /* or by its error on the held-out runs */
 };
 struct league_model {
 	size_t model;
@@ -65,17 +66,16 @@ struct league_model {
 	enum league_standing standing;
 };
 
-/* Ranks models [n_model] and returns whether the data can tell them apart.
- * The best model errs least at the cells held out; of the models whose RMSE
- * there is no more than 0.1 points above the least, and of all where no run was
- * held out, it has the least AICc.
- * A model is ruled out if it errs more than the best at the cells held out; or
- * if its AICc is more than 10 above the best's, unless its RMSE there is
- * smaller, however little: AICc assumes that errors are independent and of one
- * size, and the errors of sieves are not.  The data can tell the models apart
- * where all that remain are the simplest of them and models that extend it,
- * none errs less than the best by more than sampling explains, and none has an
- * AICc more than 10 below that of the best. */
+/* Ranks models [n_model] and returns true if the data can tell them apart.  The
+ * best model has the smallest AICc of those whose held-out RMSE is within 0.1
+ * points of the smallest, or of all if no run was held out.  A model is ruled
+ * out if its held-out error is larger than the best's (league_errs_more), or if
+ * its AICc is more than 10 above the best's, unless its held-out RMSE is
+ * smaller, however slightly: AICc assumes independent errors of equal size, and
+ * the errors of sieves are neither.  The data can tell the models apart if
+ * those that remain are the simplest of them and extensions of it, none has a
+ * smaller error than the best by more than sampling explains, and none has an
+ * AICc more than 10 below the best's. */
 bool league_rank(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n);
 

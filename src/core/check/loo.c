@@ -1,5 +1,5 @@
-/* Leave-one-out expectations of a Gaussian vector by its inverse covariance
- * (Rasmussen and Williams 2006, section 5.4.2), with hyperparameters found by a
+/* Leave-one-out expectations of a Gaussian vector from its inverse covariance
+ * (Rasmussen and Williams 2006, section 5.4.2), with hyperparameters from a
  * pattern search without the cell.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/loo.h"

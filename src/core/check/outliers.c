@@ -1,6 +1,6 @@
-/* Tries the usual mistakes on columns (exchanged, moved, scaled, copied) and on
- * cells (digits, by their leave-one-out expectations), and keeps the mends that
- * make a sheet consistent.
+/* Tries to undo the usual mistakes in columns (swapped, shifted, scaled,
+ * copied) and in cells (digits, by leave-one-out expectations), and keeps the
+ * mends that make a sheet consistent.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/outliers.h"
 

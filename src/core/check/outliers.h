@@ -1,5 +1,5 @@
-/* Finds wrong cells and columns of a sheet, and the mends that would correct
- * them.
+/* The search for wrong cells and columns of a sheet, and for mends that would
+ * correct them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_OUTLIERS_H
 #define TIPSPEED_CORE_CHECK_OUTLIERS_H
@@ -10,24 +10,25 @@
 #include "core/check/correction.h"
 #include "core/posterior/posterior.h"
 
-/* A mend that would make the sheet consistent.  It is only proposed: the
- * laboratory's sheet decides.
+/* A mend that would make the sheet consistent.  It is only a proposal: the
+ * laboratory's records decide.
  *   measured, expected, sd  of a cell: as measured, and as expected from all
- *                 others (see loo.h), passing 0..1; NAN of columns
- *   surprise      of a cell after a calibration: how much more probable the
- *                 sheet is without it, as a logarithm; NAN
- *   off           of a column: its distance from what others make probable, RMS
- *                 before and after the mend, 0..1; NAN of cells
- *   rmse          of all products to the posterior's fit, before and after the
- *                 mend and without another calibration; NAN without */
+ *                 others (loo.h), passing 0..1; NAN for a column
+ *   surprise      of a cell, after a calibration: ln of how much more probable
+ *                 the sheet is without it; else NAN
+ *   off           of a column: its RMS distance from what the others suggest,
+ *                 before and after the mend, 0..1; NAN for a cell
+ *   rmse          of all products from the posterior's fit, before and after
+ *                 the mend, not refitted; NAN without a posterior */
 struct finding {
 	struct mend mend;
 	double measured, expected, sd, surprise;
 	double off[2], rmse[2];
 };
 
-/* unseen: the number of passings where it exceeds DOCTOR_CELLS, so that none
- * was compared with all others (their covariance is a matrix); else 0. */
+/* unseen: the number of passings if it exceeds DOCTOR_CELLS, as none is then
+ * compared with all others (their covariance matrix would be too large); else
+ * 0. */
 enum { DOCTOR_CELLS = 1000 };
 struct doctor {
 	size_t n;
@@ -35,9 +36,9 @@ struct doctor {
 	size_t unseen;
 };
 
-/* Returns the findings; outliers_free.  posterior: of this same site, or NULL.
- * noise: known error of a passing, 0..1, or 0.  No cell is checked where a
- * column has a mend. */
+/* Returns the findings.  posterior: of the same site, or NULL.  noise: known
+ * error of a passing, 0..1, or 0.  If a column has a mend, no cell is checked.
+ * Free with outliers_free. */
 struct doctor outliers_find(
     const struct site *site, const struct posterior *posterior, double noise);
 void outliers_free(struct doctor *doctor);

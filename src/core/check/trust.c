@@ -1,5 +1,5 @@
-/* Collects the evidence of a fit, from residuals, draws and held-out runs, and
- * compares it and the question with thresholds that bench/coverage found.
+/* Collects the evidence on a fit from residuals, draws and held-out runs, and
+ * compares it and the question with thresholds found by bench/coverage.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/trust.h"
 

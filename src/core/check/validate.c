@@ -1,5 +1,5 @@
-/* Compares predictions for held-out runs with their products, beside null
- * models.
+/* Compares the predictions of the model and of null models with the products of
+ * held-out runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/validate.h"
 

@@ -1,4 +1,4 @@
-/* Validation: predicted against measured products at speeds held out.
+/* Validation: predicted against measured products at held-out speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_VALIDATE_H
 #define TIPSPEED_CORE_CHECK_VALIDATE_H
@@ -11,10 +11,9 @@
 #include "core/psd/site.h"
 
 /* The ways to predict: the model, the model corrected by the training runs, and
- * null models, which need no model: the measured training products interpolated
- * straight in v^2, the product at the nearest training speed, and the feed
- * itself.  They are in the order in which they are shown; of two equally good
- * ways the first wins. */
+ * null models: the measured training products interpolated linearly in v^2, the
+ * product at the nearest training speed, and the feed itself.  They are in the
+ * order in which they are shown; of two equally good ways, the first wins. */
 enum validate_way {
 	VALIDATE_MODEL,
 	VALIDATE_CORRECTED,
@@ -25,71 +24,71 @@ enum validate_way {
 	VALIDATE_NULL = VALIDATE_INTERPOLATION /* the first null model */
 };
 
-/* One run against the prediction of each way: RMSE of passing, 0..1, NAN where
- * the way has no answer at one of the sieves; P20, P50, P80, m, NAN outside the
- * sieves.  misfit and worst are the model's. */
+/* One run compared with each prediction: RMSE of passing, 0..1, NAN if the
+ * prediction lacks one of the sieves; P20, P50, P80, m, NAN outside the sieves.
+ * misfit and worst_* are those of the model. */
 struct validation {
 	size_t run;
 	double speed;
 	bool holdout;               /* not among the training runs */
-	size_t n_sieve, n_left_out; /* compared; finer than the feed was
-				     * sieved */
+	size_t n_sieve, n_left_out; /* compared; ignored, as finer than the
+				     * feed's sieves */
 	double misfit;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
 	double measured[PSD_SIZES];           /* P20, P50, P80, m */
 	double rmse[VALIDATE_WAYS], size[VALIDATE_WAYS][PSD_SIZES];
-	double line[2]; /* speeds that interpolation goes through, or NAN */
+	double line[2]; /* speeds used for interpolation, or NAN */
 	double nearest; /* training speed, m/s, or NAN */
 };
 
-/* Compares a run with its predictions.  train [n_run]: the runs trained on.
- * corrected: the corrected answer's passings at the covered sieves, or NULL for
- * none.  The run must have a product with a covered sieve (asserted). */
+/* Compares a run with its predictions.  train [n_run]: the training runs.
+ * corrected: passings of the corrected answer at the covered sieves, or NULL.
+ * The run must have a product with a covered sieve (asserted). */
 struct validation validate_run(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);
 
 /* Computes the passings, 0..1, that one way predicts for the run at its covered
- * sieves, out [misfit_covered]; NAN where the way has no answer, as
- * VALIDATE_CORRECTED, which is made of draws. */
+ * sieves, out [misfit_covered]; NAN where it has no answer, as always for
+ * VALIDATE_CORRECTED, which needs draws. */
 void validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     enum validate_way way, double *out);
 
-/* Returns what each way predicts, as validate_passing, [VALIDATE_WAYS][n] over
- * the n covered sieves; `corrected` as for validate_run.  The caller frees. */
+/* Returns the predictions of all ways, as validate_passing computes them,
+ * [VALIDATE_WAYS][n] over the n covered sieves.  corrected: as for
+ * validate_run.  The caller frees the result. */
 double *validate_passings(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);
 
-/* As validate_run, of passings that validate_passings returned. */
+/* As validate_run, but from the result of validate_passings. */
 struct validation validate_predicted(const struct site *site, size_t run,
     const bool *train, const double *passing);
 
 /* Returns the way with the smallest RMSE. */
 enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
 
-/* True when the model at this run is worse than interpolating the measured
- * training products. */
+/* True if the model predicts this run worse than interpolation of the measured
+ * training products does. */
 bool validation_loses_to_interpolation(const struct validation *v);
 
-/* True when interpolation extends beyond its two speeds: there it is the line
- * through the two nearest. */
+/* True if the run is outside the two speeds used for interpolation. */
 bool validation_extrapolates(const struct validation *v);
 
-/* Returns the passing of the null model at size x: the measured products of the
- * training speeds next below and above, straight in v^2; beyond them, on the
- * line through the two nearest.  Repeats at a speed are averaged.  NAN with
- * fewer than two speeds, or where the product at one of them has no such
- * size. */
+/* Returns the passing of the null model at size x: between the measured
+ * products at the training speeds next below and above, linear in v^2; beyond
+ * all of these, on the line through the two nearest.  Repeats at a speed are
+ * averaged.  NAN if there are fewer than two speeds, or if a product used does
+ * not cover x. */
 double validate_interpolation(
     const struct site *site, const bool *train, double speed, double x);
 
 /* The score of one size over many runs: mean and root mean square of the
  * relative errors (predicted - measured) / measured; and the coefficient of
  * determination, 1 - sum (predicted - measured)^2 / sum (measured - their
- * mean)^2.  n: runs where both sizes are known; NAN with no run; r2 is also
- * NAN where all measured sizes are equal. */
+ * mean)^2.  n: runs for which both sizes are known.  All are NAN without such a
+ * run; r2 is also NAN if all measured sizes are equal. */
 struct validate_score {
 	size_t n;
 	double bias, rms, r2;

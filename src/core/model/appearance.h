@@ -1,4 +1,4 @@
-/* Appearance (Eq 1): into which sizes a broken particle falls.
+/* Appearance (Eq 1): the sizes into which a particle breaks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_APPEARANCE_H
 #define TIPSPEED_CORE_MODEL_APPEARANCE_H
@@ -12,14 +12,14 @@
 
 enum { APPEARANCE_PIECES = 4 };
 
-/* The progeny distribution of the form `ratio`, u = progeny / parent:
+/* The progeny distribution in the form `ratio`, u = progeny / parent:
  *   p(u) = max(0, beta1 + beta2 u + beta3 u^2 + beta4 u^3), u in [2^-10, 1]
  *   B(u) = integral of p d ln u up to u, over the integral up to 1
- * D3: read literally Eq 1 gives every daughter the same share; u is the ratio.
- * D4: p is clipped at 0 and normalised, so that mass is kept.
+ * D3: read literally, Eq 1 gives all progeny the same share; u is the ratio.
+ * D4: p is clipped at 0 and normalised, to conserve mass.
  *
- * p is above 0 on n pieces lower[i]..upper[i], finest first.  total is the
- * integral over all pieces; 0 means that p is 0 everywhere and a particle that
+ * p is positive on n pieces lower[i]..upper[i], finest first.  total is the
+ * integral over all pieces; if it is 0, p is 0 everywhere and a particle that
  * breaks keeps its size. */
 struct appearance {
 	double beta[4];
@@ -27,8 +27,8 @@ struct appearance {
 	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
 	double total;
 	double log_lower[APPEARANCE_PIECES], log_upper[APPEARANCE_PIECES];
-	/* For appearance_parts: their values at the piece's upper end, and at
-	 * its lower end less the primitive there. */
+	/* For appearance_parts: its values at the upper end of each piece, and
+	 * those at the lower end minus the primitive there. */
 	double full[APPEARANCE_PIECES][4], base[APPEARANCE_PIECES][4];
 	double whole[4]; /* at u = 1 */
 };
@@ -36,11 +36,11 @@ struct appearance {
 /* Cannot fail. */
 struct appearance appearance_of(const double beta[static 4]);
 
-/* p(u), not normalised, clipped at 0.   Source: paper Eq 1. */
+/* Returns p(u), not normalised, clipped at 0.  Source: paper Eq 1. */
 double appearance_density(const double beta[static 4], double u);
 
-/* Returns the argument of p for a parent and a daughter of the given sizes, m:
- * their ratio, or one of the sizes in mm (departure D3). */
+/* Returns the argument of p for parent and progeny of the given sizes, m: their
+ * ratio, or one of the sizes in mm (D3). */
 double appearance_argument(
     enum appearance_form form, double parent, double daughter);
 
@@ -54,9 +54,9 @@ appearance_power(size_t power, double log_u, double u)
 	return power == 0 ? log_u : up / (double)power;
 }
 
-/* Computes the integral of u^(m - 1) over the pieces of p up to u, parts [4]
- * for m = 0 to 3 with ln u for the first: B(u) is their sum weighted by beta,
- * over the same sum at u = 1. */
+/* Computes the integral of u^(m - 1) over the pieces of p up to u: parts [4]
+ * for m = 0 to 3, with ln u for m = 0.  B(u) is their sum weighted by beta,
+ * divided by the same sum at u = 1. */
 void appearance_parts(
     const struct appearance *a, double log_u, double parts[static 4]);
 

@@ -1,4 +1,4 @@
-/* The list of breakage models, and what follows from a row.
+/* The list of breakage models, and functions that work on any row.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/breakage.h"
 

@@ -9,7 +9,7 @@
 #include "core/model/appearance.h"
 #include "core/model/breakage_grunditz.h"
 
-/* own of the breaker: the appearance, (E / E_ref)^-gamma and ln (E / E_ref). */
+/* The breaker's own: the appearance, (E / E_ref)^-gamma and ln (E / E_ref). */
 struct energy_own {
 	struct appearance appearance;
 	double exponent, log_ratio;

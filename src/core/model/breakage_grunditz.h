@@ -17,7 +17,7 @@
 		    "appearance: term in u cubed", 0                           \
 	}
 
-/* own of the breaker: the appearance of beta scaled to 1. */
+/* Returns the breaker's own: the appearance for beta scaled to 1. */
 const struct appearance *grunditz_appearance(const struct breaker *b);
 
 /* See the fields of that name in struct breakage. */

@@ -1,11 +1,11 @@
-/* grunditz-t10: grunditz-energy with progeny that get finer as t10 has it, too.
+/* grunditz-t10: grunditz-energy with progeny that also get finer as in the t10
+ * model.
  *   B_v(u) = 1 - (1 - B(u)^((E / E_ref)^-gamma))^((E / E_ref)^kappa)
- * D17.  Of a t10 = 1 - exp(-b E) and its t_n = 1 - (1 - t10)^w(n) every
- * -ln(1 - t_n) is proportional to E: kappa is 1 then, and gamma 0.  Source:
- * Narayanan, S.S., Whiten, W.J. (1988), Determination of comminution
- * characteristics from single-particle breakage tests and its application to
- * ball-mill scale-up, Trans. Instn Min. Metall. C 97, 115-124.  Scalar, or with
- * LANES.
+ * D17.  With t10 = 1 - exp(-b E) and t_n = 1 - (1 - t10)^w(n), every -ln(1 -
+ * t_n) is proportional to E; this is kappa 1 and gamma 0.  Source: Narayanan,
+ * S.S., Whiten, W.J. (1988), Determination of comminution characteristics from
+ * single-particle breakage tests and its application to ball-mill scale-up,
+ * Trans. Instn Min. Metall. C 97, 115-124.  Scalar, or with LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 
 /* At u = 1 the density may be without bound; `classes` takes it from where so

@@ -1,8 +1,8 @@
 /* vogel: the selection of Eq 3 with the appearance of Vogel and Peukert,
  *   B(y, x, v) = (y/x)^q (1 + tanh((y - y')/y')) / 2,  q = q_slope v + q_0
- * y' is the size at which the fines fall off.  Source: Vogel, L., Peukert, W.
- * (2005), From single particle impact behaviour to modelling of impact mills,
- * Chem. Eng. Sci. 60, 5164-5176.  Scalar, or with LANES.
+ * where y' is the size below which fines fall off.  Source: Vogel, L., Peukert,
+ * W. (2005), From single particle impact behaviour to modelling of impact
+ * mills, Chem. Eng. Sci. 60, 5164-5176.  Scalar, or with LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 

@@ -22,15 +22,16 @@ void classes_product(struct classes *c, double v, double *passing);
 bool classes_breaks(struct classes *c, double v);
 double classes_selected(struct classes *c, double v);
 
-/* Sizes, m, of the n feed classes, coarsest first, the pan last (D5). */
+/* Computes the sizes x, m, of the n feed classes, coarsest first, the pan last
+ * (D5). */
 void classes_sizes(const struct psd *feed, double *x);
 
-/* Appearance matrix of Table 1 for size classes.
+/* Computes the appearance matrix of Table 1 for size classes.
  *   a_ij share of class i that falls into class j, j at or below i; columns
  *   (one parent i each) add up to 1.
  * b at its speed; form; x [n] class sizes, m, coarsest first.
- * a [n * n] out, a[j * n + i]; above the diagonal 0.
- * A parent with no share anywhere keeps its mass: a_ii = 1.
+ * a [n * n] out, a[j * n + i]; above the diagonal 0.  A parent without progeny
+ * keeps its mass: a_ii = 1.
  * Cannot fail.   Source: paper Eq 1 and Table 1, departures D3 and D4. */
 void classes_matrix(const struct breaker *b, enum appearance_form form,
     const double *x, size_t n, double *a);

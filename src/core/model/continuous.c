@@ -1,5 +1,5 @@
 /* Eq 2 in the limit of fine classes: S by Gauss-Legendre panels over the feed,
- * B from a table at each of their points as seen from each sieve.
+ * and B from a table, at each of their points as seen from each sieve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/continuous.h"
 

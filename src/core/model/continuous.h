@@ -6,35 +6,36 @@
 #include "core/model/breakage.h"
 #include "core/psd/psd.h"
 
-/* Panels end at STOPS values of the exponent of Eq 3 and, with a spectrum of
- * impacts, at the break size of each node and at the same values for the
- * weakest node. */
+/* Panels end at STOPS values of the exponent in Eq 3.  With a spectrum of
+ * impacts, they also end at each node's break size and at the same values for
+ * the weakest node. */
 enum { STOPS = 5, STOPS_MOST = 2 * STOPS + IMPACTS_MOST, GAUSS = 8 };
 
-/* A point of the integrals over the feed: t = ln x, its mass dF, S there and
- * its derivatives. */
+/* A point of the integrals over the feed: t = ln x, the mass dF, and S there
+ * with its derivatives. */
 struct point {
 	double t, mass, S, dS[PARAMS_MOST];
 };
 
 struct moments;
 
-/* Classes between neighbouring edges; density is dF / d ln x.  At the last
- * speed asked for: b, the ends of panels (stop), and the points, coarsest class
- * first. */
+/* Classes lie between neighbouring edges; density is dF / d ln x.  b, the ends
+ * of panels (stop) and the points, coarsest class first, are those at the last
+ * speed asked for. */
 struct continuous {
 	size_t n_sieve, n_edge;
 	double *log_sieve, *feed_passing;
 	double *edge, *density;
-	struct model_settings settings; /* but for the method */
+	struct model_settings settings; /* except the method */
 	struct breaker b;
 	size_t n_stop;
 	double stop[STOPS_MOST]; /* ln x, rising */
 	size_t n_point;
 	struct point *point;
-	struct moments *above; /* [n_edge], of the paper's model; or NULL */
-	/* B at nodes of equal steps in ln u from 0 down, with its derivatives
-	 * by the n_moved parameters that it depends on; rows of 1 + n_moved. */
+	struct moments *above; /* [n_edge], for the paper's model; or NULL */
+	/* B at nodes in equal steps of ln u down from 0, with its derivatives
+	 * with respect to the n_moved parameters on which it depends; rows of 1
+	 * + n_moved. */
 	size_t n_node, n_moved, moved[PARAMS_MOST];
 	double *node;
 };
@@ -56,8 +57,8 @@ struct panel {
 	double t[GAUSS], weight[GAUSS];
 };
 
-/* Calls add(c, panel, data) for the panels over ln x from a to b, within one
- * class of the given density, and from the size where S begins. */
+/* Calls add(c, panel, data) for each panel over ln x from a, or from where S
+ * begins if that is coarser, to b, within one class of the given density. */
 static inline void
 continuous_stretch(const struct continuous *c, double a, double b,
     double density,

@@ -7,9 +7,9 @@
 
 enum { PARAMS_MOST = 11 };
 
-/* Parameters with the breakage model that they belong to: at[j] is that of
- * row j of its table.  A plain value; zeros are the paper's model.  The names
- * are those of the paper's model, for the files of its family. */
+/* Parameters and the breakage model that they belong to: at[j] is the parameter
+ * in row j of the model's table.  A plain value; zeros select the paper's
+ * model.  Only files of the paper's family of models use the names. */
 struct params {
 	size_t breakage; /* index into BREAKAGES */
 	union {
@@ -24,24 +24,23 @@ struct params {
 	};
 };
 
-/* Larger values are refused, whether typed, read or given as a bound: no rock
- * has them, so they are typing errors.  Constants, because Table 3 is read with
- * them too. */
+/* Larger values are rejected, whether typed, read or given as a bound: no rock
+ * has them, so they are typing errors. */
 enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
 /* Description of one parameter. */
 struct param_info {
 	const char *name;    /* as typed */
-	const char *unit;    /* "-" where there is none */
+	const char *unit;    /* "-" if none */
 	double lower, upper; /* default search bounds */
 	double least, most;  /* of any value */
-	double start; /* where a site has none; NAN: it has to be given */
+	double start;        /* value if a site has none; NAN: must be given */
 	const char *meaning;
 	double spread; /* of a normal prior about start; 0: uniform in bounds */
 };
 
-/* Search bounds: one pair for each parameter.  lower == upper holds it
- * fixed. */
+/* Search bounds, one pair for each parameter.  A parameter with lower == upper
+ * is fixed. */
 struct bounds {
 	double lower[PARAMS_MOST], upper[PARAMS_MOST];
 };
@@ -53,9 +52,9 @@ enum appearance_form {
 	APPEARANCE_PARENT_MM   /* parent size in mm: literal, degenerate */
 };
 
-/* The impacts of a particle in place of one at v^2/2, see spectrum_impacts:
- * number of them, each of the energy ratio[j] v^2/2 with probability share[j].
- * n 0: the paper's single one. */
+/* Impacts of a particle, instead of one at v^2/2 (see spectrum_impacts):
+ * `number` impacts, each with energy ratio[j] v^2/2 with probability share[j].
+ * n 0: the paper's single impact. */
 enum { IMPACTS_MOST = 12 };
 struct impacts {
 	size_t n;
@@ -64,10 +63,10 @@ struct impacts {
 
 /* How products are computed.  breakage: the model of later calibrations; a
  * product uses the model of its parameters.  k: number of impacts, 1 in the
- * paper; it acts only as a product with f_mat and is never fitted.  bypass:
- * share of the feed that bypasses the rotor in addition to the bypass of the
- * parameters (D14): not 0 only for a question about another machine, never in a
- * calibration. */
+ * paper; it acts only through its product with f_mat and is never fitted.
+ * bypass: share of the feed that bypasses the rotor in addition to the
+ * parameters' bypass (D14); always 0 except in a question about another
+ * machine. */
 struct model_settings {
 	enum method method;
 	enum appearance_form appearance;

@@ -11,22 +11,22 @@
 #include "core/psd/psd.h"
 
 /* A workspace that turns parameters into products of one feed on a fixed list
- * of sieves.  Set the parameters once, then ask for any speed; neither fails,
- * and only the first call allocates.
+ * of sieves.  Set the parameters once, then ask for any speed.  Neither step
+ * can fail, and only the first call allocates.
  *
- * Method `continuous`: with the feed straight on log size between its sieves,
+ * Method `continuous`: with the feed linear in log size between its sieves,
  *   P(s) = F(s) + integral over x > s of S(x) B(s/x) dF(x)
  * the limit of Eq 2 for fine classes.  S is integrated by Gauss-Legendre on
  * panels that end at every sieve, at the break size and at a few values of the
- * exponent.  The paper's model has B between the zeros of p(u) as a combination
- * of 1, 1/x, 1/x^2, 1/x^3 and ln x (breakage_grunditz.c) and an error below
- * 1e-7 (tested against 1e-6); the others have B in a table (tested against
+ * exponent.  In the paper's model, B between the zeros of p(u) is a combination
+ * of 1, 1/x, 1/x^2, 1/x^3 and ln x (breakage_grunditz.c), with an error below
+ * 1e-7 (tested against 1e-6); the other models tabulate B (tested against
  * 1e-5).
  *
  * Method `classes`: the paper to the letter, P = B S f + (I - S) f on the
- * classes of the feed's sieves; a class has the geometric mean of its sieves
- * as its size, the pan half the finest sieve (D5); a passing at any other sieve
- * is read off straight on log size. */
+ * classes of the feed's sieves.  The size of a class is the geometric mean of
+ * its sieves, that of the pan half the finest sieve (D5); passings at other
+ * sieves are interpolated linearly in log size. */
 struct model;
 
 /* feed: passes 1 on its coarsest sieve (asserted); copied.  sieve [n] m, in any
@@ -37,7 +37,8 @@ void model_free(struct model *model);
 
 void model_set(struct model *model, const struct params *p);
 
-/* Product at tip speed v (m/s): passing [n] out, 0..1, sieve by sieve.
+/* Computes the product at tip speed v (m/s): passing [n] out, 0..1, sieve by
+ * sieve.
  *   Source: paper Eq 2. */
 void model_product(struct model *model, double v, double *passing);
 
@@ -47,8 +48,8 @@ void model_product(struct model *model, double v, double *passing);
 void model_jacobian(
     struct model *model, double v, double *passing, double *d_passing);
 
-/* False when at v no particle has a daughter of another class, or p(u) is 0
- * everywhere, so that product = feed. */
+/* False if, at v, no particle has progeny in another class or p(u) is 0
+ * everywhere, so product = feed. */
 bool model_breaks(struct model *model, double v);
 
 /* Returns the mass fraction of the feed that is selected for breakage at v,

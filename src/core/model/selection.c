@@ -1,4 +1,4 @@
-/* The inverse of Eq 3, the break size, and Eq 3 in words.
+/* Eq 3, its inverse, the break size, and Eq 3 as text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/selection.h"
 

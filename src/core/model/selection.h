@@ -1,5 +1,5 @@
-/* Selection (Eq 3): which fraction of each size breaks.  The search computes
- * selection for lanes, in kernel_body.h; test_kernel compares the two.
+/* Selection (Eq 3): the fraction of each size that breaks.  The search computes
+ * it for lanes in kernel_body.h; test_kernel compares the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_SELECTION_H
 #define TIPSPEED_CORE_MODEL_SELECTION_H
@@ -9,13 +9,15 @@
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
 
-/* Selection at n sizes: fraction of each that breaks in k impacts.
+/* Computes the selection at n sizes: the fraction of each that breaks in k
+ * impacts.
  *   S = 1 - exp(-f_mat k (x^alpha E - E0_min)), 0 where the bracket is negative
  * q f_mat, e0_min, alpha; k number of impacts, >= 0; E specific energy, J/kg;
- * log_x [n], ln of the sizes in m.  shape [4 * n] becomes S, in [0, 1], then
- * the derivatives by q, rows of n, in a loop that compilers vectorise.
+ * log_x [n], ln of the sizes in m.  shape [4 * n] out: a row of S, in [0, 1],
+ * then three of its derivatives with respect to q, in a loop that compilers
+ * vectorise.
  * Cannot fail.   Source: paper Eq 3.
- * D1: the minus sign and the floor at 0 are missing in print.
+ * D1: the printed equation lacks the minus sign and the floor at 0.
  * D2: x is in metres; in millimetres S would be 1 for every class. */
 static inline void
 selection_row(const double q[static 3], double k, double E, size_t n,
@@ -33,8 +35,8 @@ selection_row(const double q[static 3], double k, double E, size_t n,
 	}
 }
 
-/* Selection at one size.  Its derivatives are added to d [3], if not NULL.
- * Returns S. */
+/* Returns the selection S at one size and adds its derivatives to d [3], if not
+ * NULL. */
 static inline double
 selection(const double q[static 3], double k, double E, double log_x, double *d)
 {
@@ -45,9 +47,8 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
 	return shape[0];
 }
 
-/* As selection, but with a spectrum of impacts in place of the single impact
- * (D15), see spectrum.h; without a spectrum the impact is single.  The
- * derivatives are summed over the nodes. */
+/* As selection, but with a spectrum of impacts, if there is one, instead of the
+ * single impact (D15, see spectrum.h). */
 static inline double
 selection_by(const struct impacts *impacts, const double q[static 3], double k,
     double E, double log_x, double *d)
@@ -70,9 +71,9 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 	return 1 - left;
 }
 
-/* The rows of Eq 3, in the order of selection's q.  lower, upper: Table 2 of
- * the paper, whose text says six variables where there are seven (departure
- * D7). */
+/* The parameters of Eq 3, in the order of selection's q.  lower, upper: from
+ * Table 2 of the paper, whose text counts six variables where there are seven
+ * (D7). */
 #define SELECTION_PARAMETERS                                 \
 	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
 	    "material: a higher one breaks more", 0},        \
@@ -90,10 +91,10 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 
 double selection_of(const struct breaker *b, double log_x, double *d);
 
-/* Returns -1000 or 1000 where no size has the exponent. */
+/* Returns -1000 or 1000 if no size has the exponent. */
 double selection_size_at(const struct breaker *b, double exponent);
 
-/* Where S begins.
+/* Returns the size, m, where S begins.
  *   x* = (E0_min / E)^(1 / alpha)
  * INFINITY also with alpha = 0 and E <= E0_min.   Source: Eq 3 at S = 0. */
 double selection_break_size(const struct params *p, double E);

@@ -1,4 +1,4 @@
-/* Rock of two strengths from two normal coordinates (D16).
+/* Computes rock of two strengths from two normal coordinates (D16).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/strengths.h"
 

@@ -1,5 +1,5 @@
-/* Synthetic sites: a feed by a power law, the product of the model, and normal
- * errors.
+/* Synthetic sites: a feed that follows a power law, the model's product, and
+ * normal errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/synth.h"
 

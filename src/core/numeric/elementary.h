@@ -2,9 +2,9 @@
  *
  * The C library's functions differ in the last bit between processors (it picks
  * a variant with fused multiply-add where there is one), and a genetic
- * algorithm turns one bit into another search.  These functions are plain
- * double arithmetic without branches, so that gcc turns a loop over lanes into
- * vector code.
+ * algorithm turns one different bit into a different search.  These functions
+ * are plain double arithmetic without branches, so gcc can vectorise a loop
+ * over lanes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 #define TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
@@ -28,9 +28,9 @@ el_to_bits(double d)
 	return bits;
 }
 
-/* Returns e^r - 1, and the power of two in scale, so that
- * exp(x) = scale * (1 + result).  x is first held to -708..708; NaN gives the
- * value at an end, so callers test for NaN themselves.
+/* Returns e^r - 1 and sets scale to a power of two such that exp(x) = scale *
+ * (1 + result).  x is first clamped to -708..708; NaN gives the value at one
+ * end, so callers must test for NaN themselves.
  * Method: x = n ln 2 + r, |r| <= ln 2 / 2 (Cody and Waite); a polynomial
  * through the Chebyshev points, within 1e-17 of e^r. */
 static inline double
@@ -43,7 +43,7 @@ el_exp_parts(double x, double *scale)
 	double n = shifted - round;
 	double r = x - n * 6.93147180369123816490e-01;
 	r = r - n * 1.90821492927058770002e-10;
-	/* (e^r - 1 - r) / r^2, in pairs so that few terms wait for others. */
+	/* (e^r - 1 - r) / r^2, in pairs, so few terms wait for others. */
 	double r2 = r * r, r4 = r2 * r2;
 	double low = (0.5 + 0.16666666666666669 * r) +
 		     (0.04166666666662399 + 0.008333333333330051 * r) * r2;
@@ -57,7 +57,8 @@ el_exp_parts(double x, double *scale)
 	return q * r2 + r;
 }
 
-/* exp(x) to 1 ulp or so; beyond -708..708 the value at that end. */
+/* Returns exp(x) to about 1 ulp; outside -708..708, the value at the nearer
+ * end. */
 static inline double
 el_exp(double x)
 {
@@ -65,7 +66,7 @@ el_exp(double x)
 	return scale * p + scale;
 }
 
-/* exp(x) - 1 without loss near 0. */
+/* Returns exp(x) - 1 without loss of precision near 0. */
 static inline double
 el_expm1(double x)
 {
@@ -73,9 +74,9 @@ el_expm1(double x)
 	return scale * p + (scale - 1.0);
 }
 
-/* ln(x) to 2 ulp or so for normal x > 0.
- * Method: x = 2^k m, m in [sqrt(1/2), sqrt(2)), ln m by the odd series in
- * z = (m - 1) / (m + 1). */
+/* Returns ln(x) to about 2 ulp for normal x > 0.
+ * Method: x = 2^k m, m in [sqrt(1/2), sqrt(2)), ln m by the odd series in z =
+ * (m - 1) / (m + 1). */
 static inline double
 el_log(double x)
 {
@@ -104,7 +105,7 @@ el_log(double x)
 	       (ln_m + kd * 1.90821492927058770002e-10);
 }
 
-/* x^a for normal x > 0. */
+/* Returns x^a for normal x > 0. */
 static inline double
 el_pow(double x, double a)
 {

@@ -1,4 +1,4 @@
-/* Asks the processor for its instruction sets.
+/* Queries the processor's instruction sets.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/numeric/isa.h"
 

@@ -1,4 +1,4 @@
-/* Instruction sets, for the code that is compiled for several.
+/* Instruction sets for which some code is compiled separately.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_NUMERIC_ISA_H
 #define TIPSPEED_CORE_NUMERIC_ISA_H
@@ -6,13 +6,14 @@
 /* In rising order; ISA_BEST picks at run time. */
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
-/* Returns the wanted set, or the best of this processor if that is less. */
+/* Returns the wanted set or, if the processor lacks it, the best that it
+ * has. */
 enum isa isa_is_usable(enum isa wanted);
 
-/* "baseline", "avx2" or "avx512". */
+/* Returns "baseline", "avx2" or "avx512". */
 const char *isa_name(enum isa isa);
 
-/* The set of that name; ISA_BEST for NULL and for unknown names. */
+/* Returns the set with that name; ISA_BEST for NULL and for unknown names. */
 enum isa isa_named(const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-/* Random numbers as a function of where they are used.
+/* Random numbers as a pure function of seed and place of use.
  *
  * Nothing is carried from one number to the next, so the same seed gives the
  * same numbers with any number of threads and in any order of evaluation.
@@ -13,8 +13,8 @@ struct rng_key {
 	uint32_t a, b;
 };
 
-/* Mixer of splitmix64 (Steele, Lea, Flood 2014): every bit of z moves every bit
- * of the result. */
+/* The mixer of splitmix64 (Steele, Lea, Flood 2014): every bit of z moves every
+ * bit of the result. */
 static inline uint64_t
 rng_mix(uint64_t z)
 {
@@ -33,8 +33,9 @@ rng_key(uint64_t seed, uint64_t generation, uint64_t use)
 	return (struct rng_key){(uint32_t)z, (uint32_t)(z >> 32)};
 }
 
-/* Number i of a stream: 32 bits, by a multiply-xorshift hash of i in which the
- * key enters twice; 32-bit operations only, which every vector unit has. */
+/* Returns number i of a stream: 32 bits, from a multiply-xorshift hash of i
+ * that uses the key twice.  All operations are on 32 bits, which every vector
+ * unit supports. */
 static inline uint32_t
 rng_bits(struct rng_key key, uint32_t i)
 {
@@ -68,16 +69,16 @@ rng_unit(uint32_t bits)
 	return (centred + 2147483648.5) * (1.0 / 4294967296.0);
 }
 
-/* Number i of a stream, uniform in (0, 1). */
+/* Returns number i of a stream, uniform in (0, 1). */
 static inline double
 rng_uniform(struct rng_key key, uint32_t i)
 {
 	return rng_unit(rng_bits(key, i));
 }
 
-/* Standard normal number i of a stream: twelve uniform ones less six.  Its
- * tails end at 6, its kurtosis is 2.9, and it needs no function whose last bit
- * differs between machines. */
+/* Returns standard normal number i of a stream: the sum of twelve uniform
+ * numbers, minus six.  The tails end at -6 and 6 and the kurtosis is 2.9, but
+ * no function is needed whose last bit differs between machines. */
 static inline double
 rng_normal(struct rng_key key, uint32_t i)
 {

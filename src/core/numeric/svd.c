@@ -1,6 +1,6 @@
-/* Singular values by one-sided Jacobi: columns are turned in pairs until all
- * are at right angles.  Plain double arithmetic and square roots, which round
- * alike everywhere.
+/* Singular values by one-sided Jacobi: rotates columns in pairs until all are
+ * orthogonal.  Uses only double arithmetic and square roots, which round
+ * identically everywhere.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/numeric/svd.h"
 

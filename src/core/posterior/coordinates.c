@@ -1,6 +1,6 @@
-/* Maps parameters to coordinates without bounds and back, with the logarithm of
- * what that does to volumes: beta on a sphere, the others as shares, by the
- * normal distribution, of what bounds leave them.
+/* Maps parameters to unbounded coordinates and back, with the logarithm of the
+ * Jacobian determinant: beta by a projection of the sphere, the others as
+ * shares of their range, by an approximate normal distribution function.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/coordinates.h"
 

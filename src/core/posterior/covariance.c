@@ -1,5 +1,6 @@
-/* Cholesky factors of the covariance: of all cells, or of many by Woodbury's
- * formula, with a block for each run (Rasmussen and Williams 2006, A.9).
+/* Cholesky factors of the covariance: of all cells at once, or for many cells
+ * by Woodbury's formula, with a block for each run (Rasmussen and Williams
+ * 2006, A.9).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/covariance.h"
 

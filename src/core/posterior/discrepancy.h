@@ -1,5 +1,5 @@
-/* The discrepancy, the part of the truth that a model leaves out, as a Gaussian
- * process, and the errors of a sample.
+/* The discrepancy between a model and the truth, as a Gaussian process, and the
+ * errors of a sample.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
 #define TIPSPEED_CORE_POSTERIOR_DISCREPANCY_H
@@ -14,18 +14,17 @@
 
 /* D13 (Kennedy and O'Hagan 2001):
  *   measured = model + discrepancy + error of the sample
- * The discrepancy at a size s and a time t, which is 0 in the middle of the
- * measured speeds and 1 where the energy is e^0.135 times that there, as from
- * 74 to 79 m/s:
+ * The discrepancy at size s and "time" t, which is 0 in the middle of the
+ * measured speeds and 1 at e^0.135 times the energy there, as at 79 m/s if the
+ * middle is 74, is
  *   h(P) (f_0(s) + c t f_1(s) + 0.3 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
- * P is midway between the passing of the model and the measured one, or the
- * answer's; the f are independent Gaussian processes with the
- * covariance
+ * where P is midway between the model's passing and the measured passing or the
+ * answer's; the f are independent Gaussian processes with the covariance
  *   sigma_d^2 rho(ln s - ln s', l) + sigma_n^2 rho(ln s - ln s', 1/4)
  *   rho(z, l) = exp(-z^2 / 2 l^2)
- * of which the second is for features of single sieves.  The error of a sample
- * has a part that is shared along its curve, sigma_s^2 rho(.., l) within a run,
- * and an independent one, sigma_i^2, both times h h'. */
+ * whose second term is for features of single sieves.  The error of a sample
+ * has a part shared along its curve, sigma_s^2 rho(.., l) within a run, and an
+ * independent part, sigma_i^2, both times h h'. */
 enum hyper {
 	HYPER_DELTA,
 	HYPER_LENGTH,
@@ -36,8 +35,8 @@ enum hyper {
 	HYPERS
 };
 
-/* A hyperparameter and its prior: its logarithm is normal about the logarithm
- * of median, with the standard deviation spread.  Sizes are passings, 0..1. */
+/* A hyperparameter and its prior: its logarithm is normal, with mean ln median
+ * and standard deviation spread.  Sizes are passings, 0..1. */
 struct hyper_info {
 	const char *name, *symbol;
 	double median, spread;
@@ -45,7 +44,7 @@ struct hyper_info {
 };
 extern const struct hyper_info HYPER[HYPERS];
 
-/* Returns t of a tip speed, m/s; middle: ln of the mean energy, J/kg. */
+/* Returns t for a tip speed, m/s; middle: ln of the mean energy, J/kg. */
 double discrepancy_time(double v, double middle);
 
 /* Computes the factors of f_0, f_1 and f_2 at t. */
@@ -53,8 +52,8 @@ enum { DISCREPANCY_TERMS = 3 };
 void discrepancy_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);
 
-/* h at a passing P, 0..1.  This and the next two are computed for all draws at
- * all sizes; inline, so that compilers vectorise them. */
+/* Returns h at a passing P, 0..1.  This and the next two are called for all
+ * draws at all sizes; inline, they can be vectorised. */
 static inline double
 discrepancy_h(double P)
 {
@@ -70,10 +69,11 @@ discrepancy_within(double P, double least)
 	return P < 1 ? P : 1;
 }
 
-/* A model's passing P with the discrepancy over h, delta: A, which solves
+/* Returns a model's passing P corrected by the discrepancy over h, delta: the A
+ * that solves
  *   A = P + h(m) delta,  m = (P + A) / 2
- * so that a model passing of 0 or 1 can be corrected too; at least `least`, the
- * passing of the feed or of the next finer size, and at most 1. */
+ * which also corrects model passings of 0 and 1.  The result is at least
+ * `least`, the passing of the feed or of the next finer size, and at most 1. */
 static inline double
 discrepancy_answer(double P, double delta, double least)
 {
@@ -82,7 +82,7 @@ discrepancy_answer(double P, double delta, double least)
 	return discrepancy_within(P + more / (1 + square), least);
 }
 
-/* Returns -ln of the prior of the hyperparameters' logarithms, up to a
+/* Returns -ln of the prior density of the hyperparameters' logarithms, up to a
  * constant.  noise: known sigma_i, or 0. */
 double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
 
@@ -94,9 +94,9 @@ discrepancy_rho(double apart, double length)
 	return z * z > 80 ? 0 : el_exp(-z * z / 2);
 }
 
-/* DISCREPANCY_NARROW: length of the narrow part.  DISCREPANCY_ROUNDING: error
- * of a passing by rounding.  The functions return the covariance of an f, and
- * of the shared error of a sample, between sizes with logarithms that differ by
+/* DISCREPANCY_NARROW: length of the narrow part.  DISCREPANCY_ROUNDING:
+ * rounding error of a passing.  The functions return the covariance of an f,
+ * and of a sample's shared error, between sizes whose logarithms differ by
  * `apart`. */
 #define DISCREPANCY_NARROW 0.25
 #define DISCREPANCY_ROUNDING 0.0005
@@ -116,10 +116,10 @@ discrepancy_shared(double apart, const double hyper[static HYPERS])
 	return shared * shared * discrepancy_rho(apart, hyper[HYPER_LENGTH]);
 }
 
-/* discrepancy_pairs: computes both covariances for n pairs of sizes; f [n] in:
+/* discrepancy_pairs computes both covariances for n pairs of sizes.  f [n] in:
  * the differences of their logarithms; f, error [n] out: the two covariances.
- * discrepancy_pair: the index of a pair of sizes, ordered by the larger of
- * their numbers. */
+ * discrepancy_pair returns the index of a pair of sizes; pairs are ordered by
+ * the larger of their indices. */
 void discrepancy_pairs(enum isa isa, size_t n,
     const double hyper[static HYPERS], double *f, double *error);
 
@@ -130,25 +130,27 @@ discrepancy_pair(size_t i, size_t j)
 	return more * (more + 1) / 2 + less;
 }
 
-/* Computes the factor U [n * n] of the covariance of n sizes, given their
- * pairs; the diagonal is raised a little, as sizes may lie close together. */
+/* Computes the factor U [n * n] of the covariance of n sizes from their pairs.
+ * The diagonal is raised slightly, because sizes may be close together. */
 void discrepancy_factor_pairs(
     enum isa isa, const double *pair, size_t n, double *U);
 
-/* Draws standard normal numbers of a stream from `next` on, z [n] out. */
+/* Draws n standard normal numbers from a stream, starting at number `next`, z
+ * [n] out. */
 void discrepancy_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z);
 
-/* A measured passing: ln of its size, in m, and its t and h. */
+/* A measured passing: ln of its size in m, its t and its h. */
 struct cell {
 	size_t run;
 	double log_size, t, h;
 };
 
-/* Replaces the upper half of U [n * n], by rows, of a symmetric matrix by its
- * Cholesky factor L' (the lower half is lost); the others solve L z = d and L'
- * x = z in place.  Plain loops instead of GSL's, whose last bits depend on its
- * version: one bit changes a whole chain. */
+/* discrepancy_cholesky replaces the upper half, U [n * n] by rows, of a
+ * symmetric matrix with its Cholesky factor L' and overwrites the lower half.
+ * The others solve L z = d and L' x = z in place.  The last bits of GSL's
+ * routines depend on its version, and one bit changes a whole chain, so these
+ * are plain loops. */
 void discrepancy_cholesky(enum isa isa, double *U, size_t n);
 void discrepancy_forward(enum isa isa, const double *U, size_t n, double *d);
 void discrepancy_backward(const double *U, size_t n, double *z);
@@ -161,15 +163,15 @@ void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U);
 
 /* Returns -ln of the probability of the differences d [n], up to a constant; d
- * becomes L^-1 d. */
+ * is replaced with L^-1 d. */
 double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
 
-/* ---- For discrepancy.c, compiled for each instruction set ---- */
+/* ---- For discrepancy.c: compiled for each instruction set ---- */
 
-/* n cells in columns.  size, run: the numbers of each cell's size and run;
- * term: as from discrepancy_terms.  log_size: ln of the sizes; f, error:
- * workspace, a double a size; pair: two workspaces of a double for each pair of
- * sizes; own: the variance of an independent error. */
+/* n cells in columns.  size, run: the index of each cell's size and run; term:
+ * see discrepancy_terms.  log_size: ln of the sizes; f, error: workspace with a
+ * double for each size; pair: two workspaces with a double for each pair of
+ * sizes; own: the variance of the independent error. */
 struct cell_columns {
 	size_t n, sizes;
 	int64_t *size, *run;

@@ -1,5 +1,5 @@
-/* Products of all draws by the search's kernel, corrected to the exact product
- * at the fit, with the discrepancy added and kept from falling with the speed
+/* Products of all draws by the search's kernel, corrected by its error at the
+ * fit, with the discrepancy added and passings kept from falling with the speed
  * by pooling neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/ensemble.h"

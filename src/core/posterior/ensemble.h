@@ -6,24 +6,24 @@
 #include "core/posterior/draws.h"
 #include "core/psd/psd.h"
 
-/* Products of all draws from one feed, at any speed.  The posterior must
- * outlive it. */
+/* The products that all draws predict for one feed, at any speed.  The
+ * posterior must outlive it. */
 struct ensemble;
 
-/* size [n] m, coarsest first, each covered by the feed, which is taken smooth
+/* size [n] m, coarsest first, each covered by the feed, whose curve is smooth
  * between its sieves (D18). */
 struct ensemble *ensemble_new(const struct posterior *posterior,
     const struct psd *feed, const double *size, size_t n);
 void ensemble_free(struct ensemble *e);
 
-/* Sets another machine than the measured one: settings with the posterior's
- * method, another k, in proportion to which the strength of every draw is
- * scaled, and a bypass. */
+/* Sets a machine other than the measured one: settings with the posterior's
+ * method, a bypass, and another k, which scales f_mat in every draw. */
 void ensemble_machine(struct ensemble *e, struct model_settings settings);
 
-/* The parts of an ensemble: products of the model alone, which differ by their
- * parameters; products with the discrepancy, the answer; and products with the
- * error of one more sample, as a measurement would show them. */
+/* The parts of an ensemble: products of the model alone, which differ only in
+ * their parameters; products with the discrepancy, whose mean is the answer;
+ * and products with the error of one more sample, as a measurement would show
+ * them. */
 enum ensemble_part {
 	ENSEMBLE_MODEL,
 	ENSEMBLE_ANSWER,
@@ -34,20 +34,21 @@ enum ensemble_part {
 /* Returns the number of the ensemble's sizes. */
 size_t ensemble_sizes(const struct ensemble *e);
 
-/* Moves to tip speed v, m/s; costs nothing at the same speed. */
+/* Moves to tip speed v, m/s; does nothing if that is the speed already. */
 void ensemble_at(struct ensemble *e, double v);
 
-/* As ensemble_at, but without D23 and the bypass, which saves the products of
- * some sixty speeds: for callers that read the model or differences only. */
+/* As ensemble_at, but without D23 and the bypass.  This saves computing
+ * products at some sixty speeds, for callers that read only the model or
+ * differences. */
 void ensemble_draws_at(struct ensemble *e, double v);
 
-/* Returns the products at the ensemble's speed, [n * POSTERIOR_DRAWS] row by
- * size, borrowed.  No product is coarser than the feed, except for samples, and
- * each falls with the size. */
+/* Returns the products at the ensemble's speed, [n * POSTERIOR_DRAWS], a row
+ * for each size, borrowed.  Except for samples, no product is coarser than the
+ * feed.  No passing rises on a finer size. */
 const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
-/* Computes the discrepancy of a draw at the ensemble's speed, over h, at the
- * sizes, [n] out: see discrepancy_answer. */
+/* Computes the discrepancy over h of a draw at the ensemble's speed and sizes,
+ * [n] out; see discrepancy_answer. */
 void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
 
 /* Returns the ensemble's posterior. */
@@ -61,24 +62,26 @@ void ensemble_band(struct ensemble *e, enum ensemble_part part, size_t row,
 void ensemble_mean(const struct ensemble *e, double *passing);
 
 /* Computes the middle `level` (0..1) of values [POSTERIOR_DRAWS] and changes
- * their order.  NAN counts as the least value, so that an end may be NAN. */
+ * their order.  NAN counts as the lowest value, so an end may be NAN. */
 void ensemble_middle(double *value, double level, double *low, double *high);
 
-/* As ensemble_middle, but keeps the order of the values, and widens the range
- * to hold the answer unless the answer is NAN. */
+/* As ensemble_middle, but keeps the order of the values and widens the range to
+ * contain the answer, unless that is NAN. */
 void ensemble_range(
     const double *draw, double level, double answer, double range[static 2]);
 
-/* Returns the difference between the two halves of the draws, taken at
- * different times, at speed v: between their means or the ends of their bands,
- * whichever is larger, over the width of the band; root mean square over the
- * sizes at which the band is wider than the rounding of sheets. */
+/* Returns the difference at speed v between the two halves of the draws, which
+ * were taken at different times: between their means or the ends of their
+ * bands, whichever is larger, divided by the width of the band.  It is the root
+ * mean square over the sizes at which the band is wider than the rounding in
+ * sheets. */
 double ensemble_halves(struct ensemble *e, double v);
 
-/* Puts values [n] into blocks of neighbours that do not fall from one to the
- * next, each the mean of its own by weights [n]: the nearest in the least
- * squares sense (Barlow and others 1972, ch. 1).  Returns how many; value,
- * weight, length [n]: of each its mean, its weight and how many values it has.
+/* Pools neighbouring values [n] into blocks whose means, by weights [n], do not
+ * fall from one block to the next: the nearest such sequence in the
+ * least-squares sense (Barlow and others 1972, ch. 1).  Returns the number of
+ * blocks.  value, weight, length [n]: out, the mean, weight and number of
+ * values of each block.
  */
 size_t ensemble_pool(double *value, double *weight, size_t *length, size_t n);
 

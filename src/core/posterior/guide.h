@@ -1,4 +1,4 @@
-/* Moves of the chains by the covariance of earlier generations.
+/* Moves of the chains that use the covariance of earlier generations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_GUIDE_H
 #define TIPSPEED_CORE_POSTERIOR_GUIDE_H
@@ -9,7 +9,7 @@
 #include "core/numeric/rng.h"
 
 /* Mean and covariance of `size` coordinates over the n generations added, about
- * an origin, so that digits are not lost. */
+ * an origin, to avoid a loss of digits. */
 enum { GUIDE_MOST = 24 };
 struct moments {
 	double mean[GUIDE_MOST], cross[GUIDE_MOST][GUIDE_MOST];
@@ -21,18 +21,18 @@ struct guide {
 };
 void guide_begin(struct guide *g, size_t size, const double *origin);
 
-/* Adds a generation: x [chains], each [size], which counts as `weight`
- * generations.  keep: the factor by which earlier generations still count. */
+/* Adds a generation with a weight: x [chains], each [size].  keep: factor for
+ * the weight of earlier generations. */
 void guide_add(struct guide *g, const double *const *x, size_t chains,
     double weight, double keep);
 
-/* Adds the moments of another guide with the same origin, which count as
+/* Adds the moments of another guide with the same origin, with the weight of
  * `generations` generations. */
 void guide_blend(
     struct guide *g, const struct guide *other, double generations);
 
-/* Some of the coordinates, those that vary, with the factor of their
- * covariance. */
+/* A subset of the coordinates, without those that do not vary, and the factor
+ * of their covariance. */
 struct guide_part {
 	size_t n, at[GUIDE_MOST];
 	double mean[GUIDE_MOST], L[GUIDE_MOST][GUIDE_MOST];
@@ -40,14 +40,15 @@ struct guide_part {
 void guide_factor_part(
     const struct guide *g, const size_t *at, size_t n, struct guide_part *part);
 
-/* Moves from x to y.  In the basis of L coordinates would be independent and
- * standard normal, if all were normal: each of them is drawn anew with
- * probability `share`.  Uses 2 n random numbers of the key from `next` on.
- * Returns ln N(y) - ln N(x), which the acceptance of the move corrects for. */
+/* Moves from x to y: each coordinate in the basis of L, in which normal
+ * coordinates would be independent and standard normal, is redrawn with
+ * probability `share`.  Uses 2 n random numbers of the stream, starting at
+ * number `next`.  Returns ln N(y) - ln N(x), for which the acceptance of the
+ * move must correct. */
 double guide_propose(const struct guide_part *part, double share,
     const double *x, double *y, struct rng_key key, uint32_t next);
 
-/* Returns ln N(x), up to the constant of all coordinates. */
+/* Returns ln N(x), up to a constant. */
 double guide_density(const struct guide_part *part, const double *x);
 
 #endif

@@ -1,5 +1,5 @@
-/* Standard deviations, correlations and break sizes of the draws, beside those
- * of the prior.
+/* Standard deviations, correlations and break sizes of the draws, compared with
+ * the prior.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/identify.h"
 

@@ -1,5 +1,5 @@
-/* Identifiability: which parameters the data determine, read off the draws of
- * the posterior.
+/* Identifiability: which parameters the data determine, according to the
+ * posterior's draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
 #define TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
@@ -7,23 +7,21 @@
 #include "core/model/params.h"
 #include "core/posterior/posterior.h"
 
-/* By the standard deviation of a parameter's draws over that of its prior:
- * determined below 0.1, poorly below 0.5. */
+/* Grades by the ratio of the standard deviation of a parameter's draws to that
+ * of its prior: determined below 0.1, poorly determined below 0.5. */
 enum identify_grade {
-	IDENTIFY_FIXED, /* held by a bound, or the one that others are scaled
-			 * to */
+	IDENTIFY_FIXED, /* by its bounds, or because others are scaled to it */
 	IDENTIFY_DETERMINED,
 	IDENTIFY_POORLY,
 	IDENTIFY_NOT
 };
 
-/* A parameter's draws.  prior: standard deviation of its prior, uniform within
- * the bounds (of a parameter in the gauge from -1 to 1, as it is reported), or
- * the normal one of its table.  ratio: sd over prior; of a parameter in the
- * gauge the ratio of their direction, equal for all: the sine of the angle to
- * the mean direction (RMS) over its value for random directions.  bound: -1 or
- * 1 where at least a fifth of the draws lie within the fiftieth of the range
- * next to the lower or upper bound, else 0. */
+/* The draws of a parameter.  prior: standard deviation of its prior, which is
+ * normal, as its table says, or uniform within the bounds (in the gauge, from
+ * -1 to 1, as reported).  ratio: sd over prior; in the gauge, a common ratio
+ * for the direction: the sine of the angle to the mean direction (RMS) over its
+ * value for random directions.  bound: -1 or 1 if at least a fifth of the draws
+ * lie within a fiftieth of the range from the lower or upper bound, else 0. */
 struct identify_param {
 	double mean, sd, prior, ratio;
 	enum identify_grade grade;
@@ -33,20 +31,20 @@ struct identify_param {
 /* Returns the summary of parameter j of the posterior's model. */
 struct identify_param identify_param(const struct posterior *p, size_t j);
 
-/* Correlations of two parameters' draws, of their values (Pearson) and of their
- * ranks (Spearman); NAN where one of them never changes. */
+/* Correlations between the draws of two parameters, by value (Pearson) and by
+ * rank (Spearman); NAN if either is constant. */
 struct identify_pair {
 	double linear, rank;
 };
 struct identify_pair identify_pair(
     const struct posterior *p, size_t i, size_t j);
 
-/* Returns the larger correlation by absolute value, with its sign. */
+/* Returns the correlation with the larger absolute value. */
 double identify_strongest(struct identify_pair pair);
 
-/* The break size at a tip speed v: mean and standard deviation of the draws in
- * which something breaks, their middle 80 %, m; below: share of the draws in
- * which it lies below a size. */
+/* The break size, m, at tip speed v: mean, standard deviation and middle 80 %
+ * of the draws in which something breaks.  below: share of the draws in which
+ * it is below a given size. */
 struct identify_break {
 	double mean, sd, low, high, below;
 };

@@ -1,4 +1,5 @@
-/* Lack of fit by the lag-one products of the residuals along each run's curve.
+/* Lack of fit from the lag-one products of the residuals along each run's
+ * curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/lack_of_fit.h"
 

@@ -7,18 +7,18 @@
 #include "core/posterior/draws.h"
 #include "core/search/misfit.h"
 
-/* The discrepancy of D13 is smooth in the speed: a product that sets in, bends
- * or jumps between two runs is not among its draws, and its residuals at the
- * runs would count as sampling errors.  Of the residuals r [n] of the mean
+/* The discrepancy of D13 is smooth in speed.  Its draws do not include products
+ * that change abruptly between two runs, so the residuals that these leave at
+ * the runs would count as sampling errors.  Of the residuals r [n] of the mean
  * answer at a run, coarsest sieve first, the share
  *   (sum r_i r_i+1 - (2 sigma_s)^2 sum h_i h_i+1) / sum r_i^2,  0 to 1
- * is attributed to the product (as James and Stein 1961 shrink means):
- * independent errors of neighbours cancel in the first sum, and the second is
- * the error that a sample may have along its curve, twice the prior's sigma_s;
- * of a site with repeats, which show sigma_s, twice the mean of the draws'.
+ * is attributed to the product (as James and Stein 1961 shrink means).
+ * Independent errors of neighbours cancel in the first sum; the second is the
+ * error that a sample may share along its curve, twice the prior's sigma_s or,
+ * on a site with repeats, which reveal sigma_s, twice the draws' mean.
  *
- * Sets p->lack: that share, over h, at the measured speeds and the knots.
- * m: the runs that inform the draws. */
+ * Sets p->lack to that share of the residuals, over h, at the measured speeds
+ * and the knots.  m: the runs that inform the draws. */
 void lack_of_fit_find(struct posterior *p, const struct misfit *m);
 
 #endif

@@ -1,13 +1,12 @@
 /* Draws by differential evolution Markov chains.
  *
  * Many chains run side by side, in two halves: a chain of one half moves along
- * the difference of two of the other (ter Braak 2006), so that moves have the
- * length and the direction of what the data leave open, and leap between the
- * valleys in which there are chains.  A half is evaluated at once by the
- * search's kernel.  The warm-up lets the likelihood count more and more and
- * draws the chains anew at each rung (population annealing): else those that
- * begin in a valley which holds next to nothing stay there for thousands of
- * generations.
+ * the difference of two of the other (ter Braak 2006), so moves have the length
+ * and direction of what the data leave undetermined, and jump between the
+ * valleys that contain chains.  The search's kernel evaluates a whole half at
+ * once.  The warm-up gives the likelihood increasing weight and resamples the
+ * chains at each step (population annealing); otherwise, chains that start in a
+ * valley of negligible probability stay there for thousands of generations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/posterior.h"
 

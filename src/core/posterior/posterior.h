@@ -1,5 +1,5 @@
-/* The posterior: draws of the parameters and of the discrepancy, given model,
- * measurements and priors.
+/* The posterior: draws of the parameters and of the discrepancy, given the
+ * model, the measurements and the priors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_POSTERIOR_H
 #define TIPSPEED_CORE_POSTERIOR_POSTERIOR_H
@@ -12,7 +12,7 @@
 #include "core/psd/site.h"
 
 /* use [n_run]: the runs that inform the posterior; at least one has a product.
- * settings, bounds: of the fit.  stop: may be NULL. */
+ * settings, bounds: of the fit.  stop may be NULL. */
 struct posterior_options {
 	const bool *use;
 	struct model_settings settings;
@@ -26,14 +26,14 @@ struct posterior_options {
 
 /* p: the fit.  Feeds are smooth between their sieves (D18).  The same seed
  * gives the same bits with any number of threads and any instruction set.
- * Returns NULL where stop returned true meanwhile; posterior_free. */
+ * Returns NULL if stop returned true.  Free with posterior_free. */
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
 
-/* As posterior_new, but in steps of less than a millisecond (with many runs, of
- * some ten), without `stop`; posterior_step returns true after the last step.
- * posterior_end frees the run at any time, and returns the posterior, or NULL
- * before the last step. */
+/* As posterior_new, but without `stop` and in steps of less than a millisecond
+ * (some ten with many runs).  posterior_step returns true after the last step.
+ * posterior_end may be called at any time: it frees the run and returns the
+ * posterior, or NULL before the last step. */
 struct posterior_run;
 struct posterior_run *posterior_begin(const struct site *site,
     const struct params *p, const struct posterior_options *options);

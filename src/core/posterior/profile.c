@@ -1,5 +1,5 @@
-/* Refits all other parameters by the polish at each value of one; densities of
- * draws by a Gaussian kernel (Silverman 1986).
+/* Refits all other parameters with the polish at each value of one; estimates
+ * densities of draws with a Gaussian kernel (Silverman 1986).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/profile.h"
 

@@ -5,17 +5,17 @@
 
 #include "core/search/misfit.h"
 
-/* Computes the lowest misfit, out [n], with parameter j held at each of x [n],
- * rising, and the others refitted within the bounds: polished from the fit
- * outward, each from its neighbour.  p: the fit.  For a parameter in the gauge
- * the gauge's largest parameter is held too, and the others stay within its
- * size (D4); the profile of the largest itself is flat. */
+/* Computes the lowest misfit [n] with parameter j held at each of x [n],
+ * rising, and the others refitted within the bounds, by a polish from the
+ * neighbouring result, outward from the fit.  p: the fit.  For a parameter in
+ * the gauge the gauge's largest parameter is also held, and the others stay
+ * within its size (D4); the profile of the largest itself is flat. */
 void profile_misfit(struct misfit *m, const struct params *p,
     const struct bounds *bounds, size_t j, const double *x, size_t n,
     double *misfit);
 
-/* Returns the density of draws [n] at x, by Gaussian kernels with the width of
- * Silverman's rule, reflected at the bounds.
+/* Returns the density of draws [n] at x, using Gaussian kernels with the width
+ * of Silverman's rule, reflected at the bounds.
  * Source: Silverman (1986), Density Estimation, section 3.4.2. */
 double profile_density(
     const double *draw, size_t n, double lower, double upper, double x);

@@ -1,6 +1,6 @@
-/* Draws as they come err by chance in everything; of pairs of them one is left
- * so that the sums of what matters stay what they were (as in the walks of
- * Alweiss, Liu and Sawhney 2021 and Dwivedi and Mackey 2024).
+/* A random subset of draws has random errors in everything.  Instead, one of
+ * each pair is kept, chosen to preserve the sums that matter (as in the walks
+ * of Alweiss, Liu and Sawhney 2021 and Dwivedi and Mackey 2024).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/thin.h"
 

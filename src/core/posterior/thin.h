@@ -8,40 +8,39 @@
 #include "core/posterior/draws.h"
 #include "core/psd/site.h"
 
-/* Candidates come in batches of POSTERIOR_DRAWS; POSTERIOR_DRAWS of them are
- * kept.  thin_free. */
+/* Candidates come in batches of POSTERIOR_DRAWS; POSTERIOR_DRAWS of all are
+ * kept.  Free with thin_free. */
 struct thin;
 struct thin *thin_new(const struct site *site, size_t batches);
 void thin_free(struct thin *t);
 
-/* Adds the next batch by its answers at five speeds, from the slowest to the
- * fastest of site_reach, at sieves of the site. */
+/* Adds the next batch with its answers at sieves of the site and at five speeds
+ * across site_reach. */
 void thin_add(struct thin *t, const struct posterior *batch);
 
-/* Chooses the draws to keep: their indices out, counted from the first batch
- * on, half of them from the first half of the batches.  They have the mean
- * answers of all draws, and at each end of the usual band the same share of
- * answers on either side as all draws. */
+/* Chooses the draws to keep, half of them from the first half of the batches,
+ * and returns their indices in the sequence of all batches.  They have the same
+ * mean answers as all draws and the same share of answers on either side of
+ * each end of the usual band. */
 void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
-/* Sets the share q of the draws kept that are straight, for the same feed and
- * sieves.
+/* Sets the share q of the kept draws that are linear between measured speeds.
  *
- * D25: between two measured speeds an answer is an average over two ways in
- * which the truth may continue: as the draws have it, or along their straight
- * lines in v^2.  A share q of the draws are, with P the product as drawn,
+ * D25: between two measured speeds an answer averages two ways in which the
+ * truth may run: as drawn, or along a straight line in v^2.  With P the product
+ * as drawn, a share q of the draws are
  *   P(v_a) + (P(v_b) - P(v_a)) (v^2 - v_a^2) / (v_b^2 - v_a^2)
- * through the next measured speeds below and above, all others P(v).  The
- * weights are those by which two estimates are averaged best,
+ * through the next measured speeds below and above; all others are P(v).  The
+ * weights are those that average two estimates best,
  *   q = 0.75 missed^2 / (missed^2 + 0.15^2)
  *   missed^2 = sum (change of the correction)^2 / sum (change of the answer)^2
- * over the sieves and from each measured speed to the next, by the means of the
- * draws: between two measured speeds a model errs in proportion to the share of
- * the change that it misses from one to the other; the straight line errs by
- * the bend of the truth, for which 0.15 stands.  A quarter of the draws stay
- * however wrong the model is, as the line may be as wrong, so that the band
- * holds both.  At the measured speeds and beyond them nothing changes; anything
- * that rises with the speed still rises. */
+ * over the sieves and from each measured speed to the next, using the means of
+ * the draws.  Between two measured speeds, a model errs in proportion to the
+ * share of the change between them that it misses; the straight line errs by
+ * the curvature of the truth, for which 0.15 stands.  However wrong the model
+ * is, a quarter of the draws are kept as drawn, because the line may be equally
+ * wrong; the band then covers both.  At and beyond the measured speeds nothing
+ * changes, and whatever rises with the speed still does. */
 void thin_set_straight(const struct thin *t, struct posterior *p);
 
 #endif

@@ -1,5 +1,5 @@
 /* Triangles and covariances by rows.  Sums are added in the order written, so
- * that the bits are the same for each instruction set.
+ * all instruction sets give the same bits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>
@@ -8,12 +8,12 @@
 #include "core/posterior/discrepancy.h"
 #include "core/search/lanes.h"
 
-/* TAKEN columns are worked on at a time, counted from the last. */
+/* TAKEN columns are processed at a time, counted from the last. */
 enum { TAKEN = 8, VECTORS = TAKEN / LANES };
 
-/* Subtracts from TAKEN numbers of `to` p times the numbers of each row, in the
- * order of the rows.  row: the first row, n numbers to the next; p: the factor
- * of the first row, step numbers to the next. */
+/* Subtracts p times each row from TAKEN numbers of `to`, row by row.  row: the
+ * first row, n numbers before the next; p: the factor of the first row, step
+ * numbers before the next. */
 static inline void
 take_rows(double *to, const double *row, const double *p, size_t step, size_t n,
     size_t rows)
@@ -70,8 +70,8 @@ forward(const double *U, size_t n, double *d)
 	}
 }
 
-/* Computes the covariances of cell i with the cells from i on; of_f, of_error:
- * covariances of its size with the others. */
+/* Computes the covariances of cell i with itself and all later cells.  of_f,
+ * of_error: covariances of its size with the others. */
 static inline void
 covariance_row(const struct cell_columns *c, size_t i,
     const double *restrict of_f, const double *restrict of_error,
@@ -106,7 +106,7 @@ pairs(size_t n, const double hyper[static HYPERS], double *restrict f,
 	}
 }
 
-/* Most runs have the same sieves: the exponentials are computed for pairs of
+/* Most runs have the same sieves, so exponentials are computed for pairs of
  * sizes, not for pairs of cells. */
 static void
 covariance(
@@ -131,7 +131,7 @@ covariance(
 	}
 }
 
-/* As rng_normal sums them, number by number. */
+/* Sums the same numbers as rng_normal, in the same order. */
 static void
 normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
 {

@@ -1,4 +1,4 @@
-/* Several sieve curves made one, some of which may end before others.
+/* Combines several sieve curves, which may end at different sizes, into one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/blend.h"
 

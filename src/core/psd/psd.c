@@ -1,5 +1,5 @@
-/* Sieve curves: reading between the sieves, both ways, and the point of several
- * that lies farthest from the line between its neighbours, on log size.
+/* Sieve curves: passing at a size and size at a passing, interpolated in log
+ * size, and the most unusual point of several curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/psd.h"
 

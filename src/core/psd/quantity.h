@@ -10,9 +10,9 @@
 
 /* A fineness modulus: the sum of the shares retained on the sieves of a
  * standard, a measure of the coarseness of a sand.  size [n] mm, coarsest
- * first.  sand: only material that passes the coarsest of them counts,
+ * first.  sand: only material that passes the coarsest sieve counts,
  *   (A2 + .. + A6 - 5 A1) / (1 - A1)
- * A the cumulative shares retained, as in GB/T 14684. */
+ * where A are the cumulative shares retained, as in GB/T 14684. */
 enum { MODULUS_SIEVES = 10, MODULI = 5 };
 struct modulus {
 	const char *name, *standard;
@@ -24,8 +24,8 @@ extern const struct modulus MODULUS[MODULI];
 
 enum quantity_kind {
 	QUANTITY_PASSING,    /* at size x, m; 0..1 */
-	QUANTITY_SIZE,       /* that the share x passes: P80, D80; m */
-	QUANTITY_SHARE,      /* of the product that is in the fraction; 0..1 */
+	QUANTITY_SIZE,       /* size, m, that the share x passes: P80, D80 */
+	QUANTITY_SHARE,      /* share of the product in the fraction; 0..1 */
 	QUANTITY_MODULUS,    /* fineness modulus */
 	QUANTITY_UNIFORMITY, /* D60 / D10 */
 	QUANTITY_CURVATURE,  /* D30^2 / (D60 D10) */
@@ -48,25 +48,24 @@ struct quantity {
 /* True if both are the same quantity. */
 bool quantity_same(const struct quantity *a, const struct quantity *b);
 
-/* Returns the value read off a curve, the curve of the fraction; share: of the
- * product that is in the fraction.  NAN where the curve does not reach so
- * far. */
+/* Returns the value read off the curve of the fraction, or NAN if the curve
+ * does not reach that far.  share: the fraction's share of the product. */
 double quantity_read(
     const struct quantity *q, const struct psd *curve, double share);
 
-/* Returns the distance of a value, read off the fraction's curve, above a
- * limit, as a passing 0..1, so that all limits compare.  For a passing, share
- * or step it is the difference; for D and P the missing passing at the size of
- * the limit; for Cu and Cc the missing passing at the size that the limit gives
- * with the other sizes; for a modulus the difference divided by its number of
- * sieves.  Positive exactly where the value is above the limit; NAN where the
- * curve does not reach so far. */
+/* Returns how far a value read off the fraction's curve is above a limit, as a
+ * passing 0..1, so that all limits can be compared.  For a passing, share or
+ * step it is the difference; for D and P, the shortfall in passing at the size
+ * of the limit; for Cu and Cc, that at the size implied by the limit and the
+ * other sizes; for a modulus, the difference divided by its number of sieves.
+ * Positive exactly where the value is above the limit; NAN where the curve does
+ * not reach that far. */
 double quantity_over(const struct quantity *q, double limit, double value,
     const struct psd *curve);
 
-/* Lists the sizes, m, at which the curve should have points for the value to be
- * exact: [QUANTITY_POINTS] out, with the first STEP_SIEVES of a step's sieves.
- * Returns how many. */
+/* Lists the sizes, m, at which the curve needs points for the value to be
+ * exact: [QUANTITY_POINTS] out, including the first STEP_SIEVES of a step's
+ * sieves.  Returns their number. */
 enum { STEP_SIEVES = 20, QUANTITY_POINTS = STEP_SIEVES + 2 };
 size_t quantity_points(
     const struct quantity *q, double size[static QUANTITY_POINTS]);

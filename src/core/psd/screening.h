@@ -8,18 +8,18 @@
 
 #include "core/psd/psd.h"
 
-/* How well a screen separates: the share of size d in the oversize is
+/* How well a screen separates: the share of size d that goes to the oversize is
  *   E(d) = 1 - (e^a - 1) / (e^(a d / d50) + e^a - 2)
- * a the sharpness, d50 = cut_size times the opening, the size that is split in
- * half.  Source: Whiten's efficiency curve without water (Napier-Munn et al.
- * 1996, Mineral comminution circuits, ch. 9).  sharpness 0: an ideal screen,
- * that cuts at d50. */
+ * where a is the sharpness and d50 = cut_size times the opening is the size
+ * split in half.  Source: Whiten's efficiency curve without water (Napier-Munn
+ * et al. 1996, Mineral comminution circuits, ch. 9).  sharpness 0: an ideal
+ * screen, which cuts at d50. */
 struct partition {
 	double sharpness, cut_size;
 };
 extern const struct partition PARTITION_IDEAL;
 
-/* Returns E(d), 0..1, of the size d, m, on a screen with that opening, m. */
+/* Returns E(d), 0..1, for size d, m, on a screen with that opening, m. */
 double partition_oversize(
     const struct partition *partition, double opening, double d);
 
@@ -33,10 +33,10 @@ struct fraction {
 /* True if the fraction removes anything. */
 bool fraction_screens(const struct fraction *fraction);
 
-/* Computes the share of each class that a screen sends to the oversize.
- * Classes lie between sizes [n] m, coarsest first, with mass that is uniform in
- * ln d: class i between i and i + 1, the last is the pan, of half the finest
- * size.  out [n], 0..1. */
+/* Computes the share of each class that a screen sends to the oversize.  Class
+ * i lies between size[i] and size[i + 1], with mass uniform in ln d; the last
+ * is the pan, down to half the finest size.  size [n] m, coarsest first.  out
+ * [n], 0..1. */
 void partition_classes(const struct partition *partition, double opening,
     const double *size, size_t n, double *out);
 
@@ -45,10 +45,10 @@ void partition_classes(const struct partition *partition, double opening,
 void fraction_classes(
     const struct fraction *fraction, const double *size, size_t n, double *out);
 
-/* Computes the part of a product with the share `kept` [n] of each class:
- * writes its curve to part, of the same n.  Returns the share of the product's
- * mass; where that is 0 the curve is 0.  Mass above the coarsest size is kept
- * as the class below it. */
+/* Computes the part of a product that has the share `kept` [n] of each class
+ * and writes its curve to part, which has the same n.  Returns its share of the
+ * product's mass; if that is 0, the curve is 0.  Mass above the coarsest size
+ * is kept like the class below it. */
 double screening_part(
     const struct psd *product, const double *kept, struct psd *part);
 

@@ -1,4 +1,4 @@
-/* Sites and runs as plain data.  Files are read and written in io.
+/* Sites and runs as plain data.  io reads and writes the files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/site.h"
 

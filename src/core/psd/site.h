@@ -9,22 +9,21 @@
 
 #include "core/psd/psd.h"
 
-/* Instead of the speed of a run: its feed comes from another sheet, about which
- * a question is asked.  It is the last run of a copy (site_with_feed). */
+/* The speed of a run that only holds a feed from another sheet: the last run of
+ * a copy made by site_with_feed. */
 #define SITE_OTHER_FEED (-1.0)
 
-/* Instead of the index of a run whose feed is used: the mean of the feeds
- * sampled (D19). */
+/* As the index of a run, this means the mean of the feeds sampled (D19). */
 #define SITE_MEAN_FEED SIZE_MAX
 
 /* One sampling at a rotor tip speed.  product.n is 0 where only the feed was
  * sampled.  product_sd: standard deviation of each product passing, 0..1, or
  * NULL. */
 struct run {
-	double speed;    /* m/s; 0 of a feed for any speed, without product;
+	double speed;    /* m/s; 0: a feed for any speed, without product; or
 			  * SITE_OTHER_FEED */
-	char repeat[16]; /* " (2)": which of several at this speed; else "" */
-	size_t place;    /* of its product among the columns that were read */
+	char repeat[16]; /* " (2)" for the second run at a speed; else "" */
+	size_t place;    /* position of its product among the columns read */
 	struct psd feed;
 	struct psd product;
 	double *product_sd;
@@ -35,87 +34,88 @@ struct site_note {
 	char *key, *value;
 };
 
-/* Strings are never NULL; "" where the sheet does not state it.  run[] is in
- * order of rising speed, repeats at one speed in the order of the sheet.
+/* Strings are never NULL; "" means that the sheet does not state it.  run[] is
+ * in order of rising speed, repeats at one speed in the order of the sheet.
  * individual_feeds: each run has a feed sample of its own; otherwise every run
  * holds a copy of the one feed. */
 struct site {
 	char *name, *rock, *machine, *provenance;
-	double top_size; /* m; 0 when not stated */
-	double rotor;    /* diameter, m; 0 when not stated */
+	double top_size; /* m; 0 if not stated */
+	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;
 	struct psd mean_feed; /* of several feeds; site_settle */
 	size_t n_run;
 	struct run *run;
 	size_t n_note;
 	struct site_note *note;
-	/* What the reader left out: where ("line 9"), and what and why.  named:
-	 * sieves that had names, "#4 = 4.75". */
+	/* Parts of the sheet left out: where ("line 9"), what and why.  named:
+	 * sieves given by name, "#4 = 4.75". */
 	size_t n_left_out;
 	struct site_note *left_out;
 	char *named;
-	/* read_as: what its columns were read as; assumed: what of that the
-	 * sheet does not state; "" where it has the headings of
+	/* read_as: how its columns were read; assumed: the part of that which
+	 * the sheet does not state; both "" if it has the headings of
 	 * tipspeed-site(5).  remark: on how its file was read, or "". */
 	char *read_as, *assumed, *remark;
-	/* In a copy for a question, what differs from what was sampled.
-	 * feed_from: where the feed is from; with: all of it in words, "feed
-	 * b.csv, cascade 10 %"; else "". */
+	/* In a copy made for a question, the differences from what was sampled.
+	 * feed_from: the source of the feed; with: all differences in words,
+	 * "feed b.csv, cascade 10 %"; else "". */
 	char *feed_from, *with;
-	/* In such a copy: sieves to show, m, coarsest first; n_shown 0: the
-	 * site's own. */
+	/* In such a copy: sieves to show, m, coarsest first; if n_shown is 0,
+	 * the site's own. */
 	size_t n_shown;
 	double *shown;
-	char *path;      /* file it was read from, or "" */
+	char *path;      /* of the file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };
 
-/* An empty site with n_run runs. */
+/* Returns an empty site with n_run runs. */
 struct site *site_new(size_t n_run);
 void site_free(struct site *site);
 
-/* A deep copy. */
+/* Returns a deep copy. */
 struct site *site_copy(const struct site *site);
 
-/* Returns a copy with another feed as its last run, which has no product; from:
- * where the feed comes from; of: the provenance in its sheet.  The digest
- * stays. */
+/* Returns a copy with another feed as its last run, which has no product.
+ * from: the source of the feed; of: the provenance in its sheet.  The digest
+ * does not change. */
 struct site *site_with_feed(const struct site *site, const struct psd *feed,
     const char *from, const char *of);
 
-/* Returns a copy with the products of cuts as further runs, after the site's
- * runs at their speed.  Each run keeps its own feed, if it has one; else it
- * gets the feed of the site's run at the nearest speed.  A run with only a feed
- * is completed.  from [runs of both]: out, for each run of the copy its index
- * in the site, or SIZE_MAX. */
+/* Returns a copy with the products of cuts added as runs, each after the site's
+ * runs at that speed.  An added run keeps its own feed, if it has one;
+ * otherwise it gets the feed of the site's run at the nearest speed.  A product
+ * for a run with only a feed completes that run.  from [runs of both]: out, for
+ * each run of the copy its index in the site, or SIZE_MAX. */
 struct site *site_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
 
 /* Returns the digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
 
-/* Computes what follows from the runs, digest and mean feed; to be called after
- * runs were made or changed. */
+/* Computes the digest and the mean feed from the runs.  Call it after runs were
+ * made or changed. */
 void site_settle(struct site *site);
 
-/* Returns the feed of a run, or for SITE_MEAN_FEED the feed of a question that
- * names none: the mean of the distinct feeds that were sampled (blend_mean), or
- * the feed of another sheet, where the site is a copy with such a feed. */
+/* Returns the feed of a run.  For SITE_MEAN_FEED, returns the feed for a
+ * question that names none: the feed of another sheet, if the site is a copy
+ * with such a feed, or else the mean of the distinct feeds sampled
+ * (blend_mean). */
 const struct psd *site_feed(const struct site *site, size_t run);
 
 /* Returns the largest difference in passing, 0..1, between two of the site's
- * feeds; sieve: its sieve, m, out.  0 where there is one feed. */
+ * feeds, or 0 if there is only one feed.  sieve: where it occurs, m, out. */
 double site_feeds_differ(const struct site *site, double *sieve);
 
 /* Returns the sieves of all feeds and products, m, coarsest first, each once:
- * [*n]; the caller frees. */
+ * [*n].  The caller frees it. */
 double *site_sieves(const struct site *site, size_t *n);
 
-/* Adds a note at the end of a list of n. */
+/* Appends a note to a list of n. */
 void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
-/* Returns how many runs have a product. */
+/* Returns the number of runs with a product. */
 size_t site_products(const struct site *site);
 
 /* Returns the index of the run at the given speed (to 0.001 m/s), the first of
@@ -125,7 +125,7 @@ size_t site_run_at(const struct site *site, double speed);
 /* True if the run repeats the speed of the run before it. */
 bool site_run_repeats(const struct site *site, size_t run);
 
-/* Returns the run with the nearest speed; the slower of two equally near, the
+/* Returns the run with the nearest speed: the slower of two equally near, the
  * first of repeats. */
 size_t site_run_nearest(const struct site *site, double speed);
 
@@ -134,49 +134,49 @@ size_t site_run_nearest(const struct site *site, double speed);
 bool site_run_is_near(
     const struct site *site, size_t run, double speed, size_t most);
 
-/* The fastest tip speed allowed, m/s: a rotor reaches half of it, single
- * particles shot at a plate reach it. */
+/* The fastest tip speed allowed, m/s: rotors reach half of it, single particles
+ * shot at a plate all of it. */
 enum { SITE_FASTEST = 400 };
 
-/* Computes the default range of speeds, m/s: 65 to 85, which are usual, widened
- * by whole m/s to cover the runs.  Where all runs are below half or above twice
- * such speeds the machine is another, and the range is that of the runs,
- * widened at both ends by half its length, and by a quarter of the slowest at
- * least.  site: or NULL. */
+/* Computes the default range of speeds, m/s: the usual 65 to 85, widened by
+ * whole m/s to cover the runs.  If all runs are slower than half or faster than
+ * twice such speeds, it is another kind of machine, and the range is that of
+ * the runs, widened at both ends by half its length, or at least a quarter of
+ * the slowest speed.  site may be NULL. */
 void site_reach(const struct site *site, double *from, double *to);
 
-/* Returns the middle of the speeds measured, m/s; 74 where there is only a
+/* Returns the middle of the speeds measured, m/s, or 74 if there is only a
  * feed. */
 double site_middle(const struct site *site);
 
 /* Returns the kind of data with that provenance: "reconstructed", "synthetic",
- * "made up" or "simulated", as it begins; "not stated" where it says that or is
- * empty; any other provenance counts as "measured". */
+ * "made up" or "simulated" if it begins with that; "not stated" if it is that
+ * or empty; "measured" for any other. */
 const char *site_data_kind(const char *provenance);
 
-/* The key of the header line with the size, mm, that all of the feed was
- * assumed to pass, as its coarsest sieve did not show it. */
+/* The key of the header line for the size, mm, that all of the feed is assumed
+ * to pass, because not all passes its coarsest sieve. */
 #define SITE_ASSUMED_TOP "assumed_top_mm"
 
-/* Returns the size of SITE_ASSUMED_TOP, mm; 0: nothing was assumed. */
+/* Returns the size in that line, mm, or 0 if nothing was assumed. */
 double site_assumed_top(const struct site *site);
 
-/* True if, by their provenance, the data were never measured at a plant. */
+/* True if the provenance says that the data were not measured at a plant. */
 bool site_data_made_up(const char *provenance);
 
-/* Returns the first clause of the provenance, or a copy of `none` where the
- * sheet does not state it; the caller frees. */
+/* Returns the first clause of the provenance, or a copy of `none` if the sheet
+ * does not state it.  The caller frees it. */
 char *site_source(const struct site *site, const char *none);
 
-/* Adds the site's first clause to a list "a; b" of several sites' clauses, each
- * once. */
+/* Adds the first clause of the site's provenance to a list "a; b", unless it is
+ * there already. */
 void site_add_source(char **list, const struct site *site);
 
-/* Returns the error in speed of the answer at tip speed v, in multiples of the
- * error of one stated speed: the errors of the runs, as in a straight line
- * through them in v^2, and the error of v itself:
+/* Returns the effect of errors in the stated speeds on the answer at tip speed
+ * v, in multiples of the error of one speed.  It combines the errors of the
+ * runs, as for a straight line through them in v^2, with the error of v itself:
  *   sqrt(1 + 1/n + (v^2 - m)^2 / sum (v_i^2 - m)^2),   m the mean of the v_i^2
- * Infinite where all runs have one speed and v is another. */
+ * Infinite if all runs have the same speed and v is another. */
 double site_speed_error(const struct site *site, double v);
 
 #endif

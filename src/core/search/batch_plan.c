@@ -1,4 +1,4 @@
-/* Cuts a misfit into what the kernel sums: classes, sieves, weights.
+/* Divides a misfit into the classes, sieves and weights that the kernel sums.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/batch_plan.h"
 

@@ -7,11 +7,11 @@
 
 enum { KERNEL_NODES = 33 };
 
-/* Where the middle of a class lies among the nodes of u, seen from a sieve:
- * between node and the finer one after it.  p is straight between nodes, so
- * p = fine p[node + 1] + coarse p[node] and
- * B = B[node + 1] + below_fine p[node + 1] + below_coarse p[node].
- * All weights are 0 below 2^-10, where node + 1 is the last. */
+/* Where the middle of a class, as seen from a sieve, lies among the nodes of u:
+ * between `node` and the next finer one.  p is linear between nodes, so p =
+ * fine p[node + 1] + coarse p[node] and B = B[node + 1] + below_fine p[node +
+ * 1] + below_coarse p[node].  Below 2^-10, all weights are 0 and node + 1 is
+ * the last node. */
 struct plan_view {
 	size_t node;
 	double fine, coarse, below_fine, below_coarse;
@@ -19,13 +19,13 @@ struct plan_view {
 
 /* A product sieve of a run. */
 struct plan_target {
-	double difference; /* feed less measured passing */
+	double difference; /* feed minus measured passing */
 	double measured;
-	double weight; /* 0 where the run has no such sieve */
-	size_t cell; /* index of the difference, as misfit_differences has it */
-	size_t sieve; /* `classes`: the feed sieve at or above it, */
-	double share; /* and how much of that one's passing to take */
-	double feed;  /* `classes`: passing of the feed */
+	double weight; /* 0 if the run has no such sieve */
+	size_t cell;   /* index of the difference in misfit_differences */
+	size_t sieve;  /* `classes`: the feed sieve at or above it, */
+	double share;  /* and the share of its passing to take */
+	double feed;   /* `classes`: passing of the feed */
 };
 
 struct plan_run {
@@ -34,8 +34,8 @@ struct plan_run {
 	double *whole;              /* [n_class] mass of the class */
 	size_t n_target;            /* the plan's sieves; `classes`: its own */
 	struct plan_target *target; /* [n_target] */
-	/* `classes` only: its own classes, the arguments of p, and where u lies
-	 * among the nodes. */
+	/* For `classes` only: the run's own classes, the arguments of p, and
+	 * where u lies among the nodes. */
 	size_t n_size;
 	double *log_size;       /* [n_size] */
 	double *argument;       /* [parent][daughter] */
@@ -53,22 +53,22 @@ struct plan {
 	enum method method;
 	double k;
 	struct impacts impacts;
-	/* Of a spectrum, else 0: ln of its most and its least energy. */
+	/* ln of the highest and lowest energy of a spectrum; 0 without one. */
 	double log_most, log_least;
 	size_t bypass; /* index of its parameter; 0: the model has none */
 	size_t n_run, n_class, n_sieve;
-	bool one_feed; /* all runs have that of the first */
+	bool one_feed; /* all runs have the feed of the first */
 	struct plan_run *run;
 	struct plan_sieve *sieve;
 	double *upper, *lower, *middle; /* [n_class] ln x */
 	double u[KERNEL_NODES];         /* 1 to 2^-10 */
 	double log_u[KERNEL_NODES];
 	double half_step[KERNEL_NODES]; /* to the next node, in ln u, halved */
-	double over_E, bottom, per_bin; /* for the order of candidates */
+	double over_E, bottom, per_bin; /* for sorting candidates */
 	size_t scratch; /* doubles of workspace a thread needs */
 };
 
-/* Fills the plan, which plan_clear empties.  The misfit is read, not kept. */
+/* Fills the plan; plan_clear empties it.  The misfit is read, not kept. */
 void plan_make(struct plan *plan, const struct misfit *m);
 void plan_set_speed(struct plan *plan, size_t run, double v);
 void plan_clear(struct plan *plan);

@@ -4,10 +4,11 @@
  *
  * The genetic algorithm finds the region; the polish finds the optimum.  One
  * start is not enough: p(u) is clipped at 0, and each pattern of its zeros has
- * a valley of its own. So the leaders of two early generations, when the
- * population still spans several valleys, are kept as starts beside the best of
- * the last one; and from the best of all short perturbations are tried until
- * none helps. SPDX-License-Identifier: GPL-3.0-or-later */
+ * a valley of its own.  So the leaders of two early generations, when the
+ * population still spans several valleys, are kept as starts in addition to the
+ * best of the last; and from the overall best, short perturbations are tried
+ * until none helps.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/calibrate.h"
 
 #include <assert.h>

@@ -11,12 +11,12 @@
 #include "core/search/sensitivity.h"
 #include "core/psd/site.h"
 
-/* tolerance: the search ends when the median candidate's misfit is no more than
- * this share above the best one's; 0: never.  stall: it ends when the best has
- * not fallen by 0.1 % within this many generations; 0: never.  Neither applies
- * in the first 25 generations, nor in the 25 after a change of the bounds.
- * train, run_weight [n_run] or NULL for the default (slowest and fastest, all
- * weights 1); by_sd: weight the sieves by the sheet's standard deviations. */
+/* tolerance: the search ends when the median misfit is no more than this share
+ * above the best; 0: never.  stall: it ends when the best misfit has not fallen
+ * by 0.1 % within this many generations; 0: never.  Neither applies in the
+ * first 25 generations, nor in the 25 after a change of bounds.  train,
+ * run_weight [n_run], or NULL for the default (slowest and fastest; all weights
+ * 1).  by_sd: weight the sieves by the sheet's standard deviations. */
 struct calibrate_options {
 	uint64_t seed;
 	size_t population, generations, stall;
@@ -29,18 +29,18 @@ struct calibrate_options {
 	const bool *train;
 	const double *run_weight;
 	bool by_sd;
-	/* The fit of a model that this one extends, on the same runs, to start
-	 * from.  NULL: none. */
+	/* The fit, on the same runs, of a model that this one extends, as a
+	 * starting point; or NULL. */
 	const struct params *start;
 	bool plain;         /* a textbook genetic algorithm, as in the paper */
 	bool (*stop)(void); /* or NULL; see calibration_step */
 };
 
-/* Population, generations and bounds of the paper. */
+/* Returns the population, generations and bounds of the paper. */
 struct calibrate_options calibrate_options_default(void);
 
-/* The misfit that a calibration with these options minimises.  The site must
- * outlive it; misfit_free. */
+/* Returns the misfit that a calibration with these options minimises.  The site
+ * must outlive it.  Free with misfit_free. */
 struct misfit *calibrate_misfit(
     const struct site *site, const struct calibrate_options *options);
 
@@ -54,7 +54,8 @@ enum calibrate_state {
 	CALIBRATE_STOPPED      /* by the caller */
 };
 
-/* Name for people and JSON: "tolerance", "stall", "generations", "stopped". */
+/* Returns a name for people and JSON: "tolerance", "stall", "generations",
+ * "stopped". */
 const char *calibrate_state_name(enum calibrate_state state);
 
 /* One calibration.  It never prints, waits, reads a clock or catches a signal.
@@ -67,20 +68,20 @@ struct calibration *calibration_new(
     const struct site *site, const struct calibrate_options *options);
 void calibration_free(struct calibration *c);
 
-/* One generation, or the polish of a few starts.  Returns the state after it; a
- * call after the end changes nothing.  Where options.stop returns true on the
- * way, the step changes nothing either and is to be made again. */
+/* Runs one generation, or polishes a few starting points, and returns the new
+ * state.  A call after the end changes nothing.  If options.stop returns true
+ * during a step, that step changes nothing either and must be repeated. */
 enum calibrate_state calibration_step(struct calibration *c);
 
-/* Continues within other bounds, from the present population (ga_set_box).
- * Starts kept for the polish are moved to the bounds, and a polish under way
- * begins again.  Generations and history go on, the stop rules begin again.
- * Only before the end (asserted).  The result then depends on the time of the
- * change: the fit's `edits` counts the changes. */
+/* Continues within other bounds from the current population (ga_set_box).
+ * Starting points kept for the polish are moved inside the bounds, and a polish
+ * under way begins again, as do the stopping rules; generations and history
+ * continue.  Allowed only before the end (asserted).  The result depends on
+ * when the bounds changed, so the fit's `edits` counts the changes. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
-/* Returns the sum of the squared weights of the passings compared: a misfit
- * over this sum is a mean square of differences. */
+/* Returns the sum of the squared weights of the passings compared.  A misfit
+ * divided by this sum is a mean squared difference. */
 double calibration_weight(const struct calibration *c);
 
 /* Returns the bounds of the search, with the reference energy (D12) set. */
@@ -92,17 +93,17 @@ struct calibrate_status {
 	size_t step;     /* generations, and batches of the polish */
 	size_t stall;    /* generations since the best last fell by 0.1 % */
 	size_t infinite; /* candidates whose misfit was not a number */
-	double best, median, worst; /* misfits on the search's scheme */
+	double best, median, worst; /* misfits in the search's scheme */
 	size_t starts_done, starts; /* of the polish, */
-	size_t trials, trials_most; /* perturbations without a gain; it ends at
-				     * trials_most */
+	size_t trials, trials_most; /* perturbations without a gain; the polish
+				     * ends at trials_most */
 	struct params params;       /* the best so far */
 };
 
 struct calibrate_status calibration_status(const struct calibration *c);
 
-/* The record of a generation.  p10, p90: middle 80 % of the values of each
- * parameter among the first few hundred candidates, a random sample; kept
+/* The record of a generation.  p10, p90: the middle 80 % of the values of each
+ * parameter among the first few hundred candidates, a random sample.  kept
  * [n_kept]: the parameters of the first of these, for candidates.h. */
 enum { CALIBRATE_KEPT = 64 };
 struct calibrate_generation {
@@ -113,26 +114,26 @@ struct calibrate_generation {
 	float kept[PARAMS_MOST][CALIBRATE_KEPT];
 };
 
-/* Returns all generations so far, [*n]; borrowed until the next step. */
+/* Returns all generations so far, [*n].  Valid until the next step. */
 const struct calibrate_generation *calibration_history(
     const struct calibration *c, size_t *n);
 
 /* The result of a calibration, with its origin. */
 struct fit {
 	struct params params; /* scaled, see params_scale_to_1 (D4) */
-	double misfit;        /* on model_product, at the training runs */
-	double rmse;          /* of passing at the training runs, 0..1 */
+	double misfit;        /* of model_product on the training runs */
+	double rmse;          /* of passing on the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */
 	size_t n_residual;    /* passings compared */
-	size_t cells;         /* of these, that crushing can change */
-	size_t parameters;    /* that were searched, not held fixed */
+	size_t cells;         /* those that crushing can change */
+	size_t parameters;    /* number searched, not held fixed */
 	bool on_bound[PARAMS_MOST];
-	struct flat flat; /* the combination that the data determine least */
+	struct flat flat; /* the least determined combination */
 	enum calibrate_state stop;
-	bool converged; /* the polish that found it came to rest */
-	bool plain;     /* a search that was not to be polished (plain) */
-	double lowest;  /* of such a one: what a polished search from the same
-			 * options found; 0: not known */
+	bool converged; /* the polish that found it converged */
+	bool plain;     /* a search without polish (plain) */
+	double lowest;  /* for such a search: the misfit that a polished search
+			 * with the same options found; 0: not known */
 	size_t generations, evaluations, perturbations;
 	size_t edits, edited_at; /* changes of the bounds, last generation */
 	uint64_t seed, site_digest;

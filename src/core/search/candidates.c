@@ -1,5 +1,5 @@
-/* Evaluates the candidates that a generation kept once more, by the kernel, and
- * takes their percentiles.
+/* Evaluates again, with the kernel, the candidates that a generation kept, and
+ * takes percentiles of their residuals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/candidates.h"
 

@@ -6,39 +6,40 @@
 #include "core/search/calibrate.h"
 #include "core/psd/site.h"
 
-/* Simulated less measured passing at a sieve of a training run, 0..1: the 10th,
- * 50th and 90th percentile of the candidates kept, and the best one's. */
+/* Simulated minus measured passing at a sieve of a training run, -1..1: the
+ * 10th, 50th and 90th percentiles of the candidates kept, and the value of the
+ * best. */
 struct candidates_cell {
 	size_t run;
 	double size; /* m */
 	double p10, median, p90, best;
 };
 
-/* cell [n]: run by run, coarsest sieve first.  speed: the slowest trained on;
- * break_size: the quartiles of the candidates' break sizes there, m, INFINITY
- * where nothing breaks. */
+/* cell [n]: run by run, coarsest sieve first.  speed: the slowest training
+ * speed; break_size: the quartiles of the candidates' break sizes at that
+ * speed, m, INFINITY if nothing breaks. */
 struct candidates {
 	size_t n;
 	struct candidates_cell *cell;
 	double speed, break_size[3];
 };
 
-/* Computes the residuals from the candidates that a generation kept, on request
- * and not during the search.  settings, train [n_run]: of the search; best: on
- * the accurate product, the others on the search's scheme.  The caller frees
- * with candidates_clear. */
+/* Computes the residuals of the candidates that a generation kept, on request
+ * and not during the search.  settings, train [n_run]: of the search.  best is
+ * evaluated with the accurate product, the others with the search's scheme.
+ * The caller frees the result with candidates_clear. */
 struct candidates candidates_of(const struct site *site, const bool *train,
     struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);
 
-/* Returns the cell with the largest median residual, in either direction; there
- * is at least one cell. */
+/* Returns the cell with the largest absolute median residual; there is at least
+ * one cell. */
 const struct candidates_cell *candidates_worst(const struct candidates *c);
 
-/* The lowest and highest value of a parameter among the middle 80 % of the
- * candidates, as it is reported: a parameter of the gauge is divided by the
- * largest of its candidate (D4). */
+/* Computes the range of a parameter over the middle 80 % of the candidates, as
+ * reported: a parameter of the gauge is divided by the largest in its candidate
+ * (D4). */
 void candidates_spread(const struct calibrate_generation *generation, size_t j,
     double *p10, double *p90);
 

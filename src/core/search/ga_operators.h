@@ -1,5 +1,4 @@
-/* Crossover and mutation of a generation, compiled once for each instruction
- * set; used by ga.c.
+/* Crossover and mutation, compiled once for each instruction set; used by ga.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_GA_OPERATORS_H
 #define TIPSPEED_CORE_SEARCH_GA_OPERATORS_H
@@ -12,7 +11,7 @@
 
 enum { BREED_GENES = 16, BREED_BLOCK = 8 };
 
-/* Streams of random numbers of one generation. */
+/* The random number streams of one generation. */
 struct breed_keys {
 	struct rng_key parent[2], pair, line;
 	struct rng_key gene[BREED_GENES];

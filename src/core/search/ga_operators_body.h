@@ -33,8 +33,8 @@ choose(const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
 		index[l] = b->parent[draw[l]];
 }
 
-/* Uses one random number for two decisions: whether to mutate, and by how much;
- * the step is about 1 in size; most steps are small, a few reach far. */
+/* Uses one random number to decide both whether to mutate and by how much.
+ * Steps are of the order of 1; most are small, a few are large. */
 static inline lanes
 mutation_step(const struct breed *b, lanes u)
 {
@@ -61,7 +61,8 @@ into_box(const struct breed *b, size_t g, lanes x, lanes parent, lanes u)
 	lanes_mask under = x<lower, over = x> upper;
 	if (!lanes_any(under | over))
 		return x;
-	/* Every other child lands on the bound itself: optima often lie there.
+	/* Half of the offspring land on the bound itself, where optima often
+	 * lie.
 	 * */
 	lanes part = lanes_min(2 * u, lanes_of(1));
 	x = lanes_select(under, parent + (lower - parent) * part, x);

@@ -1,4 +1,4 @@
-/* Picks the instruction set and hands it blocks of like candidates.
+/* Selects the instruction set and passes it blocks of similar candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/kernel.h"
 

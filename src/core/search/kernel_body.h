@@ -1,7 +1,7 @@
 /* The kernel's arithmetic, compiled once for each instruction set.
  *
- * A branch may depend on all lanes of a block only where both ways give a lane
- * the same bits, so that a candidate's misfit never depends on its neighbours.
+ * A candidate's misfit must never depend on its neighbours: a branch may depend
+ * on all lanes of a block only if both ways give each lane the same bits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -10,12 +10,12 @@
 #include "core/search/lanes.h"
 #include "core/search/batch_plan.h"
 
-/* The whole kernel is compiled again for each model. */
+/* The whole kernel is compiled for each model. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* A block's parameters and what follows from them.  own: the appearance's, as
- * the model has it; over_total: what the broken mass is divided by, with the
- * share that is crushed at all (D14). */
+/* A block's parameters and values derived from them.  own: those of the model's
+ * appearance; over_total: the factor of the broken mass, 1 / total times the
+ * share that does not bypass the rotor (D14). */
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
 	    over_total, own[7];
@@ -27,16 +27,17 @@ struct block {
 	const struct kernel_out *out;
 };
 
-/* p = dB / d ln u at a node of u, and B up to there, both times the total. */
+/* p = dB / d ln u at a node of u, and B up to the node, both times the
+ * total. */
 struct node {
 	lanes p, below;
 };
 
-/* A model's part.  strength: index of f_mat, which e0_min and alpha follow.
- * nodes: fills a table [KERNEL_NODES], or if B depends on the speed (per_run)
- * one for each run, and returns the total.  at_sieve: what B is multiplied by
- * at progeny of ln s, or NULL.  density: p at u for `classes`, or NULL where
- * the nodes serve. */
+/* A model's part.  strength: index of f_mat; e0_min and alpha follow it.
+ * nodes: fills a table [KERNEL_NODES], or one for each run if B depends on the
+ * speed (per_run), and returns the total.  at_sieve: returns the factor of B at
+ * a sieve of ln s, or NULL.  density: returns p at u for `classes`, or NULL to
+ * use the nodes. */
 struct lane_model {
 	size_t strength;
 	bool per_run;
@@ -49,15 +50,15 @@ struct lane_model {
 	    double u, double log_u, double log_y);
 };
 
-/* Where f (x^alpha E - e0) is larger in the whole of a class, all of it breaks:
- * the rest is below 2e-4 and falls by the next class. */
+/* Where f (x^alpha E - e0) is larger throughout a class, all of it is taken to
+ * break: the rest is below 2e-4 and still less in the next class. */
 static const double FULL = 9;
 
-/* The exponent rises by alpha (f e0 + itself) in ln x.  Where this slope is
- * less at x*, two Gauss points a class are as good as three. */
+/* The slope of the exponent in ln x is alpha (f e0 + exponent).  If it is less
+ * than this at x*, two Gauss points per class are as good as three. */
 static const double SMOOTH = 6;
 
-/* Gauss-Legendre on an interval, seen from its upper end. */
+/* Gauss-Legendre points on an interval, measured from its upper end. */
 struct gauss {
 	size_t n;
 	double from_top[3], weight[3];
@@ -119,8 +120,9 @@ struct room {
 	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
 	struct share *share; /* [n_run * n_class], and as many again */
 	struct node *node;   /* [KERNEL_NODES] for each run, or once */
-	size_t n_full;       /* classes, from the coarsest, that break whole */
-	size_t n_active;     /* and those of which any lane breaks some */
+	size_t n_full;       /* classes, from the coarsest, that break
+			      * entirely */
+	size_t n_active;     /* classes of which any lane breaks some */
 };
 
 /* Fills the nodes of every run, or one table for all runs. */
@@ -129,7 +131,7 @@ tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
     const struct room *room)
 {
 	lanes sum = m->nodes(b, plan, room->node);
-	/* Where p is 0 everywhere, nothing breaks: product = feed. */
+	/* If p is 0 everywhere, nothing breaks: product = feed. */
 	b->over_total = (lanes)((sum > 0.0) & (lanes_mask)(1 / sum));
 	if (plan->bypass > 0)
 		b->over_total *= b->kept;
@@ -142,7 +144,8 @@ power_at(const struct block *b, lanes t)
 	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_of(708)));
 }
 
-/* S with a spectrum of impacts (D15), at = f E x^alpha; see selection_by. */
+/* Returns S with a spectrum of impacts (D15), at = f E x^alpha; see
+ * selection_by. */
 static inline lanes
 impacts_selection(const struct block *b, lanes at)
 {
@@ -156,7 +159,7 @@ impacts_selection(const struct block *b, lanes at)
 	return 1 - lanes_exp_quick(of->number * lanes_log(kept));
 }
 
-/* Returns S of Eq 3 from x^alpha, by an exp; selection.h computes it for one
+/* Returns S of Eq 3 from x^alpha, using exp_of; selection.h computes it for one
  * candidate. */
 static inline lanes
 lanes_selection(
@@ -178,8 +181,8 @@ add_gauss(struct share *sum, const struct block *b, double E, lanes power,
 	sum->moment += weight * distance * S;
 }
 
-/* Returns the share of a class that breaks from its lower edge on; power
- * contains x^alpha at the points of g. */
+/* Returns the share of a class that breaks, where S > 0 throughout it; power
+ * holds x^alpha at the points of g. */
 static inline struct share
 whole_share(const struct block *b, const struct plan *plan, size_t c,
     const struct plan_run *run, const struct gauss *g, const lanes *power)
@@ -195,8 +198,8 @@ whole_share(const struct block *b, const struct plan *plan, size_t c,
 	return (struct share){scale * sum.mass, scale * sum.moment};
 }
 
-/* Returns the share of a class that some lanes break from x* on; the other
- * lanes get the same bits as from whole_share. */
+/* Returns the share of a class that breaks, where x* of some lanes lies within
+ * it; the other lanes get the same bits as from whole_share. */
 static inline struct share
 split_share(const struct block *b, const struct plan *plan, size_t c,
     const struct plan_run *run, const struct gauss *g, lanes from)
@@ -216,7 +219,7 @@ split_share(const struct block *b, const struct plan *plan, size_t c,
 }
 
 /* Computes the shares of class c in every run.  any: some lane breaks some of
- * it; all: every lane breaks all of it, in every run. */
+ * it; all: every lane breaks all of it in every run. */
 static inline void
 one_class(const struct block *b, const struct plan *plan, size_t c,
     const struct gauss *g, const struct room *room, bool *any, bool *all)
@@ -282,8 +285,8 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	room->n_active = c;
 }
 
-/* Mixes the shares of the softer rock into those of the harder: rock of two
- * strengths breaks as its two parts would. */
+/* Mixes the shares of the softer rock into those of the harder: each part of
+ * rock of two strengths breaks by itself. */
 static inline void
 mix_softer(const struct block *b, const struct plan *plan,
     const struct gauss *g, struct room *room)
@@ -322,8 +325,8 @@ view_p(const struct plan_view *v, const struct node *node)
 	return v->fine * at[1].p + v->coarse * at[0].p;
 }
 
-/* Returns the mass of a run broken to below a sieve, from the first n classes,
- * which break whole. */
+/* Returns the mass that the first n classes of a run, which break entirely,
+ * contribute below a sieve. */
 static inline lanes
 whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
     size_t n, const struct node *node)
@@ -334,8 +337,8 @@ whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
 	return sum;
 }
 
-/* Adds the mass of the classes from..n-1, for one run or a pair side by side; a
- * pair needs B and p looked up only once where they are the same. */
+/* Adds the mass of the classes from..n-1, for one run or a pair; a pair looks
+ * up B and p only once if they are the same. */
 INLINE void
 add_split(const struct lane_model *m, const struct plan_sieve *sieve,
     size_t from, size_t n, bool pair, const struct node *const node[static 2],
@@ -358,8 +361,8 @@ add_split(const struct lane_model *m, const struct plan_sieve *sieve,
 	below[1] = second;
 }
 
-/* Returns a weighted difference squared; stores the difference where it is
- * asked for. */
+/* Returns the square of a weighted difference and stores the difference on
+ * request. */
 static inline lanes
 square(const struct plan_target *t, const struct block *b, lanes d)
 {
@@ -439,7 +442,7 @@ continuous_block(const struct lane_model *m, const struct plan *plan,
 	return sum;
 }
 
-/* Computes the selection of each class of a run, method `classes`. */
+/* Computes the selection for each class of a run, method `classes`. */
 static inline void
 classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
 {
@@ -567,8 +570,8 @@ bins(const struct lane_model *m, const struct plan *plan,
 	}
 }
 
-/* Defines the kernel of a model for this instruction set, from the fields of
- * its struct lane_model. */
+/* Defines a model's kernel for this instruction set from the fields of its
+ * struct lane_model. */
 #define KERNEL_JOIN(model, what, isa) model##_##what##_##isa
 #define KERNEL_NAME(model, what, isa) KERNEL_JOIN(model, what, isa)
 #define KERNEL(model, ...)                                                     \

@@ -1,6 +1,6 @@
-/* Candidates side by side in one vector register: LANES of them, which the file
- * of each instruction set defines.  The compiler's vector extension lives here
- * and in kernel_body.h only.
+/* Candidates side by side in one vector register: LANES of them, a number that
+ * the file for each instruction set defines.  Only this file and kernel_body.h
+ * use the compiler's vector extension.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_LANES_H
 #define TIPSPEED_CORE_SEARCH_LANES_H
@@ -46,8 +46,8 @@ lanes_select(lanes_mask mask, lanes a, lanes b)
 	return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
 }
 
-/* Returns the larger; b where a is not a number.  Uses the processor's
- * instruction, which gcc only sometimes makes of the plain loop. */
+/* Returns the larger, or b if a is NaN.  Uses the processor's instruction,
+ * because gcc only sometimes generates it from the plain loop. */
 static inline lanes
 lanes_max(lanes a, lanes b)
 {
@@ -92,8 +92,8 @@ lanes_exp(lanes a)
 	return r;
 }
 
-/* exp to 2e-10 of x up to 708: el_exp_parts with fewer terms and ln 2 in one
- * piece. */
+/* Returns exp(x) to 2e-10 for x up to 708: el_exp_parts with fewer terms and ln
+ * 2 in one piece. */
 static inline lanes
 lanes_exp_quick(lanes x)
 {
@@ -118,7 +118,7 @@ lanes_log(lanes a)
 	return r;
 }
 
-/* A bit for each lane in which the condition holds. */
+/* Returns a bit for each lane in which the condition holds. */
 static inline unsigned
 lanes_bits(lanes_mask mask)
 {

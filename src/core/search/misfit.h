@@ -1,4 +1,4 @@
-/* Misfit (Eq 5): how far simulated products lie from measured ones.
+/* Misfit (Eq 5): the distance of simulated products from measured ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_MISFIT_H
 #define TIPSPEED_CORE_SEARCH_MISFIT_H
@@ -11,13 +11,13 @@
 #include "core/model/product.h"
 #include "core/psd/site.h"
 
-/* One training run: the product's sieves that the feed covers.  weight
- * multiplies a difference before it is squared. */
+/* One training run, with those sieves of the product that the feed covers.
+ * weight multiplies a difference before it is squared. */
 struct misfit_run {
 	size_t run; /* index into the site's runs */
 	double speed;
 	double run_weight;
-	bool by_sd;      /* weight has the sheet's standard deviations */
+	bool by_sd;      /* weight includes the sheet's standard deviations */
 	struct psd feed; /* borrowed from the site */
 	size_t n;
 	double *sieve;    /* m, coarsest first */
@@ -28,9 +28,10 @@ struct misfit_run {
 /* The objective of a calibration:
  *   E = sum over training runs and product sieves of
  *       (weight (measured - simulated passing))^2
- * D6: the minus between the two squares in print would have no lower bound. */
+ * D6: with the minus printed between the two squares, the misfit would have no
+ * lower bound. */
 struct misfit {
-	const struct breakage *of; /* the model of all parameters put in */
+	const struct breakage *of; /* the model of all parameters passed in */
 	struct model_settings settings;
 	size_t n_run, n_residual;
 	struct misfit_run *run;
@@ -39,48 +40,50 @@ struct misfit {
 	bool (*stop)(void); /* or NULL, see misfit_stopped */
 };
 
-/* train [n_run]: true for the runs to train on; runs without a product are left
- * out.  run_weight [n_run] or NULL: weight of each run's squares, >= 0.  by_sd:
- * divide each difference by the sheet's standard deviation where it states one.
+/* train [n_run]: true for the training runs; runs without a product are
+ * ignored.  run_weight [n_run] or NULL: weight of each run's squares, >= 0.
+ * by_sd: divide each difference by the sheet's standard deviation, if stated.
  * The site must outlive the misfit. */
 struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
 
-/* Keeps no more than `most` sieves of each run, evenly spread over its own and
- * including the coarsest and the finest; most >= 2. */
+/* Keeps at most `most` sieves of each run, evenly spread and including the
+ * coarsest and the finest; most >= 2. */
 void misfit_thin(struct misfit *m, size_t most);
 
-/* Returns how many of the n_residual passings crushing can change: where all of
- * the feed passes, all of any product passes, whatever the parameters. */
+/* Returns how many of the n_residual passings crushing can change: on a sieve
+ * that all of the feed passes, all of the product passes for any parameters. */
 size_t misfit_cells(const struct misfit *m);
 
-/* True if computations on the misfit should end, as the user waits: they then
- * discard half-done work, which may be done again later.  For any thread. */
+/* True if computations on the misfit should end because the user is waiting.
+ * They then discard unfinished work, which may be repeated later.
+ * Thread-safe. */
 bool misfit_stopped(const struct misfit *m);
 
-/* Returns the misfit at p; INFINITY where it is not a number.   Source: paper
+/* Returns the misfit at p, or INFINITY if it is NaN.  Source: paper
  * Eq 5. */
 double misfit_at(struct misfit *m, const struct params *p);
 
-/* As misfit_at, with the weighted differences simulated - measured, r
- * [n_residual] out. */
+/* As misfit_at, and computes the weighted differences simulated - measured, r
+ * [n_residual]. */
 double misfit_differences(struct misfit *m, const struct params *p, double *r);
 
-/* Weighted differences simulated - measured, r [n_residual], and their
- * derivatives, J [n_residual * model's n] by rows.  Returns the misfit. */
+/* Returns the misfit and computes the weighted differences simulated -
+ * measured, r [n_residual], and their derivatives, J [n_residual * model's n]
+ * by rows. */
 double misfit_jacobian(
     struct misfit *m, const struct params *p, double *r, double *J);
 
 /* Returns the root mean square of the unweighted differences at p, 0..1. */
 double misfit_rmse(struct misfit *m, const struct params *p);
 
-/* Returns the number of sieves of the run's product that its feed covers; the
- * finest sieves are left out first, so the covered sieves come first. */
+/* Returns the number of sieves of the run's product that its feed covers; only
+ * the finest can be uncovered, so these are the first. */
 size_t misfit_covered(const struct run *run);
 
-/* Marks the default training set: the slowest and the fastest speed with a
- * product, with all repeats.  Returns how many runs were marked. */
+/* Marks the default training set: all repeats at the slowest and the fastest
+ * speed with a product.  Returns the number of runs marked. */
 size_t misfit_default_train(const struct site *site, bool *train);
 
 /* Returns the misfit of the null model product = feed. */

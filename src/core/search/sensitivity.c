@@ -1,4 +1,4 @@
-/* Singular values of the scaled Jacobian of a fit, by GSL, and the direction of
+/* Singular values of the scaled Jacobian of a fit (svd.h), and the direction of
  * least change.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/sensitivity.h"

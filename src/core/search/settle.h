@@ -1,4 +1,4 @@
-/* A minimum of the misfit to the last bit, the same from every start.
+/* The minimum of the misfit to the last bit, the same from every start.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_SETTLE_H
 #define TIPSPEED_CORE_SEARCH_SETTLE_H
@@ -8,16 +8,16 @@
 #include "core/search/misfit.h"
 #include "core/model/params.h"
 
-/* Moves *p, at rest within the bounds (polish.h), to where the misfit's
- * gradient is 0.  A misfit that is exact to the last digit determines half of
- * the digits of its parameters; the gradient determines nearly all.  The last
- * steps begin at parameters rounded to seven digits, which are the same for all
- * starts, so that the result is the same to the last bit.
+/* Moves *p, a converged result of polish_run, to where the misfit's gradient is
+ * 0.  A misfit exact to the last digit determines only half of the digits of
+ * the parameters; the gradient determines nearly all.  The last steps begin at
+ * parameters rounded to seven digits, which are the same for all starts, so the
+ * result is the same to the last bit.
  *
- * Parameters on a bound stay there, and the largest of the gauge (D4) stays as
- * it is.  Returns false, with *p unchanged, where no such point is found
- * nearby: where the data do not determine a direction, at a crease of the
- * misfit, or where the misfit would be larger. */
+ * Parameters on a bound stay there, and the largest of the gauge (D4) does not
+ * change.  Returns false, leaving *p unchanged, if there is no such point
+ * nearby: if the data do not determine a direction, at a crease of the misfit,
+ * or if the misfit would be larger. */
 bool settle_to_same_bits(
     struct misfit *m, const struct bounds *bounds, struct params *p);
 

@@ -1,4 +1,4 @@
-/* Unpacks parts of a zip file by libzip, within limits.
+/* Unpacks parts of a zip file with libzip, within limits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/archive.h"
 

@@ -6,24 +6,25 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* An archive in memory.  At most 50 MB of its parts are unpacked in all, so
- * that a small file cannot fill the memory. */
+/* An archive in memory.  At most 50 MB is unpacked in all, so a small file
+ * cannot exhaust memory. */
 struct archive;
 
-/* Opens the archive in bytes [n], which are borrowed.  NULL if they are no zip
- * archive, with the reason in *wrong, which the caller frees. */
+/* Opens the archive in bytes [n], which are borrowed.  Returns NULL if they are
+ * not a zip archive, with the reason in *wrong, which the caller frees. */
 struct archive *archive_open(const char *bytes, size_t n, char **wrong);
 void archive_close(struct archive *archive);
 
-/* True if the archive contains a part of this name, ignoring case. */
+/* True if the archive contains a part with this name, ignoring case. */
 bool archive_has(const struct archive *archive, const char *name);
 
-/* Returns the unpacked size of all parts in bytes, as the archive states it. */
+/* Returns the unpacked size of all parts, in bytes, as stated in the
+ * archive. */
 double archive_unpacked(const struct archive *archive);
 
-/* Returns a part: *n bytes and a NUL, which the caller frees.  NULL, with the
- * reason in *wrong as above, if there is no such part or it is locked, damaged
- * or too large. */
+/* Returns a part, *n bytes and a NUL, which the caller frees.  Returns NULL,
+ * with the reason in *wrong as above, if the part is missing, encrypted,
+ * damaged or too large. */
 char *archive_part(
     struct archive *archive, const char *name, size_t *n, char **wrong);
 

@@ -1,5 +1,5 @@
-/* Finds what a workbook's format code shows of a number, and writes the days
- * that it counts.
+/* Finds how a workbook's format code shows a number, and converts serial days
+ * to dates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/cell_format.h"
 

@@ -1,31 +1,31 @@
-/* How a spreadsheet shows a number: as a number, as per cent, as a date.
+/* How a spreadsheet shows a number: as a number, a percentage or a date.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_CELLS_CELL_FORMAT_H
 #define TIPSPEED_IO_CELLS_CELL_FORMAT_H
 
 #include <stdbool.h>
 
-/* unit: for a number "%", or the text that its format adds, "m/s", or "".
- * SHOWN_SPAN: a duration, whose hours continue beyond 24. */
+/* unit: for a number, "%", the text that its format adds ("m/s"), or "".
+ * SHOWN_SPAN: a duration, which may exceed 24 hours. */
 enum shown_kind { SHOWN_NUMBER, SHOWN_DATE, SHOWN_TIME, SHOWN_SPAN };
 struct shown {
 	enum shown_kind kind;
 	char unit[16];
 };
 
-/* Returns the meaning of a format code as files of any language contain it:
- * "0.0%", "yyyy\-mm\-dd", "0\" m/s\"".  Only the part before the first ;
- * counts. */
+/* Returns the meaning of a format code, which is the same in files of any
+ * language: "0.0%", "yyyy\-mm\-dd", "0\" m/s\"".  Only the part before the
+ * first ";" counts. */
 struct shown shown_parse_code(const char *code);
 
-/* As shown_parse_code, but for a format that is given by its number only.
- * Source: ECMA-376 part 1, 18.8.30, numFmt; 27 to 36 and 50 to 58 are dates of
- * East Asian languages. */
+/* As shown_parse_code, but for a format given only by its number.
+ * Source: ECMA-376 part 1, 18.8.30, numFmt; 27 to 36 and 50 to 58 are East
+ * Asian date formats. */
 struct shown shown_builtin(unsigned id);
 
 /* Writes "2026-05-03", "2026-05-03T10:15" or, for a time, "10:15", with seconds
  * if they are not zero.  serial: days since 1899-12-30, or since 1904-01-01.
- * False before the first of these days and from the year 10000 on. */
+ * Returns false before that day and from the year 10000 on. */
 bool shown_serial_date(
     double serial, bool from_1904, enum shown_kind kind, char text[static 32]);
 

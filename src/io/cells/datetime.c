@@ -1,5 +1,5 @@
-/* Reads dates and times of day as several countries write them.  Zones are
- * passed over: the clock on the wall is what the crew wrote down.
+/* Parses dates and times of day in the notations of several countries.  Ignores
+ * time zones: crews write down the time on the clock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/datetime.h"
 

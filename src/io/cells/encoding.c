@@ -1,6 +1,5 @@
-/* Decodes bytes as UTF-8, UTF-16 or Windows-1252.  It does so by hand, as
- * iconv's names and the letters it knows depend on the system; utf8proc
- * composes.
+/* Decodes bytes as UTF-8, UTF-16 or Windows-1252.  It does not use iconv, whose
+ * names and repertoire depend on the system; utf8proc composes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/encoding.h"
 

@@ -7,9 +7,9 @@
 
 /* The text of a file, n bytes of UTF-8.  encoding: UTF-16 is recognised by its
  * byte order mark, or by zeros beside the first two characters; Windows-1252 by
- * bytes that are not UTF-8, without any character beyond ASCII that is; all
- * else is UTF-8.  text: without a byte order mark, never NULL.  wrong: NULL, or
- * the fault at byte `bad` of text. */
+ * bytes that are invalid in UTF-8, if no non-ASCII character is valid;
+ * everything else is UTF-8.  text: without a byte order mark, never NULL.
+ * wrong: NULL, or the fault at byte `bad` of text. */
 enum encoding { ENCODING_UTF8, ENCODING_UTF16, ENCODING_1252 };
 struct decoded {
 	enum encoding encoding;
@@ -22,8 +22,8 @@ struct decoded {
 struct decoded encoding_decode(const char *bytes, size_t n);
 
 /* Returns a copy in which a letter and its accent are one character (NFC), as
- * most keyboards type them; a text with more than 30 accents on one letter is
- * not changed.  The caller frees. */
+ * most keyboards produce.  A text with more than 30 accents on one letter is
+ * copied unchanged.  The caller frees it. */
 char *encoding_compose(const char *text);
 
 #endif

@@ -1,5 +1,5 @@
-/* Collects cells of a workbook into sheets, within limits.  How files hold them
- * is left to xlsx.c and ods.c.
+/* Collects the cells of a workbook into sheets, within limits.  xlsx.c and
+ * ods.c know the file formats.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/grid.h"
 

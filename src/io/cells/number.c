@@ -1,5 +1,5 @@
-/* What cells are as numbers: decimal signs, thousands, units, and signs that
- * there is none.
+/* Parses cells as numbers: decimal signs, thousands, units, and marks for
+ * missing numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/number.h"
 

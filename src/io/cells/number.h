@@ -1,13 +1,13 @@
-/* Numbers in sheets, as several countries write them.
+/* Numbers in sheets, in the notations of several countries.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_CELLS_NUMBER_H
 #define TIPSPEED_IO_CELLS_NUMBER_H
 
 #include "io/cells/sheet.h"
 
-/* Decides the decimal sign of the whole sheet, by the majority of the
- * unambiguous numbers (80,5; 1.250,5), and then finds the number in each cell.
- * If no number is unambiguous, numbers such as 1,250 remain open. */
+/* Chooses the decimal sign of the whole sheet by the majority of unambiguous
+ * numbers (80,5; 1.250,5), then finds the number in each cell.  Without an
+ * unambiguous number, numbers such as 1,250 remain open. */
 void number_decide(struct sheet *sheet);
 
 /* As number_decide, but with a given decimal sign. */
@@ -16,21 +16,21 @@ void number_decimal(struct sheet *sheet, char sign);
 /* Finds the number in each cell, with the decimal sign of the sheet. */
 void number_find(struct sheet *sheet);
 
-/* Returns the cell with another text in place of its own, read as a number. */
+/* Returns the cell with its text replaced, read as a number. */
 struct cell number_cell(
     const struct sheet *sheet, struct cell cell, char *text);
 
-/* Reads the cell as a number with the decimal sign of the sheet, perhaps with
- * the other sign, blanks or apostrophes between thousands.  False, after a
- * fault, if the cell is no number. */
+/* Reads the cell as a number with the decimal sign of the sheet; the other
+ * sign, spaces or apostrophes may separate thousands.  Adds a fault and returns
+ * false if the cell is not a number. */
 bool number_read(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value);
 
-/* As number_read, but false without a fault. */
+/* As number_read, but adds no fault. */
 bool number_of(struct cell cell, double *value);
 
-/* True if the sign in a cell could be decimal or separate thousands, and the
- * sheet does not decide which. */
+/* True if a sign in the cell could be decimal or separate thousands, and the
+ * sheet does not show which. */
 bool number_is_open(const struct sheet *sheet, struct cell cell);
 
 #endif

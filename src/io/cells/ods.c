@@ -1,6 +1,5 @@
-/* Reads content.xml of an .ods from its start to its end: styles, of which only
- * whether a sheet is shown counts, then sheets of rows of cells, which may be
- * repeated.
+/* Reads content.xml of an .ods file in one pass: styles, only for whether a
+ * sheet is shown, then sheets with rows of cells, which may be repeated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/ods.h"
 

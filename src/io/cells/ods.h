@@ -1,4 +1,4 @@
-/* Reads workbooks of LibreOffice (OpenDocument 1.0 to 1.4, spreadsheet).
+/* Reads LibreOffice workbooks (OpenDocument 1.0 to 1.4, spreadsheet).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_CELLS_ODS_H
 #define TIPSPEED_IO_CELLS_ODS_H
@@ -6,8 +6,8 @@
 #include "io/cells/archive.h"
 #include "io/cells/grid.h"
 
-/* Reads all sheets that are not hidden.  Returns NULL, or what is wrong with
- * the workbook, as a text that the caller frees. */
+/* Reads all visible sheets.  Returns NULL, or a description of the fault, which
+ * the caller frees. */
 char *ods_read(struct archive *archive, struct grid *grid);
 
 #endif

@@ -1,5 +1,5 @@
-/* From the bytes of a CSV file to a grid of cells.  A line is split by hand,
- * as no library keeps the columns of the cells.
+/* Splits the text of a CSV file into a grid of cells, by its own parser,
+ * because no library records the columns of cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/sheet.h"
 

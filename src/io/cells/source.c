@@ -1,4 +1,4 @@
-/* Reads a file as sheets of cells, whatever kind of file it is.
+/* Reads a text file or a workbook as sheets of cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/source.h"
 

@@ -1,4 +1,4 @@
-/* The sheets of a file of any kind.
+/* The sheets of a text file or a workbook.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_CELLS_SOURCE_H
 #define TIPSPEED_IO_CELLS_SOURCE_H
@@ -13,21 +13,20 @@ struct source {
 	char *note, *text;
 };
 
-/* The largest sheet that source_read accepts: cells in a grid of its rows, each
- * as long as the longest. */
+/* The largest sheet that source_read accepts, see struct sheet_limits. */
 enum { SOURCE_MOST_CELLS = 2000 * 256 };
 
-/* Reads a file.  errors: as for site_read; the sheets keep adding to it.  False
- * after a fault that leaves nothing to read.  The caller frees *source in
- * either case. */
+/* Reads a file.  errors: as for site_read; the sheets continue to add to it.
+ * Returns false after a fault that leaves nothing to read.  The caller always
+ * frees *source. */
 bool source_read(
     const char *path, struct error_list *errors, struct source *source);
 
-/* As source_read, for a text in memory; path: its name in faults. */
+/* As source_read, but for a text in memory.  path: its name in faults. */
 bool source_read_memory(const char *path, const char *text,
     struct error_list *errors, struct source *source);
 
-/* As source_read, for a plant's log, which may have many more lines. */
+/* As source_read, but for a plant's log, which may have many more lines. */
 bool source_read_log(
     const char *path, struct error_list *errors, struct source *source);
 void source_free(struct source *source);

@@ -1,4 +1,4 @@
-/* Reads the bytes of a file, and tells text from what is none.
+/* Reads the bytes of a file and rejects those that are not text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/textfile.h"
 

@@ -1,4 +1,4 @@
-/* Tells the kinds of workbooks apart, and what is none.
+/* Recognises the kinds of workbooks and rejects other files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/workbook.h"
 

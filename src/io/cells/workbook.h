@@ -1,4 +1,4 @@
-/* Workbooks of spreadsheet programs.
+/* Reads workbooks of spreadsheet programs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_CELLS_WORKBOOK_H
 #define TIPSPEED_IO_CELLS_WORKBOOK_H
@@ -8,13 +8,13 @@
 
 #include "io/cells/grid.h"
 
-/* True if the bytes begin as a workbook or a similar file does: with the mark
- * of zip, or of OLE (old workbooks and workbooks with a password). */
+/* True if the bytes begin with the signature of zip or of OLE (old workbooks
+ * and workbooks with a password). */
 bool workbook_is(const char *bytes, size_t n);
 
 /* Reads an .xlsx, .xlsm or .ods file, recognised by its content, into a new
- * grid.  False and one fault of kind ERROR_DATA if it is of another kind,
- * damaged or locked, or has no sheet with any content. */
+ * grid.  Returns false with one fault of kind ERROR_DATA if the file is of
+ * another kind, damaged, encrypted or without content. */
 bool workbook_read(const char *bytes, size_t n, struct grid *grid);
 
 #endif

@@ -1,5 +1,5 @@
-/* Reads the parts of an .xlsx one after the other: which sheets there are,
- * strings, formats, then each sheet.
+/* Reads the parts of an .xlsx file in turn: the list of sheets, strings,
+ * formats, then each sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xlsx.h"
 

@@ -1,4 +1,4 @@
-/* Reads XML as events, by expat, within limits.  Names come from expat as
+/* Parses XML into events with expat, within limits.  expat gives names as
  * "namespace name".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xml.h"

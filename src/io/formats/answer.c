@@ -1,5 +1,4 @@
-/* Collects answers and renders them.  What they contain is left to the
- * commands.
+/* Collects and renders answers.  Commands determine their content.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/answer.h"
 

@@ -1,5 +1,4 @@
-/* Answers: what a command returns, and how tables, spreadsheets, documents and
- * programs show it.
+/* Answers: what a command returns, and the forms in which it is printed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FORMATS_ANSWER_H
 #define TIPSPEED_IO_FORMATS_ANSWER_H
@@ -9,20 +8,20 @@
 #include <stdio.h>
 
 /* The value a command returns: its site and provenance, named fields, a table,
- * and sentences.  A command does not know in which form its answer will be
- * shown.  Table and markdown round numbers and show title, provenance and
+ * and sentences.  A command does not know the form in which its answer will be
+ * shown.  table and markdown round numbers and show title, provenance and
  * sentences; csv and json are exact.  csv prints the table, with the shortest
- * numbers that read back as the same; json prints the fields, %.17g, or the
- * rows of the table if there are no fields.  csv puts command, site and
- * provenance into columns of their own, so that each row states its source.
- * Without a table the sentences are the answer: people see them with full
- * stops, csv prints a row for each, json a list.  A table wider than a screen
- * continues in further blocks, each with the first column again. */
+ * numbers that read back unchanged; json prints the fields, %.17g, or the rows
+ * of the table if there are no fields.  csv puts command, site and provenance
+ * into columns, so each row states its source.  Without a table the sentences
+ * are the answer: people see them with full stops, csv prints a row for each,
+ * json a list.  A table wider than the screen continues in further blocks, each
+ * with the first column repeated. */
 struct answer;
 
-/* The forms an answer is shown in, in the order of the enum.  exact: for
- * programs.  print: prints the answer and returns how many rows the table has;
- * semicolon: csv separates cells by semicolons and prints decimal commas, as
+/* The forms of an answer, in the order of the enum.  exact: for programs.
+ * print: prints the answer and returns the number of rows in the table;
+ * semicolon: csv separates cells with semicolons and uses decimal commas, as
  * spreadsheets do in Swedish and German.  JSON is one line. */
 enum answer_format { ANSWER_TABLE, ANSWER_CSV, ANSWER_JSON, ANSWER_MARKDOWN };
 extern const struct answer_form {
@@ -35,8 +34,7 @@ extern const struct answer_form {
  * the names: "p50_mm". */
 struct fields;
 
-/* Makes an empty answer.  command: name of the command that makes it;
- * copied. */
+/* Makes an empty answer.  command: the name of its command; copied. */
 struct answer *answer_new(const char *command);
 void answer_free(struct answer *answer);
 const char *answer_command(const struct answer *answer);
@@ -44,40 +42,40 @@ const char *answer_command(const struct answer *answer);
 void answer_title(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Sets the site an answer is about and the provenance of its data (may be
+/* Sets the site that an answer is about and the provenance of its data (may be
  * ""). */
 void answer_site(
     struct answer *answer, const char *name, const char *provenance);
 
-/* As answer_site, but json does not print the site: it prints the sites among
- * its own fields, or no site. */
+/* As answer_site, but json omits the site: sites, if any, are among the
+ * fields. */
 void answer_sites(
     struct answer *answer, const char *names, const char *provenance);
 
-/* Adds columns.  In "speed: m/s, size" each column has a key for csv and json
- * and, after a colon, the head for people if it differs. */
+/* Adds columns.  In "speed: m/s, size", each column has a key for csv and json
+ * and, after a colon, a heading for people if it differs. */
 void answer_columns(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Adds a column whose head may contain any character. */
+/* Adds a column whose heading may contain any character. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
 /* Sets the width of a table for people; 80 by default. */
 void answer_set_width(struct answer *answer, int columns);
 
-/* Shows people the transposed table if it is shorter: its first column as
- * headings, and a row for each other column. */
+/* Shows people the transposed table if it is shorter: with its first column as
+ * headings and a row for each other column. */
 void answer_set_across(struct answer *answer);
 
-/* Begins another table with the columns and cells that follow; csv and json
- * print it instead of the table before. */
+/* Begins another table, with the columns and cells that follow, for csv and
+ * json to print instead of the previous table. */
 void answer_fill_for_programs(struct answer *answer);
 
 /* Adds cells, which fill the columns from left to right, row by row: "%s %.2f
- * %g", with a space between two.  %s: a text; %.2f: a number, with 2 decimals
- * for people; %+.2f: also with a sign; %g: with as many significant digits as
- * needed, up to 6.  NAN is shown as the words given by answer_set_missing,
- * empty in csv and null in json. */
+ * %g", separated by spaces.  %s: a text; %.2f: a number, with 2 decimals for
+ * people; %+.2f: also with a sign; %g: with as many significant digits as
+ * needed, up to 6.  NAN appears as the words of answer_set_missing, empty in
+ * csv and null in json. */
 void answer_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -88,7 +86,7 @@ void answer_text(struct answer *answer, const char *format, ...)
 /* Adds one cell of text: people see `head`, csv and json print `key`. */
 void answer_name(struct answer *answer, const char *key, const char *head);
 
-/* Adds a row of a name and a text, under two columns. */
+/* Adds a row with a name and a text, for a table with two columns. */
 void answer_pair(struct answer *answer, const char *name, const char *format,
     ...) __attribute__((format(printf, 3, 4)));
 
@@ -98,8 +96,8 @@ void answer_set_missing(struct answer *answer, const char *words);
 /* Returns the number of complete rows. */
 size_t answer_rows(const struct answer *answer);
 
-/* Adds a sentence below the table: a plain one about what was found; a remark
- * on how to read it; or a warning not to rely on it, which people see first and
+/* Adds a sentence below the table: a plain one about the result; a remark on
+ * how to read it; or a warning not to rely on it, which people see first,
  * marked as a warning.  answer_note adds a plain sentence. */
 enum answer_grade { ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING };
 void answer_say(struct answer *answer, enum answer_grade grade,
@@ -109,8 +107,8 @@ void answer_note(struct answer *answer, const char *format, ...)
 
 /* The answer as people see it, borrowed: title, site and provenance or NULL, a
  * table row by row (the table for programs if there is no other), sentences.
- * In a cell text is what people see; number is exact, NAN if it is missing,
- * shown with `decimals`, -1 for as many as needed; key is what programs see
+ * In a cell, text is what people see; number is exact, NAN if missing, shown
+ * with `decimals`, or as many as needed if that is -1; key is what programs see
  * instead of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
@@ -131,8 +129,8 @@ struct answer_view {
 };
 struct answer_view answer_view(const struct answer *answer);
 
-/* Returns a copy of the answer with all texts as they are shown: only the first
- * clause of the provenance, and warnings first, marked as warnings. */
+/* Returns a copy of the answer with all texts as shown: the first clause of the
+ * provenance only, and warnings first, marked as warnings. */
 struct answer *answer_escaped(const struct answer *answer);
 
 /* Returns the answer's fields, without command, site and provenance;
@@ -141,32 +139,32 @@ struct fields *answer_fields(struct answer *answer);
 
 /* Adds values under keys, "speed %g extrapolated %d": %g a number, null if it
  * is not finite; %d true or false; %zu and %llu a whole number; %s text.  For a
- * list the format has no keys: "%g %g".  json omits a value whose key begins
- * with a point, ".poor %g". */
+ * list, the format has no keys: "%g %g".  json omits values whose keys begin
+ * with a dot, ".poor %g". */
 void fields_put(struct fields *fields, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 void fields_number(struct fields *fields, const char *key, double value);
 
-/* Adds an object or a list to be filled and returns it, borrowed.  key: NULL in
- * a list. */
+/* Adds an object or a list to be filled, and returns it, borrowed.  key: NULL
+ * in a list. */
 struct fields *fields_object(struct fields *fields, const char *key);
 struct fields *fields_list(struct fields *fields, const char *key);
 
-/* Adds a list of numbers [n], converted by `shown` (units_mm or units_pct), or
- * unchanged if it is NULL. */
+/* Adds a list of numbers [n], converted by `shown` (units_mm or units_pct) or,
+ * if NULL, unchanged. */
 void fields_numbers(struct fields *fields, const char *key, const double *value,
     size_t n, double (*shown)(double));
 
 /* answer_put_rows adds the rows so far as objects, under `key`;
- * answer_put_columns adds the columns named in `keys`, with a space between
- * two, as lists. */
+ * answer_put_columns adds the columns named in `keys`, separated by spaces, as
+ * lists. */
 void answer_put_rows(struct answer *answer, const char *key);
 void answer_put_columns(struct answer *answer, const char *keys);
 
-/* Returns the number of a field, NAN if there is none: "p50_mm",
- * "params.f_mat".  For a list it is the largest number, "holdout.rmse_pct";
- * true is 1.  "warnings": how many sentences are warnings, if there are any
+/* Returns the number in a field, such as "p50_mm" or "params.f_mat", or NAN if
+ * there is none.  For a list, such as "holdout.rmse_pct", it is the largest
+ * number; true is 1.  "warnings" is the number of warnings, if there are any
  * sentences. */
 double answer_number(const struct answer *answer, const char *path);
 

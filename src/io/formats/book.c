@@ -1,5 +1,5 @@
-/* Writes answers as a workbook by libxlsxwriter, which writes into a file: here
- * one without a name.
+/* Writes answers as a workbook with libxlsxwriter, to an unnamed temporary
+ * file, because that library can only write files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/book.h"
 

@@ -1,4 +1,4 @@
-/* Results as a workbook of Excel, .xlsx.
+/* Writes results as an Excel workbook, .xlsx.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FORMATS_BOOK_H
 #define TIPSPEED_IO_FORMATS_BOOK_H
@@ -9,31 +9,31 @@
 /* A workbook being written.  The same results give the same bytes. */
 struct book;
 
-/* Makes an empty workbook.  NULL, with an error of kind ERROR_SYSTEM, if no
- * temporary file can be made.  That file has no name and disappears with the
- * program. */
+/* Makes an empty workbook.  Returns NULL, with an error of kind ERROR_SYSTEM,
+ * if no temporary file can be made; that file has no name and disappears when
+ * the program ends. */
 struct book *book_new(struct error *error);
 void book_free(struct book *book); /* NULL is allowed */
 
-/* Adds a sheet with an answer as people see it: numbers exact, shown with the
- * same decimals, and the passings of a table of sieves as curves.  Returns how
- * many rows its table has. */
+/* Adds a sheet with an answer as people see it: numbers are exact, shown with
+ * the same decimals, and the passings in a table of sieves are also drawn as
+ * curves.  Returns the number of rows in its table. */
 size_t book_add(struct book *book, const struct answer *answer);
 
-/* Adds a sheet with the cells of a text, see sheet_new, including its
- * remarks. */
+/* Adds a sheet with the cells of a text (see sheet_new), including its
+ * comments. */
 void book_add_text(struct book *book, const char *name, const char *text);
 
 /* Adds a line to the last sheet, "About". */
 void book_add_about(struct book *book, const char *key, const char *value);
 
-/* book_sheets returns the number of sheets without "About"; book_has_site is
+/* book_sheets returns the number of sheets other than "About"; book_has_site is
  * true if one is about a site. */
 size_t book_sheets(const struct book *book);
 bool book_has_site(const struct book *book);
 
 /* Returns the workbook's *n bytes, which the caller frees, and frees the book.
- * NULL, with an error of kind ERROR_SYSTEM, if the system refuses. */
+ * Returns NULL, with an error of kind ERROR_SYSTEM, if the system fails. */
 char *book_finish(struct book *book, size_t *n, struct error *error);
 
 #endif

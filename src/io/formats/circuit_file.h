@@ -6,10 +6,10 @@
 #include "base/error.h"
 #include "core/answer/circuit.h"
 
-/* Reads a circuit in which every stream has one source and one use, every unit
- * is fed, and all can reach a stockpile.  tph is 0 if the file does not state
- * it.  On failure NULL, and all the faults of the file, each with its line and
- * column, in errors, a list that the caller has zeroed. */
+/* Reads a circuit in which every stream has one source and one destination,
+ * every unit is fed, and all material can reach a stockpile.  tph is 0 if the
+ * file does not state it.  On failure, returns NULL and all faults of the file,
+ * each with line and column, in errors, zeroed by the caller. */
 struct circuit *circuit_file_read(const char *path, struct error_list *errors);
 
 #endif

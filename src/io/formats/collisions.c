@@ -1,5 +1,5 @@
-/* Reads collision energies row by row, by the heads of their columns, into a
- * spectrum; writes a spectrum so that it reads back.
+/* Reads collision energies row by row, by their column headings, into a
+ * spectrum; writes spectra that read back.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/collisions.h"
 

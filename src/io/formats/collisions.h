@@ -9,11 +9,11 @@
 #include "base/error.h"
 #include "core/model/spectrum.h"
 
-/* How to read a file.  columns: names of its columns in order, separated by
- * commas, instead of the names in the file; NULL: the names in the file.  unit:
- * of a list without heads, "J/kg" or "m/s"; NULL: not given.  speed: m/s, NAN
- * if not given.  progress: called now and then with the rows so far; returning
- * false stops the reading; may be NULL. */
+/* How to read a file.  columns: the names of its columns in order, separated by
+ * commas; NULL: as in the file.  unit: of a list without headings, "J/kg" or
+ * "m/s"; NULL: not given.  speed: m/s, NAN if not given.  progress: called now
+ * and then with the rows so far; it returns false to stop reading; may be
+ * NULL. */
 struct collisions_way {
 	const char *columns, *unit;
 	double speed;
@@ -21,9 +21,9 @@ struct collisions_way {
 	void *data;
 };
 
-/* The content of a file.  form: its kind in words, a constant.  about: its own
- * description, or "".  rows: number of rows of numbers; impacts: number of
- * impacts of particles. */
+/* The content of a file.  form: its kind in words, a constant.  about: the
+ * file's own description, or "".  rows: number of rows with numbers; impacts:
+ * number of impacts on particles. */
 struct collisions {
 	struct spectrum *spectrum;
 	const char *form;
@@ -31,12 +31,12 @@ struct collisions {
 	uint64_t rows, impacts;
 };
 
-/* Reads a file row by row: memory does not grow with its rows.  Files have
- * heads, or `columns` names them: see HEADS in the .c.  A row is an impact, and
- * may tell of the particle, or of the first of its impacts, too.
+/* Reads a file row by row, in constant memory.  The columns are named by
+ * headings or by `columns`: see HEADS in the .c.  A row is an impact; it may
+ * also describe the particle or its first impact.
  *
- * On failure false, and faults in errors; *c is then empty.  If progress stops
- * the reading there is one fault of kind ERROR_CHECK. */
+ * On failure, returns false and faults in errors; *c is then empty.  If
+ * progress stops the reading, there is one fault of kind ERROR_CHECK. */
 bool collisions_read(const char *path, const struct collisions_way *way,
     struct collisions *c, struct error_list *errors);
 void collisions_clear(struct collisions *c);

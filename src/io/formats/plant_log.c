@@ -1,5 +1,5 @@
-/* Reads a plant's log: finds the times first, then the columns beside them by
- * their heads.  What is no number is passed over, as logs are full of it.
+/* Reads a plant's log: finds the column of times first, then the others by
+ * their headings.  Skips cells that are not numbers, which are common in logs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/plant_log.h"
 

@@ -1,4 +1,4 @@
-/* The log of a plant's control system: speed, power and feed rate over time.
+/* Reads logs of a plant's control system: speed, power and feed rate over time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FORMATS_PLANT_LOG_H
 #define TIPSPEED_IO_FORMATS_PLANT_LOG_H
@@ -16,10 +16,11 @@ enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 extern const char *const LOG_UNITS[LOG_COLUMNS];
 
 /* Rows [n] in order of time, see moment_seconds.  value [n]: NAN if the log has
- * no number there; NULL: no such column.  apart: usual seconds between rows.
- * gap: the longest time without a row, gap_from: when it began.  passed: rows
- * left out, as their time could not be read.  read_as: "time in column 1, rpm
- * in 3"; assumed: which parts of read_as are not stated, or "". */
+ * no number there; NULL: no such column.  apart: usual interval between rows,
+ * s.  gap: longest interval, s; gap_from: its start.  passed: number of rows
+ * skipped because their time could not be read.  read_as: "time in column 1,
+ * rpm in 3"; assumed: the parts of read_as that the log does not state, or
+ * "". */
 struct plant_log {
 	char *path;
 	size_t n, passed;
@@ -29,9 +30,9 @@ struct plant_log {
 	uint64_t digest;
 };
 
-/* The files [n] to be read as one log, and options.  columns: "1=time, 3=rpm,
- * 4=kW", or NULL.  sheet: that of a workbook, or NULL.  decimal: the decimal
- * sign, or '\0'. */
+/* The files [n] to read as one log, and options.  columns: "1=time, 3=rpm,
+ * 4=kW", or NULL.  sheet: the sheet of a workbook, or NULL.  decimal: the
+ * decimal sign, or '\0'. */
 struct log_request {
 	size_t n;
 	const char *const *path;
@@ -40,14 +41,14 @@ struct log_request {
 	enum moment_order order;
 };
 
-/* Reads a log.  NULL and faults if it cannot be read; *open is set if only the
+/* Reads a log.  Returns NULL and faults if that fails; *open is set if only the
  * order of day and month is open. */
 struct plant_log *plant_log_read(
     const struct log_request *request, struct error_list *errors, bool *open);
 void plant_log_free(struct plant_log *log);
 
-/* Returns medians and ranges of the rows from one time to another, both
- * included; NAN if there are no numbers. */
+/* Medians and ranges of the rows from one time to another, inclusive; NAN if
+ * there are no numbers. */
 struct log_window {
 	size_t n;
 	double median[LOG_COLUMNS], least[LOG_COLUMNS], most[LOG_COLUMNS];

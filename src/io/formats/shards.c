@@ -1,5 +1,4 @@
-/* Reads the parts of a run that was divided, and checks that they belong
- * together.
+/* Reads the parts of a divided run and checks that they belong together.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/shards.h"
 

@@ -1,4 +1,4 @@
-/* Files that `calibrate all part=I/N` wrote, or `validate all part=I/N`.
+/* Reads files written by `calibrate all part=I/N` or `validate all part=I/N`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FORMATS_SHARDS_H
 #define TIPSPEED_IO_FORMATS_SHARDS_H
@@ -8,9 +8,8 @@
 
 #include "base/error.h"
 
-/* A row of a part, which is a site or one of its runs.  text [2]: the name, and
- * the remark or the source of the data; number: the other columns, NAN if
- * empty. */
+/* A row of a part: a site or one of its runs.  text [2]: the name, and the
+ * remark or source of the data; number: the other columns, NAN if empty. */
 enum { PART_NUMBERS = 23 };
 struct part_site {
 	size_t index; /* among all sites */
@@ -18,8 +17,8 @@ struct part_site {
 	double number[PART_NUMBERS];
 };
 
-/* A part, and the file it was read from.  sites: digest of all sites that were
- * loaded.  left_out, each: from the answer of validate. */
+/* A part, and the file from which it was read.  sites: digest of all loaded
+ * sites.  left_out, each: from the answer of validate. */
 struct part_file {
 	char *path, *command, *sites, *version, *options;
 	size_t number, of, loaded, left_out, each, n;
@@ -31,12 +30,12 @@ struct parts {
 	struct part_file *part;
 };
 
-/* Adds the parts of a file, one line each. */
+/* Adds the parts in a file, one per line. */
 bool parts_read(const char *path, struct parts *parts, struct error *error);
 void parts_free(struct parts *parts);
 
-/* True if the parts are all those of one run, each once, with the same version,
- * options and sites. */
+/* True if the parts are complete, without duplicates, and have the same
+ * version, options and sites. */
 bool parts_check_agree(const struct parts *parts, struct error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* Reads the limits of a grading from a sheet of cells.
+/* Reads the limits of a grading envelope from a sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/spec.h"
 

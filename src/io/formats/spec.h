@@ -9,10 +9,10 @@
 #include "base/error.h"
 
 /* size [n]: m, coarsest first; least, most [n]: passing 0..1, NAN if there is
- * no limit.  cut: finest and coarsest size of the fraction that the limits are
- * for, m; zeros: they are for the whole product.  Strings are never NULL.
- * source: "" if not stated; note: as in struct source; standard: "" if read
- * from a file. */
+ * no limit.  cut: finest and coarsest size, m, of the fraction to which the
+ * limits apply; zeros: the whole product.  Strings are never NULL.  source: ""
+ * if not stated; note: as in struct source; standard: "" if read from a
+ * file. */
 struct spec {
 	char *name, *source, *note, *standard;
 	double cut[2];
@@ -20,16 +20,16 @@ struct spec {
 	double *size, *least, *most;
 };
 
-/* Reads a sheet, the first of a workbook.  On failure NULL, and all the faults
- * of the sheet, each with its line and column, in errors, a list that the
- * caller has zeroed; ERROR_SYSTEM if the file cannot be read. */
+/* Reads a sheet, or the first sheet of a workbook.  On failure, returns NULL
+ * and all faults of the sheet, each with line and column, in errors, zeroed by
+ * the caller; ERROR_SYSTEM if the file cannot be read. */
 struct spec *spec_read(const char *path, struct error_list *errors);
 
 /* Makes an empty envelope. */
 struct spec *spec_new(void);
 void spec_free(struct spec *spec);
 
-/* Reads "0/4", in mm, as 0 and 0.004 m; false if the text is no such
+/* Parses "0/4", in mm, as 0 and 0.004 m.  Returns false if the text is not a
  * fraction. */
 bool spec_read_cut(const char *text, double cut[static 2]);
 

@@ -1,5 +1,5 @@
 /* Reads data/envelopes.csv and data/envelope-scalars.csv, and finds an envelope
- * by words of its name.
+ * by words from its name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/standards.h"
 

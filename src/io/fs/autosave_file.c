@@ -1,6 +1,6 @@
-/* A program holds a lock on its file: so others know that it still runs, also
- * where all programs have the same number, as in containers, and a killed one
- * leaves none.
+/* A program holds a lock on its file, which tells others that it is running,
+ * even where all have the same process number, as in containers.  A killed
+ * program leaves no lock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/autosave_file.h"
 

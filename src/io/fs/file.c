@@ -1,9 +1,9 @@
 /* Temporary file, fsync, rename, fsync of the folder.
  *
- * A temporary file is locked (flock) for as long as its writer lives, so that
+ * A temporary file is locked (flock) for as long as its writer lives, so
  * whoever finds one without a lock knows that its writer was killed, and
- * removes it.  Its name is random: process numbers come again, in containers
- * always.
+ * removes it.  Its name is random, because process numbers recur, especially in
+ * containers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/file.h"
 

@@ -1,5 +1,4 @@
-/* Every file that the program writes: replaced whole or not at all, or added
- * to at its end.
+/* Writing files: replacing them entirely or not at all, and appending to them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_FILE_H
 #define TIPSPEED_IO_FS_FILE_H
@@ -18,7 +17,7 @@ enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
  * in the same folder, and that file is renamed to path only once all bytes are
  * on disk; a symbolic link is kept, and the file it points to is replaced.
  * Files other than regular ones (/dev/null, a FIFO) are written to directly.
- * On failure returns false with an error of kind ERROR_SYSTEM and leaves the
+ * On failure, returns false with an error of kind ERROR_SYSTEM and leaves the
  * old file untouched.  Only SIGKILL can leave the new file behind; the next
  * call in that folder removes it. */
 bool file_replace(const char *path, enum file_rights rights, const char *bytes,
@@ -29,14 +28,14 @@ bool file_replace_by(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
 
-/* Adds n bytes to the end of a file, in one write if the system accepts them at
- * once.  On failure false, an error of kind ERROR_SYSTEM, and the file as long
+/* Appends n bytes to a file, in one write if the system accepts them all.  On
+ * failure, returns false with an error of kind ERROR_SYSTEM and leaves the file
  * as it was. */
 bool file_append(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 
-/* False, with the error that writing would give, if path is a folder or may not
- * be written.  Call it before a long calibration. */
+/* Returns false, with the error that writing would give, if path is a folder or
+ * not writable.  Called before a long calibration. */
 bool file_may_write(const char *path, struct error *error);
 
 #endif

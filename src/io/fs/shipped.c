@@ -1,5 +1,6 @@
-/* A program that was moved, or installed below another root, has its sites
- * beside it; else they are where it was to be installed.
+/* Finds the shipped sites relative to the program, which may have been moved or
+ * installed below another root, or else where it was configured to be
+ * installed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/shipped.h"
 

@@ -3,13 +3,13 @@
 #ifndef TIPSPEED_IO_FS_SHIPPED_H
 #define TIPSPEED_IO_FS_SHIPPED_H
 
-/* Returns the folder of the sites, with its "/": data/sites/ in the tree, or
- * the folder where the program was installed.  It may be missing.  The caller
- * frees. */
+/* Returns the folder of the sites, with a final "/": data/sites/ in the source
+ * tree, or the installed folder, which may not exist.  The caller frees it. */
 char *shipped_folder(void);
 
-/* Returns the file of a site by its name alone ("tierp", "Gävle 4"); NULL if
- * the name contains a folder, or no such site is shipped.  The caller frees. */
+/* Returns the file of a site from its bare name ("tierp", "Gävle 4"), or NULL
+ * if the name contains a folder or no such site is shipped.  The caller frees
+ * it. */
 char *shipped_path(const char *name);
 
 /* As shipped_path, for a file of collision energies ("vsi-69"). */

@@ -1,4 +1,4 @@
-/* Makes the paths and folders of the user's own files.
+/* Makes the paths and folders of the user's files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/xdg.h"
 

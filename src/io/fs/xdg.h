@@ -1,14 +1,15 @@
-/* Paths of the user's own files, by the XDG base directories.
+/* Paths of the user's files, following the XDG Base Directory Specification.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_XDG_H
 #define TIPSPEED_IO_FS_XDG_H
 
-/* Returns tipspeed/NAME in the folder that the variable names, or else in the
- * given folder of HOME; NULL if neither is known.  The caller frees. */
+/* Returns tipspeed/NAME in the folder that the variable names or, failing that,
+ * in the given folder of HOME; NULL if neither is known.  The caller frees
+ * it. */
 char *xdg_path(const char *variable, const char *folder, const char *name);
 
-/* Makes the folders of a file, with access for the user alone.  Returns NULL,
- * or the folder that cannot be made, with errno set; the caller frees. */
+/* Makes the folders of a file, accessible only to the user.  Returns NULL, or
+ * the folder that cannot be made, with errno set.  The caller frees it. */
 char *xdg_make_folders(const char *path);
 
 #endif

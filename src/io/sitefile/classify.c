@@ -1,5 +1,5 @@
-/* Finds what the columns of a table are: by what their heads say, else by the
- * shape of their numbers; a column that could be several things is open.
+/* Classifies the columns of a table by their headings, or else by the shape of
+ * their numbers.  An ambiguous column is open.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/classify.h"
 
@@ -573,14 +573,22 @@ find_role(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 }
 
+/* "column 5", or the line of a sheet that lies on its side. */
+static char *
+column_words(const struct table *t, size_t at)
+{
+	return xasprintf(
+	    t->across ? tr("line %zu") : tr("column %zu"), t->number[at]);
+}
+
+/* Takes where. */
 static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, size_t number, const char *format, ...)
+leave_out(struct site *site, char *where, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
 	char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
-	char *where = xasprintf(tr("column %zu"), number);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 	free(where);
 	free(what);
@@ -632,22 +640,24 @@ is_no_sample(const struct column *c, struct site *site)
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	if (is_count(c)) {
-		leave_out(site, t->number[c->at],
+		leave_out(site, column_words(t, c->at),
 		    "row numbers, or the same "
 		    "number in each row");
 	} else if (filled == 0) {
-		leave_out(site, t->number[c->at], "it is empty");
+		leave_out(site, column_words(t, c->at), "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(site, t->number[c->at], "%s: it has words", head);
+		leave_out(
+		    site, column_words(t, c->at), "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
-		leave_out(site, t->number[c->at],
+		leave_out(site, column_words(t, c->at),
 		    "%s: a limit, or calculated, or rejected", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
-		leave_out(site, t->number[c->at], "%s: no sample", head);
+		leave_out(site, column_words(t, c->at), "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
 		   c->said.speed == 0 && !c->said.range) {
-		leave_out(site, t->number[c->at], "%s: the sieves again", head);
+		leave_out(
+		    site, column_words(t, c->at), "%s: the sieves again", head);
 	} else {
 		return false;
 	}
@@ -933,7 +943,7 @@ drop_means(struct columns *all, struct site *site)
 		if (!mean || (others < 2 && c->speed > 0) ||
 		    (others == 0 && all->n < 3))
 			continue;
-		leave_out(site, c->table->number[c->at],
+		leave_out(site, column_words(c->table, c->at),
 		    "%s: the mean of samples that are read", c->head.text);
 		drop_column(all, i--);
 	}
@@ -951,7 +961,7 @@ classify_drop_twins(struct columns *all, struct site *site)
 			    classify_rank(a) < classify_rank(b) ||
 			    (classify_rank(a) == classify_rank(b) && i < k))
 				continue;
-			leave_out(site, a->table->number[a->at],
+			leave_out(site, column_words(a->table, a->at),
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
@@ -984,6 +994,27 @@ set_feed_for_all_runs(struct columns *all)
 		}
 	if (n == 1 && only->said.spread && all->n > 2)
 		only->speed = only->rpm = 0;
+}
+
+/* Feed, product, feed, product ..: each feed is that of the product at its
+ * right. */
+static void
+pair_feeds_with_products(struct columns *all)
+{
+	bool pairs = all->n >= 4 && all->n % 2 == 0;
+	for (size_t i = 0; pairs && i < all->n; i += 2) {
+		const struct column *feed = &all->column[i];
+		const struct column *product = feed + 1;
+		pairs = feed->role == FEED && !(feed->speed > 0) &&
+			product->role == PRODUCT && product->speed > 0 &&
+			product->table == feed->table;
+	}
+	for (size_t i = 0; pairs && i < all->n; i += 2) {
+		struct column *feed = &all->column[i];
+		feed->speed = feed[1].speed;
+		feed->rpm = feed[1].rpm;
+		assume(feed, "each the feed of the product at its right");
+	}
 }
 
 /* Where nothing is called feed, the one column without a role may be it. */
@@ -1036,7 +1067,7 @@ recognise_roles(
 		    c->said.unknown > 0 && !classify_is_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
-			leave_out(site, c->table->number[c->at],
+			leave_out(site, column_words(c->table, c->at),
 			    "%s: neither feed nor product", c->head.text);
 			drop_column(all, i--);
 			continue;
@@ -1047,6 +1078,7 @@ recognise_roles(
 	classify_drop_twins(all, site);
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
+	pair_feeds_with_products(all);
 	if (!told)
 		ask_repeats(all);
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {

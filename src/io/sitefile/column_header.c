@@ -1,5 +1,5 @@
-/* Reads a head: cuts the speeds out of its text first, and takes what is left
- * for words.
+/* Parses a heading: first removes the speeds from its text, then treats the
+ * rest as words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/column_header.h"
 

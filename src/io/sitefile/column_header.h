@@ -16,12 +16,12 @@ enum speed_unit {
 	SPEED_RPM
 };
 
-/* means: the meanings of all its words, see lexicon.h.  unknown: the number of
- * words without a meaning.  unit: of a speed, with or without a number.  speed:
- * m/s, 0 if no speed is stated in a unit of speed; rpm: 0 if none is stated.
- * number: the first of n_number numbers without a unit.  several: it states two
- * speeds.  spread: its speed is in a cell to its left.  range: it contains a
- * range of sizes, 0-4 mm or 53-D-63, which is the name of a sample. */
+/* means: the meanings of all words, see lexicon.h.  unknown: the number of
+ * words without a meaning.  unit: that of a speed, with or without a number.
+ * speed: m/s, 0 if not stated; rpm: 0 if not stated.  number: the first of
+ * n_number numbers without a unit.  several: two speeds are stated.  spread:
+ * the speed is in a cell to the left.  range: it contains a range of sizes (0-4
+ * mm, 53-D-63), which is the name of a sample. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
 	uint64_t means;
@@ -31,15 +31,14 @@ struct head {
 	bool several, spread, range;
 };
 
-/* Reads one cell of a heading. */
+/* Parses one cell of a heading. */
 struct head head_read(const char *text);
 
-/* Returns the text as text_fold gives it, with the speeds and their units
- * removed.  The caller frees. */
+/* Returns the text, folded by text_fold, without speeds and their units.  The
+ * caller frees it. */
 char *head_without_speeds(const char *text);
 
-/* Returns a speed in m/s from a number in a unit; SPEED_RPM needs the rotor's
- * diameter in m. */
+/* Converts a speed to m/s.  SPEED_RPM needs the rotor's diameter, m. */
 double head_mps(double number, enum speed_unit unit, double rotor);
 
 #endif

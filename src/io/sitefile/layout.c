@@ -1,5 +1,5 @@
-/* Finds the tables of a sheet.  It is looked at as a grid, once as it is and
- * once turned over, so that sieves always go down.
+/* Finds the tables on a sheet, searching it as a grid, once as it is and once
+ * transposed, so that sieves always run downward.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/layout.h"
 

@@ -1,4 +1,4 @@
-/* Finds the tables of sieves on a sheet, in either orientation.
+/* Finds the sieve tables on a sheet, in either orientation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_LAYOUT_H
 #define TIPSPEED_IO_SITEFILE_LAYOUT_H
@@ -6,27 +6,26 @@
 #include "io/sitefile/sieve_size.h"
 
 /* One table, turned so that its sieves are rows and its samples columns.  All
- * rows have n_col cells, the first of which is the sieve's.  head: the rows
- * above, from the top; row: from the first to the last sieve or pan; foot: the
- * rows right below.  number [n_col]: number of the column in the sheet, from 1;
- * across: number of the line.  titles: how many of the heads, from the top, are
- * above the line that heads the sieves.  text [n_text]: the texts made for the
- * heads of a long table; name [n_col]: in a long table the names of its
- * samples, or NULL.
+ * rows have n_col cells; the first is the sieve.  head: the rows above, from
+ * the top; row: from the first to the last sieve or pan; foot: the rows
+ * immediately below.  number [n_col]: the number of each column in the sheet,
+ * from 1, or of each line, if across.  titles: the number of head rows, from
+ * the top, above the heading of the sieves.  text [n_text]: headings made for a
+ * long table; name [n_col]: the names of the samples in a long table, or NULL.
  *
- * site_title.h sets these: title, the lines of one cell right above the table,
- * in the order of the sheet; strange: they have words that may mean another
+ * site_title.h sets title, the single-cell lines immediately above the table,
+ * in the order of the sheet, and strange, true if their words may mean another
  * machine or day.
  *
- * site_sieve.h sets these: mm [n_row], sieve sizes, 0 for the pan, NAN for a
- * fault, from the unit; rows are then coarsest first.  finest_first: the order
- * on the sheet.  lost: a row or a head has a fault, so that missing parts
- * cannot be judged. */
+ * site_sieve.h sets mm [n_row], sieve sizes (0: pan; NAN: fault), from the
+ * unit, and sorts the rows, coarsest first.  finest_first: the order on the
+ * sheet.  lost: a row or a heading has a fault, so missing parts cannot be
+ * judged. */
 struct table {
 	struct sheet *sheet;
 	bool across, is_long, lost, finest_first;
 	bool strange;
-	bool unsure; /* only numbers in order mark it as a table of sieves */
+	bool unsure; /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
 	struct row *head, *row, *foot;
 	size_t *number;
@@ -36,19 +35,19 @@ struct table {
 	double *mm;
 };
 
-/* The tables of a sheet [n], in their order, and the rows that belong to no
- * table [n_heading]. */
+/* The tables of a sheet [n], in order, and the rows outside any table
+ * [n_heading]. */
 struct layout {
 	size_t n, n_heading;
 	struct table *table;
 	const struct row **heading;
 	bool across;
-	struct cell beside; /* the first beside a table; text NULL: none */
+	struct cell beside; /* the first cell beside a table; text NULL: none */
 };
 
-/* A part of a sheet: lines and columns from first to last, each counted from 1;
- * zeros for the whole sheet.  sieves [n_sieves]: the columns of sieves, or
- * their lines, if given; phi: the sizes are in phi. */
+/* A part of a sheet: first and last lines and columns, from 1; zeros for the
+ * whole sheet.  sieves [n_sieves]: the columns (or lines) of sieves, if given;
+ * phi: the sizes are in phi. */
 enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
 	int first_line, last_line, first_column, last_column;
@@ -56,15 +55,15 @@ struct layout_range {
 	bool phi;
 };
 
-/* Takes over a text, which is freed with the table; returns it. */
+/* Takes ownership of a text, frees it with the table, and returns it. */
 char *layout_own_text(struct table *t, char *text);
 
 /* Returns the headings of column c of a table, from the top, as one text.  The
- * caller frees. */
+ * caller frees it. */
 char *layout_head_text(const struct table *t, size_t c);
 
-/* Sets headings given by hand: text [n_text] for the columns with these
- * numbers; other columns are dropped. */
+/* Sets the headings given by the user, text [n_text] for the columns with these
+ * numbers, and drops other columns. */
 void layout_set_names(struct table *t, const size_t *number,
     const char *const *text, size_t n_text);
 

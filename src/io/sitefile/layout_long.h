@@ -1,4 +1,5 @@
-/* Long (tidy) tables: each line is one number, with its sieve and its sample.
+/* Long (tidy) tables, in which each line has one number, its sieve and its
+ * sample.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
 #define TIPSPEED_IO_SITEFILE_LAYOUT_LONG_H
@@ -8,10 +9,9 @@
 
 #include "io/sitefile/layout.h"
 
-/* Turns a long table, with a line for each sieve of each sample, into one with
- * a column for each sample; leaves other tables unchanged.  False, with a
- * fault, if there are too many samples.  told: the words of a heading of sieves
- * given by hand, or 0. */
+/* Turns a long table into one with a column for each sample and leaves other
+ * tables unchanged.  Returns false with a fault if there are too many samples.
+ * told: the meanings of a sieve heading given by the user, or 0. */
 bool layout_widen(struct table *t, uint64_t told);
 
 #endif

@@ -23,8 +23,8 @@
 #define WORD_M (UINT64_C(1) << 13)
 #define WORD_INCH (UINT64_C(1) << 14)
 #define WORD_SPEED (UINT64_C(1) << 15)
-#define WORD_LIMIT (UINT64_C(1) << 16)  /* of a specification: no sample */
-#define WORD_OTHER (UINT64_C(1) << 17)  /* remark, date: no number of a sieve */
+#define WORD_LIMIT (UINT64_C(1) << 16)  /* of a specification, not a sample */
+#define WORD_OTHER (UINT64_C(1) << 17)  /* remark, date: not a sieve */
 #define WORD_SAMPLE (UINT64_C(1) << 18) /* a sample of unstated material */
 #define WORD_PAN (UINT64_C(1) << 19)
 #define WORD_TOTAL (UINT64_C(1) << 20)
@@ -43,12 +43,12 @@
 #define WORD_PHI (UINT64_C(1) << 33)
 #define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
 
-/* Returns the meanings of one word, n bytes in the form of text_fold; 0 if it
- * is unknown. */
+/* Returns the meanings of one word, n bytes folded by text_fold, or 0 if
+ * unknown. */
 uint64_t vocabulary_word(const char *word, size_t n);
 
-/* Returns the meanings of all words of a text together.  unknown: out, the
- * number of words without a meaning (NULL: not wanted). */
+/* Returns the combined meanings of all words in a text.  unknown: out, the
+ * number of words without a meaning; may be NULL. */
 uint64_t vocabulary_text(const char *text, size_t *unknown);
 
 /* Keys in the lines above the tables. */
@@ -61,8 +61,7 @@ enum vocabulary_key {
 	N_KEY
 };
 
-/* Returns the key that a text is, ignoring case and accents; N_KEY if it is
- * none. */
+/* Returns the key that matches a text, ignoring case and accents, or N_KEY. */
 enum vocabulary_key vocabulary_key(const char *text);
 
 #endif

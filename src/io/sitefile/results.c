@@ -1,4 +1,4 @@
-/* Finds out whether a sheet holds results that this program has printed.
+/* Determines whether a sheet contains results printed by this program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/results.h"
 

@@ -1,4 +1,4 @@
-/* Recognises files of tipspeed's own results, which resemble a plant's sheets:
+/* Recognises tipspeed's own results, which resemble a plant's sheets, as
  * predictions must not be read as measurements.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_RESULTS_H
@@ -6,14 +6,14 @@
 
 struct sheet;
 
-/* Returns the command whose results a sheet contains, "predict", from the
- * heading of all tables for programs, or from the sheet "About" of their
- * workbooks.  NULL for other sheets, and for a template, which is to be filled
- * in.  The caller frees. */
+/* Returns the command whose results a sheet contains, such as "predict", from
+ * the heading of tables for programs or from the sheet "About" of workbooks.
+ * Returns NULL for other sheets and for a template to be filled in.  The caller
+ * frees it. */
 char *results_command(const struct sheet *sheet);
 
-/* As results_command, for a text file, by its first lines alone, so that many
- * files can be checked.  NULL if it cannot be read. */
+/* As results_command, for a text file, from its first lines only, which is fast
+ * for many files.  Returns NULL if it cannot be read. */
 char *results_command_in(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
-/* Goes through a text word by word: a number with a unit of length after a word
- * for the rotor, or before it, is its diameter.
+/* Scans a text word by word: a number with a unit of length after a word for
+ * the rotor, or before it, is the diameter.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/rotor_size.h"
 

@@ -1,14 +1,14 @@
-/* The diameter of a rotor, in the words of a title or a remark.
+/* Rotor diameters in titles and remarks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_ROTOR_SIZE_H
 #define TIPSPEED_IO_SITEFILE_ROTOR_SIZE_H
 
 #include <stdbool.h>
 
-/* Returns the diameter in mm that a text states, as in "VSI, rotor 840 mm, 1560
- * rpm", "rotor diameter 0.84 m" or "VSI, \u00D8 840"; 0: none; -1: several that
- * differ.  machine: the text is the name of a machine, in which the number
- * after the rotor needs no unit; below 10 it is in m. */
+/* Returns the rotor diameter, mm, that a text states, as in "VSI, rotor 840 mm,
+ * 1560 rpm", "rotor diameter 0.84 m" or "VSI, \u00D8 840"; 0: none; -1: several
+ * that differ.  machine: the text is the name of a machine, in which the
+ * rotor's number needs no unit; below 10 it is in m. */
 double rotor_size_mm(const char *text, bool machine);
 
 #endif

@@ -1,5 +1,5 @@
-/* Finds the opening of a sieve from the words of a cell: named ones in one
- * table of their standards, others by number and unit; tells pans from them.
+/* Finds the opening of a sieve from the words of a cell: by name in a table of
+ * standard sieves, or by number and unit.  Recognises pans.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/sieve_size.h"
 

@@ -1,5 +1,5 @@
-/* Makes the questions about what is open in a sheet, in the words that answer
- * them, and reads the answers: columns= and range=.
+/* Makes the questions that a sheet leaves open, in the words of their answers,
+ * and parses the answers: columns= and range=.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_ask.h"
 
@@ -619,4 +619,32 @@ site_ask_top(
 		ask->settle = settle;
 	else
 		free(settle);
+}
+
+void
+site_ask_one_feed(const struct column *further, const struct columns *all,
+    const struct site_request *q)
+{
+	const struct table *t = further->table;
+	const struct column *first = site_column_find(all, FEED, 0, 0);
+	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	char *columns = xasprintf("columns=\"%zu=%s", t->number[0], sieve);
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool other = c->role == FEED && c != first;
+		char *words = recognise_column_text(c);
+		if (c->table == t && c->twin == 0 && !other)
+			xappend(&columns, ", %zu=%s", t->number[c->at], words);
+		free(words);
+	}
+	xappend(&columns, "\"");
+	char *line = settled_line(q, columns);
+	sheet_fault(t->sheet, further->head,
+	    "expected one feed, or a feed at the left of each product, got %s "
+	    "beside %s\n"
+	    "keep the first%s: %s",
+	    further->head.text, first->head.text, hint_for_feed(q), line);
+	free(line);
+	free(columns);
+	free(sieve);
 }

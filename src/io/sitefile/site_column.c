@@ -1,4 +1,4 @@
-/* Converts the cells of a column to passing in percent, and checks them.
+/* Converts the cells of a column to passing in per cent and checks them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_column.h"
 

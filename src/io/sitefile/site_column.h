@@ -34,27 +34,27 @@ size_t site_unit_find(enum unit_kind kind, enum unit_scale scale);
 /* pct [n_row of the table]: passing in %, or standard deviation of passing in
  * percentage points; NAN if the cell is empty or has a fault.  pan: the amount
  * below the finest sieve, in the column's unit, or NAN.  faulty: a cell has a
- * fault, so that missing values cannot be judged.  open: the meaning of the
- * column is open; no_role: because it has no role.  assumed: assumptions that
- * the sheet does not state, in lines, or NULL.  below: for a feed whose
- * coarsest sieve passes less than all, 1 + the row of that sieve, and top: the
- * size, mm, that is then assumed to pass all; else 0. */
+ * fault, so missing values cannot be judged.  open: the meaning of the column
+ * is open; no_role: because it has no role.  assumed: assumptions not stated in
+ * the sheet, as lines, or NULL.  below: for a feed whose coarsest sieve passes
+ * less than all, 1 + the row of that sieve, and top: the size, mm, then assumed
+ * to pass all; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;
-	size_t at; /* place in a row */
+	size_t at; /* index in a row */
 	enum role role;
 	size_t unit;  /* index in the table of units */
 	double speed; /* m/s; 0 for the feed of all runs */
-	double rpm;   /* if the speed was computed from it */
-	size_t nth;   /* of its role and speed, from 0: repeats */
-	size_t twin;  /* number of the column with the same sample, or 0 */
+	double rpm;   /* the rpm from which the speed was computed, if any */
+	size_t nth;   /* index among repeats of its role and speed */
+	size_t twin;  /* number of another column for the sample, or 0 */
 	double *pct, top;
 	size_t below;
 	double pan;
 	bool faulty, told_percent, open, no_role;
 	char *assumed;
-	struct head said; /* in its heading */
+	struct head said; /* stated in its heading */
 };
 
 /* All columns of a site, from one table or from several. */
@@ -63,27 +63,27 @@ struct columns {
 	struct column *column;
 };
 
-/* Reads the cells of c, converts them to c->pct and checks them one by one and
- * as a curve. */
+/* Reads the cells of c, converts them to c->pct and checks them, singly and as
+ * a curve. */
 void site_column_values(struct column *c);
 
-/* Returns how many columns have that role and speed. */
+/* Returns the number of columns with that role and speed. */
 size_t site_column_repeats(
     const struct columns *all, enum role role, double speed);
 
-/* Returns the nth column of that role and speed, or the only one, which serves
- * all repeats; NULL if there is none. */
+/* Returns the nth column with that role and speed, or the only one, which then
+ * serves all repeats; NULL if there is none. */
 struct column *site_column_find(
     const struct columns *all, enum role role, double speed, size_t nth);
 
 /* Returns the number of sieves with a value. */
 size_t site_column_count(const struct column *c);
 
-/* Returns the number in a row of the sheet, NAN if there is none. */
+/* Returns the number in a row of the sheet, or NAN. */
 double site_column_raw(const struct column *c, size_t row);
 
-/* Returns the passing of a row, %, with the digits of the sheet; if it was
- * computed from masses, with as many digits as distinguish it from `other`. */
+/* Returns the passing of a row, %, with the digits of the sheet or, if computed
+ * from masses, with enough digits to distinguish it from `other`. */
 const char *site_column_pct(
     const struct column *c, size_t row, double other, char buf[static 32]);
 

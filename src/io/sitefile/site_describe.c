@@ -1,4 +1,4 @@
-/* Describes in words how columns were read, those of one kind together.
+/* Describes in words how columns were read, grouped by kind.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_describe.h"
 

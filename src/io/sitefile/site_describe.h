@@ -7,9 +7,9 @@
 #include "io/sitefile/site_column.h"
 
 /* Sets site->read_as, "sieves in column 1 (mm); feed, product@69, @79 in 2 to 4
- * (% passing)", or "" if the heads are those of tipspeed-site(5).  Adds to
- * site->assumed the assumptions about columns that the sheet does not state,
- * "columns 2 to 4 as % passing". */
+ * (% passing)", or "" if the headings are those of tipspeed-site(5).  Adds the
+ * assumptions about columns that the sheet does not state, "columns 2 to 4 as %
+ * passing", to site->assumed. */
 void site_describe(struct table *const *table, size_t n_table,
     const struct columns *all, struct site *site);
 

@@ -1,4 +1,4 @@
-/* Reads the lines above the tables: keys with values, in the languages of
+/* Reads the lines above the tables: keys and values, in the languages of
  * lexicon.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_heading.h"

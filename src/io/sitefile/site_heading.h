@@ -1,4 +1,4 @@
-/* The lines of a sheet outside its tables: keys with their values, titles.
+/* The lines of a sheet outside its tables: keys with values, and titles.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_HEADING_H
 #define TIPSPEED_IO_SITEFILE_SITE_HEADING_H
@@ -7,28 +7,28 @@
 #include "io/sitefile/layout.h"
 
 /* Reads the lines above the tables into the site: name, rock, rotor, others as
- * notes.  speed: set to m/s, or to rpm, if a speed is stated for all samples;
- * otherwise not changed. */
+ * notes.  speed: set if a speed in m/s or rpm is stated for all samples;
+ * otherwise unchanged. */
 struct heading_speed {
 	double mps, rpm;
 };
 void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
-/* The rotor's diameter, mm, as lines outside the tables state it, with the
- * first of them; -1: they differ; 0: there is none. */
+/* The rotor's diameter, mm, stated in lines outside the tables, and the first
+ * of these; -1: they differ; 0: not stated. */
 struct heading_rotor {
 	double mm;
 	int line;
 };
 
-/* Adds the rotor that the lines of a layout state to *said, which has those of
- * earlier layouts. */
+/* Combines the rotor stated in the lines of a layout with *said, from earlier
+ * layouts. */
 void site_heading_rotor(
     const struct layout *layout, struct heading_rotor *said);
 
 /* Returns the name of a file without folder and extension, in a form that can
- * be written into a sheet.  The caller frees. */
+ * be written to a sheet.  The caller frees it. */
 char *site_heading_name(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* Reads the sheets of one site, or of its samples: sheets come from source.c,
- * tables from layout.c, what they hold from classify.c.
+ * tables from layout.c, the meaning of columns from classify.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_read.h"
 
@@ -124,17 +124,14 @@ site_read_check_repeats(const struct columns *t, const struct column *c)
 
 /* A feed for each product, a product for each standard deviation. */
 static void
-check_partner(const struct columns *t, const struct column *c)
+check_partner(const struct columns *t, const struct column *c,
+    const struct site_request *request)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
 	site_read_check_repeats(t, c);
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
-		sheet_fault(c->table->sheet, c->head,
-		    "duplicate column: %s is already at column %d\n"
-		    "keep one of the two, or name the columns to read: load "
-		    "FILE columns=\"..\"",
-		    c->head.text, shared->head.column);
+		site_ask_one_feed(c, t, request);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected one kind of feed, got feed and %s\n"
@@ -301,7 +298,7 @@ read_columns(struct reading *r)
 		if (all->column[i].role == PRODUCT)
 			check_sd(all, &all->column[i]);
 		if (!r->lost)
-			check_partner(all, &all->column[i]);
+			check_partner(all, &all->column[i], r->request);
 	}
 	if (!r->lost)
 		check_roles(r);

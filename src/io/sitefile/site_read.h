@@ -1,5 +1,5 @@
 /* Reads the sheets of a site, see tipspeed-site(5), and reports what is wrong
- * or open in them.
+ * or ambiguous in them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_READ_H
 #define TIPSPEED_IO_SITEFILE_SITE_READ_H
@@ -8,17 +8,17 @@
 #include "core/psd/site.h"
 #include "io/sitefile/site_request.h"
 
-/* Reads a site.  On success returns a site with digest and path (of the first
- * file) set, and adds nothing to errors.  On failure NULL and at least one
- * fault: ERROR_SYSTEM if a file cannot be read, otherwise all the independent
- * faults of the sheets, in file order, each of kind ERROR_DATA with its line
- * and column.  If a question is open, one fault reports it and *ask contains
- * it.  errors: a list that the caller has zeroed, never NULL.  ask: zeroed by
- * the caller, who clears it, or NULL.
+/* Reads a site.  On success, returns a site with digest and path (of the first
+ * file) set, and adds no errors.  On failure, returns NULL and at least one
+ * fault: ERROR_SYSTEM if a file cannot be read, otherwise all independent
+ * faults of the sheets, in file order, each of kind ERROR_DATA with line and
+ * column.  An open question is reported as one fault and copied to *ask.
+ * errors: zeroed by the caller, never NULL.  ask: zeroed and later cleared by
+ * the caller, or NULL.
  *
- * Sizes are kept to 1e-9 mm and passings to 1e-12 %, as site_write prints them,
- * so that a site and its saved copy have the same digest.  The rules of psd.h
- * are true for every run; feeds pass 1 on their coarsest sieve. */
+ * Sizes are rounded to 1e-9 mm and passings to 1e-12 %, as site_write prints
+ * them, so a site and its saved copy have the same digest.  Every run satisfies
+ * the rules of psd.h; feeds pass 1 on their coarsest sieve. */
 struct site *site_read_as(const struct site_request *request,
     struct error_list *errors, struct site_ask *ask);
 

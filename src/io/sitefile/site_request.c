@@ -1,4 +1,4 @@
-/* Ranges of cells as text, and the end of questions about a sheet.
+/* Ranges of cells as text, and freeing of questions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_request.h"
 

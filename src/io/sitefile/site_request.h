@@ -6,23 +6,22 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Cells of a sheet from the first to the last line and column, from 1. */
+/* A box of cells on a sheet; lines and columns are counted from 1. */
 struct site_box {
 	int top, left, bottom, right;
 };
 
-/* The files [n] to be read as one site, with the tip speed of the samples in
- * each, m/s, if given (0: the sheet states it); and options, NULL or 0 if not
- * given.  columns: "1=sieve mm, 3=feed retained_g", by number from 1 (by line
- * if sieves are in one row); columns not named are left out.  samples:
- * "S01=feed, S02=@70", by name; samples not named are left out.  top: mm, the
- * size that a whole feed is assumed to pass if its coarsest sieve does not pass
- * all.  range: "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  parts:
- * samples of product to be added to a site, which need no feed; site_rotor is
- * that site's diameter, m, for sheets that state none.  feed: only the
- * feed is read, and a single sample without a role is taken for it.  text:
- * NULL, or the content of the one file, which is then not opened; path is its
- * name. */
+/* The files [n] to read as one site, with the tip speed of the samples in each,
+ * m/s (0: the sheet states it), and options, NULL or 0 if not given.  columns:
+ * "1=sieve mm, 3=feed retained_g", by number from 1 (by line if the sieves are
+ * in one row); samples: "S01=feed, S02=@70", by name; unnamed columns and
+ * samples are ignored.  top: the size, mm, that all of a feed is assumed to
+ * pass if not all passes its coarsest sieve.  range: "A3:F20".  decimal: '.' or
+ * ','.  rotor: diameter, m.  parts: the samples are products to add to a site
+ * and need no feed; site_rotor: that site's rotor diameter, m, for sheets that
+ * state none.  feed: only the feed is read, which may be a single sample
+ * without a role.  text: NULL, or the content of the only file, which is then
+ * not opened; path is its name. */
 struct site_request {
 	size_t n;
 	const char *const *path;
@@ -33,14 +32,14 @@ struct site_request {
 	bool parts, feed;
 };
 
-/* The open questions: columns [n], with what each seems to be, in the words of
- * columns=.  settle: the option that answers the question
+/* The open questions: columns [n], with a guess at what each is, in the words
+ * of columns=.  settle: the option that answers the question
  * ("columns=\"1=sieve mm, ..\"", "rotor_mm=DIAMETER"); NULL: no question was
  * open.  across: the numbers are those of lines.  by_sample: columns are
- * identified by their headings, which are names of samples, for samples=.
- * no_feed, no_product: the files contain none.  tables: instead of columns they
- * are tables, each with its title as head, its lines as values, and its cells
- * as box; first, last: those that are proposed, from 0. */
+ * identified by their headings, which name samples, for samples=.  no_feed,
+ * no_product: the files contain none.  tables: the entries are tables, not
+ * columns, each with its title as head, its lines as values, and its cells as
+ * box; first, last: the proposed ones, from 0. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {
@@ -54,17 +53,17 @@ struct site_ask {
 	bool across, by_sample, tables, no_feed, no_product;
 };
 
-/* Reads "A3:F20"; false if it is not of that form. */
+/* Parses "A3:F20"; returns false for any other form. */
 bool site_box_read(const char *text, struct site_box *box);
 
-/* Returns the cells as "A3:F20".  The caller frees. */
+/* Returns the box as "A3:F20".  The caller frees it. */
 char *site_box_text(struct site_box box);
 
-/* Returns the smallest box with the tables from..to of *ask, from 0. */
+/* Returns the smallest box that contains tables from..to of *ask, from 0. */
 struct site_box site_ask_box(
     const struct site_ask *ask, size_t from, size_t to);
 
-/* Frees what *ask owns. */
+/* Frees the members of *ask. */
 void site_ask_clear(struct site_ask *ask);
 
 #endif

@@ -1,5 +1,5 @@
-/* Gives columns the roles that samples= says by name.  Names of samples are
- * those of their heads, or of the rows of a long table.
+/* Gives columns the roles that samples= states by name.  Samples have the names
+ * in their headings, or in the rows of a long table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_samples.h"
 

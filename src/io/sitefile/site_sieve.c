@@ -1,4 +1,4 @@
-/* Finds the unit of a table's sieves and their sizes, and puts them coarsest
+/* Finds the sizes of a table's sieves and their unit, and sorts them, coarsest
  * first.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_sieve.h"

@@ -1,4 +1,4 @@
-/* Reads the lines right above each table: which sample it has, how fast.
+/* Reads the lines immediately above each table for its sample and speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_title.h"
 

@@ -1,4 +1,4 @@
-/* Writes a site as a sheet, and the sheet safely to the disk.
+/* Writes a site as a sheet, and the sheet safely to disk.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_write.h"
 

@@ -11,12 +11,13 @@
 
 /* Writes the sheet: comma, decimal point, LF, no byte order mark; sizes in mm
  * to 9 decimals, passing and standard deviations in % to 12; a product that
- * passes 1 % or less everywhere as fractions.  A site that came from site_read
- * reads back with the same digest.  Sieves nearer than 1e-9 mm are one row.
- * Returns the number of rows of sieves.  The caller checks `out` for errors. */
+ * nowhere passes more than 1 % is written as fractions.  A site from site_read
+ * reads back with the same digest.  Sieves within 1e-9 mm of each other share a
+ * row.  Returns the number of rows with sieves.  The caller checks `out` for
+ * errors. */
 size_t site_write(const struct site *site, FILE *out);
 
-/* As site_write, to a file, whole or not at all, see file.h. */
+/* As site_write, but to a file, entirely or not at all (file.h). */
 bool site_save(const struct site *site, const char *path, size_t *rows,
     struct error *error);
 

@@ -1,17 +1,17 @@
-/* Converts between SI and units that people read: mm, per cent, revolutions.
+/* Conversions between SI and the units shown to users: mm, per cent, rpm.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_UNITS_H
 #define TIPSPEED_IO_SITEFILE_UNITS_H
 
-/* Limits of the sizes of sieves and feeds; sizes beyond are typing errors. */
+/* Limits for the sizes of sieves and feeds; sizes beyond are typing errors. */
 #define SIZE_LEAST_MM 1e-6
 #define SIZE_MOST_MM 1e4
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Converts a size in m to mm.  A size from a sheet is returned as its number
- * there (0.063, not 0.063000000000000000001), exact to a picometre. */
+/* Converts a size in m to mm.  A size from a sheet comes back as the number
+ * written there (0.063, not 0.063000000000000000001), exact to a picometre. */
 static inline double
 units_mm(double m)
 {
@@ -26,8 +26,8 @@ units_pct(double passing)
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
 }
 
-/* units_rpm converts a tip speed in m/s to revolutions a minute of a rotor of
- * this diameter in m, units_mps back.  (C11 has no pi.) */
+/* units_rpm converts a tip speed in m/s to rpm for a rotor diameter in m;
+ * units_mps converts back.  (C11 has no pi.) */
 static inline double
 units_rpm(double v, double rotor)
 {
@@ -40,8 +40,8 @@ units_mps(double rpm, double rotor)
 	return 3.14159265358979323846 * rotor * rpm / 60;
 }
 
-/* Returns how many digits after the point a speed in m/s is told with: one, or
- * two if it is a number of hundredths, as it was then given. */
+/* Returns the number of decimals with which to show a speed in m/s: two if the
+ * speed, as given, has exactly two, else one. */
 static inline int
 units_speed_digits(double v)
 {

@@ -1,7 +1,6 @@
-/* Writes and reads what a calibration rests on as text: a line
- * "name=number,number name=.. " for the fit, a line for each thing that the
- * sheet was taken for, an empty line, and the sheets, with an empty line
- * between them.
+/* Writes and reads the basis of a calibration as text: a line
+ * "name=number,number name=.. " for the fit, a line for each assumption about
+ * the sheet, an empty line, and the sheets, separated by an empty line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/basis.h"
 

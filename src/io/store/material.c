@@ -1,5 +1,5 @@
-/* Holds a material's fields in one table, which the file, its CSV form and what
- * is shown are read from; reads those of Table 3.
+/* Describes a material's fields in one table, used by the store, its CSV form
+ * and output; reads Table 3.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/material.h"
 

@@ -10,12 +10,12 @@
 #include "base/error.h"
 #include "core/model/breakage.h"
 
-/* One material.  Text is never NULL, and "" if not known; an unknown number is
+/* One material.  Text is never NULL, but "" if not known; an unknown number is
  * NAN, an unknown whole number -1.  feed_source: for a row of Table 3, its
- * feeds, "Individual", else NULL.  provenance: of the site's data, so that
- * synthetic data are never taken for measured data.  origin: "fit", "hand" or,
- * for Table 3, "table3".  rmse_pct: points at the training runs; holdout_pct:
- * the largest at the other runs.  basis: see basis.h. */
+ * feeds, such as "Individual"; else NULL.  provenance: of the site's data, so
+ * synthetic data are never mistaken for measured data.  origin: "fit", "hand"
+ * or, for Table 3, "table3".  rmse_pct: points, on the training runs;
+ * holdout_pct: the largest on the other runs.  basis: see basis.h. */
 struct stored {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
@@ -30,7 +30,7 @@ struct stored_list {
 	struct stored *item;
 };
 
-/* FIELD_MODEL is the name of the breakage model, FIELD_PARAMS all its
+/* FIELD_MODEL: the name of the breakage model; FIELD_PARAMS: all its
  * parameters, "beta1=0 .. alpha=0.96". */
 enum field_kind {
 	FIELD_TEXT,
@@ -40,8 +40,8 @@ enum field_kind {
 	FIELD_PARAMS
 };
 
-/* A column of the file and of its CSV form.  needed: never empty.  choices: the
- * allowed texts, or NULL; least, most: limits of a number. */
+/* A column of the store and of its CSV form.  needed: never empty.  choices:
+ * the allowed texts, or NULL; least, most: limits for a number. */
 struct field {
 	const char *name;
 	enum field_kind kind;
@@ -62,13 +62,12 @@ void stored_list_free(struct stored_list *list);
 /* Moves m to the end of the list. */
 void stored_list_add(struct stored_list *list, struct stored m);
 
-/* Returns the material of this name, ignoring case and accents; NULL if there
- * is none. */
+/* Returns the material with this name, ignoring case and accents, or NULL. */
 const struct stored *stored_find(
     const struct stored_list *list, const char *name);
 
-/* The names of a list as they are compared, without case and accents, sorted,
- * those that are the same in the order of the list.  at: of which material. */
+/* The sorted names of a list, folded to ignore case and accents; equal names
+ * are in the order of the list.  at: index of the material. */
 struct stored_index {
 	size_t n;
 	struct stored_name {
@@ -89,39 +88,39 @@ void stored_set_text(struct stored *m, const struct field *f, const char *text);
 void stored_set_number(struct stored *m, const struct field *f, double value);
 void stored_set_integer(struct stored *m, const struct field *f, int64_t value);
 
-/* Returns any field as text that reads back as the same value, "" if not known.
- * The caller frees. */
+/* Returns any field as text that reads back as the same value, or "" if not
+ * known.  The caller frees it. */
 char *stored_written(const struct stored *m, const struct field *f);
 
 /* Sets the model or the parameters from a text of stored_written; set the model
- * first.  Numbers that are missing or cannot be read become NAN, which
- * stored_is_valid refuses. */
+ * first.  Missing or unreadable numbers become NAN, which stored_is_valid
+ * rejects. */
 void stored_set_written(
     struct stored *m, const struct field *f, const char *text);
 
-/* Calls take for each known value of m, field by field and parameter by
- * parameter, in the order of FIELDS. */
+/* Calls take for each known field and parameter of m, in the order of
+ * FIELDS. */
 typedef void stored_take(void *data, const char *name, const char *text);
 void stored_each_field(const struct stored *m, stored_take *take, void *data);
 
-/* Returns a digest of all known fields of m, which detects a row damaged on the
+/* Returns a digest of all known fields of m, to detect a row damaged on
  * disk. */
 uint64_t stored_digest(const struct stored *m);
 
 /* Returns method, appearance and k as settings. */
 struct model_settings stored_settings(const struct stored *m);
 
-/* stored_expected_text returns what a field is expected to be, "a number from 0
- * to 100 for alpha", for the parameters that of the first wrong one in m.
+/* For imports and rows of a file, which may come from other users.
+ * stored_expected_text describes valid values of a field, "a number from 0 to
+ * 100 for alpha"; for the parameters, those of the first invalid one in m.
  * stored_value_text returns the value in m.  The caller frees both.
- * stored_is_valid is true if the value in m is as expected.  For imports and
- * for rows of a file, which may come from others. */
+ * stored_is_valid is true if the value in m is valid. */
 char *stored_expected_text(const struct stored *m, const struct field *f);
 char *stored_value_text(const struct stored *m, const struct field *f);
 bool stored_is_valid(const struct stored *m, const struct field *f);
 
-/* True if a name is a line of 1 to 60 bytes without a double quote, does not
- * begin with # and is not a name of Table 3 ("table3/..."). */
+/* True if a name is one line of 1 to 60 bytes without a double quote, does not
+ * begin with # and is not a name from Table 3 ("table3/..."). */
 bool stored_check_name(const char *name, struct error *error);
 
 /* True for the rows of Table 3, which are read-only, and for their names. */
@@ -133,14 +132,14 @@ bool stored_is_one_line(const char *text);
 
 /* Adds the rows of a file such as data/table3.csv, whose columns are rock,
  * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order; beta,
- * which the table lacks, gets its default.  On failure returns false and puts
- * all faults of the sheet into errors, a list that the caller has zeroed;
- * ERROR_SYSTEM if the file cannot be read. */
+ * which the table lacks, gets its default.  On failure, returns false and all
+ * faults of the sheet in errors, zeroed by the caller; ERROR_SYSTEM if the file
+ * cannot be read. */
 bool stored_read_printed(
     const char *path, struct stored_list *list, struct error_list *errors);
 
-/* Adds the rows of Table 3, which are built into the program, named
- * "table3/tierp", "table3/gavle/11.2", "table3/gavle/11.2/2". */
+/* Adds the built-in rows of Table 3, named "table3/tierp", "table3/gavle/11.2",
+ * "table3/gavle/11.2/2". */
 void stored_table3(struct stored_list *list);
 
 #endif

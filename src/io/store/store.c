@@ -1,7 +1,7 @@
-/* Materials in and out of the store's file.
+/* Reads and writes materials in the store's file.
  *
- * SQLite is set up so that a kill at any moment loses nothing that was said to
- * be stored: a write-ahead log, synced at every commit.
+ * SQLite uses a write-ahead log, synced at every commit, so a kill at any
+ * moment loses nothing that was reported as stored.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/store.h"
 

@@ -10,52 +10,52 @@
 #include "base/error.h"
 #include "io/store/material.h"
 
-/* A store opens its file for each call and closes it afterwards, so that
- * nothing is lost if the file is moved away, or the program killed, in between.
- * Materials that were put are on the disk when the call returns.  Several
- * programs may use one file at the same time; a program that waits for another
- * gives up after 5 s. */
+/* A store opens its file for each call and closes it afterwards, so nothing is
+ * lost if the file is moved or the program killed in between.  Materials are on
+ * disk when store_put returns.  Several programs may use one file at the same
+ * time; waiting for another program ends after 5 s. */
 struct store;
 
-/* Makes a store.  path: a file; ":memory:" for a store that ends with this
- * object; NULL for $XDG_DATA_HOME/tipspeed/store.db, by default in
- * ~/.local/share.  Opens and makes no file yet, and cannot fail. */
+/* Makes a store.  path: a file; ":memory:" for a store that lives as long as
+ * this object; NULL for $XDG_DATA_HOME/tipspeed/store.db, by default in
+ * ~/.local/share.  Touches no file yet and cannot fail. */
 struct store *store_new(const char *path);
 void store_free(struct store *store);
 
-/* Returns the place of the store, for people. */
+/* Returns the location of the store, for people. */
 const char *store_path(const struct store *store);
 
-/* True if a file is a database of the kind that stores are. */
+/* True if a file is an SQLite database, like a store. */
 bool store_is(const char *path);
 
-/* Returns the bytes of the file; -1 if there is none (yet), as for
+/* Returns the size of the file in bytes, or -1 if there is none (yet), as for
  * ":memory:". */
 int64_t store_bytes(const struct store *store);
 
-/* STORE_SCHEMA: the schema of a file once it was opened.  SCHEMA_APPLICATION:
- * PRAGMA application_id of a store, "tips" in ASCII. */
+/* STORE_SCHEMA: the schema of a file after it has been opened.
+ * SCHEMA_APPLICATION: PRAGMA application_id of a store, "tips" in ASCII. */
 enum { STORE_SCHEMA = 4, SCHEMA_APPLICATION = 0x74697073 };
 
-/* At index i, the statements that bring a file from schema i to i + 1. */
+/* At index i, the statements that upgrade a file from schema i to i + 1. */
 extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
 
-/* Adds the user's own materials to the list, in the order of their names; none
- * if there is no file, and none is made.
+/* Adds the user's own materials to the list, in the order of their names.  If
+ * there is no file, it adds none and makes no file.
  *
  * This and the following functions fail with ERROR_SYSTEM if the system refuses
- * or another program holds the file, and with ERROR_DATA if the file is
- * damaged, not tipspeed's or of a newer version; the file is then unchanged. */
+ * access or another program holds the file, and with ERROR_DATA if the file is
+ * damaged, not tipspeed's or of a newer version.  The file is then
+ * unchanged. */
 bool store_list(
     struct store *store, struct stored_list *list, struct error *error);
 
-/* Selects some of the user's own materials; zeros select all.  most: at most
- * this many, the nearest to rock ("": any) and to top, the wanted top size, mm;
- * without most they must be of the rock and of a size from top_least to
- * top_most, mm.  first: at most this many, by name.  apart: only every
+/* Selects from the user's own materials; zeros select all.  most: at most this
+ * many, nearest to rock ("": any) and to the top size top, mm; if most is 0,
+ * they must be of that rock and of a top size from top_least to top_most, mm.
+ * first: at most this many, in the order of names.  apart: only every
  * apart-th. */
 struct store_query {
-	const char *name, *rock; /* without case and accents; NULL: any */
+	const char *name, *rock; /* ignoring case and accents; NULL: any */
 	double top_least, top_most, top;
 	size_t most, first, apart;
 };
@@ -67,27 +67,27 @@ bool store_find(struct store *store, const struct store_query *query,
 /* Sets *n to the number of the user's materials. */
 bool store_count(struct store *store, size_t *n, struct error *error);
 
-/* Calls take for each name of the user's materials, or once for each of their
- * rocks. */
+/* Calls take for the name of each of the user's materials, or once for each
+ * rock. */
 enum store_word { STORE_NAMES, STORE_ROCKS };
 bool store_each_name(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data,
     struct error *error);
 
-/* Calls take for the names that begin with `beginning`, ignoring case and
- * accents: for the first `most` in their order and, if there are more, for the
- * last name too.  A beginning that all these share is then shared by all. */
+/* Calls take for names that begin with `beginning`, ignoring case and accents:
+ * the first `most` in order and, if there are more, also the last, so a
+ * beginning that all of these share is common to all names. */
 bool store_begin(struct store *store, const char *beginning, size_t most,
     void (*take)(void *data, const char *name), void *data,
     struct error *error);
 
-/* Puts n materials, all or none; makes the file, and for the default path its
- * folders.  A material of the same name (ignoring case and accents) is
- * replaced, or refused with ERROR_USAGE. */
+/* Stores n materials, all or none, and makes the file and, for the default
+ * path, its folders.  A material with the same name (ignoring case and accents)
+ * is replaced or, without replace, causes ERROR_USAGE. */
 bool store_put(struct store *store, const struct stored *item, size_t n,
     bool replace, struct error *error);
 
-/* Removes the material of this name; ERROR_USAGE if there is none. */
+/* Removes the material with this name; ERROR_USAGE if there is none. */
 bool store_forget(struct store *store, const char *name, struct error *error);
 
 #endif

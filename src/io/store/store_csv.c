@@ -1,5 +1,5 @@
-/* Writes materials as CSV and reads them back.  Quotes, line numbers and
- * decimal signs are left to sheet.c.
+/* Writes materials as CSV and reads them back.  sheet.c handles quotes, line
+ * numbers and decimal signs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/store_csv.h"
 

@@ -8,16 +8,16 @@
 #include "base/error.h"
 #include "io/store/material.h"
 
-/* Writes a line of column names and a line for each material, numbers exact, to
- * a file, whole or not at all.  A sheet that was read is written with the same
- * bytes. */
+/* Writes a line of column names and a line for each material, with exact
+ * numbers, to a file, entirely or not at all.  Reading such a sheet and saving
+ * it gives the same bytes. */
 bool store_csv_save(
     const struct stored_list *list, const char *path, struct error *error);
 
-/* Reads such a sheet, in any order of its columns.  there: materials with names
- * that must not occur, or NULL.  On failure false, and all the faults of the
- * sheet in errors, which the caller has zeroed, each with its line and column;
- * list then contains some of the rows. */
+/* Reads such a sheet, with its columns in any order.  there: materials whose
+ * names must not occur, or NULL.  On failure, returns false and all faults of
+ * the sheet in errors, zeroed by the caller, each with line and column; list
+ * then contains some of the rows. */
 bool store_csv_read(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors);
 

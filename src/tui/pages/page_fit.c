@@ -1,4 +1,4 @@
-/* The Fit page: the search, generation by generation, while it runs and after.
+/* The page Fit: the search, generation by generation, during and after its run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"

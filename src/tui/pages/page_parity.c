@@ -1,5 +1,5 @@
-/* The page Parity: predicted against measured, at the speeds held out of all
- * sites.
+/* The page Parity: predicted against measured sizes, at the held-out speeds of
+ * all sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"

@@ -1,4 +1,4 @@
-/* The page Sites: what each loaded site is and how far it is calibrated.
+/* The page Sites: each loaded site and the state of its calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"

@@ -1,4 +1,4 @@
-/* A list of ways to a site.
+/* The start page: a list of ways to open a site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pages/start_page.h"
 

@@ -1,4 +1,4 @@
-/* The first minute: what can be done while there is no site.
+/* The start page: what to do while no site is loaded.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_PAGES_START_PAGE_H
 #define TIPSPEED_TUI_PAGES_START_PAGE_H
@@ -6,10 +6,10 @@
 #include "base/tr.h"
 #include "tui/tui_state.h"
 
-/* Draws it in the body. */
+/* Draws the page in the body. */
 void start_draw(struct tui *t);
 
-/* Its list, which has no rows where there is a site. */
+/* Its list, which has no rows if a site is loaded. */
 extern const struct page_list START_LIST;
 
 #define START_HINTS \

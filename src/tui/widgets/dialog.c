@@ -1,6 +1,6 @@
-/* The box of a question.  What there is no room for drops in this order: what
- * else may be answered, what the question is about, the keys, the table but for
- * the row asked about.
+/* The box of a question.  If room is short, parts are dropped in this order:
+ * other possible answers, the subject, the keys, the table except the row in
+ * question.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/dialog.h"
 

@@ -1,5 +1,5 @@
 /* A question about a sheet on the full screen: a box with the table of its
- * columns and a line to answer in.
+ * columns and a line for the answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_DIALOG_H
 #define TIPSPEED_TUI_WIDGETS_DIALOG_H
@@ -13,8 +13,8 @@ char *dialogue_ask(struct tui *t, const struct inquiry *q);
 /* Handles a key of the open dialogue. */
 enum edit_result dialogue_key(struct tui *t, int code, bool special);
 
-/* Draws the dialogue over whatever the screen shows, at any size, with the
- * cursor in its line. */
+/* Draws the dialogue over the screen's content, at any size, with the cursor in
+ * its line. */
 void dialogue_draw(struct tui *t, int rows, int columns);
 
 #endif

@@ -1,4 +1,4 @@
-/* Editing of one line: no screen here.
+/* Editing of one line, without a screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/edit.h"
 

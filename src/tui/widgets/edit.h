@@ -1,5 +1,5 @@
 /* Text being typed on the full screen: a line, with completion and history, or
- * a word or number of a few letters.
+ * a short word or number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_EDIT_H
 #define TIPSPEED_TUI_WIDGETS_EDIT_H
@@ -9,11 +9,11 @@
 
 #include "cmd/session/session.h"
 
-/* text [n], UTF-8; at: offset of the cursor.  back: how many lines up the
- * history is; offers: completions found for the word at `start`, to be shown,
- * two blanks between them, or NULL; from: the first shown, of `shown`; Tab
- * again goes on to the next.  fresh: where a proposed name begins, which a
- * typed letter replaces; or 0. */
+/* text [n], UTF-8; at: offset of the cursor.  back: number of lines back in the
+ * history.  offers: completions to show for the word at `start`, separated by
+ * two spaces, or NULL; from: index of the first one shown; shown: their number;
+ * another Tab shows the next.  fresh: start of a proposed name, which a typed
+ * letter replaces, or 0. */
 struct edit {
 	bool active;
 	char text[2000];
@@ -27,26 +27,26 @@ enum edit_result { EDIT_ON, EDIT_DONE, EDIT_GIVEN_UP };
 
 void edit_begin(struct edit *t, const char *text);
 
-/* Begins with a name proposed after the text. */
+/* Begins editing, with a name proposed after the text. */
 void edit_propose(struct edit *t, const char *text, const char *name);
 
-/* Handles a key (code: as ncurses has it where special, else a character). */
+/* Handles a key.  code: from ncurses if special, else a character. */
 enum edit_result edit_key(
     struct edit *t, const struct session *s, int code, bool special);
 void edit_end(struct edit *t);
 
-/* Returns offer n, length bytes; NULL if there are fewer. */
+/* Returns offer n, of `length` bytes, or NULL if there are fewer. */
 const char *edit_offer(const struct edit *t, size_t n, size_t *length);
 
-/* Returns the offer at which Tab continues: the one after those shown, or the
+/* Returns the offer from which Tab continues: the one after those shown, or the
  * first. */
 size_t edit_next(const struct edit *t);
 
 /* Replaces the word with offer n. */
 void edit_take_offer(struct edit *t, size_t n);
 
-/* Adds an ASCII letter to text of at most `most` letters, or deletes the last
- * one; false if the key does neither, or there is nothing to delete. */
+/* Adds an ASCII letter to text of at most `most` letters, or deletes the last.
+ * Returns false if the key does neither or there is nothing to delete. */
 bool edit_letter(struct edit *t, int code, bool special, size_t most);
 
 #endif

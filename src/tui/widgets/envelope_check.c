@@ -1,4 +1,4 @@
-/* Opens the envelope once for a state of the session, and moves its forecast
+/* Opens the envelope once for each state of the session and moves its forecast
  * with the slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/envelope_check.h"

@@ -1,4 +1,4 @@
-/* Checks the product at the slider's speed against the grading envelope in use.
+/* Checks the product at the slider's speed against the chosen grading envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_ENVELOPE_CHECK_H
 #define TIPSPEED_TUI_WIDGETS_ENVELOPE_CHECK_H
@@ -6,14 +6,15 @@
 #include "cmd/ask/envelope.h"
 #include "tui/tui_state.h"
 
-/* Updates the check to the slider and the session.  Keeps what does not depend
- * on the speed; a step of the slider reads the curve of its prediction, without
- * draws. */
+/* Updates the check for the slider and the session.  Keeps what does not depend
+ * on the speed; a step of the slider then only reads the curve of its
+ * prediction, without draws. */
 void envelope_check_update(struct tui *t);
 void envelope_check_free(struct tui *t);
 
-/* Returns the check at the slider's speed; NULL if no envelope is in use, none
- * of its sieves is within the range of the feed's, or a calibration runs. */
+/* Returns the check at the slider's speed, or NULL if no envelope is chosen,
+ * none of its sieves is within the range of the feed's, or a calibration is
+ * running. */
 const struct grading *envelope_check_now(const struct tui *t);
 
 #endif

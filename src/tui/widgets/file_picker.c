@@ -1,4 +1,4 @@
-/* Lists, previews, and the command that opens what is chosen.
+/* Lists and previews files, and composes the command that opens the chosen one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/file_picker.h"
 

@@ -1,15 +1,15 @@
-/* The list of files over the page, to preview and open one.
+/* The list of files over the page, for previewing and opening one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_FILE_PICKER_H
 #define TIPSPEED_TUI_WIDGETS_FILE_PICKER_H
 
 #include "tui/tui_state.h"
 
-/* Opens a list of files; under --safe only gives a message. */
+/* Opens a list of files; with --safe, only shows a message. */
 void picker_open(struct tui *t, enum picker_list list);
 
-/* Handles a key; false: the list is closed and the key is for what was below
- * it. */
+/* Handles a key.  Returns false if the list was closed and the key is for what
+ * was below it. */
 bool picker_key(struct tui *t, int code, bool special);
 
 /* Draws the list with its hints. */

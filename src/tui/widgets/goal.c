@@ -1,5 +1,5 @@
-/* Completes and reads what is typed as conditions, and writes the command that
- * sets or clears the goal.
+/* Completes and parses typed conditions, and composes the command that sets or
+ * clears the goal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/goal.h"
 

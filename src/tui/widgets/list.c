@@ -1,5 +1,4 @@
-/* Choosing, opening, filtering and drawing rows, whatever they show, and the
- * columns of those that have some.
+/* Selects, opens, filters and draws rows of any kind, and lays out columns.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/list.h"
 

@@ -1,4 +1,4 @@
-/* The list of a page, or the list over it: keys, mouse and a word move through
+/* The list on a page or over it: keys, the mouse and a search word move through
  * its rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_LIST_H
@@ -6,34 +6,34 @@
 
 #include "tui/pane.h"
 
-/* list_has_rows: true if there is a list with rows; rows_count: how many of its
- * rows have the word searched for; without a word all. */
+/* list_has_rows returns true if there is a list with rows; rows_count returns
+ * the number of rows that contain the search word, or of all without a word. */
 bool list_has_rows(const struct tui *t);
 size_t rows_count(const struct tui *t);
 
-/* Draws row i of a list; look: of its text; of: as given to rows_draw. */
+/* Draws row i of a list.  look: of its text; of: as passed to rows_draw. */
 typedef void row_way(struct tui *t, const struct area *line, size_t i,
     unsigned look, const void *of);
 
-/* Draws the rows that there is room for, with the one under the cursor.  A
- * click selects a row; a click on the selected row opens it.  Returns how many
- * were drawn. */
+/* Draws as many rows as fit, including the one under the cursor.  A click
+ * selects a row; a click on the selected row opens it.  Returns the number
+ * drawn. */
 int rows_draw(
     struct tui *t, const struct area *area, row_way *draw, const void *of);
 
-/* A column of a list.  least: columns of the screen below which it is not
- * shown, if its texts take as many; rank: columns of low rank get room first;
- * indent: that of its heading; right: numbers; fixed: as wide as `least`,
- * whatever its texts take. */
+/* A column of a list.  least: minimum width, if its texts need that much; with
+ * less it is not shown.  rank: columns with a low rank get room first; indent:
+ * of its heading; right: right-aligned, for numbers; fixed: always `least`
+ * wide. */
 struct list_column {
 	const char *head;
 	int least, rank, indent;
 	bool right, fixed;
 };
 
-/* The n columns of a list.  cell: the text of a row there; series: the colour
- * of a text that has one, else false; sort: a heading was clicked; then the
- * column that ui.sort names is marked.  These two may be NULL. */
+/* The n columns of a list.  cell writes the text of a row in a column.  series
+ * finds the colour of a text, or returns false; sort handles a click on a
+ * heading; with it, the column in ui.sort is marked.  These two may be NULL. */
 struct list_table {
 	const struct list_column *column;
 	int n;
@@ -44,9 +44,9 @@ struct list_table {
 	void (*sort)(struct tui *t, int column);
 };
 
-/* table_measure finds how wide the texts of `rows` rows make each column, a gap
- * included; table_share how wide each is drawn where there is less room, 0: not
- * at all.  table_draw draws headings and rows. */
+/* table_measure finds the width that the texts of `rows` rows need in each
+ * column, including a gap; table_share fits the widths into `columns`, with 0
+ * for columns not drawn.  table_draw draws headings and rows. */
 void table_measure(const struct tui *t, const struct list_table *table,
     size_t rows, int wanted[static LIST_COLUMNS]);
 void table_share(const struct list_table *table, int columns,
@@ -60,10 +60,11 @@ void rows_wheel(struct tui *t, struct area area);
 /* See move in page_ops. */
 bool rows_move(struct tui *t, const struct key *key);
 
-/* Handles a key while the word is typed; false if it is not for the word. */
+/* Handles a key while the word is typed.  Returns false if it is not for the
+ * word. */
 bool rows_letter(struct tui *t, int code, bool special);
 
-/* Clears the word; false if there was none. */
+/* Clears the word.  Returns false if there was none. */
 bool rows_forget(struct tui *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* Blocks from the top down, filled by what is wanted most.
+/* Fills the panel with blocks in order of importance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/panel.h"
 

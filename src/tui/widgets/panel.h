@@ -1,4 +1,4 @@
-/* The numbers at the slider's speed, beside the curves.
+/* The panel of numbers at the slider's speed, beside the curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_PANEL_H
 #define TIPSPEED_TUI_WIDGETS_PANEL_H
@@ -8,9 +8,9 @@
 /* Draws the side panel of page Predict. */
 void panel_draw(struct tui *t);
 
-/* Returns what the panel has no room for, or what replaces it: "trust amber:
+/* Returns what does not fit in the panel, or what replaces it, "trust amber:
  * beyond the measured speeds, out of ASTM C33", or "".  It is cut to `columns`,
- * or to `most` if it then has room for the reason.  The caller frees. */
+ * or to `most` if the reason then fits.  The caller frees it. */
 char *panel_words(struct tui *t, int columns, int most);
 
 /* Draws the row of numbers that replaces the side panel, on any page. */

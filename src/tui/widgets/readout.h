@@ -5,11 +5,11 @@
 
 #include "tui/tui_state.h"
 
-/* Returns the rows of the readout where there is room; 0 if it is off. */
+/* Returns the rows that the readout needs, or 0 if it is off. */
 int readout_rows(const struct tui *t);
 
 /* Draws each curve's passing at the crosshair and its size at the level, with
- * the cursor there if the readout has the focus. */
+ * the cursor if the readout has the focus. */
 void readout_draw(struct tui *t, const struct area *area);
 
 /* Returns "2.81 mm", or why there is no such number. */

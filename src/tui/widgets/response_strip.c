@@ -1,5 +1,5 @@
-/* Some speeds at a time are worked out between two keys; a step of the slider
- * moves the mark only.
+/* Computes a few speeds at a time between keys; a step of the slider only moves
+ * the mark.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/response_strip.h"
 

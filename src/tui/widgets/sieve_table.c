@@ -1,5 +1,5 @@
-/* A row for each sieve with passing, difference and a bar, as many as there is
- * room for.
+/* Draws a row with passing, difference and a bar for each sieve, as many as
+ * fit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/sieve_table.h"
 

@@ -1,4 +1,4 @@
-/* The slider's arithmetic and drawing: no terminal, no session.
+/* The slider's arithmetic and drawing, without terminal or session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/slider.h"
 
@@ -33,16 +33,6 @@ bool
 slider_has(struct slider_range range, double speed)
 {
 	return speed >= range.least / 10.0 && speed <= range.most / 10.0;
-}
-
-bool
-slider_read(struct slider_range range, const char *text, int *tenths)
-{
-	double speed;
-	if (!text_number(text, &speed) || !slider_has(range, speed))
-		return false;
-	*tenths = slider_tenths(range, speed);
-	return true;
 }
 
 int

@@ -10,45 +10,42 @@ struct slider_range {
 	int least, most; /* tenths */
 };
 
-/* A speed that was measured, and whether it was trained on. */
+/* A measured speed, and whether it is a training speed. */
 struct slider_mark {
 	int tenths;
 	bool trained;
 };
 
-/* Returns the range between two speeds, m/s, in whole m/s. */
+/* Returns the range between two speeds, m/s, truncated to whole m/s. */
 struct slider_range slider_range(double from, double to);
 
-/* Returns the nearest value the slider can have. */
+/* Returns the nearest value in the range. */
 int slider_clamp(struct slider_range range, int tenths);
 
-/* slider_tenths returns the tenths of a speed, m/s, rounded; slider_has: true
- * if the speed is in the range. */
+/* slider_tenths returns a speed, m/s, rounded to tenths; slider_has returns
+ * true if the speed is in the range. */
 int slider_tenths(struct slider_range range, double speed);
 bool slider_has(struct slider_range range, double speed);
 
-/* Reads "74", "74.3"; false if it is not a speed in the range. */
-bool slider_read(struct slider_range range, const char *text, int *tenths);
-
 /* slider_column returns the column of a value on a track of `width` columns, 0
- * at its left end; slider_at the value at a column; values and columns off the
- * track count as its ends. */
+ * at its left end; slider_at returns the value at a column.  Values and columns
+ * off the track are clamped. */
 int slider_column(struct slider_range range, int tenths, int width);
 int slider_at(struct slider_range range, int column, int width);
 
-/* A cell of the track: 'x' where no speed was trained on that side, '-' between
- * trained ones, '|' at these and 'o' at those held out; text: a letter that
- * stands there; taken: no label may stand there. */
+/* A cell of the track.  sign: '|' at training speeds, '-' between them, 'x'
+ * beyond them, 'o' at held-out speeds; text: it holds a letter; taken: it must
+ * not get a label. */
 struct slider_cell {
 	char sign;
 	bool taken, text;
 };
 
-/* Makes the cells [width] of the track: labels behind the marks, "69", on a
- * long track "69 m/s 2380 J/kg", the word `beyond` where no speed was trained
- * on that side, the value as "[74.0]" on top.  kept [width]: cells that no
- * label may cover, with any of which labels are short; or NULL.  Returns the
- * column of its '['. */
+/* Makes the cells [width] of the track: labels after the marks, "69" or, on a
+ * long track, "69 m/s 2380 J/kg"; the word `beyond` outside the training
+ * speeds; the value as "[74.0]" on top.  kept [width]: cells that no label may
+ * cover, or NULL; if there are any, labels are short.  Returns the column of
+ * the '['. */
 int slider_draw(struct slider_cell *cell, int width, struct slider_range range,
     int tenths, const struct slider_mark *mark, size_t n, const bool *kept,
     const char *beyond);

@@ -1,5 +1,5 @@
-/* Cells from the window that the search found (speed_search.h), a heading that
- * is shortened to the room, and the keys to its ends.
+/* Draws the track with the window found by the search (speed_search.h) and a
+ * heading shortened to fit, and handles the keys to the window's ends.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/track.h"
 

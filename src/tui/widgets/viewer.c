@@ -1,4 +1,4 @@
-/* Scrolling, choosing, drawing.
+/* Scrolls, searches and draws text on the whole screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/viewer.h"
 

@@ -1,19 +1,19 @@
-/* Text on the whole screen: what commands print, and the list of keys.
+/* Text on the whole screen: output of commands, and the list of keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_VIEWER_H
 #define TIPSPEED_TUI_WIDGETS_VIEWER_H
 
 #include "tui/tui_state.h"
 
-/* Shows text, which the viewer then owns. */
+/* Shows text and takes ownership of it. */
 void viewer_text(struct tui *t, char *text);
 
-/* Shows the message on the whole screen if it does not fit its rows. */
+/* Shows the message on the whole screen if it does not fit in its rows. */
 void viewer_message(struct tui *t);
 
-/* Handles a key: scrolls, searches for a word, or closes.  False if the key is
- * not for the text: the text is then closed, and the key acts as without it.
- * run: the key chosen from the list of keys, else left unchanged. */
+/* Handles a key: scrolls, searches for a word, or closes.  If the key is not
+ * for the text, closes it and returns false; the key then acts as usual.  run:
+ * set to the key chosen from the list of keys, or unchanged. */
 bool viewer_key(struct tui *t, int code, bool special, const struct key **run);
 
 /* Draws the text with its hints. */
