@@ -111,8 +111,8 @@ static char *
 page_text(enum page page)
 {
 	const struct choices set = {.page = page};
-	const struct setting *row = SETTINGS;
-	while (strcmp(row->option.name, "page") != 0)
+	const struct command_option *row = SETTINGS;
+	while (strcmp(row->name, "page") != 0)
 		row++;
 	return settings_text(row, &set);
 }
