@@ -16,6 +16,13 @@ for page in "$dir"/man/*; do
 		result $? "$name is free of lint"
 		remark "$dir/lint"
 	fi
+	if [ "$name" = tipspeed-tutorial.7 ] && command -v mandoc >/dev/null; then
+		mandoc -T ascii -O width=80 "$page" | col -bx >"$dir/printed"
+		[ "$(wc -l <"$dir/printed")" -gt 600 ] &&
+			! grep '.\{81\}' "$dir/printed" >"$dir/wide"
+		result $? "$name fits a screen of 80 columns"
+		remark "$dir/wide"
+	fi
 	sh "$srcdir/man/check.sh" "$TIPSPEED" "$srcdir" "$page" >"$dir/tap" 2>&1
 	status=$?
 	grep -E '^(not )?ok' "$dir/tap" >"$dir/points"

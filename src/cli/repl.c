@@ -418,7 +418,7 @@ void
 repl_greet(struct session *s)
 {
 	fprintf(stderr,
-	    tr("tipspeed %s: help lists the commands, tui is the full screen, "
+	    tr("tipspeed %s: help lists the commands, tui is full-screen mode, "
 	       "quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;

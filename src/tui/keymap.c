@@ -290,8 +290,8 @@ act_pin(struct tui *t, const struct key *key)
 		tui_say(t, false,
 		    session_busy(t->session)
 			? N_("pinned %s at %.1f m/s: go to another speed or "
-			     "site; e exports both; of a search that runs, it "
-			     "is not saved")
+			     "site; e exports both; from a running search, so "
+			     "it is not saved")
 			: N_("pinned %s at %.1f m/s: go to another speed or "
 			     "site; e exports both"),
 		    t->view.pinned.site, t->view.pinned.speed);

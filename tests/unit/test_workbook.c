@@ -234,7 +234,7 @@ hidden_and_unsolved_things_are_told(void **state)
 	expect(PARTS(TWO, XLSX_RELATIONS(""), B, XLSX_SHEET("<row/>")),
 	    "B: A1==1+1 B1==2*3",
 	    "sheet Old is hidden and not read; hidden rows and columns of "
-	    "sheet B are read, too; sheet B has formulas without results: "
+	    "sheet B are also read; sheet B has formulas without results: "
 	    "open and save the workbook in a spreadsheet program");
 }
 
@@ -281,7 +281,7 @@ cells_of_libreoffice_are_read(void **state)
 	    "May: A3=a  b c D3#97.5 % E3#97.5 % F3@2026-05-03T10:15 G3@10:15 "
 	    "H3=#N/A I3==1+1",
 	    "sheet Old is hidden and not read; hidden rows and columns of "
-	    "sheet May are read, too; sheet May has formulas without results: "
+	    "sheet May are also read; sheet May has formulas without results: "
 	    "open and save the workbook in a spreadsheet program");
 	expect(PARTS(ODS_CONTENT("",
 		   ODS_TABLE("<table:table-row table:number-rows-repeated='2'>"

@@ -174,7 +174,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 		    xasprintf(
 			tr("against the product that the row's own parameters "
 			   "give: RMSE %.2f points (median of %zu), %.2f at "
-			   "worst, of which none is to be above 1; energies "
+			   "worst, of which none should exceed 1; energies "
 			   "%+.1f and %+.1f %% (the text has -12 and 15)"),
 			off[n / 2], n, off[n - 1],
 			100 * (65 * 65 / (69. * 69) - 1),

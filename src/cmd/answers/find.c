@@ -102,14 +102,14 @@ no_goal(const struct args *args, const struct goal *goal, struct error *error)
 		xappend(&all, " \"%s\"", args->operand[i]);
 	error_set(error, ERROR_USAGE,
 	    goal->others.n > 1
-		? N_("find: expected a goal, one value or the most of a "
-		     "quantity, got conditions only\n"
-		     "for the speeds at which these hold write window%s; for "
-		     "the speed that gives most add \"max %s\"")
-		: N_("find: expected a goal, one value or the most of a "
-		     "quantity, got a condition only\n"
-		     "for the speeds at which this holds write window%s; for "
-		     "the speed that gives most add \"max %s\""),
+		? N_("find: expected a goal, one value or max of a quantity, "
+		     "got only conditions\nfor the speeds at which these hold "
+		     "write window%s; for the speed that gives most add \"max "
+		     "%s\"")
+		: N_("find: expected a goal, one value or max of a quantity, "
+		     "got only a condition\nfor the speeds at which this holds "
+		     "write window%s; for the speed that gives most add \"max "
+		     "%s\""),
 	    all, text_trim(first));
 	return false;
 }

@@ -289,8 +289,8 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	say_ridges(r, &f);
 	say_open(r, &f);
 	answer_note(r,
-	    "of made-up plants that follow Eqs 1 to 3 the middle 80 %% of the "
-	    "draws of the break size held the true one in 63 to 82 of 100");
+	    "at 52 to 77 of 100 synthetic plants that follow Eqs 1 to 3, the "
+	    "middle 80 %% of the draws of the break size held the true one");
 	answer_note(r, "%s", text);
 	free(f.speed);
 	free(f.at);

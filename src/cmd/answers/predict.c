@@ -271,8 +271,8 @@ note_floor(
 	if (list[0] != '\0' && !fraction_screens(&p->fraction))
 		answer_say(r, ANSWER_REMARK,
 		    "at %s mm the feed has more than measured products, which "
-		    "crushing cannot do: there the answer is the feed; sample "
-		    "the feed again",
+		    "crushing cannot cause: there the answer is the feed; "
+		    "sample the feed again",
 		    list);
 }
 

@@ -51,22 +51,18 @@ const struct command TABLE_ANSWERS[] = {
 	    "interpolated=on adds the products measured at the next lower and "
 	    "higher speed, interpolated in speed squared: the prediction "
 	    "without the model. If the parameters were found by calibrate, the "
-	    "product is the model corrected by what the measured runs show it "
-	    "to leave out; low and high are the uncertainty band, between "
-	    "which the true value lies with the probability in the title, and "
-	    "detail=on has the model alone beside it; 'set correction' chooses "
-	    "the runs. See UNCERTAINTY in tipspeed-model(7). feed=FILE "
-	    "predicts with "
-	    "the feed of any sheet that load reads, rpm= takes the turns of "
-	    "the rotor for a speed, and rotor_mm=, cascade= and k= ask about "
-	    "another machine; see OTHER FEEDS AND MACHINES. After >, a file "
-	    "whose name "
-	    "ends in .svg, .png "
-	    "or .pdf gets the curves, as plot psd draws them.",
-	.more =
-	    "The names of figures after the speed give these alone: predict "
-	    "72 passing 2 P80; several speeds stand side by side: predict "
-	    "65..85:5.",
+	    "product is the model corrected for what the measured runs show "
+	    "that it leaves out; 'set correction' chooses the runs. low and "
+	    "high are the uncertainty band: the true value lies between them "
+	    "with the probability in the title. detail=on also shows the model "
+	    "alone. See UNCERTAINTY in tipspeed-model(7). feed=FILE predicts "
+	    "with the feed of any sheet that load reads, rpm= gives the speed "
+	    "in rpm, and rotor_mm=, cascade= and k= ask about another machine; "
+	    "see OTHER FEEDS AND MACHINES. After >, a file whose name ends in "
+	    ".svg, .png or .pdf gets the curves, as plot psd draws them.",
+	.more = "With names of figures after the speed, only these are shown: "
+		"predict 72 passing 2 P80. Several speeds are shown side by "
+		"side: predict 65..85:5.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "predict 72 passing 2 P80",
 	.answer = cmd_predict},
@@ -82,10 +78,10 @@ const struct command TABLE_ANSWERS[] = {
 	    "Reads the feeds of several sheets (FILE@SPEED where a sheet has "
 	    "one for each speed) and mixes them, in parts by mass that need "
 	    "not sum to 100. The blend has the sieves of all feeds, as far "
-	    "down as each was sieved; between its sieves a feed is straight on "
-	    "log size. If the site in use has parameters, the product of the "
-	    "blend is predicted with its band and its light, as predict does "
-	    "with feed=. out=FILE writes the blend as a sheet.",
+	    "down as all were sieved; between sieves, passing is linear in log "
+	    "size. If the site in use has parameters, the product of the blend "
+	    "is predicted with its band and its light, as predict does with "
+	    "feed=. out=FILE writes the blend as a sheet.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "blend data/sites/tierp.csv@69=60 data/sites/bro.csv@69=40",
@@ -130,9 +126,10 @@ const struct command TABLE_ANSWERS[] = {
 	    "other figures that are named, tonnes of fractions and the light; "
 	    "with conditions, as window has them, or spec=, how certain it is "
 	    "that they are met. Below it: the date, the feed, the machine, the "
-	    "model, and who answers for what. Columns that do not fit into 80 "
-	    "characters are left out, and named; csv and json have all of "
-	    "them. 'card > card.pdf' is a page to be pinned up.",
+	    "model, and whether each speed rests on measurements or on the "
+	    "model alone. Columns that do not fit into 80 characters are left "
+	    "out, with a note; csv and json have all of them. 'card > "
+	    "card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card of=\"passing 2,fines\" tph=120 fractions=0/2,2/5,5/8",
 	.answer = cmd_card},
@@ -186,17 +183,17 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "What predict does with the names of figures, predict 72 passing 2 "
-	    "P80, or with of=, predict 72 of=fm,D10,0/2. Single numbers of the "
-	    "product at a speed, with their bands: P and a number, or D and a "
-	    "number, the size which that percentage passes; passing and a "
-	    "size; fines, the passing at 0.063 mm; cu, D60/D10; cc, D30^2/(D60 "
-	    "D10); fm and a standard, the fineness modulus on the sieves of EN "
-	    "12620, ASTM C136, IS 2386-1, DIN 1045-2 (the k-value) or GB/T "
-	    "14684; and a fraction such as 0/2, its share of the product. 'of "
-	    "0/4' after a figure, or cut=0/4 for all of them, takes that "
-	    "screened fraction. Figures that the sieves do not reach are left "
-	    "out, or missing.",
+	    "Does the same as predict with the names of figures, predict 72 "
+	    "passing 2 P80, or with of=, predict 72 of=fm,D10,0/2. Shows "
+	    "single numbers of the product at a speed, with their bands: P or "
+	    "D and a number, the size that this percentage passes; passing and "
+	    "a size; fines, the passing at 0.063 mm; cu, D60/D10; cc, "
+	    "D30^2/(D60 D10); fm and a standard, the fineness modulus on the "
+	    "sieves of EN 12620, ASTM C136, IS 2386-1, DIN 1045-2 (the "
+	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
+	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
+	    "takes that screened fraction. Figures that the sieves do not "
+	    "reach are left out, or missing.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
 	.answer = cmd_figures},
@@ -223,19 +220,19 @@ const struct command TABLE_ANSWERS[] = {
 	    "meets a grading envelope; see spec and tipspeed-spec(5). "
 	    "Conditions are those of window: the condition with = and a single "
 	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
-	    "the speed that gives most or least of a quantity; other "
+	    "the speed that gives the largest or smallest value; other "
 	    "conditions are checked at that speed, or limit it. Of the two "
 	    "ranges of a speed the first is for the true product, the second "
 	    "for what a belt cut may show.",
-	.more = "A limit that binds is kept with a certainty of about a half "
-		"only, so the best with 80 % certainty (set level) is said "
-		"too. Of several speeds that give the value the one inside the "
-		"training speeds, or nearest to them, is taken, first of those "
-		"that meet the other conditions, and the rest are named. If "
-		"there is none, the products at both ends are shown, or the "
-		"nearest speed and what fails. Without from= and to= it "
-		"searches the speeds of sweep, all with one feed: the mean of "
-		"those sampled, unless feed= is given.",
+	.more =
+	    "At a limit the condition holds with only about 50 % certainty, so "
+	    "the best speed with 80 % certainty (set level) is also reported. "
+	    "If several speeds give the value, those that meet the other "
+	    "conditions come first, then the one inside the training speeds, "
+	    "or nearest to them; the others are named. If no speed does, the "
+	    "products at both ends are shown, or the nearest speed and what "
+	    "fails. Without from= and to= it searches the speeds of sweep, all "
+	    "with one feed: the mean of those sampled, unless feed= is given.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "find p80=5\nfind passing=40 at=2\n"
@@ -259,21 +256,21 @@ const struct command TABLE_ANSWERS[] = {
 			    "cover the runs"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
 	.text =
-	    "Tonnes an hour of each fraction that screens make of the "
-	    "product of a new feed, in steady state. Fractions of recycle= "
-	    "go back to the crusher: their tonnes are the circulating "
-	    "load. Power is an engineering estimate, idle + c Q v2, from "
-	    "readings of the motor, power=m/s:kW:t/h. With prices, best=on "
-	    "finds the speed that earns most and what it gains over "
-	    "speed=. circuit= takes screens, splits and stockpiles from a "
-	    "file, see tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the "
-	    "tonnes of the products against the speed, from=..to=.",
-	.more = "What is coarser or finer than all fractions, or between them, "
-		"is listed too, and beside the circulating load what the "
-		"balance of feed and products is out by. In the power c is at "
-		"least 1 (Euler); readings of the empty crusher (0 t/h) at two "
-		"speeds give its idle power. tipspeed-circuit(5) "
-		"also says what is left out.",
+	    "Shows the tonnes per hour of each fraction that screens make of "
+	    "the product of a new feed, in steady state. Fractions of recycle= "
+	    "return to the crusher: their tonnes are the circulating load. "
+	    "Power is an engineering estimate, idle + c Q v2, from readings of "
+	    "the motor, power=m/s:kW:t/h. With prices, best=on finds the speed "
+	    "that earns most and what it gains over speed=. circuit= takes "
+	    "screens, splits and stockpiles from a file, see "
+	    "tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the tonnes of "
+	    "the products against the speed, from=..to=.",
+	.more =
+	    "Material coarser or finer than all fractions, or between them, is "
+	    "also listed, and the error of the mass balance is shown with the "
+	    "circulating load. In the power, c is at least 1 (Euler); readings "
+	    "of the empty crusher (0 t/h) at two speeds give its idle power. "
+	    "tipspeed-circuit(5) also says what is left out.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "flow tph=120 recycle=8/11.2\n"
 		   "flow tph=120 recycle=8/11.2 "
@@ -298,23 +295,22 @@ const struct command TABLE_ANSWERS[] = {
 	    "without: \"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > "
 	    "5\", \"0/2 >= 30\", \"fm EN of 0/4 = 2.4..3.1\"; < and <= are the "
 	    "same. Without quotes, a > between a quantity and a number is a "
-	    "limit. spec= adds the limits of a grading envelope, those of its "
-	    "standard on the fineness modulus and between two sieves too, and "
-	    "cut= is the fraction of those that name none. Without conditions "
-	    "they are those of the goal that is set. Shows the speeds, to a "
-	    "tenth of a m/s, at which the answer meets all, what binds below "
-	    "and above them, and the best speed: the one at which they hold "
-	    "with the highest probability, taken between the measured speeds "
-	    "if there is any there; of speeds within 2 % of that probability, "
-	    "the one with the largest margin. Margins are given as passings, "
-	    "in points: at the size that is the limit of a P, and a fineness "
-	    "modulus counts its distance for each of its sieves. To compare "
-	    "limits on different sieves they are counted in widths of the "
-	    "band. Moduli and fractions rise and fall with the speed, so that "
-	    "there may be several windows. With the uncertainty band it says "
-	    "at which speeds all conditions hold together with 80 % certainty "
-	    "(set level). If no speed meets them all, the nearest one is "
-	    "shown, with the condition that limits it.",
+	    "limit. spec= adds the limits of a grading envelope, including its "
+	    "standard's limits on the fineness modulus and between two sieves; "
+	    "cut= is the fraction for conditions that name none. The default "
+	    "conditions are those of 'set goal'. Shows the speeds, to a tenth "
+	    "of a m/s, at which the answer meets all conditions, which of them "
+	    "limits the speed below and above, and the best speed: the one at "
+	    "which they hold with the highest probability, preferably between "
+	    "the measured speeds; of speeds within 2 % of that probability, "
+	    "the one with the largest margin. Margins are passings, in points: "
+	    "of a P at the size that is its limit, of a fineness modulus per "
+	    "sieve. To compare limits on different sieves, margins are divided "
+	    "by the width of the band. Moduli and fractions rise and fall with "
+	    "the speed, so there may be several windows. With the uncertainty "
+	    "band it says at which speeds all conditions hold together with 80 "
+	    "% certainty (set level). If no speed meets them all, the nearest "
+	    "one is shown, with the condition that limits it.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "window \"passing 2 = 30..36\" \"P80 > 5\"",
@@ -330,18 +326,18 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "'spec use NAME' chooses an envelope for the session: spec and "
 	    "find then compare with it, and plots of size distributions draw "
-	    "its limits; 'spec off' ends that. Those of ASTM C33, BS 882, BS "
-	    "1200, EN 12620, IS 383 and a Norwegian road base come with the "
-	    "program, second-hand copies to be checked against your own; 'spec "
-	    "list' lists their names; a few words that fit only one are "
-	    "enough. tipspeed-spec(5) describes FILE, an envelope of your own. "
-	    "spec alone, or with a NAME or FILE, shows each sieve with its "
-	    "limits, the passing predicted at a speed, and ok, above or below. "
-	    "An envelope for a fraction, such as a sand, is compared with that "
-	    "fraction of the product, by ideal screens unless sharpness= is "
-	    "given; cut= takes another one, cut=off the product as it is. "
-	    "Where its standard has limits of the fineness modulus and between "
-	    "two sieves, they are compared as well.",
+	    "its limits; 'spec off' ends that. The envelopes of ASTM C33, BS "
+	    "882, BS 1200, EN 12620, IS 383 and a Norwegian road base come "
+	    "with the program, as second-hand copies to be checked against "
+	    "your own. 'spec list' lists their names; a few words that fit "
+	    "only one are enough. tipspeed-spec(5) describes FILE, an envelope "
+	    "of your own. spec alone, or with a NAME or FILE, shows each sieve "
+	    "with its limits, the passing predicted at a speed, and ok, above "
+	    "or below. An envelope for a fraction, such as a sand, is compared "
+	    "with that fraction of the product, by ideal screens unless "
+	    "sharpness= is given; cut= takes another one, cut=off the product "
+	    "as it is. The standard's limits on the fineness modulus and "
+	    "between two sieves are also compared.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "spec use \"ASTM C33\"\nspec speed=79\n"
@@ -373,9 +369,9 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "Shows what passes 2 mm, P20, P50 and P80 at a speed, or the "
 	    "figures that are named, with the range in which the true value "
-	    "lies and the one in which a new belt cut is expected; where feeds "
-	    "were sampled with several runs, how far the product moves with "
-	    "them; what errors of the stated tip speeds add; and which further "
+	    "lies and the one in which a new belt cut is expected; if several "
+	    "runs have a feed sample, how far the product moves with the feed; "
+	    "what errors of the stated tip speeds add; and which further "
 	    "sample would help most, as advise finds it. detail=on shows half "
 	    "the width of the band sieve by sieve: of the model alone, which "
 	    "is what its parameters leave open; of the answer, with what the "
@@ -398,11 +394,10 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
-	    "For a repeat at each measured speed and a sample at each "
-	    "round one, it shows how wide the band of one figure of the "
-	    "product at a speed is expected to be after it; see UNCERTAINTY "
-	    "in tipspeed-model(7). Where several feeds were sampled, "
-	    "it also shows what they change.",
+	    "For a repeat at each measured speed, and a sample at each round "
+	    "speed, shows the expected width of the band of one figure of the "
+	    "product at a speed; see UNCERTAINTY in tipspeed-model(7). If "
+	    "several feeds were sampled, also shows what they change.",
 	.example =
 	    "load data/sites/tierp.csv\ncalibrate\nuncertainty next p80\n"
 	    "uncertainty next 85 passing 2",
@@ -411,35 +406,33 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE,
-	.text =
-	    "Calibrates each breakage model, with and without a bypass, on the "
-	    "training runs, and shows for each the misfit, how many parameters "
-	    "were free, AICc (lower is better) and the RMSE at the held-out "
-	    "runs, beside predictions that need no model. If no run is held "
-	    "out, each speed is held out in turn where there are three or "
-	    "more. The best is the one that errs least there; of those within "
-	    "0.1 points, or where no run is held out, the one with the lowest "
-	    "AICc; what interpolation beats is not called best. Reports which "
-	    "models the data rule out, whether they can tell the models apart, "
-	    "and how much each contributes to the answer between measured "
-	    "speeds; see COMPARING MODELS in tipspeed-model(7). The fit in use "
-	    "stays. 'league all' does it for all loaded sites and adds up the "
-	    "results.",
+	.text = "Calibrates each breakage model, with and without a bypass, on "
+		"the training runs, and shows for each the misfit, how many "
+		"parameters were free, AICc (lower is better) and the RMSE at "
+		"the held-out runs, beside predictions that need no model. If "
+		"no run is held out, each speed is held out in turn if there "
+		"are three or more. The best model has the smallest error "
+		"there; among models within 0.1 points, or if no run is held "
+		"out, the lowest AICc; a model that interpolation beats is not "
+		"called best. Reports which models the data rule out, whether "
+		"they can tell the models apart, and how much each contributes "
+		"to the answer between measured speeds; see COMPARING MODELS "
+		"in tipspeed-model(7). The fit in use stays. 'league all' does "
+		"it for all loaded sites and adds up the results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
     {.name = "identify",
 	.alias = "uncertainty params",
 	.brief = "what the data determine, and what they do not",
 	.flags = COMMAND_AT_SITE,
-	.text =
-	    "Reads off the draws of the uncertainty which parameters the data "
-	    "determine: the standard deviation of the draws in per cent of "
-	    "that before the data (below 10: determined, below 50: poorly, "
-	    "else they cannot be told), the break size at each measured "
-	    "speed, the parameters that lie at a bound or compensate for each "
-	    "other, and whether the threshold is bounded from above only. Ends "
-	    "in one sentence. plot correlation and plot profile draw it; see "
-	    "IDENTIFIABILITY in tipspeed-model(7).",
+	.text = "Reads off the draws of the uncertainty which parameters the "
+		"data determine: the standard deviation of the draws in per "
+		"cent of that before the data (below 10: determined, below 50: "
+		"poorly determined, else not), the break size at each measured "
+		"speed, the parameters that are at a bound or compensate for "
+		"each other, and whether the data bound the threshold only "
+		"from above. Ends in one sentence. plot correlation and plot "
+		"profile draw it; see IDENTIFIABILITY in tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty params",
 	.run = cmd_identify},
     {.name = "why",
@@ -477,24 +470,23 @@ const struct command TABLE_ANSWERS[] = {
 	    {OFF_ON(detail), "off",
 		"on: show the numbers of the control charts too"}),
 	.text =
-	    "Compares each cut that was added after the calibration with what "
-	    "is predicted at its own speed from its own feed, by runs that "
-	    "have not seen it. A row has the mean of the residuals (answer "
-	    "less measured, points: + where the cut is coarser), the largest "
-	    "with its sieve, and what the control charts say; with detail=on "
-	    "the charts themselves: "
-	    "EWMA (weight 0.2) with its limit and CUSUM in both directions, of "
-	    "the mean and of the tilt (coarse sieves less fine ones). The "
-	    "limits come from the draws of the uncertainty, or "
-	    "from 'set noise' if there are none; see DRIFT in "
-	    "tipspeed-model(7). Reports how often they signal by chance, what "
-	    "drifts, where to look and when to calibrate anew. A signal makes "
-	    "the light of the site's answers amber. plot drift draws it.",
+	    "Compares each cut added after the calibration with the prediction "
+	    "at its own speed from its own feed, from runs that do not include "
+	    "it. A row has the mean of the residuals (answer minus measured, "
+	    "points: + if the cut is coarser), the largest with its sieve, and "
+	    "what the control charts say; with detail=on the charts "
+	    "themselves: EWMA (weight 0.2) with its limit and CUSUM in both "
+	    "directions, of the mean and of the tilt (coarse sieves minus fine "
+	    "ones). The limits come from the draws of the uncertainty, or from "
+	    "'set noise' if there are none; see DRIFT in tipspeed-model(7). "
+	    "Reports how often they signal by chance, what drifts, where to "
+	    "look and when to calibrate anew. A signal makes the light of the "
+	    "site's answers amber. plot drift draws it.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "add data/cuts/tierp-may.csv\ndrift",
 	.run = cmd_drift},
     {.name = "report",
-	.brief = "write all about the site in use to one file",
+	.brief = "write a report on the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_DAILY | COMMAND_CONDITIONS,
 	.option = OPTION_LIST(
@@ -510,15 +502,15 @@ const struct command TABLE_ANSWERS[] = {
 	    "paper (A4). The file holds what other commands answer: the light "
 	    "with its reasons, data, check and mends, the product with its "
 	    "band, other speeds, the window of the conditions (see window), "
-	    "the envelope in use or of spec=, the flow of tph=, the card, "
+	    "the chosen envelope or that of spec=, the flow of tph=, the card, "
 	    "routine cuts, validation, fit, plots, with several calibrated "
 	    "sites their common errors, and the script that makes the report "
 	    "again. With conditions it says first whether they are met, and at "
 	    "which speeds. It needs no network and no other file. For a site "
 	    "that is not calibrated the file has the parts that need no "
 	    "calibration, and states what is missing.",
-	.more = "Without speed= it is of the speed that was last predicted, or "
-		"the best for its conditions.",
+	.more = "The default speed is the one last predicted, or the best for "
+		"the conditions.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "report \"passing 2 = 30..36\" > tierp.html",
 	.answer = cmd_report},

@@ -257,8 +257,9 @@ say_light(const struct subject *a)
 	else if (e != NULL)
 		answer_note(a->answer,
 		    "Trust is green: the residuals look like sampling errors: "
-		    "RMSE %.2f points, %.1f times the usual size, neighbouring "
-		    "sieves do not err alike; %zu passings for %zu parameters",
+		    "RMSE %.2f points, %.1f times the usual size, errors of "
+		    "neighbouring sieves are not alike; %zu passings for %zu "
+		    "parameters",
 		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
 	for (size_t i = 0; i < t.n; i++)
 		say_reason(a, &t, i);
@@ -478,10 +479,10 @@ note_correction(struct answer *r, const struct balance *b)
 	    "stays");
 	if (corrected)
 		answer_say(r, ANSWER_REMARK,
-		    "The mass balance is of the model alone: what the runs "
-		    "show it to leave out cannot be split by classes; with it, "
-		    "the change in passing differs by up to %.2f points (at %g "
-		    "mm)",
+		    "The mass balance is that of the model alone, because its "
+		    "correction cannot be divided among classes; in the "
+		    "corrected answer, the change in passing differs by up to "
+		    "%.2f points (at %g mm)",
 		    100 * fabs(most), units_mm(sieve));
 	else
 		answer_say(
@@ -551,9 +552,9 @@ balance_answer(struct session *s, const struct args *args,
 	double v[2] = {q->speed, 0};
 	if (fraction_screens(&q->fraction))
 		return error_set(error, ERROR_USAGE,
-		    "why: expected no cut= with two speeds, where each class "
-		    "of the product is told\n"
-		    "leave out cut=, or one of the speeds");
+		    "why: expected no cut= with two speeds, which show each "
+		    "class of the product\nleave out cut=, or one of the "
+		    "speeds");
 	if (!value_number(args->operand[0], "m/s", &v[1]) || v[1] < 1 ||
 	    v[1] > SITE_FASTEST)
 		return error_set(error, ERROR_USAGE,

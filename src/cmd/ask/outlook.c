@@ -377,10 +377,10 @@ outlook_note_low_high(struct answer *r, const struct session *s,
 	if (!product) {
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: the middle %.0f %% of the draws; the value is "
-		    "the fit to the training runs, and may lie outside. Of "
-		    "made-up plants that follow Eqs 1 to 3 such ranges held "
-		    "the truth in 72 to 87 of 100, those of the break "
-		    "size in 52 to 77",
+		    "the fit to the training runs, and may lie outside. At 72 "
+		    "to 87 of 100 synthetic plants that follow Eqs 1 to 3, "
+		    "such ranges held the truth; those of the break size at 52 "
+		    "to 77",
 		    100 * settings_level(&s->set));
 		if (!entry->has_fit)
 			answer_say(r, ANSWER_REMARK,

@@ -60,7 +60,7 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
 	session_note(s,
-	    forming ? N_("pinned %s at %.*f m/s, of the calibration that runs: "
+	    forming ? N_("pinned %s at %.*f m/s, from the running calibration: "
 			 "save leaves it out")
 		    : N_("pinned %s at %.*f m/s"),
 	    pin->key, units_speed_digits(q->speed), q->speed);

@@ -20,8 +20,9 @@ const struct command_option SHARED_MACHINE[] = {
     {NUMBER(rotor_mm), "mm", 100, 5000, NULL, "",
 	"diameter of the rotor; default: that of the site"},
     {NUMBER(cascade), "%", 0, 90, NULL, "",
-	"share of the feed led past the rotor, beside what the measured runs "
-	"had; taken as uncrushed, the coarsest product that can be"},
+	"share of the feed led past the rotor, in addition to that of the "
+	"measured runs; assumed uncrushed, which gives the coarsest possible "
+	"product"},
     {NUMBER(k), "", 0.01, 100, NULL, "",
 	"impacts of a particle; default: as set, see 'set k'"},
     {CHOICE(correction), "all train off", "",

@@ -71,15 +71,15 @@ const struct command TABLE_PICTURES[] = {
 	    "convergence the best and the median candidate, in points RMS; "
 	    "spread the candidates within the bounds of each parameter. "
 	    "selection is how much of each size breaks, appearance the sizes "
-	    "it breaks into. map is by rock type. response has what was "
-	    "measured, the training speeds and, with limits=, where these are "
-	    "met. profile shows one parameter by the misfit with the others "
-	    "refitted and by the draws, correlation the draws of all. drift is "
-	    "as drift follows them. psd, sweep and response are of a screened "
-	    "fraction with cut=. Marks and dashes distinguish the lines, with "
-	    "and without colour. charset=auto draws with braille dots on a "
-	    "UTF-8 terminal, otherwise with ASCII characters. A figure has the "
-	    "same ticks and lines.",
+	    "it breaks into. map is by rock type. response has the measured "
+	    "values, the training speeds and, with limits=, the speeds that "
+	    "meet them. profile shows one parameter, by its draws and by the "
+	    "misfit with the others refitted; correlation the draws of all. "
+	    "drift shows the charts of the command drift. With cut=, psd, "
+	    "sweep and response show a screened fraction. Marks and dashes "
+	    "distinguish the lines, with and without colour. charset=auto "
+	    "draws with braille dots on a UTF-8 terminal, otherwise with ASCII "
+	    "characters. A figure has the same ticks and lines.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "plot psd speed=74 at=2",
@@ -121,17 +121,17 @@ const struct command TABLE_PICTURES[] = {
 	    {TEXT(keys), NULL, "",
 		"keys to press first, named as in tipspeed-tui(1); Right*5: "
 		"five times; 9999 in all"}),
-	.text =
-	    "In full-screen mode: shows the screen as it is without the "
-	    "command line; a running calibration continues. Otherwise: shows "
-	    "the screen that tui would open on the site in use; no terminal is "
-	    "needed. After >, a file whose name ends in .svg, .png or .pdf "
-	    "becomes an image with the colours of a dark terminal; without a "
-	    "file, and in .txt, it is text. keys= presses keys first, "
-	    "separated by spaces: keys=\"Left Left c\"; a word that is not the "
-	    "name of a key is typed if a line or a speed is being edited. Each "
-	    "key lets a calibration run for one generation. With --linear: "
-	    "says the text of the screen row by row, then describes its plot.",
+	.text = "In full-screen mode: shows the screen as it is without the "
+		"command line; a running calibration continues. Otherwise: "
+		"shows the screen that tui would open on the site in use; no "
+		"terminal is needed. After >, a file whose name ends in .svg, "
+		".png or .pdf becomes an image with the colours of a dark "
+		"terminal; without a file, and in .txt, it is text. keys= "
+		"presses keys first, separated by spaces: keys=\"Left Left "
+		"c\"; a word that is not the name of a key is typed if a line "
+		"or a speed is being edited. Each key lets a calibration run "
+		"for one generation. With --linear: prints the text of the "
+		"screen row by row, then describes its plot.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "screen width=80 height=24",

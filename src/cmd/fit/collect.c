@@ -238,8 +238,8 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	}
 	if (ok && parts.n == 0)
 		ok = error_at(error, ERROR_DATA, store[0], 0, 0,
-		    "expected the parts that this store belongs to, too\n"
-		    "write them with: calibrate all part=I/N > FILE.json");
+		    "expected also the parts that this store belongs to\nwrite "
+		    "them with: calibrate all part=I/N > FILE.json");
 	ok = ok && parts_check_agree(&parts, error) &&
 	     collect_give(s, &parts, store, n_store, args->replace, error);
 	parts_free(&parts);

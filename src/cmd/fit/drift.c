@@ -113,14 +113,13 @@ say_what_next(
 	    "it began at about cut %s and was signalled after cut %s", since,
 	    first);
 	answer_note(a,
-	    n > 1
-		? N_("next: see to that first; 'template speeds=%s > new.csv' "
-		     "begins a sheet to calibrate anew with, if the change is "
-		     "to last: the feed and the cuts from %s on")
-		: N_("next: see to that first; 'template speeds=%s > new.csv' "
-		     "begins a sheet to calibrate anew with, if the change is "
-		     "to last: the feed, the cuts from %s on and one at "
-		     "another speed"),
+	    n > 1 ? N_("next: deal with that first; if the change lasts, "
+		       "'template speeds=%s > new.csv' starts a site file for "
+		       "a new calibration: the feed and the cuts from %s on")
+		  : N_("next: deal with that first; if the change lasts, "
+		       "'template speeds=%s > new.csv' starts a site file for "
+		       "a new calibration: the feed, the cuts from %s on and "
+		       "one at another speed"),
 	    speeds, since);
 }
 
@@ -153,8 +152,8 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 		    about);
 	if (found <= LATE)
 		answer_note(a,
-		    "of shifts by %.1f points, in the mean of the sieves, half "
-		    "are signalled after %g cuts at most",
+		    "half of all shifts by %.1f points (mean of the sieves) "
+		    "are signalled within %g cuts",
 		    100 * shift, found);
 	else
 		answer_note(a,

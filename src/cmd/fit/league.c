@@ -600,8 +600,9 @@ answer_one_site(const struct session *s, const struct ground *g)
 	say_verdict(r, &v);
 	if (is_one_speed(g->site))
 		answer_say(r, ANSWER_WARNING,
-		    "all products are of one speed: this compares how models "
-		    "meet one curve, not what they make of the speed");
+		    "all products are from one speed: this compares how the "
+		    "models fit one curve, not how they describe the effect of "
+		    "the speed");
 	note_in_use(r, s, g);
 	note_weights(r, &v);
 	note_rule(r, &v, g->each, true);

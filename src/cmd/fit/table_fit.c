@@ -50,17 +50,18 @@ const struct command TABLE_FIT[] = {
 	    "'validate holdout=each' then tests the model. The result says how "
 	    "well the model fits; 'show fit' has the parameters with their "
 	    "ranges, the bounds and the search, and so have csv and json.",
-	.more = "The misfit is the sum of squared residuals of passing, as "
-		"fractions; tolerance= is the median misfit over the best, "
-		"less 1, and stall= ends a search that gains less than 0.1 % "
-		"in so many generations. preset=paper is the paper's run: a "
-		"textbook genetic algorithm, 8000 candidates, 800 generations "
-		"without an early stop, the bounds of its Table 2, no polish. "
-		"Steps of the polish count for pause= too. Without part= the "
-		"environment of a Slurm job array or of mpirun tells it. With "
-		"all, the sites share the threads and are the same whatever "
-		"the threads; a remark 'doubtful' is then by the fit alone, "
-		"and 'why' of a site draws its ranges too.",
+	.more =
+	    "The misfit is the sum of squared residuals of passing, as "
+	    "fractions; tolerance= is the median misfit divided by the best, "
+	    "minus 1, and stall= ends a search that gains less than 0.1 % in "
+	    "so many generations. preset=paper is the paper's run: a textbook "
+	    "genetic algorithm, 8000 candidates, 800 generations without an "
+	    "early stop, the bounds of its Table 2, no polish. pause= also "
+	    "counts the steps of the polish. Without part=, the environment of "
+	    "a Slurm job array or of mpirun sets it. With all, the sites share "
+	    "the threads, and the results do not depend on how many there are; "
+	    "'doubtful' is then decided by the fit alone, and 'why' for a site "
+	    "also draws its ranges.",
 	.example = "load data/sites/tierp.csv\ncalibrate seed=1\nvalidate",
 	.run = cmd_calibrate},
     {.name = "validate",
@@ -97,17 +98,17 @@ const struct command TABLE_FIT[] = {
 	.flags = COMMAND_FILES,
 	.option = OPTION_LIST({OFF_ON(replace), "off",
 	    "replace materials of the same name in the store in use"}),
-	.text = "Reads what several programs wrote as JSON with part=I/N, each "
-		"of one part of the sites, and answers as one 'calibrate all' "
-		"or 'validate all' of them would have, to the last byte. A "
-		"file may hold several parts, a line each. A part that is "
-		"missing, there twice, or from another version, other options, "
-		"other collision energies or other sites is refused. Each part "
-		"wants the same files loaded in the same order. With the parts "
-		"of 'calibrate all' may go the stores of their programs, each "
-		"filled by 'remember all': their materials are put into the "
-		"store in use, unless one is missing, there twice or of "
-		"another calibration.",
+	.text =
+	    "Reads the JSON that several programs wrote with part=I/N, each "
+	    "for one part of the sites, and gives the same answer, to the last "
+	    "byte, as a single 'calibrate all' or 'validate all'. A file may "
+	    "hold several parts, a line each. A part that is missing, there "
+	    "twice, or from another version, other options, other collision "
+	    "energies or other sites is refused. All programs must load the "
+	    "same files in the same order. The parts of 'calibrate all' can be "
+	    "followed by the stores of their programs, each filled by "
+	    "'remember all': their materials are put into the store in use, "
+	    "unless one is missing, there twice or from another calibration.",
 	.example = "synth data/table3.csv\n"
 		   "calibrate all part=1/2 generations=30 > part1.json\n"
 		   "calibrate all part=2/2 generations=30 > part2.json\n"

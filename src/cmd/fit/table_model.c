@@ -17,7 +17,7 @@ const struct command_option SETTINGS[] = {
     {SETTING("k", model.k, VALUE_NUMBER), "", 0.001, 1000, NULL, "1",
 	"number of impacts"},
     {SETTING("energy", energy, VALUE_FILE), "", 0, 0, NULL, "off",
-	"collision energies in place of one impact"},
+	"collision energies instead of one impact"},
     {SETTING("correction", correction, VALUE_CHOICE), "", 0, 0, "all train off",
 	"all", "runs that correct the model"},
     {SETTING("level", level, VALUE_CHOICE), "%", 0, 0, "80 90", "80",
@@ -85,15 +85,13 @@ const struct command TABLE_MODEL[] = {
 	.text = "Write 'set method classes' or 'set method=classes'. The "
 		"method classes follows the paper exactly; continuous, the "
 		"default, is its limit for fine size classes.",
-	.more =
-	    "The model is used for later calibrations; 'show models' lists the "
-	    "models. continuous does not depend on the choice of sieves. With "
-	    "another "
-	    "model the search bounds become those of it, and existing "
-	    "parameters of a site keep their model. Appearance functions other "
-	    "than ratio work only with classes. The themes dark and light are "
-	    "of high contrast. Another draw_seed changes "
-	    "answers and bands by what chance leaves in them.",
+	.more = "The model is used for later calibrations; 'show models' lists "
+		"the models. continuous does not depend on the choice of "
+		"sieves. Another model brings its own search bounds; existing "
+		"parameters of a site keep their model. Appearance functions "
+		"other than ratio work only with classes. The themes dark and "
+		"light have high contrast. Another draw_seed shows how much "
+		"answers and bands depend on chance.",
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",

@@ -166,8 +166,8 @@ warn_power(const struct plant *p, struct answer *r)
 		    "fall; check the readings");
 	if (p->power.below)
 		answer_say(r, ANSWER_WARNING,
-		    "the readings give less power than Q v2, which bringing "
-		    "the rock to the tip speed takes: check m/s, kW and t/h, "
+		    "the readings give less power than Q v2, the power that "
+		    "brings the rock to the tip speed: check m/s, kW and t/h, "
 		    "and whether all of it passes the rotor (cascade=)");
 }
 
@@ -217,9 +217,8 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
 		? N_("earnings %.2f an hour%s at %.4g m/s, less the power")
-		: N_("earnings %.2f an hour%s at %.4g m/s, less the least "
-		     "power "
-		     "there can be"),
+		: N_("earnings %.2f an hour%s at %.4g m/s, less the lowest "
+		     "possible power"),
 	    o->money, band, o->speed);
 	if (none[0] != '\0')
 		answer_say(
@@ -318,7 +317,7 @@ note_gain(const struct plant *p, const struct outcome *best,
 	flow_range_of(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
 		answer_say(r, ANSWER_WARNING,
-		    "the gain is not certain: the speed may as well lose");
+		    "the gain is not certain: it may be a loss");
 	else if (own[1] - own[0] > gain)
 		answer_say(r, ANSWER_REMARK,
 		    "the band of the earnings, %.2f wide, is wider than the "

@@ -620,8 +620,8 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 		    tr("the readings differ from it by %.1f kW (RMS)"), w->rms);
 	if (range[1] - range[0] > 0.1 * o->kw)
 		xlist(&words, "; ", "%s",
-		    tr("the readings cannot separate idle from load: read the "
-		       "empty crusher at two speeds, too, as in "
+		    tr("the readings cannot separate idle from load: also read "
+		       "the empty crusher at two speeds, as in "
 		       "power=66:kW:0,78:kW:0"));
 	return words;
 }

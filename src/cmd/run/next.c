@@ -91,9 +91,9 @@ next_after_fit(const struct session *s, const struct entry *entry)
 		    false, NEXT_ANSWER};
 	return (struct next){"tui",
 	    origin_is_stored(entry->origin)
-		? N_("open the full screen? 'predict' works here, too; 'add' "
+		? N_("open full-screen mode? 'predict' also works here; 'add' "
 		     "takes new cuts")
-		: N_("open the full screen? 'predict' works here, too; "
+		: N_("open full-screen mode? 'predict' also works here; "
 		     "'remember' keeps the calibration for another day"),
 	    false, NEXT_ANSWER};
 }

@@ -41,7 +41,7 @@ const struct command TABLE_SESSION[] = {
 		   "save plant",
 	.run = cmd_save},
     {.name = "restore",
-	.brief = "replace this session by a saved one",
+	.brief = "replace this session with a saved one",
 	.operands = {"[FILE.tip|last]", {"FILE last"}, 0, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
 	.text =
@@ -152,7 +152,7 @@ const struct command TABLE_SESSION[] = {
 	.example = "version",
 	.run = cmd_version},
     {.name = "tui",
-	.brief = "open the full screen: the product as the speed moves",
+	.brief = "open full-screen mode: the product as the speed changes",
 	.flags = COMMAND_UNSAVED | COMMAND_DAILY,
 	.text =
 	    "Opens on the site in use, at the speed last asked about, else at "
@@ -164,7 +164,7 @@ const struct command TABLE_SESSION[] = {
 	.alias = "exit",
 	.brief = "quit the program",
 	.flags = COMMAND_UNSAVED,
-	.text = "The rest of a script is not run. At the prompt q quits, too.",
+	.text = "The rest of a script is not run. At the prompt, q also quits.",
 	.example = "quit",
 	.run = cmd_quit},
     {.name = NULL}};

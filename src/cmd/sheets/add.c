@@ -291,17 +291,17 @@ note_next(struct session *s, enum verdict worst, size_t n)
 {
 	const struct entry *entry = session_entry(s);
 	bool many = n > 1 && entry->has_fit;
-	session_note(s,
-	    !entry->has_params ? N_("  next: 'calibrate'")
-	    : worst == CUTS_MISSED && many
-		? N_("  next: 'drift' follows the cuts one by one")
-	    : worst == CUTS_MISSED
-		? N_("  next: check how the cut and its feed were taken; if "
-		     "they are right, 'calibrate train=all'")
-	    : worst == CUTS_OFF
-		? N_("  next: take one more cut before anything is changed")
-		: N_("  next: nothing needs to be done; 'calibrate' takes new "
-		     "cuts into account, too"));
+	session_note(
+	    s, !entry->has_params ? N_("  next: 'calibrate'")
+	       : worst == CUTS_MISSED && many
+		   ? N_("  next: 'drift' follows the cuts one by one")
+	       : worst == CUTS_MISSED
+		   ? N_("  next: check how the cut and its feed were taken; if "
+			"they are right, 'calibrate train=all'")
+	       : worst == CUTS_OFF
+		   ? N_("  next: take one more cut before anything is changed")
+		   : N_("  next: nothing needs to be done; 'calibrate' also "
+			"takes new cuts into account"));
 }
 
 static bool

@@ -275,7 +275,8 @@ check_wide(struct answer *r, const struct entry *entry)
 	if (i < feed->n)
 		finding(r, entry, false, "feed",
 		    "no sieve between %g and %g mm, where %.0f points of it "
-		    "lie: add one, as its curve is taken to be straight there",
+		    "lie: add one, because its curve is assumed to be straight "
+		    "there",
 		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]),
 		    100 * (feed->passing[i] - feed->passing[i + 1]));
 }

@@ -189,12 +189,11 @@ find_numbered(
 	if (isnan(known) || known != mend_mark_of(entry, &d))
 		error_set(error, ERROR_USAGE,
 		    isnan(known)
-			? N_("there is no list of mends that %s could be of\n"
+			? N_("no mends were listed yet, so there is no mend "
+			     "%s\n"
 			     "run 'check' first")
-			: N_("mend %s is of a list that no longer holds: the "
-			     "data "
-			     "or the fit have changed\n"
-			     "run 'check' again"),
+			: N_("mend %s is from an earlier list: the data or the "
+			     "fit have changed since\nrun 'check' again"),
 		    word);
 	else if (d.n == 0)
 		error_set(error, ERROR_USAGE,

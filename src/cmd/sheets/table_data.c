@@ -40,27 +40,27 @@ const struct command TABLE_DATA[] = {
 		"script goes on"},
 	    {TEXT(digest), NULL, "",
 		"refuse a file with other numbers; written by save"}),
-	.text =
-	    "Reads workbooks (Excel, LibreOffice) and CSV in any of the forms "
-	    "of tipspeed-site(5), and makes the last site the one in use. Says "
-	    "what it took each column for; what a sheet leaves open is asked, "
-	    "and in a script is an error whose hint is the command that "
-	    "settles it. Files are one site where a tip speed follows a name, "
-	    "or none has both feed and product: load feed.csv cut1.csv@70 "
-	    "cut2.csv@75. A folder stands for the sheets in it; NAME is a site "
-	    "that comes with the program: load tierp. A sheet with faults is "
-	    "refused, each fault with its place; a site that is loaded again "
-	    "replaces the earlier one. Quote a name with spaces.",
-	.more = "It says how sure it is of each column. Where the sieves go "
-		"across, columns= has numbers of lines. Results of tipspeed's "
-		"own are not read as sheets, and a file goes before a site of "
-		"the program's that has its name. The sites already loaded "
-		"stay where a sheet is refused, and of several files the "
-		"others are loaded: those with faults are listed at the end, "
-		"where a script then stops unless skip=on. With as=log the "
-		"files are a plant's log for 'add': rows with date and time, "
-		"and columns whose heads tell rpm or m/s, kW and t/h; its "
-		"columns= are named time, rpm, m/s, kW, t/h.",
+	.text = "Reads workbooks (Excel, LibreOffice) and CSV in any of the "
+		"forms of tipspeed-site(5), and makes the last site the one in "
+		"use. Reports how it read each column, and asks about what a "
+		"sheet leaves open; in a script that is an error, and the hint "
+		"is a command that answers the question. Files form one site "
+		"if a tip speed follows a name, or if none has both feed and "
+		"product: load feed.csv cut1.csv@70 cut2.csv@75. A folder "
+		"stands for the sheets in it; NAME is a site that comes with "
+		"the program: load tierp. A sheet with faults is refused, each "
+		"fault with its place; a site that is loaded again replaces "
+		"the earlier one. Quote a name with spaces.",
+	.more =
+	    "It says how sure it is of each column. If sieves are in columns, "
+	    "columns= has the numbers of lines. Results written by tipspeed "
+	    "are not read as sheets. A file is loaded rather than a site of "
+	    "the program with the same name. If a sheet is refused, the sites "
+	    "already loaded stay, and the other files are loaded: the refused "
+	    "ones are listed at the end, where a script then stops unless "
+	    "skip=on. With as=log the files are a plant's log for 'add': rows "
+	    "with date and time, and columns headed rpm or m/s, kW and t/h; "
+	    "its columns= are named time, rpm, m/s, kW, t/h.",
 	.example = "load data/sites/tierp.csv\n"
 		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
 		   "3=product@69\"\nshow",
@@ -77,18 +77,16 @@ const struct command TABLE_DATA[] = {
 	    {TEXT(digest), NULL, "",
 		"refuse cuts that give the site other numbers; written by "
 		"save"}),
-	.text =
-	    "Reads samples of product, as load does, and adds each to the site "
-	    "in use as one more run: at the speed after @, or at that of the "
-	    "sheet. After 'load LOG as=log' it may be a time, as in "
-	    "cut.csv@2026-05-03T10:15: the speed is then the median of the log "
-	    "around it, and its power and feed rate are noted. A cut has the "
-	    "site's feed unless its sheet has one. The parameters stay, and "
-	    "what they predict is compared with the cut at once; 'calibrate "
-	    "train=all' trains on it too. The site's own file stays as it is: "
-	    "'write' "
-	    "saves the site with its cuts, and a line 'cut' for each. 'undo' "
-	    "takes the cuts out again.",
+	.text = "Reads samples of product, as load does, and adds each to the "
+		"site in use as one more run: at the speed after @, or at that "
+		"of the sheet. After 'load LOG as=log' it may be a time, as in "
+		"cut.csv@2026-05-03T10:15: the speed is then the median of the "
+		"log around it, and its power and feed rate are noted. A cut "
+		"has the site's feed unless its sheet has one. The parameters "
+		"stay, and the cut is compared at once with what they predict; "
+		"'calibrate train=all' also includes the cut. The site's own "
+		"file stays as it is: 'write' saves the site with its cuts, "
+		"and a line 'cut' for each. 'undo' takes the cuts out again.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "add data/cuts/tierp-72.csv@72 date=2026-05-03\n"
 		   "load data/cuts/log.csv as=log\n"

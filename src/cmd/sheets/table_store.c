@@ -114,13 +114,13 @@ const struct command TABLE_STORE[] = {
 	.shared = {SHARED_FEED},
 	.text =
 	    "The estimate is the median of the products with each material; "
-	    "low and high are an 80 % band. All materials count, unless "
-	    "estimates of the sites of Table 3, each from the others, err "
-	    "clearly less with the nearest only: the same rock type first, "
-	    "then the top size by its ratio. The site needs only a feed, and "
-	    "its own materials are left out. The leave-one-site-out error is "
-	    "that of these estimates, on reconstructed data. An estimate "
-	    "from other quarries is not a calibration.",
+	    "low and high are an 80 % band. All materials are used, unless the "
+	    "nearest alone (the same rock type first, then the ratio of top "
+	    "sizes) give clearly smaller errors when each site of Table 3 is "
+	    "estimated from the others. The site needs only a feed, and its "
+	    "own materials are left out. The leave-one-site-out error is that "
+	    "of these estimates, on reconstructed data. An estimate from other "
+	    "quarries is not a calibration.",
 	.example = "load data/sites/tierp.csv\nguess rock=granite top=11.2",
 	.answer = cmd_guess},
     {.name = NULL}};

@@ -13,7 +13,8 @@
  * err where plants follow the model and where they do not. */
 const struct hyper_info HYPER[HYPERS] = {
     {"discrepancy", "sigma_d", 0.004, 1.2, N_("what the model leaves out")},
-    {"length", "l", 1, 0.4, N_("in ln of size: closer sizes err alike")},
+    {"length", "l", 1, 0.4,
+	N_("in ln of size: errors at closer sizes are alike")},
     {"slope", "c", 0.4, 0.5, N_("how it changes with the speed")},
     {"narrow", "sigma_n", 0.0015, 1.2, N_("features of single sieves")},
     {"shared", "sigma_s", 0.004, 0.7,

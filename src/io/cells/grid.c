@@ -89,7 +89,7 @@ grid_end(struct grid *g)
 		    g, "sheet %s is not read: %s", sheet->name, g->too_big);
 	else if (!empty && g->hidden)
 		grid_note(g,
-		    "hidden rows and columns of sheet %s are read, too",
+		    "hidden rows and columns of sheet %s are also read",
 		    sheet->name);
 	if (!empty && g->unsolved && g->too_big == NULL)
 		grid_note(g,

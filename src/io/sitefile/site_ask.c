@@ -496,12 +496,12 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = above_100(first);
 	if (above != NULL) {
-		char *what = xasprintf(
-		    tr("expected at most 100 %% passing, got '%.*s': column "
-		       "%zu has no other number above 100; correct it if it "
-		       "is a slip"),
-		    sheet_cut_length(above->text), above->text,
-		    first->table->number[first->at]);
+		char *what =
+		    xasprintf(tr("expected at most 100 %% passing, got '%.*s': "
+				 "column %zu has no other number above 100; "
+				 "correct it if it is a typing error"),
+			sheet_cut_length(above->text), above->text,
+			first->table->number[first->at]);
 		site_ask_refuse(q, first->table, *above, ask, errors, what);
 		free(what);
 		free(values);

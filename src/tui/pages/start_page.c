@@ -22,8 +22,8 @@ static const struct {
 		   "read. Later: o."),
 		PICK_FILES},
     {N_("Go on with a saved session"),
-	N_("What the key w has saved, a file that ends in .tip: its sites are "
-	   "there again, with their fits, the goal and what was pinned."),
+	N_("Brings back what the key w saved in a file that ends in .tip: "
+	   "sites with their fits, the goal and the pinned prediction."),
 	PICK_SESSIONS},
     {N_("Try a site that comes with tipspeed"),
 	N_("Quarries of the paper with their rock and tip speeds; their curves "
