@@ -9,7 +9,7 @@ unset SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT SLURM_ARRAY_TASK_MIN \
 	SLURM_ARRAY_TASK_STEP OMPI_COMM_WORLD_RANK OMPI_COMM_WORLD_SIZE
 
 # A few sites, but more than there are parts below.
-head -n 5 data/table3.csv >table.csv
+head -n 8 data/table3.csv >table.csv
 search="population=$(often 100 400) generations=$(often 8 25)"
 
 # run OPTIONS FILE [SEED]: calibrates the sites, or a part.

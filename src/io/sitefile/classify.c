@@ -1007,6 +1007,7 @@ pair_feeds_with_products(struct columns *all)
 		const struct column *product = feed + 1;
 		pairs = feed->role == FEED && !(feed->speed > 0) &&
 			product->role == PRODUCT && product->speed > 0 &&
+			feed->table == all->column[0].table &&
 			product->table == feed->table;
 	}
 	for (size_t i = 0; pairs && i < all->n; i += 2) {
