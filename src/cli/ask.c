@@ -62,10 +62,9 @@ print_table_of_questions(const struct inquiry *q, int columns)
 {
 	text_wrap(q->about, 0, columns, stderr);
 	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
-		char *line = inquiry_row(q, r, columns);
+		FREED char *line = inquiry_row(q, r, columns);
 		text_put(line, stderr);
 		fputc('\n', stderr);
-		free(line);
 	}
 	if (q->ask->n == 0)
 		return;
@@ -93,11 +92,10 @@ ask_with(
 		print_table_of_questions(q, columns);
 	fflush(stderr);
 	bool offers = q->offered[0] != '\0';
-	char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
+	FREED char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
 	    q->offered, offers ? "]" : "");
 	char *shown = text_escaped(asks), *answer = read(shown);
 	free(shown);
-	free(asks);
 	return answer;
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/xalloc.h"
 #include "base/text.h"
 #include "base/tr.h"
 #include "cmd/session/autosave.h"
@@ -161,10 +162,9 @@ batch_file(struct session *s, const char *path)
 void
 batch_attend(struct session *s)
 {
-	char *offer = autosave_begin(s);
+	FREED char *offer = autosave_begin(s);
 	if (offer != NULL)
 		session_note(s, "%s", offer);
-	free(offer);
 	s->hooks.confirm = ask_confirm;
 	s->hooks.question = ask_question;
 	s->prompt = true;
@@ -186,7 +186,7 @@ print_prompt(struct session *s, bool goes_on)
 int
 batch_typed(struct session *s)
 {
-	char *line = NULL;
+	FREED char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
 	struct error error = {0};
 	batch_attend(s);
@@ -210,6 +210,5 @@ batch_typed(struct session *s)
 		if (signals_is_ending())
 			break;
 	}
-	free(line);
 	return signals_is_ending() ? signals_status() : (int)error.kind;
 }

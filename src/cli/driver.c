@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 
+#include "base/xalloc.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/session/script.h"
@@ -102,7 +103,7 @@ driver_scripts(const struct driver *d, size_t depth)
 	       signals_pending() == 0) {
 		struct error error = {0};
 		struct place place;
-		char *line = script_line(s, &place, &error);
+		FREED char *line = script_line(s, &place, &error);
 		if (line != NULL && d->begins != NULL)
 			d->begins(d->of, line);
 		if (line != NULL && signals_pending() == 0)
@@ -111,7 +112,6 @@ driver_scripts(const struct driver *d, size_t depth)
 			d->fail(d->of, &error, "", "");
 		if (line == NULL)
 			status = (int)error.kind;
-		free(line);
 	}
 	script_close(s, depth);
 	return signals_pending() != 0 ? signals_status() : status;

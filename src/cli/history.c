@@ -64,9 +64,8 @@ typed_add(const char *line)
 	    (last != NULL && strcmp(last->line, line) == 0))
 		return;
 	add_history(line);
-	char *whole = xasprintf("%s\n", line);
+	FREED char *whole = xasprintf("%s\n", line);
 	append_to_history(whole);
-	free(whole);
 }
 
 void

@@ -22,7 +22,7 @@ static int
 count_rows(const char *text, int columns)
 {
 	int rows = 0;
-	char *copy = xstrdup(text);
+	FREED char *copy = xstrdup(text);
 	for (char *line = copy, *end; line[0] != '\0'; line = end) {
 		end = line + strcspn(line, "\n");
 		if (*end == '\n')
@@ -30,7 +30,6 @@ count_rows(const char *text, int columns)
 		int width = text_width(line);
 		rows += width > 0 ? (width + columns - 1) / columns : 1;
 	}
-	free(copy);
 	return rows;
 }
 
@@ -108,7 +107,7 @@ pager_show(struct pager *pager)
 	const char *text = pager->text + pager->shown;
 	pager->shown = pager->n;
 	terminal_size(&rows, &columns);
-	char *command = pager_command();
+	FREED char *command = pager_command();
 	/* What a script prints, or a session that is restored, goes by. */
 	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
 		     pager->session->scripts <= pager->session->typed_at &&
@@ -118,7 +117,6 @@ pager_show(struct pager *pager)
 	    paged && !signals_is_ending() && count_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
-	free(command);
 	fflush(stdout);
 }
 

@@ -82,7 +82,7 @@ on_complete(const char *text, int start, int end)
 {
 	(void)text;
 	size_t before = strlen(at.before), n = 0;
-	char *line = xasprintf("%s%s", at.before, rl_line_buffer);
+	FREED char *line = xasprintf("%s%s", at.before, rl_line_buffer);
 	struct completion *c = complete(at.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
@@ -101,7 +101,6 @@ on_complete(const char *text, int start, int end)
 		matches[1] = NULL;
 	}
 	completion_free(c);
-	free(line);
 	if (n > 0)
 		return matches;
 	free(matches);
@@ -151,9 +150,8 @@ fit_prompt(void)
 {
 	if (RL_ISSTATE(RL_STATE_ISEARCH | RL_STATE_NSEARCH))
 		return;
-	char *text = xstrdup(rl_prompt);
+	FREED char *text = xstrdup(rl_prompt);
 	rl_set_prompt(text);
-	free(text);
 }
 
 /* ^Z, and the terminal again when the program goes on; another size. */
@@ -288,12 +286,11 @@ take_lines(struct session *s, char *typed, int *number)
 		if (end != NULL)
 			*end++ = '\0';
 		bool more = script_goes_on(line);
-		char *joined = xasprintf("%s%s", at.before, line);
+		FREED char *joined = xasprintf("%s%s", at.before, line);
 		free(at.before);
 		at.before = xstrdup(more ? joined : "");
 		if (!more)
 			run_line(s, joined, (*number)++);
-		free(joined);
 		if (signals_pending() != 0)
 			break;
 	}
@@ -339,9 +336,8 @@ run_offered_commands(struct session *s, int *number)
 	int status = 0;
 	while (status == 0 && *line != '\0' && !signals_is_ending()) {
 		size_t n = strcspn(line, ";");
-		char *command = xstrndup(line, n);
+		FREED char *command = xstrndup(line, n);
 		status = batch_quiet(s, command, *number);
-		free(command);
 		if (status == 0)
 			next_note_offered(s);
 		line += n + strspn(line + n, "; ");
@@ -355,13 +351,12 @@ answers_offer(struct session *s, const char *typed, int *number)
 {
 	static const char YES[] = "y yes", NO[] = "n no";
 	size_t which;
-	char *word = xstrdup(typed);
+	FREED char *word = xstrdup(typed);
 	const char *said = text_trim(word);
 	bool empty = said[0] == '\0';
 	bool yes = empty || text_find_word(YES, said, &which);
 	bool no = text_find_word(NO, said, &which);
 	bool again = empty && at.declined && at.offer.line == NULL;
-	free(word);
 	if (at.before[0] != '\0' ||
 	    !(again || (at.offer.line != NULL && (yes || no))))
 		return false;
@@ -427,11 +422,10 @@ repl_greet(struct session *s)
 	       "quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
-	char *path =
+	FREED char *path =
 	    s->safe ? NULL : xdg_path("XDG_CONFIG_HOME", ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
-	free(path);
 	signals_forget_interrupt();
 	/* Files of the command line are asked about, too. */
 	s->hooks.question = ask_question;
@@ -474,9 +468,8 @@ repl_run(struct session *s)
 	while (!s->quit && !signals_is_ending()) {
 		if (at.before[0] == '\0')
 			print_next_step(s);
-		char *text = prompt_text(s);
+		FREED char *text = prompt_text(s);
 		char *typed = read_line(text);
-		free(text);
 		s->screen = terminal_describe();
 		if (typed != NULL) {
 			if (!answers_offer(s, typed, &number))

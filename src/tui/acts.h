@@ -12,7 +12,8 @@ enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 /* Where a key acts: bits of 1 << page.  For a key that acts on all pages, the
  * same bits, shifted, name the pages that list it first.  AT_SPEED: it concerns
  * the slider's speed, which first becomes the speed last asked about.  CHANGES:
- * it changes results, see viewer.c. */
+ * it changes results, see viewer.c.  RUNS_COMMAND: its hint is the name of the
+ * command that it runs. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,
@@ -24,7 +25,8 @@ enum {
 	FIRST_ON_FIT = ON_FIT << PAGES,
 	FIRST_ON_LISTS = (ON_DATA | ON_SITES) << PAGES,
 	AT_SPEED = 1 << 2 * PAGES,
-	CHANGES = AT_SPEED << 1
+	CHANGES = AT_SPEED << 1,
+	RUNS_COMMAND = CHANGES << 1
 };
 
 struct tui;
@@ -32,16 +34,16 @@ struct key;
 typedef void key_way(struct tui *t, const struct key *key);
 
 /* code: as in ncurses; name: as shown, such as "Left, h" if h does the same.
- * act: the function, which uses the amount; command: the command to run, or
- * NULL.  what: the effect in words; brief: the same for a list that fits on one
- * screen; NULL: listed with the previous key. */
+ * act: the function, which uses the amount.  what: the effect in words; brief:
+ * the same for a list that fits on one screen, or NULL if it is listed with the
+ * previous key; hint: the same in the row of hints, or NULL if as brief. */
 struct key {
 	int code;
 	const char *name;
 	unsigned where;
 	key_way *act;
 	int amount;
-	const char *command, *what, *brief;
+	const char *what, *brief, *hint;
 };
 
 /* Amounts of act_move, and of act_ends. */
@@ -53,9 +55,10 @@ enum { TO_LEAST = -1, TO_MOST = 1 };
 key_way act_move, act_ends, act_list;
 
 /* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
- * fastest); to the next limit of the goal or, without a goal, the next run; to
- * the goal's best speed.  The last two wait until these speeds are known. */
-key_way act_speed, act_run_speed, act_limit, act_best;
+ * fastest); to the next limit of the goal or, without a goal, the next run, or
+ * by an amount of 0 to the best speed of the goal.  The last waits until these
+ * speeds are known. */
+key_way act_speed, act_run_speed, act_limit;
 
 key_way act_page, act_back, act_choose, act_filter;
 

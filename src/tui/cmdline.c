@@ -80,11 +80,9 @@ is_shown_by_page_predict(const char *line)
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
 		if (strstr(line, MORE[i]) != NULL)
 			return false;
-	char *feed = feed_typed(line);
+	FREED char *feed = feed_typed(line);
 	double speed;
-	bool own = feed == NULL || value_number(feed, "m/s", &speed);
-	free(feed);
-	return own;
+	return feed == NULL || value_number(feed, "m/s", &speed);
 }
 
 /* What a line does to a search that is under way. */
@@ -119,29 +117,28 @@ continue_within_bounds(struct tui *t, bool edited)
 		tui_say(t, false, "continues within the new bounds");
 }
 
-/* Says more behind what a line has said, where no text has opened. */
+/* Says more behind what a line has said; where a text has opened, if nothing
+ * else was said, to be read when it is closed. */
 static void
 append_to_message(struct tui *t, const char *more)
 {
-	char *said = xstrdup(t->message);
-	if (t->viewer.text == NULL)
+	FREED char *said = xstrdup(t->message);
+	if (t->viewer.text == NULL || said[0] == '\0')
 		tui_say(t, t->bad, "%s%s%s", said, said[0] != '\0' ? "; " : "",
 		    more);
-	free(said);
 }
 
 /* Below the answer on another sheet's feed the pages go on with their own. */
 static void
 tell_feed(struct tui *t, const char *line)
 {
-	char *feed = feed_typed(line);
+	FREED char *feed = feed_typed(line);
 	if (feed != NULL && strchr(line, '>') == NULL &&
 	    strcmp(feed, t->session->set.feed) != 0)
 		tui_say(t, false,
 		    "the pages keep their feed: :set feed %s has them take "
 		    "this one",
 		    feed);
-	free(feed);
 }
 
 /* What a line that was run has said; of a search that it began the page
@@ -269,15 +266,13 @@ line_at_slider(const char *line, const char *where)
 void
 cmdline_run(struct tui *t, const char *line)
 {
-	char *where = tui_options_at_slider(t);
-	char *meant = line_at_slider(line, where);
+	FREED char *where = tui_options_at_slider(t);
+	FREED char *meant = line_at_slider(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
 	t->told = t->message[0] != '\0';
 	viewer_message(t);
-	free(where);
-	free(meant);
 }
 
 void

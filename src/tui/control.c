@@ -67,14 +67,12 @@ control_find_command(const char *line)
 		return NULL;
 	line += strspn(line, " \t");
 	size_t n = strcspn(line, ENDS), gap = strspn(line + n, " \t");
-	char *word = xstrndup(line, n);
-	char *both = xasprintf("%s %.*s", word,
+	FREED char *word = xstrndup(line, n);
+	FREED char *both = xasprintf("%s %.*s", word,
 	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
 	const struct command *command = command_find(both);
 	if (command == NULL)
 		command = command_find_typed(word, true);
-	free(both);
-	free(word);
 	return command;
 }
 
@@ -111,8 +109,8 @@ static char *
 page_text(enum page page)
 {
 	const struct choices set = {.page = page};
-	const struct setting *row = SETTINGS;
-	while (strcmp(row->option.name, "page") != 0)
+	const struct command_option *row = SETTINGS;
+	while (strcmp(row->name, "page") != 0)
 		row++;
 	return settings_text(row, &set);
 }
@@ -123,15 +121,13 @@ control_set_looks(struct tui *t)
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
-	char *page = page_text(t->ui.page);
-	char *quantity = quantities_as_typed(&t->ui.quantity);
-	char *line = xasprintf("set page %s quantity \"%s\"", page, quantity);
+	FREED char *page = page_text(t->ui.page);
+	FREED char *quantity = quantities_as_typed(&t->ui.quantity);
+	FREED char *line =
+	    xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_clear(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
-	free(page);
-	free(quantity);
-	free(line);
 }
 
 /* Whether a line has set others than there were; what is undone has not. */
@@ -237,7 +233,7 @@ control_run(struct tui *t, const char *line)
 	return ok;
 }
 
-const struct tui *
+struct tui *
 control_screen(void)
 {
 	return open;
@@ -258,53 +254,6 @@ free_state(struct tui *t)
 	free(t->picker.preview);
 	view_free(t);
 	hits_free(&t->hits);
-}
-
-/* What was said and typed. */
-static void
-copy_texts(struct tui *t)
-{
-	if (open->command != NULL)
-		t->command = xstrdup(open->command);
-	snprintf(t->message, sizeof t->message, "%s", open->message);
-	edit_begin(&t->speed, open->speed.text);
-	edit_begin(&t->filter, open->filter.text);
-	t->filter.active = open->filter.active;
-}
-
-/* What follows from what is chosen is worked out for the new state, so that the
- * two own nothing together. */
-struct tui *
-control_new_copy(void)
-{
-	struct tui *t = xcalloc(1, sizeof *t);
-	*t = (struct tui){.session = open->session,
-	    .ways = open->ways,
-	    .ui = open->ui,
-	    .aside = true,
-	    .clock = open->clock,
-	    .started = open->started,
-	    .ran = open->ran,
-	    .view = {.strip = strip_new(), .reference = open->view.reference},
-	    .mouse = open->mouse,
-	    .held = open->held,
-	    .job = open->job,
-	    .failed = open->failed,
-	    .bad = open->bad};
-	copy_texts(t);
-	control_refresh(t);
-	view_form(t);
-	/* The crosshair's sieve is one of that prediction. */
-	t->ui.cross_at =
-	    open->ui.cross_at < t->view.shown.product.n ? open->ui.cross_at : 0;
-	return t;
-}
-
-void
-control_free_copy(struct tui *t)
-{
-	free_state(t);
-	free(t);
 }
 
 static bool

@@ -14,13 +14,7 @@ void control_begin(
 void control_end(struct tui *t);
 
 /* Returns the open full screen, or NULL. */
-const struct tui *control_screen(void);
-
-/* Makes a second state with the same content, for drawing a frame without
- * changing the open screen.  It has a copy of the user's choices (struct ui)
- * and computes the rest.  Free with control_free_copy. */
-struct tui *control_new_copy(void);
-void control_free_copy(struct tui *t);
+struct tui *control_screen(void);
 
 /* Runs a line composed by a key and shows it.  On failure, returns false with a
  * message. */

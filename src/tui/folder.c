@@ -40,11 +40,10 @@ folder_is_sheet(const char *name)
 {
 	static const char *const ENDS[] = {
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	char *folded = text_fold(name);
+	FREED char *folded = text_fold(name);
 	size_t i = 0;
 	while (i < ARRAY_LEN(ENDS) && !text_ends(folded, ENDS[i]))
 		i++;
-	free(folded);
 	return i < ARRAY_LEN(ENDS);
 }
 
@@ -73,11 +72,10 @@ add_entry(struct folder *folder, const char *name)
 	struct stat about;
 	if (name[0] == '.' || strchr(name, '"') != NULL)
 		return;
-	char *path = xasprintf("%s%s", folder->path, name);
+	FREED char *path = xasprintf("%s%s", folder->path, name);
 	bool known = stat(path, &about) == 0;
-	char *command =
+	FREED char *command =
 	    known && folder_is_sheet(name) ? results_command_in(path) : NULL;
-	free(path);
 	if (known && S_ISDIR(about.st_mode)) {
 		folder_add(folder, FOLDER_BELOW, name);
 	} else if (command != NULL) {
@@ -92,7 +90,6 @@ add_entry(struct folder *folder, const char *name)
 		folder_add(folder,
 		    folder_is_sheet(name) ? FOLDER_SHEET : FOLDER_OTHER, name);
 	}
-	free(command);
 }
 
 void
@@ -121,10 +118,9 @@ about_site(const char *path)
 	struct site *site = site_read(path, &errors);
 	if (site == NULL)
 		return NULL;
-	char *speeds = session_speeds(site, " ", NULL, false);
+	FREED char *speeds = session_speeds(site, " ", NULL, false);
 	char *about = xasprintf("%-16s %5.4g mm  %s m/s", site->rock,
 	    units_mm(site->top_size), speeds);
-	free(speeds);
 	site_free(site);
 	return about;
 }
@@ -162,8 +158,8 @@ add_synthetic_sites(struct folder *folder)
 	stored_table3(&paper);
 	for (size_t i = 0; i < paper.n; i++) {
 		const struct stored *row = &paper.item[i];
-		char *slug = text_slug(row->site);
-		char *name = xasprintf("%s.csv", slug);
+		FREED char *slug = text_slug(row->site);
+		FREED char *name = xasprintf("%s.csv", slug);
 		bool again = false;
 		for (size_t k = 0; k < folder->n && !again; k++)
 			again = strcmp(folder->item[k].name, name) == 0;
@@ -175,8 +171,6 @@ add_synthetic_sites(struct folder *folder)
 			item->made = xasprintf(
 			    "synth table3 \"site=%s\" seed=9", row->site);
 		}
-		free(name);
-		free(slug);
 	}
 	stored_list_free(&paper);
 	free(folder->path);
@@ -258,9 +252,9 @@ static void
 folder_say_site(const struct site *site, FILE *out)
 {
 	size_t n, products = site_products(site);
-	char *label = session_site_label(site);
-	char *speeds = session_speeds(site, ", ", NULL, false);
-	double *sieve = site_sieves(site, &n);
+	FREED char *label = session_site_label(site);
+	FREED char *speeds = session_speeds(site, ", ", NULL, false);
+	FREED double *sieve = site_sieves(site, &n);
 	fprintf(out, "%s\n", label);
 	if (products > 0)
 		fprintf(out,
@@ -279,9 +273,6 @@ folder_say_site(const struct site *site, FILE *out)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
 	folder_print_line(out, tr("data: "), site->provenance);
-	free(sieve);
-	free(speeds);
-	free(label);
 }
 
 char *
@@ -343,14 +334,13 @@ unpacked_bytes(const char *path, double bytes)
 	struct error_list errors = {0};
 	if (bytes > MOST_BYTES)
 		return bytes;
-	char *content = textfile_bytes(path, &n, &errors);
+	FREED char *content = textfile_bytes(path, &n, &errors);
 	struct archive *archive =
 	    content != NULL ? archive_open(content, n, &wrong) : NULL;
 	if (archive != NULL)
 		bytes = archive_unpacked(archive) / UNPACKED_TIMES;
 	archive_close(archive);
 	free(wrong);
-	free(content);
 	return bytes;
 }
 

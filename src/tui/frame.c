@@ -49,14 +49,14 @@ draw_header(struct tui *t)
 		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
-	char *label = entry != NULL ? session_site_label(tui_asked(t)->site)
-		      : left.columns < 18 ? xstrdup(tr("no site"))
-					  : xstrdup(tr("no site is loaded"));
+	FREED char *label =
+	    entry != NULL       ? session_site_label(tui_asked(t)->site)
+	    : left.columns < 18 ? xstrdup(tr("no site"))
+				: xstrdup(tr("no site is loaded"));
 	bool room = text_width(label) + 11 <= left.columns,
 	     fits = text_width(label) < left.columns || entry == NULL;
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s",
 	    room ? tr("tipspeed  ") : "", fits ? label : entry->site->name);
-	free(label);
 	column = column < 0 ? 0 : column;
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
@@ -114,7 +114,7 @@ static bool
 frame_draw_message(const struct tui *t, const struct area *row)
 {
 	struct area area = *row;
-	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
 	     hints = wide && t->layout.hints.rows > 0;
 	if (wide)
@@ -123,7 +123,6 @@ frame_draw_message(const struct tui *t, const struct area *row)
 		area.row--;
 	screen_clear(&area);
 	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
-	free(text);
 	return hints;
 }
 
@@ -133,12 +132,10 @@ draw_work(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	if (!s->job.fits) {
-		char *at = s->job.rounds->at(s);
-		int column = screen_text(area, 0, 0, LOOK_BOLD,
+		FREED char *at = s->job.rounds->at(s);
+		return screen_text(area, 0, 0, LOOK_BOLD,
 		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
 		    t->held ? tr("PAUSED") : tr("WORKING"), at);
-		free(at);
-		return column;
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	return screen_text(area, 0, 0, LOOK_BOLD,
@@ -161,39 +158,40 @@ draw_ready(const struct area *area, const char *words)
 	    room < 0 && act != NULL ? act + 2 : words);
 }
 
-/* What the site's parameters are worth, or how the search stands. */
-static void
-draw_state(struct tui *t, const struct area *area)
+/* What the site's parameters are worth, or what to do first; the caller
+ * frees. */
+static char *
+ready_words(struct tui *t, int columns)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
-	const int room = area->columns - text_width(tr("READY  "));
-	char *verdict = panel_words(t, room, area->columns);
-	int column;
-	if (session_busy(s)) {
-		column = draw_work(t, area);
-	} else if (entry == NULL) {
-		column = draw_ready(area, tr("no site: o opens a sheet"));
-	} else if (!entry->has_params) {
-		column =
-		    draw_ready(area, site_products(entry->site) > 0
-					 ? tr("not calibrated: f calibrates")
-					 : tr("no product: type :guess"));
-	} else if (verdict[0] != '\0') {
-		column = draw_ready(area, verdict);
-	} else if (entry->has_fit) {
-		char *words = xasprintf("%s%s",
-		    fit_too_few(&entry->fit) ? "" : tr("fit "),
-		    light_verdict(s, entry, NULL));
-		column = draw_ready(area, words);
-		free(words);
-	} else {
-		char *words =
-		    xasprintf(tr("parameters %s"), origin_words(entry));
-		column = draw_ready(area, words);
-		free(words);
-	}
+	if (entry == NULL)
+		return xstrdup(tr("no site: o opens a sheet"));
+	if (!entry->has_params)
+		return xstrdup(site_products(entry->site) > 0
+				   ? tr("not calibrated: f calibrates")
+				   : tr("no product: type :guess"));
+	char *verdict =
+	    panel_words(t, columns - text_width(tr("READY  ")), columns);
+	if (verdict[0] != '\0')
+		return verdict;
 	free(verdict);
+	return entry->has_fit
+		   ? xasprintf("%s%s",
+			 fit_too_few(&entry->fit) ? "" : tr("fit "),
+			 light_verdict(s, entry, NULL))
+		   : xasprintf(tr("parameters %s"), origin_words(entry));
+}
+
+/* That, or how the search stands: what its parameters are worth would be worked
+ * out with each frame. */
+static void
+draw_state(struct tui *t, const struct area *area)
+{
+	FREED char *words =
+	    session_busy(t->session) ? NULL : ready_words(t, area->columns);
+	int column =
+	    words == NULL ? draw_work(t, area) : draw_ready(area, words);
 	char right[64];
 	snprintf(right, sizeof right,
 	    t->mouse ? tr("mouse on  %s  %d colours")
@@ -244,11 +242,10 @@ draw_offers(struct tui *t, const struct area *area)
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
-	char *found = xasprintf(
+	FREED char *found = xasprintf(
 	    tr("%zu of %zu"), rows_count(t), pages_open(t)->list->n(t));
 	int at = pane_word(
 	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
-	free(found);
 	if (t->filter.active && area->rows > 0)
 		t->cursor = (struct cursor){area->row, at};
 }
@@ -260,30 +257,40 @@ is_filter_shown(const struct tui *t)
 	       pages_open(t)->list != NULL;
 }
 
+/* Of what is typed, or NULL. */
+static const char *
+hints_of_typing(const struct tui *t)
+{
+	const struct edit *line = &t->line;
+	if (!line->active)
+		return t->speed.n > 0 ? N_("Enter go there  Esc give up")
+				      : NULL;
+	if (t->goal_field)
+		return line->n > 0
+			   ? N_("Enter set it  Tab complete  ^U clear  "
+				"Esc give up")
+			   : N_("Enter no goal  Tab offers  Esc give up");
+	return strstr(line->text, " > ") != NULL
+		   ? N_("Enter write  Esc give up  ending: .csv .xlsx .json "
+			"table, .svg .png .pdf plot")
+		   : N_("Enter run  Tab complete  Up earlier lines  Esc give "
+			"up");
+}
+
 static void
 frame_draw_hints(struct tui *t)
 {
 	const struct page_ops *page = pages_open(t);
-	if (t->line.active && t->goal_field)
-		pane_hints(t, LOOK_DIM,
-		    t->line.n > 0
-			? N_("Enter set it  Tab complete  ^U clear  "
-			     "Esc give up")
-			: N_("Enter no goal  Tab offers  Esc give up"));
-	else if (t->line.active && strstr(t->line.text, " > ") != NULL)
-		pane_hints(t, LOOK_DIM,
-		    "Enter write  Esc give up  ending: .csv .xlsx .json table, "
-		    ".svg .png .pdf plot");
-	else if (t->line.active)
-		pane_hints(t, LOOK_DIM,
-		    "Enter run  Tab complete  Up earlier lines  Esc give up");
-	else if (t->speed.n > 0)
-		pane_hints(t, LOOK_DIM, "Enter go there  Esc give up");
-	else if (is_filter_shown(t))
+	const char *typing = hints_of_typing(t);
+	if (typing == NULL && is_filter_shown(t)) {
 		draw_filter(t, &t->layout.hints);
-	else
-		pane_hints(t, LOOK_DIM,
-		    page->hints != NULL ? page->hints : page->hints_now(t));
+		return;
+	}
+	const char *keys =
+	    page->hints != NULL ? page->hints : page->hints_now(t);
+	FREED char *hints =
+	    typing != NULL ? xstrdup(typing) : keys_bar(tr(keys), t->ui.page);
+	pane_hints(t, LOOK_DIM, hints);
 }
 
 /* A speed being typed. */
@@ -365,8 +372,8 @@ draw_lower(struct tui *t)
 static void
 draw_question(struct tui *t, int rows, int columns)
 {
-	char *asks = xasprintf("%s y/n", t->question),
-	     *text = text_wrapped(asks, columns);
+	FREED char *asks = xasprintf("%s y/n", t->question),
+		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
 	screen_clear(&area);
@@ -380,8 +387,6 @@ draw_question(struct tui *t, int rows, int columns)
 	hits_add_key(
 	    &t->hits, area_cells(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
 	hits_add_key(&t->hits, area_cells(&area, n - 1, end - 1, 2), 'n');
-	free(text);
-	free(asks);
 }
 
 static void

@@ -143,12 +143,10 @@ act_export(struct tui *t, const struct key *key)
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
 	}
-	char *line = tui_command_of_page(t), *slug = file_name_of_site(t);
+	FREED char *line = tui_command_of_page(t), *slug = file_name_of_site(t);
 	xappend(&line, " > ");
 	keymap_propose(
 	    t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
-	free(slug);
-	free(line);
 }
 
 void
@@ -162,18 +160,16 @@ act_type(struct tui *t, const struct key *key)
 void
 act_command(struct tui *t, const struct key *key)
 {
-	cmdline_run(t, key->command);
+	cmdline_run(t, key->hint);
 }
 
 void
 act_describe(struct tui *t, const struct key *key)
 {
 	char *(*words)(const struct tui *) = pages_open(t)->words;
-	char *of = words != NULL ? words(t) : pane_curves_words(t);
-	char *line = xasprintf("%s %s", key->command, of);
+	FREED char *of = words != NULL ? words(t) : pane_curves_words(t);
+	FREED char *line = xasprintf("%s %s", key->hint, of);
 	cmdline_run(t, line);
-	free(of);
-	free(line);
 }
 
 /* Goes on to the next choice, which changes the answer. */
@@ -191,12 +187,11 @@ act_correct(struct tui *t, const struct key *key)
 	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
 	    [CORRECTION_TRAIN] = "off",
 	    [CORRECTION_OFF] = "all"};
-	char *line =
+	FREED char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
 	cmdline_run(t, line);
 	if (!t->failed && t->viewer.text == NULL)
 		tui_say(t, false, "%s", tr(SAID[t->session->set.correction]));
-	free(line);
 }
 
 /* What was calibrated, set or recalled is replaced only by who wants it. */
@@ -207,13 +202,12 @@ confirm_replace_params(struct tui *t)
 	const struct entry *entry = tui_current_entry(t);
 	if (!entry->has_params)
 		return true;
-	char *asks = xasprintf(entry->has_fit
-				   ? tr("%s is calibrated: calibrate it again?")
-				   : tr("%s has parameters: replace them by a "
-					"calibration?"),
+	FREED char *asks = xasprintf(
+	    entry->has_fit ? tr("%s is calibrated: calibrate it again?")
+			   : tr("%s has parameters: replace them by a "
+				"calibration?"),
 	    entry->key);
 	bool yes = s->hooks.confirm(s, asks);
-	free(asks);
 	if (!yes)
 		tui_say(t, false, "not calibrated: the parameters stay");
 	return yes;
@@ -281,8 +275,8 @@ act_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct numbers was = t->view.pinned;
-	char *where = tui_options_at_slider(t),
-	     *line = xasprintf("pin %s", where);
+	FREED char *where = tui_options_at_slider(t),
+		   *line = xasprintf("pin %s", where);
 	if (was.site[0] == '\0' && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_none(t));
 	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
@@ -301,8 +295,6 @@ act_pin(struct tui *t, const struct key *key)
 			: N_("pinned %s at %.1f m/s: go to another speed or "
 			     "site; e exports both"),
 		    t->view.pinned.site, t->view.pinned.speed);
-	free(where);
-	free(line);
 }
 
 void
@@ -315,15 +307,14 @@ act_band(struct tui *t, const struct key *key)
 	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
 	bool known = t->view.shown.low != NULL;
-	tui_say(t, false,
-	    known || (entry->has_fit && fit_too_few(&entry->fit))
-		? "%s%s"
-		: N_("%s%s; f calibrates"),
-	    known ? "" : outlook_why_none(t->session, entry),
-	    !known ? ""
-	    : screen_charset() != CHARSET_ASCII
-		? tr("band on")
-		: tr("band on; not visible where it is thinner than a row"));
+	if (known)
+		tui_say(t, false, "band on; where thin, the line hides it");
+	else
+		tui_say(t, false,
+		    entry->has_fit && fit_too_few(&entry->fit)
+			? "%s"
+			: N_("%s; f calibrates"),
+		    outlook_why_none(t->session, entry));
 }
 
 void
@@ -418,10 +409,9 @@ run_key_action(struct tui *t, const struct key *key)
 static bool
 goal_line_key(struct tui *t, int code, bool special)
 {
-	char *line = goal_key(t, code, special);
+	FREED char *line = goal_key(t, code, special);
 	if (line != NULL)
 		control_run(t, line);
-	free(line);
 	return true;
 }
 

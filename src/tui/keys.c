@@ -16,132 +16,142 @@
 #define CONTROL(letter) ((letter)&0x1F)
 
 const struct key KEYS[] = {
-    {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP, NULL,
+    {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP,
 	"slider of the page to the left: speed by 0.1 m/s, generation, cell",
-	"the slider of the page"},
-    {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move, STEP, NULL,
-	"slider of the page to the right", NULL},
+	"the slider of the page", "speed"},
+    {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move, STEP,
+	"slider of the page to the right", NULL, NULL},
     {KEY_SLEFT, "Shift-Left, H", ON_ALL | FIRST_ON_PREDICT, act_move, -FAST,
-	NULL, "speed down by 1 m/s; or ten generations",
-	"by 1 m/s, 10 generations"},
-    {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT, act_move, FAST,
-	NULL, "speed up by 1 m/s; or ten generations", NULL},
-    {KEY_NPAGE, "PgDn", ON_ALL | FIRST_ON_PREDICT, act_move, -FAR, NULL,
-	"speed down by 5 m/s; or fifty generations",
-	"by 5 m/s, 50 generations"},
-    {KEY_PPAGE, "PgUp", ON_ALL | FIRST_ON_PREDICT, act_move, FAR, NULL,
-	"speed up by 5 m/s; or fifty generations", NULL},
-    {KEY_HOME, "Home, g", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_LEAST, NULL,
-	"to the slow end of the track; to the first of a list", "to its ends"},
-    {KEY_END, "End, G", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_MOST, NULL,
-	"to the fast end of the track; to the last of a list", NULL},
-    {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_speed, 0, NULL,
-	"type a speed: =72.5 Enter", "a speed: =72.5 Enter"},
-    {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_run_speed, -1, NULL,
-	"to the slowest run", "slowest, fastest, middle"},
-    {']', "]", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 1, NULL,
-	"to the fastest run", NULL},
-    {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 0, NULL,
-	"to the middle of the runs", NULL},
-    {'t', "t", ON_ALL, act_goal, 0, NULL,
-	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none",
-	"goal"},
-    {'n', "n", ON_ALL | AT_SPEED, act_limit, 1, NULL,
-	"to the next speed at which the goal begins or ends, or the next run",
-	"its limits, or runs"},
-    {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, NULL, "to the one before",
+	"speed down by 1 m/s; or ten generations", "by 1 m/s, 10 generations",
 	NULL},
-    {'N', "N", ON_ALL | AT_SPEED, act_best, 0, NULL,
-	"to the best speed of the goal", "its best speed"},
-    {'y', "y", ON_PREDICT, act_quantity, 1, NULL,
-	"next quantity above the track: P80, P50 ..", "other quantity"},
-    {'Y', "Y", ON_PREDICT, act_quantity, -1, NULL, "the one before", NULL},
-    {'1', "1", ON_ALL, act_page, PAGE_PREDICT, NULL, "page Predict", "pages"},
-    {'2', "2", ON_ALL, act_page, PAGE_FIT, NULL, "page Fit", NULL},
-    {'3', "3", ON_ALL, act_page, PAGE_DATA, NULL, "page Data", NULL},
-    {'4', "4", ON_ALL, act_page, PAGE_PARITY, NULL, "page Parity", NULL},
-    {'5', "5", ON_ALL, act_page, PAGE_SITES, NULL, "page Sites", NULL},
-    {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_list, -1, NULL,
-	"up in a list; crosshair to a coarser sieve", "a row, the sieve read"},
-    {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_list, 1, NULL,
-	"down in a list; crosshair to a finer sieve", NULL},
-    {'\n', "Enter", ON_FIT, act_bounds, 0, NULL,
+    {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT, act_move, FAST,
+	"speed up by 1 m/s; or ten generations", NULL, NULL},
+    {KEY_NPAGE, "PgDn", ON_ALL | FIRST_ON_PREDICT, act_move, -FAR,
+	"speed down by 5 m/s; or fifty generations", "by 5 m/s, 50 generations",
+	NULL},
+    {KEY_PPAGE, "PgUp", ON_ALL | FIRST_ON_PREDICT, act_move, FAR,
+	"speed up by 5 m/s; or fifty generations", NULL, NULL},
+    {KEY_HOME, "Home, g", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_LEAST,
+	"to the slow end of the track; to the first of a list", "to its ends",
+	NULL},
+    {KEY_END, "End, G", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_MOST,
+	"to the fast end of the track; to the last of a list", NULL, NULL},
+    {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_speed, 0,
+	"type a speed: =72.5 Enter", "a speed: =72.5 Enter", NULL},
+    {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_run_speed, -1,
+	"to the slowest run", "slowest, fastest, middle", NULL},
+    {']', "]", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 1,
+	"to the fastest run", NULL, NULL},
+    {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 0,
+	"to the middle of the runs", NULL, NULL},
+    {'t', "t", ON_ALL, act_goal, 0,
+	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none", "goal",
+	NULL},
+    {'n', "n", ON_ALL | AT_SPEED, act_limit, 1,
+	"to the next speed at which the goal begins or ends, or the next run",
+	"its limits, or runs", "limits"},
+    {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, "to the one before", NULL,
+	NULL},
+    {'N', "N", ON_ALL | AT_SPEED, act_limit, 0, "to the best speed of the goal",
+	"its best speed", "best"},
+    {'y', "y", ON_PREDICT, act_quantity, 1,
+	"next quantity above the track: P80, P50 ..", "other quantity", NULL},
+    {'Y', "Y", ON_PREDICT, act_quantity, -1, "the one before", NULL, NULL},
+    {'1', "1", ON_ALL, act_page, PAGE_PREDICT, "page Predict", "pages", NULL},
+    {'2', "2", ON_ALL, act_page, PAGE_FIT, "page Fit", NULL, NULL},
+    {'3', "3", ON_ALL, act_page, PAGE_DATA, "page Data", NULL, NULL},
+    {'4', "4", ON_ALL, act_page, PAGE_PARITY, "page Parity", NULL, NULL},
+    {'5', "5", ON_ALL, act_page, PAGE_SITES, "page Sites", NULL, NULL},
+    {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_list, -1,
+	"up in a list; crosshair to a coarser sieve", "a row, the sieve read",
+	"sieve"},
+    {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_list, 1,
+	"down in a list; crosshair to a finer sieve", NULL, NULL},
+    {'\n', "Enter", ON_FIT, act_bounds, 0,
 	"type bounds of the parameter Up and Down choose",
-	"bounds of the parameter"},
-    {'.', ".", ON_FIT, act_generation, 0, NULL,
-	"one step of the search, then wait; or the next one", "one generation"},
-    {'\n', "Enter", ON_PREDICT, act_numbers, 0, NULL,
+	"bounds of the parameter", "bounds"},
+    {'.', ".", ON_FIT, act_generation, 0,
+	"one step of the search, then wait; or the next one", "one generation",
+	NULL},
+    {'\n', "Enter", ON_PREDICT, act_numbers, 0,
 	"all numbers, also those of what is pinned; first it calibrates",
-	"all numbers"},
-    {'\n', "Enter", ON_PARITY | ON_SITES, act_choose, 0, NULL,
-	"open the chosen row: use a site", "use the site"},
-    {'\n', "Enter", ON_DATA, act_mend, 0, NULL,
-	"mend the doubtful cell; u takes it back", "mend the cell"},
-    {'!', "!", ON_DATA, act_doubt, 0, NULL,
-	"to the next doubtful cell of the sheet", "next doubtful cell"},
-    {'o', "o", ON_SITES, act_sort, 1, NULL,
-	"sort by the next column, or click a heading", "sort"},
-    {'O', "O", ON_SITES, act_sort, -1, NULL, "sort the other way round", NULL},
-    {'/', "/", ON_ALL | FIRST_ON_LISTS, act_filter, 0, NULL,
+	"all numbers", "numbers"},
+    {'\n', "Enter", ON_PARITY | ON_SITES, act_choose, 0,
+	"open the chosen row: use a site", "use the site", "use it"},
+    {'\n', "Enter", ON_DATA, act_mend, 0,
+	"mend the doubtful cell; u takes it back", "mend the cell", "mends"},
+    {'!', "!", ON_DATA, act_doubt, 0, "to the next doubtful cell of the sheet",
+	"next doubtful cell", "next doubtful"},
+    {'o', "o", ON_SITES, act_sort, 1,
+	"sort by the next column, or click a heading", "sort", NULL},
+    {'O', "O", ON_SITES, act_sort, -1, "sort the other way round", NULL, NULL},
+    {'/', "/", ON_ALL | FIRST_ON_LISTS, act_filter, 0,
 	"show the rows of a list that have a word; search a text",
-	"find a word"},
-    {ESCAPE, "Esc", ON_ALL, act_back, 0, NULL,
+	"find a word", "filter"},
+    {ESCAPE, "Esc", ON_ALL, act_back, 0,
 	"one step back: from a word, the crosshair, a page; never quits",
-	"back"},
-    {'o', "o", ON_ALL & ~ON_SITES, act_files, 0, NULL,
-	"open a sheet: a list of files, with a preview of each",
-	"open a sheet"},
-    {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_cross, 0, NULL,
-	"crosshair on or off: reads the curves at a sieve", "crosshair"},
-    {'<', "<", ON_PREDICT, act_level, -5, NULL,
-	"sizes of the crosshair at a passing 5 % lower", "its passing"},
-    {'>', ">", ON_PREDICT, act_level, 5, NULL, "at one 5 % higher", NULL},
-    {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0, NULL,
-	"uncertainty band on or off, if known", "band"},
-    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0, NULL,
+	"back", NULL},
+    {'o', "o", ON_ALL & ~ON_SITES, act_files, 0,
+	"open a sheet: a list of files, with a preview of each", "open a sheet",
+	NULL},
+    {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_cross, 0,
+	"crosshair on or off: reads the curves at a sieve", "crosshair", NULL},
+    {'<', "<", ON_PREDICT, act_level, -5,
+	"sizes of the crosshair at a passing 5 % lower", "its passing",
+	"passing"},
+    {'>', ">", ON_PREDICT, act_level, 5, "at one 5 % higher", NULL, NULL},
+    {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0,
+	"uncertainty band on or off, if known", "band", NULL},
+    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0,
 	"runs that correct the answer: all, the training runs, none",
-	"runs that correct it"},
-    {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_pin, 0, NULL,
-	"pin this prediction for comparison; again: unpin", "pin, unpin"},
-    {'v', "v", ON_FIT, act_picture, 0, NULL,
-	"the next plot: search, curves, convergence, spread", "next plot"},
-    {'r', "r", ON_PREDICT, act_runs, 0, NULL,
-	"all runs, measured and predicted; again: back", "all runs"},
-    {'f', "f", ON_ALL | FIRST_ON_FIT | CHANGES, act_fit, 0, NULL,
-	"calibrate, or start again", "calibrate"},
-    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_pause, 0, NULL,
+	"runs that correct it", NULL},
+    {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_pin, 0,
+	"pin this prediction for comparison; again: unpin", "pin, unpin",
+	"pin"},
+    {'v', "v", ON_FIT, act_picture, 0,
+	"the next plot: search, curves, convergence, spread", "next plot",
+	"plot"},
+    {'r', "r", ON_PREDICT, act_runs, 0,
+	"all runs, measured and predicted; again: back", "all runs", NULL},
+    {'f', "f", ON_ALL | FIRST_ON_FIT | CHANGES, act_fit, 0,
+	"calibrate, or start again", "calibrate", "fit"},
+    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_pause, 0,
 	"pause or resume the calibration; once stopped: continue",
-	"pause, continue"},
-    {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0, NULL,
-	"stop the calibration and keep the best", "stop, keep the best"},
-    {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop, 0, NULL,
-	"stop the calibration and keep the best", NULL},
-    {'+', "+", ON_ALL | FIRST_ON_FIT, act_pace, 1, NULL,
-	"more generations a second", "faster, slower display"},
-    {'-', "-", ON_ALL | FIRST_ON_FIT, act_pace, -1, NULL,
-	"fewer generations a second", NULL},
-    {'d', "d", ON_ALL | AT_SPEED, act_describe, 0, "describe",
-	"describe the plot of the page in words", "plot in words"},
-    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0, NULL,
-	"export the prediction, a pinned one too: .xlsx, .csv, .svg", "export"},
-    {':', ":", ON_ALL | AT_SPEED, act_type, 0, NULL,
+	"pause, continue", "pause"},
+    {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0,
+	"stop the calibration and keep the best", "stop, keep the best",
+	"stop, keep"},
+    {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop, 0,
+	"stop the calibration and keep the best", NULL, NULL},
+    {'+', "+", ON_ALL | FIRST_ON_FIT, act_pace, 1, "more generations a second",
+	"faster, slower display", "pace"},
+    {'-', "-", ON_ALL | FIRST_ON_FIT, act_pace, -1,
+	"fewer generations a second", NULL, NULL},
+    {'d', "d", ON_ALL | AT_SPEED | RUNS_COMMAND, act_describe, 0,
+	"describe the plot of the page in words", "plot in words", "describe"},
+    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0,
+	"export the prediction, a pinned one too: .xlsx, .csv, .svg", "export",
+	NULL},
+    {':', ":", ON_ALL | AT_SPEED, act_type, 0,
 	"a command: find, spec, bounds ..; Tab completes, Up repeats",
-	"command"},
-    {'u', "u", ON_ALL | CHANGES, act_command, 0, "undo", "undo the last change",
-	"undo, redo"},
-    {'U', "U", ON_ALL | CHANGES, act_command, 0, "redo", "redo it", NULL},
-    {'w', "w", ON_ALL | AT_SPEED, act_save, 0, NULL,
+	"command", NULL},
+    {'u', "u", ON_ALL | CHANGES | RUNS_COMMAND, act_command, 0,
+	"undo the last change", "undo, redo", "undo"},
+    {'U', "U", ON_ALL | CHANGES | RUNS_COMMAND, act_command, 0, "redo it", NULL,
+	"redo"},
+    {'w', "w", ON_ALL | AT_SPEED, act_save, 0,
 	"save the session as a script, under the name that is proposed",
-	"save the session"},
-    {'V', "V", ON_ALL, act_again, 0, NULL,
-	"show the last text again: an answer, a report", "last text again"},
-    {KEY_F(1), "?, F1", ON_ALL, act_help, 0, NULL, "this list", "this list"},
-    {'M', "M", ON_ALL, act_mouse, 0, NULL,
-	"mouse on or off; Shift and drag selects text", "mouse"},
-    {CONTROL('L'), "^L", ON_ALL, act_redraw, 0, NULL, "redraw", "redraw"},
-    {SUSPEND, "^Z", ON_ALL, act_suspend, 0, NULL, "to the shell; fg comes back",
-	"to the shell"},
-    {'q', "q", ON_ALL, act_leave, 0, NULL, "quit full-screen mode", "quit"},
+	"save the session", NULL},
+    {'V', "V", ON_ALL, act_again, 0,
+	"show the last text again: an answer, a report", "last text again",
+	NULL},
+    {KEY_F(1), "?, F1", ON_ALL, act_help, 0, "this list", "this list", "keys"},
+    {'M', "M", ON_ALL, act_mouse, 0,
+	"mouse on or off; Shift and drag selects text", "mouse", NULL},
+    {CONTROL('L'), "^L", ON_ALL, act_redraw, 0, "redraw", "redraw", NULL},
+    {SUSPEND, "^Z", ON_ALL, act_suspend, 0, "to the shell; fg comes back",
+	"to the shell", NULL},
+    {'q', "q", ON_ALL, act_leave, 0, "quit full-screen mode", "quit", NULL},
     {.code = 0}};
 
 /* Whether one of the names of a row, "Left, h", is this. */
@@ -207,6 +217,53 @@ keys_code_of_name(const char *name, int *code)
 	return false;
 }
 
+/* What the keys of a hint do, by the first of them that has words, "" where it
+ * names something else, too: "Down Enter", "1-5 pages". */
+static const char *
+words_of_hint(const char *hint, enum page page)
+{
+	const char *words = "";
+	for (size_t n; *hint != '\0'; hint += n + (hint[n] != '\0')) {
+		int code;
+		n = keys_name_length(hint);
+		FREED char *name = xstrndup(hint, n);
+		if (!keys_code_of_name(name, &code))
+			return "";
+		const struct key *k = keys_find(code, page);
+		if (words[0] == '\0' && k != NULL && (k->hint || k->brief))
+			words = tr(k->hint != NULL ? k->hint : k->brief);
+	}
+	return words;
+}
+
+size_t
+keys_name_length(const char *names)
+{
+	/* "/" is a key, too. */
+	return names[0] == '\0' ? 0 : 1 + strcspn(names + 1, "/ ");
+}
+
+char *
+keys_next_hint(const char **hints)
+{
+	const char *from = *hints, *end = strstr(from, "  ");
+	size_t n = end != NULL ? (size_t)(end - from) : strlen(from);
+	*hints += n + (end != NULL ? 2 : 0);
+	return xstrndup(from, n);
+}
+
+char *
+keys_bar(const char *hints, enum page page)
+{
+	char *bar = xstrdup("");
+	while (*hints != '\0') {
+		FREED char *hint = keys_next_hint(&hints);
+		const char *words = words_of_hint(hint, page);
+		xlist(&bar, "  ", "%s%s%s", hint, words[0] ? " " : "", words);
+	}
+	return bar;
+}
+
 /* The only page a key is there on, in words; "" where it is on all. */
 static const char *
 only_on_page_words(const struct key *k)
@@ -235,16 +292,14 @@ static char *
 brief_line(const struct key *k)
 {
 	enum { ROOM = 13 };
-	char *names = xstrndup(k->name, strcspn(k->name, ","));
+	FREED char *names = xstrndup(k->name, strcspn(k->name, ","));
 	for (const struct key *next = k + 1;
 	     next->code != 0 && next->brief == NULL; next++) {
 		size_t n = strcspn(next->name, ",");
 		if (strlen(names) + 1 + n <= ROOM)
 			xappend(&names, " %.*s", (int)n, next->name);
 	}
-	char *line = xasprintf("  %-*s %s", ROOM, names, tr(k->brief));
-	free(names);
-	return line;
+	return xasprintf("  %-*s %s", ROOM, names, tr(k->brief));
 }
 
 static char *
@@ -257,10 +312,8 @@ help_line_of(const struct key *k)
 static bool
 keys_has_word(const struct key *k, const char *word)
 {
-	char *line = help_line_of(k);
-	bool has = text_has(line, word);
-	free(line);
-	return has;
+	FREED char *line = help_line_of(k);
+	return text_has(line, word);
 }
 
 /* In brief a key of other pages is left out. */
@@ -292,10 +345,9 @@ keys_list(enum page page, const char *word, FILE *out)
 	const struct key *line[ARRAY_LEN(KEYS)];
 	size_t n = keys_list_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
-		char *text = word[0] == '\0' ? brief_line(line[i])
-					     : help_line_of(line[i]);
+		FREED char *text = word[0] == '\0' ? brief_line(line[i])
+						   : help_line_of(line[i]);
 		fprintf(out, "%s\n", text);
-		free(text);
 	}
 	if (n == 0)
 		fprintf(out,
@@ -330,8 +382,8 @@ keys_manual(FILE *out)
 		fprintf(out, ".It %s%s\n%s%s.\n",
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
 		    only_on_page_words(k));
-		if (k->command != NULL)
-			fprintf(out, "Runs\n.Ic %s .\n", k->command);
+		if (k->where & RUNS_COMMAND)
+			fprintf(out, "Runs\n.Ic %s .\n", k->hint);
 	}
 	fprintf(out,
 	    ".It mouse\nClick on the track or drag along it to set the "
@@ -350,5 +402,7 @@ keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out)
 		print(k->what, out);
 		if (k->brief != NULL)
 			print(k->brief, out);
+		if (k->hint != NULL)
+			print(k->hint, out);
 	}
 }

@@ -113,10 +113,9 @@ pane_draw_runs(
 			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look = site_chart_run(site, r, held_out);
-		char *sample = chart_sample(&look, screen_charset());
+		FREED char *sample = chart_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    site->run[r].speed, held_out ? tr(" held out") : "");
-		free(sample);
 		column =
 		    pane_draw_name(t, column, look.series, LOOK_BOLD, text);
 		moved = moved || (may && tui_moved(t, r));
@@ -195,42 +194,21 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_plot(t, request, &plot);
 }
 
-/* Cuts off the words, separated by two spaces, that there is no room for. */
-static void
-pane_cut(char *words, int columns)
-{
-	while (text_width(words) > columns) {
-		char *cut = NULL;
-		for (char *p = strstr(words, "  "); p != NULL;
-		     p = strstr(p + 2, "  "))
-			cut = p;
-		if (cut == NULL)
-			break;
-		*cut = '\0';
-	}
-}
-
 /* The keys named at its start, "Up/Down": a click on one of them is that one,
  * and where there is one only the words after it are, too. */
 static void
-touch_hint(struct tui *t, int row, int column, const char *hint, size_t n)
+touch_hint(struct tui *t, int row, int column, const char *hint)
 {
-	size_t word = strcspn(hint, " "), from = 0;
-	word = word < n ? word : n;
-	while (from < word) {
-		/* "/" is a key, too. */
-		size_t end = from + 1 + strcspn(hint + from + 1, "/ ");
-		end = end < word ? end : word;
-		char *name = xstrndup(hint + from, end - from);
-		size_t till = from == 0 && end == word ? n : end;
-		int code;
+	size_t word = strcspn(hint, " ");
+	for (size_t from = 0, end; from < word; from = end + 1) {
+		end = from + keys_name_length(hint + from);
+		FREED char *name = xstrndup(hint + from, end - from);
+		bool only = from == 0 && end == word;
+		int code, width = (int)(only ? strlen(hint) : end - from);
 		if (keys_code_of_name(name, &code))
 			hits_add_key(&t->hits,
-			    (struct area){
-				row, column + (int)from, 1, (int)(till - from)},
+			    (struct area){row, column + (int)from, 1, width},
 			    code);
-		free(name);
-		from = end + 1;
 	}
 }
 
@@ -238,45 +216,35 @@ void
 pane_touch_hints(struct tui *t, int row, int column, const char *hints)
 {
 	while (*hints != '\0') {
-		const char *end = strstr(hints, "  ");
-		size_t n = end != NULL ? (size_t)(end - hints) : strlen(hints);
-		char *hint = xstrndup(hints, n);
-		touch_hint(t, row, column, hint, n);
+		FREED char *hint = keys_next_hint(&hints);
+		touch_hint(t, row, column, hint);
 		column += text_width(hint) + 2;
-		free(hint);
-		hints += n + strspn(hints + n, " ");
 	}
 }
 
-/* Each key, the first word of its hint, stands out of what it does. */
-static void
-pane_draw_hints(const struct area *area, unsigned look, const char *hints)
-{
-	int column = 0;
-	screen_text(area, 0, 0, look, "%s", hints);
-	while (look == LOOK_DIM && *hints != '\0') {
-		const char *end = strstr(hints, "  ");
-		size_t n =
-		    end != NULL ? (size_t)(end - hints) + 2 : strlen(hints);
-		char *hint = xstrndup(hints, n);
-		screen_text(area, 0, column, LOOK_BOLD, "%.*s",
-		    (int)strcspn(hint, " "), hint);
-		column += text_width(hint);
-		free(hint);
-		hints += n;
-	}
-}
-
+/* Where they are dim each key, the first word of its hint, stands out of what
+ * it does. */
 void
 pane_hints(struct tui *t, unsigned look, const char *hints)
 {
 	const struct area *area = &t->layout.hints;
-	char text[128];
-	snprintf(text, sizeof text, "%s", tr(hints));
-	pane_cut(text, area->columns);
-	pane_draw_hints(area, look, text);
-	if (area->rows > 0)
-		pane_touch_hints(t, area->row, area->column, text);
+	int column = 0;
+	if (area->rows == 0)
+		return;
+	for (hints = tr(hints); *hints != '\0'; column += 2) {
+		FREED char *hint = keys_next_hint(&hints);
+		int end = column + text_width(hint);
+		if (column > 0 && end > area->columns)
+			return;
+		if (column > 0)
+			screen_text(area, 0, column - 2, look, "  ");
+		screen_text(area, 0, column, look, "%s", hint);
+		if (look == LOOK_DIM)
+			screen_text(area, 0, column, LOOK_BOLD, "%.*s",
+			    (int)strcspn(hint, " "), hint);
+		touch_hint(t, area->row, area->column + column, hint);
+		column = end;
+	}
 }
 
 int
@@ -325,9 +293,8 @@ pane_lines(const struct area *area, int row, const char *text)
 	for (unsigned look = LOOK_BOLD; *text != '\0' && row < area->rows;
 	     look = LOOK_PLAIN) {
 		size_t n = strcspn(text, "\n");
-		char *line = xstrndup(text, n);
+		FREED char *line = xstrndup(text, n);
 		row = screen_words(area, row, look, line);
-		free(line);
 		text += n + (text[n] == '\n');
 	}
 	return row;

@@ -26,7 +26,7 @@ struct page_list {
  * Operations that a page does not need are NULL. */
 struct page_ops {
 	const char *name;  /* in the heading */
-	const char *hints; /* its keys, separated by two spaces; or NULL: */
+	const char *hints; /* its keys, see keys_bar; or NULL: */
 	const char *(*hints_now)(const struct tui *t);
 	/* Columns of its side panel: by default; from 100 screen columns; from
 	 * 120.  0: no change. */

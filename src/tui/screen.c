@@ -295,8 +295,14 @@ static void
 screen_put_cell(
     int row, int column, uint32_t code, unsigned look, enum series series)
 {
+	enum { LIGHT_SHADE = 0x2591, MIDDLE_DOT = 0xB7 };
 	if (row < 0 || row >= is.rows || column < 0 || column >= is.columns)
 		return;
+	/* With few colours nothing is dim: the shade outshone what lies on it.
+	 */
+	if (code == LIGHT_SHADE && series == SERIES_TEXT && is.depth > 0 &&
+	    is.depth < 256)
+		code = MIDDLE_DOT;
 	*canvas_at(is.frame, column, row) = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)look};
 }
@@ -317,10 +323,9 @@ int
 screen_series(const struct area *area, int row, int column, enum series series,
     unsigned look, const char *text)
 {
-	char *fitted = text_fitted(text, area->columns - column);
+	FREED char *fitted = text_fitted(text, area->columns - column);
 	bool whole = strcmp(fitted, text) == 0;
 	int end = screen_part(area, row, column, series, look, fitted);
-	free(fitted);
 	return whole || row < 0 || row >= area->rows ? end : area->columns;
 }
 
@@ -344,13 +349,12 @@ screen_words_within(const struct area *area, int row, int rows, unsigned look,
 	for (char *line = strtok_r(wrapped, "\n", &save);
 	     line != NULL && rows > 0; line = strtok_r(NULL, "\n", &save)) {
 		bool cut = --rows == 0 && *save != '\0';
-		char *part = text_wrapped(
+		FREED char *part = text_wrapped(
 		    line, area->columns - (cut ? text_width(more) : 0));
 		part[strcspn(part, "\n")] = '\0';
 		int end = screen_series(area, row, 0, SERIES_TEXT, look, part);
 		if (cut)
 			screen_series(area, row, end, SERIES_TEXT, look, more);
-		free(part);
 		row++;
 	}
 	free(wrapped);

@@ -21,9 +21,8 @@ under_way_words(const struct tui *t)
 	const struct session *s = t->session;
 	char *words = xasprintf("%s  %s", tr("WORKING"), t->under_way);
 	if (session_busy(s) && !s->job.fits) {
-		char *at = s->job.rounds->at(s);
+		FREED char *at = s->job.rounds->at(s);
 		xappend(&words, "\n%s", at);
-		free(at);
 	}
 	if (session_busy(s)) {
 		xlist(&words, "\n", tr("generation %zu of %zu"),
@@ -108,7 +107,7 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 		const size_t n = t->session->n_entry;
 		if (restores)
 			captured_clear(t);
-		char *words =
+		FREED char *words =
 		    entry == NULL
 			? xstrdup(tr("no site is loaded"))
 			: xasprintf(
@@ -118,7 +117,6 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 		tui_say(t, false, "%s: %s",
 		    restores ? tr("restored") : tr("the script has run"),
 		    words);
-		free(words);
 	}
 	t->told = t->told || told;
 	free(t->under_way);

@@ -132,7 +132,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 static bool
 press_all(struct tui *t, const char *keys, struct error *error)
 {
-	char *copy = xstrdup(keys);
+	FREED char *copy = xstrdup(keys);
 	bool ok = true;
 	long pressed = 0;
 	asks = false;
@@ -144,7 +144,6 @@ press_all(struct tui *t, const char *keys, struct error *error)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}
-	free(copy);
 	keys_left = letters = NULL;
 	return ok;
 }
@@ -159,7 +158,9 @@ plot_kind_words(const struct tui *t)
 			       : pane_curves_words(t);
 }
 
-/* The open one as it stands, drawn from a state of its own. */
+/* The open one as it stands: what was chosen is as before, and where the parts
+ * of its own frame are.  In the midst of a script what it showed may be gone.
+ */
 static bool
 draw_open(struct screen_request *request, struct error *error)
 {
@@ -169,12 +170,27 @@ draw_open(struct screen_request *request, struct error *error)
 		return error_hint(
 		    error, "press the keys here, then type :screen");
 	}
-	struct tui *t = control_new_copy();
+	struct tui *t = control_screen();
+	const struct tui was = *t;
+	const bool stale = t->under_way != NULL;
+	t->aside = true;
+	t->picker.on = false;
+	if (stale) {
+		control_refresh(t);
+		view_form(t);
+	}
 	if (request->page > 0)
 		pages_go(t, (enum page)(request->page - 1));
 	pages_update(t);
 	frame_draw(t);
-	control_free_copy(t);
+	tui_clear_hits(t);
+	t->aside = was.aside;
+	t->picker.on = was.picker.on;
+	t->ui = was.ui;
+	t->filter = was.filter;
+	t->layout = was.layout;
+	if (stale)
+		t->view.current = was.view.current;
 	return true;
 }
 

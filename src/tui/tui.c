@@ -10,6 +10,7 @@
 
 #include <curses.h>
 
+#include "base/xalloc.h"
 #include "cmd/session/autosave.h"
 #include "tui/widgets/response_strip.h"
 #include "tui/keymap.h"
@@ -195,10 +196,9 @@ show_page(const char *page)
 static void
 offer_last_session(struct tui *t)
 {
-	char *offer = autosave_begin(t->session);
+	FREED char *offer = autosave_begin(t->session);
 	if (offer != NULL)
 		tui_say(t, false, "%s", offer);
-	free(offer);
 }
 
 int

@@ -123,13 +123,10 @@ tui_options_at_slider(const struct tui *t)
 char *
 tui_command_of_page(const struct tui *t)
 {
-	char *where = tui_options_at_slider(t);
-	char *line =
-	    t->view.pinned.site[0] != '\0'
-		? xasprintf("compare pinned %s", where + strlen("speed="))
-		: xasprintf("predict %s", where);
-	free(where);
-	return line;
+	FREED char *where = tui_options_at_slider(t);
+	return t->view.pinned.site[0] != '\0'
+		   ? xasprintf("compare pinned %s", where + strlen("speed="))
+		   : xasprintf("predict %s", where);
 }
 
 struct plots_past

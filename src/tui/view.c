@@ -163,8 +163,8 @@ view_predict(struct tui *t)
 	t->view.formed = forming;
 	if (!first)
 		t->view.moved = t->clock;
-	char *where = tui_options_at_slider(t);
-	char *line = xasprintf("predict %s", where);
+	FREED char *where = tui_options_at_slider(t);
+	FREED char *line = xasprintf("predict %s", where);
 	struct error error = {0};
 	drop_shown(t);
 	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
@@ -180,8 +180,6 @@ view_predict(struct tui *t)
 	tui_keep_feed(t);
 	t->view.of = view_key_now(t);
 	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
-	free(where);
-	free(line);
 }
 
 /* The prediction at the slider, of which the session is not told. */
@@ -190,12 +188,12 @@ view_form(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
+	forget_prediction(t);
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
 	if (!answers_best_so_far(s, entry, &params) && !entry->has_params)
 		return;
-	drop_shown(t);
 	struct question q = asked_whole(s, tui_asked(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);

@@ -17,7 +17,7 @@ void view_update(struct tui *t);
 /* Computes the prediction alone. */
 void view_predict(struct tui *t);
 
-/* As view_predict, but without an answer for the session. */
+/* As view_predict, but without an answer for the session, until the next. */
 void view_form(struct tui *t);
 
 void view_free(struct tui *t);

@@ -55,24 +55,9 @@ watch_pause(struct tui *t)
 	return useless == NULL && alone ? tr(STOPS[stopped].behind) : said;
 }
 
-/* The last calibration of several: their table is what they end with. */
+/* The calibration, or the last of several, has come to its end. */
 static void
-watch_finish_last(struct tui *t)
-{
-	struct error error = {0};
-	if (!session_settle(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
-	else
-		tui_say(t, false,
-		    "all sites are calibrated: Enter opens one, :validate all "
-		    "compares them with their held-out runs");
-	t->held = false;
-	control_refresh(t);
-}
-
-/* The calibration has come to its end. */
-static void
-watch_finish(struct tui *t)
+watch_finish(struct tui *t, bool alone)
 {
 	struct error error = {0};
 	if (!session_settle(t->session, true, &error))
@@ -80,7 +65,13 @@ watch_finish(struct tui *t)
 	t->held = false;
 	control_refresh(t);
 	const struct entry *entry = tui_current_entry(t);
-	if (entry != NULL && entry->has_fit && error.kind == ERROR_NONE)
+	if (error.kind != ERROR_NONE)
+		return;
+	if (!alone)
+		tui_say(t, false,
+		    "all sites are calibrated: Enter opens one, :validate all "
+		    "compares them with their held-out runs");
+	else if (entry != NULL && entry->has_fit)
 		tui_say(t, false,
 		    t->ui.page == PAGE_FIT
 			? N_("calibrated: %s, RMSE %.2f points, %zu "
@@ -97,7 +88,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 {
 	struct error error = {0};
 	if (rounds->at == NULL) {
-		(rounds->alone ? watch_finish : watch_finish_last)(t);
+		watch_finish(t, rounds->alone);
 		return;
 	}
 	t->held = false;

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/xalloc.h"
 #include "cmd/lang/command.h"
 
 /* Letters of a word come within it, s; single keys seldom do. */
@@ -21,10 +22,8 @@ word_is_letter(int code, bool special)
 static bool
 begins_command(const char *letters)
 {
-	char *names = command_candidates(letters);
-	bool begins = names[0] != '\0';
-	free(names);
-	return begins;
+	FREED char *names = command_candidates(letters);
+	return names[0] != '\0';
 }
 
 bool

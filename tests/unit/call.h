@@ -68,7 +68,9 @@ call_operands(const struct command *command)
 static inline const struct value *
 call_value(const struct call *call, const char *name)
 {
-	return args_value(&call->args, name);
+	size_t i = command_option_index(call->command, name);
+	assert_true(i < OPTIONS);
+	return &call->args.value[i];
 }
 
 #endif

@@ -454,7 +454,7 @@ a_report_that_was_closed_is_shown_again(void **state)
 	assert_null(t->viewer.text);
 	type(t, "2:validate holdout=each\n");
 	assert_true(session_busy(t->session));
-	const char *hints = page_fit.hints_now(t);
+	FREED char *hints = keys_bar(page_fit.hints_now(t), PAGE_FIT);
 	assert_non_null(strstr(hints, "Esc stop"));
 	assert_null(strstr(hints, "generation"));
 	while (session_busy(t->session))
@@ -1515,6 +1515,13 @@ a_size_is_one_number_everywhere(void **state)
 	assert_true(apart < 1e-9);
 }
 
+static bool
+has_hint(const struct tui *t, const char *hint)
+{
+	FREED char *hints = keys_bar(pages_open(t)->hints_now(t), t->ui.page);
+	return strstr(hints, hint) != NULL;
+}
+
 static void
 undo_says_what_it_took_and_how_it_comes_back(void **state)
 {
@@ -1524,11 +1531,11 @@ undo_says_what_it_took_and_how_it_comes_back(void **state)
 	draw_all(t);
 	press(t, "Right");
 	draw_all(t);
-	assert_null(strstr(pages_open(t)->hints_now(t), "U redo"));
+	assert_false(has_hint(t, "U redo"));
 	type(t, "u");
 	assert_false(tui_current_entry(t)->has_fit);
 	assert_non_null(strstr(t->message, "population=200; U brings"));
-	assert_non_null(strstr(pages_open(t)->hints_now(t), "U redo"));
+	assert_true(has_hint(t, "U redo"));
 	type(t, "U");
 	assert_true(tui_current_entry(t)->has_fit);
 	assert_null(strstr(t->message, "U brings"));
@@ -1594,6 +1601,13 @@ a_line_stops_no_search_unsaid(void **state)
 	assert_non_null(strstr(t->message, "was stopped"));
 	assert_non_null(strstr(t->message, ":accept"));
 	assert_true(tui_current_entry(t)->fit.misfit == best);
+	type(t, " ");
+	assert_true(session_busy(s));
+	type(t, ":window passing 2 = 32..36\n");
+	assert_false(session_busy(s));
+	assert_non_null(t->viewer.text);
+	type(t, "\033");
+	assert_non_null(strstr(t->message, "was stopped"));
 	type(t, " ");
 	assert_true(session_busy(s));
 	type(t, ":accept\n\033");

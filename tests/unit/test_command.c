@@ -72,6 +72,12 @@ options_are_in_order(void **state)
 			bool limits = !choice && o->kind < VALUE_FILE;
 			assert_true(!limits || o->least < o->most);
 			assert_non_null(o->unit);
+			bool elsewhere = (c->flags & COMMAND_SETTINGS) != 0 ||
+					 (c->flags & COMMAND_PARAMS) != 0;
+			assert_true(elsewhere || o->offset > 0);
+			for (size_t i = 0; i < n && !elsewhere; i++)
+				assert_true(command_option_at(c, i)->offset !=
+					    o->offset);
 		}
 		assert_true(n <= OPTIONS);
 		assert_int_equal(command_option_index(c, "none"), OPTIONS);

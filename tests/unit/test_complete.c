@@ -103,8 +103,9 @@ every_option_is_offered_once(void **state)
 		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++) {
 			char *line = xasprintf("%s ", c->name);
 			char *given = xasprintf("%s %s=1 ", c->name, o->name);
-			char *wanted = xasprintf(
-			    "%s%s", o->name, c->setting != NULL ? " " : "=");
+			bool pair = (c->flags & COMMAND_SETTINGS) != 0;
+			char *wanted =
+			    xasprintf("%s%s", o->name, pair ? " " : "=");
 			assert_true(offers(desk, line, wanted));
 			assert_false(offers(desk, given, wanted));
 			free(line);

@@ -361,6 +361,36 @@ safe_lists_no_files(void **state)
 	}
 }
 
+/* Results of its own are no sheet to open, and come last. */
+static void
+results_in_a_workbook_are_no_sheet(void **state)
+{
+	(void)state;
+	char folder[] = "/tmp/tipspeed-first-XXXXXX/";
+	const size_t end = strlen(folder) - 1;
+	void *desk;
+	struct folder list;
+	folder[end] = '\0';
+	assert_non_null(mkdtemp(folder));
+	FREED char *path = xasprintf("%s/a.xlsx", folder);
+	FREED char *sheet = xasprintf("%s/b.csv", folder);
+	FREED char *line = xasprintf(
+	    TIERP_CALIBRATED "; predict 74 > %s; write %s", path, sheet);
+	desk_open(&desk);
+	desk_expect(desk, line);
+	desk_close(&desk);
+	folder[end] = '/';
+	folder_list(&list, folder);
+	unlink(path);
+	unlink(sheet);
+	rmdir(folder);
+	assert_int_equal(list.n, 3);
+	assert_string_equal(list.item[0].name, "b.csv");
+	assert_string_equal(list.item[2].name, "a.xlsx");
+	assert_string_equal(list.item[2].about, "results of predict");
+	folder_free(&list);
+}
+
 static void
 strange_files_are_looked_at_without_being_read(void **state)
 {
@@ -427,6 +457,7 @@ main(void)
 	    ON_STAGE(what_cannot_be_loaded_leaves_the_list_open),
 	    ON_STAGE(the_mouse_chooses_and_opens),
 	    ON_STAGE(safe_lists_no_files),
+	    cmocka_unit_test(results_in_a_workbook_are_no_sheet),
 	    cmocka_unit_test(strange_files_are_looked_at_without_being_read),
 	};
 	chdir_to_source();

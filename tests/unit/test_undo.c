@@ -120,12 +120,12 @@ undo_takes_back_the_newest_setting(void **state)
 }
 
 static void
-expect_setting(const struct desk *desk, const struct setting *row,
+expect_setting(const struct desk *desk, const struct command_option *row,
     const char *want, const char *after)
 {
 	char *text = settings_text(row, &desk->session->set);
 	if (strcmp(text, want) != 0)
-		fail_msg("%s is %s after %s", row->option.name, text, after);
+		fail_msg("%s is %s after %s", row->name, text, after);
 	free(text);
 }
 
@@ -153,8 +153,8 @@ every_setting_is_set_undone_and_reset(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, "version");
-	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
-		const struct command_option *o = &r->option;
+	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
+		const struct command_option *o = r;
 		char *first = settings_text(r, desk->session->first);
 		char *other = other_value(o);
 		char *line = xasprintf("set %s %s", o->name, other);

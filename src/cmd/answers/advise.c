@@ -246,10 +246,9 @@ advise_answer(const struct session *s, const struct wanted *w, double *answer)
 static bool
 take_quantity(const struct args *args, struct wanted *w, struct error *error)
 {
-	const struct value *of = args_value(args, "of");
+	const char *of = args->of != NULL ? args->of : "P80";
 	size_t n;
-	FREED struct quantity *q = quantities_asked(
-	    of->given ? of->text : "P80", &w->question->fraction,
+	FREED struct quantity *q = quantities_asked(of, &w->question->fraction,
 	    question_feed(w->question), true, &n, error);
 	if (q == NULL)
 		return false;
@@ -257,7 +256,7 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "advise: expected one figure, got '%s'\n"
 		    "write 'advise p80' or 'advise passing 2'",
-		    of->text);
+		    of);
 	w->q = q[0];
 	w->name = quantities_words(&w->q);
 	w->unit = strcmp(quantities_unit(&w->q), "%") == 0

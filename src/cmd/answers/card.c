@@ -107,18 +107,17 @@ static bool
 read_flow(struct session *s, struct asked *all, const struct args *args,
     struct error *error)
 {
-	static const char *const WITH_FEED[] = {
-	    "fractions", "recycle", "power", "prices", "kwh"};
-	if (args_value(args, "tph")->given ||
-	    args_value(args, "circuit")->given)
+	const void *const with_feed[] = {&args->fractions, &args->recycle,
+	    &args->power, &args->prices, &args->kwh};
+	if (args->tph > 0 || args->circuit != NULL)
 		return flow_plan_read(
 		    s, args, all->question, &all->plan, error);
-	for (size_t i = 0; i < ARRAY_LEN(WITH_FEED); i++)
-		if (args_value(args, WITH_FEED[i])->given)
+	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
+		if (args_given(args, with_feed[i]))
 			return error_set(error, ERROR_USAGE,
 			    "expected tph= with %s=\n"
 			    "add the new feed, as tph=120",
-			    WITH_FEED[i]);
+			    args_name(args, with_feed[i]));
 	return true;
 }
 
@@ -144,10 +143,10 @@ card_request_read(struct session *s, struct asked *all, const struct args *args,
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
 	const struct psd *feed = site_feed(entry->site, run);
-	const struct value *of = args_value(args, "of");
 	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
-		  (of->given ? add_list(all, of->text, feed, error)
-			     : add_usual_passings(all, feed, error)) &&
+		  (args_given(args, &args->of)
+			  ? add_list(all, args->of, feed, error)
+			  : add_usual_passings(all, feed, error)) &&
 		  read_limits(s, all, args, feed, error) &&
 		  read_flow(s, all, args, error);
 	if (!ok)

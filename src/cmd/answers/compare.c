@@ -322,7 +322,7 @@ take_pinned(struct session *s, const struct args *args, struct side *side,
 {
 	const struct pin *pin = s->pin;
 	size_t at = 0;
-	if (args_value(args, "cut")->given)
+	if (args->cut != NULL)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected no cut= with what is pinned, which is "
 		    "the whole product\n"
@@ -358,8 +358,8 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	const char *word = args->operand[i];
 	if (is_pinned(args, i))
 		return take_pinned(s, args, side, error);
-	double v =
-	    args_number(args, "speed", answers_usual_speed(session_entry(s)));
+	double v = args->speed > 0 ? args->speed
+				   : answers_usual_speed(session_entry(s));
 	size_t at = s->current;
 	if (sites && !session_find(s, word, &at, error))
 		return false;
@@ -496,15 +496,14 @@ static bool
 take_figures(const struct args *args, const struct side side[2],
     struct quantity **q, size_t *n, struct error *error)
 {
-	const struct value *of = args_value(args, "of");
-	if (!of->given)
+	if (args->of == NULL)
 		return true;
 	if (side[0].pinned || side[1].pinned)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected no figures with what is pinned\n"
 		    "leave out '%s', or write two speeds",
-		    of->text);
-	*q = quantities_asked(of->text, &side[0].q.fraction,
+		    args->of);
+	*q = quantities_asked(args->of, &side[0].q.fraction,
 	    question_feed(&side[0].q), true, n, error);
 	return *q != NULL;
 }
@@ -519,7 +518,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		sites =
 		    sites || (!is_pinned(args, i) &&
 				 !value_number(args->operand[i], "m/s", &v));
-	if (!sites && args_value(args, "speed")->given)
+	if (!sites && args->speed > 0)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected two speeds, or two sites and a speed");
 	FREED struct quantity *q = NULL;

@@ -63,10 +63,9 @@ cmd_figures(struct session *s, const struct args *args,
 	const struct entry *entry = question->entry;
 	double v = question->speed;
 	size_t n;
-	const struct value *of = args_value(args, "of");
-	FREED struct quantity *q =
-	    quantities_asked(of->given ? of->text : USUAL, &question->fraction,
-		question_feed(question), of->given, &n, error);
+	FREED struct quantity *q = quantities_asked(
+	    args->of != NULL ? args->of : USUAL, &question->fraction,
+	    question_feed(question), args->of != NULL, &n, error);
 	if (q == NULL)
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);

@@ -36,10 +36,9 @@ struct goal {
 static bool
 asks_for_spec(const struct session *s, const struct args *args)
 {
-	bool other = args_value(args, "passing")->given || args->n_operand > 0;
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		other = other || args_value(args, PSD_KEY[i])->given;
-	return !other && (args_value(args, "spec")->given || s->spec != NULL);
+	bool other = args->p20 > 0 || args->p50 > 0 || args->p80 > 0 ||
+		     args_given(args, &args->passing) || args->n_operand > 0;
+	return !other && (args->spec != NULL || s->spec != NULL);
 }
 
 static void
@@ -54,19 +53,20 @@ static void
 read_options(
     const struct args *args, const struct fraction *fraction, struct goal *goal)
 {
+	const double mm[PSD_SIZES] = {args->p20, args->p50, args->p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		if (args_value(args, PSD_KEY[i])->given)
+		if (mm[i] > 0)
 			add_target(goal,
 			    (struct quantity){.kind = QUANTITY_SIZE,
 				.x = PSD_PASSING[i],
 				.fraction = *fraction},
-			    args_value(args, PSD_KEY[i])->number / 1000);
-	if (args_value(args, "passing")->given)
+			    mm[i] / 1000);
+	if (args_given(args, &args->passing))
 		add_target(goal,
 		    (struct quantity){.kind = QUANTITY_PASSING,
-			.x = args_value(args, "at")->number / 1000,
+			.x = args->at / 1000,
 			.fraction = *fraction},
-		    args_value(args, "passing")->number / 100);
+		    args->passing / 100);
 }
 
 static bool
@@ -126,8 +126,7 @@ check_goal(
 		    "find: expected one of p20, p50, p80, passing, spec and a "
 		    "condition with = or max, got %zu of them",
 		    goal->n);
-	else if (args_value(args, "at")->given !=
-		 args_value(args, "passing")->given)
+	else if ((args->at > 0) != args_given(args, &args->passing))
 		error_set(error, ERROR_USAGE,
 		    "find: expected passing and at together: this much passing "
 		    "at this size");
@@ -552,8 +551,7 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
     struct error *error)
 {
 	const struct entry *entry = goal->question->entry;
-	const struct spec *spec =
-	    grading_spec(s, args_value(args, "spec")->text, error);
+	const struct spec *spec = grading_spec(s, args->spec, error);
 	struct grading g;
 	if (spec == NULL ||
 	    !grading_open(s, args, spec, goal->question, &g, error))

@@ -80,13 +80,12 @@ basis_allocate(struct basis *b)
 /* As many of the nearest as told, else as leaving one site out finds best: of
  * Table 3 alone, so that it is the same for everyone. */
 static void
-basis_pick_nearest(struct basis *b, const struct value *nearest, double speed)
+basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
 {
 	size_t n = b->list.n, n_table = n - b->table3, most = n;
 	const struct guess_material *table = b->m + b->table3;
-	if (nearest->given) {
-		most = (size_t)nearest->whole;
-		most = most < n ? most : n;
+	if (nearest > 0) {
+		most = nearest < n ? (size_t)nearest : n;
 		b->error = guess_leave_one_out(table, n_table, most, speed);
 	} else {
 		b->choice = guess_choose(table, n_table, speed);
@@ -101,13 +100,11 @@ static bool
 read_wanted_material(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
 {
-	const struct value *rock = args_value(args, "rock");
-	const struct value *top = args_value(args, "top");
 	*wanted = (struct guess_material){.site = site->name,
-	    .rock = rock->given ? rock->text : site->rock,
-	    .top_size = top->given ? top->number / 1000 : site->top_size};
-	bool nearest = args_value(args, "nearest")->given;
-	if (!nearest || wanted->rock[0] != '\0' || wanted->top_size > 0)
+	    .rock = args->rock != NULL ? args->rock : site->rock,
+	    .top_size = args->top > 0 ? args->top / 1000 : site->top_size};
+	if (args->nearest == 0 || wanted->rock[0] != '\0' ||
+	    wanted->top_size > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "guess: expected a rock type or a top size; the site file of %s "
@@ -438,7 +435,7 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 		  basis_from_material(&b, s->store, error);
 	if (ok) {
 		basis_allocate(&b);
-		basis_pick_nearest(&b, args_value(args, "nearest"), q->speed);
+		basis_pick_nearest(&b, args->nearest, q->speed);
 		struct guess guess =
 		    guess_product(site, q->feed, b.m, b.pick, b.n, q->speed);
 		give_guess(s, site, &b, &guess);

@@ -486,8 +486,7 @@ static bool
 check_whole_product(const struct args *args, const struct fraction *fraction,
     struct error *error)
 {
-	if (args_value(args, "interpolated")->choice != 1 ||
-	    !fraction_screens(fraction))
+	if (!args->interpolated || !fraction_screens(fraction))
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "interpolated= shows the whole product, not a fraction\n"
@@ -500,7 +499,6 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	bool wanted = args_value(args, "interpolated")->choice == 1;
 	if (!take_params(s, entry, &params, error) ||
 	    !check_whole_product(args, &q->fraction, error) ||
 	    !screened_is_measured_alone(q, error))
@@ -509,16 +507,14 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
 	s->asked = p.speed;
-	const struct value *asked = args_value(args, "band");
-	if (asked->choice == 0)
+	if (!args->band)
 		prediction_drop_band(&p);
-	struct answer *r = prediction_with_notes(s, &at, &p, &params, wanted,
-	    args_value(args, "detail")->choice == 1);
-	if (asked->given && asked->choice == 1 && p.low == NULL)
+	struct answer *r = prediction_with_notes(
+	    s, &at, &p, &params, args->interpolated, args->detail);
+	if (args_given(args, &args->band) && args->band && p.low == NULL)
 		answer_note(r, "%s", outlook_why_none(s, entry));
 	bool picture = plot_writes_image(s) && s->document == NULL;
-	bool curve = args_value(args, "curve")->choice == 1 &&
-		     s->set.format == ANSWER_TABLE;
+	bool curve = args->curve && s->set.format == ANSWER_TABLE;
 	if (picture)
 		session_keep_answer(s, r);
 	else

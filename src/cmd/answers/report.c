@@ -339,14 +339,13 @@ add_quoted(char **text, const char *name, const char *words)
 
 /* " cut=\"0/4\"", of those that are given; the caller frees. */
 static char *
-options_words(const struct args *args, const char *const *name, size_t n)
+options_words(const struct args *args, const void *const *option, size_t n)
 {
 	char *words = xstrdup("");
 	for (size_t i = 0; i < n; i++) {
-		const struct value *value = args_value(args, name[i]);
-		FREED char *key = xasprintf("%s=", name[i]);
-		if (value->given)
-			add_quoted(&words, key, value->text);
+		FREED char *key = xasprintf("%s=", args_name(args, option[i]));
+		if (args_given(args, option[i]))
+			add_quoted(&words, key, args_typed(args, option[i]));
 	}
 	return words;
 }
@@ -354,26 +353,25 @@ options_words(const struct args *args, const char *const *name, size_t n)
 static void
 take_words(const struct args *args, struct ask *ask)
 {
-	static const char *const CUT[] = {"cut", "sharpness", "cut_size"};
-	static const char *const ASKED[] = {
-	    "feed", "rotor_mm", "cascade", "k", "correction"};
-	const struct value *tph = args_value(args, "tph"),
-			   *spec = args_value(args, "spec");
+	const void *const cut[] = {
+	    &args->cut, &args->sharpness, &args->cut_size};
+	const void *const asked[] = {&args->feed, &args->rotor_mm,
+	    &args->cascade, &args->k, &args->correction};
 	char number[32];
 	ask->conditions = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
 		add_quoted(&ask->conditions, "", args->operand[i]);
 	ask->envelope = xstrdup("");
 	ask->spec = xstrdup("");
-	if (spec->given) {
-		add_quoted(&ask->envelope, "", spec->text);
-		add_quoted(&ask->spec, "spec=", spec->text);
+	if (args->spec != NULL) {
+		add_quoted(&ask->envelope, "", args->spec);
+		add_quoted(&ask->spec, "spec=", args->spec);
 	}
-	ask->cut = options_words(args, CUT, ARRAY_LEN(CUT));
-	ask->asked = options_words(args, ASKED, ARRAY_LEN(ASKED));
-	ask->tph = tph->given ? tph->number : 0;
-	ask->rate = tph->given
-			? xasprintf(" tph=%s", text_exact(tph->number, number))
+	ask->cut = options_words(args, cut, ARRAY_LEN(cut));
+	ask->asked = options_words(args, asked, ARRAY_LEN(asked));
+	ask->tph = args->tph;
+	ask->rate = args->tph > 0
+			? xasprintf(" tph=%s", text_exact(args->tph, number))
 			: xstrdup("");
 }
 

@@ -403,15 +403,15 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
 		return error_nothing_called(s, what, args, error);
-	if (args_value(args, "speed")->given && !WHAT[i].asked)
+	if (args->speed > 0 && !WHAT[i].asked)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",
 		    what);
-	if (args_value(args, "feed")->given && !WHAT[i].asked)
+	if (args->feed != NULL && !WHAT[i].asked)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no feed=; it is the same for every feed",
 		    what);
-	if (args_value(args, "every")->given && WHAT[i].show != cmd_history)
+	if (args->every > 0 && WHAT[i].show != cmd_history)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no every=\n"
 		    "generations are those of 'show search every=50'",

@@ -1,169 +1,31 @@
 /* Commands that answer questions, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-#define SPEED_OPTION                                                      \
-	{                                                                 \
-		"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",  \
-		    "rotor tip speed; default: a held-out speed, else 74" \
-	}
+#define USUAL_SPEED \
+	SPEED(speed), "rotor tip speed; default: a held-out speed, else 74"
 
-#define LAST_SPEED_OPTION                                                    \
-	{                                                                    \
-		"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",     \
-		    "rotor tip speed; default: as last predicted, with its " \
-		    "feed"                                                   \
-	}
-
-static const struct command_option PREDICT_OPTIONS[] = {SPEED_OPTION,
-    {"curve", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"draw feed, measured and predicted as text"},
-    {"interpolated", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"add the measured products interpolated at this speed"},
-    {"band", VALUE_CHOICE, "", 0, 0, "off on", "on",
-	"show the uncertainty band of a calibrated product"},
-    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: show the model alone, specific energy and break size too"},
-    {.name = NULL}};
-
-static const struct command_option BLEND_OPTIONS[] = {SPEED_OPTION,
-    {"out", VALUE_FILE, "", 0, 0, NULL, "",
-	"write the blended feed as a sheet, for load and feed="},
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite an existing sheet"},
-    {.name = NULL}};
-static const struct command_option REPORT_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"rotor tip speed; default: the best one for the conditions, else a "
-	"held-out speed, else 74"},
-    {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "",
-	"new feed, for a section with its flow"},
-    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
-	"grading envelope: a name of 'spec list', or a file"},
-    {.name = NULL}};
-
-static const struct command_option SWEEP_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",
-	"rotor tip speeds; default 65..85:5, extended or moved to cover the "
-	"runs"},
-    {.name = NULL}};
+#define LAST_SPEED    \
+	SPEED(speed), \
+	    "rotor tip speed; default: as last predicted, with its feed"
 
 /* A crusher with its screens, of flow and card, see flow_plan_read. */
-#define FLOW_PARTS                                                          \
-	{"fractions", VALUE_TEXT, "", 0, 0, NULL, "0/2,2/5,5/8,8/11.2",     \
-	    "fractions of the product, mm"},                                \
-	    {"recycle", VALUE_TEXT, "", 0, 0, NULL, "",                     \
-		"fractions that go back to the crusher"},                   \
-	    {"circuit", VALUE_FILE, "", 0, 0, NULL, "",                     \
-		"file of a circuit, instead of fractions"},                 \
-	    {"power", VALUE_TEXT, "", 0, 0, NULL, "",                       \
-		"readings of the motor, m/s:kW:t/h with commas between; "   \
-		"default: "                                                 \
-		"those of belt cuts"},                                      \
-	    {"prices", VALUE_TEXT, "", 0, 0, NULL, "",                      \
-		"price per t of each product, such as 0/2:12,2/5:9"},       \
-	{                                                                   \
-		"kwh", VALUE_NUMBER, "", 0, 1e6, NULL, "0", "price per kWh" \
+#define FLOW_PARTS                                                        \
+	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
+	    "fractions of the product, mm"},                              \
+	    {TEXT(recycle), NULL, "",                                     \
+		"fractions that go back to the crusher"},                 \
+	    {PATH(circuit), "file of a circuit, instead of fractions"},   \
+	    {TEXT(power), NULL, "",                                       \
+		"readings of the motor, m/s:kW:t/h with commas between; " \
+		"default: "                                               \
+		"those of belt cuts"},                                    \
+	    {TEXT(prices), NULL, "",                                      \
+		"price per t of each product, such as 0/2:12,2/5:9"},     \
+	{                                                                 \
+		NUMBER(kwh), "", 0, 1e6, NULL, "0", "price per kWh"       \
 	}
-
-static const struct command_option CARD_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",
-	"rotor tip speeds; default 65..85 by 1, extended or moved to cover the "
-	"runs"},
-    {"of", VALUE_TEXT, "", 0, 0, NULL, "passing 2,fines",
-	"figures beside P20, P50 and P80, see figures"},
-    {"tph", VALUE_NUMBER, "t/h", 0.001, 1e5, NULL, "",
-	"new feed, for tonnes and kWh/t as flow has them"},
-    FLOW_PARTS,
-    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
-	"grading envelope: a name of 'spec list', or a file"},
-    {.name = NULL}};
-
-static const struct command_option COMPARE_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"speed for two sites; default: a held-out speed, else 74"},
-    {"of", VALUE_TEXT, "", 0, 0, NULL, "",
-	"figures, see figures; default: the curves and sizes"},
-    {.name = NULL}};
-
-static const struct command_option PIN_OPTIONS[] = {LAST_SPEED_OPTION,
-    {"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "",
-	"take the feed sampled at this speed, or the mean"},
-    {.name = NULL}};
-
-static const struct command_option FIND_OPTIONS[] = {
-    {"p20", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
-    {"p50", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P50"},
-    {"p80", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
-    {"passing", VALUE_NUMBER, "%", 0, 100, NULL, "", "wanted passing"},
-    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "", "size for that passing"},
-    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
-	"grading envelope: a name of 'spec list', or a file"},
-    {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"slowest speed; default 65, or less to cover the runs"},
-    {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"fastest speed; default 85, or more to cover the runs"},
-    {.name = NULL}};
-
-static const struct command_option FIGURES_OPTIONS[] = {SPEED_OPTION,
-    {"of", VALUE_TEXT, "", 0, 0, NULL, "",
-	"figures, with commas between: P80, passing 2, fm EN, 0/4, P50 of 0/4"},
-    {.name = NULL}};
-
-static const struct command_option FLOW_OPTIONS[] = {
-    {"tph", VALUE_NUMBER, "t/h", 1e-3, 1e5, NULL, "", "new feed"}, SPEED_OPTION,
-    FLOW_PARTS,
-    {"best", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"find the speed that earns most"},
-    {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"slowest speed of best=on; default 65, or less to cover the runs"},
-    {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"fastest speed of best=on; default 85, or more to cover the runs"},
-    {.name = NULL}};
-
-static const struct command_option WINDOW_OPTIONS[] = {
-    {"spec", VALUE_SPEC, "", 0, 0, NULL, "",
-	"grading envelope: a name of 'spec list', or a file"},
-    {"from", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"slowest speed; default 65, or less to cover the runs"},
-    {"to", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"fastest speed; default 85, or more to cover the runs"},
-    {.name = NULL}};
-
-static const struct command_option UNCERTAINTY_OPTIONS[] = {SPEED_OPTION,
-    {"of", VALUE_TEXT, "", 0, 0, NULL, "",
-	"figures, see figures; default: what passes 2 mm, P20, P50 and P80"},
-    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: show each sieve, and the sizes of the errors"},
-    {"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
-	"probability of the bands; 'set level' sets it too"},
-    {"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
-	"known standard deviation of a single passing around 50 %; 0: as the "
-	"data show it"},
-    {"speed_sd", VALUE_NUMBER, "%", 0, 20, NULL, "0.5",
-	"standard deviation of the stated tip speeds: slip, worn tips, "
-	"rounding"},
-    {"n", VALUE_WHOLE, "", 1, 256, NULL, "200", "how many draws to write"},
-    {.name = NULL}};
-
-static const struct command_option DRIFT_OPTIONS[] = {
-    {"k", VALUE_NUMBER, "sd", 0, 5, NULL, "0.5",
-	"allowance of the CUSUM: half of the shift to be found soonest"},
-    {"h", VALUE_NUMBER, "sd", 0.1, 100, NULL, "5",
-	"limit of the CUSUM: higher signals later and less often by chance"},
-    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: show the numbers of the control charts too"},
-    {.name = NULL}};
-
-/* Of spec and advise; of why. */
-static const struct command_option SPEED_OPTIONS[] = {
-    SPEED_OPTION, {.name = NULL}};
-static const struct command_option LAST_SPEED_OPTIONS[] = {
-    LAST_SPEED_OPTION, {.name = NULL}};
-
-static const struct command_option ADVISE_OPTIONS[] = {SPEED_OPTION,
-    {"of", VALUE_TEXT, "", 0, 0, NULL, "", "figure, see figures; default: P80"},
-    {.name = NULL}};
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
@@ -172,7 +34,15 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
 		 COMMAND_BESIDE | COMMAND_DAILY | COMMAND_QUANTITIES,
 	.bare = "speed",
-	.option = PREDICT_OPTIONS,
+	.option = OPTION_LIST({USUAL_SPEED},
+	    {OFF_ON(curve), "off", "draw feed, measured and predicted as text"},
+	    {OFF_ON(interpolated), "off",
+		"add the measured products interpolated at this speed"},
+	    {OFF_ON(band), "on",
+		"show the uncertainty band of a calibrated product"},
+	    {OFF_ON(detail), "off",
+		"on: show the model alone, specific energy and break size "
+		"too"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT, SHARED_SCREENS},
 	.text =
@@ -204,7 +74,10 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "mix feeds by mass, and predict the product",
 	.operands = {"FILE=PART FILE=PART..", {"FILE"}, 2, 20},
 	.flags = COMMAND_FILES,
-	.option = BLEND_OPTIONS,
+	.option = OPTION_LIST({USUAL_SPEED},
+	    {PATH(out),
+		"write the blended feed as a sheet, for load and feed="},
+	    {OFF_ON(replace), "off", "overwrite an existing sheet"}),
 	.text =
 	    "Reads the feeds of several sheets (FILE@SPEED where a sheet has "
 	    "one for each speed) and mixes them, in parts by mass that need "
@@ -221,7 +94,10 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "products over a range of speeds",
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speeds",
-	.option = SWEEP_OPTIONS,
+	.option =
+	    OPTION_LIST({NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
+		"rotor tip speeds; default 65..85:5, extended or moved to "
+		"cover the runs"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -237,7 +113,16 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "one page for the cabin: what each speed gives",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CONDITIONS,
-	.option = CARD_OPTIONS,
+	.option = OPTION_LIST(
+	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
+		"rotor tip speeds; default 65..85 by 1, extended or moved to "
+		"cover the runs"},
+	    {TEXT(of), NULL, "passing 2,fines",
+		"figures beside P20, P50 and P80, see figures"},
+	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
+		"new feed, for tonnes and kWh/t as flow has them"},
+	    FLOW_PARTS,
+	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "One row for each speed, in m/s and, where the site states the "
@@ -256,7 +141,11 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
 	    {"SPEED SITE pinned"}, 2, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_DRAWS | COMMAND_QUANTITIES,
-	.option = COMPARE_OPTIONS,
+	.option = OPTION_LIST(
+	    {SPEED(speed),
+		"speed for two sites; default: a held-out speed, else 74"},
+	    {TEXT(of), NULL, "",
+		"figures, see figures; default: the curves and sizes"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -276,7 +165,9 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "keep a prediction to compare others with",
 	.operands = {"[off]", {"off"}, 0, 1},
 	.flags = COMMAND_CHANGES | COMMAND_BESIDE,
-	.option = PIN_OPTIONS,
+	.option = OPTION_LIST({LAST_SPEED},
+	    {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
+		"take the feed sampled at this speed, or the mean"}),
 	.text = "Keeps the product that is predicted now for the site in use "
 		"at a speed, even if the site is calibrated again: full-screen "
 		"mode shows it beside the prediction, and plot psd and "
@@ -288,7 +179,10 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "sizes, moduli and shares of a product",
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
 	.bare = "speed",
-	.option = FIGURES_OPTIONS,
+	.option = OPTION_LIST(
+	    {USUAL_SPEED}, {TEXT(of), NULL, "",
+			       "figures, with commas between: P80, passing 2, "
+			       "fm EN, 0/4, P50 of 0/4"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -311,7 +205,17 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DAILY |
 		 COMMAND_CONDITIONS,
-	.option = FIND_OPTIONS,
+	.option = OPTION_LIST(
+	    {NUMBER(p20), "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
+	    {NUMBER(p50), "mm", 1e-6, 1e4, NULL, "", "wanted P50"},
+	    {NUMBER(p80), "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
+	    {NUMBER(passing), "%", 0, 100, NULL, "", "wanted passing"},
+	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "", "size for that passing"},
+	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"},
+	    {SPEED(from),
+		"slowest speed; default 65, or less to cover the runs"},
+	    {SPEED(to),
+		"fastest speed; default 85, or more to cover the runs"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
@@ -345,7 +249,14 @@ const struct command TABLE_ANSWERS[] = {
 	.flags =
 	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS | COMMAND_DAILY,
 	.bare = "tph",
-	.option = FLOW_OPTIONS,
+	.option =
+	    OPTION_LIST({NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"},
+		{USUAL_SPEED}, FLOW_PARTS,
+		{OFF_ON(best), "off", "find the speed that earns most"},
+		{SPEED(from), "slowest speed of best=on; default 65, or less "
+			      "to cover the runs"},
+		{SPEED(to), "fastest speed of best=on; default 85, or more to "
+			    "cover the runs"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
 	.text =
 	    "Tonnes an hour of each fraction that screens make of the "
@@ -375,7 +286,12 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "the speeds at which conditions hold",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CONDITIONS,
-	.option = WINDOW_OPTIONS,
+	.option = OPTION_LIST(
+	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"},
+	    {SPEED(from),
+		"slowest speed; default 65, or less to cover the runs"},
+	    {SPEED(to),
+		"fastest speed; default 85, or more to cover the runs"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "A condition is a quantity of figures and a limit, with quotes or "
@@ -408,7 +324,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[use NAME|list [NAME|limits]|off|NAME|FILE]",
 	    {"use list off SPEC FILE", "SPEC FILE", ""}, 0, 12},
 	.flags = COMMAND_CHANGES | COMMAND_SPEC,
-	.option = SPEED_OPTIONS,
+	.option = OPTION_LIST({USUAL_SPEED}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -436,7 +352,22 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CHANGES |
 		 COMMAND_LOOKS | COMMAND_QUANTITIES,
-	.option = UNCERTAINTY_OPTIONS,
+	.option = OPTION_LIST({USUAL_SPEED},
+	    {TEXT(of), NULL, "",
+		"figures, see figures; default: what passes 2 mm, P20, P50 and "
+		"P80"},
+	    {OFF_ON(detail), "off",
+		"on: show each sieve, and the sizes of the errors"},
+	    {ROW("level", probability, unsigned, VALUE_CHOICE), "%", 0, 0,
+		"80 90", "80",
+		"probability of the bands; 'set level' sets it too"},
+	    {NUMBER(noise), "points", 0, 10, NULL, "0",
+		"known standard deviation of a single passing around 50 %; 0: "
+		"as the data show it"},
+	    {NUMBER(speed_sd), "%", 0, 20, NULL, "0.5",
+		"standard deviation of the stated tip speeds: slip, worn tips, "
+		"rounding"},
+	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT, SHARED_SCREENS},
 	.text =
@@ -462,7 +393,8 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "which sample next narrows a band most",
 	.bare = "speed",
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
-	.option = ADVISE_OPTIONS,
+	.option = OPTION_LIST({USUAL_SPEED},
+	    {TEXT(of), NULL, "", "figure, see figures; default: P80"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -515,7 +447,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[SPEED]", {"SPEED"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
 	.bare = "speed",
-	.option = LAST_SPEED_OPTIONS,
+	.option = OPTION_LIST({LAST_SPEED}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -536,7 +468,14 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "drift",
 	.brief = "follow routine cuts on control charts",
 	.flags = COMMAND_AT_SITE,
-	.option = DRIFT_OPTIONS,
+	.option = OPTION_LIST({NUMBER(k), "sd", 0, 5, NULL, "0.5",
+				  "allowance of the CUSUM: half of the shift "
+				  "to be found soonest"},
+	    {NUMBER(h), "sd", 0.1, 100, NULL, "5",
+		"limit of the CUSUM: higher signals later and less often by "
+		"chance"},
+	    {OFF_ON(detail), "off",
+		"on: show the numbers of the control charts too"}),
 	.text =
 	    "Compares each cut that was added after the calibration with what "
 	    "is predicted at its own speed from its own feed, by runs that "
@@ -558,7 +497,12 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "write all about the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_DAILY | COMMAND_CONDITIONS,
-	.option = REPORT_OPTIONS,
+	.option = OPTION_LIST(
+	    {SPEED(speed), "rotor tip speed; default: the best one for the "
+			   "conditions, else a held-out speed, else 74"},
+	    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "",
+		"new feed, for a section with its flow"},
+	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =

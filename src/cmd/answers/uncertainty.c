@@ -95,13 +95,11 @@ add_figures(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
     const struct args *args, struct error *error)
 {
-	const struct value *of = args_value(args, "of");
-	FREED char *usual =
-	    usual_quantities(p, args_value(args, "sieves")->given);
+	FREED char *usual = usual_quantities(p, args->sieves.n > 0);
 	size_t n;
-	FREED struct quantity *q =
-	    quantities_asked(of->given ? of->text : usual, &question->fraction,
-		question_feed(question), of->given, &n, error);
+	FREED struct quantity *q = quantities_asked(
+	    args->of != NULL ? args->of : usual, &question->fraction,
+	    question_feed(question), args->of != NULL, &n, error);
 	if (q == NULL)
 		return false;
 	struct forecast *answer = forecast_open(s, question, q, n);
@@ -245,13 +243,12 @@ static struct quantity
 first_figure(const struct question *q, const struct args *args,
     const struct prediction *at)
 {
-	const struct value *of = args_value(args, "of");
 	struct error none;
 	size_t n;
 	FREED struct quantity *list =
-	    of->given ? quantities_asked(of->text, &q->fraction,
-			    question_feed(q), true, &n, &none)
-		      : NULL;
+	    args->of != NULL ? quantities_asked(args->of, &q->fraction,
+				   question_feed(q), true, &n, &none)
+			     : NULL;
 	if (list != NULL)
 		return list[0];
 	return (struct quantity){.kind = QUANTITY_PASSING,
@@ -357,7 +354,7 @@ band_parts_answer(const struct session *s, const struct question *q,
 {
 	const struct entry *entry = q->entry;
 	const struct posterior *p = outlook_draws(s, entry);
-	bool detail = args_value(args, "detail")->choice == 1;
+	bool detail = args->detail;
 	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
@@ -386,7 +383,7 @@ band_parts_answer(const struct session *s, const struct question *q,
 	note_strengths(r, p, detail);
 	struct quantity of = first_figure(q, args, at);
 	note_feeds(r, s, q, &of, at->speed);
-	note_speeds(r, s, q, at, args_value(args, "speed_sd")->number / 100);
+	note_speeds(r, s, q, at, args->speed_sd / 100);
 	note_draws(r, p, outlook_evidence(s, entry), detail);
 	note_next(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
@@ -397,14 +394,10 @@ band_parts_answer(const struct session *s, const struct question *q,
 static void
 apply_settings(struct session *s, const struct args *args)
 {
-	static const char *const OWN[] = {"level", "noise"};
-	for (size_t i = 0; i < ARRAY_LEN(OWN); i++) {
-		const struct value *value = args_value(args, OWN[i]);
-		for (const struct setting *row = SETTINGS;
-		     row->option.name != NULL && value->given; row++)
-			if (strcmp(row->option.name, OWN[i]) == 0)
-				settings_put(row, value, &s->set);
-	}
+	if (args_given(args, &args->probability))
+		s->set.level = args->probability;
+	if (args_given(args, &args->noise))
+		s->set.noise = args->noise;
 }
 
 /* A speed, as of predict, and "draws", in any order. */
@@ -453,10 +446,9 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		    origin_fit(entry) == NULL ? tr("run 'calibrate' first")
 					      : tr("'set' shows the settings"));
 	}
-	size_t n = (size_t)args_value(args, "n")->whole;
-	struct answer *r =
-	    draws ? draws_answer(s, q, outlook_draws(s, entry), &at, n)
-		  : band_parts_answer(s, q, &at, args, error);
+	struct answer *r = draws ? draws_answer(s, q, outlook_draws(s, entry),
+				       &at, (size_t)args->n)
+				 : band_parts_answer(s, q, &at, args, error);
 	prediction_free(&at);
 	return r != NULL && session_show_answer(s, r);
 }

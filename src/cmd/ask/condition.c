@@ -431,11 +431,10 @@ conditions_add_option(struct session *s, const struct args *args,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, char **words, struct error *error)
 {
-	const struct value *name = args_value(args, "spec");
 	*words = NULL;
-	if (!name->given)
+	if (args->spec == NULL)
 		return true;
-	const struct spec *spec = grading_spec(s, name->text, error);
+	const struct spec *spec = grading_spec(s, args->spec, error);
 	return spec != NULL &&
 	       conditions_add_spec(spec, fraction, feed, list, words, error);
 }
@@ -490,8 +489,8 @@ conditions_speeds(const struct session *s, const struct args *args,
     const struct site *site, double *from, double *to, struct error *error)
 {
 	settings_reach(&s->set, site, from, to);
-	*from = args_number(args, "from", *from);
-	*to = args_number(args, "to", *to);
+	*from = args->from > 0 ? args->from : *from;
+	*to = args->to > 0 ? args->to : *to;
 	return *from < *to || error_set(error, ERROR_USAGE,
 				  "from= must be below to=, got %g and %g m/s\n"
 				  "write from=65 to=85",

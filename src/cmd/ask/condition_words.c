@@ -18,7 +18,7 @@ is_option(const struct command *command, const char *word)
 	size_t n = strcspn(word, "=");
 	char *name = xstrndup(word, n);
 	bool is = command_option_index(command, name) < OPTIONS &&
-		  (word[n] == '=' || command->setting != NULL);
+		  (word[n] == '=' || (command->flags & COMMAND_SETTINGS) != 0);
 	free(name);
 	return is;
 }
@@ -41,7 +41,7 @@ conditions_first_word(const struct command *command, const struct words *words)
 {
 	bool takes =
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
-	if (takes && command->setting == NULL)
+	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return 1;
 	return takes && words->n > 3 && text_same(words->text[1], "goal") ? 2
 									  : 0;
@@ -58,8 +58,8 @@ join_from(const struct command *command, char **text, size_t i, size_t n)
 		return i + 1;
 	while (++i < n) {
 		bool on = goes_on(command, *piece + begin, text[i]);
-		if (!on &&
-		    (command->setting == NULL || is_option(command, text[i])))
+		if (!on && ((command->flags & COMMAND_SETTINGS) == 0 ||
+			       is_option(command, text[i])))
 			break;
 		if (!on)
 			begin = strlen(*piece) + strlen(", ");

@@ -98,15 +98,15 @@ static bool
 take_fraction(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
 {
-	const struct value *cut = args_value(args, "cut");
-	bool off = cut->given && text_same(cut->text, "off");
+	const char *cut = args->cut;
+	bool off = cut != NULL && text_same(cut, "off");
 	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
 	if (off)
 		*f = (struct fraction){0};
-	else if (cut->given && !quantities_fraction(cut->text, f, error))
+	else if (cut != NULL && !quantities_fraction(cut, f, error))
 		return false;
-	f->partition.sharpness = args_value(args, "sharpness")->number;
-	f->partition.cut_size = args_value(args, "cut_size")->number / 100;
+	f->partition.sharpness = args->sharpness;
+	f->partition.cut_size = args->cut_size / 100;
 	return true;
 }
 

@@ -386,18 +386,16 @@ bool
 quantities_option(const struct args *args, struct fraction *fraction,
     bool alone, struct error *error)
 {
-	const struct value *cut = args_value(args, "cut");
 	*fraction = (struct fraction){0};
-	if (cut->given && !quantities_fraction(cut->text, fraction, error))
+	if (args->cut != NULL &&
+	    !quantities_fraction(args->cut, fraction, error))
 		return false;
-	if (!cut->given && !alone &&
-	    (args_value(args, "sharpness")->given ||
-		args_value(args, "cut_size")->given))
+	if (args->cut == NULL && !alone &&
+	    (args->sharpness > 0 || args_given(args, &args->cut_size)))
 		return error_set(error, ERROR_USAGE,
 		    "sharpness= and cut_size= describe the screens of cut=, "
 		    "which is not given\nadd a fraction such as cut=0/4");
-	fraction->partition.sharpness = args_value(args, "sharpness")->number;
-	fraction->partition.cut_size =
-	    args_value(args, "cut_size")->number / 100;
+	fraction->partition.sharpness = args->sharpness;
+	fraction->partition.cut_size = args->cut_size / 100;
 	return true;
 }

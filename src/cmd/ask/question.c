@@ -131,30 +131,15 @@ question_free(struct session *s, struct question *q)
 	free(q->variant.rock);
 }
 
-/* The option's value where the command has it and it was given, else NULL. */
-static const struct value *
-given_value(const struct args *args, const char *name)
-{
-	size_t i = command_option_index(args->command, name);
-	return i < OPTIONS && args->value[i].given ? &args->value[i] : NULL;
-}
-
-static double
-question_number_of(const struct args *args, const char *name)
-{
-	const struct value *value = given_value(args, name);
-	return value != NULL ? value->number : 0;
-}
-
 /* Turns of the rotor are a speed. */
 static bool
 read_speed(const struct args *args, const struct site *site, struct named *r,
     struct error *error)
 {
 	struct scenario *w = &r->scenario;
-	w->rotor = question_number_of(args, "rotor_mm") / 1000;
-	w->rpm = question_number_of(args, "rpm");
-	r->speed = question_number_of(args, "speed");
+	w->rotor = args->rotor_mm / 1000;
+	w->rpm = args->rpm;
+	r->speed = args->speed;
 	if (!(w->rpm > 0))
 		return true;
 	double diameter = w->rotor > 0 ? w->rotor : site->rotor;
@@ -183,7 +168,6 @@ static const char *
 feed_asked(
     const struct session *s, const struct args *args, struct value *value)
 {
-	const struct value *feed = given_value(args, "feed");
 	size_t i = command_option_index(args->command, "feed");
 	struct error none = {0};
 	if (i == OPTIONS)
@@ -191,8 +175,8 @@ feed_asked(
 	const struct command_option *option =
 	    command_option_at(args->command, i);
 	*value = (struct value){.given = true};
-	value_read(
-	    option, feed != NULL ? feed->text : s->set.feed, value, &none);
+	value_read(option, args->feed != NULL ? args->feed : s->set.feed, value,
+	    &none);
 	return value->text;
 }
 
@@ -207,7 +191,7 @@ read_feed(struct session *s, const struct args *args, struct named *r,
 	if (text == NULL ||
 	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
-	if (given_value(args, "feed") == NULL)
+	if (args->feed == NULL)
 		r->scenario.feed = blended_read_cached(s, text, error);
 	else if (blended_read(s, text, &r->blend, error))
 		r->scenario.feed = &r->blend;
@@ -219,13 +203,13 @@ static bool
 read_sieves(const struct args *args, const struct site *site, struct named *r,
     struct error *error)
 {
-	const struct value *sieves = given_value(args, "sieves");
+	const struct number_list *sieves = &args->sieves;
 	struct scenario *w = &r->scenario;
-	if (sieves == NULL)
+	if (sieves->n == 0)
 		return true;
 	r->sieve = xdoubles(sieves->n);
 	for (size_t i = 0; i < sieves->n; i++)
-		r->sieve[i] = sieves->list[i] / 1000;
+		r->sieve[i] = sieves->at[i] / 1000;
 	w->n_sieve = psd_sort(r->sieve, sieves->n, 1e-12);
 	w->sieve = r->sieve;
 	struct quantity finest = {
@@ -255,11 +239,10 @@ static bool
 read_fraction(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
-	const struct value *cut = given_value(args, "cut");
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
-			given_value(args, "spec") != NULL || s->spec != NULL;
+			args->spec != NULL || s->spec != NULL;
 	if (command_option_index(args->command, "cut") == OPTIONS ||
-	    (cut != NULL && text_same(cut->text, "off")))
+	    (args->cut != NULL && text_same(args->cut, "off")))
 		return true;
 	return quantities_option(args, &q->fraction, envelope, error);
 }
@@ -275,9 +258,9 @@ question_settle(const struct session *s, const struct entry *loaded,
 	q->named = own;
 	q->speed_given = r->speed > 0;
 	q->speed = q->speed_given ? r->speed : answers_usual_speed(loaded);
-	if (given_value(args, "speeds") != NULL) {
-		q->n_at = given_value(args, "speeds")->n;
-		q->at = given_value(args, "speeds")->list;
+	if (args_given(args, &args->speeds)) {
+		q->n_at = args->speeds.n;
+		q->at = args->speeds.at;
 	}
 	return choose_feed(s, args, q, error) &&
 	       read_fraction(s, args, q, error);
@@ -288,13 +271,11 @@ question_of(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error)
 {
 	struct named *r = xcalloc(1, sizeof *r);
-	const struct value *correction = given_value(args, "correction");
 	*q = (struct question){.entry = loaded, .named = r};
-	r->scenario = (struct scenario){
-	    .bypass = question_number_of(args, "cascade") / 100,
-	    .k = question_number_of(args, "k"),
-	    .correction = correction != NULL
-			      ? (enum correction)correction->choice
+	r->scenario = (struct scenario){.bypass = args->cascade / 100,
+	    .k = args->k,
+	    .correction = args_given(args, &args->correction)
+			      ? (enum correction)args->correction
 			      : s->set.correction};
 	return read_speed(args, loaded->site, r, error) &&
 	       read_feed(s, args, r, error) &&
@@ -360,13 +341,13 @@ set_sheets(struct session *s)
 {
 	struct error none = {0};
 	struct value value = {.given = true};
-	const struct setting *row = SETTINGS;
+	const struct command_option *row = SETTINGS;
 	if (s->set.feed[0] == '\0')
 		return NULL;
 	while (row->offset != offsetof(struct choices, feed))
 		row++;
-	return value_read(&row->option, s->set.feed, &value, &none) &&
-		       value_is_file(&row->option, &value)
+	return value_read(row, s->set.feed, &value, &none) &&
+		       value_is_file(row, &value)
 		   ? blended_read_cached(s, s->set.feed, &none)
 		   : NULL;
 }
@@ -430,8 +411,8 @@ question_as_last(
 	if (q->speed_given || (isnan(last) && !(s->asked > 0)))
 		return;
 	q->speed = s->asked > 0 ? s->asked : last;
-	if (given_value(args, "feed") == NULL && !q->variant.feed &&
-	    isfinite(fed) && site_run_at(site, fed) < site->n_run)
+	if (args->feed == NULL && !q->variant.feed && isfinite(fed) &&
+	    site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);
 }
 

@@ -1,46 +1,45 @@
 /* Options shared by commands that ask questions (question.h), as rows of the
  * command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/lang/command.h"
+#include "cmd/lang/rows.h"
 #include "core/psd/site.h"
 
 const struct command_option SHARED_TURNS[] = {
-    {"rpm", VALUE_NUMBER, "rpm", 1, 20000, NULL, "",
+    {NUMBER(rpm), "rpm", 1, 20000, NULL, "",
 	"rotor speed in rpm, instead of a tip speed"},
     {.name = NULL}};
 
 const struct command_option SHARED_FEED[] = {
-    {"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "",
+    {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
 	"take the feed sampled at this speed, or that of a sheet, FILE or "
 	"FILE@SPEED, or a blend such as a.csv*0.6+b.csv*0.4, or the mean of "
 	"those sampled; default: as set, the mean"},
     {.name = NULL}};
 
 const struct command_option SHARED_MACHINE[] = {
-    {"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",
+    {NUMBER(rotor_mm), "mm", 100, 5000, NULL, "",
 	"diameter of the rotor; default: that of the site"},
-    {"cascade", VALUE_NUMBER, "%", 0, 90, NULL, "",
+    {NUMBER(cascade), "%", 0, 90, NULL, "",
 	"share of the feed led past the rotor, beside what the measured runs "
 	"had; taken as uncrushed, the coarsest product that can be"},
-    {"k", VALUE_NUMBER, "", 0.01, 100, NULL, "",
+    {NUMBER(k), "", 0.01, 100, NULL, "",
 	"impacts of a particle; default: as set, see 'set k'"},
-    {"correction", VALUE_CHOICE, "", 0, 0, "all train off", "",
+    {CHOICE(correction), "all train off", "",
 	"runs that correct the model, for this answer; default: as set"},
     {.name = NULL}};
 
 const struct command_option SHARED_SIEVES[] = {
-    {"sieves", VALUE_NUMBERS, "mm", 1e-6, 1e4, NULL, "",
+    {NUMBERS(sieves), "mm", 1e-6, 1e4, NULL, "",
 	"sieves to show; default: the site's"},
     {.name = NULL}};
 
 const struct command_option SHARED_CUT[] = {
-    {"cut", VALUE_TEXT, "", 0, 0, NULL, "",
-	"screened fraction in mm, such as 0/4"},
+    {TEXT(cut), NULL, "", "screened fraction in mm, such as 0/4"},
     {.name = NULL}};
 
 const struct command_option SHARED_SCREENS[] = {
-    {"sharpness", VALUE_NUMBER, "", 0.1, 100, NULL, "",
+    {NUMBER(sharpness), "", 0.1, 100, NULL, "",
 	"sharpness of the screens (Whiten), 3 to 10; default: ideal"},
-    {"cut_size", VALUE_NUMBER, "%", 10, 200, NULL, "100",
+    {NUMBER(cut_size), "%", 10, 200, NULL, "100",
 	"size of which half passes, of a screen's opening"},
     {.name = NULL}};

@@ -29,8 +29,7 @@ read_sites(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
 	static const char PINNED[] = "pinned";
-	const char *of = args_value(args, "site")->text;
-	const char *beside = args_value(args, "beside")->text;
+	const char *of = args->site, *beside = args->beside;
 	bool own = of != NULL && strcmp(of, PINNED) == 0,
 	     second = beside != NULL && strcmp(beside, PINNED) == 0;
 	if ((own || second) && s->pin == NULL)
@@ -55,16 +54,16 @@ read_request(const struct session *s, const struct args *args,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
 	*request = plots_request((enum plot_kind)kind);
-	request->speed = args_number(args, "speed", NAN);
-	request->other_speed = args_number(args, "other", NAN);
-	request->other_feed = args_number(args, "other_feed", 0);
-	request->crosshair_mm = args_number(args, "at", NAN);
-	request->param = args_value(args, "param")->text;
-	request->of = args_value(args, "of")->text;
-	request->limits = args_value(args, "limits")->text;
-	request->level = args_value(args, "level")->number;
-	request->band = args_value(args, "band")->choice == 1;
-	request->generation = (size_t)args_value(args, "generation")->whole;
+	request->speed = args->speed > 0 ? args->speed : NAN;
+	request->other_speed = args->other > 0 ? args->other : NAN;
+	request->other_feed = args->other_feed;
+	request->crosshair_mm = args->at > 0 ? args->at : NAN;
+	request->param = args->param;
+	request->of = args->of;
+	request->limits = args->limits;
+	request->level = args->level;
+	request->band = args->band;
+	request->generation = (size_t)args->generation;
 	return read_sites(s, args, request, error);
 }
 
@@ -242,11 +241,20 @@ chart_answer(const struct session *s, const struct chart *chart)
 
 /* The size asked for, or one that fits the screen with the prompt. */
 static int
-size_of(const struct value *asked, int screen, int most, int elsewhere)
+size_of(double asked, int screen, int most, int elsewhere)
 {
-	if (asked->given)
-		return (int)asked->number;
+	if (asked > 0)
+		return (int)asked;
 	return screen <= 0 ? elsewhere : screen < most ? screen : most;
+}
+
+/* As charset= says; auto is 0. */
+static enum charset
+charset_asked(const struct args *args, bool drawing)
+{
+	return args->charset > 0 ? (enum charset)(args->charset - 1)
+	       : drawing         ? CHARSET_BRAILLE
+				 : CHARSET_ASCII;
 }
 
 static void
@@ -255,18 +263,16 @@ print_chart(struct session *s, const struct args *args,
 {
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
 	const struct screen *screen = &s->screen;
-	int columns =
-	    size_of(args_value(args, "width"), screen->columns, WIDEST, WIDTH);
-	const struct value *height = args_value(args, "height");
+	int columns = size_of(args->width, screen->columns, WIDEST, WIDTH);
 	int strip = chart->below != NULL ? chart->below->strip : 0;
 	int most = HEIGHT + strip;
-	int rows = size_of(height, screen->rows - 2, most, most);
+	int rows = size_of(args->height, screen->rows - 2, most, most);
 	/* Where there are several each is as high as one alone. */
 	for (const struct chart *c = next_chart(chart); c != NULL;
 	     c = next_chart(c))
-		rows += height->given
+		rows += args->height > 0
 			    ? 0
-			    : size_of(height, screen->rows - 2, HEIGHT, HEIGHT);
+			    : size_of(0, screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas =
 	    chart_draw(chart, columns, rows, charset, CHART_ALL);
 	canvas_print(canvas, screen->colours, s->out);
@@ -310,24 +316,17 @@ static struct screen_request
 screen_request(const struct session *s, const struct args *args, bool picture)
 {
 	static const int DEPTHS[] = {0, 256, 16, 8, 0};
-	const struct value *page = args_value(args, "page");
-	const struct value *keys = args_value(args, "keys");
-	size_t charset = args_value(args, "charset")->choice;
-	size_t colours = args_value(args, "colours")->choice;
 	bool drawing = picture || s->screen.drawing;
-	return (struct screen_request){
-	    .columns = (int)args_value(args, "width")->number,
-	    .rows = (int)args_value(args, "height")->number,
-	    .page = page->given ? (int)page->choice + 1 : 0,
-	    .keys = keys->given ? keys->text : "",
-	    .charset_asked = charset > 0,
-	    .charset = charset > 0 ? (enum charset)(charset - 1)
-		       : drawing   ? CHARSET_BRAILLE
-				   : CHARSET_ASCII,
-	    .colours_asked = colours > 0,
-	    .colours = colours > 0 ? DEPTHS[colours]
-		       : picture   ? 256
-				   : s->screen.colours};
+	return (struct screen_request){.columns = (int)args->width,
+	    .rows = (int)args->height,
+	    .page = args_given(args, &args->page) ? (int)args->page + 1 : 0,
+	    .keys = args->keys != NULL ? args->keys : "",
+	    .charset_asked = args->charset > 0,
+	    .charset = charset_asked(args, drawing),
+	    .colours_asked = args->colours > 0,
+	    .colours = args->colours > 0 ? DEPTHS[args->colours]
+		       : picture         ? 256
+					 : s->screen.colours};
 }
 
 /* The rows of a screen, for who reads them by a program. */
@@ -737,7 +736,6 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
-	enum { AUTO };
 	struct asked a;
 	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
@@ -746,10 +744,7 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	plot_questions_free(s, &a);
 	if (chart == NULL)
 		return false;
-	size_t choice = args_value(args, "charset")->choice;
-	enum charset charset = choice != AUTO      ? (enum charset)(choice - 1)
-			       : s->screen.drawing ? CHARSET_BRAILLE
-						   : CHARSET_ASCII;
+	enum charset charset = charset_asked(args, s->screen.drawing);
 	if (plot_writes_image(s))
 		return plot_write_image(s, chart, error);
 	if (s->set.format == ANSWER_TABLE)

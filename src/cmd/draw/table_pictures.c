@@ -1,68 +1,36 @@
 /* Commands that draw, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
 #include "cmd/draw/plot_request.h"
 
 #define WHAT_OPTIONS                                                       \
-	{"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",          \
-	    "tip speed; default: the middle of the runs"},                 \
-	    {"other", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",      \
-		"another speed for comparison"},                           \
-	    {"other_feed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "", \
+	{SPEED(speed), "tip speed; default: the middle of the runs"},      \
+	    {SPEED(other), "another speed for comparison"},                \
+	    {SPEED(other_feed),                                            \
 		"psd: the feed of other= is that of this speed"},          \
-	    {"beside", VALUE_TEXT, "", 0, 0, "SITE", "",                   \
+	    {TEXT(beside), "SITE", "",                                     \
 		"psd: with the product of this site, or pinned"},          \
-	    {"site", VALUE_TEXT, "", 0, 0, "SITE", "",                     \
+	    {TEXT(site), "SITE", "",                                       \
 		"a loaded site, or pinned, instead of the one in use"},    \
-	    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "",    \
+	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",            \
 		"sweep: default 65..85:5; runs: added ones"},              \
-	    {"band", VALUE_CHOICE, "", 0, 0, "off on", "off",              \
-		"psd: shade the 80 % uncertainty band"},                   \
-	    {"of", VALUE_TEXT, "", 0, 0, NULL, "",                         \
+	    {OFF_ON(band), "off", "psd: shade the 80 % uncertainty band"}, \
+	    {TEXT(of), NULL, "",                                           \
 		"response: quantities, as passing 2,P50,0/4"},             \
-	    {"limits", VALUE_TEXT, "", 0, 0, NULL, "",                     \
+	    {TEXT(limits), NULL, "",                                       \
 		"response: conditions, as passing 2 = 40..50"},            \
-	    {"generation", VALUE_WHOLE, "", 0, 1000000, NULL, "0",         \
+	    {WHOLE(generation), "", 0, 1000000, NULL, "0",                 \
 		"generation of the search; 0: its end"},                   \
-	    {"param", VALUE_TEXT, "", 0, 0, "PARAMETER", "",               \
+	    {TEXT(param), "PARAMETER", "",                                 \
 		"profile: the parameter; default e0_min"},                 \
-	    {"at", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                \
+	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "",                        \
 		"psd: line at this size, its passings"},                   \
 	{                                                                  \
-		"level", VALUE_NUMBER, "%", 0, 100, NULL, "50",            \
+		NUMBER(level), "%", 0, 100, NULL, "50",                    \
 		    "psd with at=: sizes at this passing"                  \
 	}
-
-static const struct command_option PLOT_OPTIONS[] = {WHAT_OPTIONS,
-    {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
-	"default: that of the screen, at most 100"},
-    {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
-	"default: that of the screen, at most 24"},
-    {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
-	"drawn with"},
-    {.name = NULL}};
-
-static const struct command_option SCREEN_OPTIONS[] = {
-    {"width", VALUE_NUMBER, "columns", 1, 1000, NULL, "",
-	"default: that of full-screen mode if it is open, else 100"},
-    {"height", VALUE_NUMBER, "rows", 1, 1000, NULL, "",
-	"default: that of full-screen mode if it is open, else 30"},
-    {"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "",
-	"the page to show; default: the open page, else predict"},
-    {"charset", VALUE_CHOICE, "", 0, 0, "auto ascii quadrants braille", "auto",
-	"drawn with"},
-    {"colours", VALUE_CHOICE, "", 0, 0, "auto 256 16 8 0", "auto",
-	"number of colours; auto: those of the terminal, 256 in an image"},
-    {"keys", VALUE_TEXT, "", 0, 0, NULL, "",
-	"keys to press first, named as in tipspeed-tui(1); Right*5: five "
-	"times; 9999 in all"},
-    {.name = NULL}};
-
-static const struct command_option DESCRIBE_OPTIONS[] = {WHAT_OPTIONS,
-    {"as", VALUE_CHOICE, "", 0, 0, "words", "words",
-	"for plot: words, no picture"},
-    {.name = NULL}};
 
 const struct command TABLE_PICTURES[] = {
     {.name = "plot",
@@ -70,7 +38,13 @@ const struct command TABLE_PICTURES[] = {
 	.brief = "draw a plot",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_DRAWS | COMMAND_BESIDE,
-	.option = PLOT_OPTIONS,
+	.option = OPTION_LIST(WHAT_OPTIONS,
+	    {NUMBER(width), "columns", 1, 1000, NULL, "",
+		"default: that of the screen, at most 100"},
+	    {NUMBER(height), "rows", 1, 1000, NULL, "",
+		"default: that of the screen, at most 24"},
+	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
+		"drawn with"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -114,7 +88,8 @@ const struct command TABLE_PICTURES[] = {
 	.brief = "describe a plot in sentences",
 	.operands = {"KIND", {PLOT_KINDS}, 1, 1},
 	.flags = COMMAND_BESIDE,
-	.option = DESCRIBE_OPTIONS,
+	.option = OPTION_LIST(WHAT_OPTIONS,
+	    {CHOICE(as), "words", "words", "for plot: words, no picture"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -131,7 +106,21 @@ const struct command TABLE_PICTURES[] = {
     {.name = "screen",
 	.brief = "make an image of full-screen mode",
 	.flags = COMMAND_DRAWS | COMMAND_UNSAVED | COMMAND_BESIDE,
-	.option = SCREEN_OPTIONS,
+	.option = OPTION_LIST(
+	    {NUMBER(width), "columns", 1, 1000, NULL, "",
+		"default: that of full-screen mode if it is open, else 100"},
+	    {NUMBER(height), "rows", 1, 1000, NULL, "",
+		"default: that of full-screen mode if it is open, else 30"},
+	    {CHOICE(page), SETTINGS_PAGES, "",
+		"the page to show; default: the open page, else predict"},
+	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
+		"drawn with"},
+	    {CHOICE(colours), "auto 256 16 8 0", "auto",
+		"number of colours; auto: those of the terminal, 256 in an "
+		"image"},
+	    {TEXT(keys), NULL, "",
+		"keys to press first, named as in tipspeed-tui(1); Right*5: "
+		"five times; 9999 in all"}),
 	.text =
 	    "In full-screen mode: shows the screen as it is without the "
 	    "command line; a running calibration continues. Otherwise: shows "

@@ -225,7 +225,7 @@ bool
 cmd_collect(struct session *s, const struct args *args, struct error *error)
 {
 	struct parts parts = {0};
-	bool ok = true, replace = args_value(args, "replace")->choice == 1;
+	bool ok = true;
 	const char *store[OPERANDS];
 	size_t n_store = 0;
 	for (size_t i = 0; ok && i < args->n_operand; i++) {
@@ -241,7 +241,7 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 		    "expected the parts that this store belongs to, too\n"
 		    "write them with: calibrate all part=I/N > FILE.json");
 	ok = ok && parts_check_agree(&parts, error) &&
-	     collect_give(s, &parts, store, n_store, replace, error);
+	     collect_give(s, &parts, store, n_store, args->replace, error);
 	parts_free(&parts);
 	return ok;
 }

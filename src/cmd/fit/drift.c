@@ -199,8 +199,8 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_entry(s);
 	struct drift_rule rule = DRIFT_RULE;
-	rule.k = args_value(args, "k")->number;
-	rule.h = args_value(args, "h")->number;
+	rule.k = args->k;
+	rule.h = args->h;
 	if (!answers_check_current(s, error))
 		return false;
 	struct routine *r = routine_follow(s, entry, &rule, error);
@@ -210,8 +210,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    tr_n("%zu routine cut against their predictions",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
-	bool detail = args_value(args, "detail")->choice == 1;
-	drift_add_rows(a, r, detail, false);
+	drift_add_rows(a, r, args->detail, false);
 	answer_fill_for_programs(a);
 	drift_add_rows(a, r, true, true);
 	drift_put_fields(a, r);
@@ -222,7 +221,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	    "%s", words);
 	struct later later = cut_compare_later(s, entry);
 	say_what_next(a, r, &later);
-	say_limits(a, r, detail);
+	say_limits(a, r, args->detail);
 	answers_show_basis_of_fit(s, a, entry, false);
 	routine_free(r);
 	return session_show_answer(s, a);

@@ -459,9 +459,8 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 		    "%s has not been calibrated in this session\n"
 		    "run 'calibrate' first",
 		    entry->site->name);
-	const struct value *every = args_value(args, "every");
 	size_t step =
-	    every->given ? (size_t)every->whole : (h->n + ROWS - 1) / ROWS;
+	    args->every > 0 ? (size_t)args->every : (h->n + ROWS - 1) / ROWS;
 	struct answer *r =
 	    answers_new(entry->site, "history", "%zu generations", h->n);
 	add_generations(r, h, step, false);

@@ -694,23 +694,25 @@ session_discard_job(struct session *s)
 /* Marks the runs with a product at the speeds given, with all repeats; each
  * must have one. */
 static bool
-mark_training(const struct site *site, const struct value *value, bool *train,
+mark_training(const struct site *site, const struct args *args, bool *train,
     struct error *error)
 {
-	if (value->n == 0)
-		return job_mark(site, value->given, train) > 0 ||
+	const double *speed = args->train.at;
+	if (args->train.n == 0)
+		return job_mark(site, args_given(args, &args->train), train) >
+			   0 ||
 		       error_set(error, ERROR_DATA,
 			   "%s has no product to calibrate on\n"
 			   "run 'guess' for an estimate from its feed, or "
 			   "'recall' to use a material's parameters",
 			   site->name);
-	for (size_t i = 0; i < value->n; i++) {
-		size_t r = site_run_at(site, value->list[i]);
+	for (size_t i = 0; i < args->train.n; i++) {
+		size_t r = site_run_at(site, speed[i]);
 		if (r == site->n_run || site->run[r].product.n == 0)
 			return error_set(error, ERROR_USAGE,
 			    "%s has no product at %g m/s\n"
 			    "run 'show' for its speeds",
-			    site->name, value->list[i]);
+			    site->name, speed[i]);
 		for (train[r] = true;
 		     r + 1 < site->n_run && site_run_repeats(site, r + 1); r++)
 			train[r + 1] = true;
@@ -756,16 +758,16 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 /* The weights in the order of the training runs, as one for each run. */
 static bool
 spread_weights(const struct site *site, const bool *train,
-    const struct value *value, double **run_weight, struct error *error)
+    const struct number_list *given, double **run_weight, struct error *error)
 {
 	size_t n = 0;
-	if (!value->given)
+	if (given->n == 0)
 		return true;
 	double *weight = xdoubles(site->n_run);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (train[r] && n++ < value->n)
-			weight[r] = value->list[n - 1];
-	if (n == value->n) {
+		if (train[r] && n++ < given->n)
+			weight[r] = given->at[n - 1];
+	if (n == given->n) {
 		*run_weight = weight;
 		return true;
 	}
@@ -773,7 +775,7 @@ spread_weights(const struct site *site, const bool *train,
 	return error_set(error, ERROR_USAGE,
 	    "run_weights: expected %zu numbers, one for each training run, got "
 	    "%zu",
-	    n, value->n);
+	    n, given->n);
 }
 
 struct calibrate_options
@@ -794,27 +796,28 @@ job_options(const struct session *s)
  * count. */
 enum { POPULATION_OF_MANY = 2500 };
 
+/* Of calibrate's options. */
+enum { PRESET_PAPER = 1, WEIGHTS_SD = 1 };
+
 static struct calibrate_options
 chosen_options(const struct session *s, const struct args *args, bool all)
 {
 	struct calibrate_options o = job_options(s);
-	const struct value *population = args_value(args, "population");
-	const struct value *seed = args_value(args, "seed");
-	const struct value *threads = args_value(args, "threads");
-	const struct value *polish = args_value(args, "polish");
-	const struct value *stall = args_value(args, "stall");
-	o.plain = args_value(args, "preset")->choice == 1;
-	o.seed = seed->given ? seed->whole : o.seed;
-	o.threads = threads->given ? (unsigned)threads->whole : o.threads;
-	if (population->given)
-		o.population = (size_t)population->whole;
+	o.plain = args->preset == PRESET_PAPER;
+	o.seed = args_given(args, &args->seed) ? args->seed : o.seed;
+	o.threads = args->threads > 0 ? (unsigned)args->threads : o.threads;
+	if (args->population > 0)
+		o.population = (size_t)args->population;
 	else if (all && !o.plain)
 		o.population = POPULATION_OF_MANY;
-	o.generations = (size_t)args_value(args, "generations")->whole;
-	o.stall = o.plain && !stall->given ? 0 : (size_t)stall->whole;
-	o.tolerance = args_value(args, "tolerance")->number;
-	o.polish = polish->choice == 0 && (polish->given || !o.plain);
-	o.by_sd = args_value(args, "weights")->choice == 1;
+	o.generations = (size_t)args->generations;
+	o.stall = o.plain && !args_given(args, &args->stall)
+		      ? 0
+		      : (size_t)args->stall;
+	o.tolerance = args->tolerance;
+	o.polish =
+	    args->polish && (args_given(args, &args->polish) || !o.plain);
+	o.by_sd = args->weights == WEIGHTS_SD;
 	if (o.plain)
 		o.bounds = bounds_default(o.settings.breakage);
 	return o;
@@ -823,9 +826,8 @@ chosen_options(const struct session *s, const struct args *args, bool all)
 static bool
 check_all(const struct args *args, struct error *error)
 {
-	if (args_value(args, "train")->n == 0 &&
-	    !args_value(args, "run_weights")->given &&
-	    !args_value(args, "weights")->choice)
+	if (args->train.n == 0 && args->run_weights.n == 0 &&
+	    args->weights != WEIGHTS_SD)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "calibrate all: expected no weights= or run_weights= and no speeds "
@@ -837,13 +839,12 @@ static bool
 job_choose_runs(const struct site *site, const struct args *args,
     struct job *job, struct error *error)
 {
-	bool by_sd = args_value(args, "weights")->choice == 1;
 	job->train = xcalloc(site->n_run, sizeof *job->train);
-	return mark_training(
-		   site, args_value(args, "train"), job->train, error) &&
+	return mark_training(site, args, job->train, error) &&
 	       check_training(site, job->train, error) &&
-	       (!by_sd || check_weights(site, job->train, error)) &&
-	       spread_weights(site, job->train, args_value(args, "run_weights"),
+	       (args->weights != WEIGHTS_SD ||
+		   check_weights(site, job->train, error)) &&
+	       spread_weights(site, job->train, &args->run_weights,
 		   &job->run_weight, error);
 }
 
@@ -855,9 +856,9 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	struct part part = {0};
 	struct job job = {.rounds = all ? &EVERY : &ALONE,
 	    .options = chosen_options(s, args, all),
-	    .detail = args_value(args, "detail")->choice == 1,
-	    .watch = args_value(args, "watch")->choice == 1,
-	    .pause_at = (size_t)args_value(args, "pause")->whole};
+	    .detail = args->detail,
+	    .watch = args->watch,
+	    .pause_at = (size_t)args->pause};
 	if (all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate: expected options or all, got '%s'",
@@ -869,7 +870,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		job_free(&job);
 		return false;
 	}
-	bool train_all = all && args_value(args, "train")->given;
+	bool train_all = all && args_given(args, &args->train);
 	/* Side by side there is none to watch. */
 	job.apart = all && !job.watch;
 	if (all)
@@ -931,8 +932,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 {
 	if (!need_paused(s, "continue", error))
 		return false;
-	const struct value *pause = args_value(args, "pause");
-	if (pause->given && pause->whole <= s->job.step)
+	if (args->pause > 0 && args->pause <= s->job.step)
 		return error_set(error, ERROR_USAGE,
 		    "pause: expected a generation after %zu, which is done",
 		    s->job.step);
@@ -940,7 +940,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	/* One fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
 		invocation_join_undo(s);
-	s->job.pause_at = (size_t)pause->whole;
+	s->job.pause_at = (size_t)args->pause;
 	s->job.started += session_clock() - s->job.stopped;
 	s->job.paused = s->job.held_back = false;
 	s->job.invocation = s->invocation;

@@ -100,7 +100,8 @@ set_params(struct session *s, const struct args *args, struct error *error)
 		return false;
 	FREED char *missing = xstrdup("");
 	for (size_t j = 0; j < of->n; j++) {
-		const struct value *v = args_value(args, of->parameter[j].name);
+		const struct value *v = &args->value[command_option_index(
+		    args->command, of->parameter[j].name)];
 		if (v->given)
 			p.at[j] = v->number;
 		if (isnan(p.at[j]))

@@ -57,42 +57,39 @@ read_engine(const struct engine *engine, struct part *part, struct error *error)
 }
 
 static bool
-part_read(const struct value *option, struct part *part, struct error *error)
+part_read(const char *text, struct part *part, struct error *error)
 {
 	*part = (struct part){0};
-	for (size_t i = 0; !option->given && i < ARRAY_LEN(ENGINES); i++)
+	for (size_t i = 0; text == NULL && i < ARRAY_LEN(ENGINES); i++)
 		if (getenv(ENGINES[i].number) != NULL &&
 		    getenv(ENGINES[i].of) != NULL)
 			return read_engine(&ENGINES[i], part, error);
-	if (!option->given)
+	if (text == NULL)
 		return true;
 	uint64_t number = 0, of = 0;
-	const char *slash = strchr(option->text, '/');
-	FREED char *before = slash != NULL ? xstrndup(option->text,
-						 (size_t)(slash - option->text))
-					   : xstrdup("");
+	const char *slash = strchr(text, '/');
+	FREED char *before =
+	    xstrndup(text, slash != NULL ? (size_t)(slash - text) : 0);
 	bool good = slash != NULL && text_whole(before, &number) &&
 		    text_whole(slash + 1, &of);
 	*part = (struct part){(size_t)number, (size_t)of, "part"};
 	if (good)
 		return check(part, error);
 	return error_set(error, ERROR_USAGE,
-	    "expected part=I/N, got '%s'\nthe third of eight: part=3/8",
-	    option->text);
+	    "expected part=I/N, got '%s'\nthe third of eight: part=3/8", text);
 }
 
 bool
 part_choose(
     const struct args *args, bool all, struct part *part, struct error *error)
 {
-	const struct value *option = args_value(args, "part");
 	if (all)
-		return part_read(option, part, error);
-	return !option->given ||
+		return part_read(args->part, part, error);
+	return args->part == NULL ||
 	       error_set(error, ERROR_USAGE,
 		   "part: expected '%s all', of which it is one\n"
 		   "write: %s all part=%s",
-		   args->command->name, args->command->name, option->text);
+		   args->command->name, args->command->name, args->part);
 }
 
 bool

@@ -1,63 +1,11 @@
 /* Commands that calibrate, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-#define PAUSE_OPTION                                         \
-	{                                                    \
-		"pause", VALUE_WHOLE, "", 1, 1e9, NULL, "",  \
-		    "stop after this generation, as ^C does" \
-	}
-
-static const struct command_option CALIBRATE_OPTIONS[] = {
-    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
-	"seed of the random numbers; default: the session's"},
-    {"population", VALUE_WHOLE, "", 8, 1e6, NULL, "",
-	"candidates a generation; default 8000, all: 2500"},
-    {"generations", VALUE_WHOLE, "", 1, 1e6, NULL, "800",
-	"largest number of generations"},
-    {"tolerance", VALUE_NUMBER, "", 0, 1e3, NULL, "0.05",
-	"stop when the median misfit is within this of the best; 0: never"},
-    {"stall", VALUE_WHOLE, "", 0, 1e6, NULL, "20",
-	"stop after so many generations without gain; 0: never"},
-    {"polish", VALUE_CHOICE, "", 0, 0, "on off", "on",
-	"refine the best by bounded least squares"},
-    {"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
-	"threads; default: the session's"},
-    {"train", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, "all", "",
-	"training speeds, or all; default: the slowest and the fastest"},
-    {"weights", VALUE_CHOICE, "", 0, 0, "off sd", "off",
-	"sd: divide by the site file's standard deviations"},
-    {"run_weights", VALUE_NUMBERS, "", 0.001, 1000, NULL, "",
-	"weight of each training run, slow to fast"},
-    {"preset", VALUE_CHOICE, "", 0, 0, "best paper", "best",
-	"paper: the paper's search and bounds, no polish"},
-    {"detail", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: also show what 'show fit' has"},
-    {"watch", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: draw the best curves at a terminal"},
-    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
-	"I/N: of all sites every N-th, from the I-th on"},
-    PAUSE_OPTION, {.name = NULL}};
-
-static const struct command_option HISTORY_OPTIONS[] = {
-    {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
-	"show every N-th generation; default: as many as fit a screen"},
-    {.name = NULL}};
-static const struct command_option COLLECT_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"replace materials of the same name in the store in use"},
-    {.name = NULL}};
-static const struct command_option CONTINUE_OPTIONS[] = {
-    PAUSE_OPTION, {.name = NULL}};
-
-static const struct command_option VALIDATE_OPTIONS[] = {
-    {"holdout", VALUE_CHOICE, "", 0, 0, "untrained each", "untrained",
-	"each: hold out each speed in turn and calibrate on the others"},
-    {"sieves", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"also compare sieve by sieve"},
-    {"part", VALUE_TEXT, "", 0, 0, NULL, "",
-	"I/N: with all, every N-th site, as in 'calibrate all'"},
-    {.name = NULL}};
+#define PAUSE                               \
+	WHOLE(pause), "", 1, 1e9, NULL, "", \
+	    "stop after this generation, as ^C does"
 
 const struct command TABLE_FIT[] = {
     {.name = "calibrate",
@@ -65,7 +13,35 @@ const struct command TABLE_FIT[] = {
 	.brief = "find the parameters that fit the training runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_DAILY,
-	.option = CALIBRATE_OPTIONS,
+	.option = OPTION_LIST(
+	    {WHOLE(seed), "", 0, 9223372036854774784.0, NULL, "",
+		"seed of the random numbers; default: the session's"},
+	    {WHOLE(population), "", 8, 1e6, NULL, "",
+		"candidates a generation; default 8000, all: 2500"},
+	    {WHOLE(generations), "", 1, 1e6, NULL, "800",
+		"largest number of generations"},
+	    {NUMBER(tolerance), "", 0, 1e3, NULL, "0.05",
+		"stop when the median misfit is within this of the best; 0: "
+		"never"},
+	    {WHOLE(stall), "", 0, 1e6, NULL, "20",
+		"stop after so many generations without gain; 0: never"},
+	    {ON_OFF(polish), "on", "refine the best by bounded least squares"},
+	    {WHOLE(threads), "", 1, 64, NULL, "",
+		"threads; default: the session's"},
+	    {NUMBERS(train), "m/s", 1, SITE_FASTEST, "all", "",
+		"training speeds, or all; default: the slowest and the "
+		"fastest"},
+	    {CHOICE(weights), "off sd", "off",
+		"sd: divide by the site file's standard deviations"},
+	    {NUMBERS(run_weights), "", 0.001, 1000, NULL, "",
+		"weight of each training run, slow to fast"},
+	    {CHOICE(preset), "best paper", "best",
+		"paper: the paper's search and bounds, no polish"},
+	    {OFF_ON(detail), "off", "on: also show what 'show fit' has"},
+	    {OFF_ON(watch), "off", "on: draw the best curves at a terminal"},
+	    {TEXT(part), NULL, "",
+		"I/N: of all sites every N-th, from the I-th on"},
+	    {PAUSE}),
 	.text =
 	    "A genetic algorithm searches within the bounds; then bounded "
 	    "least squares refines the best candidates (polish). The slowest "
@@ -91,7 +67,13 @@ const struct command TABLE_FIT[] = {
 	.brief = "compare predictions with the held-out runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
-	.option = VALIDATE_OPTIONS,
+	.option = OPTION_LIST({CHOICE(holdout), "untrained each", "untrained",
+				  "each: hold out each speed in turn and "
+				  "calibrate on the others"},
+	    {OFF_ON_NAMED("sieves", by_sieve), "off",
+		"also compare sieve by sieve"},
+	    {TEXT(part), NULL, "",
+		"I/N: with all, every N-th site, as in 'calibrate all'"}),
 	.text = "Shows the root mean square error (RMSE), P20, P50 and P80 at "
 		"each held-out run, measured and predicted by the model and by "
 		"three methods that need no model: the training products "
@@ -113,7 +95,8 @@ const struct command TABLE_FIT[] = {
 	.brief = "join the parts of 'calibrate all' or 'validate all'",
 	.operands = {"FILE...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_FILES,
-	.option = COLLECT_OPTIONS,
+	.option = OPTION_LIST({OFF_ON(replace), "off",
+	    "replace materials of the same name in the store in use"}),
 	.text = "Reads what several programs wrote as JSON with part=I/N, each "
 		"of one part of the sites, and answers as one 'calibrate all' "
 		"or 'validate all' of them would have, to the last byte. A "
@@ -134,7 +117,7 @@ const struct command TABLE_FIT[] = {
 	.alias = "calibrate continue",
 	.brief = "continue a stopped calibration",
 	.flags = COMMAND_CHANGES,
-	.option = CONTINUE_OPTIONS,
+	.option = OPTION_LIST({PAUSE}),
 	.text = "Continues after ^C or pause=. The result is the same as if "
 		"the calibration had not been stopped. If bounds were edited "
 		"since, they apply from here on: candidates outside them are "
@@ -159,7 +142,8 @@ const struct command TABLE_FIT[] = {
 	.brief = "show how the last calibration converged",
 	.flags = COMMAND_AT_SITE,
 	.bare = "every",
-	.option = HISTORY_OPTIONS,
+	.option = OPTION_LIST({WHOLE(every), "", 1, 1e6, NULL, "",
+	    "show every N-th generation; default: as many as fit a screen"}),
 	.text = "Shows the generations of the last calibration of the site in "
 		"use, not the lines that were typed. Each row has the best and "
 		"the median misfit and the spread of each parameter: the "

@@ -1,72 +1,52 @@
 /* Commands that set the model, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/session.h"
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-#define AT(member) .offset = offsetof(struct choices, member)
+#define SETTING(word, member, k) \
+	.name = word, .offset = offsetof(struct choices, member), .kind = k
 
-const struct setting SETTINGS[] = {
-    {{"model", VALUE_CHOICE, "", 0, 0, NULL, "grunditz", "breakage model"},
-	AT(model.breakage)},
-    {{"method", VALUE_CHOICE, "", 0, 0, "continuous classes", "continuous",
-	 "how to compute"},
-	AT(model.method)},
-    {{"appearance", VALUE_CHOICE, "", 0, 0, "ratio progeny_mm parent_mm",
-	 "ratio", "sizes of Eq 1"},
-	AT(model.appearance)},
-    {{"k", VALUE_NUMBER, "", 0.001, 1000, NULL, "1", "number of impacts"},
-	AT(model.k)},
-    {{"energy", VALUE_FILE, "", 0, 0, NULL, "off",
-	 "collision energies in place of one impact"},
-	AT(energy)},
-    {{"correction", VALUE_CHOICE, "", 0, 0, "all train off", "all",
-	 "runs that correct the model"},
-	AT(correction)},
-    {{"level", VALUE_CHOICE, "%", 0, 0, "80 90", "80",
-	 "probability of the bands"},
-	AT(level)},
-    {{"noise", VALUE_NUMBER, "points", 0, 10, NULL, "0",
-	 "known standard deviation of a passing near 50 %; 0: as the data show "
-	 "it"},
-	AT(noise)},
-    {{"draw_seed", VALUE_WHOLE, "", 0, 999999, NULL, "1",
-	 "seed of the draws of bands"},
-	AT(draw_seed)},
-    {{"threads", VALUE_WHOLE, "", 1, 64, NULL, "",
-	 "threads; default: one for each processor"},
-	AT(threads)},
-    {{"format", VALUE_CHOICE, "", 0, 0, "table csv json markdown", "table",
-	 "output format"},
-	AT(format)},
-    {{"csv", VALUE_CHOICE, "", 0, 0, "comma semicolon", "comma",
-	 "semicolon: decimal commas"},
-	AT(semicolon)},
-    {{"pager", VALUE_CHOICE, "", 0, 0, "on off", "on",
-	 "show long results in the pager"},
-	AT(unpaged)},
-    {{"theme", VALUE_CHOICE, "", 0, 0, "normal dark light", "normal",
-	 "colours"},
-	AT(theme)},
-    {{"feed", VALUE_FEED, "m/s", 1, SITE_FASTEST, NULL, "mean",
-	 "feed that answers assume: mean, or one named as in feed="},
-	AT(feed)},
-    {{"slider", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, "usual", "usual",
-	 "speeds that slider, find, window, sweep and card cover"},
-	AT(slider)},
-    {{"goal", VALUE_TEXT, "", 0, 0, NULL, "none",
-	 "what is wanted: p80=5.4, \"passing 2 = 40..50\", an envelope"},
-	AT(goal)},
-    {{"quantity", VALUE_TEXT, "", 0, 0, NULL, "p80",
-	 "what full-screen mode shows above its track"},
-	AT(quantity), .looks = true},
-    {{"page", VALUE_CHOICE, "", 0, 0, SETTINGS_PAGES, "predict",
-	 "page that full-screen mode opens on"},
-	AT(page), .looks = true},
-    {.offset = 0}};
-
-static const struct command_option SEED_OPTIONS[] = {
-    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "",
-	"seed of calibrations"},
+const struct command_option SETTINGS[] = {
+    {SETTING("model", model.breakage, VALUE_CHOICE), "", 0, 0, NULL, "grunditz",
+	"breakage model"},
+    {SETTING("method", model.method, VALUE_CHOICE), "", 0, 0,
+	"continuous classes", "continuous", "how to compute"},
+    {SETTING("appearance", model.appearance, VALUE_CHOICE), "", 0, 0,
+	"ratio progeny_mm parent_mm", "ratio", "sizes of Eq 1"},
+    {SETTING("k", model.k, VALUE_NUMBER), "", 0.001, 1000, NULL, "1",
+	"number of impacts"},
+    {SETTING("energy", energy, VALUE_FILE), "", 0, 0, NULL, "off",
+	"collision energies in place of one impact"},
+    {SETTING("correction", correction, VALUE_CHOICE), "", 0, 0, "all train off",
+	"all", "runs that correct the model"},
+    {SETTING("level", level, VALUE_CHOICE), "%", 0, 0, "80 90", "80",
+	"probability of the bands"},
+    {SETTING("noise", noise, VALUE_NUMBER), "points", 0, 10, NULL, "0",
+	"known standard deviation of a passing near 50 %; 0: as the data show "
+	"it"},
+    {SETTING("draw_seed", draw_seed, VALUE_WHOLE), "", 0, 999999, NULL, "1",
+	"seed of the draws of bands"},
+    {SETTING("threads", threads, VALUE_WHOLE), "", 1, 64, NULL, "",
+	"threads; default: one for each processor"},
+    {SETTING("format", format, VALUE_CHOICE), "", 0, 0,
+	"table csv json markdown", "table", "output format"},
+    {SETTING("csv", semicolon, VALUE_CHOICE), "", 0, 0, "comma semicolon",
+	"comma", "semicolon: decimal commas"},
+    {SETTING("pager", unpaged, VALUE_CHOICE), "", 0, 0, "on off", "on",
+	"show long results in the pager"},
+    {SETTING("theme", theme, VALUE_CHOICE), "", 0, 0, "normal dark light",
+	"normal", "colours"},
+    {SETTING("feed", feed, VALUE_FEED), "m/s", 1, SITE_FASTEST, NULL, "mean",
+	"feed that answers assume: mean, or one named as in feed="},
+    {SETTING("slider", slider, VALUE_NUMBERS), "m/s", 1, SITE_FASTEST, "usual",
+	"usual", "speeds that slider, find, window, sweep and card cover"},
+    {SETTING("goal", goal, VALUE_TEXT), "", 0, 0, NULL, "none",
+	"what is wanted: p80=5.4, \"passing 2 = 40..50\", an envelope"},
+    {SETTING("quantity", quantity, VALUE_TEXT), "", 0, 0, NULL, "p80",
+	"what full-screen mode shows above its track", .looks = true},
+    {SETTING("page", page, VALUE_CHOICE), "", 0, 0, SETTINGS_PAGES, "predict",
+	"page that full-screen mode opens on", .looks = true},
     {.name = NULL}};
 
 const struct command TABLE_MODEL[] = {
@@ -99,8 +79,9 @@ const struct command TABLE_MODEL[] = {
 	.run = cmd_bounds},
     {.name = "set",
 	.brief = "show or change settings",
-	.flags = COMMAND_CHANGES | COMMAND_LOOKS | COMMAND_CONDITIONS,
-	.setting = SETTINGS,
+	.flags = COMMAND_CHANGES | COMMAND_LOOKS | COMMAND_CONDITIONS |
+		 COMMAND_SETTINGS,
+	.option = SETTINGS,
 	.text = "Write 'set method classes' or 'set method=classes'. The "
 		"method classes follows the paper exactly; continuous, the "
 		"default, is its limit for fine size classes.",
@@ -120,7 +101,8 @@ const struct command TABLE_MODEL[] = {
 	.brief = "seed of calibrations",
 	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
 	.bare = "seed",
-	.option = SEED_OPTIONS,
+	.option = OPTION_LIST({WHOLE(seed), "", 0, 9223372036854774784.0, NULL,
+	    "", "seed of calibrations"}),
 	.text = "The same seed gives the same result to the last bit, with "
 		"any number of threads.",
 	.example = "set seed 7",

@@ -398,10 +398,11 @@ validate_each(struct session *s, struct validating *c, struct error *error)
 bool
 cmd_validate(struct session *s, const struct args *args, struct error *error)
 {
+	enum { HOLDOUT_UNTRAINED, HOLDOUT_EACH };
 	struct validating c = {.all = args->n_operand > 0,
-	    .sieves = args_value(args, "sieves")->choice == 1,
+	    .sieves = args->by_sieve,
 	    .runs = {.one = args->n_operand == 0,
-		.each = args_value(args, "holdout")->choice == 1,
+		.each = args->holdout == HOLDOUT_EACH,
 		.level = settings_level(&s->set)}};
 	if (c.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,

@@ -220,7 +220,6 @@ command_own_option(const struct command *command, size_t i)
 {
 	const struct command_option *o =
 	    command->flags & COMMAND_PARAMS ? command_parameters(i)
-	    : command->setting != NULL      ? &command->setting[i].option
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;
@@ -383,17 +382,38 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
-const struct value *
-args_value(const struct args *args, const char *name)
+/* The index of the option, or OPTIONS where the command has none there. */
+static size_t
+option_of_member(const struct args *args, const void *member)
 {
-	size_t i = command_option_index(args->command, name);
-	assert(i < OPTIONS);
-	return &args->value[i];
+	size_t offset = (size_t)((const char *)member - (const char *)args);
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++)
+		if (o->offset == offset)
+			return i;
+	return OPTIONS;
 }
 
-double
-args_number(const struct args *args, const char *name, double otherwise)
+bool
+args_given(const struct args *args, const void *member)
 {
-	const struct value *value = args_value(args, name);
-	return value->given ? value->number : otherwise;
+	size_t i = option_of_member(args, member);
+	return i < OPTIONS && args->value[i].given;
+}
+
+const char *
+args_typed(const struct args *args, const void *member)
+{
+	size_t i = option_of_member(args, member);
+	assert(i < OPTIONS);
+	return args->value[i].text;
+}
+
+const char *
+args_name(const struct args *args, const void *member)
+{
+	size_t i = option_of_member(args, member);
+	assert(i < OPTIONS);
+	return command_option_at(args->command, i)->name;
 }

@@ -27,7 +27,12 @@ enum value_kind {
 	VALUE_TEXT
 };
 
-/* One key=value of a command. */
+/* One key=value of a command, or a setting: of that, fallback is the initial
+ * value, or "" where the session determines it.  offset: of the member that
+ * gets the value, of struct args or, of a setting, of struct choices, which has
+ * a double for a number, letters for a text, an unsigned or an enum for the
+ * rest.  looks: a setting that concerns the full screen, which saves it, and is
+ * not undone. */
 struct command_option {
 	const char *name;
 	enum value_kind kind;
@@ -36,15 +41,6 @@ struct command_option {
 	const char *choices;  /* see option_choices */
 	const char *fallback; /* default, as typed; "" if none */
 	const char *brief;
-};
-
-/* A setting.  option: its values; option.fallback is the initial value, or ""
- * if the session determines it.  offset: that of its member in struct choices:
- * a double for a number, a char array for a text, otherwise an unsigned or an
- * enum.  looks: it concerns the appearance of the full screen, which saves it;
- * undo ignores it. */
-struct setting {
-	struct command_option option;
 	size_t offset;
 	bool looks;
 };
@@ -59,17 +55,66 @@ struct value {
 	double *list;
 };
 
+struct number_list {
+	size_t n;
+	const double *at;
+};
+
 enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
-/* A parsed call.  column[i]: where operand i begins in the line.  value[i]
- * belongs to the command's option i; an option that was not given has given =
- * false and the value of its fallback, if any. */
+/* A parsed call.  column[i]: where operand i begins in the line.  value[i] is
+ * what was read for the command's option i.  Then the values of all options, by
+ * name: as given, else the fallback, else 0, NULL or false, which is also what
+ * options have that the command does not take; args_given tells them apart.  A
+ * choice is an index into the option's choices.  See rows.h. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
 	const char *operand[OPERANDS];
 	int column[OPERANDS];
 	struct value value[OPTIONS];
+
+	/* Of questions. */
+	double speed, rpm, rotor_mm, cascade, k, sharpness, cut_size, from, to;
+	struct number_list speeds, sieves;
+	const char *feed, *cut, *of, *spec;
+	unsigned correction;
+	bool detail, replace, band;
+	/* Of answers. */
+	double p20, p50, p80, passing, at, noise, speed_sd, h;
+	bool curve, interpolated;
+	unsigned probability;
+	uint64_t n, nearest;
+	/* Of flow. */
+	double tph, kwh;
+	const char *fractions, *recycle, *circuit, *power, *prices;
+	bool best;
+	/* Of calibrations. */
+	uint64_t seed, population, generations, stall, threads, pause, every;
+	double tolerance;
+	struct number_list train, run_weights;
+	bool polish, watch, by_sieve;
+	unsigned weights, preset, holdout;
+	const char *part;
+	/* Of pictures. */
+	double other, other_feed, level, width, height;
+	const char *beside, *site, *limits, *param, *keys;
+	uint64_t generation;
+	unsigned charset, colours, page;
+	/* Of sheets. */
+	const char *columns, *samples, *sheet, *range, *digest, *out;
+	unsigned as, decimal, dates, unit;
+	double top, window, exponent, energy_cut;
+	bool skip;
+	/* Of mend. */
+	double sieve, scale, mend_value;
+	const char *with;
+	unsigned mend_do;
+	/* Of the store, and of the session. */
+	const char *rock, *date, *note;
+	unsigned origin;
+	uint64_t most;
+	bool state;
 };
 
 /* Runs a command.  On failure, returns false with an error. */
@@ -94,9 +139,10 @@ enum command_flag {
 	COMMAND_SPEC = 512,    /* operands are like VALUE_SPEC */
 	COMMAND_BESIDE = 1024, /* full screen: a search continues meanwhile */
 	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
-	COMMAND_DAILY = 4096,  /* in daily use: shown by plain `help` */
-	COMMAND_CONDITIONS = 8192, /* a condition needs no quotes */
-	COMMAND_QUANTITIES = 16384 /* words that name quantities form its of= */
+	COMMAND_DAILY = 4096,  /* of a day's work: help alone shows it */
+	COMMAND_CONDITIONS = 8192,  /* a condition needs no quotes */
+	COMMAND_QUANTITIES = 16384, /* words that name quantities are its of= */
+	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
 };
 
 /* Operands of a command.  usage: as shown in help, or NULL; at least `least`
@@ -110,24 +156,23 @@ struct command_operands {
 };
 
 /* name: one word, under which answers are kept.  alias: a second name, or NULL;
- * a two-word alias ("store list") is the name shown to people.  others:
- * commands that are meant instead if a line has an option that only they have,
- * or a range of speeds ("predict 65..85"), see command_find_two_words.  bare:
- * the option that a bare word sets ("predict 74"), or NULL.  setting: options
- * that may be written as two words ("set method classes").  text: sentences for
- * help and manual.  more: further sentences for the manual, or NULL.  example:
- * lines of a script that runs in a folder with the project's data/. */
+ * an alias of two words ("store list") is the name shown to people.  others:
+ * names of commands that are meant instead if a line has an option that only
+ * they have, or a range of speeds ("predict 65..85"), see
+ * command_find_two_words.  bare: option that a bare word stands for ("predict
+ * 74"), or NULL.  text: sentences for help and manual.  more: further sentences
+ * for the manual, or NULL.  example: lines of a script that runs in a folder
+ * with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
 	const char *others[2];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;
-	/* At most one of these; each ends with a NULL name. */
+	/* NULL, or ends with a name of NULL. */
 	const struct command_option *option;
-	const struct setting *setting;
-	/* Options shared with other commands, from SHARED_..; ends with
-	 * NULL. */
+	/* Options shared with other commands, of SHARED_..; NULL after the
+	 * last. */
 	const struct command_option *shared[SHARES + 1];
 	const char *text, *more, *example;
 	/* Exactly one of these. */
@@ -144,8 +189,8 @@ extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
 extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
     SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
-/* The settings, ending with a NULL name. */
-extern const struct setting SETTINGS[];
+/* The settings; ends with a name of NULL. */
+extern const struct command_option SETTINGS[];
 
 /* Iterates over the table by group: returns the command after the given one,
  * the first for NULL, and NULL at the end. */
@@ -213,11 +258,10 @@ char *command_limits(const struct command_option *option);
 bool value_is_file(
     const struct command_option *option, const struct value *value);
 
-/* Returns the value of an option in the call; asserts that the command has
- * it. */
-const struct value *args_value(const struct args *args, const char *name);
-
-/* Returns the number of an option if it was given, else `otherwise`. */
-double args_number(const struct args *args, const char *name, double otherwise);
+/* Of the option whose value is that member of args: whether it was given; its
+ * value as typed; its name.  The command must have it, but for args_given. */
+bool args_given(const struct args *args, const void *member);
+const char *args_typed(const struct args *args, const void *member);
+const char *args_name(const struct args *args, const void *member);
 
 #endif

@@ -651,15 +651,47 @@ read_option_as_pair(
 	return i < OPTIONS && parse_take_value(i, word, args, error);
 }
 
-static bool
-take_fallbacks(struct args *args, struct error *error)
+/* Puts a value into the member of its option, see rows.h. */
+static void
+put_value(const struct command_option *o, const struct value *value,
+    struct args *args)
 {
+	void *member = (char *)args + o->offset;
+	const char *words = o->choices != NULL ? o->choices : "";
+	bool off_on = strcmp(words, "off on") == 0;
+	bool on_off = strcmp(words, "on off") == 0;
+	if (off_on || on_off)
+		*(bool *)member = value->choice == off_on;
+	else if (o->kind == VALUE_CHOICE)
+		*(unsigned *)member = (unsigned)value->choice;
+	else if (o->kind == VALUE_NUMBER)
+		*(double *)member = value->number;
+	else if (o->kind == VALUE_WHOLE)
+		*(uint64_t *)member = value->whole;
+	else if (o->kind == VALUE_NUMBERS)
+		*(struct number_list *)member =
+		    (struct number_list){value->n, value->list};
+	else
+		*(const char **)member = value->text;
+}
+
+/* Gives options their fallbacks, and all their places; settings and parameters
+ * have others, see cmd_set and cmd_params. */
+static bool
+take_values(struct args *args, struct error *error)
+{
+	const struct command *command = args->command;
 	const struct command_option *o;
 	bool ok = true;
-	for (size_t i = 0;
-	     ok && (o = command_option_at(args->command, i)) != NULL; i++)
-		if (!args->value[i].given && o->fallback[0] != '\0')
-			ok = value_read(o, o->fallback, &args->value[i], error);
+	for (size_t i = 0; ok && (o = command_option_at(command, i)) != NULL;
+	     i++) {
+		struct value *value = &args->value[i];
+		if (!value->given && o->fallback[0] != '\0')
+			ok = value_read(o, o->fallback, value, error);
+		if (o->offset > 0 && (command->flags & COMMAND_SETTINGS) == 0 &&
+		    value->text != NULL)
+			put_value(o, value, args);
+	}
 	return ok;
 }
 
@@ -774,7 +806,8 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	args->command = command;
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i];
-		bool set = command->setting != NULL, last = i + 1 == words->n;
+		bool set = (command->flags & COMMAND_SETTINGS) != 0,
+		     last = i + 1 == words->n;
 		bool pair = set && !last && strchr(word, '=') == NULL;
 		bool ok = pair ? read_option_as_pair(
 				     word, words->text[i + 1], args, error)
@@ -788,7 +821,7 @@ parse_call(const struct words *words, struct place place, struct args *args,
 		}
 		i += pair;
 	}
-	if (!check_operands(args, error) || !take_fallbacks(args, error)) {
+	if (!check_operands(args, error) || !take_values(args, error)) {
 		size_t at = 0;
 		for (size_t i = 1;
 		     i < words->n && args->n_operand > command->operands.most;

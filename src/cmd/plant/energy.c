@@ -267,18 +267,18 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	if (energies_loaded(s, error) == NULL)
 		return false;
 	const struct spectrum *spectrum = s->energy->c.spectrum;
-	const struct value *speed = args_value(args, "speed");
 	struct question q = {.e = s->energy,
 	    .spectrum = spectrum,
-	    .cut = args_number(args, "cut", s->energy->cut),
+	    .cut = args_given(args, &args->energy_cut) ? args->energy_cut
+						       : s->energy->cut,
 	    .speed = spectrum->speed,
 	    .scale = 1};
-	if (speed->given && !(spectrum->speed > 0))
+	if (args->speed > 0 && !(spectrum->speed > 0))
 		return error_set(error, ERROR_USAGE,
 		    "expected energies of a known tip speed to scale, got "
 		    "none\nload them with it: energy load FILE speed=V");
-	if (speed->given) {
-		q.speed = speed->number;
+	if (args->speed > 0) {
+		q.speed = args->speed;
 		q.scale = spectrum_scale(spectrum, q.speed);
 		q.cut /= q.scale;
 	}
@@ -330,13 +330,15 @@ energy_load_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	struct collisions_way way = {.speed = NAN};
-	const struct value *unit = args_value(args, "unit");
 	if (!check_one_file(args, error))
 		return false;
-	way.columns = args_value(args, "columns")->text;
-	way.unit = !unit->given ? NULL : unit->choice == 0 ? "J/kg" : "m/s";
-	way.speed = args_number(args, "speed", NAN);
-	double cut = args_number(args, "cut", ENERGIES_CUT);
+	way.columns = args->columns;
+	if (args_given(args, &args->unit))
+		way.unit = args->unit == 0 ? "J/kg" : "m/s";
+	if (args->speed > 0)
+		way.speed = args->speed;
+	double cut = args_given(args, &args->energy_cut) ? args->energy_cut
+							 : ENERGIES_CUT;
 	/* A file that is there comes before a shipped one of its name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
@@ -346,7 +348,7 @@ energy_load_file(
 	if (!read)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
-	energy_take_note(e, args_value(args, "note")->text);
+	energy_take_note(e, args->note);
 	s->energy = e;
 	session_note(s,
 	    e->c.spectrum->speed > 0

@@ -578,14 +578,13 @@ bool
 cmd_flow(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	bool best = args_value(args, "best")->choice == 1;
 	struct flow_plan plan;
 	question_as_last(s, args, q);
 	if (!flow_plan_read(s, args, q, &plan, error))
 		return false;
 	struct plant p = plant_new(s, &plan);
-	bool ok = best ? flow_show_best(&p, args, error)
-		       : flow_show_at(&p, q->speed, error);
+	bool ok = args->best ? flow_show_best(&p, args, error)
+			     : flow_show_at(&p, q->speed, error);
 	if (ok && plot_writes_image(s) && s->document == NULL) {
 		double from, to;
 		ok = conditions_speeds(

@@ -139,8 +139,8 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 	FREED char *under = last ? fraction_name(0, opening)
 				 : xasprintf("-%g", units_mm(opening));
 	screen->opening = opening;
-	screen->partition.sharpness = args_value(args, "sharpness")->number;
-	screen->partition.cut_size = args_value(args, "cut_size")->number / 100;
+	screen->partition.sharpness = args->sharpness;
+	screen->partition.cut_size = args->cut_size / 100;
 	screen->n_out = 2;
 	screen->out[0] = circuit_stream(c, name);
 	screen->out[1] = *now = circuit_stream(c, under);
@@ -158,7 +158,7 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 	    add_unit_with_inlet(c, UNIT_CRUSHER, "", new->out[0]);
 	crusher->n_out = 1;
 	crusher->out[0] = *crushed = circuit_stream(c, "crushed");
-	crusher->cascade = args_value(args, "cascade")->number / 100;
+	crusher->cascade = args->cascade / 100;
 	return crusher;
 }
 
@@ -197,15 +197,13 @@ read_options(
     const struct args *args, struct flow_plan *plan, struct error *error)
 {
 	struct cuts cuts = {0};
-	if (!args_value(args, "tph")->given)
+	if (!(args->tph > 0))
 		return error_set(error, ERROR_USAGE,
 		    "flow: expected tph, the new feed in t/h, got none\n"
 		    "write: flow tph=120 fractions=0/2,2/5,5/8,8/11.2");
 	plan->circuit = circuit_new();
-	const struct value *recycle = args_value(args, "recycle");
-	plan->back = xstrdup(recycle->given ? recycle->text : "");
-	return read_fractions(
-		   args_value(args, "fractions")->text, &cuts, error) &&
+	plan->back = xstrdup(args->recycle != NULL ? args->recycle : "");
+	return read_fractions(args->fractions, &cuts, error) &&
 	       build_circuit(args, &cuts, plan, error);
 }
 
@@ -213,22 +211,22 @@ static bool
 plant_read_file(struct session *s, const struct args *args,
     struct flow_plan *plan, struct error *error)
 {
-	static const char *const OF_FILE[] = {
-	    "fractions", "recycle", "cascade", "sharpness", "cut_size"};
-	const char *path = args_value(args, "circuit")->text;
+	const void *const of_file[] = {&args->fractions, &args->recycle,
+	    &args->cascade, &args->sharpness, &args->cut_size};
+	const char *path = args->circuit;
 	struct error_list errors = {.stop = s->hooks.stop};
-	for (size_t i = 0; i < ARRAY_LEN(OF_FILE); i++)
-		if (args_value(args, OF_FILE[i])->given)
+	for (size_t i = 0; i < ARRAY_LEN(of_file); i++)
+		if (args_given(args, of_file[i]))
 			return error_set(error, ERROR_USAGE,
 			    "%s= is given, but the circuit is that of a file\n"
 			    "say it in %s, see tipspeed-circuit(5)",
-			    OF_FILE[i], path);
+			    args_name(args, of_file[i]), path);
 	files_note_read(s, path);
 	plan->from_file = true;
 	plan->circuit = circuit_file_read(path, &errors);
 	if (plan->circuit == NULL)
 		return session_tell_faults(s, path, &errors, error);
-	if (plan->circuit->tph > 0 || args_value(args, "tph")->given)
+	if (plan->circuit->tph > 0 || args->tph > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "neither tph= nor the feed of %s says how much new feed there is\n"
@@ -346,18 +344,17 @@ static bool
 read_prices(
     const struct args *args, struct flow_plan *plan, struct error *error)
 {
-	const struct value *prices = args_value(args, "prices");
 	FREED bool *priced = xcalloc(plan->circuit->n_unit + 1, sizeof *priced);
 	char *part;
 	bool ok = true;
-	if (prices->given)
-		for (const char *at = prices->text;
+	if (args->prices != NULL)
+		for (const char *at = args->prices;
 		     ok && (part = next_part(&at)) != NULL; free(part))
 			ok = read_price(plan->circuit, part, priced, error);
 	for (size_t u = 0; u < plan->circuit->n_unit; u++)
 		plan->priced =
 		    plan->priced || isfinite(plan->circuit->unit[u].price);
-	plan->kwh = args_value(args, "kwh")->number;
+	plan->kwh = args->kwh;
 	return ok;
 }
 
@@ -419,11 +416,10 @@ static bool
 read_power(const struct args *args, const struct site *site,
     struct flow_plan *plan, struct error *error)
 {
-	const struct value *power = args_value(args, "power");
 	char *part;
 	bool ok = true;
-	if (power->given) {
-		for (const char *at = power->text;
+	if (args->power != NULL) {
+		for (const char *at = args->power;
 		     ok && (part = next_part(&at)) != NULL; free(part))
 			ok = read_reading(plan, part, error);
 		return ok;
@@ -441,11 +437,10 @@ flow_plan_read(struct session *s, const struct args *args,
 {
 	const struct site *site = q->entry->site;
 	*plan = (struct flow_plan){.question = q};
-	bool ok = args_value(args, "circuit")->given
-		      ? plant_read_file(s, args, plan, error)
-		      : read_options(args, plan, error);
-	if (ok && args_value(args, "tph")->given)
-		plan->circuit->tph = args_value(args, "tph")->number;
+	bool ok = args->circuit != NULL ? plant_read_file(s, args, plan, error)
+					: read_options(args, plan, error);
+	if (ok && args->tph > 0)
+		plan->circuit->tph = args->tph;
 	ok = ok && check_screens(site, plan, error) &&
 	     read_prices(args, plan, error) &&
 	     read_power(args, site, plan, error);

@@ -306,7 +306,8 @@ find_used_options(const struct command *command, const struct words *words)
 	for (size_t i = 1; i < words->n; i++) {
 		char *word = words->text[i];
 		size_t key = strcspn(word, "=");
-		bool pair = word[key] == '\0' && command->setting != NULL;
+		bool pair = word[key] == '\0' &&
+			    (command->flags & COMMAND_SETTINGS) != 0;
 		bool named = word[key] == '=' || pair;
 		FREED char *name = xstrndup(word, key);
 		size_t option =
@@ -338,8 +339,8 @@ offer_arguments(
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
 		if (used->given[i])
 			continue;
-		offer_if_matching(
-		    w, o->name, command->setting != NULL ? ' ' : '=');
+		offer_if_matching(w, o->name,
+		    (command->flags & COMMAND_SETTINGS) != 0 ? ' ' : '=');
 		if (command->bare != NULL &&
 		    strcmp(o->name, command->bare) == 0)
 			offer_values(w, o, false);

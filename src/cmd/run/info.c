@@ -206,7 +206,7 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	    "tipspeed-model.7", "tipspeed-circuit.5"};
 	const struct command_option *page = command_option_at(args->command, 0);
 	const char *word = args->n_operand > 0 ? args->operand[0] : NULL;
-	size_t i = args_value(args, "page")->choice;
+	size_t i = args->page;
 	if (word != NULL && !text_find_word(option_choices(page), word, &i))
 		return show_help(s, page, word, error);
 	assert(i < ARRAY_LEN(PAGES));

@@ -198,7 +198,7 @@ files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error)
 {
 	struct stat info;
-	if (args_value(args, "replace")->choice == 1 || stat(path, &info) != 0)
+	if (args->replace || stat(path, &info) != 0)
 		return files_may_write(s, path, error);
 	return error_set(error, ERROR_USAGE,
 	    "%s already exists\n"

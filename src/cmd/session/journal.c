@@ -135,11 +135,10 @@ journal_settings(struct session *s)
 {
 	if (s->set.seed != 1)
 		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
-	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
 		FREED char *text = settings_text(r, &s->set);
-		if (r->option.fallback[0] != '\0' &&
-		    strcmp(text, r->option.fallback) != 0)
-			journal_add(s, NULL, "set %s %s", r->option.name, text);
+		if (r->fallback[0] != '\0' && strcmp(text, r->fallback) != 0)
+			journal_add(s, NULL, "set %s %s", r->name, text);
 	}
 }
 

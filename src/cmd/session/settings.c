@@ -15,55 +15,54 @@
 #include "core/model/breakage.h"
 
 void
-settings_put(
-    const struct setting *row, const struct value *value, struct choices *set)
+settings_put(const struct command_option *row, const struct value *value,
+    struct choices *set)
 {
 	char *place = (char *)set + row->offset;
 	/* What is in a file is read by cmd_set. */
-	if (row->option.kind == VALUE_FILE)
+	if (row->kind == VALUE_FILE)
 		return;
-	if (row->option.kind == VALUE_TEXT || row->option.kind == VALUE_FEED) {
+	if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED) {
 		bool none = strcmp(value->text, SETTINGS_NONE) == 0;
 		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
 		return;
 	}
-	if (row->option.kind == VALUE_NUMBERS) {
+	if (row->kind == VALUE_NUMBERS) {
 		const double end[] = {value->n > 0 ? value->list[0] : 0,
 		    value->n > 0 ? value->list[value->n - 1] : 0};
 		memcpy(place, end, sizeof end);
 		return;
 	}
-	unsigned whole =
-	    (unsigned)(row->option.kind == VALUE_CHOICE ? value->choice
-							: value->whole);
-	if (row->option.kind == VALUE_NUMBER)
+	unsigned whole = (unsigned)(row->kind == VALUE_CHOICE ? value->choice
+							      : value->whole);
+	if (row->kind == VALUE_NUMBER)
 		memcpy(place, &value->number, sizeof value->number);
 	else
 		memcpy(place, &whole, sizeof whole);
 }
 
 char *
-settings_text(const struct setting *row, const struct choices *set)
+settings_text(const struct command_option *row, const struct choices *set)
 {
 	const char *place = (const char *)set + row->offset;
-	const char *word = option_choices(&row->option);
+	const char *word = option_choices(row);
 	double number, end[2];
 	unsigned whole;
-	if (row->option.kind == VALUE_NUMBERS) {
+	if (row->kind == VALUE_NUMBERS) {
 		memcpy(end, place, sizeof end);
 		return end[1] > 0 ? xasprintf("%.15g..%.15g", end[0], end[1])
 				  : xstrdup(word);
 	}
-	if (row->option.kind == VALUE_FILE)
+	if (row->kind == VALUE_FILE)
 		return xstrdup(set->energy != NULL ? set->energy : "off");
-	if (row->option.kind == VALUE_TEXT || row->option.kind == VALUE_FEED)
+	if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED)
 		return xstrdup(place[0] != '\0' ? place : SETTINGS_NONE);
-	if (row->option.kind == VALUE_NUMBER) {
+	if (row->kind == VALUE_NUMBER) {
 		memcpy(&number, place, sizeof number);
 		return xasprintf("%.15g", number);
 	}
 	memcpy(&whole, place, sizeof whole);
-	if (row->option.kind == VALUE_WHOLE)
+	if (row->kind == VALUE_WHOLE)
 		return xasprintf("%u", whole);
 	for (; whole > 0; whole--)
 		word = strchr(word, ' ') + 1;
@@ -89,13 +88,13 @@ settings_default(void)
 	struct choices set = {.bounds = bounds_default(0),
 	    .seed = 1,
 	    .threads = threads_default()};
-	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
 		struct value value = {0};
 		struct error error = {0};
-		const char *word = r->option.fallback;
+		const char *word = r->fallback;
 		if (word[0] == '\0')
 			continue;
-		bool ok = value_read(&r->option, word, &value, &error);
+		bool ok = value_read(r, word, &value, &error);
 		assert(ok);
 		(void)ok;
 		settings_put(r, &value, &set);
@@ -127,7 +126,7 @@ settings_same(const struct choices *a, const struct choices *b)
 		    model_settings_same(&a->model, &b->model) &&
 		    a->energy == b->energy && a->timing == b->timing &&
 		    memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
-	for (const struct setting *r = SETTINGS; r->option.name != NULL; r++) {
+	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
 		FREED char *mine = settings_text(r, a),
 			   *other = settings_text(r, b);
 		same = same && (r->looks || strcmp(mine, other) == 0);

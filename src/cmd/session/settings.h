@@ -65,10 +65,11 @@ void settings_reach(const struct choices *set, const struct site *site,
     double *from, double *to);
 
 /* Stores a value given to `set`. */
-void settings_put(
-    const struct setting *row, const struct value *value, struct choices *set);
+void settings_put(const struct command_option *row, const struct value *value,
+    struct choices *set);
 
 /* Returns the value as typed after `set`.  The caller frees it. */
-char *settings_text(const struct setting *row, const struct choices *set);
+char *settings_text(
+    const struct command_option *row, const struct choices *set);
 
 #endif

@@ -1,21 +1,7 @@
 /* Commands about the session itself, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
-
-static const struct command_option SAVE_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite an existing file"},
-    {.name = NULL}};
-
-static const struct command_option TIMING_OPTIONS[] = {
-    {"state", VALUE_CHOICE, "", 0, 0, "on off", "on", "show it or not"},
-    {.name = NULL}};
-
-static const struct command_option MAN_OPTIONS[] = {
-    {"page", VALUE_CHOICE, "", 0, 0,
-	"tipspeed tutorial tui site spec model circuit", "tipspeed",
-	"page of the manual"},
-    {.name = NULL}};
 
 const struct command TABLE_SESSION[] = {
     {.name = "undo",
@@ -38,7 +24,8 @@ const struct command TABLE_SESSION[] = {
 	.brief = "save the session as a script",
 	.operands = {"FILE.tip", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED | COMMAND_DAILY,
-	.option = SAVE_OPTIONS,
+	.option =
+	    OPTION_LIST({OFF_ON(replace), "off", "overwrite an existing file"}),
 	.text =
 	    "Writes the commands that produced the session and its results, "
 	    "without those that were undone. Of consecutive predictions only "
@@ -95,7 +82,7 @@ const struct command TABLE_SESSION[] = {
 	.brief = "show how long each command takes",
 	.flags = COMMAND_CHANGES,
 	.bare = "state",
-	.option = TIMING_OPTIONS,
+	.option = OPTION_LIST({ON_OFF(state), "on", "show it or not"}),
 	.text = "Prints seconds of wall-clock time on standard error, for a "
 		"calibration to its end, for a script to its last line.",
 	.example = "set timing on\nversion\nset timing off",
@@ -149,7 +136,9 @@ const struct command TABLE_SESSION[] = {
 	    {"tipspeed tutorial tui site spec model circuit COMMAND", ""}, 0,
 	    1},
 	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
-	.option = MAN_OPTIONS,
+	.option = OPTION_LIST(
+	    {CHOICE(page), "tipspeed tutorial tui site spec model circuit",
+		"tipspeed", "page of the manual"}),
 	.text = "At the prompt, shows the page with man(1). Elsewhere, or "
 		"without man(1), prints the list of commands. For a COMMAND "
 		"without a page of its own it prints what help does.",

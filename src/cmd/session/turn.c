@@ -194,7 +194,7 @@ record_in_journal(struct session *s, const struct invocation *t, bool changed)
 	/* What is asked while a calibration runs depends on the moment; what is
 	 * set does not. */
 	bool between = session_busy(s) && s->job.invocation != t &&
-		       t->command->setting == NULL;
+		       (t->command->flags & COMMAND_SETTINGS) == 0;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
 	    between || was_stopped_at_start(t))
 		return;

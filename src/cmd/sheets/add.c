@@ -41,13 +41,13 @@ origins_clear(struct origins *o)
 
 /* A date that can be read in one way. */
 static bool
-add_read_date(const struct value *date, double *day, struct error *error)
+add_read_date(const char *date, double *day, struct error *error)
 {
 	struct moment m;
 	*day = NAN;
-	if (!date->given)
+	if (date == NULL)
 		return true;
-	bool good = moment_read(date->text, &m) && m.has_date;
+	bool good = moment_read(date, &m) && m.has_date;
 	*day = good ? moment_seconds(&m, MOMENT_OPEN) - m.seconds : (double)NAN;
 	if (!good || isnan(*day))
 		return error_set(error, ERROR_USAGE,
@@ -57,7 +57,7 @@ add_read_date(const struct value *date, double *day, struct error *error)
 			     "write year, month, day: date=2026-05-03")
 			: N_("expected a date such as 2026-05-03, got '%s'\n"
 			     "write year, month, day: date=2026-05-03"),
-		    date->text);
+		    date);
 	return true;
 }
 
@@ -119,7 +119,7 @@ add_look_up(struct session *s, const struct args *args, const char *word,
 	o->logged = (struct logged){NAN, NAN, NAN};
 	if (at == NULL || head_read(at).speed > 0)
 		return true;
-	double window = 60 * args_value(args, "window")->number;
+	double window = 60 * args->window;
 	if (!add_read_time(at + 1, day, &time, error) ||
 	    !log_at(s, time, window / 2, rotor, &o->logged, error))
 		return false;
@@ -305,19 +305,19 @@ note_next(struct session *s, enum verdict worst, size_t n)
 }
 
 static bool
-is_expected(const struct site *site, const struct value *digest,
-    struct session *s, struct error *error)
+is_expected(const struct site *site, const char *digest, struct session *s,
+    struct error *error)
 {
 	FREED char *found = xasprintf("%016" PRIx64, site->digest);
-	bool good = !digest->given || strcmp(digest->text, found) == 0;
+	bool good = digest == NULL || strcmp(digest, found) == 0;
 	if (!good)
 		error_set(error, ERROR_DATA,
 		    "expected the site to have digest %s with these cuts, got "
 		    "%s: numbers of a cut, of the log or of the site have "
 		    "changed\n"
 		    "leave out digest= to add them anyway; results will change",
-		    digest->text, found);
-	if (good && !digest->given)
+		    digest, found);
+	if (good && digest == NULL)
 		invocation_adds(s, "digest", found);
 	return good;
 }
@@ -359,12 +359,12 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	if (site_assumed_top(cuts) > site_assumed_top(old))
 		site_add_note(&site->note, &site->n_note, SITE_ASSUMED_TOP,
 		    text_exact(site_assumed_top(cuts), number));
-	if (!is_expected(site, args_value(args, "digest"), s, error)) {
+	if (!is_expected(site, args->digest, s, error)) {
 		site_free(site);
 		return false;
 	}
 	if (!(site->rotor > 0))
-		site->rotor = args_value(args, "rotor_mm")->number / 1000;
+		site->rotor = args->rotor_mm / 1000;
 	note_cuts(s, site, cuts, all);
 	load_note_reading(s, cuts);
 	warn_of_cuts_loaded(s, old, cuts);
@@ -379,14 +379,13 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 bool
 cmd_add(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *rotor_mm = args_value(args, "rotor_mm");
 	double day, rotor = session_entry(s)->site->rotor;
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
-	bool good = add_read_date(args_value(args, "date"), &day, error);
-	if (rotor_mm->given)
-		rotor = rotor_mm->number / 1000;
+	bool good = add_read_date(args->date, &day, error);
+	if (args->rotor_mm > 0)
+		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
 		good = add_look_up(s, args, args->operand[i], day, rotor,
 		    &all.file[all.n++], error);

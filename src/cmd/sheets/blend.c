@@ -167,8 +167,8 @@ blend_give(struct session *s, const struct args *args, const struct blended *b)
 	    .feed = b, .correction = s->set.correction};
 	struct question q;
 	question_make(s, session_entry(s), &scenario, &q);
-	q.speed =
-	    args_number(args, "speed", answers_usual_speed(session_entry(s)));
+	q.speed = args->speed > 0 ? args->speed
+				  : answers_usual_speed(session_entry(s));
 	answer_blended_product(s, &q, b);
 	question_free(s, &q);
 }
@@ -205,10 +205,9 @@ cmd_blend(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; good && i < args->n_operand; i++)
 		good = blend_read_part(s, args->operand[i], &b, error);
 	if (good) {
-		const struct value *out = args_value(args, "out");
 		blended_mix(&b);
-		good =
-		    !out->given || write_sheet(s, args, &b, out->text, error);
+		good = args->out == NULL ||
+		       write_sheet(s, args, &b, args->out, error);
 		if (good)
 			blend_give(s, args, &b);
 	}

@@ -93,15 +93,14 @@ describe_synth(struct site *site, const struct stored *m,
 static struct site *
 synth_row(const struct stored *m, const struct args *args)
 {
-	const struct value *speeds = args_value(args, "speeds");
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
 	    .params = m->params,
 	    .individual_feeds = strncmp(m->feed_source, "Default", 7) != 0,
-	    .n = args_value(args, "n")->number,
-	    .noise = args_value(args, "noise")->number / 100,
-	    .seed = args_value(args, "seed")->whole,
-	    .n_speed = speeds->n,
-	    .speed = speeds->list};
+	    .n = args->exponent,
+	    .noise = args->noise / 100,
+	    .seed = args->seed,
+	    .n_speed = args->speeds.n,
+	    .speed = args->speeds.at};
 	struct site *site = synth_site(&synth);
 	const char *slash = strrchr(args->operand[0], '/');
 	const char *file = slash != NULL ? slash + 1 : args->operand[0];
@@ -115,10 +114,10 @@ synth_row(const struct stored *m, const struct args *args)
 bool
 cmd_synth(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *wanted = args_value(args, "site");
-	const struct value *speeds = args_value(args, "speeds");
-	for (size_t i = 1; i < speeds->n; i++)
-		if (speeds->list[i] <= speeds->list[i - 1])
+	const char *wanted = args->site;
+	const double *speed = args->speeds.at;
+	for (size_t i = 1; i < args->speeds.n; i++)
+		if (speed[i] <= speed[i - 1])
 			return error_set(error, ERROR_USAGE,
 			    "expected speeds from slow to fast, each once");
 	struct error_list errors = {.stop = s->hooks.stop};
@@ -134,7 +133,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct stored *row = &rows.item[i];
-		if (wanted->given && !text_same(wanted->text, row->site))
+		if (wanted != NULL && !text_same(wanted, row->site))
 			continue;
 		session_add(s, synth_row(row, args));
 		made++;
@@ -146,7 +145,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "%s has no site '%s'\n"
 		    "use a name of its column site",
-		    args->operand[0], wanted->text);
+		    args->operand[0], wanted);
 	session_note(s,
 	    tr_n("made %zu synthetic site: not measured",
 		"made %zu synthetic sites: not measured", made),

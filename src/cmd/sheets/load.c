@@ -548,38 +548,35 @@ load_files(
 }
 
 static char *
-copy_given_text(const struct args *args, const char *name)
+copy_given_text(const char *text)
 {
-	const struct value *value = args_value(args, name);
-	return value->given ? xstrdup(value->text) : NULL;
+	return text != NULL ? xstrdup(text) : NULL;
 }
 
 /* What the options say of the files. */
 static void
 load_read_options(struct load *l, const struct args *args)
 {
-	const struct value *decimal = args_value(args, "decimal");
-	const struct value *rotor = args_value(args, "rotor_mm");
-	l->request.columns = l->columns = copy_given_text(args, "columns");
-	l->request.samples = l->samples = copy_given_text(args, "samples");
-	l->request.sheet = l->sheet = copy_given_text(args, "sheet");
-	l->request.range = l->range = copy_given_text(args, "range");
-	if (decimal->given)
-		l->request.decimal = decimal->choice == 1 ? ',' : '.';
-	if (rotor->given)
-		l->request.rotor = rotor->number / 1000;
-	l->request.top = args_value(args, "top")->number;
+	l->request.columns = l->columns = copy_given_text(args->columns);
+	l->request.samples = l->samples = copy_given_text(args->samples);
+	l->request.sheet = l->sheet = copy_given_text(args->sheet);
+	l->request.range = l->range = copy_given_text(args->range);
+	if (args_given(args, &args->decimal))
+		l->request.decimal = args->decimal == 1 ? ',' : '.';
+	if (args->rotor_mm > 0)
+		l->request.rotor = args->rotor_mm / 1000;
+	l->request.top = args->top;
 }
 
 /* What somebody answered, as an option of the line that is saved. */
 static void
-save_answer(struct session *s, const struct args *args, const char *option,
+save_answer(struct session *s, const struct args *args, const void *option,
     const char *text)
 {
-	if (text == NULL || args_value(args, option)->given)
+	if (text == NULL || args_given(args, option))
 		return;
 	FREED char *value = xasprintf("\"%s\"", text);
-	invocation_adds(s, option, value);
+	invocation_adds(s, args_name(args, option), value);
 }
 
 static void
@@ -587,18 +584,18 @@ save_answers(struct session *s, const struct args *args, const struct load *l)
 {
 	const struct site_request *q = &l->request;
 	char number[32];
-	save_answer(s, args, "columns", l->columns);
-	save_answer(s, args, "samples", l->samples);
-	save_answer(s, args, "sheet", l->sheet);
-	save_answer(s, args, "range", l->range);
+	save_answer(s, args, &args->columns, l->columns);
+	save_answer(s, args, &args->samples, l->samples);
+	save_answer(s, args, &args->sheet, l->sheet);
+	save_answer(s, args, &args->range, l->range);
 	if (q->decimal != '\0')
-		save_answer(
-		    s, args, "decimal", q->decimal == ',' ? "comma" : "point");
+		save_answer(s, args, &args->decimal,
+		    q->decimal == ',' ? "comma" : "point");
 	if (q->rotor > 0)
-		save_answer(
-		    s, args, "rotor_mm", text_exact(1000 * q->rotor, number));
+		save_answer(s, args, &args->rotor_mm,
+		    text_exact(1000 * q->rotor, number));
 	if (q->top > 0)
-		save_answer(s, args, "top", text_exact(q->top, number));
+		save_answer(s, args, &args->top, text_exact(q->top, number));
 }
 
 struct site *
@@ -706,11 +703,11 @@ hint_remembered(const struct session *s, const char *word, struct error *error)
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
+	enum { AS_SITE, AS_LOG };
 	struct load l = {0};
-	const struct value *digest = args_value(args, "digest");
-	if (args_value(args, "as")->choice == 1)
+	if (args->as == AS_LOG)
 		return log_load(s, args, error);
-	if (args_value(args, "dates")->given)
+	if (args_given(args, &args->dates))
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
@@ -718,10 +715,9 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	bool good = list_words(&list, args->n_operand, args->operand, error) &&
 		    load_read_operands(
 			&l, list.n, (const char *const *)list.word, error);
-	l.digest = digest->given ? digest->text : NULL;
+	l.digest = args->digest;
 	load_read_options(&l, args);
-	good = good &&
-	       load_run(s, &l, args_value(args, "skip")->choice == 1, error);
+	good = good && load_run(s, &l, args->skip, error);
 	if (!good)
 		hint_nearest(args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1)

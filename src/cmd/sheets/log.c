@@ -137,34 +137,31 @@ read_log(struct session *s, struct log_request *q, struct error *error)
 }
 
 static bool
-check_digest(
-    const struct plant_log *log, const struct value *digest, struct error *e)
+check_digest(const struct plant_log *log, const char *digest, struct error *e)
 {
 	FREED char *found = xasprintf("%016" PRIx64, log->digest);
-	bool good = !digest->given || strcmp(digest->text, found) == 0;
+	bool good = digest == NULL || strcmp(digest, found) == 0;
 	if (!good)
 		error_at(e, ERROR_DATA, log->path, 0, 0,
 		    "expected a log with digest %s, got %s: its numbers have "
 		    "changed\n"
 		    "leave out digest= to load it anyway; results will change",
-		    digest->text, found);
+		    digest, found);
 	return good;
 }
 
 bool
 log_load(struct session *s, const struct args *args, struct error *error)
 {
-	const struct value *decimal = args_value(args, "decimal");
-	const struct value *dates = args_value(args, "dates");
 	struct log_request q = {.n = args->n_operand,
 	    .path = args->operand,
-	    .columns = args_value(args, "columns")->text,
-	    .sheet = args_value(args, "sheet")->text};
-	if (decimal->given)
-		q.decimal = decimal->choice == 1 ? ',' : '.';
-	if (dates->given)
+	    .columns = args->columns,
+	    .sheet = args->sheet};
+	if (args_given(args, &args->decimal))
+		q.decimal = args->decimal == 1 ? ',' : '.';
+	if (args_given(args, &args->dates))
 		q.order =
-		    dates->choice == 0 ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
+		    args->dates == 0 ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
 	for (size_t i = 0; i < q.n; i++)
 		files_note_read(s, q.path[i]);
 	struct plant_log *log = read_log(s, &q, error);
@@ -172,7 +169,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		return false;
 	s->logs = xrealloc(s->logs, s->n_log + 1, sizeof(*s->logs));
 	s->logs[s->n_log++] = log;
-	if (!check_digest(log, args_value(args, "digest"), error))
+	if (!check_digest(log, args->digest, error))
 		return false;
 	if (s->log != NULL)
 		session_note(s, "replaced the log loaded earlier");

@@ -125,8 +125,7 @@ bool
 cmd_timing(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *state = args_value(args, "state");
-	s->set.timing = state->choice == 0;
+	s->set.timing = args->state;
 	return true;
 }
 
@@ -147,10 +146,10 @@ show_settings(struct session *s)
 {
 	struct answer *r = answer_new("set");
 	answer_columns(r, "setting, value");
-	for (const struct setting *row = SETTINGS; row->option.name != NULL;
+	for (const struct command_option *row = SETTINGS; row->name != NULL;
 	     row++) {
 		FREED char *text = settings_text(row, &s->set);
-		answer_cells(r, "%s %s", row->option.name, text);
+		answer_cells(r, "%s %s", row->name, text);
 	}
 	return session_show_answer(s, r);
 }
@@ -158,27 +157,26 @@ show_settings(struct session *s)
 /* Texts that cannot be read and speeds that are no range are refused; a feed
  * may not tell of them yet. */
 static bool
-check_value(struct session *s, const struct setting *row,
+check_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
 {
 	static const struct partition SHARP = {0, 1};
 	struct condition_list list = {0};
 	struct quantity q;
 	size_t n_value;
-	bool text = row->option.kind == VALUE_TEXT ||
-		    (row->option.kind == VALUE_FEED &&
-			value_is_file(&row->option, value));
-	if (row->option.kind == VALUE_NUMBERS && value->n > 0 &&
+	bool text = row->kind == VALUE_TEXT ||
+		    (row->kind == VALUE_FEED && value_is_file(row, value));
+	if (row->kind == VALUE_NUMBERS && value->n > 0 &&
 	    value->list[0] >= value->list[value->n - 1])
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected two speeds, the slower one first, got '%s'\n"
 		    "for instance: set %s 20..120",
-		    row->option.name, value->text, row->option.name);
+		    row->name, value->text, row->name);
 	if (!text || strcmp(value->text, SETTINGS_NONE) == 0)
 		return true;
 	if (strlen(value->text) >= SETTINGS_TEXT)
 		return error_set(error, ERROR_USAGE,
-		    "%s: expected %d letters at most", row->option.name,
+		    "%s: expected %d letters at most", row->name,
 		    SETTINGS_TEXT - 1);
 	if (row->offset == offsetof(struct choices, feed))
 		return blended_read_cached(s, value->text, error) != NULL;
@@ -195,10 +193,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	const struct choices was = s->set;
 	const struct model_settings before = was.model;
 	bool any = false;
-	for (size_t i = 0; SETTINGS[i].option.name != NULL; i++) {
+	for (size_t i = 0; SETTINGS[i].name != NULL; i++) {
 		if (!args->value[i].given)
 			continue;
-		if (SETTINGS[i].option.kind == VALUE_FILE &&
+		if (SETTINGS[i].kind == VALUE_FILE &&
 		    !energies_set(s, args->value[i].text, error))
 			return false;
 		if (!check_value(s, &SETTINGS[i], &args->value[i], error))
@@ -227,9 +225,8 @@ bool
 cmd_seed(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct value *value = args_value(args, "seed");
-	if (value->given) {
-		s->set.seed = value->whole;
+	if (args_given(args, &args->seed)) {
+		s->set.seed = args->seed;
 		return true;
 	}
 	struct answer *r = answer_new("seed");
@@ -255,7 +252,7 @@ may_save(const struct session *s, const struct args *args, const char *path,
 	bool saved;
 	const char *holder = files_holder(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
-	if (again && (saved || args_value(args, "replace")->choice == 1))
+	if (again && (saved || args->replace))
 		return file_may_write(path, error);
 	return files_may_overwrite(s, args, path, error);
 }

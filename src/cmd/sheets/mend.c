@@ -218,11 +218,9 @@ find_numbered(
 static size_t
 options_given(const struct args *args)
 {
-	static const char *const ONE_OF[] = {"value", "do", "with", "scale"};
-	size_t n = 0;
-	for (size_t i = 0; i < ARRAY_LEN(ONE_OF); i++)
-		n += args_value(args, ONE_OF[i])->given;
-	return n;
+	return (size_t)args_given(args, &args->mend_value) +
+	       args_given(args, &args->mend_do) + (args->with != NULL) +
+	       (args->scale > 0);
 }
 
 static bool
@@ -230,20 +228,17 @@ take_kind(const struct args *args, struct mend *mend)
 {
 	static const enum mend_kind DO[] = {
 	    MEND_OUT, MEND_SWAP, MEND_UP, MEND_DOWN, MEND_DROP};
-	const struct value *value = args_value(args, "value");
-	const struct value *scale = args_value(args, "scale");
-	const struct value *what = args_value(args, "do");
-	mend->size = args_value(args, "sieve")->number / 1000;
-	mend->kind = value->given   ? MEND_READ
-		     : scale->given ? MEND_SCALE
-		     : what->given  ? DO[what->choice]
-				    : MEND_WITH;
-	mend->value = value->given ? value->number / 100 : scale->number;
+	bool value = args_given(args, &args->mend_value);
+	mend->size = args->sieve / 1000;
+	mend->kind = value                ? MEND_READ
+		     : args->scale > 0    ? MEND_SCALE
+		     : args->with == NULL ? DO[args->mend_do]
+					  : MEND_WITH;
+	mend->value = value ? args->mend_value / 100 : args->scale;
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
 	bool product = mend->kind == MEND_SWAP || mend->kind == MEND_WITH ||
 		       mend->kind == MEND_DROP;
-	return cell == args_value(args, "sieve")->given &&
-	       !(product && mend->feed);
+	return cell == (args->sieve > 0) && !(product && mend->feed);
 }
 
 static bool
@@ -270,8 +265,7 @@ static bool
 mend_find_told(const struct site *site, const struct args *args,
     struct mend *mend, struct error *error)
 {
-	const char *name = args->operand[0];
-	const struct value *with = args_value(args, "with");
+	const char *name = args->operand[0], *with = args->with;
 	bool feed = false;
 	if (!mend_find_column(site, name, &mend->feed, &mend->run))
 		return error_no_column(site, name, error);
@@ -282,11 +276,11 @@ mend_find_told(const struct site *site, const struct args *args,
 		    "do=down or scale=X; of a product also do=swap, do=drop or "
 		    "with=product@SPEED",
 		    name);
-	if (!with->given)
+	if (with == NULL)
 		return true;
-	if (!mend_find_column(site, with->text, &feed, &mend->other) || feed ||
+	if (!mend_find_column(site, with, &feed, &mend->other) || feed ||
 	    mend->other == mend->run)
-		return error_no_column(site, with->text, error);
+		return error_no_column(site, with, error);
 	return true;
 }
 

@@ -311,8 +311,6 @@ static bool
 check_can_be_remembered(
     const struct entry *entry, const struct args *args, struct error *error)
 {
-	const struct value *date = args_value(args, "date");
-	const struct value *note = args_value(args, "note");
 	if (entry->has_fit && entry->fit.settings.impacts.n > 0)
 		return error_set(error, ERROR_USAGE,
 		    "expected parameters of Eq 3 with one impact at v^2/2, got "
@@ -330,10 +328,10 @@ check_can_be_remembered(
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
 		    entry->site->name, entry->origin->whose);
-	if (date->given && !moment_is_day(date->text))
+	if (args->date != NULL && !moment_is_day(args->date))
 		return error_set(error, ERROR_USAGE,
-		    "expected a date such as 2026-11-21, got '%s'", date->text);
-	return !note->given || stored_is_one_line(note->text) ||
+		    "expected a date such as 2026-11-21, got '%s'", args->date);
+	return args->note == NULL || stored_is_one_line(args->note) ||
 	       error_set(error, ERROR_USAGE,
 		   "note: expected one line without control characters");
 }
@@ -376,17 +374,15 @@ static bool
 add_material(struct session *s, const struct entry *entry, const char *name,
     const struct args *args, struct stored_list *list, struct error *error)
 {
-	const struct value *date = args_value(args, "date");
-	const struct value *note = args_value(args, "note");
 	if (!check_can_be_remembered(entry, args, error) ||
 	    !stored_check_name(name, error))
 		return false;
 	struct stored m = store_material_of(s, entry);
 	set_copy(&m.name, name);
 	replace_trimmed(
-	    &m.date, date->given ? xstrdup(date->text) : moment_today());
-	if (note->given)
-		set_copy(&m.note, note->text);
+	    &m.date, args->date != NULL ? xstrdup(args->date) : moment_today());
+	if (args->note != NULL)
+		set_copy(&m.note, args->note);
 	stored_list_add(list, m);
 	return true;
 }
@@ -452,7 +448,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_entry(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
-	bool replace = args_value(args, "replace")->choice == 1;
+	bool replace = args->replace;
 	struct stored_list list = {0};
 	bool ok = all ? store_add_all(s, args, &list, error)
 		      : add_material(s, entry, name, args, &list, error);
@@ -526,18 +522,18 @@ static bool
 check_recalled(struct session *s, const struct args *args,
     const struct stored *m, struct error *error)
 {
-	const struct value *wanted = args_value(args, "digest");
+	const char *wanted = args->digest;
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, stored_digest(m));
-	if (!wanted->given)
+	if (wanted == NULL)
 		invocation_adds(s, "digest", found);
-	if (!wanted->given || strcmp(wanted->text, found) == 0)
+	if (wanted == NULL || strcmp(wanted, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,
 	    "expected the material with digest %s, but %s has %s: it has "
 	    "changed\n"
 	    "leave out digest= to use it anyway; results will change",
-	    wanted->text, m->name, found);
+	    wanted, m->name, found);
 }
 
 /* With the runs that it was found on, where the store has them: so that the
@@ -698,15 +694,14 @@ bool
 cmd_import(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	bool replace = args_value(args, "replace")->choice == 1;
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct stored_list there = {0}, list = {0};
 	bool ok = store_list(s->store, &there, error);
 	files_note_read(s, path);
-	if (ok &&
-	    !store_csv_read(path, replace ? NULL : &there, &list, &errors))
+	if (ok && !store_csv_read(
+		      path, args->replace ? NULL : &there, &list, &errors))
 		ok = session_tell_faults(s, path, &errors, error);
-	ok = ok && store_put(s->store, list.item, list.n, replace, error);
+	ok = ok && store_put(s->store, list.item, list.n, args->replace, error);
 	if (ok)
 		session_note(s,
 		    tr_n("imported %zu material from %s",
@@ -729,12 +724,10 @@ enum { ALL, TABLE3, OWN };
 static bool
 store_is_wanted(const struct stored *m, const struct args *args)
 {
-	const struct value *rock = args_value(args, "rock");
-	const struct value *top = args_value(args, "top");
-	size_t origin = args_value(args, "origin")->choice;
-	return (!rock->given || text_same(m->rock, rock->text)) &&
-	       (!top->given || has_top_size(m, top->number)) &&
-	       (origin == ALL || (origin == TABLE3) == stored_is_table3(m));
+	return (args->rock == NULL || text_same(m->rock, args->rock)) &&
+	       (!(args->top > 0) || has_top_size(m, args->top)) &&
+	       (args->origin == ALL ||
+		   (args->origin == TABLE3) == stored_is_table3(m));
 }
 
 static void
@@ -789,14 +782,10 @@ note_rocks(struct answer *r, struct store *store,
 static struct store_query
 read_query(const struct args *args)
 {
-	const struct value *top = args_value(args, "top");
-	struct store_query query = {.rock = args_value(args, "rock")->text};
-	if (top->given) {
-		query.top_least = 0.94 * top->number;
-		query.top_most = 1.06 * top->number;
-	}
-	query.first = (size_t)args_value(args, "most")->whole;
-	return query;
+	return (struct store_query){.rock = args->rock,
+	    .top_least = 0.94 * args->top,
+	    .top_most = 1.06 * args->top,
+	    .first = (size_t)args->most};
 }
 
 static struct answer *
@@ -873,7 +862,7 @@ show_list(struct session *s, const struct args *args, struct error *error)
 		  store_find(s->store, &query, &list, error);
 	size_t listed = list.n;
 	stored_table3(&list);
-	bool printed = args_value(args, "origin")->choice == TABLE3;
+	bool printed = args->origin == TABLE3;
 	struct answer *r = printed ? table3_answer(s, args, &paper, &n)
 				   : list_answer(args, &list, &n);
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,

@@ -1,110 +1,27 @@
 /* Commands that read, show and write sheets, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-static const struct command_option SHOW_OPTIONS[] = {
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"speed of the selection function; default: a held-out speed, else 74"},
-    {"every", VALUE_WHOLE, "", 1, 1e6, NULL, "",
-	"search: every N-th generation; default: as many as fit a screen"},
-    {.name = NULL}};
-
 /* Options of load and add, which both read sheets. */
-#define SHEET_OPTIONS                                                         \
-	{"columns", VALUE_TEXT, "", 0, 0, NULL, "",                           \
-	    "what the columns are, by number: \"1=sieve mm, 2=feed "          \
-	    "retained_g, 4=product@70\"; others are left out"},               \
-	    {"samples", VALUE_TEXT, "", 0, 0, NULL, "",                       \
-		"what samples are, by name: \"S01=feed, S02=@70\"; others "   \
-		"are left out"},                                              \
-	    {"sheet", VALUE_TEXT, "", 0, 0, NULL, "", "sheet of a workbook"}, \
-	    {"range", VALUE_TEXT, "", 0, 0, NULL, "",                         \
-		"part of a sheet, as A3:F20; default: all"},                  \
-	    {"decimal", VALUE_CHOICE, "", 0, 0, "point comma", "",            \
-		"decimal sign, if the numbers do not show which it is"},      \
-	    {"top", VALUE_NUMBER, "mm", 1e-6, 1e4, NULL, "",                  \
-		"size that all of the feed passes, an assumption"},           \
-	{                                                                     \
-		"rotor_mm", VALUE_NUMBER, "mm", 100, 5000, NULL, "",          \
-		    "diameter of the rotor, for speeds in rpm"                \
+#define SHEET_OPTIONS                                                       \
+	{TEXT(columns), NULL, "",                                           \
+	    "what the columns are, by number: \"1=sieve mm, 2=feed "        \
+	    "retained_g, 4=product@70\"; others are left out"},             \
+	    {TEXT(samples), NULL, "",                                       \
+		"what samples are, by name: \"S01=feed, S02=@70\"; others " \
+		"are left out"},                                            \
+	    {TEXT(sheet), NULL, "", "sheet of a workbook"},                 \
+	    {TEXT(range), NULL, "",                                         \
+		"part of a sheet, as A3:F20; default: all"},                \
+	    {CHOICE(decimal), "point comma", "",                            \
+		"decimal sign, if the numbers do not show which it is"},    \
+	    {NUMBER(top), "mm", 1e-6, 1e4, NULL, "",                        \
+		"size that all of the feed passes, an assumption"},         \
+	{                                                                   \
+		NUMBER(rotor_mm), "mm", 100, 5000, NULL, "",                \
+		    "diameter of the rotor, for speeds in rpm"              \
 	}
-
-static const struct command_option LOAD_OPTIONS[] = {SHEET_OPTIONS,
-    {"as", VALUE_CHOICE, "", 0, 0, "site log", "site",
-	"log: the plant's log of rpm, kW and t/h, for 'add FILE@TIME'"},
-    {"dates", VALUE_CHOICE, "", 0, 0, "day-first month-first", "",
-	"order in dates of a log such as 5/3/2026, if they do not show it"},
-    {"skip", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"on: files that cannot be read are listed and left out, and a script "
-	"goes on"},
-    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
-	"refuse a file with other numbers; written by save"},
-    {.name = NULL}};
-
-static const struct command_option ADD_OPTIONS[] = {SHEET_OPTIONS,
-    {"date", VALUE_TEXT, "", 0, 0, NULL, "",
-	"day of the cuts, such as 2026-05-03; not set from the clock"},
-    {"window", VALUE_NUMBER, "min", 0.1, 600, NULL, "10",
-	"minutes of the log, half before the time and half after it"},
-    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
-	"refuse cuts that give the site other numbers; written by save"},
-    {.name = NULL}};
-
-static const struct command_option MEND_OPTIONS[] = {
-    {"sieve", VALUE_NUMBER, "mm", 1e-6, 1e6, NULL, "",
-	"sieve of the passing to mend"},
-    {"value", VALUE_NUMBER, "%", 0, 100, NULL, "",
-	"read the passing at sieve= as this"},
-    {"do", VALUE_CHOICE, "", 0, 0, "out swap up down drop", "",
-	"leave the passing at sieve= out; swap a product with its feed; move a "
-	"column to the next coarser (up) or finer sieves; drop a run"},
-    {"with", VALUE_TEXT, "", 0, 0, NULL, "",
-	"exchange two products: product@79"},
-    {"scale", VALUE_NUMBER, "", 1e-6, 1e6, NULL, "",
-	"multiply the column's sieve sizes, as by 0.001"},
-    {.name = NULL}};
-
-static const struct command_option SYNTH_OPTIONS[] = {
-    {"site", VALUE_TEXT, "", 0, 0, NULL, "",
-	"make only the sites with this name"},
-    {"n", VALUE_NUMBER, "", 0.05, 5, NULL, "1",
-	"exponent of the feed below the top size"},
-    {"noise", VALUE_NUMBER, "", 0, 10, NULL, "0.5",
-	"standard deviation in points at 50 % passing"},
-    {"seed", VALUE_WHOLE, "", 0, 9223372036854774784.0, NULL, "1",
-	"seed of the noise"},
-    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "69,74,79",
-	"tip speeds, slow to fast"},
-    {.name = NULL}};
-
-static const struct command_option TEMPLATE_OPTIONS[] = {
-    {"speeds", VALUE_NUMBERS, "m/s", 1, SITE_FASTEST, NULL, "69,79",
-	"tip speeds of the products, a column each"},
-    {"unit", VALUE_CHOICE, "", 0, 0, "passing_pct retained_g", "passing_pct",
-	"what the numbers will be"},
-    {"sieves", VALUE_NUMBERS, "mm", 0.001, 1000, NULL, "",
-	"sieves, a row each; default: the usual ones of EN 933"},
-    {.name = NULL}};
-
-static const struct command_option WRITE_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite existing files"},
-    {.name = NULL}};
-
-static const struct command_option ENERGY_OPTIONS[] = {
-    {"cut", VALUE_NUMBER, "J/kg", 0, 1e6, NULL, "",
-	"impacts below it do not count; default: as loaded, else 10"},
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"load: tip speed of the simulation; else: scale the energies to it by "
-	"v^2"},
-    {"columns", VALUE_TEXT, "", 0, 0, NULL, "",
-	"load: names of the columns in order, with commas between; - for one "
-	"to skip"},
-    {"unit", VALUE_CHOICE, "", 0, 0, "j_kg m_s", "",
-	"load: of a list of numbers without headings"},
-    {"note", VALUE_TEXT, "", 0, 0, NULL, "",
-	"load: where the energies are from"},
-    {.name = NULL}};
 
 const struct command TABLE_DATA[] = {
     {.name = "load",
@@ -112,7 +29,17 @@ const struct command TABLE_DATA[] = {
 	.operands = {"FILE|FOLDER|NAME...", {"FILE SHIPPED"}, 1, OPERANDS - 1},
 	.flags =
 	    COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED | COMMAND_DAILY,
-	.option = LOAD_OPTIONS,
+	.option = OPTION_LIST(SHEET_OPTIONS,
+	    {CHOICE(as), "site log", "site",
+		"log: the plant's log of rpm, kW and t/h, for 'add FILE@TIME'"},
+	    {CHOICE(dates), "day-first month-first", "",
+		"order in dates of a log such as 5/3/2026, if they do not show "
+		"it"},
+	    {OFF_ON(skip), "off",
+		"on: files that cannot be read are listed and left out, and a "
+		"script goes on"},
+	    {TEXT(digest), NULL, "",
+		"refuse a file with other numbers; written by save"}),
 	.text =
 	    "Reads workbooks (Excel, LibreOffice) and CSV in any of the forms "
 	    "of tipspeed-site(5), and makes the last site the one in use. Says "
@@ -142,7 +69,14 @@ const struct command TABLE_DATA[] = {
 	.brief = "add belt cuts to the site in use",
 	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_FILES,
-	.option = ADD_OPTIONS,
+	.option = OPTION_LIST(SHEET_OPTIONS,
+	    {TEXT(date), NULL, "",
+		"day of the cuts, such as 2026-05-03; not set from the clock"},
+	    {NUMBER(window), "min", 0.1, 600, NULL, "10",
+		"minutes of the log, half before the time and half after it"},
+	    {TEXT(digest), NULL, "",
+		"refuse cuts that give the site other numbers; written by "
+		"save"}),
 	.text =
 	    "Reads samples of product, as load does, and adds each to the site "
 	    "in use as one more run: at the speed after @, or at that of the "
@@ -207,7 +141,17 @@ const struct command TABLE_DATA[] = {
 	.brief = "mend a site file's data as check proposes",
 	.operands = {"[N|COLUMN]", {"feed"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
-	.option = MEND_OPTIONS,
+	.option = OPTION_LIST({NUMBER(sieve), "mm", 1e-6, 1e6, NULL, "",
+				  "sieve of the passing to mend"},
+	    {NUMBER_NAMED("value", mend_value), "%", 0, 100, NULL, "",
+		"read the passing at sieve= as this"},
+	    {CHOICE_NAMED("do", mend_do), "out swap up down drop", "",
+		"leave the passing at sieve= out; swap a product with its "
+		"feed; move a column to the next coarser (up) or finer sieves; "
+		"drop a run"},
+	    {TEXT(with), NULL, "", "exchange two products: product@79"},
+	    {NUMBER(scale), "", 1e-6, 1e6, NULL, "",
+		"multiply the column's sieve sizes, as by 0.001"}),
 	.text =
 	    "Takes mend N of the last check of the site in use, or lists them "
 	    "without N. A column (product@79, feed, feed@79) with options says "
@@ -229,7 +173,12 @@ const struct command TABLE_DATA[] = {
 	     "appearance equations claims search store log"},
 	    0, 1},
 	.flags = COMMAND_BESIDE,
-	.option = SHOW_OPTIONS,
+	.option =
+	    OPTION_LIST({SPEED(speed), "speed of the selection function; "
+				       "default: a held-out speed, else 74"},
+		{WHOLE(every), "", 1, 1e6, NULL, "",
+		    "search: every N-th generation; default: as many as fit a "
+		    "screen"}),
 	.shared = {SHARED_FEED},
 	.text =
 	    "site: the site file, its source and contents; feed and product: "
@@ -254,7 +203,16 @@ const struct command TABLE_DATA[] = {
 	.brief = "make synthetic sites from material parameters",
 	.operands = {"FILE", {"FILE table3"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES,
-	.option = SYNTH_OPTIONS,
+	.option = OPTION_LIST(
+	    {TEXT(site), NULL, "", "make only the sites with this name"},
+	    {NUMBER_NAMED("n", exponent), "", 0.05, 5, NULL, "1",
+		"exponent of the feed below the top size"},
+	    {NUMBER(noise), "", 0, 10, NULL, "0.5",
+		"standard deviation in points at 50 % passing"},
+	    {WHOLE(seed), "", 0, 9223372036854774784.0, NULL, "1",
+		"seed of the noise"},
+	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "69,74,79",
+		"tip speeds, slow to fast"}),
 	.text = "FILE has rows of parameters like data/table3.csv; the word "
 		"table3 stands for that table if there is no file of this "
 		"name. Each row becomes a synthetic site whose products are "
@@ -266,7 +224,17 @@ const struct command TABLE_DATA[] = {
 	.brief = "load and show collision energies",
 	.operands = {"[load FILE | write FILE]", {"load write", "FILE"}, 0, 2},
 	.flags = COMMAND_CHANGES | COMMAND_FILES,
-	.option = ENERGY_OPTIONS,
+	.option = OPTION_LIST(
+	    {NUMBER_NAMED("cut", energy_cut), "J/kg", 0, 1e6, NULL, "",
+		"impacts below it do not count; default: as loaded, else 10"},
+	    {SPEED(speed), "load: tip speed of the simulation; else: scale the "
+			   "energies to it by v^2"},
+	    {TEXT(columns), NULL, "",
+		"load: names of the columns in order, with commas between; - "
+		"for one to skip"},
+	    {CHOICE(unit), "j_kg m_s", "",
+		"load: of a list of numbers without headings"},
+	    {TEXT(note), NULL, "", "load: where the energies are from"}),
 	.text =
 	    "Collision energies of a discrete element simulation: how often "
 	    "particles are hit and how hard, as in the paper's Figure 1. "
@@ -282,7 +250,13 @@ const struct command TABLE_DATA[] = {
 	.run = cmd_energy},
     {.name = "template",
 	.brief = "show an empty site file to fill in",
-	.option = TEMPLATE_OPTIONS,
+	.option =
+	    OPTION_LIST({NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "69,79",
+			    "tip speeds of the products, a column each"},
+		{CHOICE(unit), "passing_pct retained_g", "passing_pct",
+		    "what the numbers will be"},
+		{NUMBERS(sieves), "mm", 0.001, 1000, NULL, "",
+		    "sieves, a row each; default: the usual ones of EN 933"}),
 	.text = "Remarks in it explain its lines and columns. Write it to a "
 		"file (> FILE.csv or > FILE.xlsx), fill it in with a "
 		"spreadsheet program, and load it.",
@@ -293,7 +267,8 @@ const struct command TABLE_DATA[] = {
 	.brief = "write site files",
 	.operands = {"FILE|FOLDER", {"FILE"}, 1, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_FILES | COMMAND_UNSAVED,
-	.option = WRITE_OPTIONS,
+	.option =
+	    OPTION_LIST({OFF_ON(replace), "off", "overwrite existing files"}),
 	.text = "Writes the site file of the site in use to FILE, or those of "
 		"all loaded sites into an existing FOLDER under their own "
 		"names. Existing files are replaced only with replace=on. Site "

@@ -1,52 +1,7 @@
 /* Commands about the store, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
-
-static const struct command_option MATERIALS_OPTIONS[] = {
-    {"rock", VALUE_TEXT, "", 0, 0, NULL, "",
-	"only this rock type; case and accents do not matter"},
-    {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
-	"only top sizes within 5 % of this one"},
-    {"origin", VALUE_CHOICE, "", 0, 0, "all table3 own", "all",
-	"materials of the paper, your own, or both"},
-    {"most", VALUE_WHOLE, "", 0, 1e9, NULL, "1000",
-	"list at most so many of your own, by name; 0: all"},
-    {.name = NULL}};
-
-static const struct command_option RECALL_OPTIONS[] = {
-    {"digest", VALUE_TEXT, "", 0, 0, NULL, "",
-	"refuse a material that has changed; written by save"},
-    {.name = NULL}};
-
-static const struct command_option REMEMBER_OPTIONS[] = {
-    {"date", VALUE_TEXT, "", 0, 0, NULL, "",
-	"date to store with it, such as 2026-11-21; default: today"},
-    {"note", VALUE_TEXT, "", 0, 0, NULL, "", "text to store with it"},
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"replace a material of the same name"},
-    {.name = NULL}};
-
-static const struct command_option EXPORT_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"overwrite an existing file"},
-    {.name = NULL}};
-
-static const struct command_option IMPORT_OPTIONS[] = {
-    {"replace", VALUE_CHOICE, "", 0, 0, "off on", "off",
-	"replace materials of the same names"},
-    {.name = NULL}};
-
-static const struct command_option GUESS_OPTIONS[] = {
-    {"rock", VALUE_TEXT, "", 0, 0, NULL, "",
-	"rock type; default: that of the site file"},
-    {"top", VALUE_NUMBER, "mm", 0.1, 1000, NULL, "",
-	"top size; default: that of the site file"},
-    {"speed", VALUE_NUMBER, "m/s", 1, SITE_FASTEST, NULL, "",
-	"rotor tip speed; default: a held-out speed, else 74"},
-    {"nearest", VALUE_WHOLE, "", 1, 100, NULL, "",
-	"number of nearest materials to estimate from; default: the number "
-	"that errs least when one site is left out"},
-    {.name = NULL}};
 
 const struct command TABLE_STORE[] = {
     {.name = "materials",
@@ -54,7 +9,15 @@ const struct command TABLE_STORE[] = {
 	.brief = "list the materials of the store, or show one",
 	.operands = {"[NAME]", {"MATERIAL"}, 0, 1},
 	.flags = COMMAND_BESIDE,
-	.option = MATERIALS_OPTIONS,
+	.option = OPTION_LIST(
+	    {TEXT(rock), NULL, "",
+		"only this rock type; case and accents do not matter"},
+	    {NUMBER(top), "mm", 0.1, 1000, NULL, "",
+		"only top sizes within 5 % of this one"},
+	    {CHOICE(origin), "all table3 own", "all",
+		"materials of the paper, your own, or both"},
+	    {WHOLE(most), "", 0, 1e9, NULL, "1000",
+		"list at most so many of your own, by name; 0: all"}),
 	.text = "Lists your own calibrations and the rows of the paper's Table "
 		"3, which are called table3/... and are read only. With NAME, "
 		"shows everything stored about one, including its origin.",
@@ -65,7 +28,8 @@ const struct command TABLE_STORE[] = {
 	.brief = "bring back a calibration from the store",
 	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 0, 2},
 	.flags = COMMAND_CHANGES,
-	.option = RECALL_OPTIONS,
+	.option = OPTION_LIST({TEXT(digest), NULL, "",
+	    "refuse a material that has changed; written by save"}),
 	.text = "Brings back what 'remember' stored. Without a site, or with "
 		"the sheet that it was calibrated on, answers, bands and light "
 		"are those of that day, and cuts that are added continue from "
@@ -80,7 +44,11 @@ const struct command TABLE_STORE[] = {
 	.brief = "store the site's calibration",
 	.operands = {"[NAME|all]", {"all"}, 0, 1},
 	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
-	.option = REMEMBER_OPTIONS,
+	.option = OPTION_LIST(
+	    {TEXT(date), NULL, "",
+		"date to store with it, such as 2026-11-21; default: today"},
+	    {TEXT(note), NULL, "", "text to store with it"},
+	    {OFF_ON(replace), "off", "replace a material of the same name"}),
 	.text = "Stores a calibration with all it rests on: the runs of the "
 		"site, those added since, the provenance of its data, misfit, "
 		"hold-out RMSE, seed and options; or parameters set by 'params "
@@ -108,7 +76,8 @@ const struct command TABLE_STORE[] = {
 	.brief = "write your materials to a CSV file",
 	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.option = EXPORT_OPTIONS,
+	.option =
+	    OPTION_LIST({OFF_ON(replace), "off", "overwrite an existing file"}),
 	.text = "Writes all of your own materials, with exact numbers, for "
 		"'import' into another store; Table 3 is in every store. It "
 		"does not export predictions: use > FILE after a command.",
@@ -119,7 +88,8 @@ const struct command TABLE_STORE[] = {
 	.brief = "read materials from a CSV file",
 	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.option = IMPORT_OPTIONS,
+	.option = OPTION_LIST(
+	    {OFF_ON(replace), "off", "replace materials of the same names"}),
 	.text = "Reads what 'export' wrote, or a spreadsheet made from it. "
 		"Every fault is reported with its place, and if there is one, "
 		"nothing is imported. Names that are already in the store are "
@@ -132,7 +102,15 @@ const struct command TABLE_STORE[] = {
 	.brief = "estimate the product of an uncalibrated site",
 	.flags = COMMAND_AT_SITE,
 	.bare = "speed",
-	.option = GUESS_OPTIONS,
+	.option = OPTION_LIST(
+	    {TEXT(rock), NULL, "", "rock type; default: that of the site file"},
+	    {NUMBER(top), "mm", 0.1, 1000, NULL, "",
+		"top size; default: that of the site file"},
+	    {SPEED(speed),
+		"rotor tip speed; default: a held-out speed, else 74"},
+	    {WHOLE(nearest), "", 1, 100, NULL, "",
+		"number of nearest materials to estimate from; default: the "
+		"number that errs least when one site is left out"}),
 	.shared = {SHARED_FEED},
 	.text =
 	    "The estimate is the median of the products with each material; "

@@ -56,11 +56,11 @@ template_put_number(const struct form *f, double value)
  * how many. */
 static size_t
 template_put_rows(
-    const struct form *f, const struct value *sieves, size_t columns)
+    const struct form *f, const struct number_list *sieves, size_t columns)
 {
-	size_t n = sieves->given ? sieves->n : ARRAY_LEN(SIEVES);
+	size_t n = sieves->n > 0 ? sieves->n : ARRAY_LEN(SIEVES);
 	FREED double *mm = xdoubles(n);
-	memcpy(mm, sieves->given ? sieves->list : SIEVES, n * sizeof *mm);
+	memcpy(mm, sieves->n > 0 ? sieves->at : SIEVES, n * sizeof *mm);
 	n = psd_sort(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
 		template_put_number(f, mm[i]);
@@ -74,8 +74,8 @@ template_put_rows(
 static size_t
 put_sieve_form(const struct form *f, const struct args *args)
 {
-	const struct value *speeds = args_value(args, "speeds");
-	bool grams = args_value(args, "unit")->choice == 1;
+	const struct number_list *speeds = &args->speeds;
+	bool grams = args->unit == 1;
 	const char *unit = grams ? "_retained_g" : "";
 	template_say(f,
 	    "fill in what you have and remove lines that you do not need; "
@@ -97,11 +97,10 @@ put_sieve_form(const struct form *f, const struct args *args)
 	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
 	for (size_t i = 0; i < speeds->n; i++) {
 		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);
-		template_put_number(f, speeds->list[i]);
+		template_put_number(f, speeds->at[i]);
 	}
 	fputc('\n', f->sheet);
-	size_t rows =
-	    template_put_rows(f, args_value(args, "sieves"), speeds->n + 1);
+	size_t rows = template_put_rows(f, &args->sieves, speeds->n + 1);
 	if (!grams)
 		return rows;
 	fputs("pan", f->sheet);

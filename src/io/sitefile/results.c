@@ -10,6 +10,7 @@
 
 #include "base/xalloc.h"
 #include "io/cells/sheet.h"
+#include "io/cells/source.h"
 #include "io/cells/textfile.h"
 
 static bool
@@ -50,10 +51,23 @@ results_command(const struct sheet *sheet)
 		     : command_about(sheet);
 }
 
+static char *
+command_in_workbook(const char *path)
+{
+	struct error_list errors = {0};
+	struct source source = {0};
+	char *command = NULL;
+	bool read = source_read(path, &errors, &source);
+	for (size_t i = 0; read && i < source.n && command == NULL; i++)
+		command = results_command(source.sheet[i]);
+	source_free(&source);
+	return command;
+}
+
 char *
 results_command_in(const char *path)
 {
-	enum { ENOUGH = 4096 };
+	enum { ENOUGH = 4096, MOST = 100 * 1000 };
 	char bytes[ENOUGH], *text = NULL, *command = NULL;
 	const char *note;
 	struct error_list errors = {0};
@@ -65,6 +79,9 @@ results_command_in(const char *path)
 	size_t n = file != NULL ? fread(bytes, 1, sizeof bytes, file) : 0;
 	if (file != NULL)
 		fclose(file);
+	/* A workbook is packed; one of results is small. */
+	if (n > 2 && memcmp(bytes, "PK", 2) == 0)
+		return about.st_size <= MOST ? command_in_workbook(path) : NULL;
 	while (n > 0 && bytes[n - 1] != '\n')
 		n--;
 	if (n > 0)

@@ -12,8 +12,9 @@ struct sheet;
  * frees it. */
 char *results_command(const struct sheet *sheet);
 
-/* As results_command, for a text file, from its first lines only, which is fast
- * for many files.  Returns NULL if it cannot be read. */
+/* As results_command, for a file: a text by its first lines only, a workbook
+ * only if it is small, which is fast for many files.  Returns NULL if it cannot
+ * be read. */
 char *results_command_in(const char *path);
 
 #endif

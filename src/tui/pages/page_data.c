@@ -110,6 +110,17 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 	t->ui.cell.at = t->ui.cell.at < h->n_column ? t->ui.cell.at : 0;
 }
 
+/* Whether the page has cells; then these are those of the sheet in use. */
+static bool
+has_cells(struct tui *t)
+{
+	const struct entry *entry = tui_current_entry(t);
+	bool has = entry != NULL && entry->site->n_run > 0;
+	if (has && t->view.sheet.site != entry->site)
+		make_sheet_of_site(t, entry->site);
+	return has;
+}
+
 /* Looks for doubtful cells once for a sheet and a calibration, which may take a
  * while: the page stands there meanwhile. */
 static void
@@ -118,10 +129,8 @@ data_update(struct tui *t)
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
-	if (entry == NULL || entry->site->n_run == 0)
+	if (!has_cells(t))
 		return;
-	if (entry->site != h->site)
-		make_sheet_of_site(t, entry->site);
 	bool calibrated = mend_is_calibrated(s, entry);
 	double misfit = calibrated ? entry->fit.misfit : 0;
 	bool same = h->calibrated == calibrated && h->misfit == misfit;
@@ -202,16 +211,14 @@ mend_cell_at_cursor(struct tui *t)
 		    "mend: any other");
 		return;
 	}
-	char *line = mend_command_line(h->site, &f->mend);
-	char *words = mend_words(h->site, &f->mend);
+	FREED char *line = mend_command_line(h->site, &f->mend);
+	FREED char *words = mend_words(h->site, &f->mend);
 	watch_pause(t);
 	if (control_run(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "
 		    "FILE saves the sheet",
 		    words);
-	free(words);
-	free(line);
 }
 
 /* ---- On the screen ---- */
@@ -273,107 +280,93 @@ touch_cells(struct tui *t, const struct touched *touched)
 }
 
 static void
-data_draw_cell(struct tui *t, const struct area *area, int row, int from,
-    size_t column, size_t i)
+data_draw_cell(
+    struct tui *t, const struct area *line, int from, size_t column, size_t i)
 {
 	const struct sheet *h = &t->view.sheet;
 	bool here =
 	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
 	bool doubtful = finding_of_cell(h, column, i) != NULL;
 	double x = data_cell_of(h, column, i);
-	char text[48];
-	if (isnan(x))
-		snprintf(text, sizeof text, "%*s", h->width - 2, "-");
-	else
-		snprintf(
-		    text, sizeof text, "%*.*f", h->width - 2, h->digits, x);
-	unsigned look = here ? LOOK_REVERSE : LOOK_PLAIN;
+	char text[48] = "-";
+	if (!isnan(x))
+		snprintf(text, sizeof text, "%.*f", h->digits, x);
+	FREED char *cell = xasprintf("%*s", h->width - 2, text);
 	if (doubtful)
-		screen_series(area, row, from + h->width - 1, SERIES_PREDICTED,
+		screen_series(line, 0, from + h->width - 1, SERIES_PREDICTED,
 		    LOOK_BOLD, "!");
-	screen_series(area, row, from + 1,
+	screen_series(line, 0, from + 1,
 	    doubtful ? SERIES_PREDICTED : SERIES_TEXT,
-	    look | (doubtful ? LOOK_BOLD : LOOK_PLAIN), text);
+	    (here ? LOOK_REVERSE : 0) | (doubtful ? LOOK_BOLD : 0), cell);
 	if (here)
 		t->cursor = (struct cursor){
-		    area->row + row, area->column + from + h->width - 2};
+		    line->row, line->column + from + h->width - 2};
 }
 
-/* Returns the column after it. */
-static int
-draw_column(struct tui *t, const struct area *area, size_t rows, int from,
-    size_t column)
-{
-	const struct sheet *h = &t->view.sheet;
-	char text[48];
-	data_head_text(t, column, text);
-	bool trained = text[strlen(text) - 1] == '*';
-	screen_text(area, 0, from, LOOK_BOLD, "%*s",
-	    h->width - (trained ? 0 : 1), text);
-	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
-	     i++)
-		data_draw_cell(
-		    t, area, (int)(i - t->ui.cell.top) + 1, from, column, i);
-	return from + h->width;
-}
-
+/* A sieve with its cells and what is predicted, or for SIZE_MAX the heads. */
 static void
-draw_prediction(
-    const struct tui *t, const struct area *area, size_t rows, int from)
+data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct psd *psd = &t->view.shown.product;
-	screen_text(area, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, tr("PRED"));
-	for (size_t i = t->ui.cell.top; i < h->n && i < t->ui.cell.top + rows;
-	     i++) {
-		int row = (int)(i - t->ui.cell.top) + 1;
-		if (psd_covers(psd, h->sieve[i]))
-			screen_text(area, row, from, LOOK_BOLD, "%*.*f",
-			    PREDICTED - 1, h->digits,
-			    100 * psd_passing(psd, h->sieve[i]));
+	bool heads = i == SIZE_MAX;
+	int from = SIEVES;
+	char text[48];
+	if (heads)
+		screen_text(
+		    line, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
+	else
+		screen_text(
+		    line, 0, 0, 0, "%*g", SIEVES - 1, units_mm(h->sieve[i]));
+	for (size_t c = t->ui.cell.left;
+	     c < h->n_column && c < t->ui.cell.left + columns;
+	     c++, from += h->width) {
+		data_head_text(t, c, text);
+		bool trained = text[strlen(text) - 1] == '*';
+		if (heads)
+			screen_text(line, 0, from, LOOK_BOLD, "%*s",
+			    h->width - (trained ? 0 : 1), text);
 		else
-			screen_text(area, row, from, LOOK_BOLD, "%*s",
-			    PREDICTED - 1, "-");
+			data_draw_cell(t, line, from, c, i);
 	}
+	if (!has_prediction(t, line))
+		return;
+	snprintf(text, sizeof text, "%s", heads ? tr("PRED") : "-");
+	if (!heads && psd_covers(psd, h->sieve[i]))
+		snprintf(text, sizeof text, "%.*f", h->digits,
+		    100 * psd_passing(psd, h->sieve[i]));
+	screen_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
 }
 
-/* Where there is more than what is shown. */
-static void
-draw_more_marks(const struct tui *t, const struct area *area, struct room room)
-{
-	const struct sheet *h = &t->view.sheet;
-	if (t->ui.cell.top > 0)
-		screen_text(area, 1, 0, LOOK_BOLD, "^");
-	if (t->ui.cell.top + room.rows < h->n)
-		screen_text(area, (int)room.rows, 0, LOOK_BOLD, "v");
-	if (t->ui.cell.left > 0)
-		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
-}
-
-/* Returns the column after the table. */
+/* With marks where there is more than what is shown.  Returns the column after
+ * the table. */
 static int
 draw_cells(struct tui *t, const struct area *area, struct room room)
 {
 	const struct sheet *h = &t->view.sheet;
-	int from = SIEVES;
-	screen_text(area, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
-	for (size_t i = t->ui.cell.top;
-	     i < h->n && i < t->ui.cell.top + room.rows; i++)
-		screen_text(area, (int)(i - t->ui.cell.top) + 1, 0, 0, "%*g",
-		    SIEVES - 1, units_mm(h->sieve[i]));
-	for (size_t c = t->ui.cell.left;
-	     c < h->n_column && c < t->ui.cell.left + room.columns; c++)
-		from = draw_column(t, area, room.rows, from, c);
-	if (t->ui.cell.left + room.columns < h->n_column)
-		screen_text(area, 0, from - 1, LOOK_BOLD, ">");
+	const size_t top = t->ui.cell.top, left = t->ui.cell.left;
+	size_t rows = h->n - top < room.rows ? h->n - top : room.rows,
+	       columns = h->n_column - left < room.columns ? h->n_column - left
+							   : room.columns;
+	int end = SIEVES + (int)columns * h->width;
 	hits_add(&t->hits, HIT_PRESS | HIT_WHEEL,
-	    (struct area){area->row + 1, area->column + SIEVES,
-		(int)(h->n < room.rows ? h->n : room.rows), from - SIEVES},
+	    (struct area){
+		area->row + 1, area->column + SIEVES, (int)rows, end - SIEVES},
 	    touch_cells, 0);
-	if (has_prediction(t, area))
-		draw_prediction(t, area, room.rows, from);
-	draw_more_marks(t, area, room);
-	return from + (has_prediction(t, area) ? PREDICTED : 0);
+	for (size_t r = 0; r <= rows && (int)r < area->rows; r++) {
+		const struct area line = area_row(area, (int)r);
+		data_draw_row(
+		    t, &line, r == 0 ? SIZE_MAX : top + r - 1, columns);
+	}
+	if (left + columns < h->n_column)
+		screen_text(area, 0, end - 1, LOOK_BOLD, ">");
+	if (top > 0)
+		screen_text(area, 1, 0, LOOK_BOLD, "^");
+	if (top + rows < h->n)
+		screen_text(area, (int)rows, 0, LOOK_BOLD, "v");
+	if (left > 0)
+		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
+	return end + (has_prediction(t, area) ? PREDICTED : 0);
 }
 
 /* How the sheet is doing as a whole. */
@@ -408,11 +401,9 @@ cell_words(const struct tui *t)
 	double x = data_cell_of(h, t->ui.cell.at, t->ui.cell.row);
 	char *name = mend_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
-		char *why = mend_finding_words(h->site, f),
-		     *call = mend_command_line(h->site, &f->mend);
+		FREED char *why = mend_finding_words(h->site, f),
+			   *call = mend_command_line(h->site, &f->mend);
 		words = xasprintf(tr("! %s; Enter: %s"), why, call);
-		free(why);
-		free(call);
 	} else if (isnan(x))
 		words = xasprintf(tr("%s: not sieved at %g mm"), name,
 		    units_mm(h->sieve[t->ui.cell.row]));
@@ -428,12 +419,11 @@ static int
 draw_cell_words(const struct tui *t, const struct area *area, int row)
 {
 	bool here = t->ui.cell.on;
-	char *words = here ? cell_words(t) : state_words(t);
+	FREED char *words = here ? cell_words(t) : state_words(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
 	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
-	free(words);
 	return row;
 }
 
@@ -454,10 +444,9 @@ draw_source(const struct tui *t, const struct area *area, int row)
 	for (size_t i = 0; i < sizeof MORE / sizeof *MORE; i++) {
 		if (MORE[i].text[0] == '\0' || row >= area->rows)
 			continue;
-		char *line =
+		FREED char *line =
 		    xasprintf("%s: %s", tr(MORE[i].what), MORE[i].text);
 		row = screen_words(area, row, 0, line);
-		free(line);
 	}
 	for (size_t i = 0; i < site->n_left_out && row < area->rows; i++)
 		screen_text(area, row++, 0, 0, "not read, %s: %s",
@@ -488,15 +477,12 @@ static void
 data_draw(struct tui *t)
 {
 	const struct area area = pane_list_area(t);
-	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
-	if (entry == NULL || entry->site->n_run == 0) {
+	/* It may be another one in the midst of a command. */
+	if (!has_cells(t)) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
 	}
-	/* In the midst of a command. */
-	if (entry->site != h->site)
-		make_sheet_of_site(t, entry->site);
 	struct room room = cells_that_fit(t, &area);
 	t->ui.cell.top =
 	    first_to_show(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
@@ -516,13 +502,6 @@ data_draw(struct tui *t)
 
 /* ---- Keys ---- */
 
-static bool
-has_cells(const struct tui *t)
-{
-	const struct entry *entry = tui_current_entry(t);
-	return entry != NULL && entry->site->n_run > 0;
-}
-
 /* A column, some of them, or a page of rows. */
 static void
 move_sideways(struct tui *t, int amount)
@@ -540,21 +519,12 @@ move_sideways(struct tui *t, int amount)
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
-/* Whether the page has cells; then these are those of the sheet in use. */
-static bool
-has_current_cells(struct tui *t)
-{
-	if (has_cells(t) && t->view.sheet.site != tui_current_entry(t)->site)
-		make_sheet_of_site(t, tui_current_entry(t)->site);
-	return has_cells(t);
-}
-
 /* What is seen to be chosen is mended. */
 void
 act_mend(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_current_cells(t))
+	if (!has_cells(t))
 		return;
 	if (t->ui.cell.on)
 		mend_cell_at_cursor(t);
@@ -565,7 +535,7 @@ void
 act_doubt(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_current_cells(t))
+	if (!has_cells(t))
 		return;
 	t->ui.cell.on = true;
 	move_to_next_finding(t);
@@ -575,7 +545,7 @@ static bool
 data_move(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
-	if (!has_current_cells(t))
+	if (!has_cells(t))
 		return false;
 	/* The first key shows where the cursor is. */
 	bool here = t->ui.cell.on;
@@ -594,8 +564,7 @@ data_move(struct tui *t, const struct key *key)
 }
 
 const struct page_ops page_data = {.name = N_("Data"),
-    .hints = N_("<-/-> column  Up/Down sieve  ! next doubtful  Enter mends  "
-		"? keys  q quit  1-5 pages  : command"),
+    .hints = N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :"),
     .update = data_update,
     .draw = data_draw,
     .move = data_move};

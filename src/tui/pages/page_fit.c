@@ -121,21 +121,15 @@ fit_draw(struct tui *t)
 static const char *
 fit_hints(const struct tui *t)
 {
-	if (session_busy(t->session) && !t->session->job.fits)
-		return t->held ? tr("Space continue  Esc stop  ? keys  q quit  "
-				    ": command")
-			       : tr("Space pause  Esc stop  ? keys  q quit  "
-				    ": command");
-	return session_busy(t->session) && t->held
-		   ? tr("Space continue  . one generation  ? keys  q quit  s "
-			"stop, keep  Down Enter bounds  v plot")
-	       : session_busy(t->session) ? tr("Space pause  . one generation  "
-					       "? keys  q quit  s stop, "
-					       "keep  +/- pace  v plot")
+	bool busy = session_busy(t->session);
+	if (busy && !t->session->job.fits)
+		return t->held ? N_("Space continue  Esc stop  ?  q  :")
+			       : N_("Space  Esc stop  ?  q  :");
+	return busy && t->held ? N_("Space continue  .  ?  q  s  Down Enter  v")
+	       : busy          ? "Space  .  ?  q  s  +/-  v"
 	       : tui_past(t).n > 0
-		   ? tr("<-/-> generation  f fit again  ? keys  q quit  "
-			"Down Enter bounds  v plot")
-		   : tr("f fit  ? keys  q quit  +/- pace  : command");
+		   ? N_("<-/-> generation  f fit again  ?  q  Down Enter  v")
+		   : "f  ?  q  +/-  :";
 }
 
 static void

@@ -285,15 +285,14 @@ parity_draw_none(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct parity *y = &t->view.parity;
-	char *words = session_busy(s)
-			  ? xstrdup(tr("compared when the calibration ends"))
-		      : y->error.text[0] != '\0'
-			  ? xstrdup(y->error.text)
-			  : xasprintf(tr("comparing site %zu of %zu .."),
-				y->next + 1, s->n_entry);
+	FREED char *words =
+	    session_busy(s) ? xstrdup(tr("compared when the calibration ends"))
+	    : y->error.text[0] != '\0'
+		? xstrdup(y->error.text)
+		: xasprintf(tr("comparing site %zu of %zu .."), y->next + 1,
+		      s->n_entry);
 	int row = screen_words(area, area->rows / 3, LOOK_BOLD, words);
 	screen_words(area, row, 0, y->error.hint);
-	free(words);
 }
 
 static void
@@ -327,7 +326,7 @@ parity_words(const struct tui *t)
 }
 
 const struct page_ops page_parity = {.name = N_("Parity"),
-    .hints = N_("Up/Down run  ? keys  q quit  1-5 pages  : command"),
+    .hints = N_("Up/Down run  ?  q  1-5 pages  :"),
     .update = parity_update,
     .draw = parity_draw,
     .list = &POINTS,

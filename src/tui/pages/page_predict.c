@@ -80,12 +80,11 @@ act_numbers(struct tui *t, const struct key *key)
 		act_fit(t, key);
 		return;
 	}
-	char *line = tui_command_of_page(t);
+	FREED char *line = tui_command_of_page(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
 	else
 		cmdline_show(t, line);
-	free(line);
 }
 
 void
@@ -172,30 +171,26 @@ static const char *
 predict_hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
-	bool goal = goals_set(t->session);
 	if (tui_current_entry(t) == NULL)
-		return tr(START_HINTS);
+		return START_HINTS;
 	if (t->ui.runs)
-		return tr("r this speed  <-/-> speed  ? keys  q "
-			  "quit  : command  d describe");
+		return N_("r this speed  <-/->  ?  q  :  d");
 	if (t->ui.cross)
-		return tr("<-/-> speed  Up/Down sieve  < > passing  c no "
-			  "crosshair  ? keys  q quit  : command");
+		return N_("<-/->  Up/Down  < >  c no crosshair  ?  q  :");
 	if (undone)
-		return tr("<-/-> speed  U redo  ? keys  q quit  f fit  : "
-			  "command  t goal  x pin  e export  u undo");
+		return "<-/->  U  ?  q  f  :  t  x  e  u";
 	if (t->view.current.site[0] == '\0' && !session_busy(t->session))
 		return site_products(tui_current_entry(t)->site) > 0
-			   ? tr("Enter calibrate  ? keys  q quit  : command  "
-				"o open a sheet  1-5 pages")
-			   : tr(": command  ? keys  q quit  o open a sheet  "
-				"1-5 pages");
-	if (goal)
-		return tr("<-/-> speed  n p limits  N best  ? keys  Enter "
-			  "numbers  q quit  x pin  e export  : command  t "
-			  "goal");
-	return tr("<-/-> speed  t goal  ? keys  Enter numbers  q quit  f fit  "
-		  "x pin  e export  : command  c crosshair  u undo");
+			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
+			   : N_(":  ?  q  o  1-5 pages");
+	if (t->view.pinned.site[0] != '\0')
+		return goals_set(t->session)
+			   ? N_("<-/->  n p  N  ?  Enter  q  e  x unpin  :  t")
+			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
+				"u");
+	return goals_set(t->session)
+		   ? "<-/->  n p  N  ?  Enter  q  x  e  :  t"
+		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
 }
 
 const struct page_ops page_predict = {.name = N_("Predict"),

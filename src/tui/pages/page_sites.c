@@ -213,12 +213,12 @@ number_text(const struct tui *t, const struct site_row *row, enum column column,
 }
 
 static void
-cell_text(const struct tui *t, const struct site_row *row, enum column column,
-    char *text, size_t n)
+sites_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	const struct session *s = t->session;
+	const struct site_row *row = &t->view.row[i];
 	const struct entry *e = &s->entry[row->entry];
-	switch (column) {
+	switch ((enum column)column) {
 	case LIGHT:
 		light_text(t, row, text, n);
 		break;
@@ -239,7 +239,7 @@ cell_text(const struct tui *t, const struct site_row *row, enum column column,
 		snprintf(text, n, "%s", e->site->machine);
 		break;
 	default:
-		number_text(t, row, column, text, n);
+		number_text(t, row, (enum column)column, text, n);
 	}
 }
 
@@ -295,25 +295,15 @@ sites_sort_rows(struct tui *t)
 	}
 }
 
-static void
-cell_text_at(const struct tui *t, size_t i, int column, char *text, size_t n)
-{
-	cell_text(t, &t->view.row[i], (enum column)column, text, n);
-}
-
-/* 0: as they were loaded, else 1 + the column; again: the other way round. */
-static void
-sort_by(struct tui *t, int by)
-{
-	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
-	t->ui.sort = by;
-	sites_sort_rows(t);
-}
-
+/* By another column from the least on, by the same one the other way round; -1:
+ * as they were loaded. */
 static void
 sort_by_column(struct tui *t, int column)
 {
-	sort_by(t, column + 1);
+	int by = column + 1;
+	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
+	t->ui.sort = by;
+	sites_sort_rows(t);
 }
 
 static bool
@@ -330,7 +320,7 @@ light_series(const struct tui *t, size_t i, int column, const char *text,
 }
 
 static const struct list_table TABLE = {
-    COLUMN, COLUMNS, cell_text_at, light_series, sort_by_column};
+    COLUMN, COLUMNS, sites_cell, light_series, sort_by_column};
 
 /* What does not depend on the speed is worked out when the session has changed
  * only (rows_at 0). */
@@ -379,13 +369,12 @@ describe_site(const struct tui *t, char *text[static ABOUT])
 	for (size_t j = 0; e->has_params && j < of->n; j++)
 		xappend(&text[1], "%s%s=%.4g", j > 0 ? "  " : "",
 		    of->parameter[j].name, e->params.at[j]);
-	char *label = session_site_label(e->site);
+	FREED char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
 	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
 						? e->site->provenance
 						: tr("provenance not stated"));
-	free(label);
 }
 
 /* The curves of the site under the cursor, between its row and what is told of
@@ -486,13 +475,12 @@ sites_choose(struct tui *t)
 		pages_go(t, PAGE_PREDICT);
 		return;
 	}
-	char *line =
+	FREED char *line =
 	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
 	watch_pause(t);
 	bool used = control_run(t, line);
-	free(line);
 	if (used)
 		pages_go(t, PAGE_PREDICT);
 }
@@ -520,7 +508,7 @@ act_sort(struct tui *t, const struct key *key)
 	else if (key->amount > 0)
 		sort_by_next_column(t);
 	else
-		sort_by(t, t->ui.sort);
+		sort_by_column(t, t->ui.sort - 1);
 }
 
 static const struct page_list LIST = {.n = sites_count,
@@ -534,9 +522,8 @@ static const char *
 sites_hints(const struct tui *t)
 {
 	return t->session->n_entry == 0
-		   ? tr("o open a sheet  ? keys  q quit  : command")
-		   : tr("Up/Down site  Enter use it  o sort  / filter  ? keys  "
-			"q quit  x pin  : command");
+		   ? N_("o open a sheet  ?  q  :")
+		   : N_("Up/Down site  Enter  o  /  ?  q  x  :");
 }
 
 const struct page_ops page_sites = {.name = N_("Sites"),

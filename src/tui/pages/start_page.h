@@ -12,7 +12,6 @@ void start_draw(struct tui *t);
 /* Its list, which has no rows if a site is loaded. */
 extern const struct page_list START_LIST;
 
-#define START_HINTS \
-	N_("Up/Down, Enter choose  ? keys  q quit  o open  : command")
+#define START_HINTS N_("Up/Down, Enter choose  ?  q  o open  :")
 
 #endif

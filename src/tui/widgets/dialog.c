@@ -129,13 +129,12 @@ draw_table(struct tui *t, const struct area *area)
 	t->inquiry_up += top - fit;
 	for (int r = 0; r < area->rows; r++) {
 		size_t row = r == 0 ? 0 : (size_t)(fit + r);
-		char *line = inquiry_row(q, row, area->columns);
+		FREED char *line = inquiry_row(q, row, area->columns);
 		screen_text(area, r, 0,
 		    r == 0               ? LOOK_DIM
 		    : (int)row - 1 == at ? LOOK_REVERSE
 					 : LOOK_PLAIN,
 		    "%s", line);
-		free(line);
 	}
 }
 
@@ -182,7 +181,7 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	bool offers = q->offered[0] != '\0';
 	int edge = frame ? 1 : 0, side = columns >= 60 ? 2 * edge : edge;
 	int wide = columns < MOST_COLUMNS ? columns : MOST_COLUMNS;
-	char *asks = xasprintf("%s%s%s%s", q->text, offers ? " [" : "",
+	FREED char *asks = xasprintf("%s%s%s%s", q->text, offers ? " [" : "",
 	    q->offered, offers ? "]" : "?");
 	struct parts p =
 	    dialog_share_rows(q, asks, rows - 2 * edge, wide - 2 * side);
@@ -200,5 +199,4 @@ dialogue_draw(struct tui *t, int rows, int columns)
 	struct area inner = {
 	    box.row + edge, box.column + side, high, wide - 2 * side};
 	draw_parts(t, &inner, &p, asks);
-	free(asks);
 }

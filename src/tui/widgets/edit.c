@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/run/complete.h"
+#include "plot/canvas.h"
 #include "tui/keys.h"
 
 #define CONTROL(letter) ((letter)&0x1F)
@@ -64,13 +65,9 @@ edit_end(struct edit *t)
 static void
 insert(struct edit *t, unsigned code)
 {
-	char bytes[4];
-	size_t n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-	static const unsigned char lead[] = {0, 0, 0xC0, 0xE0, 0xF0};
-	for (size_t i = n; i-- > 1; code >>= 6)
-		bytes[i] = (char)(0x80 | (code & 0x3F));
-	bytes[0] = (char)(lead[n] | code);
-	replace_before_cursor(t, t->at, bytes, n);
+	char letter[5];
+	canvas_utf8(code, letter);
+	replace_before_cursor(t, t->at, letter, strlen(letter));
 }
 
 /* The offset of the character before, and after, an offset. */

@@ -29,9 +29,10 @@ envelope_check_is_wanted(const struct tui *t)
 void
 envelope_check_free(struct tui *t)
 {
-	if (t->view.envelope_check != NULL && t->view.envelope_check->open)
-		grading_close(&t->view.envelope_check->grading);
-	free(t->view.envelope_check);
+	struct envelope_check *l = t->view.envelope_check;
+	if (l != NULL && l->open)
+		grading_close(&l->grading);
+	free(l);
 	t->view.envelope_check = NULL;
 }
 
@@ -51,27 +52,25 @@ envelope_check_update(struct tui *t)
 		envelope_check_free(t);
 	if (!envelope_check_is_wanted(t))
 		return;
-	if (t->view.envelope_check == NULL) {
-		t->view.envelope_check =
-		    xcalloc(1, sizeof *t->view.envelope_check);
-		t->view.envelope_check->revision = t->view.revision;
-		t->view.envelope_check->feed = tui_feed(t);
-		t->view.envelope_check->open = grading_open_in_use(t->session,
-		    tui_asked(t), t->view.envelope_check->feed,
-		    &t->view.envelope_check->grading, &error);
+	struct envelope_check *l = t->view.envelope_check;
+	if (l == NULL) {
+		t->view.envelope_check = l = xcalloc(1, sizeof *l);
+		l->revision = t->view.revision;
+		l->feed = tui_feed(t);
+		l->open = grading_open_in_use(
+		    t->session, tui_asked(t), l->feed, &l->grading, &error);
 	}
-	if (t->view.envelope_check->open &&
-	    t->view.envelope_check->tenths != t->ui.tenths)
-		forecast_at(t->view.envelope_check->grading.conditions.forecast,
-		    t->view.shown.speed);
-	t->view.envelope_check->tenths = t->ui.tenths;
+	if (l->open && l->tenths != t->ui.tenths)
+		forecast_at(
+		    l->grading.conditions.forecast, t->view.shown.speed);
+	l->tenths = t->ui.tenths;
 }
 
 const struct grading *
 envelope_check_now(const struct tui *t)
 {
+	const struct envelope_check *l = t->view.envelope_check;
 	bool now = envelope_check_is_wanted(t) && is_check_current(t) &&
-		   t->view.envelope_check->open &&
-		   t->view.envelope_check->tenths == t->ui.tenths;
-	return now ? &t->view.envelope_check->grading : NULL;
+		   l->open && l->tenths == t->ui.tenths;
+	return now ? &l->grading : NULL;
 }

@@ -30,7 +30,7 @@ forget_preview(struct picker *c)
 static void
 list_all(struct picker *c, const char *path)
 {
-	char *copy = xstrdup(path);
+	FREED char *copy = xstrdup(path);
 	edit_begin(&c->word, "");
 	folder_free(&c->folder);
 	if (c->what == PICK_SHIPPED)
@@ -42,7 +42,6 @@ list_all(struct picker *c, const char *path)
 		    c->what == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
 	c->list = (struct list){0};
 	forget_preview(c);
-	free(copy);
 }
 
 static void
@@ -61,7 +60,8 @@ type_guess(struct tui *t)
 	static const char BEGIN[] = "guess rock=";
 	const struct site *site = tui_current_entry(t)->site;
 	const char *quote = strchr(site->rock, ' ') != NULL ? "\"" : "";
-	char *line = xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
+	FREED char *line =
+	    xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
 	if (site->top_size > 0)
 		xappend(&line, " top=%g", units_mm(site->top_size));
 	edit_begin(&t->line, line);
@@ -71,7 +71,6 @@ type_guess(struct tui *t)
 		    "type the rock, granite say, and Enter: the sheet does not "
 		    "state it");
 	}
-	free(line);
 }
 
 /* Runs the command as if a key had composed it, and says what is next. */
@@ -83,12 +82,11 @@ file_picker_run(struct tui *t, const char *line, bool estimates)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
 	size_t products = site_products(entry->site);
-	char *label = session_site_label(entry->site);
+	FREED char *label = session_site_label(entry->site);
 	if (estimates || products == 0)
 		type_guess(t);
 	else if (!entry->has_params)
 		tui_say(t, false, "loaded %s: f calibrates", label);
-	free(label);
 	return true;
 }
 
@@ -100,15 +98,13 @@ file_picker_enter(struct tui *t)
 		return;
 	const struct folder_item *item = &c->folder.item[c->list.at];
 	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
-		char *into = folder_path_of_item(&c->folder, c->list.at);
+		FREED char *into = folder_path_of_item(&c->folder, c->list.at);
 		list_all(c, into);
-		free(into);
 		return;
 	}
-	char *line = folder_command(item, c->what == PICK_SESSIONS);
+	FREED char *line = folder_command(item, c->what == PICK_SESSIONS);
 	if (file_picker_run(t, line, c->what == PICK_FEEDS))
 		close_list(t);
-	free(line);
 }
 
 static size_t
@@ -198,10 +194,9 @@ narrow_by_letter(struct tui *t, int code, bool special)
 	else
 		rows_letter(t, code, false);
 	if (rows_count(t) == 0) {
-		char *word = xstrdup(c->word.text);
+		FREED char *word = xstrdup(c->word.text);
 		rows_letter(t, DELETE, false);
 		tui_say(t, false, "nothing here has '%s'", word);
-		free(word);
 	}
 	return true;
 }
@@ -277,14 +272,13 @@ static void
 file_picker_draw_message(const struct tui *t)
 {
 	struct area area = t->layout.hints;
-	char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
+	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	if (text_width(text) > area.columns && area.row > 1) {
 		area.row--;
 		area.rows++;
 	}
 	screen_clear(&area);
 	screen_words(&area, 0, LOOK_BOLD, text);
-	free(text);
 }
 
 /* The preview stands beside the list, or below it where that is narrow. */

@@ -105,14 +105,16 @@ act_goal(struct tui *t, const struct key *key)
 		tui_say(t, true, "%s", tui_why_none(t));
 		return;
 	}
-	char *words = quantities_as_typed(&t->ui.quantity);
-	char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
-					   : xasprintf("%s=", words);
+	FREED char *words = quantities_as_typed(&t->ui.quantity);
+	FREED char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
+						 : xasprintf("%s=", words);
 	t->message[0] = '\0';
+	if (!goals_set(t->session))
+		tui_say(t, false,
+		    "such as p80=5.4, or passing 2 = 32..36, fines<3; Tab has "
+		    "more");
 	t->goal_field = t->goal_fresh = true;
 	edit_begin(&t->line, line);
-	free(words);
-	free(line);
 }
 
 /* What the words before a comma may become: quantities, and the envelopes that
@@ -189,12 +191,11 @@ take_quantity(struct tui *t, const char *text)
 {
 	struct quantity q;
 	struct error error = {0};
-	char *copy = xstrdup(text);
+	FREED char *copy = xstrdup(text);
 	size_t n = strlen(copy);
 	if (n > 0 && copy[n - 1] == '=')
 		copy[n - 1] = '\0';
 	bool ok = quantities_read(copy, &SHARP, &q, &error);
-	free(copy);
 	if (ok && quantities_covered(&q, goal_feed_of(t), &error)) {
 		t->ui.quantity = q;
 		close_goal_field(t);
@@ -268,11 +269,10 @@ begins_new_goal(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
-	char *words = quantities_as_typed(&t->ui.quantity);
+	FREED char *words = quantities_as_typed(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
 	edit_begin(&t->line, isalpha(code) ? "" : words);
-	free(words);
 }
 
 /* The number that stood for a value begins a fraction: "p80=0", then a /. */
@@ -283,9 +283,8 @@ begin_fraction(struct edit *y)
 	if (sign == NULL || sign[1] == '\0' ||
 	    sign[1 + strspn(sign + 1, "0123456789.")] != '\0')
 		return;
-	char *number = xstrdup(sign + 1);
+	FREED char *number = xstrdup(sign + 1);
 	edit_begin(y, number);
-	free(number);
 }
 
 char *

@@ -79,15 +79,13 @@ list_row_matches(const struct tui *t, size_t i)
 	const struct page_list *of = list_of(t);
 	if (word->n == 0 || !list_has_words(of))
 		return true;
-	char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
+	FREED char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
 	for (int c = 0; of->table != NULL && c < of->table->n; c++) {
 		char cell[128];
 		of->table->cell(t, i, c, cell, sizeof cell);
 		xappend(&text, " %s", cell);
 	}
-	bool has = text_has(text, word->text);
-	free(text);
-	return has;
+	return text_has(text, word->text);
 }
 
 /* The nearest row before or after i that has the word, else i. */

@@ -88,13 +88,6 @@ draw_range(const struct area *area, int row, double low, double high,
 	    high < long_number ? digits : 0, high);
 }
 
-static void
-panel_draw_name(
-    const struct area *area, int row, unsigned look, const char *name)
-{
-	screen_text(area, row, 0, look, "%s", name);
-}
-
 /* Draws a size or why there is none. */
 static void
 draw_size(const struct area *area, int row, unsigned look, double mm)
@@ -150,13 +143,6 @@ panel_draw_speed(struct panel *p, const struct area *area)
 		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
-static struct wish
-rows_of_sizes(const struct panel *p)
-{
-	(void)p;
-	return (struct wish){PSD_SIZES, PSD_SIZES};
-}
-
 /* The crosshair where the curve passes so much. */
 static void
 touch_size(struct tui *t, const struct touched *touched)
@@ -177,7 +163,7 @@ draw_p_sizes(struct panel *p, const struct area *area)
 	struct tui *t = p->t;
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
-		panel_draw_name(area, i, LOOK_BOLD, PSD_NAME[i]);
+		screen_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (p->was != NULL)
@@ -188,19 +174,12 @@ draw_p_sizes(struct panel *p, const struct area *area)
 	}
 }
 
-static struct wish
-rows_of_break_size(const struct panel *p)
-{
-	(void)p;
-	return (struct wish){1, 2};
-}
-
 static void
 draw_break(struct panel *p, const struct area *area)
 {
 	const struct tui *t = p->t;
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
-	panel_draw_name(area, 0, 0, tr("break"));
+	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
 	/* The draws' range need not hold the fit's value. */
 	if (area->columns >= WIDE)
@@ -263,7 +242,7 @@ draw_passings(struct panel *p, const struct area *area, int row,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		panel_draw_name(area, row, 0, name[i]);
+		screen_text(area, row, 0, 0, "%s", name[i]);
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
@@ -354,7 +333,7 @@ panel_draw_limit(
 		snprintf(limits, sizeof limits, "<= %g", most);
 	else
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
-	panel_draw_name(area, row, in ? LOOK_PLAIN : LOOK_BOLD, name);
+	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
 	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
 	    quantities_shown(
 		&q, forecast_figure(g->conditions.forecast, i).value));
@@ -375,11 +354,11 @@ rank_of_limit(const double *margin, size_t n, size_t i)
 	return place;
 }
 
+/* What says more of the light, and of the limits. */
 static void
-touch_limits(struct tui *t, const struct touched *touched)
+touch_verdict(struct tui *t, const struct touched *touched)
 {
-	(void)touched;
-	cmdline_run(t, "spec");
+	cmdline_run(t, touched->item == 0 ? "why" : "spec");
 }
 
 static void
@@ -389,14 +368,13 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
-	hits_add(&t->hits, HIT_PRESS, *area, touch_limits, 0);
+	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 1);
 	/* The fraction, where the name has room behind it. */
-	char *words = plots_limits_words(t->session);
+	FREED char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width(words) <= name.columns;
 	screen_text(
 	    &name, 0, 0, LOOK_DIM, "%s", fits ? words : t->session->spec->name);
-	free(words);
 	if (g == NULL) {
 		screen_text(area, 1, 0, 0,
 		    session_busy(t->session) ? N_("after the calibration")
@@ -408,13 +386,12 @@ panel_draw_limits(struct panel *p, const struct area *area)
 	    in ? N_(" in") : N_("OUT"));
 	int row = 1;
 	size_t n = g->limits.n;
-	double *margin = xdoubles(n);
+	FREED double *margin = xdoubles(n);
 	for (size_t i = 0; i < n; i++)
 		margin[i] = wanted_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
 		if ((int)rank_of_limit(margin, n, i) < area->rows - 1)
 			panel_draw_limit(area, row++, g, i);
-	free(margin);
 }
 
 static struct wish
@@ -457,13 +434,6 @@ light_wish(const struct panel *p)
 		return (struct wish){
 		    MANY, 1 + text_count_rows(p->reason->text, side->columns)};
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
-}
-
-static void
-touch_light(struct tui *t, const struct touched *touched)
-{
-	(void)touched;
-	cmdline_run(t, "why");
 }
 
 /* What a reason is about, in a few words. */
@@ -513,7 +483,8 @@ draw_light(struct panel *p, const struct area *area)
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
 	const struct trust *light = p->light;
-	char *words = xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
+	FREED char *words =
+	    xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
 		xappend(&words,
 		    tr_n(", %zu reason, see :why", ", %zu reasons, see :why",
@@ -521,13 +492,11 @@ draw_light(struct panel *p, const struct area *area)
 		    light->n);
 	else if (light->n > 0)
 		xappend(&words, tr(", %zu, see :why"), light->n);
-	char *row =
+	FREED char *row =
 	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
 	screen_series(
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
-	free(row);
-	free(words);
-	hits_add(&p->t->hits, HIT_PRESS, *area, touch_light, 0);
+	hits_add(&p->t->hits, HIT_PRESS, *area, touch_verdict, 0);
 	if (p->reason != NULL)
 		draw_reason(area, p->reason);
 	else if (tui_current_entry(p->t)->has_fit)
@@ -536,23 +505,24 @@ draw_light(struct panel *p, const struct area *area)
 
 /* From the top down.  rank: in this order they get the least rows they need,
  * and then what they may have more; apart: a blank row above it where there is
- * one left. */
+ * one left; always: what it takes whatever there is to show. */
 enum { BLOCKS = 9 };
 static const struct block {
 	int rank;
 	bool apart;
 	struct wish (*wish)(const struct panel *p);
+	struct wish always;
 	void (*draw)(struct panel *p, const struct area *area);
 } BLOCK[BLOCKS] = {
-    {1, false, light_wish, draw_light},
-    {2, true, speed_wish, panel_draw_speed},
-    {0, false, rows_of_sizes, draw_p_sizes},
-    {5, false, rows_of_break_size, draw_break},
-    {6, false, fractions_wish, draw_fractions},
-    {4, true, limits_wish, panel_draw_limits},
-    {8, true, tonnes_wish, draw_tonnes},
-    {3, true, readings_wish, draw_readings},
-    {7, true, sieves_wish, draw_sieves},
+    {1, false, light_wish, {0, 0}, draw_light},
+    {2, true, speed_wish, {0, 0}, panel_draw_speed},
+    {0, false, NULL, {PSD_SIZES, PSD_SIZES}, draw_p_sizes},
+    {5, false, NULL, {1, 2}, draw_break},
+    {6, false, fractions_wish, {0, 0}, draw_fractions},
+    {4, true, limits_wish, {0, 0}, panel_draw_limits},
+    {8, true, tonnes_wish, {0, 0}, draw_tonnes},
+    {3, true, readings_wish, {0, 0}, draw_readings},
+    {7, true, sieves_wish, {0, 0}, draw_sieves},
 };
 
 /* Rows [BLOCKS] out for a panel of so many. */
@@ -562,7 +532,8 @@ panel_share_rows(const struct panel *p, int left, int rows[BLOCKS])
 	struct wish wish[BLOCKS];
 	size_t at[BLOCKS];
 	for (size_t i = 0; i < BLOCKS; i++) {
-		wish[i] = BLOCK[i].wish(p);
+		wish[i] =
+		    BLOCK[i].wish != NULL ? BLOCK[i].wish(p) : BLOCK[i].always;
 		at[BLOCK[i].rank] = i;
 	}
 	for (size_t r = 0; r < BLOCKS; r++) {
@@ -675,9 +646,8 @@ draw_nothing(const struct tui *t)
 				    : N_("no product: type :guess"));
 	row++;
 	if (!is_pinned(t)) {
-		char *read = folder_site(site);
+		FREED char *read = folder_site(site);
 		pane_lines(side, row, read);
-		free(read);
 		return;
 	}
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
@@ -748,7 +718,7 @@ panel_words(struct tui *t, int columns, int most)
 	    (side && t->reason_shown))
 		return xstrdup("");
 	const struct trust *light = light_shown(t);
-	char *limits = xstrdup("");
+	FREED char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,
 		    wanted_holds(&g->conditions, SIZE_MAX) ? tr(", in %s")
@@ -759,7 +729,6 @@ panel_words(struct tui *t, int columns, int most)
 			  ? xstrdup("")
 			  : light_words(light, columns - taken, most - taken);
 	xappend(&words, "%s", limits);
-	free(limits);
 	return words;
 }
 
@@ -797,11 +766,12 @@ panel_row(struct tui *t)
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
 	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
-		bool narrow = area->columns < 34;
+		bool narrow = area->columns < 34, least = area->columns < 24;
 		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
-		    narrow ? N_("%g %.1f %% P%d %s mm")
-			   : N_("%g mm %.1f %%  %d %% %s"),
+		    least    ? "%g %.1f%% P%d %s"
+		    : narrow ? N_("%g %.1f %% P%d %s mm")
+			     : N_("%g mm %.1f %%  %d %% %s"),
 		    units_mm(p->product.size[t->ui.cross_at]),
 		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
 		    narrow ? short_size(mm, a) : readout_size(mm, a));

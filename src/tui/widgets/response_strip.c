@@ -181,9 +181,8 @@ step_goal_for_heading(struct tui *t)
 	if (!pending || goal_pending(t) || t->view.goal.missed == NULL ||
 	    t->message[0] != '\0')
 		return;
-	char *words = goal_words(t, GOALS_FULL);
+	FREED char *words = goal_words(t, GOALS_FULL);
 	tui_say(t, false, "%s", words);
-	free(words);
 }
 
 void
@@ -412,10 +411,10 @@ response_strip_draw_limit(
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int row = response_strip_row_of(axis, area, limit->value);
 	bool on = is_on_axis(axis, limit->value);
-	char *name = on ? xstrdup(limit->name)
-			: xasprintf("%s%s %.6g",
-			      ARROWS[!ascii][limit->value > axis->high],
-			      limit->name, limit->value);
+	FREED char *name = on ? xstrdup(limit->name)
+			      : xasprintf("%s%s %.6g",
+				    ARROWS[!ascii][limit->value > axis->high],
+				    limit->name, limit->value);
 	int wide = text_width(name) < 4 ? 4 : text_width(name);
 	if (on)
 		draw_label(t, row, LOOK_BOLD, limit->value);
@@ -423,7 +422,6 @@ response_strip_draw_limit(
 	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
 	hits_add_key(
 	    &t->hits, area_cells(area, row, area->columns - wide, wide), 't');
-	free(name);
 }
 
 /* Limits, then round values, in rows of their own.  One off the scale gives way
@@ -434,7 +432,7 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 	struct limit limit[MOST_LIMITS];
 	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
-	bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
+	FREED bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
 	for (size_t i = 0; i < 2 * n; i++) {
 		const struct limit *l = &limit[i % n];
 		bool on = is_on_axis(axis, l->value);
@@ -451,7 +449,6 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 			taken[row] = draw_label(
 			    t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
 	}
-	free(taken);
 }
 
 static void

@@ -63,9 +63,8 @@ act_bounds(struct tui *t, const struct key *key)
 				       ? &s->set.bounds
 				       : past.bounds;
 	t->ui.param_at = j + 1;
-	char *line = xasprintf("bounds %s ", of->parameter[j].name);
+	FREED char *line = xasprintf("bounds %s ", of->parameter[j].name);
 	edit_begin(&t->line, line);
-	free(line);
 	tui_say(t, false,
 	    j < of->gauge
 		? N_("%s: %g..%g now; type low..high, or one value; the bar "
@@ -107,8 +106,9 @@ draw_span(const struct row *r, const struct plots_strip *strip,
 static const char *
 shown_number(double value, bool scaled, char text[static 24])
 {
+	/* Not "-0.000". */
 	if (scaled)
-		snprintf(text, 24, "%.3f", value);
+		snprintf(text, 24, "%.3f", fabs(value) < 0.5e-3 ? 0 : value);
 	else
 		snprintf(text, 24, "%.*g", fabs(value) >= 1000 ? 5 : 3, value);
 	return text;
@@ -292,11 +292,10 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	    past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
 	    best, plots_past_points(past, g->median));
-	char *words = t->begun != NULL ? xstrdup(t->begun)
-				       : plots_search_words(t->session, past,
-					     t->ui.generation);
+	FREED char *words = t->begun != NULL ? xstrdup(t->begun)
+					     : plots_search_words(t->session,
+						   past, t->ui.generation);
 	row = screen_words(side, row, LOOK_BOLD, words);
-	free(words);
 	return session_fitting(t->session) ? draw_pace(t, row)
 					   : draw_found(t, row);
 }

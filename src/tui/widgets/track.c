@@ -155,9 +155,9 @@ track_draw(struct tui *t)
 	struct area track = layout_track(&t->layout);
 	const bool acts = t->ui.page == PAGE_PREDICT;
 	struct slider_range range = tui_range(t);
-	struct slider_cell *cell =
+	FREED struct slider_cell *cell =
 	    xcalloc((size_t)track.columns + 1, sizeof *cell);
-	bool *kept = window_ends(t, &track);
+	FREED bool *kept = window_ends(t, &track);
 	int at = make_cells(t, &track, cell, kept), end = at + 1;
 	while (end < track.columns && cell[end - 1].sign != ']' &&
 	       cell[at].sign == '[')
@@ -173,8 +173,6 @@ track_draw(struct tui *t)
 		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
 		    "%d", range.most / 10);
 	}
-	free(kept);
-	free(cell);
 	/* On its bracket: a block would stand out of the number. */
 	t->cursor.column = track.column + at;
 }
@@ -204,14 +202,13 @@ say_quantity(const struct tui *t, struct part *part)
 		track_say(part, xstrdup(""));
 		return;
 	}
-	char *words = quantities_words(&t->ui.quantity);
+	FREED char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->layout.strip.rows > 0 && !goals_set(t->session))
 		track_say(part, xasprintf(tr("%s at all speeds"), words));
 	if (t->layout.strip.rows > 0)
 		track_say(part, xstrdup(words));
 	track_say(part, xstrdup(""));
-	free(words);
 }
 
 static void
@@ -232,15 +229,14 @@ say_speed(const struct tui *t, struct part *part)
 	double rotor = entry != NULL ? entry->site->rotor : 0;
 	char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
-	char *turns = rotor > 0
-			  ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
-			  : xstrdup("");
+	FREED char *turns =
+	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
+		      : xstrdup("");
 	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
 	track_say(part, xasprintf("%s%s", words, turns));
 	track_say(part, words);
 	track_say(part, xasprintf("%.1f m/s", v));
 	track_say(part, xasprintf("%.1f", v));
-	free(turns);
 }
 
 /* A speed beyond those measured is not to be read without that. */
@@ -257,17 +253,15 @@ say_signs(const struct tui *t, struct part *part)
 	bool beyond =
 	    t->layout.side.columns < REASONS && t->view.shown.product.n > 0 &&
 	    answers_extrapolates(tui_current_entry(t), t->view.shown.speed);
-	char *word = xasprintf("%s %s", signs.beyond,
+	FREED char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
-	char *marks = xasprintf(
+	FREED char *marks = xasprintf(
 	    tr("%s trained  %s held out"), signs.trained, signs.held_out);
 	track_say(part, xasprintf("%s  %s", word, marks));
 	track_say(part, xstrdup(beyond ? word : marks));
 	if (!beyond)
 		track_say(part, xstrdup(""));
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
-	free(word);
-	free(marks);
 }
 
 /* With a rule before it. */
@@ -366,7 +360,9 @@ move_to_limit(struct tui *t, int by)
 		    (best == t->ui.tenths || by * (best - tenths[i]) > 0))
 			best = tenths[i];
 	}
-	if (best == t->ui.tenths)
+	if (tui_current_entry(t) == NULL)
+		tui_say(t, true, TUI_NO_SITE);
+	else if (best == t->ui.tenths)
 		tui_say(t, false,
 		    goals_set(t->session)
 			? (by > 0 ? N_("no faster limit: p goes to a slower "
@@ -378,18 +374,6 @@ move_to_limit(struct tui *t, int by)
 	t->ui.tenths = best;
 }
 
-static void
-move_to_best(struct tui *t)
-{
-	double best = goal_best(t);
-	if (isfinite(best))
-		t->ui.tenths = slider_tenths(tui_range(t), best);
-	else
-		tui_say(t, false,
-		    goals_set(t->session) ? N_("no best speed is known")
-					  : N_("no goal yet: t sets one"));
-}
-
 static bool
 is_goal_pending(const struct tui *t)
 {
@@ -397,8 +381,8 @@ is_goal_pending(const struct tui *t)
 	return entry != NULL && entry->has_params && goal_pending(t);
 }
 
-static void
-track_go(struct tui *t, const struct key *key)
+void
+act_limit(struct tui *t, const struct key *key)
 {
 	if (is_goal_pending(t) &&
 	    session_fitting(t->session) == tui_current_entry(t)) {
@@ -416,18 +400,6 @@ track_go(struct tui *t, const struct key *key)
 }
 
 void
-act_limit(struct tui *t, const struct key *key)
-{
-	track_go(t, key);
-}
-
-void
-act_best(struct tui *t, const struct key *key)
-{
-	track_go(t, key);
-}
-
-void
 track_wished(struct tui *t, bool now)
 {
 	const struct key *key = t->wish;
@@ -441,8 +413,13 @@ track_wished(struct tui *t, bool now)
 		return;
 	t->wish = NULL;
 	t->message[0] = '\0';
-	if (key->act == act_best)
-		move_to_best(t);
-	else
+	double best = key->amount == 0 ? goal_best(t) : NAN;
+	if (key->amount != 0)
 		move_to_limit(t, key->amount);
+	else if (isfinite(best))
+		t->ui.tenths = slider_tenths(tui_range(t), best);
+	else
+		tui_say(t, false,
+		    goals_set(t->session) ? N_("no best speed is known")
+					  : N_("no goal yet: t sets one"));
 }

@@ -389,9 +389,8 @@ draw_word(struct tui *t)
 				     : xasprintf(tr("%d lines"),
 					   count_matches_before(v, v->lines));
 	if (number > 0 && found != NULL) {
-		char *lines = found;
+		FREED char *lines = found;
 		found = xasprintf(tr("line %d of %s"), number, lines);
-		free(lines);
 	}
 	int at = pane_word(t, hints, v->word.text, found,
 	    v->keys          ? tr("Enter run it  Esc clear")
@@ -411,11 +410,10 @@ draw_what_enter_does(struct tui *t)
 		    : NULL;
 	if (key == NULL)
 		return false;
-	char *words = xasprintf(tr("Enter: %s"), tr(key->what));
+	FREED char *words = xasprintf(tr("Enter: %s"), tr(key->what));
 	bool room = text_width(words) <= t->layout.hints.columns;
 	if (room)
 		pane_hints(t, LOOK_REVERSE, words);
-	free(words);
 	return room;
 }
 
@@ -426,13 +424,13 @@ viewer_draw_hints(struct tui *t)
 	const struct viewer *v = &t->viewer;
 	bool below = key_rows(t) - v->top > body->rows,
 	     aside = !v->keys && v->columns - v->left > body->columns;
-	char *hints = xasprintf("%s%s%s", below ? tr("Down more below  ") : "",
-	    aside ? tr("Right more right  ") : "",
-	    v->keys ? tr("Esc back  / find a word  Enter run it")
-		    : tr("Esc back  / search"));
+	FREED char *hints =
+	    xasprintf("%s%s%s", below ? tr("Down more below  ") : "",
+		aside ? tr("Right more right  ") : "",
+		v->keys ? tr("Esc back  / find a word  Enter run it")
+			: tr("Esc back  / search"));
 	pane_hints(
 	    t, LOOK_REVERSE, t->under_way != NULL ? tr("Esc stops") : hints);
-	free(hints);
 }
 
 void

@@ -1,0 +1,58 @@
+/* Rows of options of the command table.
+ *
+ * {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"} is the option tph=, of
+ * which a command reads args->tph.  A row whose member is of another type does
+ * not compile.  After a macro come the members of struct command_option that it
+ * leaves open.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CMD_LANG_ROWS_H
+#define TIPSPEED_CMD_LANG_ROWS_H
+
+#include "cmd/lang/command.h"
+#include "core/psd/site.h"
+
+/* The options of a command, within its row. */
+#define OPTION_LIST(...)                \
+	(const struct command_option[]) \
+	{                               \
+		__VA_ARGS__,            \
+		{                       \
+			.name = NULL    \
+		}                       \
+	}
+
+#define ROW(option, member, type, k)                              \
+	.name = option,                                           \
+	.offset = _Generic(&((struct args *)NULL)->member, type * \
+			   : offsetof(struct args, member)),      \
+	.kind = k
+
+/* Open are unit, least, most, choices, fallback and brief.  NAMED: the option's
+ * name is not the member's. */
+#define NUMBER_NAMED(option, member) ROW(option, member, double, VALUE_NUMBER)
+#define NUMBER(member) NUMBER_NAMED(#member, member)
+#define NUMBERS(member) ROW(#member, member, struct number_list, VALUE_NUMBERS)
+#define WHOLE(member) ROW(#member, member, uint64_t, VALUE_WHOLE)
+#define FEED(member) ROW(#member, member, const char *, VALUE_FEED)
+
+/* Open are choices, fallback and brief. */
+#define TEXT(member) ROW(#member, member, const char *, VALUE_TEXT), "", 0, 0
+#define CHOICE_NAMED(option, member) \
+	ROW(option, member, unsigned, VALUE_CHOICE), "", 0, 0
+#define CHOICE(member) CHOICE_NAMED(#member, member)
+
+/* Open are fallback and brief.  Help shows the words in this order. */
+#define OFF_ON_NAMED(option, member) \
+	ROW(option, member, bool, VALUE_CHOICE), "", 0, 0, "off on"
+#define OFF_ON(member) OFF_ON_NAMED(#member, member)
+#define ON_OFF(member) \
+	ROW(#member, member, bool, VALUE_CHOICE), "", 0, 0, "on off"
+
+/* Open is brief. */
+#define SPEED(member) NUMBER(member), "m/s", 1, SITE_FASTEST, NULL, ""
+#define PATH(member) \
+	ROW(#member, member, const char *, VALUE_FILE), "", 0, 0, NULL, ""
+#define SPEC(member) \
+	ROW(#member, member, const char *, VALUE_SPEC), "", 0, 0, NULL, ""
+
+#endif
