@@ -87,7 +87,7 @@ sheet_with(const struct asking *a, double v)
 	more.speed[more.n_run++] = v;
 	struct site *site = plant_site(&more, a->number);
 	qsort(site->run, site->n_run, sizeof *site->run, slower_first);
-	site_settle(site);
+	site_update_mean_feed(site);
 	return site;
 }
 

@@ -69,7 +69,7 @@ make_wrong(struct site *site, uint64_t number, double off, bool feed)
 				(feed ? site->run[r].feed
 				      : site->run[r].product)
 				    .passing[w.sieve] = P;
-		site_settle(site);
+		site_update_mean_feed(site);
 		return w;
 	}
 	return (struct wrong){0};

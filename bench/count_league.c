@@ -52,7 +52,7 @@ error_of(const struct plant *p, const struct site *site, size_t model)
 	o.bounds = bounds_default(model);
 	struct fit fit = counts_fit(site, &o);
 	struct model *m = model_new(feed, p->sieve, p->n_sieve, fit.settings);
-	model_set(m, &fit.params);
+	model_use_params(m, &fit.params);
 	for (size_t i = 0; i < p->n_sieve; i++)
 		asked[i] = psd_passing(feed, p->sieve[i]);
 	for (size_t k = 0; k < ASKED; k++) {

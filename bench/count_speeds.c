@@ -70,7 +70,7 @@ count_plant(uint64_t number, double sd, struct held held[ASKED])
 	struct site *site = plant_site(&runs, number);
 	for (size_t r = 0; r < p.n_run; r++)
 		site->run[r].speed = p.speed[r];
-	site_settle(site);
+	site_update_mean_feed(site);
 	struct fit fit;
 	struct posterior *posterior = counts_calibrate(site, number, &fit);
 	struct ensemble *e =

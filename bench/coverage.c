@@ -71,7 +71,7 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 	size_t n = p->n_sieve;
 	double *answer = xdoubles(n * N), *alone = xdoubles(n);
 	struct model *model = model_new(feed, p->sieve, n, fit->settings);
-	model_set(model, &fit->params);
+	model_use_params(model, &fit->params);
 	model_product(model, v, alone);
 	ensemble_at(view, v);
 	memcpy(answer, ensemble_products(view, ENSEMBLE_ANSWER),

@@ -314,6 +314,6 @@ plant_site(const struct plant *p, uint64_t number)
 			memcpy(
 			    run->feed.passing, feed, p->n_sieve * sizeof *feed);
 	}
-	site_settle(site);
+	site_update_mean_feed(site);
 	return site;
 }

@@ -20,7 +20,7 @@ driver_give_up(
 {
 	struct error error = {.kind = (enum error_kind)status};
 	bool ok = status == 0 || signals_pending() != 0;
-	if (!session_settle(d->session, ok, &error) && ok)
+	if (!session_end_finished_commands(d->session, ok, &error) && ok)
 		d->fail(d->of, &error, line, name);
 }
 

@@ -54,7 +54,7 @@ history_search_is_wanted(const char *line, bool anywhere)
 }
 
 static int
-history_search_search(bool on, bool anywhere, bool goes_on)
+history_search_go(bool on, bool anywhere, bool goes_on)
 {
 	if (!goes_on)
 		history_search_begin();
@@ -96,16 +96,14 @@ static int
 search_prefix_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(
-	    false, false, history_search_is_continued());
+	return history_search_go(false, false, history_search_is_continued());
 }
 
 static int
 search_prefix_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(
-	    true, false, history_search_is_continued());
+	return history_search_go(true, false, history_search_is_continued());
 }
 
 /* Lines that have it anywhere. */
@@ -113,15 +111,14 @@ static int
 search_anywhere_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(
-	    false, true, history_search_is_continued());
+	return history_search_go(false, true, history_search_is_continued());
 }
 
 static int
 search_anywhere_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_search(true, true, history_search_is_continued());
+	return history_search_go(true, true, history_search_is_continued());
 }
 
 static const struct {

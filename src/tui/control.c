@@ -99,7 +99,7 @@ read_page_and_quantity(struct tui *t)
 	const struct choices *set = &t->session->set;
 	struct error error = {0};
 	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
-		t->ui.quantity = strip_usual();
+		t->ui.quantity = strip_default_quantity();
 	t->ui.page = (enum page)set->page;
 	tui_clear_hits(t);
 }
@@ -261,7 +261,7 @@ control_confirm(struct session *s, const char *question)
 {
 	int code = 0;
 	bool special = false;
-	if (open->ways->is_away != NULL && open->ways->is_away())
+	if (open->ways->is_aside != NULL && open->ways->is_aside())
 		return ask_confirm(s, question);
 	open->question = question;
 	bool got = open->ways->answer(open, &code, &special);
@@ -272,7 +272,7 @@ control_confirm(struct session *s, const char *question)
 static char *
 control_question(struct session *s, const struct inquiry *q)
 {
-	bool away = open->ways->is_away != NULL && open->ways->is_away();
+	bool away = open->ways->is_aside != NULL && open->ways->is_aside();
 	return away ? ask_question(s, q) : dialogue_ask(open, q);
 }
 
@@ -347,7 +347,7 @@ control_end(struct tui *t)
 	s->screen = t->before.screen;
 	if (session_busy(s)) {
 		session_pause(s);
-		session_settle(s, true, &error);
+		session_end_finished_commands(s, true, &error);
 	}
 	free_state(t);
 }

@@ -50,7 +50,7 @@ draw_header(struct tui *t)
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
 	FREED char *label =
-	    entry != NULL       ? session_site_label(tui_asked(t)->site)
+	    entry != NULL ? session_site_label(tui_entry_asked_about(t)->site)
 	    : left.columns < 18 ? xstrdup(tr("no site"))
 				: xstrdup(tr("no site is loaded"));
 	bool room = text_width(label) + 11 <= left.columns,

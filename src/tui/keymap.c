@@ -255,7 +255,7 @@ void
 act_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
-	t->ui.pace = pane_moved(from, key->amount, PACE_COUNT);
+	t->ui.pace = pane_clamp_row(from, key->amount, PACE_COUNT);
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,

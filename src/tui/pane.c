@@ -31,7 +31,7 @@ touch_plot(struct tui *t, const struct touched *touched)
 	if (touched->item >= t->n_drawn)
 		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
-	request->entry = tui_asked(t);
+	request->entry = tui_entry_asked_about(t);
 	if (!plots_find_at(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
@@ -54,7 +54,7 @@ pane_plot(
 		return;
 	r.charset = screen_charset();
 	if (r.entry == NULL)
-		r.entry = tui_asked(t);
+		r.entry = tui_entry_asked_about(t);
 	struct canvas *canvas =
 	    plots_draw(t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
@@ -118,7 +118,7 @@ pane_draw_runs(
 		    site->run[r].speed, held_out ? tr(" held out") : "");
 		column =
 		    pane_draw_name(t, column, look.series, LOOK_BOLD, text);
-		moved = moved || (may && tui_moved(t, r));
+		moved = moved || (may && tui_is_product_moved(t, r));
 	}
 	if (moved)
 		column = pane_draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
@@ -153,7 +153,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
 		    outlook_short_words(
-			t->session, tui_asked(t), &t->view.shown));
+			t->session, tui_entry_asked_about(t), &t->view.shown));
 		column = pane_draw_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
@@ -301,7 +301,7 @@ pane_lines(const struct area *area, int row, const char *text)
 }
 
 int
-pane_moved(int at, int by, size_t n)
+pane_clamp_row(int at, int by, size_t n)
 {
 	int to = at + by;
 	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;

@@ -101,6 +101,6 @@ int pane_word(struct tui *t, const struct area *area, const char *word,
 int pane_lines(const struct area *area, int row, const char *text);
 
 /* Returns an index in a list of n, moved by `by` and clamped. */
-int pane_moved(int at, int by, size_t n);
+int pane_clamp_row(int at, int by, size_t n);
 
 #endif

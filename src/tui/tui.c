@@ -130,7 +130,7 @@ draw_and_wait(struct tui *t)
 }
 
 static bool
-is_away(void)
+is_aside(void)
 {
 	return aside;
 }
@@ -205,7 +205,7 @@ int
 tui_run(struct session *s)
 {
 	static const struct tui_ways WAYS = {wait_for_answer_key, frame_draw,
-	    leave_screen, return_to_screen, is_away, is_stop_key_pressed};
+	    leave_screen, return_to_screen, is_aside, is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();

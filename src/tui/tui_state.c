@@ -25,10 +25,10 @@ tui_current_entry(const struct tui *t)
 }
 
 const struct entry *
-tui_asked(const struct tui *t)
+tui_entry_asked_about(const struct tui *t)
 {
 	return t->ui.feed > 0 ? tui_current_entry(t)
-			      : question_standing(t->session);
+			      : question_of_feed_setting(t->session);
 }
 
 const char *
@@ -56,7 +56,7 @@ tui_range(const struct tui *t)
 size_t
 tui_feed(const struct tui *t)
 {
-	return feed_sampled_at(tui_asked(t)->site, t->ui.feed);
+	return feed_sampled_at(tui_entry_asked_about(t)->site, t->ui.feed);
 }
 
 /* What measured products are moved by: the parameters of the prediction beside
@@ -64,7 +64,7 @@ tui_feed(const struct tui *t)
 static const struct params *
 moving_params(const struct tui *t, struct params *room)
 {
-	const struct entry *entry = tui_asked(t);
+	const struct entry *entry = tui_entry_asked_about(t);
 	*room = entry->params;
 	return answers_best_so_far(t->session, entry, room) || entry->has_params
 		   ? room
@@ -72,19 +72,19 @@ moving_params(const struct tui *t, struct params *room)
 }
 
 const struct psd *
-tui_measured(const struct tui *t, size_t run)
+tui_measured_product(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_product(t->session, tui_asked(t), moving_params(t, &room),
-	    run, tui_feed(t));
+	return moved_product(t->session, tui_entry_asked_about(t),
+	    moving_params(t, &room), run, tui_feed(t));
 }
 
 bool
-tui_moved(const struct tui *t, size_t run)
+tui_is_product_moved(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_largest(t->session, tui_asked(t), moving_params(t, &room),
-		   run, tui_feed(t)) > MOVED_TOLD;
+	return moved_largest(t->session, tui_entry_asked_about(t),
+		   moving_params(t, &room), run, tui_feed(t)) > MOVED_TOLD;
 }
 
 void
@@ -110,7 +110,7 @@ tui_options_at_slider(const struct tui *t)
 	const struct entry *entry = tui_current_entry(t);
 	double speed = t->ui.tenths / 10.0;
 	/* A sheet that is set, but cannot be read. */
-	bool mean = !(t->ui.feed > 0) && tui_asked(t) == entry &&
+	bool mean = !(t->ui.feed > 0) && tui_entry_asked_about(t) == entry &&
 		    t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||
@@ -130,7 +130,7 @@ tui_command_of_page(const struct tui *t)
 }
 
 struct plots_past
-tui_past(const struct tui *t)
+tui_search_shown(const struct tui *t)
 {
 	return tui_current_entry(t) != NULL
 		   ? plots_past(t->session, tui_current_entry(t))
@@ -140,7 +140,7 @@ tui_past(const struct tui *t)
 size_t
 tui_count_generations(const struct tui *t)
 {
-	struct plots_past past = tui_past(t);
+	struct plots_past past = tui_search_shown(t);
 	return past.n + (past.n > 0 && past.polished);
 }
 
@@ -161,12 +161,12 @@ tui_show_generation(struct tui *t, size_t step)
 size_t
 tui_generation(const struct tui *t)
 {
-	size_t n = tui_past(t).n, step = tui_generation_shown(t);
+	size_t n = tui_search_shown(t).n, step = tui_generation_shown(t);
 	return step < n ? step : n;
 }
 
 double
-tui_searched(const struct tui *t)
+tui_search_seconds(const struct tui *t)
 {
 	return t->ran + (t->held ? 0 : t->clock - t->started);
 }

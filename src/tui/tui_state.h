@@ -145,7 +145,7 @@ struct tui_ways {
 	/* leave hands the terminal and signals to another program; come_back
 	 * takes them back.  NULL without a terminal. */
 	void (*leave)(void), (*come_back)(void);
-	bool (*is_away)(void); /* NULL: never */
+	bool (*is_aside)(void); /* NULL: never */
 	/* True if Esc or ^C was pressed during a step; NULL: never. */
 	bool (*stopped)(struct tui *t);
 };
@@ -309,7 +309,7 @@ enum {
 extern const double PACES[PACE_COUNT];
 
 /* Returns the search for the current site's parameters, see plots_past.h. */
-struct plots_past tui_past(const struct tui *t);
+struct plots_past tui_search_shown(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a
  * better candidate.  tui_count_generations returns their number;
@@ -323,14 +323,14 @@ void tui_show_generation(struct tui *t, size_t step);
 size_t tui_generation(const struct tui *t);
 
 /* Returns how long the current search has run, s, without pauses. */
-double tui_searched(const struct tui *t);
+double tui_search_seconds(const struct tui *t);
 
 /* Returns the current site, or NULL. */
 const struct entry *tui_current_entry(const struct tui *t);
 
 /* Returns the current site as used for the slider's predictions, or NULL: with
  * the feed from the sheet in `set feed`, unless a run's feed is used. */
-const struct entry *tui_asked(const struct tui *t);
+const struct entry *tui_entry_asked_about(const struct tui *t);
 
 /* The first step if no site is loaded; tui_why_none returns why there is no
  * prediction. */
@@ -345,17 +345,17 @@ struct slider_range tui_range_of(
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: that of the last
  * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
- * see tui_asked. */
+ * see tui_entry_asked_about. */
 size_t tui_feed(const struct tui *t);
 void tui_keep_feed(struct tui *t);
 void tui_take_feed(struct tui *t); /* from `set feed` */
 
 /* Returns the measured product of a run as shown with the prediction, see
  * moved_product. */
-const struct psd *tui_measured(const struct tui *t, size_t run);
+const struct psd *tui_measured_product(const struct tui *t, size_t run);
 
 /* True if the product was moved far enough that the page must say so. */
-bool tui_moved(const struct tui *t, size_t run);
+bool tui_is_product_moved(const struct tui *t, size_t run);
 
 /* Returns the slider's speed as options of predict, "speed=77.0 feed=74", with
  * the feed if predict would otherwise use another.  The caller frees it. */

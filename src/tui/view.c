@@ -60,7 +60,7 @@ copy_pinned_numbers(struct tui *t)
 }
 
 static void
-drop_shown(struct tui *t)
+free_shown_prediction(struct tui *t)
 {
 	prediction_free(&t->view.shown);
 	t->view.shown = (struct prediction){0};
@@ -70,7 +70,7 @@ drop_shown(struct tui *t)
 static void
 forget_prediction(struct tui *t)
 {
-	drop_shown(t);
+	free_shown_prediction(t);
 	t->view.current = (struct numbers){0};
 	t->view.of = (struct view_key){0};
 }
@@ -166,9 +166,9 @@ view_predict(struct tui *t)
 	FREED char *where = tui_options_at_slider(t);
 	FREED char *line = xasprintf("predict %s", where);
 	struct error error = {0};
-	drop_shown(t);
-	if (!predict_step(s, tui_asked(t), t->ui.tenths / 10.0, tui_feed(t),
-		line, &t->view.shown, &error))
+	free_shown_prediction(t);
+	if (!predict_step(s, tui_entry_asked_about(t), t->ui.tenths / 10.0,
+		tui_feed(t), line, &t->view.shown, &error))
 		captured_say_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !told) || t->command == NULL) {
 		free(t->command);
@@ -194,7 +194,8 @@ view_form(struct tui *t)
 	struct params params = entry->params;
 	if (!answers_best_so_far(s, entry, &params) && !entry->has_params)
 		return;
-	struct question q = asked_whole(s, tui_asked(t), tui_feed(t));
+	struct question q =
+	    question_of_whole_product(s, tui_entry_asked_about(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
 	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);

@@ -41,8 +41,8 @@ watch_pause(struct tui *t)
 	bool alone = s->job.rounds->alone;
 	const char *useless = s->job.rounds->useless;
 	enum stopped stopped = session_pause(s);
-	session_settle(s, true, &error);
-	t->ran = tui_searched(t);
+	session_end_finished_commands(s, true, &error);
+	t->ran = tui_search_seconds(t);
 	t->held = false;
 	control_refresh(t);
 	const char *said =
@@ -60,7 +60,7 @@ static void
 watch_finish(struct tui *t, bool alone)
 {
 	struct error error = {0};
-	if (!session_settle(t->session, true, &error))
+	if (!session_end_finished_commands(t->session, true, &error))
 		captured_say_error(t, &error, "", "");
 	t->held = false;
 	control_refresh(t);
@@ -94,7 +94,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	t->held = false;
 	control_refresh(t);
 	captured_show(t);
-	if (!session_settle(t->session, true, &error))
+	if (!session_end_finished_commands(t->session, true, &error))
 		captured_say_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
@@ -117,7 +117,7 @@ watch_hold(struct tui *t, bool hold)
 {
 	if (hold == t->held)
 		return;
-	t->ran = tui_searched(t);
+	t->ran = tui_search_seconds(t);
 	t->held = hold;
 	t->due = t->started = t->clock;
 }
@@ -141,7 +141,7 @@ generations_per_second(const struct tui *t)
 {
 	enum { QUICK = 40, USUAL = 12, SLOW = 4 };
 	const double much = 0.2, little = 0.02;
-	struct plots_past past = tui_past(t);
+	struct plots_past past = tui_search_shown(t);
 	const struct calibrate_generation *g = past.generation;
 	if (t->ui.pace != PACE_AUTO)
 		return PACES[t->ui.pace];

@@ -224,7 +224,7 @@ run_line(struct session *s, const char *line, struct place place, int *steps)
 		session_pause(s);
 		s->wants_tui = false;
 	} while (ok && at > 0 && !s->quit);
-	return session_settle(s, ok, &error);
+	return session_end_finished_commands(s, ok, &error);
 }
 
 /* With --safe, and after an error the next line. */

@@ -144,7 +144,7 @@ made_product(const struct run *run, const struct params *p, double *passing)
 {
 	struct model *model = model_new(&run->feed, run->product.size,
 	    run->product.n, model_settings_default());
-	model_set(model, p);
+	model_use_params(model, p);
 	model_product(model, run->speed, passing);
 	model_free(model);
 }

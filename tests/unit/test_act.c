@@ -223,19 +223,19 @@ a_pause_is_no_part_of_the_search(void **state)
 	watch_pump(t);
 	type(t, " ");
 	t->clock = 160;
-	assert_float_equal(tui_searched(t), 3, 1e-9);
+	assert_float_equal(tui_search_seconds(t), 3, 1e-9);
 	type(t, " ");
 	t->clock = 161;
-	assert_float_equal(tui_searched(t), 4, 1e-9);
+	assert_float_equal(tui_search_seconds(t), 4, 1e-9);
 	type(t, "s");
 	t->clock = 200;
 	type(t, " ");
 	assert_true(session_busy(t->session));
 	t->clock = 202;
-	assert_float_equal(tui_searched(t), 6, 1e-9);
+	assert_float_equal(tui_search_seconds(t), 6, 1e-9);
 	t->session->hooks.confirm = says_yes;
 	type(t, "f");
-	assert_float_equal(tui_searched(t), 0, 1e-9);
+	assert_float_equal(tui_search_seconds(t), 0, 1e-9);
 }
 
 static void
@@ -244,7 +244,7 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
 	type(t, "2");
-	size_t n = tui_past(t).n;
+	size_t n = tui_search_shown(t).n;
 	int tenths = t->ui.tenths;
 	press(t, "Home");
 	assert_int_equal(tui_generation(t), 1);
@@ -518,7 +518,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	fclose(out);
 	assert_non_null(strstr(text, "beta1 >"));
 	assert_null(strstr(text, "beta2 >"));
-	struct plots_past past = tui_past(t);
+	struct plots_past past = tui_search_shown(t);
 	struct plots_strip strip =
 	    plots_search_strip(t->session, &past, 0, ALPHA - 1);
 	assert_true(strip.near && !strip.at_bound);
@@ -706,8 +706,8 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		desk_expect(stage->desk, "predict 74");
 		assert_true(session_answer_number(t->session, "predict",
 				"p50_mm") == 1000 * t->view.shown.p50);
-		struct prediction p = forecast_whole(
-		    t->session, tui_asked(t), speed, SITE_MEAN_FEED);
+		struct prediction p = forecast_whole(t->session,
+		    tui_entry_asked_about(t), speed, SITE_MEAN_FEED);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
 		prediction_free(&p);
 		desk_expect(
@@ -722,7 +722,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	type(t, ":set feed mean\n");
 	draw_all(t);
 	assert_true(t->view.shown.p50 != mean);
-	assert_ptr_equal(tui_asked(t), tui_current_entry(t));
+	assert_ptr_equal(tui_entry_asked_about(t), tui_current_entry(t));
 }
 
 /* Not only from the next step of the slider on. */
@@ -754,8 +754,8 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	control_refresh(t);
 	draw_all(t);
 	for (; strip_point(t, n, &speed, value); n++) {
-		struct question q =
-		    asked_whole(t->session, tui_current_entry(t), tui_feed(t));
+		struct question q = question_of_whole_product(
+		    t->session, tui_current_entry(t), tui_feed(t));
 		struct prediction p = forecast_product(t->session, &q, speed);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
 		assert_true(fabs(value[1] - 1000 * p.range[2][0]) < 1e-9);
@@ -774,11 +774,11 @@ a_point_makes_one_generation(void **state)
 	control_refresh(t);
 	type(t, "f...");
 	assert_true(t->held);
-	assert_int_equal(tui_past(t).n, 3);
+	assert_int_equal(tui_search_shown(t).n, 3);
 	/* A search that waits is not pumped. */
 	t->clock = 1000;
 	watch_pump(t);
-	assert_int_equal(tui_past(t).n, 3);
+	assert_int_equal(tui_search_shown(t).n, 3);
 	while (session_busy(t->session))
 		type(t, ".");
 	assert_true(tui_current_entry(t)->has_fit);
@@ -833,11 +833,11 @@ generations_are_slow_while_the_best_gains(void **state)
 	assert_int_equal(t->ui.pace, PACE_AUTO);
 	type(t, "f");
 	bool slow = false, quick = false;
-	for (double clock = 0; tui_past(t).n < 40; clock += 0.001) {
-		size_t before = tui_past(t).n;
+	for (double clock = 0; tui_search_shown(t).n < 40; clock += 0.001) {
+		size_t before = tui_search_shown(t).n;
 		t->clock = t->due = clock;
 		watch_pump(t);
-		assert_int_equal(tui_past(t).n, before + 1);
+		assert_int_equal(tui_search_shown(t).n, before + 1);
 		slow = slow || t->due - clock > 0.2;
 		quick = quick || t->due - clock < 0.03;
 	}
@@ -856,7 +856,7 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	type(t, "2");
 	frame_draw(t);
-	size_t n = tui_past(t).n;
+	size_t n = tui_search_shown(t).n;
 	const struct area s = t->layout.caption;
 	int column = 30;
 	assert_true(n > 1 && s.rows == 1);
@@ -1592,7 +1592,7 @@ a_line_stops_no_search_unsaid(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(BESIDE); i++) {
 		type(t, BESIDE[i]);
 		assert_true(session_busy(s) && !t->held);
-		assert_int_equal(tui_past(t).n, 2);
+		assert_int_equal(tui_search_shown(t).n, 2);
 	}
 	type(t, ":version\n");
 	assert_non_null(t->viewer.text);

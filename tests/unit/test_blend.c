@@ -76,7 +76,7 @@ its_product_is_the_blend_of_products(void **state)
 		const struct psd *from = k < 2 ? feed[k] : &blend;
 		struct model *model = model_new(
 		    from, blend.size, blend.n, model_settings_default());
-		model_set(model, &p);
+		model_use_params(model, &p);
 		model_product(model, 74, k < 2 ? one[k] : got);
 		model_free(model);
 	}
@@ -107,7 +107,7 @@ another_machine(void **state)
 		struct model *m =
 		    model_new(feed, feed->size, feed->n, settings[k]);
 		product[k] = xdoubles(feed->n);
-		model_set(m, k < 3 ? &p : &strong);
+		model_use_params(m, k < 3 ? &p : &strong);
 		model_product(m, 77, product[k]);
 		model_free(m);
 	}

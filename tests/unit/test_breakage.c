@@ -170,7 +170,7 @@ products_are_those_of_the_formulas(void **state)
 			enum method method = (enum method)(k % 2);
 			struct model *model = model_new(
 			    &feed, feed.size, feed.n, settings_of(m, method));
-			model_set(model, &p);
+			model_use_params(model, &p);
 			model_product(model, v, got);
 			if (method == METHOD_CLASSES)
 				plain_classes(&feed, &p, v, want);
@@ -196,16 +196,16 @@ check_jacobian(size_t m, int k, struct draw *draw)
 	struct model *model = model_new(
 	    &feed, feed.size, feed.n, settings_of(m, (enum method)(k % 2)));
 	size_t n = BREAKAGES[m]->n;
-	model_set(model, &p);
+	model_use_params(model, &p);
 	model_jacobian(model, 75, up, J);
 	for (size_t j = 0; j < n; j++) {
 		struct params q = p;
 		double h = 1e-5 * fmax(fabs(p.at[j]), 0.01);
 		q.at[j] = p.at[j] + h;
-		model_set(model, &q);
+		model_use_params(model, &q);
 		model_product(model, 75, up);
 		q.at[j] = p.at[j] - h;
-		model_set(model, &q);
+		model_use_params(model, &q);
 		model_product(model, 75, down);
 		/* The reference energy is never searched. */
 		for (size_t i = 0; i < feed.n && j != BREAKAGES[m]->reference;
@@ -313,9 +313,9 @@ extensions_at_zero_change_nothing(void **state)
 		for (int method = 0; method < 2; method++) {
 			struct model *model = model_new(&feed, feed.size,
 			    feed.n, settings_of(m, (enum method)method));
-			model_set(model, &p);
+			model_use_params(model, &p);
 			model_product(model, 77, want);
-			model_set(model, &q);
+			model_use_params(model, &q);
 			model_product(model, 77, got);
 			for (size_t i = 0; i < feed.n; i++)
 				expect_near(

@@ -72,7 +72,7 @@ say(struct desk *desk, const char *line)
 		free(next);
 	}
 	script_close(s, 0);
-	return session_settle(s, ok, &desk->error);
+	return session_end_finished_commands(s, ok, &desk->error);
 }
 
 /* How many files there are, of running programs too; *info: of the last. */

@@ -41,7 +41,7 @@ expect_product(const struct psd *feed, const struct params *p,
 	struct ledger l = ledger_new(feed, p, settings, v);
 	double passing[32], finer = 0;
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
-	model_set(model, p);
+	model_use_params(model, p);
 	model_product(model, v, passing);
 	expect_near("broken", l.broken, model_selected(model, v), error);
 	model_free(model);

@@ -86,7 +86,8 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
 	assert_true(answers_extrapolates(bro, 80));
 	assert_false(answers_extrapolates(bro, 70));
-	assert_ptr_equal(outlook_draws(s, bro), outlook_draws(s, tierp));
+	assert_ptr_equal(outlook_posterior_for_comparison(s, bro),
+	    outlook_posterior_for_comparison(s, tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
 	assert_string_equal(session_entry(s)->origin->whose, "tierp");
@@ -144,10 +145,10 @@ undo_and_redo_carry_the_origin(void **state)
 	use_of_another(desk);
 	desk_expect(desk, "params set f_mat=1");
 	assert_string_equal(session_entry(s)->origin->words, "set by hand");
-	assert_null(outlook_draws(s, session_entry(s)));
+	assert_null(outlook_posterior_for_comparison(s, session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_string_equal(session_entry(s)->origin->whose, "tierp");
-	assert_non_null(outlook_draws(s, session_entry(s)));
+	assert_non_null(outlook_posterior_for_comparison(s, session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_null(session_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
@@ -170,7 +171,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	const struct entry *entry = session_entry(s);
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
-	assert_non_null(outlook_draws(s, entry));
+	assert_non_null(outlook_posterior_for_comparison(s, entry));
 	assert_int_equal(entry->fit.cells, 11);
 	/* One passing more than parameters is enough, as many are not; that of
 	 * the coarsest sieve is 100 % whatever is done. */
@@ -180,8 +181,9 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		desk_expect(desk, "calibrate population=200 train=69");
 		assert_int_equal(entry->fit.n_residual, n + 1);
 		assert_int_equal(entry->fit.cells, n);
-		assert_int_equal(
-		    outlook_draws(s, session_entry(s)) != NULL, n > 7);
+		assert_int_equal(outlook_posterior_for_comparison(
+				     s, session_entry(s)) != NULL,
+		    n > 7);
 	}
 	assert_string_equal(light_verdict(s, entry, NULL), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));

@@ -180,7 +180,7 @@ a_running_search_shows_its_best_so_far(void **state)
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_busy(s))
 		session_step(s);
-	assert_true(session_settle(s, true, &desk->error));
+	assert_true(session_end_finished_commands(s, true, &desk->error));
 	assert_true(plots_past_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &session_entry(s)->params, sizeof p);
 }

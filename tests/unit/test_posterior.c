@@ -110,7 +110,7 @@ exact_product(const struct params *p, const struct strengths *rock,
 		struct params q = *p;
 		double share = k == 0 ? 1 - rock->share : rock->share;
 		q.at[breakage_of(p)->strength + 1] *= by[k];
-		model_set(model, &q);
+		model_use_params(model, &q);
 		model_product(model, v, part);
 		for (size_t i = 0; i < at->n; i++)
 			out[i] += share * part[i];
@@ -297,7 +297,7 @@ count(const struct known *k, struct ensemble *e, size_t *in, size_t *all)
 	double row[N], low, high, *truth = xdoubles(run->feed.n);
 	struct model *model = model_new(
 	    &run->feed, run->feed.size, run->feed.n, model_settings_default());
-	model_set(model, &k->truth);
+	model_use_params(model, &k->truth);
 	model_product(model, 74, truth);
 	ensemble_at(e, 74);
 	for (size_t i = 0; i < run->feed.n; i++) {
@@ -838,7 +838,7 @@ no_law_site(const struct no_law *law, const double speed[static NO_LAW_RUNS],
 			run->product.passing[i] = before;
 		}
 	}
-	site_settle(site);
+	site_update_mean_feed(site);
 	return site;
 }
 

@@ -27,7 +27,7 @@ one_passing(const struct psd *feed, const struct params *p,
 {
 	double passing;
 	struct model *model = model_new(feed, &size, 1, settings);
-	model_set(model, p);
+	model_use_params(model, p);
 	model_product(model, v, &passing);
 	model_free(model);
 	return passing;
@@ -76,7 +76,7 @@ model_of(const struct psd *feed, const struct params *p,
     struct model_settings settings)
 {
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
-	model_set(model, p);
+	model_use_params(model, p);
 	return model;
 }
 
@@ -225,10 +225,10 @@ expect_jacobian(const struct psd *feed, struct params p, double v)
 		double scale = j < 4 ? 1 : fmax(at, 0.05), h = 3e-6 * scale;
 		struct params q = p;
 		q.at[j] = at + h;
-		model_set(model, &q);
+		model_use_params(model, &q);
 		model_product(model, v, up);
 		q.at[j] = at - h;
-		model_set(model, &q);
+		model_use_params(model, &q);
 		model_product(model, v, down);
 		for (size_t i = 0; i < feed->n; i++) {
 			double slope = (up[i] - down[i]) / (2 * h);
@@ -299,7 +299,7 @@ sieves_do_not_change_each_other(void **state)
 			sieve[i] = draw_log(
 			    &draw, feed.size[feed.n - 1], 2 * feed.size[0]);
 		struct model *model = model_new(&feed, sieve, 5, settings);
-		model_set(model, &p);
+		model_use_params(model, &p);
 		model_product(model, 77, together);
 		for (size_t i = 0; i < 5; i++)
 			expect_near("passing",

@@ -155,7 +155,7 @@ the_product_is_that_of_a_fine_sum(void **state)
 		double out[64];
 		struct model *model =
 		    model_new(feed, feed->size, feed->n, settings);
-		model_set(model, &p);
+		model_use_params(model, &p);
 		model_product(model, 74, out);
 		for (size_t i = 0; i < feed->n; i += 2)
 			expect_near(TABLE_3[row].site, out[i],
@@ -178,16 +178,16 @@ its_derivatives_are_those_of_differences(void **state)
 	const struct psd *feed = &site->run[1].feed;
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
 	double at[64], plus[64], minus[64], d[64 * PARAMS_MOST];
-	model_set(model, &p);
+	model_use_params(model, &p);
 	model_jacobian(model, 74, at, d);
 	for (size_t j = 4; j < 7; j++) {
 		double h = 1e-5 * p.at[j];
 		struct params moved = p;
 		moved.at[j] = p.at[j] + h;
-		model_set(model, &moved);
+		model_use_params(model, &moved);
 		model_product(model, 74, plus);
 		moved.at[j] = p.at[j] - h;
-		model_set(model, &moved);
+		model_use_params(model, &moved);
 		model_product(model, 74, minus);
 		for (size_t i = 0; i < feed->n; i++) {
 			double want = (plus[i] - minus[i]) / (2 * h);
@@ -218,7 +218,7 @@ the_search_sees_the_same_product(void **state)
 			struct run *run = &site->run[r];
 			struct model *model = model_new(&run->feed,
 			    run->product.size, run->product.n, settings);
-			model_set(model, &p);
+			model_use_params(model, &p);
 			model_product(model, run->speed, run->product.passing);
 			model_free(model);
 		}

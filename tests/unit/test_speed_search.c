@@ -51,7 +51,8 @@ value_at(const struct asked *a, size_t i, double v)
 static void
 ask(struct asked *a, const struct session *s, struct draw *draw, bool narrow)
 {
-	a->q = asked_whole(s, &s->entry[s->current], SITE_MEAN_FEED);
+	a->q =
+	    question_of_whole_product(s, &s->entry[s->current], SITE_MEAN_FEED);
 	for (size_t i = 0; i < CONDITIONS; i++)
 		a->at[i] = (struct condition){any_quantity(draw), NAN, NAN};
 	a->list = (struct condition_list){CONDITIONS, a->at};

@@ -263,7 +263,7 @@ undo_ends_a_running_calibration(void **state)
 	assert_false(session_busy(s));
 	assert_int_equal(s->set.seed, 1);
 	assert_false(session_entry(s)->has_fit);
-	assert_true(session_settle(s, true, &desk->error));
+	assert_true(session_end_finished_commands(s, true, &desk->error));
 	assert_int_equal(undo_depth(s), depth - 1);
 	/* What was asked since "seed 3" went with it. */
 	assert_int_equal(journal_place(s).n, lines - 1);

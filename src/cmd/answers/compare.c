@@ -303,8 +303,8 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 	struct trust light = light_of_prediction(s, side[0].entry, &side[0].p);
 	light_worse(&light, light_of_prediction(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
-		const struct question q =
-		    asked_whole(s, side[i].entry, side[i].p.feed_run);
+		const struct question q = question_of_whole_product(
+		    s, side[i].entry, side[i].p.feed_run);
 		const char *whose = feeds ? side[i].head : NULL;
 		if (i == 0 || two)
 			answers_note_basis(s, r, &q, 0, whose, &light);
@@ -371,9 +371,10 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	const struct question *like = i > 0 ? &side[-1].q : NULL;
 	if (!answers_check_params(s, &s->entry[at], error) ||
 	    !(like != NULL && like->named != NULL
-		    ? question_too(
+		    ? question_read_like(
 			  s, &s->entry[at], args, like, &side->q, error)
-		    : question_of(s, &s->entry[at], args, &side->q, error)))
+		    : question_read_for(
+			  s, &s->entry[at], args, &side->q, error)))
 		return false;
 	side->entry = side->q.entry;
 	if (!screened_is_measured_alone(&side->q, error))

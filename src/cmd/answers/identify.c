@@ -274,7 +274,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	if (!answers_check_current(s, error))
 		return false;
 	const struct entry *entry = session_entry(s);
-	const struct posterior *p = outlook_draws(s, entry);
+	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	if (p == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "there are no draws to judge the parameters by (%s)\nrun "

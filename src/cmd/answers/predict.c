@@ -278,7 +278,7 @@ note_floor(
 
 /* Whether what corrects the model is worth a word. */
 static bool
-is_unusual(const struct session *s, const struct entry *entry)
+is_correction_worth_saying(const struct session *s, const struct entry *entry)
 {
 	return outlook_correction(s, entry) != CORRECTION_ALL ||
 	       !entry->has_fit;
@@ -420,7 +420,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	struct question at = *q;
 	at.moved = largest_move_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
-	    p->low != NULL && (detail || is_unusual(s, entry)));
+	    p->low != NULL && (detail || is_correction_worth_saying(s, entry)));
 	return r;
 }
 
@@ -473,7 +473,7 @@ predict_step(struct session *s, const struct entry *entry, double speed,
 	struct params params;
 	if (!take_params(s, entry, &params, error))
 		return false;
-	struct question q = asked_whole(s, entry, feed_run);
+	struct question q = question_of_whole_product(s, entry, feed_run);
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
 	answers_keep_prediction(s, entry, &params, p);

@@ -8,9 +8,9 @@
 struct question;
 
 /* Runs the `predict` command in `line` without producing its text, for the
- * current site from question_standing.  Keeps the answer in the session and the
- * line in the journal, and sets *p; free that with prediction_free.  Returns
- * false if there is no basis for a prediction. */
+ * current site from question_of_feed_setting.  Keeps the answer in the session
+ * and the line in the journal, and sets *p; free that with prediction_free.
+ * Returns false if there is no basis for a prediction. */
 bool predict_step(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error);

@@ -353,7 +353,7 @@ band_parts_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	const struct posterior *p = outlook_draws(s, entry);
+	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	bool detail = args->detail;
 	FREED char *fraction = screened_title(&at->fraction);
 	struct answer *r = answers_new(entry->site, "uncertainty",
@@ -446,9 +446,11 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		    origin_fit(entry) == NULL ? tr("run 'calibrate' first")
 					      : tr("'set' shows the settings"));
 	}
-	struct answer *r = draws ? draws_answer(s, q, outlook_draws(s, entry),
-				       &at, (size_t)args->n)
-				 : band_parts_answer(s, q, &at, args, error);
+	struct answer *r =
+	    draws
+		? draws_answer(s, q, outlook_posterior_for_comparison(s, entry),
+		      &at, (size_t)args->n)
+		: band_parts_answer(s, q, &at, args, error);
 	prediction_free(&at);
 	return r != NULL && session_show_answer(s, r);
 }

@@ -30,7 +30,7 @@ static bool
 take_goal(struct session *s, struct asking *a, struct error *error)
 {
 	size_t n_value = 0;
-	if (a->list.n > 0 || !goals_set(s))
+	if (a->list.n > 0 || !goals_is_set(s))
 		return true;
 	if (!goals_read(
 		s, s->set.goal, question_feed(a->q), &a->list, &n_value, error))

@@ -3,7 +3,8 @@
 #include "cmd/ask/asked.h"
 
 struct question
-asked_whole(const struct session *s, const struct entry *entry, size_t feed)
+question_of_whole_product(
+    const struct session *s, const struct entry *entry, size_t feed)
 {
 	return (struct question){
 	    .entry = entry, .feed = feed, .level = settings_level(&s->set)};

@@ -34,7 +34,7 @@ struct question {
 
 /* Returns the question about the whole product of an unchanged entry with the
  * feed of a run.  It owns nothing. */
-struct question asked_whole(
+struct question question_of_whole_product(
     const struct session *s, const struct entry *entry, size_t feed);
 
 #endif

@@ -46,7 +46,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	/* To the hundredth of a point that sheets are rounded to. */
 	const double rounding = 5e-4;
 	const struct run *r = &entry->site->run[run];
-	const struct question q = asked_whole(s, entry, run);
+	const struct question q = question_of_whole_product(s, entry, run);
 	struct cut c = {.level = q.level, .no_band = true};
 	FREED struct quantity *asked = changed_sieves(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);

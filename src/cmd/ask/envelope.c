@@ -274,7 +274,7 @@ grading_open_in_use(const struct session *s, const struct entry *entry,
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
-	struct question q = asked_whole(s, entry, feed);
+	struct question q = question_of_whole_product(s, entry, feed);
 	return open_forecast_of_limits(s, &q, g, error);
 }
 

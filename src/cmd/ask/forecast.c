@@ -141,6 +141,6 @@ struct prediction
 forecast_whole(const struct session *s, const struct entry *entry, double speed,
     size_t feed_run)
 {
-	const struct question q = asked_whole(s, entry, feed_run);
+	const struct question q = question_of_whole_product(s, entry, feed_run);
 	return forecast_product(s, &q, speed);
 }

@@ -21,7 +21,7 @@ static const struct fraction WHOLE = {.partition = {0, 1}};
 enum { PART = 6 };
 
 bool
-goals_set(const struct session *s)
+goals_is_set(const struct session *s)
 {
 	return s->set.goal[0] != '\0';
 }
@@ -133,7 +133,7 @@ goals_read(struct session *s, const char *text, const struct psd *feed,
 bool
 goals_search_done(const struct session *s, const struct goal *g)
 {
-	return goals_set(s) && g->found != NULL &&
+	return goals_is_set(s) && g->found != NULL &&
 	       g->found->done == g->found->n;
 }
 
@@ -236,7 +236,7 @@ bool
 goals_need_search(const struct session *s, const struct goal *g, size_t feed)
 {
 	bool begun = g->feed == feed && (g->why != NULL || g->found != NULL);
-	return goals_set(s) &&
+	return goals_is_set(s) &&
 	       (!begun || (g->why == NULL && !goals_search_done(s, g)));
 }
 
@@ -250,7 +250,7 @@ goals_step(
 		goals_begin(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
-	struct question q = asked_whole(s, entry, feed);
+	struct question q = question_of_whole_product(s, entry, feed);
 	struct condition_list ranges = {g->list.n - g->n_value, g->list.at};
 	struct wanted w = conditions_open(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
@@ -354,7 +354,7 @@ goals_words(const struct session *s, const struct entry *entry,
 {
 	bool full = length == GOALS_FULL;
 	const char *text = s->set.goal;
-	if (!goals_set(s))
+	if (!goals_is_set(s))
 		return xstrdup("");
 	if (g->why != NULL)
 		return xasprintf(

@@ -25,7 +25,7 @@ struct goal {
 };
 
 /* True if a goal is set. */
-bool goals_set(const struct session *s);
+bool goals_is_set(const struct session *s);
 
 /* True if a text has a sign or begins with a quantity; otherwise it names an
  * envelope. */

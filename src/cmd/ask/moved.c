@@ -75,7 +75,7 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 	*product = psd_copy(&r->product);
 	if (product->n == 0 || psd_same(&r->feed, site_feed(m->site, m->feed)))
 		return;
-	struct question q = asked_whole(s, entry, m->feed);
+	struct question q = question_of_whole_product(s, entry, m->feed);
 	q.params = &m->params;
 	struct question own = q;
 	own.feed = run;
@@ -97,13 +97,13 @@ move_run(struct moved *m, const struct session *s, const struct entry *entry,
 }
 
 void
-moved_forget(struct moved *m)
+moved_drop_cached(struct moved *m)
 {
 	moved_clear(m);
 }
 
 static struct moved *
-moved_for(const struct session *s, const struct entry *entry,
+moved_cache_for(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
 	struct moved *m = s->moved;
@@ -140,7 +140,7 @@ moved_product(const struct session *s, const struct entry *entry,
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	struct moved *m = moved_for(s, entry, params, feed_run);
+	struct moved *m = moved_cache_for(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
 		move_run(m, s, entry, run);
 	return &m->product[run];

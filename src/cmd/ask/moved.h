@@ -21,7 +21,7 @@ struct moved *moved_new(void);
 void moved_free(struct moved *moved);
 
 /* Discards cached products; call it when a site is removed. */
-void moved_forget(struct moved *moved);
+void moved_drop_cached(struct moved *moved);
 
 /* Returns the product of a run moved to a feed (see site_feed) with these
  * parameters.  It is unchanged if params is NULL or the feeds are the same, and

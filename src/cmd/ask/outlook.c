@@ -145,7 +145,8 @@ outlook_draw(const struct session *s, const struct entry *entry)
 }
 
 const struct posterior *
-outlook_draws(const struct session *s, const struct entry *entry)
+outlook_posterior_for_comparison(
+    const struct session *s, const struct entry *entry)
 {
 	return outlook_posterior(s, entry, informing_correction(s, entry));
 }
@@ -162,7 +163,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	    runs_that_inform(h, informing_correction(s, entry), &place);
 	struct evidence **e = &h->evidence[place];
 	/* They may have been stopped before. */
-	const struct posterior *p = outlook_draws(s, entry);
+	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	if (*e == NULL || (p != NULL && isnan((*e)->discrepancy))) {
 		free(*e);
 		*e = xcalloc(1, sizeof **e);
@@ -237,7 +238,7 @@ posterior_for_answers(const struct session *s, const struct entry *entry)
 		   session_fitting(s) != NULL;
 	bool none =
 	    off || !has_settings_of_fit(s, entry) || has_poor_fit(s, entry);
-	return none ? NULL : outlook_draws(s, entry);
+	return none ? NULL : outlook_posterior_for_comparison(s, entry);
 }
 
 const struct posterior *

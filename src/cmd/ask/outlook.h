@@ -29,19 +29,19 @@ const struct posterior *outlook_posterior(const struct session *s,
 struct posterior *outlook_begin_draws(
     const struct session *s, const struct entry *entry);
 
-/* Draws a part of the posterior that outlook_draws returns.  Returns true if
- * all of it is drawn or there is nothing to draw from. */
+/* Draws a part of the posterior that outlook_posterior_for_comparison returns.
+ * Returns true if all of it is drawn or there is nothing to draw from. */
 bool outlook_draw(const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of the runs set to inform answers, or that of the
  * training runs if answers are the model alone. */
-const struct posterior *outlook_draws(
+const struct posterior *outlook_posterior_for_comparison(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of a calibration, for comparison with cuts that it has
- * not seen: that of outlook_draws or, with training_only, that of the training
- * runs.  NULL if answers lack a band for a reason other than `set correction
- * off`. */
+ * not seen: that of outlook_posterior_for_comparison or, with training_only,
+ * that of the training runs.  NULL if answers lack a band for a reason other
+ * than `set correction off`. */
 const struct posterior *outlook_posterior_of_unseen(
     const struct session *s, const struct entry *entry, bool training_only);
 

@@ -51,7 +51,7 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 		    "write: pin speed=74 feed=mean",
 		    q->entry->site->feed_from);
 	question_as_last(s, args, q);
-	struct question whole = asked_whole(s, entry, q->feed);
+	struct question whole = question_of_whole_product(s, entry, q->feed);
 	whole.params = &params;
 	struct pin *pin = xcalloc(1, sizeof *pin);
 	*pin = (struct pin){.site = entry->site,

@@ -69,7 +69,7 @@ question_make(const struct session *s, const struct entry *loaded,
 	bool feed = w->feed != NULL;
 	double rotor = measured_rotor(loaded);
 	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
-	*q = asked_whole(s, loaded, SITE_MEAN_FEED);
+	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
 	    w->correction == s->set.correction)
 		return;
@@ -121,10 +121,10 @@ question_free(struct session *s, struct question *q)
 	if (v->own == NULL)
 		return;
 	if (q->own.site != v->own->site) {
-		moved_forget(s->moved);
-		history_forget(q->own.history, q->own.site);
+		moved_drop_cached(s->moved);
+		history_drop_cached(q->own.history, q->own.site);
 		if (q->own.origin != NULL)
-			history_forget(q->own.origin->spread, q->own.site);
+			history_drop_cached(q->own.origin->spread, q->own.site);
 		site_free(q->own.site);
 		free(q->own.train);
 	}
@@ -249,7 +249,7 @@ read_fraction(const struct session *s, const struct args *args,
 
 /* The question, of what was read for it or for another one. */
 static bool
-question_settle(const struct session *s, const struct entry *loaded,
+question_fill_in(const struct session *s, const struct entry *loaded,
     const struct args *args, const struct named *r, struct question *q,
     struct error *error)
 {
@@ -267,7 +267,7 @@ question_settle(const struct session *s, const struct entry *loaded,
 }
 
 bool
-question_of(struct session *s, const struct entry *loaded,
+question_read_for(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error)
 {
 	struct named *r = xcalloc(1, sizeof *r);
@@ -280,23 +280,23 @@ question_of(struct session *s, const struct entry *loaded,
 	return read_speed(args, loaded->site, r, error) &&
 	       read_feed(s, args, r, error) &&
 	       read_sieves(args, loaded->site, r, error) &&
-	       question_settle(s, loaded, args, r, q, error);
+	       question_fill_in(s, loaded, args, r, q, error);
 }
 
 bool
-question_too(struct session *s, const struct entry *loaded,
+question_read_like(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error)
 {
 	*q = (struct question){.entry = loaded};
-	return question_settle(s, loaded, args, like->named, q, error);
+	return question_fill_in(s, loaded, args, like->named, q, error);
 }
 
 bool
 question_read(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	return question_of(s, session_entry(s), args, q, error);
+	return question_read_for(s, session_entry(s), args, q, error);
 }
 
 bool
@@ -322,7 +322,7 @@ struct standing {
 };
 
 void
-question_forget(struct session *s)
+question_free_kept(struct session *s)
 {
 	struct standing *a = s->standing;
 	if (a == NULL)
@@ -337,7 +337,7 @@ question_forget(struct session *s)
 
 /* The sheets that are set, NULL where none are. */
 static const struct blended *
-set_sheets(struct session *s)
+feed_of_setting(struct session *s)
 {
 	struct error none = {0};
 	struct value value = {.given = true};
@@ -353,7 +353,7 @@ set_sheets(struct session *s)
 }
 
 static void
-standing_make(struct session *s, const struct blended *feed)
+make_question_of_feed_setting(struct session *s, const struct blended *feed)
 {
 	const struct scenario scenario = {
 	    .feed = feed, .correction = s->set.correction};
@@ -364,18 +364,18 @@ standing_make(struct session *s, const struct blended *feed)
 }
 
 const struct entry *
-question_standing(struct session *s)
+question_of_feed_setting(struct session *s)
 {
 	const struct entry *loaded = s->n_entry > 0 ? session_entry(s) : NULL;
-	const struct blended *feed = loaded != NULL ? set_sheets(s) : NULL;
+	const struct blended *feed = loaded != NULL ? feed_of_setting(s) : NULL;
 	const struct standing *was = s->standing;
 	if (feed == NULL)
 		return loaded;
 	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
 	    was->of.history != loaded->history ||
 	    !snapshot_same_entry(&was->of, loaded)) {
-		question_forget(s);
-		standing_make(s, feed);
+		question_free_kept(s);
+		make_question_of_feed_setting(s, feed);
 	}
 	struct question *q = &s->standing->q;
 	q->variant.own = loaded;

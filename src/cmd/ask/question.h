@@ -20,17 +20,17 @@ struct scenario {
 };
 
 /* Read the options of SHARED_... (table_shared.c) that the command has:
- * question_read for the current site, question_of for any loaded site.  No
- * other function chooses a feed or a machine for a command.  Always free with
- * question_free. */
+ * question_read for the current site, question_read_for for any loaded site.
+ * No other function chooses a feed or a machine for a command.  Always free
+ * with question_free. */
 bool question_read(struct session *s, const struct args *args,
     struct question *q, struct error *error);
-bool question_of(struct session *s, const struct entry *loaded,
+bool question_read_for(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error);
 
-/* As question_of, but repeats a question for another loaded site without
+/* As question_read_for, but repeats a question for another loaded site without
  * reading files again. */
-bool question_too(struct session *s, const struct entry *loaded,
+bool question_read_like(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error);
 
@@ -45,9 +45,9 @@ void question_make(const struct session *s, const struct entry *loaded,
 
 /* Returns the current site as in a question without options, with the feed from
  * the sheet in `set feed`, if that can be read; NULL if no site is loaded.
- * Valid until the session changes.  question_forget frees it. */
-const struct entry *question_standing(struct session *s);
-void question_forget(struct session *s);
+ * Valid until the session changes.  question_free_kept frees it. */
+const struct entry *question_of_feed_setting(struct session *s);
+void question_free_kept(struct session *s);
 
 /* If the call names no speeds, sets the question to the usual ones, 65 to 85
  * m/s, extended or moved to cover the runs: in steps of 1 m/s if each,

@@ -147,7 +147,7 @@ predict_alone(struct routine_cut *c, const struct psd *feed,
     const struct params *params, struct model_settings settings, double noise)
 {
 	struct model *model = model_new(feed, c->size, c->n, settings);
-	model_set(model, params);
+	model_use_params(model, params);
 	model_product(model, c->speed, c->predicted);
 	model_free(model);
 	drift_known_error(noise, c->predicted, c->n, c->error);

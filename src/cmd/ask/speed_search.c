@@ -257,7 +257,7 @@ speed_search_free(struct speed_search *s)
 
 /* The target's, at step k. */
 static void
-look_at_target(
+read_target_at_step(
     struct speed_table *t, const struct wanted *w, size_t k, double v)
 {
 	const struct condition *c = w->target;
@@ -275,49 +275,49 @@ look_at_target(
 /* ---- what is read off the table */
 
 static const struct margin *
-margins_at(const struct speed_search *s, size_t k)
+margins_of_step(const struct speed_search *s, size_t k)
 {
 	return s->table->margin + k * s->table->n_condition;
 }
 
 static bool
-holds_alone(const struct speed_search *s, size_t k, size_t i)
+condition_holds_at(const struct speed_search *s, size_t k, size_t i)
 {
-	return margins_at(s, k)[i].passing >= -EXACT;
+	return margins_of_step(s, k)[i].passing >= -EXACT;
 }
 
 static struct margin
-least_at(const struct speed_search *s, size_t k)
+least_margin_at(const struct speed_search *s, size_t k)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	for (size_t i = 0; i < s->table->n_condition; i++)
-		least = lesser_margin(least, margins_at(s, k)[i]);
+		least = lesser_margin(least, margins_of_step(s, k)[i]);
 	return least;
 }
 
 static bool
-holds_at(const struct speed_search *s, size_t k)
+conditions_hold_at(const struct speed_search *s, size_t k)
 {
 	size_t i = 0, n = s->table->n_condition;
-	while (i < n && holds_alone(s, k, i))
+	while (i < n && condition_holds_at(s, k, i))
 		i++;
 	return i == n;
 }
 
 /* Of what does not hold at step k; none beyond those looked at. */
 static struct wanted_limit
-missed_at(const struct speed_search *s, size_t k)
+limit_missed_at(const struct speed_search *s, size_t k)
 {
-	return k < s->n ? least_at(s, k).limit : NONE;
+	return k < s->n ? least_margin_at(s, k).limit : NONE;
 }
 
 static void
-add_range(
+add_interval(
     struct speed_search *s, double from, double to, size_t below, size_t above)
 {
 	s->inside = xrealloc(s->inside, s->n_inside + 1, sizeof *s->inside);
 	s->inside[s->n_inside++] = (struct speed_range){
-	    from, to, missed_at(s, below), missed_at(s, above)};
+	    from, to, limit_missed_at(s, below), limit_missed_at(s, above)};
 }
 
 /* Whether a speed between steps k and k + 1, of which neither will do, is too
@@ -328,7 +328,8 @@ bisection_direction(
 {
 	forecast_at(w->forecast, v);
 	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = wanted_margin(w, i), at = margins_at(s, k)[i];
+		struct margin m = wanted_margin(w, i),
+			      at = margins_of_step(s, k)[i];
 		if (!(m.passing < -EXACT))
 			continue;
 		return at.passing < -EXACT && at.limit.most == m.limit.most ? -1
@@ -341,7 +342,8 @@ bisection_direction(
 static bool
 may_hold_between(const struct speed_search *s, size_t k)
 {
-	const struct margin *a = margins_at(s, k), *b = margins_at(s, k + 1);
+	const struct margin *a = margins_of_step(s, k),
+			    *b = margins_of_step(s, k + 1);
 	for (size_t i = 0; i < s->table->n_condition; i++)
 		if (a[i].passing < -EXACT && b[i].passing < -EXACT &&
 		    a[i].limit.most == b[i].limit.most)
@@ -363,7 +365,7 @@ bisect_last_good(const struct speed_search *s, const struct wanted *w, size_t k,
 }
 
 static void
-look_between(struct speed_search *s, const struct wanted *w, size_t k)
+find_interval_between(struct speed_search *s, const struct wanted *w, size_t k)
 {
 	const double close = 1e-6;
 	double a = s->speed[k], b = s->speed[k + 1];
@@ -377,25 +379,25 @@ look_between(struct speed_search *s, const struct wanted *w, size_t k)
 			b = v;
 	}
 	if (way == 0)
-		add_range(s, bisect_last_good(s, w, k, a, s->speed[k]),
+		add_interval(s, bisect_last_good(s, w, k, a, s->speed[k]),
 		    bisect_last_good(s, w, k, b, s->speed[k + 1]), k, k + 1);
 }
 
 static void
-find_inside(struct speed_search *s, const struct wanted *w)
+find_intervals(struct speed_search *s, const struct wanted *w)
 {
 	for (size_t k = 0; k < s->n; k++) {
 		size_t last = k;
-		if (!holds_at(s, k)) {
-			if (k + 1 < s->n && !holds_at(s, k + 1) &&
+		if (!conditions_hold_at(s, k)) {
+			if (k + 1 < s->n && !conditions_hold_at(s, k + 1) &&
 			    may_hold_between(s, k))
-				look_between(s, w, k);
+				find_interval_between(s, w, k);
 			continue;
 		}
-		while (last + 1 < s->n && holds_at(s, last + 1))
+		while (last + 1 < s->n && conditions_hold_at(s, last + 1))
 			last++;
 		/* Before the first step there is none. */
-		add_range(s, s->speed[k], s->speed[last], k - 1, last + 1);
+		add_interval(s, s->speed[k], s->speed[last], k - 1, last + 1);
 		k = last;
 	}
 }
@@ -411,7 +413,7 @@ static bool
 holds_within_measured(const struct speed_search *s, const struct wanted *w)
 {
 	for (size_t k = 0; k < s->n; k++)
-		if (holds_at(s, k) && is_measured(w, s->speed[k]))
+		if (conditions_hold_at(s, k) && is_measured(w, s->speed[k]))
 			return true;
 	return false;
 }
@@ -427,7 +429,7 @@ static bool
 is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
     const struct eligible *e)
 {
-	return (!e->inside || holds_at(s, k)) &&
+	return (!e->inside || conditions_hold_at(s, k)) &&
 	       (!e->measured || is_measured(w, s->speed[k])) &&
 	       !(s->certain[k] < e->sure);
 }
@@ -449,7 +451,7 @@ best_step(const struct speed_search *s, const struct wanted *w)
 			most = fmax(most, s->certain[k]);
 	e.sure = most - CHANCE;
 	for (size_t k = 0; k < s->n; k++) {
-		double rank = margin_rank(least_at(s, k));
+		double rank = margin_rank(least_margin_at(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
 		if (!is_eligible(s, w, k, &e))
 			continue;
@@ -474,10 +476,10 @@ find_best_speed(struct speed_search *s, const struct wanted *w)
 		s->best_certain = wanted_certainty(w);
 	} else {
 		s->best = s->speed[k];
-		s->margin = least_at(s, k);
+		s->margin = least_margin_at(s, k);
 		s->best_certain = s->certain[k];
-		s->low = missed_at(s, k - 1);
-		s->high = missed_at(s, k + 1);
+		s->low = limit_missed_at(s, k - 1);
+		s->high = limit_missed_at(s, k + 1);
 	}
 	const struct speed_range *in = speed_search_around(s);
 	if (in != NULL) {
@@ -486,17 +488,19 @@ find_best_speed(struct speed_search *s, const struct wanted *w)
 	}
 	s->alike = s->margin.passing < 0 && isfinite(s->margin.passing);
 	for (size_t i = 0; i < s->n && s->alike; i++)
-		s->alike = s->margin.passing - least_at(s, i).passing < ROUNDS;
+		s->alike =
+		    s->margin.passing - least_margin_at(s, i).passing < ROUNDS;
 }
 
 /* The steps about the best speed, or nearest to it, at which condition i alone
  * holds. */
 static void
-find_alone(const struct speed_search *s, size_t i, double ends[static 2])
+find_interval_of_condition(
+    const struct speed_search *s, size_t i, double ends[static 2])
 {
 	size_t near = SIZE_MAX;
 	for (size_t k = 0; k < s->n; k++)
-		if (holds_alone(s, k, i) &&
+		if (condition_holds_at(s, k, i) &&
 		    (near == SIZE_MAX || fabs(s->speed[k] - s->best) <
 					     fabs(s->speed[near] - s->best)))
 			near = k;
@@ -504,9 +508,9 @@ find_alone(const struct speed_search *s, size_t i, double ends[static 2])
 	if (near == SIZE_MAX)
 		return;
 	size_t low = near, high = near;
-	while (low > 0 && holds_alone(s, low - 1, i))
+	while (low > 0 && condition_holds_at(s, low - 1, i))
 		low--;
-	while (high + 1 < s->n && holds_alone(s, high + 1, i))
+	while (high + 1 < s->n && condition_holds_at(s, high + 1, i))
 		high++;
 	if (low > 0)
 		ends[0] = s->speed[low];
@@ -515,7 +519,7 @@ find_alone(const struct speed_search *s, size_t i, double ends[static 2])
 }
 
 static void
-find_sure(struct speed_search *s, double level)
+find_certain_interval(struct speed_search *s, double level)
 {
 	size_t at = SIZE_MAX, most = 0;
 	for (size_t k = 0; k < s->n; k++) {
@@ -540,7 +544,7 @@ find_sure(struct speed_search *s, double level)
 /* ---- the target's value */
 
 static double
-over_at(const struct wanted *w, double v)
+target_excess_at(const struct wanted *w, double v)
 {
 	forecast_at(w->forecast, v);
 	return forecast_over(w->forecast, w->n, w->target->least);
@@ -550,7 +554,8 @@ over_at(const struct wanted *w, double v)
  * and halves where these gain little.  To 1e-9 m/s, so that predict at the
  * speed gives the value. */
 static double
-root_between(const struct wanted *w, double a, double fa, double b, double fb)
+target_speed_between(
+    const struct wanted *w, double a, double fa, double b, double fb)
 {
 	const double close = 1e-9;
 	bool rises = fb >= 0;
@@ -562,7 +567,7 @@ root_between(const struct wanted *w, double a, double fa, double b, double fb)
 		for (int half = 0; half < 2 && b - a > width / 2; half++) {
 			double v =
 			    half == 0 && at > a && at < b ? at : (a + b) / 2;
-			double f = over_at(w, v);
+			double f = target_excess_at(w, v);
 			if ((f >= 0) == rises) {
 				b = v;
 				fb = f;
@@ -576,7 +581,7 @@ root_between(const struct wanted *w, double a, double fa, double b, double fb)
 }
 
 static void
-add_root(struct speed_search *s, const struct wanted *w, double v)
+add_target_speed(struct speed_search *s, const struct wanted *w, double v)
 {
 	forecast_at(w->forecast, v);
 	s->root = xrealloc(s->root, s->n_root + 1, sizeof *s->root);
@@ -585,34 +590,35 @@ add_root(struct speed_search *s, const struct wanted *w, double v)
 }
 
 static void
-find_roots(struct speed_search *s, const struct wanted *w)
+find_target_speeds(struct speed_search *s, const struct wanted *w)
 {
 	const double *f = s->table->over, *v = s->speed;
 	if (f[0] == 0)
-		add_root(s, w, v[0]);
+		add_target_speed(s, w, v[0]);
 	for (size_t k = 1; k < s->n; k++)
 		if ((f[k - 1] >= 0) != (f[k] >= 0))
-			add_root(s, w,
-			    root_between(w, v[k - 1], f[k - 1], v[k], f[k]));
+			add_target_speed(s, w,
+			    target_speed_between(
+				w, v[k - 1], f[k - 1], v[k], f[k]));
 }
 
 /* How far a speed is from those measured. */
 static double
-search_beyond(const struct wanted *w, double v)
+distance_beyond_measured(const struct wanted *w, double v)
 {
 	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
 }
 
 static void
-choose_root(struct speed_search *s, const struct wanted *w)
+choose_target_speed(struct speed_search *s, const struct wanted *w)
 {
 	const struct speed_root *best = NULL;
 	for (size_t i = 0; i < s->n_root; i++) {
 		const struct speed_root *r = &s->root[i];
 		bool better = best == NULL || r->holds > best->holds ||
 			      (r->holds == best->holds &&
-				  search_beyond(w, r->speed) <
-				      search_beyond(w, best->speed));
+				  distance_beyond_measured(w, r->speed) <
+				      distance_beyond_measured(w, best->speed));
 		best = better ? r : best;
 	}
 	s->found = best != NULL ? best->speed : NAN;
@@ -620,7 +626,7 @@ choose_root(struct speed_search *s, const struct wanted *w)
 
 /* Where draw d of a table, times a sign, rises through 0 nearest to v. */
 static double
-root_crossing(const struct speed_search *s, double (*f)[DRAWS], size_t d,
+target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
     double sign, double v)
 {
 	double nearest = NAN;
@@ -641,7 +647,7 @@ root_crossing(const struct speed_search *s, double (*f)[DRAWS], size_t d,
 }
 
 static void
-find_ranges(struct speed_search *s, const struct wanted *w)
+find_target_bands(struct speed_search *s, const struct wanted *w)
 {
 	struct speed_table *t = s->table;
 	double about = isnan(s->found) ? (w->from + w->to) / 2 : s->found;
@@ -653,27 +659,27 @@ find_ranges(struct speed_search *s, const struct wanted *w)
 		k++;
 	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
 	for (size_t d = 0; d < DRAWS; d++)
-		speed[d] = root_crossing(s, t->draw, d, sign, about);
+		speed[d] = target_speed_of_draw(s, t->draw, d, sign, about);
 	ensemble_interval(speed, w->level, &s->range[0], &s->range[1]);
 	for (size_t d = 0; d < DRAWS; d++)
-		speed[d] = root_crossing(s, t->sample, d, sign, about);
+		speed[d] = target_speed_of_draw(s, t->sample, d, sign, about);
 	ensemble_interval(speed, w->level, &s->cut[0], &s->cut[1]);
 }
 
 static void
 finish_search(struct speed_search *s, const struct wanted *w)
 {
-	find_inside(s, w);
+	find_intervals(s, w);
 	find_best_speed(s, w);
-	find_sure(s, w->level);
+	find_certain_interval(s, w->level);
 	s->alone = xcalloc(w->n + 1, sizeof *s->alone);
 	for (size_t i = 0; i < w->n; i++)
-		find_alone(s, i, s->alone[i]);
+		find_interval_of_condition(s, i, s->alone[i]);
 	if (w->target == NULL || isnan(w->target->least))
 		return;
-	find_roots(s, w);
-	choose_root(s, w);
-	find_ranges(s, w);
+	find_target_speeds(s, w);
+	choose_target_speed(s, w);
+	find_target_bands(s, w);
 }
 
 bool
@@ -685,7 +691,7 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 	forecast_at(w->forecast, s->speed[k]);
 	s->certain[k] = share_of_draws(w, s->table->margin + k * w->n);
 	if (w->target != NULL)
-		look_at_target(s->table, w, k, s->speed[k]);
+		read_target_at_step(s->table, w, k, s->speed[k]);
 	if (++s->done < s->n)
 		return false;
 	finish_search(s, w);
@@ -716,8 +722,8 @@ speed_search_extreme(const struct speed_search *s, bool most, bool sure)
 	double best = NAN, speed = NAN;
 	for (size_t k = 0; k < s->n; k++) {
 		double value = s->table->value[k], v = s->speed[k];
-		bool in =
-		    sure ? v >= s->sure[0] && v <= s->sure[1] : holds_at(s, k);
+		bool in = sure ? v >= s->sure[0] && v <= s->sure[1]
+			       : conditions_hold_at(s, k);
 		bool better =
 		    isnan(best) || (most ? value > best : value < best);
 		if (!in || isnan(value) || !better)

@@ -44,8 +44,9 @@ find_bound(const struct session *s, const struct entry *entry,
 		const char *name = breakage_of(&fit->params)->parameter[j].name;
 		double moves =
 		    fit->on_bound[j]
-			? trust_parameter_correlation(outlook_draws(s, entry),
-			      e, ensemble_sizes(e), name)
+			? trust_parameter_correlation(
+			      outlook_posterior_for_comparison(s, entry), e,
+			      ensemble_sizes(e), name)
 			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;

@@ -85,7 +85,7 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 	if (s->n_entry == 0 ||
 	    (r->site != NULL && !session_find(s, r->site, &at, &none)))
 		return true;
-	if (!question_of(s, &s->entry[at], args, &a->q, error))
+	if (!question_read_for(s, &s->entry[at], args, &a->q, error))
 		return false;
 	double feed = feed_speed(a->q.entry->site, a->q.feed);
 	r->entry = a->q.entry;
@@ -99,7 +99,8 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 		r->speed = a->q.speed;
 	if (r->beside == NULL || !session_find(s, r->beside, &beside, &none))
 		return true;
-	question_too(s, &s->entry[beside], args, &a->q, &a->second, &none);
+	question_read_like(
+	    s, &s->entry[beside], args, &a->q, &a->second, &none);
 	r->second = a->second.entry;
 	return true;
 }
@@ -688,7 +689,7 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 {
 	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
-	if (t->kind != PLOT_PSD || !goals_set(s) || session_busy(s) ||
+	if (t->kind != PLOT_PSD || !goals_is_set(s) || session_busy(s) ||
 	    request->site != NULL || !entry->has_params)
 		return;
 	const struct site *site = entry->site;

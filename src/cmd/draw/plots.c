@@ -105,7 +105,7 @@ make_prediction(struct curves *c, const struct session *s,
     const struct params *params, double speed, size_t feed)
 {
 	struct prediction *p = &c->prediction[c->n_prediction++];
-	struct question q = asked_whole(s, entry, feed);
+	struct question q = question_of_whole_product(s, entry, feed);
 	q.fraction = request->fraction;
 	q.params = params;
 	*p = forecast_product(s, &q, speed);
@@ -264,7 +264,8 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
     struct figure band[static 2])
 {
-	struct question question = asked_whole(s, q->entry, p->feed_run);
+	struct question question =
+	    question_of_whole_product(s, q->entry, p->feed_run);
 	question.params = params;
 	const struct quantity asked[] = {{.kind = QUANTITY_PASSING,
 					     .x = q->crosshair_mm / 1000,

@@ -21,7 +21,7 @@ draws_drawn(
 {
 	if (!answers_check_params(s, entry, error))
 		return NULL;
-	const struct posterior *p = outlook_draws(s, entry);
+	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	if (p == NULL)
 		error_set(error, ERROR_USAGE,
 		    "there are no draws to plot (%s)\n"
@@ -133,8 +133,8 @@ find_profiled(const struct session *s, const struct entry *entry,
 		    "the parameters do not come from a calibration in this "
 		    "session\n"
 		    "run 'calibrate' first");
-	*a = (struct profiled){
-	    .h = entry->origin->spread, .p = outlook_draws(s, entry)};
+	*a = (struct profiled){.h = entry->origin->spread,
+	    .p = outlook_posterior_for_comparison(s, entry)};
 	a->fit = a->h->fit.params;
 	a->bounds = a->h->bounds;
 	struct model_settings settings = a->h->fit.settings;

@@ -40,10 +40,10 @@ struct drawn {
 /* Sieves whose passings are well apart at a speed: those nearest to 80, 50 and
  * 20 %, and the finest one. */
 static void
-take_usual(struct session *s, struct drawn *d)
+choose_response_sieves(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
-	struct question asked = asked_whole(s, d->entry, d->feed);
+	struct question asked = question_of_whole_product(s, d->entry, d->feed);
 	asked.fraction = d->fraction;
 	struct prediction p =
 	    forecast_product(s, &asked, site_middle(d->entry->site));
@@ -122,7 +122,7 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 		ok = response_take(d, &d->limits.at[i].quantity) ||
 		     error_too_many(error);
 	if (ok && d->n == 0)
-		take_usual(s, d);
+		choose_response_sieves(s, d);
 	return ok;
 }
 
@@ -136,7 +136,8 @@ response_speed_at(const struct drawn *d, size_t k)
 static void
 response_set_values(struct session *s, struct drawn *d)
 {
-	const struct question q = asked_whole(s, d->entry, d->feed);
+	const struct question q =
+	    question_of_whole_product(s, d->entry, d->feed);
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
 	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
 	for (size_t k = 0; k < POINTS; k++) {
@@ -354,7 +355,8 @@ make_charts(struct session *s, struct drawn *d)
 		}
 	}
 	if (d->limits.n > 0) {
-		struct question q = asked_whole(s, entry, d->feed);
+		struct question q =
+		    question_of_whole_product(s, entry, d->feed);
 		struct wanted wanted = conditions_open(s, &q, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;

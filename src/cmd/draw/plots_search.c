@@ -236,7 +236,8 @@ add_drawn(struct session *s, const char *name, struct plots_strip *strip)
 	bool over = !session_busy(s) && entry->has_fit &&
 		    entry->origin != NULL &&
 		    entry->origin->spread == entry->history;
-	const struct posterior *p = over ? outlook_draws(s, entry) : NULL;
+	const struct posterior *p =
+	    over ? outlook_posterior_for_comparison(s, entry) : NULL;
 	double value[POSTERIOR_DRAWS];
 	if (p == NULL)
 		return;

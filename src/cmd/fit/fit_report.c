@@ -199,8 +199,8 @@ stop_sentence(const struct fit *fit)
 }
 
 static void
-add_range(struct answer *r, const struct session *s, const struct posterior *u,
-    const struct params *p, size_t j)
+add_interval(struct answer *r, const struct session *s,
+    const struct posterior *u, const struct params *p, size_t j)
 {
 	double range[2];
 	fit_param_band(u, s, p, j, range);
@@ -222,7 +222,7 @@ add_params(struct answer *r, const struct session *s, const struct fit *fit,
 		answer_cells(
 		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL)
-			add_range(r, s, u, &fit->params, j);
+			add_interval(r, s, u, &fit->params, j);
 		answer_cells(r, "%s %g %g %s", of->parameter[j].unit,
 		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? tr("held fixed")
@@ -347,7 +347,7 @@ fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail)
 {
 	const struct fit *fit = &entry->fit;
-	const struct posterior *u = outlook_draws(s, entry);
+	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
 	struct answer *r = new_fit_answer(entry, "calibrate", detail);
 	if (detail) {
 		add_params(r, s, fit, u, bounds);
@@ -385,7 +385,7 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 		    "%s has not been calibrated in this session\n"
 		    "run 'calibrate' first",
 		    entry->site->name);
-	const struct posterior *u = outlook_draws(s, entry);
+	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
 	const struct bounds *bounds = &entry->history->bounds;
 	struct answer *r = new_fit_answer(entry, "show", true);
 	add_params(r, s, &entry->fit, u, bounds);

@@ -313,28 +313,28 @@ add_summary_row(struct session *s, struct answer *r, const struct entry *entry)
 
 /* A job of one calibration has its site and its runs from the start. */
 static bool
-next_alone(struct session *s)
+next_fit_of_one(struct session *s)
 {
 	s->job.entry = s->current;
 	return s->job.calibration == NULL;
 }
 
 static void
-take_alone(struct session *s)
+take_fit_of_one(struct session *s)
 {
 	job_take_fit(s, true);
 	answer_fit(s);
 }
 
 static void
-end_alone(struct session *s, void *of)
+end_fit_of_one(struct session *s, void *of)
 {
 	(void)s;
 	(void)of;
 }
 
-static const struct rounds ALONE = {
-    next_alone, draw_fit, take_alone, end_alone, free, true, NULL, NULL, NULL};
+static const struct rounds ALONE = {next_fit_of_one, draw_fit, take_fit_of_one,
+    end_fit_of_one, free, true, NULL, NULL, NULL};
 
 /* What `calibrate all` adds up. */
 struct every {
@@ -358,7 +358,7 @@ every_new(const struct session *s, bool train_all, struct part part,
 }
 
 static void
-drop_every(void *of)
+free_every_fit(void *of)
 {
 	struct every *every = of;
 	if (every == NULL)
@@ -399,7 +399,7 @@ note_fit_ended(const struct session *s)
 }
 
 static void
-take_every(struct session *s)
+take_fit_of_every(struct session *s)
 {
 	struct every *every = s->job.of;
 	job_take_fit(s, false);
@@ -411,7 +411,7 @@ take_every(struct session *s)
 }
 
 static void
-end_every(struct session *s, void *of)
+show_fits_of_every(struct session *s, void *of)
 {
 	struct every *every = of;
 	if (every->part.of > 0) {
@@ -421,11 +421,11 @@ end_every(struct session *s, void *of)
 	}
 	session_show_answer(s, every->summary);
 	every->summary = NULL;
-	drop_every(every);
+	free_every_fit(every);
 }
 
-static const struct rounds EVERY = {next_every, draw_fit, take_every, end_every,
-    drop_every, false, NULL, NULL, NULL};
+static const struct rounds EVERY = {next_every, draw_fit, take_fit_of_every,
+    show_fits_of_every, free_every_fit, false, NULL, NULL, NULL};
 
 static void
 end_rounds(struct session *s)
@@ -881,7 +881,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_DATA,
 		    "no loaded site has a product to calibrate on");
 	/* More parts than sites: an empty one is a part, too. */
-	end_every(s, every_new(s, train_all, part, &job.options));
+	show_fits_of_every(s, every_new(s, train_all, part, &job.options));
 	return true;
 }
 

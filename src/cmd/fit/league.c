@@ -376,7 +376,7 @@ baseline_ahead(const struct verdict *v)
  * errs more than those who need no model: beaten, where sampling does not
  * explain it. */
 static const char *
-standing_words(const struct verdict *v, size_t m)
+verdict_word(const struct verdict *v, size_t m)
 {
 	enum league_standing standing = v->model[m].standing;
 	if (standing == LEAGUE_BEST && v->winner != VALIDATE_MODEL)
@@ -405,7 +405,7 @@ put_verdict(struct fields *o, const struct verdict *v)
 		    "parameters %zu cells %zu standing %s weight_pct %g",
 		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
 		    v->misfit[m], v->parameters[m], v->cells,
-		    standing_words(v, m), weight_of(v, m));
+		    verdict_word(v, m), weight_of(v, m));
 	scores_put_null(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", name_of_row(v->best));
@@ -438,7 +438,7 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 		if (programs)
 			answer_cells(r, "%.1f", v->model[m].aicc - least);
 		answer_cells(
-		    r, "%.2f %s", 100 * v->model[m].rmse, standing_words(v, m));
+		    r, "%.2f %s", 100 * v->model[m].rmse, verdict_word(v, m));
 		if (weights)
 			answer_cells(r, "%.0f", weight_of(v, m));
 	}

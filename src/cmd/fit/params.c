@@ -23,7 +23,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	const struct entry *entry = session_entry(s);
-	const struct posterior *u = outlook_draws(s, entry);
+	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
 	const struct breakage *of = entry->has_params
 					? breakage_of(&entry->params)
 					: BREAKAGES[s->set.model.breakage];

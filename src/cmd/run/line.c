@@ -48,9 +48,9 @@ session_free(struct session *s)
 	session_stop(s);
 	script_close(s, 0);
 	struct error stopped = {0};
-	session_settle(s, false, &stopped);
+	session_end_finished_commands(s, false, &stopped);
 	autosave_end(s);
-	question_forget(s);
+	question_free_kept(s);
 	moved_free(s->moved);
 	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);
@@ -155,7 +155,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 	    .prompt = s->prompt && s->scripts <= s->typed_at};
 	size_t end = strlen(line), depth = s->scripts;
 	*next = 0;
-	if (!session_settle(s, true, error))
+	if (!session_end_finished_commands(s, true, error))
 		return false;
 	while (from < end && !s->quit) {
 		struct words words;

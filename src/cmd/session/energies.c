@@ -80,7 +80,7 @@ energies_read(struct session *s, const char *path,
 }
 
 bool
-energies_set(struct session *s, const char *path, struct error *error)
+energies_use_file(struct session *s, const char *path, struct error *error)
 {
 	const struct energies *found = NULL;
 	if (text_same(path, "off")) {

@@ -32,7 +32,8 @@ const struct energies *energies_loaded(
 /* Makes the model use the energies in a file instead of the single energy
  * (D15), or, for "off", the single energy again.  On failure, or if the file
  * has no speed, returns false with an error. */
-bool energies_set(struct session *s, const char *path, struct error *error);
+bool energies_use_file(
+    struct session *s, const char *path, struct error *error);
 
 /* Returns a reason for the light that names what Eq 3 uses instead of the
  * single energy, or NULL if it uses that.  The caller frees it. */

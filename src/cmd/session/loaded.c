@@ -38,7 +38,7 @@ history_draw_again(struct history *h, double noise, unsigned seed)
 }
 
 void
-history_forget(struct history *h, const struct site *site)
+history_drop_cached(struct history *h, const struct site *site)
 {
 	if (h == NULL)
 		return;

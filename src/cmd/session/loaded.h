@@ -136,7 +136,7 @@ void history_drop(struct history *history);
 void history_draw_again(struct history *history, double noise, unsigned seed);
 
 /* Discards what was computed for a site that is being removed. */
-void history_forget(struct history *history, const struct site *site);
+void history_drop_cached(struct history *history, const struct site *site);
 
 /* Return the origin of parameters: just found by the entry's fit; set by hand;
  * taken from another entry; a material in the store; the site's own fit, kept

@@ -126,7 +126,7 @@ shell */
 	struct moved *moved;       /* see moved.h */
 	struct blended *fed;       /* feed from the sheets in `set feed`, see
 			      * blended.h, or NULL */
-	struct standing *standing; /* see question_standing; or NULL */
+	struct standing *standing; /* see question_of_feed_setting; or NULL */
 	const struct pin *pin;     /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* all so far */

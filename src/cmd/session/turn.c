@@ -128,7 +128,7 @@ invocation_join_undo(struct session *s)
 }
 
 void
-invocation_adds(struct session *s, const char *option, const char *value)
+invocation_add_option(struct session *s, const char *option, const char *value)
 {
 	xappend(&s->invocation->line, " %s=%s", option, value);
 }
@@ -284,7 +284,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 }
 
 bool
-session_settle(struct session *s, bool ok, struct error *error)
+session_end_finished_commands(struct session *s, bool ok, struct error *error)
 {
 	while (s->invocation != NULL && invocation_is_over(s))
 		ok = invocation_end(s, ok, error);

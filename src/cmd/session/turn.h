@@ -32,7 +32,8 @@ void invocation_stopped(struct session *s, size_t steps);
 void invocation_join_undo(struct session *s);
 
 /* Adds an option to the running command's line in the journal. */
-void invocation_adds(struct session *s, const char *option, const char *value);
+void invocation_add_option(
+    struct session *s, const char *option, const char *value);
 
 /* Replaces the running command's line in the journal. */
 void invocation_reads(struct session *s, const char *line);
@@ -57,6 +58,7 @@ bool invocation_end(struct session *s, bool ok, struct error *error);
 /* Ends the commands whose job or script has ended.  session_line does so before
  * the next command; a driver that does not continue the line calls this.  ok:
  * they succeeded. */
-bool session_settle(struct session *s, bool ok, struct error *error);
+bool session_end_finished_commands(
+    struct session *s, bool ok, struct error *error);
 
 #endif

@@ -576,7 +576,7 @@ save_answer(struct session *s, const struct args *args, const void *option,
 	if (text == NULL || args_given(args, option))
 		return;
 	FREED char *value = xasprintf("\"%s\"", text);
-	invocation_adds(s, args_name(args, option), value);
+	invocation_add_option(s, args_name(args, option), value);
 }
 
 static void

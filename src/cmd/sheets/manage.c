@@ -197,7 +197,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		if (!args->value[i].given)
 			continue;
 		if (SETTINGS[i].kind == VALUE_FILE &&
-		    !energies_set(s, args->value[i].text, error))
+		    !energies_use_file(s, args->value[i].text, error))
 			return false;
 		if (!check_value(s, &SETTINGS[i], &args->value[i], error))
 			return false;

@@ -65,7 +65,7 @@ crusher_new(const double *size, size_t n, const struct params *p,
 			continue;
 		}
 		c->model[i] = model_new(&feed, size, n, settings);
-		model_set(c->model[i], p);
+		model_use_params(c->model[i], p);
 	}
 	return c;
 }
@@ -112,7 +112,7 @@ crusher_set_feed(
 		ensemble_machine(c->whole_draws, c->settings);
 	} else {
 		c->whole = model_new(feed, sieve, n, c->settings);
-		model_set(c->whole, &c->params);
+		model_use_params(c->whole, &c->params);
 	}
 	free(known);
 }

@@ -19,7 +19,7 @@ class_product(const struct psd *feed, const struct params *p,
 	for (size_t i = 0; i < one.n; i++)
 		one.passing[i] = i <= class ? 1 : 0;
 	struct model *model = model_new(&one, one.size, one.n, settings);
-	model_set(model, p);
+	model_use_params(model, p);
 	model_product(model, v, product);
 	for (size_t i = 0; i + 1 < one.n; i++)
 		product[i] -= product[i + 1];

@@ -179,7 +179,7 @@ predict_selection(const struct psd *feed, const struct params *p,
 		struct psd class = {pan ? 1 : 2, feed->size + i, one};
 		struct model *model =
 		    model_new(&class, feed->size + i, 1, settings);
-		model_set(model, p);
+		model_use_params(model, p);
 		S[i] = fmin(model_selected(model, speed), 1);
 		model_free(model);
 	}

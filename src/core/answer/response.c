@@ -133,7 +133,7 @@ response_new(const struct psd *feed, const double *size, size_t n,
 		.value = xdoubles(n_asked),
 		.draw = xcalloc(n_asked, sizeof *r->draw),
 		.part = psd_new(n)};
-	model_set(r->model, p);
+	model_use_params(r->model, p);
 	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
 	response_place(r, size, n_sieve);

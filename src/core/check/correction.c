@@ -292,7 +292,7 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 	change(site, from, mend);
 	if (is_site(site)) {
 		add_provenance(site, from, mend);
-		site_settle(site);
+		site_update_mean_feed(site);
 		return site;
 	}
 	site_free(site);

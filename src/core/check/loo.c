@@ -80,7 +80,7 @@ loo_curve_of(const struct leave_out *l, const struct leave_out_cell *c)
 /* ---- The covariance and its hyperparameters ---- */
 
 static void
-smooth_fill(const struct block *b, double *K)
+block_covariance_of_curves(const struct block *b, double *K)
 {
 	double h[SMOOTHS];
 	for (size_t i = 0; i < SMOOTHS; i++)
@@ -126,7 +126,7 @@ static void
 fill_covariance(struct block *b)
 {
 	if (b->smooth)
-		smooth_fill(b, b->U);
+		block_covariance_of_curves(b, b->U);
 	else
 		discrepancy_fill(ISA_BEST, b->cell, b->n, b->hyper, b->U);
 	for (size_t i = 0; i < b->n * b->n; i++)
@@ -170,7 +170,7 @@ loo_search(struct block *b, double noise)
 
 /* Lets (sign 1) the cell be what it likes, or holds it again (-1). */
 static void
-set_cell_free(struct leave_out *l, size_t cell, double sign)
+free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
 {
 	const double *u = l->shift + cell * l->n;
 	for (size_t k = 0; k < BLOCKS; k++) {
@@ -327,9 +327,9 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 	double was[BLOCKS][HYPERS], shift;
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
-	set_cell_free(l, cell, 1);
+	free_or_hold_cell(l, cell, 1);
 	s.gain = level - level_at_best_hypers(l);
-	set_cell_free(l, cell, -1);
+	free_or_hold_cell(l, cell, -1);
 	double *U = joint_factor(l), *y = joint_values(l, U);
 	s.z = shift_z(l, U, y, cell, &shift, &s.sd);
 	shift_set_expected(l, &s, shift);
@@ -366,7 +366,7 @@ void
 leave_out_drop(struct leave_out *l, size_t cell)
 {
 	l->dropped[cell] = true;
-	set_cell_free(l, cell, 1);
+	free_or_hold_cell(l, cell, 1);
 }
 
 size_t
@@ -384,7 +384,7 @@ leave_out_cell(const struct leave_out *l, size_t i)
 /* ---- Making it ---- */
 
 static bool
-is_smooth_cell(double P)
+is_cell_off_the_ends(double P)
 {
 	return P > END && P < 1 - END;
 }
@@ -405,8 +405,9 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 		const struct psd *psd = &site->run[r].product;
 		size_t covered = misfit_covered(&site->run[r]);
 		for (size_t i = 0; i < psd->n; i++)
-			if (posterior != NULL ? i < covered
-					      : is_smooth_cell(psd->passing[i]))
+			if (posterior != NULL
+				? i < covered
+				: is_cell_off_the_ends(psd->passing[i]))
 				loo_add_cell(l, false, r, i);
 	}
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
@@ -415,7 +416,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 		if (r > 0 && !site->individual_feeds)
 			break;
 		for (size_t i = 0; i < psd->n; i++)
-			if (is_smooth_cell(psd->passing[i]))
+			if (is_cell_off_the_ends(psd->passing[i]))
 				loo_add_cell(l, true, r, i);
 	}
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
@@ -530,7 +531,7 @@ feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
 		feed.passing[sieve] += k == 1 ? more : -more;
 		struct model *model =
 		    model_new(&feed, run->product.size, n, p->settings);
-		model_set(model, &p->fit);
+		model_use_params(model, &p->fit);
 		model_product(model, run->speed, product[k]);
 		model_free(model);
 		psd_free(&feed);

@@ -423,7 +423,7 @@ outliers_add_cell(struct doctor *d, const struct site *site,
 
 /* Which runs have passings to fit. */
 static bool *
-measured_runs(const struct site *site)
+runs_with_misfit(const struct site *site)
 {
 	bool *use = xcalloc(site->n_run, sizeof *use);
 	for (size_t r = 0; r < site->n_run; r++)
@@ -441,7 +441,7 @@ move_refitted(struct posterior *p, const struct site *site, struct mend m)
 	struct site *less = mend_site(site, &m, NULL);
 	if (less == NULL)
 		return;
-	bool *use = measured_runs(less);
+	bool *use = runs_with_misfit(less);
 	struct misfit *misfit = misfit_new(less, use, NULL, false, p->settings);
 	struct polish *polish = polish_new(misfit);
 	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
@@ -562,7 +562,7 @@ find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
 static double
 rmse_of(const struct site *site, const struct posterior *p)
 {
-	bool *use = measured_runs(site), any = false;
+	bool *use = runs_with_misfit(site), any = false;
 	for (size_t r = 0; r < site->n_run; r++)
 		any = any || use[r];
 	double rmse = NAN;

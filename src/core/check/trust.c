@@ -95,7 +95,7 @@ share_broken(const struct misfit *m, const struct params *p)
 	double x = params_break_size_by(p, &m->settings, m->run[0].speed);
 	double above =
 	    x > 0 && isfinite(x) ? 1 - psd_passing(&m->run[0].feed, x) : NAN;
-	model_set(m->model[0], p);
+	model_use_params(m->model[0], p);
 	return above > 0.01
 		   ? model_selected(m->model[0], m->run[0].speed) / above
 		   : NAN;
@@ -187,7 +187,7 @@ add_weighted_product(double *passing, const struct psd *feed,
 {
 	double *product = xdoubles(n);
 	struct model *model = model_new(feed, sieve, n, fit->settings);
-	model_set(model, &fit->params);
+	model_use_params(model, &fit->params);
 	model_product(model, v, product);
 	for (size_t i = 0; i < n; i++)
 		passing[i] += share * product[i];

@@ -116,7 +116,7 @@ model_passing(const struct run *run, const struct params *p,
 {
 	struct model *model = model_new(
 	    &run->feed, run->product.size, misfit_covered(run), settings);
-	model_set(model, p);
+	model_use_params(model, p);
 	model_product(model, run->speed, out);
 	model_free(model);
 }

@@ -53,7 +53,7 @@ turning_points(const double beta[static 4], double a, double b, double at[2])
 /* The root between a and b, where the polynomial is monotone and changes sign;
  * halved until neighbouring doubles. */
 static double
-root_between(const double beta[static 4], double a, double b)
+target_speed_between(const double beta[static 4], double a, double b)
 {
 	int rising = polynomial(beta, b) > 0;
 	for (;;) {
@@ -84,7 +84,8 @@ sign_edges(const double beta[static 4], double edge[static 5])
 		double a = polynomial(beta, stop[i - 1]);
 		double b = polynomial(beta, stop[i]);
 		if ((a > 0) != (b > 0))
-			edge[n++] = root_between(beta, stop[i - 1], stop[i]);
+			edge[n++] =
+			    target_speed_between(beta, stop[i - 1], stop[i]);
 	}
 	edge[n++] = 1;
 	return n;

@@ -87,7 +87,7 @@ classes_free(struct classes *c)
 }
 
 void
-classes_set(struct classes *c, const struct params *p)
+classes_use_params(struct classes *c, const struct params *p)
 {
 	breaker_set_params(&c->b, p, &c->settings);
 }

@@ -15,9 +15,9 @@ struct classes *classes_new(const struct psd *feed, const double *sieve,
     size_t n, struct model_settings settings);
 void classes_free(struct classes *c);
 
-/* See model_set, model_product, model_breaks and model_selected, without the
- * bypass. */
-void classes_set(struct classes *c, const struct params *p);
+/* See model_use_params, model_product, model_breaks and model_selected, without
+ * the bypass. */
+void classes_use_params(struct classes *c, const struct params *p);
 void classes_product(struct classes *c, double v, double *passing);
 bool classes_breaks(struct classes *c, double v);
 double classes_selected(struct classes *c, double v);

@@ -90,7 +90,7 @@ continuous_free(struct continuous *c)
 }
 
 void
-continuous_set(struct continuous *c, const struct params *p)
+continuous_use_params(struct continuous *c, const struct params *p)
 {
 	breaker_set_params(&c->b, p, &c->settings);
 }

@@ -45,9 +45,9 @@ struct continuous *continuous_new(const struct psd *feed, const double *sieve,
     size_t n, const struct model_settings *settings);
 void continuous_free(struct continuous *c);
 
-/* See model_set, model_jacobian (d_passing may be NULL) and model_selected,
- * without the bypass. */
-void continuous_set(struct continuous *c, const struct params *p);
+/* See model_use_params, model_jacobian (d_passing may be NULL) and
+ * model_selected, without the bypass. */
+void continuous_use_params(struct continuous *c, const struct params *p);
 void continuous_product(
     struct continuous *c, double v, double *passing, double *d_passing);
 double continuous_selected(struct continuous *c, double v);

@@ -53,13 +53,13 @@ model_free(struct model *model)
 }
 
 void
-model_set(struct model *model, const struct params *p)
+model_use_params(struct model *model, const struct params *p)
 {
 	model->p = *p;
 	if (model->classes != NULL)
-		classes_set(model->classes, p);
+		classes_use_params(model->classes, p);
 	else
-		continuous_set(model->continuous, p);
+		continuous_use_params(model->continuous, p);
 }
 
 /* D14: a share of the feed never meets the rotor, by the parameters and of what
@@ -115,17 +115,17 @@ classes_jacobian(struct model *model, double v, double *d_passing)
 		double at = model->p.at[i];
 		double h = difference_step(&model->p, i);
 		moved.at[i] = at + h;
-		classes_set(model->classes, &moved);
+		classes_use_params(model->classes, &moved);
 		classes_product(model->classes, v, model->plus);
 		moved.at[i] = at - h;
-		classes_set(model->classes, &moved);
+		classes_use_params(model->classes, &moved);
 		classes_product(model->classes, v, model->minus);
 		for (size_t s = 0; s < model->n_sieve; s++)
 			d_passing[s * n + i] =
 			    h > 0 ? (model->plus[s] - model->minus[s]) / (2 * h)
 				  : 0;
 	}
-	classes_set(model->classes, &model->p);
+	classes_use_params(model->classes, &model->p);
 }
 
 void

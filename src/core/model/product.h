@@ -35,7 +35,7 @@ struct model *model_new(const struct psd *feed, const double *sieve, size_t n,
     struct model_settings settings);
 void model_free(struct model *model);
 
-void model_set(struct model *model, const struct params *p);
+void model_use_params(struct model *model, const struct params *p);
 
 /* Computes the product at tip speed v (m/s): passing [n] out, 0..1, sieve by
  * sieve.

@@ -78,7 +78,7 @@ make_product(const struct synth *s, const struct psd *feed, double speed,
 	struct psd product = psd_copy(feed);
 	struct model *model =
 	    model_new(feed, feed->size, feed->n, model_settings_default());
-	model_set(model, &s->params);
+	model_use_params(model, &s->params);
 	model_product(model, speed, product.passing);
 	model_free(model);
 	double ceiling = 1;
@@ -112,6 +112,6 @@ synth_site(const struct synth *s)
 		run->product = make_product(s, &run->feed, s->speed[r],
 		    rng_key(s->seed ^ numbers, r, USE_PRODUCT));
 	}
-	site_settle(site);
+	site_update_mean_feed(site);
 	return site;
 }

@@ -158,7 +158,7 @@ static void
 set_exact_model(struct ensemble *e, struct params fit)
 {
 	struct params p = breakage_narrowed(&fit);
-	model_set(e->exact, &p);
+	model_use_params(e->exact, &p);
 }
 
 /* The speeds of the grid: even over those that are looked at, with the measured

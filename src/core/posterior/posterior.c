@@ -934,7 +934,7 @@ struct posterior_run {
 };
 
 static struct site *
-with_smooth_feeds(const struct site *site)
+copy_with_feeds_as_curves(const struct site *site)
 {
 	struct site *copy = site_copy(site);
 	for (size_t r = 0; r < copy->n_run; r++) {
@@ -999,7 +999,7 @@ struct posterior_run *
 posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
 {
-	struct site *site = with_smooth_feeds(measured);
+	struct site *site = copy_with_feeds_as_curves(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
 	bool *use = posterior_choose_runs(site, o->use);
@@ -1125,7 +1125,7 @@ posterior_step(struct posterior_run *run)
 		return false;
 	choose_draws(run);
 	lack_of_fit_find(run->p, run->m);
-	thin_set_straight(run->thin, run->p);
+	thin_straighten_draws(run->thin, run->p);
 	find_convergence(run->p, s, run->sums);
 	return true;
 }

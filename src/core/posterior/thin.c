@@ -242,7 +242,7 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 }
 
 void
-thin_set_straight(const struct thin *t, struct posterior *p)
+thin_straighten_draws(const struct thin *t, struct posterior *p)
 {
 	p->straight =
 	    share_of_straight_draws(p, &t->feed, t->sieve, t->n_sieve);

@@ -41,6 +41,6 @@ void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
  * is, a quarter of the draws are kept as drawn, because the line may be equally
  * wrong; the band then covers both.  At and beyond the measured speeds nothing
  * changes, and whatever rises with the speed still does. */
-void thin_set_straight(const struct thin *t, struct posterior *p);
+void thin_straighten_draws(const struct thin *t, struct posterior *p);
 
 #endif

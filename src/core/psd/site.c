@@ -288,7 +288,7 @@ site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
 	if (to->n_run > 1 && !(to->run[0].speed > 0))
 		site_drop_run(to, 0, from);
 	number_repeats(to);
-	site_settle(to);
+	site_update_mean_feed(to);
 	return to;
 }
 
@@ -305,7 +305,7 @@ sampled_feeds(const struct site *site, size_t *n)
 }
 
 void
-site_settle(struct site *site)
+site_update_mean_feed(struct site *site)
 {
 	site->digest = site_digest(site);
 	psd_free(&site->mean_feed);

@@ -43,7 +43,7 @@ struct site {
 	double top_size; /* m; 0 if not stated */
 	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;
-	struct psd mean_feed; /* of several feeds; site_settle */
+	struct psd mean_feed; /* of several feeds; site_update_mean_feed */
 	size_t n_run;
 	struct run *run;
 	size_t n_note;
@@ -95,7 +95,7 @@ uint64_t site_digest(const struct site *site);
 
 /* Computes the digest and the mean feed from the runs.  Call it after runs were
  * made or changed. */
-void site_settle(struct site *site);
+void site_update_mean_feed(struct site *site);
 
 /* Returns the feed of a run.  For SITE_MEAN_FEED, returns the feed for a
  * question that names none: the feed of another sheet, if the site is a copy

@@ -186,7 +186,7 @@ scale_into_bounds(const struct bounds *b, struct params *p)
  * was the other way, a third quicker: of 32 fits to plants with gamma one ended
  * at 3.6 times the lowest misfit. */
 static void
-begin_at(struct calibration *c, const struct params *start)
+begin_with_known_start(struct calibration *c, const struct params *start)
 {
 	c->best = breakage_widened(start, c->options.settings.breakage);
 	c->nested = false;
@@ -219,7 +219,7 @@ calibration_new(
 		ga.elite = ga.population / 4;
 	begin_with_simpler_model(c);
 	if (options->start != NULL)
-		begin_at(c, options->start);
+		begin_with_known_start(c, options->start);
 	c->elite = ga.elite;
 	c->ga = ga_new(&ga, c->misfit->of->n, c->box.lower, c->box.upper);
 	for (size_t i = 0; i < BATCH; i++) {

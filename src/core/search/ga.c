@@ -285,7 +285,7 @@ update_scale_of_mutation(struct ga *ga)
 }
 
 static void
-set_keys(const struct ga *ga, struct breed_keys *keys)
+make_breed_keys(const struct ga *ga, struct breed_keys *keys)
 {
 	for (size_t i = 0; i < 2; i++)
 		keys->parent[i] = random_stream(ga, USE_PARENT, i);
@@ -302,7 +302,7 @@ prepare_breeding(struct ga *ga)
 		ga->parent[i] = ga->rank[ga->winner[i]];
 	ga->breed.told = (const double *const *)ga->told;
 	ga->breed.asked = ga->asked;
-	set_keys(ga, &ga->breed.keys);
+	make_breed_keys(ga, &ga->breed.keys);
 	ga->ready = false;
 }
 

@@ -151,7 +151,7 @@ run_differences(struct misfit *m, size_t r, const struct params *p,
 {
 	const struct misfit_run *run = &m->run[r];
 	double sum = 0;
-	model_set(m->model[r], p);
+	model_use_params(m->model[r], p);
 	model_product(m->model[r], run->speed, m->passing);
 	for (size_t i = 0; i < run->n; i++) {
 		d[i] = m->passing[i] - run->measured[i];
@@ -197,7 +197,7 @@ misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
 	size_t n = m->of->n;
 	for (size_t k = 0; k < m->n_run; k++) {
 		const struct misfit_run *run = &m->run[k];
-		model_set(m->model[k], p);
+		model_use_params(m->model[k], p);
 		model_jacobian(
 		    m->model[k], run->speed, m->passing, m->d_passing);
 		for (size_t i = 0; i < run->n; i++) {

@@ -244,7 +244,7 @@ book_is_curve(const struct answer_view *v, size_t rows, size_t column)
 
 /* The power of ten at or below, at or above the sieves. */
 static void
-set_sizes(lxw_chart *chart, const struct answer_view *v, size_t rows)
+set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 {
 	double least = INFINITY, most = 0, mm;
 	for (size_t i = 0; i < rows; i++) {
@@ -291,7 +291,7 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 	chart_axis_set_min(chart->y_axis, 0);
 	chart_axis_set_max(chart->y_axis, 100);
 	chart_axis_major_gridlines_set_visible(chart->x_axis, LXW_TRUE);
-	set_sizes(chart, v, rows);
+	set_size_axis(chart, v, rows);
 	lxw_chart_options options = {.x_scale = 1.4, .y_scale = 1.3};
 	worksheet_insert_chart_opt(
 	    p->sheet, p->row, (lxw_col_t)(v->n_column + 1), chart, &options);

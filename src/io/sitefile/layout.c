@@ -479,7 +479,7 @@ is_pan_row(const struct grid *g, size_t r, size_t c)
 /* Numbers that fall, or rise, and nearly all are openings of real sieves: a
  * table without a head. */
 static size_t
-find_bare(const struct grid *g, struct place *place)
+find_headless_table(const struct grid *g, struct place *place)
 {
 	size_t found = 0;
 	for (size_t c = 0; c < g->n_col; c++) {
@@ -957,8 +957,8 @@ layout_new(struct sheet *sheet, struct layout_range range)
 		n = find_ordered(&g, true, down);
 		m = find_ordered(&t, true, across);
 		if (n + m == 0) {
-			n = find_bare(&g, down);
-			m = find_bare(&t, across);
+			n = find_headless_table(&g, down);
+			m = find_headless_table(&t, across);
 		}
 		if (n + m == 0) {
 			n = find_ordered(&g, false, down);

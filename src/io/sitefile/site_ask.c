@@ -316,7 +316,7 @@ list_files(const struct site_request *q, const char *settle)
 /* The line that loads the files as `settle` says.  Where a question takes its
  * feed from a sheet it has no such options: the sheet is written anew. */
 static char *
-settled_line(const struct site_request *q, const char *settle)
+line_with_answers(const struct site_request *q, const char *settle)
 {
 	char *files = list_files(q, settle);
 	char *line =
@@ -341,7 +341,7 @@ site_ask_refuse(const struct site_request *q, const struct table *t,
     struct cell where, struct site_ask *ask, struct error_list *errors,
     const char *what)
 {
-	char *line = settled_line(q, ask->settle);
+	char *line = line_with_answers(q, ask->settle);
 	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
 	    where.column, "%s\nsay what it is%s: %s", what, hint_for_feed(q),
 	    line);
@@ -606,7 +606,7 @@ site_ask_top(
 	char *passes = much
 			   ? xstrdup(tr("SIZE mm"))
 			   : xasprintf(tr("%g mm, the next sieve up"), coarser);
-	char *line = settled_line(q, settle);
+	char *line = line_with_answers(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%g mm\n"
@@ -638,7 +638,7 @@ site_ask_one_feed(const struct column *further, const struct columns *all,
 		free(words);
 	}
 	xappend(&columns, "\"");
-	char *line = settled_line(q, columns);
+	char *line = line_with_answers(q, columns);
 	sheet_fault(t->sheet, further->head,
 	    "expected one feed, or a feed at the left of each product, got %s "
 	    "beside %s\n"

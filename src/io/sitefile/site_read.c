@@ -380,7 +380,7 @@ make_runs(struct site *site, const struct columns *t)
 		first = site_run_repeats(site, r) ? first : r;
 		site_read_fill_run(t, shared, &site->run[r], r - first);
 	}
-	site_settle(site);
+	site_update_mean_feed(site);
 }
 
 static void __attribute__((format(printf, 3, 4)))

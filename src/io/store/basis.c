@@ -103,7 +103,7 @@ write_fit(const struct basis *b, FILE *out)
 
 /* A store's text is one line: ends of lines become \n. */
 static char *
-in_a_line(const char *text)
+escape_line_ends(const char *text)
 {
 	char *line = xcalloc(2 * strlen(text) + 1, 1), *to = line;
 	for (; *text != '\0'; text++) {
@@ -115,7 +115,7 @@ in_a_line(const char *text)
 }
 
 static char *
-in_lines(const char *line)
+unescape_line_ends(const char *line)
 {
 	char *text = xstrdup(line), *to = text;
 	for (const char *p = line; *p != '\0'; p++) {
@@ -146,7 +146,7 @@ basis_written(const struct basis *b)
 		site_write(b->now, out);
 	}
 	fclose(out);
-	char *line = in_a_line(text);
+	char *line = escape_line_ends(text);
 	free(text);
 	return line;
 }
@@ -201,7 +201,7 @@ basis_read_sheet(const char *text)
 
 /* Cuts the text off at the next empty line; what comes after it, or NULL. */
 static char *
-cut_off(char *text)
+cut_at_empty_line(char *text)
 {
 	char *end = strstr(text, "\n\n");
 	if (end == NULL)
@@ -279,8 +279,8 @@ static bool
 basis_read_text(struct basis *b, char *text)
 {
 	const char *train = NULL;
-	char *sheet = cut_off(text), *said = strchr(text, '\n');
-	char *later = sheet != NULL ? cut_off(sheet) : NULL;
+	char *sheet = cut_at_empty_line(text), *said = strchr(text, '\n');
+	char *later = sheet != NULL ? cut_at_empty_line(sheet) : NULL;
 	if (sheet == NULL || said == NULL)
 		return false;
 	*said++ = '\0';
@@ -302,7 +302,7 @@ basis_from_material(
 	*b = (struct basis){.weight = 0};
 	if (m->basis[0] == '\0')
 		return false;
-	char *text = in_lines(m->basis);
+	char *text = unescape_line_ends(m->basis);
 	bool good = basis_read_text(b, text);
 	free(text);
 	if (good)

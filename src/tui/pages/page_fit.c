@@ -34,7 +34,7 @@ caption(struct tui *t, const struct area *area)
 	size_t n = tui_count_generations(t), at = tui_generation_shown(t);
 	if (n == 0)
 		return false;
-	bool polished = n > tui_past(t).n;
+	bool polished = n > tui_search_shown(t).n;
 	char label[32], last[32];
 	int from = screen_text(area, 0, 0, 0, "generation 1 ");
 	snprintf(last, sizeof last, polished ? tr(" polished") : " %zu", n);
@@ -63,7 +63,7 @@ fit_draw_legend(const struct tui *t)
 	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
 				 *const ASCII[] = {"#", "|", ":"};
 	const struct area *area = &t->layout.legend;
-	const struct plots_past past = tui_past(t);
+	const struct plots_past past = tui_search_shown(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int column = 0;
 	size_t nth = 0;
@@ -93,7 +93,7 @@ static void
 fit_draw(struct tui *t)
 {
 	enum { TALL = 20, LOW = 9 };
-	bool any = tui_past(t).n > 0;
+	bool any = tui_search_shown(t).n > 0;
 	struct layout *l = &t->layout;
 	/* What there are no rows for to draw is said. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
@@ -127,7 +127,7 @@ fit_hints(const struct tui *t)
 			       : N_("Space  Esc stop  ?  q  :");
 	return busy && t->held ? N_("Space continue  .  ?  q  s  Down Enter  v")
 	       : busy          ? "Space  .  ?  q  s  +/-  v"
-	       : tui_past(t).n > 0
+	       : tui_search_shown(t).n > 0
 		   ? N_("<-/-> generation  f fit again  ?  q  Down Enter  v")
 		   : "f  ?  q  +/-  :";
 }
@@ -137,7 +137,7 @@ move_by_generations(struct tui *t, int by)
 {
 	int at = (int)tui_generation_shown(t) - 1;
 	tui_show_generation(
-	    t, (size_t)pane_moved(at, by, tui_count_generations(t)) + 1);
+	    t, (size_t)pane_clamp_row(at, by, tui_count_generations(t)) + 1);
 }
 
 /* Of a search that runs the next one is made, of one that is over shown. */
@@ -172,7 +172,7 @@ fit_move(struct tui *t, const struct key *key)
 {
 	if (key->act == act_list)
 		search_side_choose(t, key->amount);
-	else if (tui_past(t).n == 0)
+	else if (tui_search_shown(t).n == 0)
 		return false;
 	else if (key->act == act_ends)
 		tui_show_generation(
@@ -188,7 +188,7 @@ fit_words(const struct tui *t)
 	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
 	    [PLOT_CONVERGENCE] = "convergence",
 	    [PLOT_SPREAD] = "spread"};
-	bool curves = t->ui.picture == PLOT_PSD || tui_past(t).n == 0;
+	bool curves = t->ui.picture == PLOT_PSD || tui_search_shown(t).n == 0;
 	char *line =
 	    curves ? pane_curves_words(t) : xstrdup(NAMES[t->ui.picture]);
 	if (t->ui.generation > 0)

@@ -102,7 +102,7 @@ predict_move(struct tui *t, const struct key *key)
 	if (!t->ui.cross || key->act != act_list)
 		return false;
 	t->ui.cross_at =
-	    (size_t)pane_moved((int)t->ui.cross_at, key->amount, n);
+	    (size_t)pane_clamp_row((int)t->ui.cross_at, key->amount, n);
 	return true;
 }
 
@@ -184,11 +184,11 @@ predict_hints(const struct tui *t)
 			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')
-		return goals_set(t->session)
+		return goals_is_set(t->session)
 			   ? N_("<-/->  n p  N  ?  Enter  q  e  x unpin  :  t")
 			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
 				"u");
-	return goals_set(t->session)
+	return goals_is_set(t->session)
 		   ? "<-/->  n p  N  ?  Enter  q  x  e  :  t"
 		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
 }

@@ -72,8 +72,9 @@ sites_row_at(struct site_row *row, const struct tui *t)
 	if (!answers_check_params(s, e, &error))
 		return;
 	bool here = e == tui_current_entry(t);
-	struct prediction p = forecast_whole(s, here ? tui_asked(t) : e, speed,
-	    here ? tui_feed(t) : SITE_MEAN_FEED);
+	struct prediction p =
+	    forecast_whole(s, here ? tui_entry_asked_about(t) : e, speed,
+		here ? tui_feed(t) : SITE_MEAN_FEED);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_extrapolates(e, speed);
 	prediction_free(&p);
@@ -388,8 +389,8 @@ draw_preview(struct tui *t, struct area area)
 	if (area.rows < LEAST)
 		return;
 	area.rows = area.rows > MOST ? MOST : area.rows;
-	request.entry =
-	    at == t->session->current ? tui_asked(t) : &t->session->entry[at];
+	request.entry = at == t->session->current ? tui_entry_asked_about(t)
+						  : &t->session->entry[at];
 	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
 	request.strip = 0;
 	request.speed = t->ui.tenths / 10.0;

@@ -57,8 +57,8 @@ envelope_check_update(struct tui *t)
 		t->view.envelope_check = l = xcalloc(1, sizeof *l);
 		l->revision = t->view.revision;
 		l->feed = tui_feed(t);
-		l->open = grading_open_in_use(
-		    t->session, tui_asked(t), l->feed, &l->grading, &error);
+		l->open = grading_open_in_use(t->session,
+		    tui_entry_asked_about(t), l->feed, &l->grading, &error);
 	}
 	if (l->open && l->tenths != t->ui.tenths)
 		forecast_at(

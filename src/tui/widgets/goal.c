@@ -48,14 +48,14 @@ goal_best(const struct tui *t)
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
-	return goals_words(t->session, tui_asked(t), &t->view.goal,
+	return goals_words(t->session, tui_entry_asked_about(t), &t->view.goal,
 	    t->ui.tenths / 10.0, length);
 }
 
 static const struct psd *
 goal_feed_of(const struct tui *t)
 {
-	return site_feed(tui_asked(t)->site, tui_feed(t));
+	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 size_t
@@ -106,10 +106,11 @@ act_goal(struct tui *t, const struct key *key)
 		return;
 	}
 	FREED char *words = quantities_as_typed(&t->ui.quantity);
-	FREED char *line = goals_set(t->session) ? xstrdup(t->session->set.goal)
-						 : xasprintf("%s=", words);
+	FREED char *line = goals_is_set(t->session)
+			       ? xstrdup(t->session->set.goal)
+			       : xasprintf("%s=", words);
 	t->message[0] = '\0';
-	if (!goals_set(t->session))
+	if (!goals_is_set(t->session))
 		tui_say(t, false,
 		    "such as p80=5.4, or passing 2 = 32..36, fines<3; Tab has "
 		    "more");
@@ -199,7 +200,7 @@ take_quantity(struct tui *t, const char *text)
 	if (ok && quantities_covered(&q, goal_feed_of(t), &error)) {
 		t->ui.quantity = q;
 		close_goal_field(t);
-		if (goals_set(t->session))
+		if (goals_is_set(t->session))
 			tui_say(t, false,
 			    "above the track now: %s; the goal "
 			    "stays %s",
@@ -223,7 +224,7 @@ goal_step(struct tui *t)
 {
 	struct goal *g = &t->view.goal;
 	bool pending = goal_pending(t);
-	goals_step(t->session, tui_asked(t), g, tui_feed(t));
+	goals_step(t->session, tui_entry_asked_about(t), g, tui_feed(t));
 	if (!pending || !goal_known(t) ||
 	    goals_is_condition(t->session->set.goal))
 		return;

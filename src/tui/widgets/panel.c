@@ -617,8 +617,8 @@ light_shown(struct tui *t)
 	struct view *v = &t->view;
 	if (!v->lit) {
 		trust_free(&v->light);
-		v->light =
-		    light_of_prediction(t->session, tui_asked(t), &v->shown);
+		v->light = light_of_prediction(
+		    t->session, tui_entry_asked_about(t), &v->shown);
 		v->lit = true;
 	}
 	return &v->light;

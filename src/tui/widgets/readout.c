@@ -59,8 +59,8 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	    100 * p->low[t->ui.cross_at], 100 * p->high[t->ui.cross_at]);
 	const struct quantity size = {
 	    .kind = QUANTITY_SIZE, .x = t->ui.level / 100.0};
-	const struct question q =
-	    asked_whole(t->session, tui_asked(t), p->feed_run);
+	const struct question q = question_of_whole_product(
+	    t->session, tui_entry_asked_about(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
 	forecast_at(f, p->speed);
 	struct figure at = forecast_figure(f, 0);
@@ -101,8 +101,8 @@ readout_draw(struct tui *t, const struct area *area)
 			continue;
 		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
 		    run->repeat);
-		draw_reading(t, area, row++, 0, name, tui_measured(t, r),
-		    tui_measured(t, r));
+		draw_reading(t, area, row++, 0, name,
+		    tui_measured_product(t, r), tui_measured_product(t, r));
 	}
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)

@@ -46,7 +46,7 @@ strip_free(struct strip *a)
 }
 
 static struct quantity
-usual_quantity(enum quantity_kind kind, double x, double coarse)
+make_strip_quantity(enum quantity_kind kind, double x, double coarse)
 {
 	return (struct quantity){.kind = kind,
 	    .x = x,
@@ -54,28 +54,28 @@ usual_quantity(enum quantity_kind kind, double x, double coarse)
 }
 
 struct quantity
-strip_usual(void)
+strip_default_quantity(void)
 {
-	return usual_quantity(QUANTITY_SIZE, 0.8, 0);
+	return make_strip_quantity(QUANTITY_SIZE, 0.8, 0);
 }
 
 static const struct psd *
 response_strip_feed_of(const struct tui *t)
 {
-	return site_feed(tui_asked(t)->site, tui_feed(t));
+	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 void
 act_quantity(struct tui *t, const struct key *key)
 {
-	const struct quantity all[] = {strip_usual(),
-	    usual_quantity(QUANTITY_SIZE, 0.5, 0),
-	    usual_quantity(QUANTITY_SIZE, 0.2, 0),
-	    usual_quantity(QUANTITY_PASSING, 4e-3, 0),
-	    usual_quantity(QUANTITY_PASSING, 2e-3, 0),
-	    usual_quantity(QUANTITY_PASSING, 0.063e-3, 0),
-	    usual_quantity(QUANTITY_SHARE, 0, 2e-3),
-	    usual_quantity(QUANTITY_SHARE, 0, 4e-3)};
+	const struct quantity all[] = {strip_default_quantity(),
+	    make_strip_quantity(QUANTITY_SIZE, 0.5, 0),
+	    make_strip_quantity(QUANTITY_SIZE, 0.2, 0),
+	    make_strip_quantity(QUANTITY_PASSING, 4e-3, 0),
+	    make_strip_quantity(QUANTITY_PASSING, 2e-3, 0),
+	    make_strip_quantity(QUANTITY_PASSING, 0.063e-3, 0),
+	    make_strip_quantity(QUANTITY_SHARE, 0, 2e-3),
+	    make_strip_quantity(QUANTITY_SHARE, 0, 4e-3)};
 	const int n = ARRAY_LEN(all);
 	struct error error = {0};
 	int by = key->amount, at = by > 0 ? n - 1 : 0;
@@ -136,8 +136,8 @@ response_strip_work_out(struct tui *t)
 	a->basis = t->view.n_basis;
 	a->feed = tui_feed(t);
 	a->of = t->ui.quantity;
-	const struct question q =
-	    asked_whole(t->session, tui_asked(t), a->feed);
+	const struct question q = question_of_whole_product(
+	    t->session, tui_entry_asked_about(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
@@ -240,7 +240,7 @@ take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 static double
 response_strip_measured_at(const struct tui *t, size_t run)
 {
-	const struct psd *product = tui_measured(t, run);
+	const struct psd *product = tui_measured_product(t, run);
 	return product->n > 0 ? quantities_shown(&t->ui.quantity,
 				    screened_value(product, &t->ui.quantity))
 			      : NAN;

@@ -13,7 +13,7 @@ struct strip *strip_new(void);
 void strip_free(struct strip *strip);
 
 /* Returns the default quantity, P80. */
-struct quantity strip_usual(void);
+struct quantity strip_default_quantity(void);
 
 /* Computes a part of the curve, or else of the goal, for some 10 ms, unless the
  * slider has just been moved.  Without a terminal, computes all of it. */

@@ -39,20 +39,20 @@ count_parameters(const struct plots_past *past)
 void
 search_side_choose(struct tui *t, int by)
 {
-	struct plots_past past = tui_past(t);
+	struct plots_past past = tui_search_shown(t);
 	if (past.n == 0)
 		return;
 	/* The first key shows which one it is. */
 	int at = t->ui.param_at > 0 ? (int)t->ui.param_at - 1 : by > 0 ? -1 : 1;
 	t->ui.param_at =
-	    (size_t)pane_moved(at, by, count_parameters(&past)) + 1;
+	    (size_t)pane_clamp_row(at, by, count_parameters(&past)) + 1;
 }
 
 void
 act_bounds(struct tui *t, const struct key *key)
 {
 	(void)key;
-	struct plots_past past = tui_past(t);
+	struct plots_past past = tui_search_shown(t);
 	if (past.n == 0)
 		return;
 	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
@@ -211,7 +211,7 @@ draw_pace(const struct tui *t, int row)
 {
 	struct calibrate_status st =
 	    calibration_status(t->session->job.calibration);
-	double seconds = tui_searched(t);
+	double seconds = tui_search_seconds(t);
 	char pace[32] = "full";
 	if (t->ui.pace == PACE_AUTO)
 		snprintf(pace, sizeof pace, "auto");
@@ -258,7 +258,8 @@ draw_found(const struct tui *t, int row)
 	const struct area *side = &t->layout.side;
 	if (!entry->has_fit || t->ui.generation > 0)
 		return row;
-	const struct posterior *p = outlook_draws(t->session, entry);
+	const struct posterior *p =
+	    outlook_posterior_for_comparison(t->session, entry);
 	int heads = 1 + (int)breakage_of(&entry->params)->n;
 	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
 	char *words = verdict_words(t, entry);
@@ -360,7 +361,7 @@ search_side_draw(struct tui *t)
 {
 	enum { LOW = 12 };
 	const struct area *side = &t->layout.side;
-	struct plots_past past = tui_past(t);
+	struct plots_past past = tui_search_shown(t);
 	if (side->rows == 0)
 		return;
 	screen_vertical_rule(side->row, t->layout.wall, side->rows);

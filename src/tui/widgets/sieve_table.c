@@ -49,7 +49,7 @@ find_compared_product(
 	    nearest->speed);
 	size_t run = (size_t)(nearest - site->run);
 	*series = site_chart_run(site, run, false).series;
-	return tui_measured(t, run);
+	return tui_measured_product(t, run);
 }
 
 /* How far the product lies above what it is compared with, points. */

@@ -204,7 +204,7 @@ say_quantity(const struct tui *t, struct part *part)
 	}
 	FREED char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
-	if (t->layout.strip.rows > 0 && !goals_set(t->session))
+	if (t->layout.strip.rows > 0 && !goals_is_set(t->session))
 		track_say(part, xasprintf(tr("%s at all speeds"), words));
 	if (t->layout.strip.rows > 0)
 		track_say(part, xstrdup(words));
@@ -364,7 +364,7 @@ move_to_limit(struct tui *t, int by)
 		tui_say(t, true, TUI_NO_SITE);
 	else if (best == t->ui.tenths)
 		tui_say(t, false,
-		    goals_set(t->session)
+		    goals_is_set(t->session)
 			? (by > 0 ? N_("no faster limit: p goes to a slower "
 				       "one, N to the best speed")
 				  : N_("no slower limit: n goes to a faster "
@@ -420,6 +420,6 @@ track_wished(struct tui *t, bool now)
 		t->ui.tenths = slider_tenths(tui_range(t), best);
 	else
 		tui_say(t, false,
-		    goals_set(t->session) ? N_("no best speed is known")
-					  : N_("no goal yet: t sets one"));
+		    goals_is_set(t->session) ? N_("no best speed is known")
+					     : N_("no goal yet: t sets one"));
 }
