@@ -122,10 +122,11 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "One row for each speed, in m/s and, where the site states the "
-	    "rotor's diameter, in rpm: P20, P50 and P80, the band of P80, "
-	    "other figures that are named, tonnes of fractions and the light; "
-	    "with conditions, as window has them, or spec=, how certain it is "
-	    "that they are met. Below it: the date, the feed, the machine, the "
+	    "rotor's diameter, in rpm: P20, P50 and P80, the figures "
+	    "that are named with the range of one of them, tonnes of fractions "
+	    "and the light; with conditions, as window has them, or spec=, how "
+	    "certain it is that they are met. Below it: the date, the feed, "
+	    "the machine, the "
 	    "model, and whether each speed rests on measurements or on the "
 	    "model alone. Columns that do not fit into 80 characters are left "
 	    "out, with a note; csv and json have all of them. 'card > "
