@@ -474,9 +474,9 @@ conditions_add_operands(const struct args *args,
 		if (ok && c.least == c.most)
 			ok = error_set(error, ERROR_USAGE,
 			    "expected a range of values, got one: '%s'\n"
-			    "write a range such as 40..50; 'find' finds the "
-			    "speed for a single value",
-			    args->operand[i]);
+			    "write a range such as 40..50; or, for the speed "
+			    "that gives this value: find \"%s\"",
+			    args->operand[i], args->operand[i]);
 		if (!ok)
 			return conditions_set_error_place(args, i, error);
 		conditions_add(list, c);
