@@ -46,7 +46,7 @@ seconds_to_wait(const struct tui *t)
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
-		left = fmin(left, fmin(strip_wait(t), word_wait(t)));
+		left = fmin(left, fmin(strip_seconds_to_wait(t), word_wait(t)));
 	return left > 0 && !t->again.is ? left : 0;
 }
 

@@ -380,7 +380,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	assert_int_equal(t->ui.tenths, 741);
 	t->aside = true;
 	pages_update(t);
-	assert_true(strip_wait(t) <= 0);
+	assert_true(strip_seconds_to_wait(t) <= 0);
 	view_predict(t);
 	int best = slider_tenths(tui_range(t), goal_best(t));
 	assert_int_not_equal(best, 741);

@@ -125,7 +125,7 @@ make_schema_1(struct shelf *shelf)
 	    " VALUES ('old', '%016llx', 'old', 'Nowhere', 'hand', 0, 1, -1,"
 	    " 0.5, 2.18, 16.74, 0.96, 'continuous', 'ratio', 1);"
 	    "PRAGMA application_id = %d; PRAGMA user_version = 1",
-	    (long long)stored_digest(&m), (int)SCHEMA_APPLICATION);
+	    (long long)stored_make_digest(&m), (int)SCHEMA_APPLICATION);
 	meddle(shelf, SCHEMA_STEPS[0]);
 	meddle(shelf, row);
 	sqlite3_free(row);
@@ -292,7 +292,7 @@ forge(struct shelf *shelf, const struct stored *m, const char *set)
 {
 	char *sql = xasprintf("UPDATE material SET digest = '%016llx', %s "
 			      "WHERE fold = 'b'",
-	    (unsigned long long)stored_digest(m), set);
+	    (unsigned long long)stored_make_digest(m), set);
 	put(shelf, full("b"));
 	meddle(shelf, sql);
 	free(sql);

@@ -28,7 +28,7 @@ static const char *const PARTS[ENSEMBLE_PARTS] = {
  * narrower: what the runs show the model to leave out goes with its
  * parameters. */
 static void
-add_band_parts(struct answer *r, const struct session *s,
+add_columns_of_band_parts(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
 {
 	struct forecast *of[ENSEMBLE_PARTS];
@@ -368,7 +368,7 @@ band_parts_answer(const struct session *s, const struct question *q,
 		answer_set_across(r);
 	if (!detail)
 		answer_fill_for_programs(r);
-	add_band_parts(r, s, q, at);
+	add_columns_of_band_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
 	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");

@@ -184,7 +184,7 @@ follow_cuts(struct routine *r)
 /* How many of the last cuts lie on one side, and where these differ most, of
  * sieves that the last one has. */
 static void
-sum_up(struct routine *r)
+find_side_of_cuts(struct routine *r)
 {
 	const struct routine_cut *last = &r->cut[r->n - 1];
 	bool above = r->point[r->n - 1].chart[DRIFT_LEVEL].value > 0;
@@ -261,7 +261,7 @@ routine_follow(const struct session *s, const struct entry *entry,
 			    s->set.model, s->set.noise / 100);
 	}
 	follow_cuts(r);
-	sum_up(r);
+	find_side_of_cuts(r);
 	return r;
 }
 

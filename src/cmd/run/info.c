@@ -45,7 +45,7 @@ print_start(FILE *out)
 
 /* Help is words for people: among JSON or CSV it goes beside the results. */
 static FILE *
-help_stream(const struct session *s)
+stream_for_help(const struct session *s)
 {
 	bool exact = ANSWER_FORMATS[s->set.format].exact;
 	return !exact || s->notes == NULL ? s->out : s->notes;
@@ -95,7 +95,7 @@ list_telling(const struct session *s, const char *word)
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (help_has_word(c, folded)) {
-			usage_brief(c, help_stream(s));
+			usage_brief(c, stream_for_help(s));
 			found++;
 		}
 	return found;
@@ -130,7 +130,7 @@ find_two_word_command(const char *words)
 bool
 cmd_help(struct session *s, const struct args *args, struct error *error)
 {
-	FILE *out = help_stream(s);
+	FILE *out = stream_for_help(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
 	bool example = args->n_operand == 2;
 	FREED char *both =
@@ -186,7 +186,7 @@ show_help(const struct session *s, const struct command_option *page,
 	const struct command *command = command_find(name);
 	const char *near = command_nearest(name);
 	if (command != NULL) {
-		usage_command(command, help_stream(s));
+		usage_command(command, stream_for_help(s));
 		return true;
 	}
 	value_read(page, name, &value, error);
@@ -213,7 +213,7 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	if (!s->safe && s->hooks.show_page != NULL &&
 	    s->hooks.show_page(PAGES[i]))
 		return true;
-	usage_list(NULL, help_stream(s));
+	usage_list(NULL, stream_for_help(s));
 	if (s->safe)
 		session_note(s,
 		    "man is not available with --safe; these are the "

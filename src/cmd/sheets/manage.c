@@ -38,7 +38,7 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 
 /* Forgets all that was loaded and set. */
 static void
-forget_all(struct session *s, const struct choices *choices)
+reset_session(struct session *s, const struct choices *choices)
 {
 	session_discard_job(s);
 	entries_free(s->entry, s->n_entry);
@@ -59,7 +59,7 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	forget_all(s, s->first);
+	reset_session(s, s->first);
 	journal_settings(s);
 	return true;
 }
@@ -71,7 +71,7 @@ restore_script(struct session *s, const char *path, struct error *error)
 	struct choices plain = settings_default();
 	if (!script_open(s, path, error))
 		return false;
-	forget_all(s, &plain);
+	reset_session(s, &plain);
 	return true;
 }
 

@@ -524,7 +524,7 @@ check_recalled(struct session *s, const struct args *args,
 {
 	const char *wanted = args->digest;
 	char found[17];
-	snprintf(found, sizeof found, "%016" PRIx64, stored_digest(m));
+	snprintf(found, sizeof found, "%016" PRIx64, stored_make_digest(m));
 	if (wanted == NULL)
 		invocation_add_option(s, "digest", found);
 	if (wanted == NULL || strcmp(wanted, found) == 0)

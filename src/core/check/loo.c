@@ -110,7 +110,7 @@ prior_of(const struct block *b, double noise)
 	const double known = 0.05;
 	double sum = 0;
 	if (!b->smooth)
-		return discrepancy_prior(b->hyper, noise);
+		return discrepancy_minus_log_prior(b->hyper, noise);
 	for (size_t i = 0; i < SMOOTHS; i++) {
 		bool given = i == SMOOTH_OWN && noise > 0;
 		double median = given ? noise : SMOOTH[i].median;

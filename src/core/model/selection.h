@@ -1,5 +1,6 @@
-/* Selection (Eq 3): the fraction of each size that breaks.  The search computes
- * it for lanes in kernel_body.h; test_kernel compares the two.
+/* Selection (Eq 3): the fraction of each size that breaks.  The search, and the
+ * draws of the answer, compute it for lanes in kernel_body.h; test_kernel
+ * compares the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_SELECTION_H
 #define TIPSPEED_CORE_MODEL_SELECTION_H

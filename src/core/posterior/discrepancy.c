@@ -48,7 +48,7 @@ long_tail(double z)
 }
 
 double
-discrepancy_prior(const double log_hyper[static HYPERS], double noise)
+discrepancy_minus_log_prior(const double log_hyper[static HYPERS], double noise)
 {
 	const double known = 0.05; /* spread of what is said to be known */
 	double sum = 0;

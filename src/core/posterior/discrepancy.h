@@ -84,7 +84,8 @@ discrepancy_answer(double P, double delta, double least)
 
 /* Returns -ln of the prior density of the hyperparameters' logarithms, up to a
  * constant.  noise: known sigma_i, or 0. */
-double discrepancy_prior(const double log_hyper[static HYPERS], double noise);
+double discrepancy_minus_log_prior(
+    const double log_hyper[static HYPERS], double noise);
 
 /* Returns rho(z, l), see above. */
 static inline double

@@ -148,9 +148,9 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
 	if (s->hyper)
 		trial->prior = now->prior;
-	trial->hyper_prior =
-	    s->hyper ? discrepancy_prior(trial->x + PARAMS_MOST, s->noise)
-		     : now->hyper_prior;
+	trial->hyper_prior = s->hyper ? discrepancy_minus_log_prior(
+					    trial->x + PARAMS_MOST, s->noise)
+				      : now->hyper_prior;
 	if (!isfinite(trial->likelihood))
 		trial->prior = INFINITY;
 }
@@ -446,7 +446,8 @@ start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		c->x[j] = rng_normal(key, (uint32_t)j);
 	covariance_factor(s->covariance, c->x + PARAMS_MOST, c->U);
-	c->hyper_prior = discrepancy_prior(c->x + PARAMS_MOST, s->noise);
+	c->hyper_prior =
+	    discrepancy_minus_log_prior(c->x + PARAMS_MOST, s->noise);
 }
 
 static void

@@ -149,7 +149,7 @@ end_string(void *data, const char *name)
 }
 
 static void
-text_string(void *data, const char *text, size_t n)
+append_string_text(void *data, const char *text, size_t n)
 {
 	struct book *b = data;
 	if (b->in_text && b->phonetic == 0)
@@ -434,7 +434,7 @@ xlsx_read(struct archive *archive, struct grid *grid)
 	static const struct xml_events RELATIONS = {
 	    begin_relations, xlsx_no_end, NULL};
 	static const struct xml_events STRINGS = {
-	    begin_string, end_string, text_string};
+	    begin_string, end_string, append_string_text};
 	static const struct xml_events STYLES = {
 	    xlsx_begin_style, end_style, NULL};
 	struct book b = {.archive = archive, .grid = grid};

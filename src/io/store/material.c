@@ -313,7 +313,7 @@ digest_one(void *data, const char *name, const char *text)
 }
 
 uint64_t
-stored_digest(const struct stored *m)
+stored_make_digest(const struct stored *m)
 {
 	uint64_t h = TEXT_DIGEST_START;
 	stored_each_field(m, digest_one, &h);

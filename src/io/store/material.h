@@ -105,7 +105,7 @@ void stored_each_field(const struct stored *m, stored_take *take, void *data);
 
 /* Returns a digest of all known fields of m, to detect a row damaged on
  * disk. */
-uint64_t stored_digest(const struct stored *m);
+uint64_t stored_make_digest(const struct stored *m);
 
 /* Returns method, appearance and k as settings. */
 struct model_settings stored_settings(const struct stored *m);

@@ -24,7 +24,7 @@
 enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 
 /* fold: the name without case and accents.  digest: of the row, see
- * stored_digest.  about: the program that made this schema. */
+ * stored_make_digest.  about: the program that made this schema. */
 const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
     "TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL, name TEXT NOT NULL, site "
@@ -503,7 +503,7 @@ column_text(sqlite3_stmt *stmt, int i)
 static char *
 digest_text(const struct stored *m)
 {
-	return xasprintf("%016" PRIx64, stored_digest(m));
+	return xasprintf("%016" PRIx64, stored_make_digest(m));
 }
 
 /* A name as it can be read and typed, whoever made it: shown, and cut. */

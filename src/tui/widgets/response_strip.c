@@ -163,7 +163,7 @@ strip_point(
 }
 
 double
-strip_wait(const struct tui *t)
+strip_seconds_to_wait(const struct tui *t)
 {
 	if (!has_curve(t))
 		return INFINITY;
@@ -190,7 +190,7 @@ strip_update(struct tui *t)
 {
 	if (!has_curve(t))
 		return;
-	bool now = t->aside || strip_wait(t) <= 0;
+	bool now = t->aside || strip_seconds_to_wait(t) <= 0;
 	do
 		if (now && !is_strip_current(t))
 			response_strip_work_out(t);

@@ -26,7 +26,7 @@ bool strip_point(
 
 /* Returns the time until such a part can be computed, s, or INFINITY if none is
  * left. */
-double strip_wait(const struct tui *t);
+double strip_seconds_to_wait(const struct tui *t);
 
 /* Draws the strip once it is complete: dashed where extrapolated, with a shaded
  * band, limits as dotted lines, and marks for measured values and the
