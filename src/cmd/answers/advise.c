@@ -8,6 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/answers/predict.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
@@ -125,19 +126,13 @@ advise_weigh(const struct session *s, const struct wanted *w,
 static void
 note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 {
-	const struct entry *entry = w->question->entry;
-	const struct site *site = entry->site;
+	FREED double *fed = xdoubles(w->question->entry->site->n_run);
+	size_t n =
+	    predict_each_feed(s, w->question, &w->q, w->question->speed, fed);
 	double low = INFINITY, high = -INFINITY;
-	for (size_t i = 0; i < site->n_run && site->individual_feeds; i++) {
-		if (!(site->run[i].speed > 0))
-			continue;
-		struct prediction p = predict(site, &entry->params,
-		    outlook_settings(s, entry), w->question->speed, i);
-		double value =
-		    quantities_shown(&w->q, screened_value(&p.curve, &w->q));
-		low = fmin(low, value);
-		high = fmax(high, value);
-		prediction_free(&p);
+	for (size_t i = 0; i < n; i++) {
+		low = fmin(low, quantities_shown(&w->q, fed[i]));
+		high = fmax(high, quantities_shown(&w->q, fed[i]));
 	}
 	if (!(high > low))
 		return;

@@ -542,28 +542,33 @@ note_flow(struct answer *r, const struct asked *all)
 		    "without what comes back; tonnes include it");
 }
 
-/* The limits, and the speed of the page at which they are met most surely. */
+/* That no row is likely to meet the limits; where one is, the rows say so. */
+static void
+note_unmet(struct answer *r, const struct card_row *row, size_t n)
+{
+	size_t best = 0;
+	for (size_t i = 1; i < n; i++)
+		if (row[i].share > row[best].share)
+			best = i;
+	FREED char *share = conditions_percent(row[best].share);
+	if (row[best].share < 0.01)
+		answer_say(r, ANSWER_WARNING,
+		    "no speed on this page meets the limits");
+	else if (row[best].share < 0.5)
+		answer_say(r, ANSWER_WARNING,
+		    "no speed on this page is likely to meet the limits: the "
+		    "surest, %g m/s, does with %s probability",
+		    row[best].speed, share);
+}
+
 static void
 note_limits(struct answer *r, const struct asked *all,
     const struct card_row *row, size_t n)
 {
 	FREED char *words = conditions_list_words(&all->list);
-	size_t best = 0;
-	for (size_t i = 1; i < n && all->list.n > 0; i++)
-		if (row[i].share > row[best].share)
-			best = i;
 	if (all->list.n > 0) {
-		FREED char *share = conditions_percent(row[best].share);
 		answer_note(r, "limits: %s", words);
-		if (row[best].share >= 0.5)
-			answer_note(r,
-			    "met most surely at %g m/s, with %s certainty",
-			    row[best].speed, share);
-		else if (!isnan(row[best].share))
-			answer_say(r, ANSWER_WARNING,
-			    "no speed on this page is likely to meet the "
-			    "limits: at most %s, at %g m/s",
-			    share, row[best].speed);
+		note_unmet(r, row, n);
 	}
 	if (all->limits != NULL)
 		answer_say(r, ANSWER_REMARK, "%s", all->limits);

@@ -138,23 +138,18 @@ static bool
 feeds_difference(const struct session *s, const struct side side[2],
     const struct quantity *q, double range[static 2])
 {
-	const struct site *site = side[0].q.entry->site;
-	if (are_two_sites(side) || side[0].q.feed != SITE_MEAN_FEED ||
-	    !site->individual_feeds)
-		return false;
+	size_t n_run = side[0].q.entry->site->n_run;
+	FREED double *a = xdoubles(n_run);
+	FREED double *b = xdoubles(n_run);
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
-	for (size_t run = 0; run < site->n_run; run++) {
-		struct question own = side[0].q;
-		own.feed = run;
-		struct forecast *f = forecast_open(s, &own, q, 1);
-		forecast_at(f, side[0].p.speed);
-		double a = forecast_figure(f, 0).value;
-		forecast_at(f, side[1].p.speed);
-		double more = forecast_figure(f, 0).value - a;
-		range[0] = fmin(range[0], more);
-		range[1] = fmax(range[1], more);
-		forecast_close(f);
+	if (are_two_sites(side) || side[0].q.feed != SITE_MEAN_FEED)
+		return false;
+	size_t n = predict_each_feed(s, &side[0].q, q, side[0].p.speed, a);
+	predict_each_feed(s, &side[0].q, q, side[1].p.speed, b);
+	for (size_t run = 0; run < n; run++) {
+		range[0] = fmin(range[0], b[run] - a[run]);
+		range[1] = fmax(range[1], b[run] - a[run]);
 	}
 	return range[0] <= range[1];
 }

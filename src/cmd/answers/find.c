@@ -327,10 +327,9 @@ note_extreme(struct answer *r, const struct goal *goal,
 		words = conditions_limit(&goal->others, binds);
 		answer_note(r, "what binds: %s", words);
 		free(words);
-	} else if (v - goal->wanted.from < near || goal->wanted.to - v < near) {
-		answer_say(r, ANSWER_REMARK,
-		    "that is the end of the speeds searched: from= and to= "
-		    "search others");
+	} else {
+		conditions_note_farther(r, &goal->wanted,
+		    v - goal->wanted.from < near, goal->wanted.to - v < near);
 	}
 }
 
@@ -463,17 +462,15 @@ put_found(
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }
 
-/* The end of the speeds searched at which the goal is missed by less. */
-static double
-nearer_end(const struct goal *goal)
+/* Whether a value is missed by less at the fast end of the speeds searched than
+ * at the slow one. */
+static bool
+is_nearer_fast_end(const struct goal *goal)
 {
-	double from = goal->wanted.from, to = goal->wanted.to;
 	double wanted =
 	    quantities_shown(&goal->target.quantity, goal->target.least);
-	return fabs(find_value_at(goal, from) - wanted) <
-		       fabs(find_value_at(goal, to) - wanted)
-		   ? from
-		   : to;
+	return fabs(find_value_at(goal, goal->wanted.to) - wanted) <
+	       fabs(find_value_at(goal, goal->wanted.from) - wanted);
 }
 
 /* The product at the speed found; without one those at the two ends. */
@@ -498,9 +495,14 @@ answer_goal(struct session *s, struct goal *goal)
 	note_finding(r, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	s->asked = found ? v : s->asked;
+	bool fast =
+	    !found && goal->kind == GOAL_VALUE && is_nearer_fast_end(goal);
+	if (found)
+		s->asked = v;
 	answers_show_basis(s, r, q, found ? v : 0, false,
-	    light_at(s, entry, found ? v : nearer_end(goal), q->feed));
+	    goal->kind == GOAL_VALUE
+		? light_of_prediction(s, entry, &p[fast ? 1 : 0])
+		: light_worst(s, entry, p, n));
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);

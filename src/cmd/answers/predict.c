@@ -296,12 +296,11 @@ predict_chance(double level)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
 }
 
-double
-predict_feeds_move(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double value)
+size_t
+predict_each_feed(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double *value)
 {
 	const struct site *site = q->entry->site;
-	double most = 0;
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	size_t n = site->individual_feeds && !other ? site->n_run : 0;
 	for (size_t run = 0; run < n; run++) {
@@ -309,10 +308,21 @@ predict_feeds_move(const struct session *s, const struct question *q,
 		own.feed = run;
 		struct forecast *f = forecast_open(s, &own, of, 1);
 		forecast_at(f, speed);
-		double moved = fabs(forecast_figure(f, 0).value - value);
-		most = isfinite(moved) ? fmax(most, moved) : most;
+		value[run] = forecast_figure(f, 0).value;
 		forecast_close(f);
 	}
+	return n;
+}
+
+double
+predict_feeds_move(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double value)
+{
+	FREED double *fed = xdoubles(q->entry->site->n_run);
+	size_t n = predict_each_feed(s, q, of, speed, fed);
+	double most = 0;
+	for (size_t run = 0; run < n; run++)
+		most = fmax(most, fabs(fed[run] - value));
 	return most;
 }
 

@@ -15,6 +15,13 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
+/* Computes a quantity, in its own unit, at a speed, m/s, with the feed of each
+ * run: value [n_run of the site] out, NAN if a curve does not reach it.
+ * Returns n_run, or 0 if the site has one feed or the question gives
+ * another. */
+size_t predict_each_feed(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double *value);
+
 /* Returns the largest change of a quantity, in its own unit, from its value at
  * a speed, m/s, when the mean feed is replaced with a sampled one: the band
  * does not include changes of the feed.  Returns 0 if the site has one feed or

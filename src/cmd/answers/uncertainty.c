@@ -90,18 +90,11 @@ add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
 }
 
 /* A row a figure, with the range of the true value and that of a new sample. */
-static bool
+static void
 add_figures(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
-    const struct args *args, struct error *error)
+    const struct quantity *q, size_t n)
 {
-	FREED char *usual = usual_quantities(p, args->sieves.n > 0);
-	size_t n;
-	FREED struct quantity *q = quantities_asked(
-	    args->of != NULL ? args->of : usual, &question->fraction,
-	    question_feed(question), args->of != NULL, &n, error);
-	if (q == NULL)
-		return false;
 	struct forecast *answer = forecast_open(s, question, q, n);
 	struct forecast *sample = forecast_open(s, question, q, n);
 	forecast_at(answer, p->speed);
@@ -119,7 +112,6 @@ add_figures(struct answer *r, const struct session *s,
 	    "low, high: the true value lies between them %s; cut low, cut "
 	    "high: the same for a new belt cut",
 	    chance);
-	return true;
 }
 
 /* Median and range of the hyperparameters beside their priors; in words where
@@ -237,20 +229,14 @@ draws_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* The figure that the sentences are about: the first that is named, or the
- * passing that predict's sentence is of. */
+/* The figure that the sentences are about: the first of those named, or without
+ * of= the passing that predict's sentence is of. */
 static struct quantity
-first_figure(const struct question *q, const struct args *args,
-    const struct prediction *at)
+main_figure(const struct question *q, const struct args *args,
+    const struct prediction *at, const struct quantity *named)
 {
-	struct error none;
-	size_t n;
-	FREED struct quantity *list =
-	    args->of != NULL ? quantities_asked(args->of, &q->fraction,
-				   question_feed(q), true, &n, &none)
-			     : NULL;
-	if (list != NULL)
-		return list[0];
+	if (args->of != NULL)
+		return named[0];
 	return (struct quantity){.kind = QUANTITY_PASSING,
 	    .x = at->product.size[answers_usual_sieve(&at->product)],
 	    .fraction = q->fraction};
@@ -356,18 +342,24 @@ band_parts_answer(const struct session *s, const struct question *q,
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	bool detail = args->detail;
 	FREED char *fraction = screened_title(&at->fraction);
+	FREED char *usual = usual_quantities(at, args->sieves.n > 0);
+	size_t n;
+	FREED struct quantity *figures =
+	    quantities_asked(args->of != NULL ? args->of : usual, &q->fraction,
+		question_feed(q), args->of != NULL, &n, error);
+	if (figures == NULL)
+		return NULL;
+	const struct quantity of = main_figure(q, args, at, figures);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
 		   : N_("how sure, %.0f %% bands at %.*f m/s%s"),
 	    100 * q->level, units_speed_digits(at->speed), at->speed, fraction);
-	if (!detail && !add_figures(r, s, q, at, args, error)) {
-		answer_free(r);
-		return NULL;
-	}
 	if (detail && !s->linear)
 		answer_set_across(r);
-	if (!detail)
+	if (!detail) {
+		add_figures(r, s, q, at, figures, n);
 		answer_fill_for_programs(r);
+	}
 	add_columns_of_band_parts(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
@@ -381,7 +373,6 @@ band_parts_answer(const struct session *s, const struct question *q,
 		answer_note(r, "%s", outlook_words(s, entry));
 	add_hyper(r, s, p, detail);
 	note_strengths(r, p, detail);
-	struct quantity of = first_figure(q, args, at);
 	note_feeds(r, s, q, &of, at->speed);
 	note_speeds(r, s, q, at, args->speed_sd / 100);
 	note_draws(r, p, outlook_evidence(s, entry), detail);

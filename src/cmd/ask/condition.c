@@ -642,22 +642,18 @@ note_ways(struct answer *r, const struct wanted *wanted,
 		answer_note(r, "what is in the way: %s", words);
 		return;
 	}
+	bool at[2];
 	for (size_t k = 0; k < 2; k++) {
-		if (fabs(found->best - end[k]) < 1e-3) {
-			answer_say(r, ANSWER_REMARK,
-			    k == 0 ? N_("%g m/s is the end of the speeds "
-					"searched: from= searches slower ones")
-				   : N_("%g m/s is the end of the speeds "
-					"searched: to= searches faster ones"),
-			    end[k]);
-		} else if (limit[k].i != SIZE_MAX) {
-			FREED char *words = conditions_limit(list, limit[k]);
-			answer_note(r,
-			    k == 0 ? N_("limiting at lower speeds: %s")
-				   : N_("limiting at higher speeds: %s"),
-			    words);
-		}
+		at[k] = fabs(found->best - end[k]) < 1e-3;
+		if (at[k] || limit[k].i == SIZE_MAX)
+			continue;
+		FREED char *words = conditions_limit(list, limit[k]);
+		answer_note(r,
+		    k == 0 ? N_("limiting at lower speeds: %s")
+			   : N_("limiting at higher speeds: %s"),
+		    words);
 	}
+	conditions_note_farther(r, wanted, at[0], at[1]);
 }
 
 int
