@@ -319,7 +319,7 @@ test_bands_hold(void **state)
 {
 	(void)state;
 	size_t in = 0, all = 0;
-	for (uint64_t seed = 1; seed <= often(5, 20); seed++) {
+	for (uint64_t seed = 1; seed <= often(8, 20); seed++) {
 		struct known k = known(TIERP, 0.005, seed);
 		struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 		const struct psd *feed = &k.site->run[1].feed;
