@@ -157,6 +157,16 @@ show_job_begun(struct tui *t, const char *line)
 }
 
 /* The slider to the speed that a line has answered for, if it can go there. */
+void
+control_say_off_slider(struct tui *t, double speed)
+{
+	struct slider_range range = tui_range(t);
+	tui_say(t, true,
+	    "%.1f m/s is off the slider: type :set slider %.0f..%.0f", speed,
+	    fmin(floor(speed), range.least / 10.0),
+	    fmax(ceil(speed), range.most / 10.0));
+}
+
 static void
 control_follow_speed(struct tui *t, const char *line, bool ok)
 {
@@ -169,10 +179,7 @@ control_follow_speed(struct tui *t, const char *line, bool ok)
 	if (slider_has(range, said))
 		t->ui.tenths = slider_tenths(range, said);
 	else if (isfinite(said) && ok && asks)
-		tui_say(t, true,
-		    "%.1f m/s is off the slider: type :set slider %.0f..%.0f",
-		    said, fmin(floor(said), range.least / 10.0),
-		    fmax(ceil(said), range.most / 10.0));
+		control_say_off_slider(t, said);
 	if (tui_current_entry(t) != NULL &&
 	    !slider_has(range, t->ui.tenths / 10.0))
 		t->ui.tenths = slider_tenths(

@@ -32,4 +32,8 @@ const struct command *control_find_command(const char *line);
 /* Stores the page and the quantity shown as settings, for save and restore. */
 void control_set_looks(struct tui *t);
 
+/* Says that a speed, m/s, is outside the slider's range, and how to extend
+ * that. */
+void control_say_off_slider(struct tui *t, double speed);
+
 #endif

@@ -455,30 +455,27 @@ is_speed_letter(const struct edit *y, int code)
 static void
 go_to_typed_speed(struct tui *t, const char *text)
 {
-	struct slider_range range = tui_range(t);
 	const struct entry *entry = tui_current_entry(t);
-	double rotor = entry != NULL ? entry->site->rotor : 0, v;
+	double rotor = entry != NULL ? entry->site->rotor : 0, v = NAN;
 	bool turns = strstr(text, "rpm") != NULL;
-	if (!value_number(text, turns ? "rpm" : "m/s", &v))
+	bool read = value_number(text, turns ? "rpm" : "m/s", &v);
+	double speed = turns ? head_mps(v, SPEED_RPM, rotor) : v;
+	if (!read)
 		tui_say(t, true, "expected a speed as 72.5 or 1450 rpm, got %s",
 		    text);
 	else if (turns && !(rotor > 0))
 		tui_say(t, true,
 		    "the rotor's diameter is not known: type m/s, or state it "
 		    "in the sheet as rotor_mm");
-	else if (slider_has(range, turns ? head_mps(v, SPEED_RPM, rotor) : v))
-		t->ui.tenths = slider_tenths(
-		    range, turns ? head_mps(v, SPEED_RPM, rotor) : v);
-	else if (!turns && v > SITE_FASTEST)
+	else if (speed < 1 || speed > SITE_FASTEST)
 		tui_say(t, true,
-		    "expected a speed from %d to %d m/s, got %s; for turns "
-		    "type =%g rpm",
-		    range.least / 10, range.most / 10, text, v);
+		    "expected a speed from 1 to %d m/s, got %s; turns are "
+		    "typed as =1450 rpm",
+		    SITE_FASTEST, text);
+	else if (slider_has(tui_range(t), speed))
+		t->ui.tenths = slider_tenths(tui_range(t), speed);
 	else
-		tui_say(t, true,
-		    "expected a speed from %d to %d m/s, got %s; :set "
-		    "slider 20..120 shows others",
-		    range.least / 10, range.most / 10, text);
+		control_say_off_slider(t, speed);
 }
 
 /* A digit begins a speed unless it is a key, as those of the pages are: speeds

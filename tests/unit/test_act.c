@@ -114,9 +114,9 @@ a_speed_is_typed_with_its_unit(void **state)
 	type(t, "=72,5 m/s\n");
 	assert_int_equal(t->ui.tenths, 725);
 	type(t, "=1500\n");
-	assert_non_null(strstr(t->message, "for turns type =1500 rpm"));
+	assert_non_null(strstr(t->message, "turns are typed as ="));
 	type(t, "=64.9\n");
-	assert_non_null(strstr(t->message, "from 65 to 85"));
+	assert_non_null(strstr(t->message, ":set slider 64..85"));
 	type(t, "=7.2.\n");
 	assert_non_null(strstr(t->message, "expected a speed"));
 	assert_int_equal(t->ui.tenths, 725);
