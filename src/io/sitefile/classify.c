@@ -74,11 +74,13 @@ classify_merge(
 	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
 		said->speed = more->speed;
 		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
-		said->spread = !own && (more->speed > 0 || more->rpm > 0);
+		if (more->speed > 0 || more->rpm > 0)
+			said->spread = !own;
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
 	}
 	if (said->n_number == 0) {
+		said->spread = said->spread || (!own && more->n_number > 0);
 		said->n_number = more->n_number;
 		memcpy(said->number, more->number, sizeof said->number);
 	}
@@ -91,8 +93,10 @@ static void
 apply_row_label(const struct cell *label, struct head *head)
 {
 	struct head row = head_read(label->text);
+	/* "Sample ID" heads what tells samples apart, and their speeds with it. */
 	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 &&
-	    (row.means & WORD_SPEED) == 0 && row.unit == SPEED_NO_UNIT) {
+	    (row.means & (WORD_SPEED | WORD_SAMPLE)) == 0 &&
+	    row.unit == SPEED_NO_UNIT) {
 		*head = (struct head){0};
 		return;
 	}
@@ -102,8 +106,8 @@ apply_row_label(const struct cell *label, struct head *head)
 	bool speed = unit != SPEED_NO_UNIT || (row.means & WORD_SPEED) != 0;
 	/* "Speed (Hz)", "Belt speed m/s", "t/h": another quantity. */
 	bool other =
-	    row.unknown > 0 || (row.means & ~WORD_FILLER) == 0 ||
-	    row.n_number > 0 ||
+	    row.unknown > 0 || row.n_number > 0 ||
+	    ((row.means & ~WORD_FILLER) == 0 && row.unit == SPEED_NO_UNIT) ||
 	    (row.means & (WORD_PERCENT | WORD_GRAMS | WORD_LIMIT)) != 0 ||
 	    (speed && (row.means & WORD_SAMPLE) != 0) ||
 	    (speed && (row.means & WORD_FEED) != 0);

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/layout.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -223,6 +224,42 @@ name_feeds(struct grid *g)
 			    0)
 				layout_cell_at(g, r, c)->text = feed;
 	}
+}
+
+/* The one number of "< 16", below which material passes a sieve; NULL: none. */
+static char *
+size_below(const struct cell *cell)
+{
+	if (cell->kind != CELL_TEXT || cell->text[0] != '<')
+		return NULL;
+	char *size = cell->text + 1 + strspn(cell->text + 1, " =");
+	return isdigit((unsigned char)size[0]) ? size : NULL;
+}
+
+/* "< 16", "< 11.2", "< 8" in one line or column: the sieves of what passes
+ * them; one alone is the pan. */
+static void
+name_sizes_below(struct grid *g)
+{
+	enum { LEAST = 3 };
+	size_t *in_row = xcalloc(g->n_row + 1, sizeof *in_row);
+	size_t *in_col = xcalloc(g->n_col + 1, sizeof *in_col);
+	for (size_t r = 0; r < g->n_row; r++)
+		for (size_t c = 0; c < g->n_col; c++) {
+			bool below = size_below(layout_cell_at(g, r, c)) != NULL;
+			in_row[r] += below;
+			in_col[c] += below;
+		}
+	for (size_t r = 0; r < g->n_row; r++)
+		for (size_t c = 0; c < g->n_col; c++) {
+			struct cell *cell = layout_cell_at(g, r, c);
+			char *size = size_below(cell);
+			if (size != NULL &&
+			    (in_row[r] >= LEAST || in_col[c] >= LEAST))
+				*cell = number_cell(g->sheet, *cell, size);
+		}
+	free(in_row);
+	free(in_col);
 }
 
 /* R heads its tables without the column of row numbers: a line one cell short
@@ -456,13 +493,26 @@ find_headed(const struct grid *g, struct place *place)
 	return n;
 }
 
+/* Whether the first cells of a line are heads of their columns, and not the
+ * head of the line: there are several, or a number or a feed is below. */
+static bool
+heads_columns(const struct grid *g, size_t r, size_t c)
+{
+	if (r > 1 && is_filled(g, r - 1, c))
+		return true;
+	return c + 1 < g->n_col &&
+	       (strpbrk(layout_cell_at(g, 0, c + 1)->text, "0123456789") !=
+		       NULL ||
+		   (nature_at(g, 0, c + 1)->means & WORD_FEED) != 0);
+}
+
 /* Whether the cell above numbers, or before those of a line, says that they are
  * times, remarks or speeds. */
 static bool
 is_other_head(const struct grid *g, size_t r, size_t c)
 {
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
-	if (r == 0)
+	if (r == 0 || (g->across && heads_columns(g, r, c)))
 		return false;
 	uint64_t means = nature_at(g, g->across ? 0 : r - 1, c)->means;
 	return (means & other) != 0 && (means & WORD_SIZE) == 0;
@@ -476,8 +526,8 @@ is_pan_row(const struct grid *g, size_t r, size_t c)
 	       has_numbers(g, r, c, g->n_col);
 }
 
-/* Numbers that fall, or rise, and nearly all are openings of real sieves: a
- * table without a head. */
+/* Numbers that fall, or rise, but not as a count does, and nearly all are
+ * openings of real sieves: a table without a head. */
 static size_t
 find_headless_table(const struct grid *g, struct place *place)
 {
@@ -488,7 +538,7 @@ find_headless_table(const struct grid *g, struct place *place)
 			struct place p = {
 			    c, g->n_row, r, 0, g->n_col, 0, false};
 			double mm, last = NAN;
-			size_t rises = 0, falls = 0, n = 0;
+			size_t rises = 0, falls = 0, steps = 0, n = 0;
 			if (sieve_kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
 			find_end(g, &p);
@@ -498,13 +548,15 @@ find_headless_table(const struct grid *g, struct place *place)
 					continue;
 				rises += mm > last;
 				falls += mm < last;
+				steps += fabs(fabs(mm - last) - 1) < 1e-9;
 				last = mm;
 				n++;
 			}
 			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
 				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
-			if (n >= LEAST_WITHOUT_HEAD && ordered &&
+			bool count = steps + 1 == n;
+			if (n >= LEAST_WITHOUT_HEAD && ordered && !count &&
 			    !is_other_head(g, p.first, c) &&
 			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
 				place[found++] = p;
@@ -943,6 +995,7 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	struct grid g = layout_grid_new(sheet, range);
 	shift_head(&g);
 	name_feeds(&g);
+	name_sizes_below(&g);
 	find_natures(&g);
 	layout_find_numbers(&g);
 	struct grid t = grid_turned(&g);

@@ -106,7 +106,9 @@ static const struct {
 	"observacion observacoes observacao obs huom huomautus date datum "
 	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
 	"tid operator klockan "
-	"moisture fukt feuchte"},
+	"moisture fukt fukthalt feuchte humidite humedad umidade kosteus "
+	"temperature temperatur operateur bediener uhrzeit heure hora "
+	"initials sampler sampled signature"},
     {WORD_MEAN, "mean average avg mw moy ka median gj medel medelvarde snitt "
 		"mittel mittelwert moyenne "
 		"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
@@ -117,7 +119,7 @@ static const struct {
     {WORD_SAMPLE | WORD_NUMBER,
 	"no nr n num nummer number numero # n\xC2\xB0 n\xC2\xBA"},
     {WORD_PAN,
-	"pan bottom receiver rest botten trag bunn boden siebboden schale "
+	"pan bottom receiver rest botten panna bottenpanna trag bunn boden siebboden schale "
 	"auffangschale pfanne fond fondo fundo charola bandeja cazuela pohja "
 	"bund "
 	"receptor receptaculo recipiente panela"},
@@ -145,7 +147,8 @@ static const struct {
 	"at vid material mangd on of the and by to for with a i pa av mit "
 	"bei der die das des du de la le en sur par del el por em o "
 	"wt gew vol masse-% m m-% the med och und et y e astia "
-	"kohti p v ms s mps peripheral periferi "
+	"kohti p v ms s mps peripheral periferi peripherique periferica "
+	"periferico "
 	"analysis siktning each per je single individual einzeln parcial "
 	"partiel simple enskild nominal"},
 };
