@@ -93,10 +93,13 @@ static void
 apply_row_label(const struct cell *label, struct head *head)
 {
 	struct head row = head_read(label->text);
-	/* "Sample ID" heads what tells samples apart, and their speeds with it. */
-	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 &&
-	    (row.means & (WORD_SPEED | WORD_SAMPLE)) == 0 &&
-	    row.unit == SPEED_NO_UNIT) {
+	bool sample = (row.means & WORD_SAMPLE) != 0 ||
+		      (head->unknown == 0 &&
+			  ((head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
+			      head->speed > 0 || head->rpm > 0));
+	/* "ID" above "Feed" and "69 m/s" tells samples apart. */
+	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 && !sample &&
+	    (row.means & WORD_SPEED) == 0 && row.unit == SPEED_NO_UNIT) {
 		*head = (struct head){0};
 		return;
 	}
@@ -231,8 +234,11 @@ parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 		*scale = OF_1;
 	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
-	else /* nearly 100, and neither 100 nor some mass */
+	else { /* nearly 100, and neither 100 nor some mass */
+		bool mass = s->most > 100.5 && !classify_near(s->first, 100, 1);
+		*scale = mass ? OF_MASS : *scale;
 		return false;
+	}
 	return true;
 }
 

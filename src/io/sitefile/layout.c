@@ -246,7 +246,8 @@ name_sizes_below(struct grid *g)
 	size_t *in_col = xcalloc(g->n_col + 1, sizeof *in_col);
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			bool below = size_below(layout_cell_at(g, r, c)) != NULL;
+			bool below =
+			    size_below(layout_cell_at(g, r, c)) != NULL;
 			in_row[r] += below;
 			in_col[c] += below;
 		}
@@ -466,6 +467,22 @@ next_head(const struct grid *g, size_t r, size_t c)
 	return k < g->n_col ? k : g->n_col;
 }
 
+/* Whether the sizes of a table go up or down by 1: a count of samples. */
+static bool
+is_count_of(const struct grid *g, const struct place *p)
+{
+	double mm, last = NAN;
+	size_t n = 0, steps = 0;
+	for (size_t r = p->first; r < p->last; r++) {
+		if (sieve_kind_at(g, r, p->c, &mm) != SIEVE_IS_SIZE)
+			continue;
+		steps += fabs(fabs(mm - last) - 1) < 1e-9;
+		last = mm;
+		n++;
+	}
+	return steps + 1 == n;
+}
+
 /* Tables under a head for sieves. */
 static size_t
 find_headed(const struct grid *g, struct place *place)
@@ -487,7 +504,9 @@ find_headed(const struct grid *g, struct place *place)
 			    !layout_is_sieve(g, p.first, c))
 				continue;
 			find_end(g, &p);
-			if (p.last > p.first && n < MOST_TABLES)
+			/* "Sieve analysis" is the title of other heads. */
+			bool title = p.first > r + 1 && is_count_of(g, &p);
+			if (p.last > p.first && !title && n < MOST_TABLES)
 				place[n++] = p;
 		}
 	return n;
@@ -538,7 +557,7 @@ find_headless_table(const struct grid *g, struct place *place)
 			struct place p = {
 			    c, g->n_row, r, 0, g->n_col, 0, false};
 			double mm, last = NAN;
-			size_t rises = 0, falls = 0, steps = 0, n = 0;
+			size_t rises = 0, falls = 0, n = 0;
 			if (sieve_kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
 			find_end(g, &p);
@@ -548,15 +567,14 @@ find_headless_table(const struct grid *g, struct place *place)
 					continue;
 				rises += mm > last;
 				falls += mm < last;
-				steps += fabs(fabs(mm - last) - 1) < 1e-9;
 				last = mm;
 				n++;
 			}
 			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
 				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
-			bool count = steps + 1 == n;
-			if (n >= LEAST_WITHOUT_HEAD && ordered && !count &&
+			if (n >= LEAST_WITHOUT_HEAD && ordered &&
+			    !is_count_of(g, &p) &&
 			    !is_other_head(g, p.first, c) &&
 			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
 				place[found++] = p;
@@ -679,6 +697,21 @@ layout_find_told(
 	return n;
 }
 
+/* Whether a row says what the sieves have, "% passing", above none of the
+ * columns: heads may go on above it. */
+static bool
+is_head_of_all(
+    const struct grid *g, size_t r, const struct place *p, size_t end)
+{
+	const uint64_t all =
+	    WORD_PASSES | WORD_STAYS | WORD_PERCENT | WORD_GRAMS | WORD_MASS;
+	for (size_t k = p->c + 1; k < end; k++)
+		if (is_filled(g, r, k))
+			return false;
+	const struct nature *n = nature_at(g, r, p->c);
+	return g->across && (n->means & all) != 0 && n->unknown == 0;
+}
+
 /* Whether a row above the head of the sieves belongs to the heads: it says
  * something of the columns, and is no key with its value and no title. */
 static bool
@@ -787,7 +820,8 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
-	       is_head_row(g, top - 1, p, end) &&
+	       (is_head_row(g, top - 1, p, end) ||
+		   is_head_of_all(g, top - 1, p, end)) &&
 	       !g->used[index_at(g, top - 1, p->c)])
 		top--;
 	for (size_t r = top; r < p->first; r++) {

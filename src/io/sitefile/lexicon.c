@@ -113,13 +113,15 @@ static const struct {
 		"mittel mittelwert moyenne "
 		"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
     {WORD_SAMPLE,
-	"sample samples prov provet provnr probe proben cut belt beltcut run "
+	"sample samples prov provet provnr probe proben cut belt beltcut "
+	"run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
 	"amostra ensaio nayte koe bandprov band repeat rep"},
     {WORD_SAMPLE | WORD_NUMBER,
 	"no nr n num nummer number numero # n\xC2\xB0 n\xC2\xBA"},
     {WORD_PAN,
-	"pan bottom receiver rest botten panna bottenpanna trag bunn boden siebboden schale "
+	"pan bottom receiver rest botten panna bottenpanna trag bunn boden "
+	"siebboden schale "
 	"auffangschale pfanne fond fondo fundo charola bandeja cazuela pohja "
 	"bund "
 	"receptor receptaculo recipiente panela"},

@@ -337,11 +337,12 @@ sieve_size_cut_unit(
 	size_t at = n;
 	while (at > 0 && !isdigit((unsigned char)cell->text[at - 1]))
 		at--;
-	if (at == 0 || at == n)
+	/* 64 m/s is a speed. */
+	if (at == 0 || at == n || strchr(cell->text + at, '/') != NULL)
 		return 0;
 	struct sieve_unit unit =
 	    sieve_unit_of(vocabulary_text(cell->text + at, &unknown));
-	if (unknown > 0 || unit.series != SIEVE_NONE)
+	if (unknown > 0 || unit.mm == 0)
 		return 0;
 	memcpy(copy, cell->text, at);
 	copy[at] = '\0';

@@ -147,6 +147,22 @@ struct numbers {
 	bool rises, even;
 };
 
+/* Whether a text is a fraction of an inch that sieves have, 3/8 or 1 1/2, and
+ * no class, 12.5/16. */
+static bool
+is_fraction(const char *text)
+{
+	const char *bar = strchr(text, '/');
+	if (bar == NULL || !isdigit((unsigned char)text[0]) ||
+	    sieve_names_mm(text, SIEVE_ASTM) <= 0)
+		return false;
+	double parts;
+	return text_number(bar + 1, &parts) &&
+	       (parts == 2 || parts == 4 || parts == 8 || parts == 16 ||
+		   parts == 32) &&
+	       strpbrk(text, ".,") == NULL;
+}
+
 static struct numbers
 site_sieve_numbers_of(const struct table *t)
 {
@@ -154,9 +170,7 @@ site_sieve_numbers_of(const struct table *t)
 	double v, last = NAN, step = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
-		bool part = strchr(cell.text, '/') != NULL &&
-			    isdigit((unsigned char)cell.text[0]) &&
-			    sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
+		bool part = is_fraction(cell.text);
 		bool number = number_of(cell, &v);
 		all.n += part || number;
 		all.n_part += part;
@@ -487,7 +501,9 @@ site_sieve_numbers(struct sheet *sheet)
 		bool cells = c->row.cell != NULL
 				 ? c->row.n > 1
 				 : c->text[strcspn(c->text, separator)] != '\0';
-		if (cells && sieve_names_is_number(first))
+		/* "#" alone heads a column of numbers. */
+		bool head = strcmp(first, "#") == 0;
+		if (cells && (head || sieve_names_is_number(first)))
 			sheet_uncomment(sheet, i);
 		free(first);
 	}
