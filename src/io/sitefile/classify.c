@@ -544,7 +544,9 @@ find_speed(struct column *c, const struct surroundings *near)
 			    c->rpm, 1000 * near->rotor, c->speed);
 	} else if (bare_speed(said) > 0 && said->unknown == 0) {
 		c->speed = bare_speed(said);
-		assume(c, "%g as m/s", c->speed);
+		/* A speed that spreads over the feed may not be the feed's. */
+		if (c->role != FEED || !said->spread)
+			assume(c, "%g as m/s", c->speed);
 	} else if (near->speed > 0 && c->role == PRODUCT) {
 		c->speed = near->speed;
 	}

@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -817,6 +818,8 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
 	    .n_col = n,
+	    .left = g->across ? g->row_number[p->first] : g->col_number[p->c],
+	    .end = g->across || end == g->n_col ? SIZE_MAX : g->col_number[end],
 	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&

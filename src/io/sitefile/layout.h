@@ -27,6 +27,7 @@ struct table {
 	bool strange;
 	bool unsure; /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
+	size_t left, end;
 	struct row *head, *row, *foot;
 	size_t *number;
 	size_t n_text;

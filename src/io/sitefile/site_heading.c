@@ -92,6 +92,8 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	if (unit == SPEED_NO_UNIT && (k.means & WORD_RPM) != 0)
 		unit = SPEED_RPM;
 	bool about = (k.means & WORD_SPEED) != 0 || k.unit != SPEED_NO_UNIT;
+	/* "Product 70 m/s" is the title of a table. */
+	about = about && !(k.speed > 0) && !(k.rpm > 0);
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
 	if (v.speed > 0 || v.rpm > 0) {

@@ -153,24 +153,45 @@ static bool
 is_fraction(const char *text)
 {
 	const char *bar = strchr(text, '/');
-	if (bar == NULL || !isdigit((unsigned char)text[0]) ||
-	    sieve_names_mm(text, SIEVE_ASTM) <= 0)
-		return false;
 	double parts;
-	return text_number(bar + 1, &parts) &&
+	return bar != NULL && isdigit((unsigned char)text[0]) &&
+	       strpbrk(text, ".,") == NULL && text_number(bar + 1, &parts) &&
 	       (parts == 2 || parts == 4 || parts == 8 || parts == 16 ||
 		   parts == 32) &&
-	       strpbrk(text, ".,") == NULL;
+	       sieve_names_mm(text, SIEVE_ASTM) > 0;
+}
+
+/* Whether two texts are neighbouring classes, 8/16 and 4/8. */
+static bool
+classes_meet(const char *a, const char *b)
+{
+	const char *low = strchr(a, '/'), *high = strchr(b, '/');
+	if (low == NULL || high == NULL)
+		return false;
+	size_t from = (size_t)(low - a), to = (size_t)(high - b);
+	return (strlen(high + 1) == from && strncmp(a, high + 1, from) == 0) ||
+	       (strlen(low + 1) == to && strncmp(b, low + 1, to) == 0);
+}
+
+static bool
+has_fractions(const struct table *t)
+{
+	size_t meet = 0;
+	for (size_t i = 1; i < t->n_row; i++)
+		meet += classes_meet(
+		    t->row[i - 1].cell[0].text, t->row[i].cell[0].text);
+	return meet < 2;
 }
 
 static struct numbers
 site_sieve_numbers_of(const struct table *t)
 {
 	struct numbers all = {.rises = true, .even = true};
+	bool fractions = has_fractions(t);
 	double v, last = NAN, step = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
-		bool part = is_fraction(cell.text);
+		bool part = fractions && is_fraction(cell.text);
 		bool number = number_of(cell, &v);
 		all.n += part || number;
 		all.n_part += part;

@@ -16,15 +16,15 @@ has_speed(const struct head *head)
 	return head->speed > 0 || head->rpm > 0;
 }
 
-/* Whether cell c of a line may head a table: within three lines above it, and
- * no key with its value. */
+/* Whether cell c of a line may head a table: within three lines above it, over
+ * its columns where the line has more cells, and no key with its value. */
 static bool
 can_head_table(const struct table *t, const struct row *row, size_t c)
 {
 	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
 	return row->line < top && row->line >= top - 3 &&
 	       vocabulary_key(row->cell[0].text) == N_KEY &&
-	       (row->n == 1 || row->cell[c].column >= t->row[0].cell[0].column);
+	       (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 }
 
 /* Whether words say which sample a table has. */
