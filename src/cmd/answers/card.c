@@ -21,11 +21,11 @@
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
-/* What is asked at every speed: P20, P50 and P80, then the user's figures;
- * limits, and tonnes. */
+/* What is asked at every speed: P20, P50 and P80, then the user's figures, of
+ * which the first is at `first`; limits, and tonnes. */
 struct asked {
 	const struct question *question;
-	size_t n;
+	size_t n, first;
 	struct quantity *q;
 	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
@@ -39,7 +39,7 @@ struct asked {
 	char *power;
 };
 
-/* Adds the quantities of a text to the list. */
+/* Adds the quantities of a text that are not in the list yet. */
 static bool
 add_list(struct asked *all, const char *text, const struct psd *feed,
     struct error *error)
@@ -49,6 +49,12 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
 	FREED struct quantity *q =
 	    quantities_asked(text, fraction, feed, true, &n, error);
 	for (size_t i = 0; q != NULL && i < n; i++) {
+		size_t at = 0;
+		while (at < all->n && !quantity_same(&all->q[at], &q[i]))
+			at++;
+		all->first = i == 0 ? at : all->first;
+		if (at < all->n)
+			continue;
 		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
 		all->q[all->n++] = q[i];
 	}
@@ -72,8 +78,8 @@ add_usual_passings(
 	    psd_covers(feed, 6.3e-5)
 		? xstrdup("fines")
 		: xasprintf("passing %.12g", units_mm(feed->size[feed->n - 1]));
-	return add_list(all, middle, feed, error) &&
-	       add_list(all, finest, feed, error);
+	FREED char *both = xasprintf("%s,%s", middle, finest);
+	return add_list(all, both, feed, error);
 }
 
 static bool
@@ -188,7 +194,7 @@ work_out_flow(const struct asked *all, struct card_row *row)
 }
 
 /* The figure whose range a page has room for: the first that has a limit, or
- * the first behind the sizes. */
+ * the first that was asked for. */
 static size_t
 ranged_figure(const struct asked *all)
 {
@@ -197,7 +203,7 @@ ranged_figure(const struct asked *all)
 			if (quantity_same(
 				&all->q[i], &all->list.at[c].quantity))
 				return i;
-	return PSD_SIZES < all->n ? PSD_SIZES : PSD_SIZES - 1;
+	return all->first;
 }
 
 /* Where the feed does not tell a size at this speed nothing stands. */
@@ -360,8 +366,10 @@ page_of(const struct asked *all, const struct card_row *row, size_t rows,
 {
 	struct page page = {.rows = rows};
 	struct page_column *c = page_column(&page, xstrdup("m/s"), 0, NEEDED);
-	for (size_t k = 0; k < rows; k++)
-		page_cell(c, k, row[k].speed, xasprintf("%g", row[k].speed));
+	for (size_t k = 0; k < rows; k++) {
+		double shown = round(100 * row[k].speed) / 100;
+		page_cell(c, k, shown, xasprintf("%g", shown));
+	}
 	if (all->question->entry->site->rotor > 0) {
 		c = page_column(&page, xstrdup("rpm"), 0, NEEDED);
 		for (size_t k = 0; k < rows; k++)
