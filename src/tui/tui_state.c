@@ -15,6 +15,8 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/question.h"
 
+const double NUMBERS_SIEVE[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
+
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
 const struct entry *

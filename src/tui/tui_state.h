@@ -24,9 +24,10 @@
 #include "tui/widgets/edit.h"
 
 /* The numbers of a prediction, for showing differences: P20, P50, P80 and the
- * break size, mm; passing at 0.063, 2 and 4 mm, %, NAN outside its sieves;
- * feed: m/s of the run in which it was sampled; 0: one for all. */
+ * break size, mm; passing at NUMBERS_SIEVE, %, NAN outside its sieves; feed:
+ * m/s of the run in which it was sampled; 0: one for all. */
 enum { NUMBERS_FRACTIONS = 3 };
+extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS]; /* m: sand is sold by */
 struct numbers {
 	char site[64];
 	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];

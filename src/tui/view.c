@@ -28,7 +28,6 @@ static struct numbers
 view_numbers_of(
     const struct session *s, const char *key, const struct prediction *p)
 {
-	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
 	struct numbers n = {.speed = p->speed};
 	if (p->product.n == 0)
 		return n;
@@ -43,9 +42,10 @@ view_numbers_of(
 		n.size[i] = answers_size(p, i);
 	n.break_mm = answers_size(p, ANSWERS_BREAK);
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n.passing[i] = psd_covers(&p->product, sizes[i])
-				   ? 100 * psd_passing(&p->product, sizes[i])
-				   : NAN;
+		n.passing[i] =
+		    psd_covers(&p->product, NUMBERS_SIEVE[i])
+			? 100 * psd_passing(&p->product, NUMBERS_SIEVE[i])
+			: NAN;
 	return n;
 }
 
