@@ -319,7 +319,7 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 		.picture = PLOT_SEARCH,
 		.level = 50},
 	    .mouse = screen_mouse(true),
-	    .view = {.strip = strip_new(), .holdout = NAN},
+	    .view.holdout = NAN,
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
 	s->hooks.confirm = control_confirm;

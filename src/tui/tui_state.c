@@ -61,6 +61,12 @@ tui_feed(const struct tui *t)
 	return feed_sampled_at(tui_entry_asked_about(t)->site, t->ui.feed);
 }
 
+const struct psd *
+tui_feed_curve(const struct tui *t)
+{
+	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
+}
+
 /* What measured products are moved by: the parameters of the prediction beside
  * them, in room for them; or NULL. */
 static const struct params *

@@ -107,7 +107,6 @@ struct cursor {
 	int row, column;
 };
 
-struct strip;
 struct page_list;
 struct page_ops;
 /* Lists of files: all files in the working folder; its sheets, for a feed whose
@@ -194,6 +193,16 @@ struct view_key {
 	int tenths;
 };
 
+/* The quantity above the track at n speeds, m/s, from the slowest of the slider
+ * to the fastest: value and the ends of its band, as shown, NAN without a band.
+ * of, basis, feed: what it was computed for. */
+enum { STRIP_POINTS = 41 };
+struct strip {
+	struct quantity of;
+	size_t basis, feed, n;
+	double speed[STRIP_POINTS], value[STRIP_POINTS][3];
+};
+
 /* The content shown, computed from the session and the user's choices, see
  * view.h. */
 struct view {
@@ -208,9 +217,9 @@ struct view {
 	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
 	struct prediction pinned_whole; /* the prediction in pinned, borrowed */
-	double holdout;      /* RMSE for the current site, points, or NAN */
-	struct strip *strip; /* the response strip */
-	struct goal goal;    /* from `set goal`, see goals.h */
+	double holdout;     /* RMSE for the current site, points, or NAN */
+	struct strip strip; /* the response strip */
+	struct goal goal;   /* from `set goal`, see goals.h */
 	struct envelope_check *envelope_check; /* owned, or NULL */
 	struct sheet sheet;                    /* for the page Data */
 	struct parity parity;                  /* for the page Parity */
@@ -346,8 +355,9 @@ struct slider_range tui_range_of(
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: that of the last
  * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
- * see tui_entry_asked_about. */
+ * see tui_entry_asked_about.  tui_feed_curve returns its curve. */
 size_t tui_feed(const struct tui *t);
+const struct psd *tui_feed_curve(const struct tui *t);
 void tui_keep_feed(struct tui *t);
 void tui_take_feed(struct tui *t); /* from `set feed` */
 

@@ -17,7 +17,6 @@
 #include "tui/captured.h"
 #include "tui/pages.h"
 #include "tui/widgets/envelope_check.h"
-#include "tui/widgets/response_strip.h"
 #include "tui/widgets/track.h"
 
 /* A slider that stood still for so long has paused, s. */
@@ -215,7 +214,6 @@ view_free(struct tui *t)
 	trust_free(&t->view.light);
 	origin_drop(t->view.basis.origin);
 	free(t->view.row);
-	strip_free(t->view.strip);
 	goals_clear(&t->view.goal);
 	tui_forget_sheet(&t->view.sheet);
 	tui_forget_parity(&t->view.parity);

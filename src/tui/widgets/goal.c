@@ -52,12 +52,6 @@ goal_words(const struct tui *t, enum goals_length length)
 	    t->ui.tenths / 10.0, length);
 }
 
-static const struct psd *
-goal_feed_of(const struct tui *t)
-{
-	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
-}
-
 size_t
 goal_limits(const struct tui *t, double *speed, size_t most)
 {
@@ -197,7 +191,7 @@ take_quantity(struct tui *t, const char *text)
 	if (n > 0 && copy[n - 1] == '=')
 		copy[n - 1] = '\0';
 	bool ok = quantities_read(copy, &SHARP, &q, &error);
-	if (ok && quantities_covered(&q, goal_feed_of(t), &error)) {
+	if (ok && quantities_covered(&q, tui_feed_curve(t), &error)) {
 		t->ui.quantity = q;
 		close_goal_field(t);
 		if (goals_is_set(t->session))
@@ -249,7 +243,7 @@ read_goal_field(struct tui *t)
 		line = goal_command_line(t, "");
 	} else if (take_quantity(t, text)) {
 		/* said already */
-	} else if (goals_read(t->session, text, goal_feed_of(t), &list,
+	} else if (goals_read(t->session, text, tui_feed_curve(t), &list,
 		       &n_value, &error)) {
 		if (list.n > 0)
 			t->ui.quantity = quantity_to_show(&list);

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -23,27 +22,8 @@
 
 /* Speeds worked out in one go, and how long the slider stands still before
  * that, s. */
-enum { POINTS = 41, IN_ONE_GO = 8 };
+enum { IN_ONE_GO = 8 };
 static const double PAUSE = 0.05;
-
-/* value [n]: as people see it, with the ends of its band, NAN without one. */
-struct strip {
-	struct quantity of;
-	size_t basis, feed, n;
-	double value[POINTS][3];
-};
-
-struct strip *
-strip_new(void)
-{
-	return xcalloc(1, sizeof(struct strip));
-}
-
-void
-strip_free(struct strip *a)
-{
-	free(a);
-}
 
 static struct quantity
 make_strip_quantity(enum quantity_kind kind, double x, double coarse)
@@ -57,12 +37,6 @@ struct quantity
 strip_default_quantity(void)
 {
 	return make_strip_quantity(QUANTITY_SIZE, 0.8, 0);
-}
-
-static const struct psd *
-response_strip_feed_of(const struct tui *t)
-{
-	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 void
@@ -86,9 +60,8 @@ act_quantity(struct tui *t, const struct key *key)
 			at = i;
 	do
 		at = (at + by + n) % n;
-	while (
-	    !quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
-	    !quantities_covered(&all[at], response_strip_feed_of(t), &error));
+	while (!quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
+	       !quantities_covered(&all[at], tui_feed_curve(t), &error));
 	t->ui.quantity = all[at];
 }
 
@@ -106,7 +79,7 @@ has_curve(const struct tui *t)
 static bool
 response_strip_is_of(const struct tui *t)
 {
-	const struct strip *a = t->view.strip;
+	const struct strip *a = &t->view.strip;
 	return a->basis == t->view.n_basis && a->feed == tui_feed(t) &&
 	       quantity_same(&a->of, &t->ui.quantity);
 }
@@ -114,15 +87,8 @@ response_strip_is_of(const struct tui *t)
 static bool
 is_strip_current(const struct tui *t)
 {
-	const struct strip *a = t->view.strip;
-	return a->n == POINTS && response_strip_is_of(t);
-}
-
-static double
-response_strip_speed_at(const struct tui *t, double share)
-{
-	struct slider_range range = tui_range(t);
-	return (range.least + share * (range.most - range.least)) / 10;
+	const struct strip *a = &t->view.strip;
+	return a->n == STRIP_POINTS && response_strip_is_of(t);
 }
 
 /* The forecast is made anew for each part: what it is made of may be gone
@@ -130,7 +96,8 @@ response_strip_speed_at(const struct tui *t, double share)
 static void
 response_strip_work_out(struct tui *t)
 {
-	struct strip *a = t->view.strip;
+	struct strip *a = &t->view.strip;
+	const struct slider_range range = tui_range(t);
 	if (!response_strip_is_of(t))
 		a->n = 0;
 	a->basis = t->view.n_basis;
@@ -139,27 +106,18 @@ response_strip_work_out(struct tui *t)
 	const struct question q = question_of_whole_product(
 	    t->session, tui_entry_asked_about(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
-	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
+	for (int i = 0; i < IN_ONE_GO && a->n < STRIP_POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
-		forecast_at(
-		    f, response_strip_speed_at(t, (double)a->n / (POINTS - 1)));
+		double share = (double)a->n / (STRIP_POINTS - 1);
+		a->speed[a->n] =
+		    (range.least + share * (range.most - range.least)) / 10;
+		forecast_at(f, a->speed[a->n]);
 		struct figure at = forecast_figure(f, 0);
 		value[0] = quantities_shown(&a->of, at.value);
 		value[1] = quantities_shown(&a->of, at.low);
 		value[2] = quantities_shown(&a->of, at.high);
 	}
 	forecast_close(f);
-}
-
-bool
-strip_point(
-    const struct tui *t, size_t i, double *speed, double value[static 3])
-{
-	if (!is_strip_current(t) || i >= POINTS)
-		return false;
-	*speed = response_strip_speed_at(t, (double)i / (POINTS - 1));
-	memcpy(value, t->view.strip->value[i], 3 * sizeof *value);
-	return true;
 }
 
 double
@@ -202,8 +160,8 @@ strip_update(struct tui *t)
 static double
 response_strip_value_at(const struct strip *a, double share)
 {
-	double at = share * (POINTS - 1);
-	size_t i = at < POINTS - 2 ? (size_t)at : POINTS - 2;
+	double at = share * (STRIP_POINTS - 1);
+	size_t i = at < STRIP_POINTS - 2 ? (size_t)at : STRIP_POINTS - 2;
 	double part = at - (double)i;
 	return (1 - part) * a->value[i][0] + part * a->value[i + 1][0];
 }
@@ -274,9 +232,9 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 	size_t n = take_limits(t, limit);
 	axis->low = INFINITY;
 	axis->high = -INFINITY;
-	for (size_t i = 0; i < POINTS; i++)
+	for (size_t i = 0; i < STRIP_POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			axis_include(axis, t->view.strip->value[i][k]);
+			axis_include(axis, t->view.strip.value[i][k]);
 	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
 		axis_include(axis, response_strip_measured_at(t, r));
 	if (!(axis->low <= axis->high))
@@ -299,9 +257,9 @@ add_series(const struct tui *t, struct chart *chart, enum chart_line line)
 {
 	const struct chart_series look = {
 	    .series = SERIES_PREDICTED, .line = line, .ascii = '#'};
-	struct chart_series *s = chart_add(chart, look, POINTS, "%s", "");
-	for (size_t i = 0; i < POINTS; i++) {
-		s->x[i] = response_strip_speed_at(t, (double)i / (POINTS - 1));
+	struct chart_series *s = chart_add(chart, look, STRIP_POINTS, "%s", "");
+	for (size_t i = 0; i < STRIP_POINTS; i++) {
+		s->x[i] = t->view.strip.speed[i];
 		s->y[i] = NAN;
 	}
 	return s;
@@ -315,8 +273,8 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 	double least = THICK * (chart->y.high - chart->y.low) / dots;
 	struct chart_series *s = add_series(t, chart, CHART_MARKS);
 	chart_add_band(s);
-	for (size_t i = 0; i < POINTS; i++) {
-		const double *value = t->view.strip->value[i];
+	for (size_t i = 0; i < STRIP_POINTS; i++) {
+		const double *value = t->view.strip.value[i];
 		bool thick = value[2] - value[1] > least;
 		s->low[i] = thick ? value[1] : NAN;
 		s->high[i] = thick ? value[2] : NAN;
@@ -330,8 +288,8 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 	struct chart_series *beyond = add_series(t, chart, CHART_DASHED),
 			    *within = add_series(t, chart, CHART_SOLID);
 	bool was = false;
-	for (size_t i = 0; i < POINTS; i++) {
-		double value = t->view.strip->value[i][0];
+	for (size_t i = 0; i < STRIP_POINTS; i++) {
+		double value = t->view.strip.value[i][0];
 		bool is =
 		    answers_extrapolates(tui_current_entry(t), within->x[i]);
 		if (!is)
@@ -339,7 +297,7 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 		if (is || was)
 			beyond->y[i] = value;
 		if (is && i > 0)
-			beyond->y[i - 1] = t->view.strip->value[i - 1][0];
+			beyond->y[i - 1] = t->view.strip.value[i - 1][0];
 		was = is;
 	}
 }
@@ -471,7 +429,7 @@ response_strip_draw_marks(
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
-	double value = response_strip_value_at(t->view.strip, share);
+	double value = response_strip_value_at(&t->view.strip, share);
 	if (isfinite(value))
 		screen_series(area, response_strip_row_of(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),
@@ -501,8 +459,8 @@ void
 strip_draw(struct tui *t)
 {
 	struct area area = t->layout.strip, track = layout_track(&t->layout);
-	struct axis x = {.low = response_strip_speed_at(t, 0),
-			.high = response_strip_speed_at(t, 1)},
+	const double *speed = t->view.strip.speed;
+	struct axis x = {.low = speed[0], .high = speed[STRIP_POINTS - 1]},
 		    y = x;
 	if (area.rows == 0)
 		return;
