@@ -24,13 +24,12 @@
 #include "tui/widgets/edit.h"
 
 /* The numbers of a prediction, for showing differences: P20, P50, P80 and the
- * break size, mm; passing at NUMBERS_SIEVE, %, NAN outside its sieves; feed:
- * m/s of the run in which it was sampled; 0: one for all. */
+ * break size, mm; passing at NUMBERS_SIEVE, %, NAN outside its sieves. */
 enum { NUMBERS_FRACTIONS = 3 };
 extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS]; /* m: sand is sold by */
 struct numbers {
 	char site[64];
-	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
+	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
 /* Text on the whole screen, shown from line `top` and column `left`.  text

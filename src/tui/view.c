@@ -22,21 +22,14 @@
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
 
-/* Of the site with that key. */
+/* Returns the numbers of a prediction for the site with that key. */
 static struct numbers
-view_numbers_of(
-    const struct session *s, const char *key, const struct prediction *p)
+view_numbers_of(const char *key, const struct prediction *p)
 {
 	struct numbers n = {.speed = p->speed};
 	if (p->product.n == 0)
 		return n;
 	snprintf(n.site, sizeof n.site, "%s", key);
-	for (size_t i = 0; i < s->n_entry; i++) {
-		const struct site *site = s->entry[i].site;
-		if (strcmp(s->entry[i].key, key) == 0 &&
-		    p->feed_run < site->n_run && site->individual_feeds)
-			n.feed = site->run[p->feed_run].speed;
-	}
 	for (size_t i = 0; i < 3; i++)
 		n.size[i] = answers_size(p, i);
 	n.break_mm = answers_size(p, ANSWERS_BREAK);
@@ -54,8 +47,8 @@ copy_pinned_numbers(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
 	t->view.pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
-	t->view.pinned = view_numbers_of(
-	    t->session, pin != NULL ? pin->key : "", &t->view.pinned_whole);
+	t->view.pinned =
+	    view_numbers_of(pin != NULL ? pin->key : "", &t->view.pinned_whole);
 }
 
 static void
@@ -178,7 +171,7 @@ view_predict(struct tui *t)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
 	t->view.of = view_key_now(t);
-	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
+	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }
 
 /* The prediction at the slider, of which the session is not told. */
@@ -197,7 +190,7 @@ view_form(struct tui *t)
 	    question_of_whole_product(s, tui_entry_asked_about(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
-	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
+	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }
 
 void

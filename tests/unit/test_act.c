@@ -1070,7 +1070,8 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
-	assert_true(t->view.pinned.feed == 69 && t->view.pinned.speed == 74);
+	assert_int_equal(t->view.pinned_whole.feed_run, 0);
+	assert_true(t->view.pinned.speed == 74);
 	assert_memory_equal(t->view.pinned.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
 	free(is);
@@ -1346,7 +1347,7 @@ a_pinned_answer_keeps_its_feed(void **state)
 	type(t, ":predict 74 feed=69\n");
 	view_predict(t);
 	type(t, "x");
-	assert_true(t->view.pinned.feed == 69);
+	assert_int_equal(t->view.pinned_whole.feed_run, 0);
 	type(t, "\033");
 	type(t, ":predict 79 feed=79\n");
 	view_predict(t);
