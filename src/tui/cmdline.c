@@ -181,11 +181,11 @@ run_typed(struct tui *t, const char *line)
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
-		t->ways->leave();
+		t->ways->leave(t);
 	bool ok = control_run(t, line);
 	if (aside) {
 		await_return();
-		t->ways->come_back();
+		t->ways->come_back(t);
 	}
 	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
 	if (searching && (meets == MEETS_BOUNDS || edited) &&

@@ -268,7 +268,7 @@ control_confirm(struct session *s, const char *question)
 {
 	int code = 0;
 	bool special = false;
-	if (open->ways->is_aside != NULL && open->ways->is_aside())
+	if (open->away)
 		return ask_confirm(s, question);
 	open->question = question;
 	bool got = open->ways->answer(open, &code, &special);
@@ -279,8 +279,7 @@ control_confirm(struct session *s, const char *question)
 static char *
 control_question(struct session *s, const struct inquiry *q)
 {
-	bool away = open->ways->is_aside != NULL && open->ways->is_aside();
-	return away ? ask_question(s, q) : dialogue_ask(open, q);
+	return open->away ? ask_question(s, q) : dialogue_ask(open, q);
 }
 
 /* At the end of a search, before there is a result to draw. */

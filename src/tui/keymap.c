@@ -540,27 +540,23 @@ take_mouse(struct tui *t,
 }
 
 static void
-remember_pointed_key(struct tui *t, int code, bool special)
+read_key_next(struct tui *t, int code, bool special)
 {
-	t->pointed.is = true;
-	t->pointed.code = code;
-	t->pointed.special = special;
+	t->again.is = true;
+	t->again.code = code;
+	t->again.special = special;
 }
 
 static void
 touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	hits_mouse(t, &t->hits, kind, row, column, remember_pointed_key);
+	hits_mouse(t, &t->hits, kind, row, column, read_key_next);
 }
 
-bool
-keymap_pointed(struct tui *t, int *code, bool *special)
+void
+keymap_pointed(struct tui *t)
 {
-	t->pointed.is = false;
 	take_mouse(t, touch_answer);
-	*code = t->pointed.code;
-	*special = t->pointed.special;
-	return t->pointed.is;
 }
 
 static bool
@@ -651,9 +647,7 @@ keymap_key(struct tui *t, int code, bool special)
 	if (word_opens_line(t, code, special))
 		return;
 	/* What the held key asks has this one for an answer. */
-	t->again.is = true;
-	t->again.code = code;
-	t->again.special = special;
+	read_key_next(t, code, special);
 	keymap_held(t);
 	if (!t->again.is)
 		return;

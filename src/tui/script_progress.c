@@ -42,7 +42,7 @@ script_progress_draw_lines(struct tui *t, bool begins)
 	double now = session_clock();
 	if (t->under_way == NULL || t->ways->stopped == NULL ||
 	    now - t->ran_from < patience ||
-	    (!begins && now - t->drawn_at < often) || t->ways->is_aside())
+	    (!begins && now - t->drawn_at < often) || t->away)
 		return;
 	viewer_text(t, under_way_words(t));
 	t->ways->show(t);

@@ -32,8 +32,6 @@
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
 
-static bool aside; /* somebody else has the terminal */
-
 /* How long to wait, s, for the next generation that is due, or for the end of
  * what is pasted; INFINITY: for ever. */
 static double
@@ -52,22 +50,22 @@ seconds_to_wait(const struct tui *t)
 
 /* A child process is stopped with us, as the shell waits for both. */
 static void
-leave_screen(void)
+leave_screen(struct tui *t)
 {
-	aside = true;
+	t->away = true;
 	screen_suspend_curses();
 	signals_note_stop(false);
 	signals_release();
 }
 
 static void
-return_to_screen(void)
+return_to_screen(struct tui *t)
 {
 	signals_hold();
 	signals_note_stop(true);
 	signals_forget_interrupt();
 	screen_resume_curses();
-	aside = false;
+	t->away = false;
 }
 
 static void
@@ -129,12 +127,6 @@ draw_and_wait(struct tui *t)
 		screen_resize();
 }
 
-static bool
-is_aside(void)
-{
-	return aside;
-}
-
 /* False at a signal. */
 static bool
 wait_for_answer_key(struct tui *t, int *code, bool *special)
@@ -144,7 +136,8 @@ wait_for_answer_key(struct tui *t, int *code, bool *special)
 		draw_and_wait(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			done = keymap_pointed(t, code, special);
+			keymap_pointed(t);
+			done = false;
 		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
 			raise(SIGTSTP);
@@ -186,9 +179,9 @@ run_loop(struct tui *t)
 static bool
 show_page(const char *page)
 {
-	leave_screen();
+	leave_screen(control_screen());
 	bool shown = manpage_show(page);
-	return_to_screen();
+	return_to_screen(control_screen());
 	return shown;
 }
 
@@ -205,7 +198,7 @@ int
 tui_run(struct session *s)
 {
 	static const struct tui_ways WAYS = {wait_for_answer_key, frame_draw,
-	    leave_screen, return_to_screen, is_aside, is_stop_key_pressed};
+	    leave_screen, return_to_screen, is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();

@@ -143,8 +143,7 @@ struct tui_ways {
 	void (*show)(struct tui *t);
 	/* leave hands the terminal and signals to another program; come_back
 	 * takes them back.  NULL without a terminal. */
-	void (*leave)(void), (*come_back)(void);
-	bool (*is_aside)(void); /* NULL: never */
+	void (*leave)(struct tui *t), (*come_back)(struct tui *t);
 	/* True if Esc or ^C was pressed during a step; NULL: never. */
 	bool (*stopped)(struct tui *t);
 };
@@ -245,6 +244,7 @@ struct tui {
 	struct view view;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
+	bool away;            /* another program has the terminal */
 	double clock;         /* s; if aside, advances with every key */
 	double started;       /* start of the search or its last part, on that
 			  * clock */
@@ -292,8 +292,7 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} pointed,  /* key pressed by the mouse, as an answer */
-	    again;  /* key to read next */
+	} again;    /* key to read next */
 	FILE *said; /* output of commands */
 	char *said_text;
 	size_t said_n;

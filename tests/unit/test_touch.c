@@ -366,25 +366,25 @@ static int asked_row, asked_column;
 static void
 note(struct tui *t, int code, bool special)
 {
-	t->pointed.is = true;
-	t->pointed.code = code;
-	t->pointed.special = special;
+	t->again.is = true;
+	t->again.code = code;
+	t->again.special = special;
 }
 
 static bool
 point(struct tui *t, int *code, bool *special)
 {
 	frame_draw(t);
-	t->pointed.is = false;
 	/* Of what lies below the question nothing answers. */
 	hits_mouse(t, &t->hits, HIT_PRESS, 0, 99, note);
-	assert_false(t->pointed.is);
+	assert_false(t->again.is);
 	const struct cursor *end = &t->cursor;
 	hits_mouse(t, &t->hits, HIT_PRESS, end->row + asked_row,
 	    end->column + asked_column, note);
-	assert_true(t->pointed.is);
-	*code = t->pointed.code;
-	*special = t->pointed.special;
+	assert_true(t->again.is);
+	t->again.is = false;
+	*code = t->again.code;
+	*special = t->again.special;
 	return true;
 }
 
