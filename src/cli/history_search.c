@@ -53,10 +53,38 @@ history_search_is_wanted(const char *line, bool anywhere)
 	       strcmp(line, rl_line_buffer) != 0;
 }
 
-static int
-history_search_go(bool on, bool anywhere, bool goes_on)
+static rl_command_func_t search_prefix_backward, search_prefix_forward,
+    search_anywhere_backward, search_anywhere_forward;
+
+static const struct {
+	const char *name;
+	rl_command_func_t *theirs, *ours;
+} SEARCHES[] = {
+    {"history-search-backward", rl_history_search_backward,
+	search_prefix_backward},
+    {"history-search-forward", rl_history_search_forward,
+	search_prefix_forward},
+    {"history-substring-search-backward", rl_history_substr_search_backward,
+	search_anywhere_backward},
+    {"history-substring-search-forward", rl_history_substr_search_forward,
+	search_anywhere_forward},
+};
+
+static bool
+history_search_is_continued(void)
 {
-	if (!goes_on)
+	size_t i = 0;
+	while (i < ARRAY_LEN(SEARCHES) && SEARCHES[i].ours != rl_last_func)
+		i++;
+	return i < ARRAY_LEN(SEARCHES);
+}
+
+/* Goes to the next line that begins with what is wanted, or has it anywhere;
+ * on: to a newer one. */
+static int
+history_search_go(bool on, bool anywhere)
+{
+	if (!history_search_is_continued())
 		history_search_begin();
 	int step = on ? 1 : -1, place = at.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
@@ -77,63 +105,33 @@ history_search_go(bool on, bool anywhere, bool goes_on)
 	return 0;
 }
 
-static int search_prefix_backward(int count, int key),
-    search_prefix_forward(int count, int key),
-    search_anywhere_backward(int count, int key),
-    search_anywhere_forward(int count, int key);
-
-static bool
-history_search_is_continued(void)
-{
-	return rl_last_func == search_prefix_backward ||
-	       rl_last_func == search_prefix_forward ||
-	       rl_last_func == search_anywhere_backward ||
-	       rl_last_func == search_anywhere_forward;
-}
-
-/* Lines that begin with what is wanted. */
 static int
 search_prefix_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(false, false, history_search_is_continued());
+	return history_search_go(false, false);
 }
 
 static int
 search_prefix_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(true, false, history_search_is_continued());
+	return history_search_go(true, false);
 }
 
-/* Lines that have it anywhere. */
 static int
 search_anywhere_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(false, true, history_search_is_continued());
+	return history_search_go(false, true);
 }
 
 static int
 search_anywhere_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(true, true, history_search_is_continued());
+	return history_search_go(true, true);
 }
-
-static const struct {
-	const char *name;
-	rl_command_func_t *theirs, *ours;
-} SEARCHES[] = {
-    {"history-search-backward", rl_history_search_backward,
-	search_prefix_backward},
-    {"history-search-forward", rl_history_search_forward,
-	search_prefix_forward},
-    {"history-substring-search-backward", rl_history_substr_search_backward,
-	search_anywhere_backward},
-    {"history-substring-search-forward", rl_history_substr_search_forward,
-	search_anywhere_forward},
-};
 
 void
 history_search_define(void)
