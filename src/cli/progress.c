@@ -4,8 +4,6 @@
 
 #include <poll.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -88,9 +86,8 @@ progress_row(
 static bool
 can_watch_search(const struct session *s, const struct progress *p)
 {
-	const char *term = getenv("TERM");
 	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
-	       term != NULL && term[0] != '\0' && strcmp(term, "dumb") != 0;
+	       !terminal_is_dumb();
 }
 
 /* All runs and what the best candidate makes of them, over the picture of the
