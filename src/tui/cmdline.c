@@ -93,9 +93,9 @@ enum meeting {
 };
 
 static enum meeting
-conflict_with_job(const struct tui *t, const char *line)
+conflict_with_job(
+    const struct tui *t, const char *line, const struct command *command)
 {
-	const struct command *command = control_find_command(line);
 	if (!session_busy(t->session))
 		return MEETS_NONE;
 	if (command == NULL)
@@ -168,15 +168,16 @@ run_typed(struct tui *t, const char *line)
 	const bool was_busy = session_busy(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
-	enum meeting meets = conflict_with_job(t, line);
-	if (control_find_command(line) == command_find("screen")) {
+	const struct command *command = control_find_command(line);
+	enum meeting meets = conflict_with_job(t, line, command);
+	if (command == command_find("screen")) {
 		draw_screen(t, line);
 		return;
 	}
 	if (meets != MEETS_NONE)
 		stopped = watch_pause(t);
 	bool paused = s->job.paused;
-	if (control_find_command(line) == command_find("save"))
+	if (command == command_find("save"))
 		control_set_looks(t);
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
@@ -198,7 +199,7 @@ run_typed(struct tui *t, const char *line)
 	bool beside = was_busy && meets == MEETS_NONE;
 	show_result_message(t, line, ok, session_busy(s) && !beside);
 	/* Who has moved the slider may have meant that. */
-	if (ok && control_find_command(line) == command_find("undo"))
+	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
 			  "undone)"));
