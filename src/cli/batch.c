@@ -106,7 +106,7 @@ print_after_said(
 }
 
 int
-batch_quiet(struct session *s, const char *line, int number)
+batch_line_quietly(struct session *s, const char *line, int number)
 {
 	struct quiet q = {.shown = false};
 	struct driver d = plain_driver(s);
@@ -160,7 +160,7 @@ batch_file(struct session *s, const char *path)
 }
 
 void
-batch_attend(struct session *s)
+batch_user_types(struct session *s)
 {
 	FREED char *offer = autosave_begin(s);
 	if (offer != NULL)
@@ -189,7 +189,7 @@ batch_typed(struct session *s)
 	FREED char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
 	struct error error = {0};
-	batch_attend(s);
+	batch_user_types(s);
 	for (int number = 1; !s->quit; signals_forget_interrupt()) {
 		print_prompt(s, from > 0);
 		enum text_line got = text_read_line(&line, &n, &room, stdin);

@@ -21,7 +21,7 @@
 static struct {
 	char *wanted, *typed;
 	int place;
-} at;
+} search;
 
 static void
 replace_line(const char *line, int point)
@@ -37,18 +37,18 @@ replace_line(const char *line, int point)
 static void
 history_search_begin(void)
 {
-	free(at.wanted);
-	free(at.typed);
-	at.typed = xstrdup(rl_line_buffer);
-	at.wanted = xstrndup(rl_line_buffer, (size_t)rl_point);
-	at.place = where_history();
+	free(search.wanted);
+	free(search.typed);
+	search.typed = xstrdup(rl_line_buffer);
+	search.wanted = xstrndup(rl_line_buffer, (size_t)rl_point);
+	search.place = where_history();
 }
 
 /* Whether a line of the history is wanted; what stands there already is not. */
 static bool
 history_search_is_wanted(const char *line, bool anywhere)
 {
-	const char *found = strstr(line, at.wanted);
+	const char *found = strstr(line, search.wanted);
 	return found != NULL && (anywhere || found == line) &&
 	       strcmp(line, rl_line_buffer) != 0;
 }
@@ -86,19 +86,19 @@ history_search_go(bool on, bool anywhere)
 {
 	if (!history_search_is_continued())
 		history_search_begin();
-	int step = on ? 1 : -1, place = at.place + step;
+	int step = on ? 1 : -1, place = search.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
 		const HIST_ENTRY *entry = history_get(history_base + place);
 		if (entry == NULL ||
 		    !history_search_is_wanted(entry->line, anywhere))
 			continue;
-		at.place = place;
-		replace_line(entry->line, (int)strlen(at.wanted));
+		search.place = place;
+		replace_line(entry->line, (int)strlen(search.wanted));
 		return 0;
 	}
-	if (on && at.place < history_length) {
-		at.place = history_length;
-		replace_line(at.typed, (int)strlen(at.wanted));
+	if (on && search.place < history_length) {
+		search.place = history_length;
+		replace_line(search.typed, (int)strlen(search.wanted));
 		return 0;
 	}
 	rl_ding();

@@ -46,7 +46,7 @@ static struct {
 	bool declined;
 	const struct site *site;
 	const struct history *history;
-} at;
+} prompt;
 
 /* How many bytes all candidates begin with. */
 static size_t
@@ -81,9 +81,10 @@ static char **
 on_complete(const char *text, int start, int end)
 {
 	(void)text;
-	size_t before = strlen(at.before), n = 0;
-	FREED char *line = xasprintf("%s%s", at.before, rl_line_buffer);
-	struct completion *c = complete(at.session, line, before + (size_t)end);
+	size_t before = strlen(prompt.before), n = 0;
+	FREED char *line = xasprintf("%s%s", prompt.before, rl_line_buffer);
+	struct completion *c =
+	    complete(prompt.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
 		char *word = fit_candidate_to_word(&c->candidate[i], line,
@@ -111,7 +112,7 @@ on_complete(const char *text, int start, int end)
 static char *
 prompt_text(const struct session *s)
 {
-	if (at.before[0] != '\0')
+	if (prompt.before[0] != '\0')
 		return xstrdup("> ");
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -131,14 +132,14 @@ prompt_text(const struct session *s)
  * cannot go up, so that a line is scrolled, it looks for it for ever if the
  * prompt with its invisible characters is as wide as the screen. */
 static void
-set_readline_size(const char *prompt)
+set_readline_size(const char *text)
 {
 	enum { ROWS = 2, COLUMNS = 20 };
 	int rows, columns, least = COLUMNS;
 	const char *up = rl_get_termcap("up");
 	terminal_size(&rows, &columns);
 	if (up == NULL || up[0] == '\0')
-		least += (int)strlen(prompt);
+		least += (int)strlen(text);
 	rl_set_screen_size(
 	    rows > ROWS ? rows : ROWS, columns > least ? columns : least);
 }
@@ -205,7 +206,8 @@ key_at_end(void)
 {
 	static const char END[] = "\033[201~";
 	if (!RL_ISSTATE(RL_STATE_READCMD))
-		return at.given < sizeof END - 1 ? END[at.given++] : EOF;
+		return prompt.given < sizeof END - 1 ? END[prompt.given++]
+						     : EOF;
 	rl_point = rl_end;
 	rl_redisplay();
 	if (signals_pending() == SIGINT)
@@ -247,7 +249,7 @@ read_line(const char *text)
 	struct sigaction was[3];
 	signals_hold();
 	signals_take_terminal(was);
-	at.given = 0;
+	prompt.given = 0;
 	set_readline_size(text);
 	restore_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
@@ -286,9 +288,9 @@ take_lines(struct session *s, char *typed, int *number)
 		if (end != NULL)
 			*end++ = '\0';
 		bool more = script_goes_on(line);
-		FREED char *joined = xasprintf("%s%s", at.before, line);
-		free(at.before);
-		at.before = xstrdup(more ? joined : "");
+		FREED char *joined = xasprintf("%s%s", prompt.before, line);
+		free(prompt.before);
+		prompt.before = xstrdup(more ? joined : "");
 		if (!more)
 			run_line(s, joined, (*number)++);
 		if (signals_pending() != 0)
@@ -307,27 +309,27 @@ print_next_step(const struct session *s)
 	const struct site *site = entry != NULL ? entry->site : NULL;
 	const struct history *history = entry != NULL ? entry->history : NULL;
 	struct next next = next_step(s);
-	bool same = (site == at.site && history == at.history) ||
+	bool same = (site == prompt.site && history == prompt.history) ||
 		    (s->n_entry > 1 && next.stage == NEXT_ANSWER);
-	at.offer = (struct next){.line = NULL};
-	if (same && (int)next.stage <= at.stage)
+	prompt.offer = (struct next){.line = NULL};
+	if (same && (int)next.stage <= prompt.stage)
 		return;
-	at.stage = (int)next.stage;
-	at.site = site;
-	at.history = history;
+	prompt.stage = (int)next.stage;
+	prompt.site = site;
+	prompt.history = history;
 	if (next.line != NULL)
 		session_note(s, "%s [Y/n, or a command]", tr(next.words));
 	else if (next.words != NULL)
 		session_note(s, "%s", tr(next.words));
-	at.offer = next;
+	prompt.offer = next;
 }
 
 /* The commands of what was offered one by one, each with what came of it. */
 static void
 run_offered_commands(struct session *s, int *number)
 {
-	const char *line = at.offer.line;
-	if (!at.offer.brief) {
+	const char *line = prompt.offer.line;
+	if (!prompt.offer.brief) {
 		run_line(s, line, (*number)++);
 		return;
 	}
@@ -337,7 +339,7 @@ run_offered_commands(struct session *s, int *number)
 	while (status == 0 && *line != '\0' && !signals_is_ending()) {
 		size_t n = strcspn(line, ";");
 		FREED char *command = xstrndup(line, n);
-		status = batch_quiet(s, command, *number);
+		status = batch_line_quietly(s, command, *number);
 		if (status == 0)
 			next_note_offered(s);
 		line += n + strspn(line + n, "; ");
@@ -356,13 +358,13 @@ answers_offer(struct session *s, const char *typed, int *number)
 	bool empty = said[0] == '\0';
 	bool yes = empty || text_find_word(YES, said, &which);
 	bool no = text_find_word(NO, said, &which);
-	bool again = empty && at.declined && at.offer.line == NULL;
-	if (at.before[0] != '\0' ||
-	    !(again || (at.offer.line != NULL && (yes || no))))
+	bool again = empty && prompt.declined && prompt.offer.line == NULL;
+	if (prompt.before[0] != '\0' ||
+	    !(again || (prompt.offer.line != NULL && (yes || no))))
 		return false;
-	at.declined = no;
+	prompt.declined = no;
 	if (again)
-		at.stage = -1;
+		prompt.stage = -1;
 	else if (yes)
 		run_offered_commands(s, number);
 	return true;
@@ -388,9 +390,9 @@ confine_readline(void)
 static void
 set_up_readline(struct session *s)
 {
-	at.session = s;
-	at.before = xstrdup("");
-	at.stage = -1;
+	prompt.session = s;
+	prompt.before = xstrdup("");
+	prompt.stage = -1;
 	rl_readline_name = "tipspeed";
 	rl_catch_signals = 0;
 	rl_catch_sigwinch = 0;
@@ -463,10 +465,10 @@ repl_run(struct session *s)
 {
 	int number = 1;
 	set_up_readline(s);
-	batch_attend(s);
+	batch_user_types(s);
 	s->hooks.question = repl_question;
 	while (!s->quit && !signals_is_ending()) {
-		if (at.before[0] == '\0')
+		if (prompt.before[0] == '\0')
 			print_next_step(s);
 		FREED char *text = prompt_text(s);
 		char *typed = read_line(text);
@@ -479,11 +481,11 @@ repl_run(struct session *s)
 			break;
 		}
 		if (signals_pending() != 0)
-			at.before[0] = '\0';
+			prompt.before[0] = '\0';
 		signals_forget_interrupt();
 	}
 	typed_close();
-	free(at.before);
+	free(prompt.before);
 	return signals_status();
 }
 

@@ -197,7 +197,7 @@ signals_watch_keys(bool keys)
 }
 
 bool
-signals_waited_for(void)
+signals_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};

@@ -38,7 +38,7 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		captured_show(t);
 	else
-		captured_say_error(t, &error, line, ERROR_TYPED);
+		captured_show_error(t, &error, line, ERROR_TYPED);
 }
 
 /* What a shell command wrote stays until it is read. */
@@ -85,26 +85,23 @@ is_shown_by_page_predict(const char *line)
 	return feed == NULL || value_number(feed, "m/s", &speed);
 }
 
-/* What a line does to a search that is under way. */
-enum meeting {
-	MEETS_NONE,   /* goes on beside it; what is no command does nothing */
-	MEETS_BOUNDS, /* has it go on within these */
-	MEETS_END     /* stops it */
-};
+/* What a line does to a running search: nothing, which is also the effect of
+ * what is no command; gives it other bounds; or stops it. */
+enum job_effect { JOB_GOES_ON, JOB_TAKES_BOUNDS, JOB_STOPS };
 
-static enum meeting
-conflict_with_job(
+static enum job_effect
+effect_on_job(
     const struct tui *t, const char *line, const struct command *command)
 {
 	if (!session_busy(t->session))
-		return MEETS_NONE;
+		return JOB_GOES_ON;
 	if (command == NULL)
-		return strchr(line, ';') == NULL ? MEETS_NONE : MEETS_END;
+		return strchr(line, ';') == NULL ? JOB_GOES_ON : JOB_STOPS;
 	bool bounds = command == command_find("bounds");
 	bool asks = strpbrk(line + strspn(line, " \t"), " \t") == NULL;
 	if (command->flags & COMMAND_BESIDE || (bounds && asks))
-		return MEETS_NONE;
-	return bounds ? MEETS_BOUNDS : MEETS_END;
+		return JOB_GOES_ON;
+	return bounds ? JOB_TAKES_BOUNDS : JOB_STOPS;
 }
 
 /* On within bounds that were edited in a search; where it was paused the user
@@ -147,11 +144,11 @@ static void
 show_result_message(struct tui *t, const char *line, bool ok, bool began)
 {
 	bool moved_only = is_shown_by_page_predict(line);
-	fflush(t->said);
+	fflush(t->captured);
 	/* What a check found, the other faults of a sheet. */
-	if (!ok && t->said_n > 0)
-		text_wrap(t->message, 0, 78, t->said);
-	if (!began && (ok ? !moved_only : t->said_n > 0))
+	if (!ok && t->captured_n > 0)
+		text_wrap(t->message, 0, 78, t->captured);
+	if (!began && (ok ? !moved_only : t->captured_n > 0))
 		captured_show(t);
 	if (ok && !moved_only &&
 	    control_find_command(line) == command_find("predict"))
@@ -169,12 +166,12 @@ run_typed(struct tui *t, const char *line)
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
 	const struct command *command = control_find_command(line);
-	enum meeting meets = conflict_with_job(t, line, command);
+	enum job_effect effect = effect_on_job(t, line, command);
 	if (command == command_find("screen")) {
 		draw_screen(t, line);
 		return;
 	}
-	if (meets != MEETS_NONE)
+	if (effect != JOB_GOES_ON)
 		stopped = watch_pause(t);
 	bool paused = s->job.paused;
 	if (command == command_find("save"))
@@ -182,28 +179,28 @@ run_typed(struct tui *t, const char *line)
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
-		t->ways->leave(t);
+		t->callbacks->leave(t);
 	bool ok = control_run(t, line);
 	if (aside) {
 		await_return();
-		t->ways->come_back(t);
+		t->callbacks->come_back(t);
 	}
 	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
-	if (searching && (meets == MEETS_BOUNDS || edited) &&
+	if (searching && (effect == JOB_TAKES_BOUNDS || edited) &&
 	    !session_busy(s)) {
 		continue_within_bounds(t, edited);
 		return;
 	}
 	if (ok && edited)
 		tui_say(t, false, "f calibrates within these bounds");
-	bool beside = was_busy && meets == MEETS_NONE;
+	bool beside = was_busy && effect == JOB_GOES_ON;
 	show_result_message(t, line, ok, session_busy(s) && !beside);
 	/* Who has moved the slider may have meant that. */
 	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
 			  "undone)"));
-	else if (meets == MEETS_END && !session_busy(s) &&
+	else if (effect == JOB_STOPS && !session_busy(s) &&
 		 s->job.paused == paused)
 		append_to_message(t, stopped);
 }
@@ -272,7 +269,7 @@ cmdline_run(struct tui *t, const char *line)
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
 	run_typed(t, meant);
-	t->told = t->message[0] != '\0';
+	t->keep_message = t->message[0] != '\0';
 	viewer_message(t);
 }
 

@@ -56,7 +56,7 @@ control_is_stop_wanted(void)
 {
 	if (open != NULL && !session_busy(open->session))
 		script_progress_draw(open);
-	return signals_waited_for();
+	return signals_stop_wanted();
 }
 
 const struct command *
@@ -86,8 +86,8 @@ control_refresh(struct tui *t)
 	tui_clear_hits(t);
 	if (t->ui.list[PAGE_SITES].at >= s->n_entry)
 		t->ui.list[PAGE_SITES].at = s->current;
-	if (t->ui.cross_at >= t->view.shown.product.n)
-		t->ui.cross_at = 0;
+	if (t->ui.crosshair_sieve >= t->view.shown.product.n)
+		t->ui.crosshair_sieve = 0;
 	tui_show_generation(t, t->ui.generation);
 }
 
@@ -198,7 +198,7 @@ control_run_line(struct tui *t, const char *line)
 	captured_clear(t);
 	const struct driver d = {.session = s,
 	    .of = t,
-	    .fail = captured_say_error,
+	    .fail = captured_show_error,
 	    .begins = script_progress_begins,
 	    .work = control_work,
 	    .watches = true};
@@ -250,9 +250,9 @@ control_screen(void)
 static void
 free_state(struct tui *t)
 {
-	if (t->said != NULL)
-		fclose(t->said);
-	free(t->said_text);
+	if (t->captured != NULL)
+		fclose(t->captured);
+	free(t->captured_text);
 	edit_end(&t->line);
 	viewer_close(t);
 	free(t->closed);
@@ -271,7 +271,7 @@ control_confirm(struct session *s, const char *question)
 	if (open->away)
 		return ask_confirm(s, question);
 	open->question = question;
-	bool got = open->ways->answer(open, &code, &special);
+	bool got = open->callbacks->answer(open, &code, &special);
 	open->question = NULL;
 	return got && !special && (code == 'y' || code == 'Y');
 }
@@ -279,19 +279,19 @@ control_confirm(struct session *s, const char *question)
 static char *
 control_question(struct session *s, const struct inquiry *q)
 {
-	return open->away ? ask_question(s, q) : dialogue_ask(open, q);
+	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }
 
 /* At the end of a search, before there is a result to draw. */
 static void
 control_draw_before_search(const char *what)
 {
-	if (open->ways->show == NULL || open->ui.page != PAGE_FIT ||
-	    !session_busy(open->session) || open->begun != NULL)
+	if (open->callbacks->show == NULL || open->ui.page != PAGE_FIT ||
+	    !session_busy(open->session) || open->computing != NULL)
 		return;
-	open->begun = what;
-	open->ways->show(open);
-	open->begun = NULL;
+	open->computing = what;
+	open->callbacks->show(open);
+	open->computing = NULL;
 }
 
 /* The speed last asked about, else the usual one of the site. */
@@ -307,16 +307,17 @@ first_slider_tenths(const struct session *s)
 }
 
 void
-control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
+control_begin(
+    struct tui *t, struct session *s, const struct tui_callbacks *callbacks)
 {
 	*t = (struct tui){.session = s,
-	    .ways = ways,
-	    .aside = ways->leave == NULL,
+	    .callbacks = callbacks,
+	    .aside = callbacks->leave == NULL,
 	    .ui = {.tenths = first_slider_tenths(s),
 		.list[PAGE_SITES].at = s->current,
 		.pace = PACE_AUTO,
 		.picture = PLOT_SEARCH,
-		.level = 50},
+		.crosshair_passing = 50},
 	    .mouse = screen_mouse(true),
 	    .view.holdout = NAN,
 	    .before = {
@@ -330,8 +331,8 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
-	t->said = text_memory(&t->said_text, &t->said_n);
-	s->out = s->notes = t->said;
+	t->captured = text_memory(&t->captured_text, &t->captured_n);
+	s->out = s->notes = t->captured;
 	read_page_and_quantity(t);
 	control_refresh(t);
 	open = t;

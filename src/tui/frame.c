@@ -474,6 +474,6 @@ frame_draw(struct tui *t)
 	if (t->question != NULL && !viewing)
 		draw_question(t, rows, columns);
 	if (t->inquiry != NULL)
-		dialogue_draw(t, rows, columns);
+		dialog_draw(t, rows, columns);
 	screen_show(t->cursor.row, t->cursor.column);
 }

@@ -48,7 +48,7 @@ act_move(struct tui *t, const struct key *key)
 {
 	if (page_moves(t, key))
 		return;
-	t->wish = NULL;
+	t->pending_key = NULL;
 	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + key->amount);
 }
 
@@ -58,7 +58,7 @@ act_ends(struct tui *t, const struct key *key)
 	const struct slider_range range = tui_range(t);
 	if (page_moves(t, key))
 		return;
-	t->wish = NULL;
+	t->pending_key = NULL;
 	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
 }
 
@@ -72,7 +72,7 @@ void
 act_run_speed(struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_current_entry(t);
-	t->wish = NULL;
+	t->pending_key = NULL;
 	if (entry == NULL)
 		return;
 	const struct site *site = entry->site;
@@ -348,16 +348,16 @@ act_back(struct tui *t, const struct key *key)
 	(void)key;
 	bool predict = t->ui.page == PAGE_PREDICT;
 	t->message[0] = '\0';
-	if (t->wish != NULL) {
-		t->wish = NULL;
+	if (t->pending_key != NULL) {
+		t->pending_key = NULL;
 		return;
 	}
 	if (rows_forget(t))
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
 		watch_pause(t);
-	else if (predict && t->ui.cross)
-		act_cross(t, key);
+	else if (predict && t->ui.crosshair)
+		act_crosshair(t, key);
 	else if (predict && t->ui.runs)
 		t->ui.runs = false;
 	else if (!predict)
@@ -402,7 +402,7 @@ run_key_action(struct tui *t, const struct key *key)
 	if (key == NULL)
 		return;
 	if (key->where & AT_SPEED)
-		track_wished(t, true);
+		track_run_pending_key(t, true);
 	key->act(t, key);
 }
 
@@ -574,7 +574,7 @@ page_key(struct tui *t, int code, bool special)
 static bool
 answer_key(struct tui *t, int code, bool special)
 {
-	dialogue_key(t, code, special);
+	dialog_key(t, code, special);
 	return true;
 }
 

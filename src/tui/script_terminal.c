@@ -60,7 +60,8 @@ script_terminal_answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-const struct tui_ways SCRIPT_WAYS = {.answer = script_terminal_answer};
+const struct tui_callbacks SCRIPT_CALLBACKS = {
+    .answer = script_terminal_answer};
 
 /* A word that is typed: a speed, or into a line. */
 static bool
@@ -172,12 +173,12 @@ draw_open(struct screen_request *request, struct error *error)
 	}
 	struct tui *t = control_screen();
 	const struct tui was = *t;
-	const bool stale = t->under_way != NULL;
+	const bool stale = t->running_line != NULL;
 	t->aside = true;
 	t->picker.on = false;
 	if (stale) {
 		control_refresh(t);
-		view_form(t);
+		view_predict_unrecorded(t);
 	}
 	if (request->page > 0)
 		pages_go(t, (enum page)(request->page - 1));
@@ -198,7 +199,7 @@ static bool
 draw_new(struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
-	control_begin(&t, s, &SCRIPT_WAYS);
+	control_begin(&t, s, &SCRIPT_CALLBACKS);
 	view_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);

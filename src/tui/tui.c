@@ -197,8 +197,8 @@ offer_last_session(struct tui *t)
 int
 tui_run(struct session *s)
 {
-	static const struct tui_ways WAYS = {wait_for_answer_key, frame_draw,
-	    leave_screen, return_to_screen, is_stop_key_pressed};
+	static const struct tui_callbacks ON_TERMINAL = {wait_for_answer_key,
+	    frame_draw, leave_screen, return_to_screen, is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();
@@ -210,7 +210,7 @@ tui_run(struct session *s)
 	signals_take_terminal(was);
 	bool opened = screen_open(terminal_has_colour());
 	if (opened) {
-		control_begin(&t, s, &WAYS);
+		control_begin(&t, s, &ON_TERMINAL);
 		s->hooks.show_page = show_page;
 		offer_last_session(&t);
 		run_loop(&t);

@@ -26,7 +26,8 @@
 /* The numbers of a prediction, for showing differences: P20, P50, P80 and the
  * break size, mm; passing at NUMBERS_SIEVE, %, NAN outside its sieves. */
 enum { NUMBERS_FRACTIONS = 3 };
-extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS]; /* m: sand is sold by */
+/* Sieves that sand is sold by, m. */
+extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS];
 struct numbers {
 	char site[64];
 	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
@@ -52,13 +53,13 @@ enum { VIEWER_WORD = 31, SPEED_LETTERS = 12 };
 
 /* A loaded site, an entry of the session, at the slider's speed.  p50: mm;
  * beyond: outside the training speeds; holdout: RMSE at held-out speeds,
- * points, or NAN; light: of its parameters, if lit; verdict: on the site's own
- * fit, or NULL. */
+ * points, or NAN; light: of its parameters, if has_light; verdict: on the
+ * site's own fit, or NULL. */
 struct site_row {
 	size_t entry;
 	const char *verdict;
 	double p50, holdout;
-	bool beyond, lit;
+	bool beyond, has_light;
 	enum light light;
 };
 
@@ -135,7 +136,7 @@ struct envelope_check;
 struct tui;
 
 /* How a full screen is shown and gets its keys (callbacks). */
-struct tui_ways {
+struct tui_callbacks {
 	/* Gets the next key for t->question or t->inquiry; returns false if
 	 * there is none. */
 	bool (*answer)(struct tui *t, int *code, bool *special);
@@ -154,14 +155,14 @@ struct ui {
 	enum page page;
 	int tenths;  /* slider position */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
-	struct quantity quantity; /* above the track */
-	bool cross, band, runs;   /* runs: page Predict has plot runs */
-	size_t cross_at;          /* a sieve of the prediction */
-	int level; /* passing, %, at which the crosshair reads sizes */
-	enum plot_kind picture; /* on the page Fit */
-	int pace;               /* index of PACES */
-	size_t generation;      /* shown, 1..; 0: the latest */
-	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
+	struct quantity quantity;   /* above the track */
+	bool crosshair, band, runs; /* runs: page Predict has plot runs */
+	size_t crosshair_sieve;     /* a sieve of the prediction */
+	int crosshair_passing;      /* %, at which the crosshair reads sizes */
+	enum plot_kind picture;     /* on the page Fit */
+	int pace;                   /* index of PACES */
+	size_t generation;          /* shown, 1..; 0: the latest */
+	size_t param_at;            /* chosen on the page Fit, 1..; 0: none */
 	/* On the page Data: the cell of the cursor, if shown (on), and the
 	 * first cell shown. */
 	struct {
@@ -210,8 +211,8 @@ struct view {
 	struct view_key of;
 	double moved;            /* when the slider was last moved */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	bool formed;             /* it is from a running search */
-	bool lit;                /* light is for it, see panel.c */
+	bool from_search;        /* it is of a search that still runs */
+	bool light_known;        /* light is for it, see panel.c */
 	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
 	struct prediction pinned_whole; /* the prediction in pinned, borrowed */
@@ -238,7 +239,7 @@ struct word {
 
 struct tui {
 	struct session *session;
-	const struct tui_ways *ways;
+	const struct tui_callbacks *callbacks;
 	struct layout layout;
 	struct ui ui;
 	struct view view;
@@ -251,8 +252,10 @@ struct tui {
 	double ran;           /* s spent in its earlier parts */
 	bool goal_field; /* the typed line is a goal; fresh: still unedited */
 	bool goal_fresh;
-	const struct key *wish; /* key pressed before its speeds are */
-	int wish_from;          /* known, and the slider's position then */
+	/* A key that waits for the goal's speeds, or NULL, and the slider's
+	 * position when it was pressed. */
+	const struct key *pending_key;
+	int pending_from;
 	bool mouse;
 	struct hits hits; /* in the frame shown */
 	struct {
@@ -261,15 +264,15 @@ struct tui {
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
 	const struct page_ops *shows; /* their page */
-	char *under_way;              /* running line, or NULL */
+	char *running_line;           /* running line, or NULL */
 	bool of_script;               /* the line is from a script */
 	bool stopping;                /* a key is stopping it */
 	double ran_from;              /* start of the line or its script, s */
-	double drawn_at;              /* when under_way was last drawn */
-	const char *begun; /* lengthy computation in progress, or NULL */
-	bool held;         /* the calibration is paused */
-	double due;        /* time of the next generation */
-	struct edit line;  /* a command, or a goal */
+	double drawn_at;              /* when running_line was last drawn */
+	const char *computing; /* lengthy computation in progress, or NULL */
+	bool held;             /* the calibration is paused */
+	double due;            /* time of the next generation */
+	struct edit line;      /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* filter for the rows of a list */
 	struct word word;
@@ -282,20 +285,22 @@ struct tui {
 	const char *job; /* command that started the job, or NULL */
 	bool failed;     /* that command failed */
 	char message[800];
-	bool bad;             /* the message is an error */
-	bool told;            /* it is from a command that moved the slider */
-	bool reason_shown;    /* the panel shows the light's reason */
-	const char *question; /* waiting for an answer, or NULL */
+	bool bad; /* the message is an error */
+	/* The next prediction leaves the message, which is of the command
+	 * that moved the slider. */
+	bool keep_message;
+	bool reason_shown;             /* the panel shows the light's reason */
+	const char *question;          /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */
 	int inquiry_up;                /* rows by which its table is scrolled */
 	struct {
 		bool is, special;
 		int code;
-	} again;    /* key to read next */
-	FILE *said; /* output of commands */
-	char *said_text;
-	size_t said_n;
+	} again;        /* key to read next */
+	FILE *captured; /* output of commands */
+	char *captured_text;
+	size_t captured_n;
 	bool leave;
 	/* Members of the session to restore at the end. */
 	struct {

@@ -56,7 +56,7 @@ free_shown_prediction(struct tui *t)
 {
 	prediction_free(&t->view.shown);
 	t->view.shown = (struct prediction){0};
-	t->view.lit = false;
+	t->view.light_known = false;
 }
 
 static void
@@ -92,7 +92,7 @@ update_basis(struct tui *t)
 		b->origin->holders++;
 	t->view.n_basis++;
 	goals_clear(&t->view.goal);
-	t->wish = NULL;
+	t->pending_key = NULL;
 }
 
 void
@@ -100,13 +100,13 @@ view_mark_changed(struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	t->view.revision++;
-	t->view.lit = false;
+	t->view.light_known = false;
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
 	tui_forget_parity(&t->view.parity);
 	update_basis(t);
 	if (entry != NULL && entry == session_fitting(t->session))
-		t->wish = NULL;
+		t->pending_key = NULL;
 	copy_pinned_numbers(t);
 	if (isnan(session_answer_number(t->session, "predict", "speed")))
 		forget_prediction(t);
@@ -133,9 +133,9 @@ view_predict(struct tui *t)
 {
 	struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
-	track_wished(t, false);
-	bool told = t->told;
-	t->told = false;
+	track_run_pending_key(t, false);
+	bool keep = t->keep_message;
+	t->keep_message = false;
 	if (entry == NULL)
 		return;
 	struct view_key was = t->view.of, key = view_key_now(t);
@@ -147,12 +147,12 @@ view_predict(struct tui *t)
 	    (!other && !moved && was.basis == key.basis))
 		return;
 	/* What a search had on its way is nothing to count from. */
-	if (!t->view.formed &&
+	if (!t->view.from_search &&
 	    (t->clock - t->view.moved > PAUSE ||
 		t->view.reference.site[0] == '\0' ||
 		strcmp(t->view.reference.site, entry->key) != 0))
 		t->view.reference = t->view.current;
-	t->view.formed = forming;
+	t->view.from_search = forming;
 	if (!first)
 		t->view.moved = t->clock;
 	FREED char *where = tui_options_at_slider(t);
@@ -161,13 +161,13 @@ view_predict(struct tui *t)
 	free_shown_prediction(t);
 	if (!predict_step(s, tui_entry_asked_about(t), t->ui.tenths / 10.0,
 		tui_feed(t), line, &t->view.shown, &error))
-		captured_say_error(t, &error, line, ERROR_TYPED);
-	if ((!first && !told) || t->command == NULL) {
+		captured_show_error(t, &error, line, ERROR_TYPED);
+	if ((!first && !keep) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
 		t->failed = false;
 	}
-	if (!first && !told)
+	if (!first && !keep)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
 	t->view.of = view_key_now(t);
@@ -176,7 +176,7 @@ view_predict(struct tui *t)
 
 /* The prediction at the slider, of which the session is not told. */
 void
-view_form(struct tui *t)
+view_predict_unrecorded(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);

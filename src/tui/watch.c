@@ -61,7 +61,7 @@ watch_finish(struct tui *t, bool alone)
 {
 	struct error error = {0};
 	if (!session_end_finished_commands(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
+		captured_show_error(t, &error, "", "");
 	t->held = false;
 	control_refresh(t);
 	const struct entry *entry = tui_current_entry(t);
@@ -95,7 +95,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	control_refresh(t);
 	captured_show(t);
 	if (!session_end_finished_commands(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
+		captured_show_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",
@@ -174,7 +174,7 @@ watch_pump(struct tui *t)
 	} while (session_busy(s) && signals_pending() == 0 &&
 		 entry == s->job.entry &&
 		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
-		 (t->aside || (!signals_waited_for() &&
+		 (t->aside || (!signals_stop_wanted() &&
 				  session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / generations_per_second(t);

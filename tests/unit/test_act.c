@@ -371,7 +371,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 		assert_int_equal(t->ui.tenths, 741);
 		type(t, AWAY[i]);
 		int there = t->ui.tenths;
-		track_wished(t, true);
+		track_run_pending_key(t, true);
 		assert_int_equal(t->ui.tenths, there);
 	}
 	t->ui.tenths = 741;
@@ -438,7 +438,7 @@ a_goal_may_be_set_while_a_first_search_runs(void **state)
 	assert_string_equal(t->session->set.goal, "p80<5.2");
 	assert_true(session_busy(t->session));
 	type(t, "N");
-	assert_null(t->wish);
+	assert_null(t->pending_key);
 }
 
 /* The key that was pressed as it opened has closed it. */
@@ -483,15 +483,15 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	size_t n = t->view.shown.product.n;
 	for (size_t i = 0; i <= n; i++)
 		press(t, "Down");
-	assert_int_equal(t->ui.cross_at, n - 1);
+	assert_int_equal(t->ui.crosshair_sieve, n - 1);
 	for (size_t i = 0; i <= n; i++)
 		press(t, "Up");
-	assert_int_equal(t->ui.cross_at, 0);
+	assert_int_equal(t->ui.crosshair_sieve, 0);
 	type(t, ">><");
-	assert_int_equal(t->ui.level, 55);
+	assert_int_equal(t->ui.crosshair_passing, 55);
 	assert_int_equal(t->ui.tenths, tenths);
 	press(t, "Left");
-	assert_int_equal(t->ui.cross_at, 0);
+	assert_int_equal(t->ui.crosshair_sieve, 0);
 	assert_int_equal(t->ui.tenths, tenths - 1);
 }
 
@@ -979,7 +979,7 @@ so_many_keys_are_pressed_and_no_more(void **state)
 	    script_draw(stage->desk->session, &request, &error);
 	assert_non_null(canvas);
 	canvas_free(canvas);
-	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 }
 
 static void
@@ -1061,12 +1061,12 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	const struct numbers pin = t->view.pinned;
 	enum page page = t->ui.page;
 	control_end(t);
-	control_begin(t, other, &SCRIPT_WAYS);
+	control_begin(t, other, &SCRIPT_CALLBACKS);
 	char *line = xasprintf(":source %s\n", file);
 	type(t, line);
 	free(line);
 	control_end(t);
-	control_begin(t, other, &SCRIPT_WAYS);
+	control_begin(t, other, &SCRIPT_CALLBACKS);
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
@@ -1109,7 +1109,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		char *was = shown(t);
 		/* In a new session, and then in the screen that is open. */
 		shows_in_another(t, file, was);
-		control_begin(t, stage->desk->session, &SCRIPT_WAYS);
+		control_begin(t, stage->desk->session, &SCRIPT_CALLBACKS);
 		type(t, ":reset\n");
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
@@ -1143,7 +1143,7 @@ what_is_left_is_found_again(void **state)
 	t->aside = false; /* as where somebody looks */
 	control_end(t);
 	assert_string_equal(s->set.goal, "p80<5.2");
-	control_begin(t, s, &SCRIPT_WAYS);
+	control_begin(t, s, &SCRIPT_CALLBACKS);
 	assert_int_equal(t->ui.page, PAGE_PARITY);
 	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
 	assert_true(t->view.pinned.speed == 74);
@@ -1661,7 +1661,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	control_end(t);
 	assert_false(session_busy(s));
 	assert_true(session_entry(s)->fit.misfit == best);
-	control_begin(t, s, &SCRIPT_WAYS);
+	control_begin(t, s, &SCRIPT_CALLBACKS);
 }
 
 static volatile sig_atomic_t stops;
@@ -1728,7 +1728,7 @@ a_word_begins_a_line(void **state)
 		assert_true(t->line.active);
 		type(t, "\033");
 		assert_int_equal(t->ui.tenths, 740);
-		assert_false(t->ui.cross || t->leave || t->picker.on);
+		assert_false(t->ui.crosshair || t->leave || t->picker.on);
 	}
 	t->aside = true;
 }
@@ -1746,12 +1746,12 @@ single_letters_are_keys(void **state)
 	assert_int_equal(t->ui.tenths, 741);
 	t->clock += 0.5;
 	type(t, "c");
-	assert_false(t->ui.cross);
+	assert_false(t->ui.crosshair);
 	assert_true(word_wait(t) > 0.2);
 	t->clock += 0.5;
 	assert_true(word_wait(t) == 0);
 	keymap_held(t);
-	assert_true(t->ui.cross);
+	assert_true(t->ui.crosshair);
 	t->clock += 0.5;
 	type(t, "a");
 	assert_false(t->line.active);

@@ -532,7 +532,7 @@ act_mend(struct tui *t, const struct key *key)
 }
 
 void
-act_doubt(struct tui *t, const struct key *key)
+act_next_doubtful(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!has_cells(t))

@@ -142,7 +142,7 @@ move_by_generations(struct tui *t, int by)
 
 /* Of a search that runs the next one is made, of one that is over shown. */
 void
-act_generation(struct tui *t, const struct key *key)
+act_next_generation(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!session_busy(t->session)) {
@@ -155,7 +155,7 @@ act_generation(struct tui *t, const struct key *key)
 }
 
 void
-act_picture(struct tui *t, const struct key *key)
+act_next_plot(struct tui *t, const struct key *key)
 {
 	static const enum plot_kind NEXT[] = {[PLOT_SEARCH] = PLOT_PSD,
 	    [PLOT_PSD] = PLOT_CONVERGENCE,

@@ -93,7 +93,7 @@ parity_update(struct tui *t)
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
 		struct trials found = parity_compare(s, y->next);
-		if (!t->aside && signals_waited_for()) {
+		if (!t->aside && signals_stop_wanted()) {
 			trials_clear(&found);
 			return;
 		}

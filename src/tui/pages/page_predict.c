@@ -46,24 +46,24 @@ predict_draw(struct tui *t)
 	request.band = t->ui.band;
 	if (p->product.n > 0 && t->view.of.tenths == t->ui.tenths)
 		request.made = p;
-	request.level = t->ui.level;
+	request.level = t->ui.crosshair_passing;
 	if (t->view.pinned.site[0] != '\0') {
 		request.beside = t->view.pinned.site;
 		request.kept = &t->session->pin->p;
 	}
-	if (t->ui.cross && t->ui.cross_at < p->product.n)
+	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		request.crosshair_mm =
-		    units_mm(p->product.size[t->ui.cross_at]);
+		    units_mm(p->product.size[t->ui.crosshair_sieve]);
 	pane_curves(t, &request, t->layout.side.rows == 0);
 	panel_draw(t);
 }
 
 void
-act_level(struct tui *t, const struct key *key)
+act_crosshair_passing(struct tui *t, const struct key *key)
 {
 	enum { LEAST = 5, MOST = 95 };
-	int to = t->ui.level + key->amount;
-	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
+	int to = t->ui.crosshair_passing + key->amount;
+	t->ui.crosshair_passing = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
 /* What the panel has no room for; before a calibration it is that. */
@@ -99,27 +99,27 @@ predict_move(struct tui *t, const struct key *key)
 {
 	/* Sieves stand coarsest first, the plot finest first. */
 	size_t n = t->view.shown.product.n;
-	if (!t->ui.cross || key->act != act_list)
+	if (!t->ui.crosshair || key->act != act_list)
 		return false;
-	t->ui.cross_at =
-	    (size_t)pane_clamp_row((int)t->ui.cross_at, key->amount, n);
+	t->ui.crosshair_sieve =
+	    (size_t)pane_clamp_row((int)t->ui.crosshair_sieve, key->amount, n);
 	return true;
 }
 
 /* Opens the page. */
 void
-act_cross(struct tui *t, const struct key *key)
+act_crosshair(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->ui.cross = !t->ui.cross && t->view.shown.product.n > 0;
-	t->ui.runs = t->ui.runs && !t->ui.cross;
-	if (t->ui.cross && t->ui.cross_at == 0)
-		t->ui.cross_at = t->view.shown.product.n / 3;
-	if (t->ui.cross)
+	t->ui.crosshair = !t->ui.crosshair && t->view.shown.product.n > 0;
+	t->ui.runs = t->ui.runs && !t->ui.crosshair;
+	if (t->ui.crosshair && t->ui.crosshair_sieve == 0)
+		t->ui.crosshair_sieve = t->view.shown.product.n / 3;
+	if (t->ui.crosshair)
 		pages_go(t, PAGE_PREDICT);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
-	else if (t->ui.cross)
+	else if (t->ui.crosshair)
 		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
 
@@ -133,7 +133,7 @@ move_crosshair_to(struct tui *t, double size)
 		if (fabs(log(psd->size[i] / size)) <
 		    fabs(log(psd->size[best] / size)))
 			best = i;
-	t->ui.cross_at = best;
+	t->ui.crosshair_sieve = best;
 }
 
 static void
@@ -142,9 +142,9 @@ point_crosshair(struct tui *t, enum plot_kind kind, double x, double y)
 	(void)y;
 	if (kind != PLOT_PSD)
 		return;
-	if (!t->ui.cross)
-		act_cross(t, NULL);
-	if (!t->ui.cross)
+	if (!t->ui.crosshair)
+		act_crosshair(t, NULL);
+	if (!t->ui.crosshair)
 		return;
 	pages_go(t, PAGE_PREDICT);
 	move_crosshair_to(t, x / 1000);
@@ -161,9 +161,10 @@ predict_words(const struct tui *t)
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");
-	if (t->ui.cross && t->ui.cross_at < p->product.n)
+	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		xappend(&words, " at=%g level=%d",
-		    units_mm(p->product.size[t->ui.cross_at]), t->ui.level);
+		    units_mm(p->product.size[t->ui.crosshair_sieve]),
+		    t->ui.crosshair_passing);
 	return words;
 }
 
@@ -175,7 +176,7 @@ predict_hints(const struct tui *t)
 		return START_HINTS;
 	if (t->ui.runs)
 		return N_("r this speed  <-/->  ?  q  :  d");
-	if (t->ui.cross)
+	if (t->ui.crosshair)
 		return N_("<-/->  Up/Down  < >  c no crosshair  ?  q  :");
 	if (undone)
 		return "<-/->  U  ?  q  f  :  t  x  e  u";

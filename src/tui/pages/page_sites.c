@@ -87,11 +87,11 @@ sites_row_of(const struct session *s, size_t i)
 	const struct entry *e = &s->entry[i];
 	struct site_row row = {.entry = i,
 	    .p50 = NAN,
-	    .lit = e->has_params,
+	    .has_light = e->has_params,
 	    .holdout = e->has_fit ? 100 * fit_holdout_rmse(e) : NAN};
 	/* That of a site under way is not known yet. */
-	row.lit = row.lit && session_fitting(s) != e;
-	if (row.lit) {
+	row.has_light = row.has_light && session_fitting(s) != e;
+	if (row.has_light) {
 		struct trust t = light_of_prediction(s, e, NULL);
 		row.light = t.light;
 		row.verdict = e->has_fit ? light_verdict(s, e, NULL) : NULL;
@@ -163,8 +163,8 @@ light_text(
     const struct tui *t, const struct site_row *row, char *text, size_t n)
 {
 	if (!progress_text(t, row->entry, text, n))
-		snprintf(
-		    text, n, "%s", row->lit ? tr(LIGHT_NAME[row->light]) : "-");
+		snprintf(text, n, "%s",
+		    row->has_light ? tr(LIGHT_NAME[row->light]) : "-");
 }
 
 /* The number of a column; NAN where there is none, or it has words. */
@@ -175,7 +175,7 @@ sites_number_of(
 	const struct entry *e = &s->entry[row->entry];
 	switch (column) {
 	case LIGHT:
-		return row->lit ? (double)row->light : NAN;
+		return row->has_light ? (double)row->light : NAN;
 	case TOP:
 		return e->site->top_size > 0 ? units_mm(e->site->top_size)
 					     : NAN;
@@ -316,7 +316,7 @@ light_series(const struct tui *t, size_t i, int column, const char *text,
 	    [LIGHT_RED] = SERIES_RED};
 	const struct site_row *row = &t->view.row[i];
 	*series = LIGHT_LOOK[row->light];
-	return column == LIGHT && row->lit &&
+	return column == LIGHT && row->has_light &&
 	       strcmp(text, LIGHT_NAME[row->light]) == 0;
 }
 

@@ -15,7 +15,7 @@
 #include "tui/screen.h"
 
 enum edit_result
-dialogue_key(struct tui *t, int code, bool special)
+dialog_key(struct tui *t, int code, bool special)
 {
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
@@ -32,7 +32,7 @@ dialogue_key(struct tui *t, int code, bool special)
 }
 
 char *
-dialogue_ask(struct tui *t, const struct inquiry *q)
+dialog_ask(struct tui *t, const struct inquiry *q)
 {
 	int code;
 	bool special;
@@ -40,8 +40,8 @@ dialogue_ask(struct tui *t, const struct inquiry *q)
 	t->inquiry = q;
 	t->inquiry_up = 0;
 	edit_begin(&t->answer, "");
-	while (result == EDIT_ON && t->ways->answer(t, &code, &special))
-		result = dialogue_key(t, code, special);
+	while (result == EDIT_ON && t->callbacks->answer(t, &code, &special))
+		result = dialog_key(t, code, special);
 	t->inquiry = NULL;
 	edit_end(&t->answer);
 	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
@@ -173,7 +173,7 @@ draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
 }
 
 void
-dialogue_draw(struct tui *t, int rows, int columns)
+dialog_draw(struct tui *t, int rows, int columns)
 {
 	enum { MOST_COLUMNS = 100, FRAME_ROWS = 9, FRAME_COLUMNS = 32 };
 	const struct inquiry *q = t->inquiry;

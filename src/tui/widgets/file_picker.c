@@ -207,7 +207,7 @@ picker_key(struct tui *t, int code, bool special)
 	if (narrow_by_letter(t, code, special))
 		return true;
 	const struct key *key = keys_find(code, t->ui.page);
-	key_way *act = key != NULL ? key->act : NULL;
+	key_action *act = key != NULL ? key->act : NULL;
 	bool aside = act == act_move && abs(key->amount) == STEP;
 	bool moves =
 	    !aside && (act == act_move || act == act_ends || act == act_list);

@@ -189,7 +189,8 @@ list_touch_wheel(struct tui *t, const struct touched *touched)
 }
 
 int
-rows_draw(struct tui *t, const struct area *area, row_way *draw, const void *of)
+rows_draw(
+    struct tui *t, const struct area *area, row_drawer *draw, const void *of)
 {
 	int row = 0;
 	bool any = list_settle(t);

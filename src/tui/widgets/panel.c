@@ -141,13 +141,13 @@ static void
 touch_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
-	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
+	t->ui.crosshair_passing = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->view.shown.size[touched->item];
-	t->ui.cross = true;
-	t->ui.cross_at = 0;
-	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
-	       product->size[t->ui.cross_at + 1] >= mm)
-		t->ui.cross_at++;
+	t->ui.crosshair = true;
+	t->ui.crosshair_sieve = 0;
+	while (isfinite(mm) && t->ui.crosshair_sieve + 1 < product->n &&
+	       product->size[t->ui.crosshair_sieve + 1] >= mm)
+		t->ui.crosshair_sieve++;
 }
 
 static void
@@ -203,12 +203,12 @@ touch_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
-	t->ui.cross = true;
-	t->ui.cross_at = 0;
-	while (
-	    t->ui.cross_at + 1 < product->n &&
-	    product->size[t->ui.cross_at] > near * NUMBERS_SIEVE[touched->item])
-		t->ui.cross_at++;
+	t->ui.crosshair = true;
+	t->ui.crosshair_sieve = 0;
+	while (t->ui.crosshair_sieve + 1 < product->n &&
+	       product->size[t->ui.crosshair_sieve] >
+		   near * NUMBERS_SIEVE[touched->item])
+		t->ui.crosshair_sieve++;
 }
 
 /* Draws a row for each of them from `row` on, in a unit of which 100 % is
@@ -428,11 +428,11 @@ static const struct trust *
 light_shown(struct tui *t)
 {
 	struct view *v = &t->view;
-	if (!v->lit) {
+	if (!v->light_known) {
 		trust_free(&v->light);
 		v->light = light_of_prediction(
 		    t->session, tui_entry_asked_about(t), &v->shown);
-		v->lit = true;
+		v->light_known = true;
 	}
 	return &v->light;
 }
@@ -719,15 +719,17 @@ panel_row(struct tui *t)
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
-	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
+	else if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n) {
 		bool narrow = area->columns < 34, least = area->columns < 24;
-		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
+		double mm =
+		    1000 * psd_size(&p->curve, t->ui.crosshair_passing / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    least    ? "%g %.1f%% P%d %s"
 		    : narrow ? N_("%g %.1f %% P%d %s mm")
 			     : N_("%g mm %.1f %%  %d %% %s"),
-		    units_mm(p->product.size[t->ui.cross_at]),
-		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
+		    units_mm(p->product.size[t->ui.crosshair_sieve]),
+		    100 * p->product.passing[t->ui.crosshair_sieve],
+		    t->ui.crosshair_passing,
 		    narrow ? short_size(mm, a) : readout_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",

@@ -126,7 +126,7 @@ strip_seconds_to_wait(const struct tui *t)
 	if (!has_curve(t))
 		return INFINITY;
 	if (is_strip_current(t) && !goal_pending(t))
-		return t->wish != NULL ? 0 : INFINITY;
+		return t->pending_key != NULL ? 0 : INFINITY;
 	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 

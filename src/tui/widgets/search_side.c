@@ -293,9 +293,10 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	    past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
 	    best, plots_past_points(past, g->median));
-	FREED char *words = t->begun != NULL ? xstrdup(t->begun)
-					     : plots_search_words(t->session,
-						   past, t->ui.generation);
+	FREED char *words =
+	    t->computing != NULL
+		? xstrdup(t->computing)
+		: plots_search_words(t->session, past, t->ui.generation);
 	row = screen_words(side, row, LOOK_BOLD, words);
 	return session_fitting(t->session) ? draw_pace(t, row)
 					   : draw_found(t, row);

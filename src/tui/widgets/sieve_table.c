@@ -103,8 +103,8 @@ sieve_table_draw_bar(const struct area *area, int row, double share)
 static void
 touch_sieve(struct tui *t, const struct touched *touched)
 {
-	t->ui.cross = touched->item < t->view.shown.product.n;
-	t->ui.cross_at = touched->item;
+	t->ui.crosshair = touched->item < t->view.shown.product.n;
+	t->ui.crosshair_sieve = touched->item;
 }
 
 static void
@@ -112,8 +112,9 @@ draw_sieve(
     struct tui *t, const struct area *area, int row, size_t i, double off)
 {
 	const struct prediction *p = &t->view.shown;
-	unsigned look =
-	    t->ui.cross && t->ui.cross_at == i ? LOOK_BOLD : LOOK_PLAIN;
+	unsigned look = t->ui.crosshair && t->ui.crosshair_sieve == i
+			    ? LOOK_BOLD
+			    : LOOK_PLAIN;
 	char sieve[24];
 	/* A longer name takes a blank of the next number. */
 	int n =

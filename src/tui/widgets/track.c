@@ -382,7 +382,7 @@ is_goal_pending(const struct tui *t)
 }
 
 void
-act_limit(struct tui *t, const struct key *key)
+act_goal_speed(struct tui *t, const struct key *key)
 {
 	if (is_goal_pending(t) &&
 	    session_fitting(t->session) == tui_current_entry(t)) {
@@ -390,28 +390,28 @@ act_limit(struct tui *t, const struct key *key)
 		    "the goal's speeds are known when the calibration ends");
 		return;
 	}
-	t->wish = key;
-	t->wish_from = t->ui.tenths;
-	track_wished(t, t->aside);
-	if (t->wish != NULL)
+	t->pending_key = key;
+	t->pending_from = t->ui.tenths;
+	track_run_pending_key(t, t->aside);
+	if (t->pending_key != NULL)
 		tui_say(t, false,
 		    "the goal's speeds are being worked out: the slider then "
 		    "goes there; Esc: it stays");
 }
 
 void
-track_wished(struct tui *t, bool now)
+track_run_pending_key(struct tui *t, bool now)
 {
-	const struct key *key = t->wish;
-	if (key == NULL || t->ui.tenths != t->wish_from) {
-		t->wish = NULL;
+	const struct key *key = t->pending_key;
+	if (key == NULL || t->ui.tenths != t->pending_from) {
+		t->pending_key = NULL;
 		return;
 	}
 	while (now && is_goal_pending(t))
 		goal_step(t);
 	if (is_goal_pending(t))
 		return;
-	t->wish = NULL;
+	t->pending_key = NULL;
 	t->message[0] = '\0';
 	double best = key->amount == 0 ? goal_best(t) : NAN;
 	if (key->amount != 0)

@@ -57,7 +57,7 @@ viewer_text(struct tui *t, char *text)
 }
 
 void
-act_again(struct tui *t, const struct key *key)
+act_last_text(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (t->closed != NULL)
@@ -244,7 +244,7 @@ scrolls_by_key(struct tui *t, const struct key *key, int code)
 {
 	struct viewer *v = &t->viewer;
 	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
-	key_way *act = key != NULL ? key->act : NULL;
+	key_action *act = key != NULL ? key->act : NULL;
 	int steps = act == act_move ? abs(key->amount) : 0;
 	if (act == act_list)
 		viewer_scroll(t, key->amount);
@@ -313,7 +313,7 @@ viewer_key(struct tui *t, int code, bool special, const struct key **run)
 		return true;
 	}
 	/* How it is found again is read after it has gone. */
-	t->told = t->told || v->report;
+	t->keep_message = t->keep_message || v->report;
 	viewer_close(t);
 	return is_only_closed(t, key, code, keys);
 }
@@ -430,7 +430,7 @@ viewer_draw_hints(struct tui *t)
 		v->keys ? tr("Esc back  / find a word  Enter run it")
 			: tr("Esc back  / search"));
 	pane_hints(
-	    t, LOOK_REVERSE, t->under_way != NULL ? tr("Esc stops") : hints);
+	    t, LOOK_REVERSE, t->running_line != NULL ? tr("Esc stops") : hints);
 }
 
 void
