@@ -53,7 +53,7 @@ print_error(void *of, const struct error *e, const char *line, const char *name)
 	error_print_hint(e, stderr);
 }
 
-/* At a prompt one sees that. */
+/* Not at a prompt, where that can be seen. */
 static void
 print_interrupted(const char *name, int number)
 {
@@ -79,8 +79,7 @@ batch_line(struct session *s, const char *line, int number, struct pager *pager)
 	return driver_line(&d, line, ERROR_TYPED, number);
 }
 
-/* What a line says is kept, and shown only where it does not come to its end:
- * before its error. */
+/* The output of a line, printed before its error and only if it fails. */
 struct quiet {
 	FILE *to;
 	char *said;
@@ -171,8 +170,8 @@ batch_user_types(struct session *s)
 	s->typed_at = s->scripts;
 }
 
-/* On standard error: standard output is no terminal here, else readline would
- * be asked. */
+/* On standard error, because standard output is no terminal here: otherwise
+ * readline would prompt. */
 static void
 print_prompt(struct session *s, bool goes_on)
 {

@@ -48,7 +48,7 @@ static struct {
 	const struct history *history;
 } prompt;
 
-/* How many bytes all candidates begin with. */
+/* Returns how many bytes all candidates begin with. */
 static size_t
 shared_bytes(char **text, size_t n)
 {
@@ -60,8 +60,8 @@ shared_bytes(char **text, size_t n)
 	return shared;
 }
 
-/* The text to put instead of readline's word, which begins at start; NULL
- * where the two do not go together.  from: where the candidate's begins. */
+/* Returns the text that replaces the word of readline, which begins at start;
+ * NULL if the two do not match.  from: start of the word of the candidate. */
 static char *
 fit_candidate_to_word(
     const struct candidate *c, const char *line, long from, long start)
@@ -76,7 +76,7 @@ fit_candidate_to_word(
 	return xasprintf("%s%s", c->text + head, tail);
 }
 
-/* For readline: NULL, or what all candidates share and then each of them. */
+/* For readline: returns NULL, or what all candidates share followed by each. */
 static char **
 on_complete(const char *text, int start, int end)
 {
@@ -108,7 +108,7 @@ on_complete(const char *text, int start, int end)
 	return NULL;
 }
 
-/* "tierp (fit)> ".  Keys are ASCII, whatever the site is called. */
+/* Returns "tierp (fit)> ".  Keys of sites are ASCII, whatever their names. */
 static char *
 prompt_text(const struct session *s)
 {
@@ -144,8 +144,8 @@ set_readline_size(const char *text)
 	    rows > ROWS ? rows : ROWS, columns > least ? columns : least);
 }
 
-/* Where the prompt is broken depends on the columns; a search has one of its
- * own meanwhile. */
+/* Breaks the prompt anew for the number of columns; a search has a prompt of
+ * its own. */
 static void
 fit_prompt(void)
 {
@@ -155,7 +155,7 @@ fit_prompt(void)
 	rl_set_prompt(text);
 }
 
-/* ^Z, and the terminal again when the program goes on; another size. */
+/* Handles ^Z, the return from it, and a change of size. */
 static void
 answer_signals(void)
 {
@@ -179,7 +179,7 @@ answer_signals(void)
 	}
 }
 
-/* Waits for a key; false at a signal that is not answered here. */
+/* Waits for a key.  Returns false on a signal that is not handled here. */
 static bool
 wait_for_key(void)
 {
@@ -240,9 +240,9 @@ on_getc(FILE *in)
 	return key_at_end();
 }
 
-/* A line as typed, which the caller frees; NULL at the end of input or at a
- * signal.  Not by readline's callbacks: those of 8.2 jump to where they no
- * longer are when a sequence of keys that means nothing ends a search. */
+/* Returns a typed line, which the caller frees; NULL at the end of input or on
+ * a signal.  Not by the callbacks of readline: those of 8.2 jump to where they
+ * no longer are when an unknown sequence of keys ends a search. */
 static char *
 read_line(const char *text)
 {
@@ -273,7 +273,7 @@ run_line(struct session *s, const char *line, int number)
 	pager_close(&pager);
 }
 
-/* What was typed up to Return: one line, or several that were pasted. */
+/* Runs what was typed up to Return: one line, or several that were pasted. */
 static void
 take_lines(struct session *s, char *typed, int *number)
 {
@@ -298,9 +298,9 @@ take_lines(struct session *s, char *typed, int *number)
 	}
 }
 
-/* Names the next step when it has become one further on, and of another site
- * anew, but that answers can be had only once of several; it is offered for the
- * line that is typed next. */
+/* Prints the next step when it is further on than the last, or for another
+ * site; that answers can be had, only once for several sites.  The line typed
+ * next may accept it. */
 static void
 print_next_step(const struct session *s)
 {
@@ -324,7 +324,7 @@ print_next_step(const struct session *s)
 	prompt.offer = next;
 }
 
-/* The commands of what was offered one by one, each with what came of it. */
+/* Runs the offered commands one by one, each with its outcome. */
 static void
 run_offered_commands(struct session *s, int *number)
 {
@@ -347,7 +347,7 @@ run_offered_commands(struct session *s, int *number)
 	++*number;
 }
 
-/* Whether it answers what was offered, and not with a command. */
+/* Returns true if a line answers the offer instead of being a command. */
 static bool
 answers_offer(struct session *s, const char *typed, int *number)
 {
@@ -370,8 +370,8 @@ answers_offer(struct session *s, const char *typed, int *number)
 	return true;
 }
 
-/* --safe: no file of settings, and no function that reads one or the list of
- * users, by whatever key; nor, should readline get them, those of shells. */
+/* --safe: no settings file, and no key for a function that reads one, lists
+ * users or runs a shell. */
 static void
 confine_readline(void)
 {
@@ -429,11 +429,11 @@ repl_greet(struct session *s)
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
 	signals_forget_interrupt();
-	/* Files of the command line are asked about, too. */
+	/* Questions about files on the command line are asked too. */
 	s->hooks.question = ask_question;
 }
 
-/* For readline: what is no command has no completion. */
+/* For readline: answers have no completion. */
 static char **
 complete_nothing(const char *text, int start, int end)
 {

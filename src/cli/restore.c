@@ -14,11 +14,12 @@
 
 #include "base/xalloc.h"
 
-/* What ends a program that does not catch it; TERM, HUP and INT are caught. */
+/* Signals that end a program that does not catch them; TERM, HUP and INT are
+ * caught. */
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT,
     SIGSYS, SIGTRAP, SIGXCPU, SIGALRM, SIGUSR2};
 
-/* Mouse off, keys as usual; the cursor and the screen follow. */
+/* Mouse off; the rest of the terminal follows. */
 #define MOUSE_OFF "\033[?1002l\033[?1000l\033[?1006l"
 
 static struct {
@@ -37,7 +38,8 @@ restore_terminal(void)
 	if (!terminal.open)
 		return;
 	terminal.open = 0;
-	/* A background program would be stopped by setting the terminal. */
+	/* A program in the background would be stopped when it sets the
+	 * terminal. */
 	sigset_t out;
 	sigemptyset(&out);
 	sigaddset(&out, SIGTTOU);
@@ -57,7 +59,7 @@ on_fault(int signal)
 	raise(signal);
 }
 
-/* While the terminal is in use, only xalloc ends the program. */
+/* The program exits with the terminal in use only from xalloc. */
 static void
 on_exit_early(void)
 {

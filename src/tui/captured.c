@@ -11,7 +11,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/viewer.h"
 
-/* What is said next is for this screen, which has no use for escapes. */
+/* The next output is for this screen, without escape sequences. */
 void
 captured_clear(struct tui *t)
 {

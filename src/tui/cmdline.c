@@ -22,7 +22,7 @@
 #include "tui/widgets/viewer.h"
 #include "tui/watch.h"
 
-/* Stops no search, and the screen stays as it stands until it is drawn. */
+/* Draws a picture of the screen as it stands, without stopping a search. */
 static void
 draw_screen(struct tui *t, const char *line)
 {
@@ -41,7 +41,7 @@ draw_screen(struct tui *t, const char *line)
 		captured_show_error(t, &error, line, ERROR_TYPED);
 }
 
-/* What a shell command wrote stays until it is read. */
+/* Waits for Return, so that the output of a shell command can be read. */
 static void
 await_return(void)
 {
@@ -56,7 +56,8 @@ await_return(void)
 	fputs("\n", stdout);
 }
 
-/* The feed that a line names, as it is typed, or NULL.  The caller frees. */
+/* Returns the feed that a line names, as typed, or NULL.  The caller frees
+ * it. */
 static char *
 feed_typed(const char *line)
 {
@@ -68,8 +69,8 @@ feed_typed(const char *line)
 					     : strcspn(feed, " ;>|"));
 }
 
-/* Whether the page Predict shows all that a line asks: the site's product at a
- * speed, with a feed and a machine of its own. */
+/* Returns true if page Predict shows all that a line asks: the product of the
+ * site at a speed, on the feed and the machine of the page. */
 static bool
 is_shown_by_page_predict(const char *line)
 {
@@ -104,8 +105,8 @@ effect_on_job(
 	return bounds ? JOB_TAKES_BOUNDS : JOB_STOPS;
 }
 
-/* On within bounds that were edited in a search; where it was paused the user
- * says when. */
+/* Continues a search within bounds that a line edited; one that was stopped
+ * says so. */
 static void
 continue_within_bounds(struct tui *t, bool edited)
 {
@@ -114,8 +115,8 @@ continue_within_bounds(struct tui *t, bool edited)
 		tui_say(t, false, "continues within the new bounds");
 }
 
-/* Says more behind what a line has said; where a text has opened, if nothing
- * else was said, to be read when it is closed. */
+/* Adds to the message of a line; if a text was opened, only if there is no
+ * message yet, to be read when it is closed. */
 static void
 append_to_message(struct tui *t, const char *more)
 {
@@ -125,7 +126,7 @@ append_to_message(struct tui *t, const char *more)
 		    more);
 }
 
-/* Below the answer on another sheet's feed the pages go on with their own. */
+/* Says that the pages keep their feed, below an answer for another. */
 static void
 tell_feed(struct tui *t, const char *line)
 {
@@ -138,14 +139,14 @@ tell_feed(struct tui *t, const char *line)
 		    feed);
 }
 
-/* What a line that was run has said; of a search that it began the page
- * tells. */
+/* Shows the output of a line that was run, except of a search that it started,
+ * which the page shows. */
 static void
 show_result_message(struct tui *t, const char *line, bool ok, bool began)
 {
 	bool moved_only = is_shown_by_page_predict(line);
 	fflush(t->captured);
-	/* What a check found, the other faults of a sheet. */
+	/* The faults that a check or a sheet has beside the error. */
 	if (!ok && t->captured_n > 0)
 		text_wrap(t->message, 0, 78, t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
@@ -195,7 +196,7 @@ run_typed(struct tui *t, const char *line)
 		tui_say(t, false, "f calibrates within these bounds");
 	bool beside = was_busy && effect == JOB_GOES_ON;
 	show_result_message(t, line, ok, session_busy(s) && !beside);
-	/* Who has moved the slider may have meant that. */
+	/* The slider may have been meant. */
 	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
@@ -205,8 +206,8 @@ run_typed(struct tui *t, const char *line)
 		append_to_message(t, stopped);
 }
 
-/* Whether a command answers for one speed; pictures, data that are shown and
- * changes are of what they say. */
+/* Returns true if a command answers for one speed; not if it draws, shows data
+ * or changes something. */
 static bool
 answers_for_one_speed(const struct command *command)
 {
@@ -216,7 +217,8 @@ answers_for_one_speed(const struct command *command)
 	       !(command->flags & COMMAND_CHANGES);
 }
 
-/* Whether a line has a speed among its operands, as in "compare pinned 72". */
+/* Returns true if a line has a speed among its operands, as in "compare pinned
+ * 72". */
 static bool
 names_speed(const struct command *asked, const char *rest)
 {
@@ -232,9 +234,8 @@ names_speed(const struct command *asked, const char *rest)
 	       strstr(asked->operands.usage, "SPEED") != NULL;
 }
 
-/* What a typed line means with the slider somewhere, see tui_options_at_slider.
- * A question about one speed is about that of the slider, where it is asked of
- * no other: "spec FILE" gets it.  The caller frees. */
+/* Returns a typed line with the slider's speed and feed (tui_options_at_slider)
+ * added, if it asks about one speed and names none.  The caller frees it. */
 static char *
 line_at_slider(const char *line, const char *where)
 {

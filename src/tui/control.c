@@ -32,11 +32,11 @@
 #include "tui/script_progress.h"
 #include "tui/widgets/viewer.h"
 
-/* session->hooks.confirm and `screen` have no argument to pass it by. */
+/* The hooks of a session and `screen` have no argument for it. */
 static struct tui *open;
 
-/* No progress but what is drawn of it.  Signals are held on the screen, and are
- * let in between two steps. */
+/* Runs a job to its end and draws its progress.  Signals are held on the
+ * screen, and let in between two steps. */
 static bool
 control_work(struct session *s)
 {
@@ -48,9 +48,9 @@ control_work(struct session *s)
 	return signals_pending() == 0;
 }
 
-/* What reads much asks in the midst of a line, of which Esc is then heard; the
- * threads of a search ask too, and draw nothing.  A search that was begun here
- * asks when the screen has been left, too. */
+/* For hooks.stop: long commands ask during a line, and Esc is then looked
+ * for.  The threads of a search ask too, but draw nothing, and so does a search
+ * that goes on after the screen was closed. */
 static bool
 control_is_stop_wanted(void)
 {
@@ -76,7 +76,6 @@ control_find_command(const char *line)
 	return command;
 }
 
-/* What the session is like after any command. */
 void
 control_refresh(struct tui *t)
 {
@@ -91,7 +90,7 @@ control_refresh(struct tui *t)
 	tui_show_generation(t, t->ui.generation);
 }
 
-/* The page and the quantity that are set. */
+/* Takes the page and the quantity from the settings. */
 static void
 read_page_and_quantity(struct tui *t)
 {
@@ -104,7 +103,7 @@ read_page_and_quantity(struct tui *t)
 	tui_clear_hits(t);
 }
 
-/* The page as `set` would be given it; the caller frees. */
+/* Returns the page as a value of `set page`.  The caller frees it. */
 static char *
 page_text(enum page page)
 {
@@ -130,7 +129,7 @@ control_set_looks(struct tui *t)
 		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 }
 
-/* Whether a line has set others than there were; what is undone has not. */
+/* Returns true if the page or the quantity is another. */
 static bool
 differs_in_page_or_quantity(const struct choices *was, const struct choices *is)
 {
@@ -138,7 +137,7 @@ differs_in_page_or_quantity(const struct choices *was, const struct choices *is)
 	       strcmp(was->quantity, is->quantity) != 0;
 }
 
-/* The line has begun what takes long. */
+/* Shows the job that a line has started. */
 static void
 show_job_begun(struct tui *t, const char *line)
 {
@@ -156,7 +155,6 @@ show_job_begun(struct tui *t, const char *line)
 	}
 }
 
-/* The slider to the speed that a line has answered for, if it can go there. */
 void
 control_say_off_slider(struct tui *t, double speed)
 {
@@ -246,7 +244,7 @@ control_screen(void)
 	return open;
 }
 
-/* All that a state owns. */
+/* Frees all that a state owns. */
 static void
 free_state(struct tui *t)
 {
@@ -282,7 +280,8 @@ control_question(struct session *s, const struct inquiry *q)
 	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }
 
-/* At the end of a search, before there is a result to draw. */
+/* For hooks.begins: draws page Fit before the draws are computed with which a
+ * search ends. */
 static void
 control_draw_before_search(const char *what)
 {
@@ -294,7 +293,8 @@ control_draw_before_search(const char *what)
 	open->computing = NULL;
 }
 
-/* The speed last asked about, else the usual one of the site. */
+/* Returns the speed last asked about or, if the slider cannot show it, the
+ * usual speed of the site. */
 static int
 first_slider_tenths(const struct session *s)
 {

@@ -156,7 +156,7 @@ const struct key KEYS[] = {
     {'q', "q", ON_ALL, act_leave, 0, "quit full-screen mode", "quit", NULL},
     {.code = 0}};
 
-/* Whether one of the names of a row, "Left, h", is this. */
+/* Returns true if the names of a row, "Left, h", include this one. */
 static bool
 has_name(const char *names, const char *name)
 {
@@ -219,8 +219,8 @@ keys_code_of_name(const char *name, int *code)
 	return false;
 }
 
-/* What the keys of a hint do, by the first of them that has words, "" where it
- * names something else, too: "Down Enter", "1-5 pages". */
+/* Returns what the keys of a hint do, in the words of the first key that has
+ * any; "" if the hint has more than keys: "Down Enter", "1-5 pages". */
 static const char *
 words_of_hint(const char *hint, enum page page)
 {
@@ -266,7 +266,7 @@ keys_bar(const char *hints, enum page page)
 	return bar;
 }
 
-/* The only page a key is there on, in words; "" where it is on all. */
+/* Returns in words the only page on which a key acts; "" if there are more. */
 static const char *
 only_on_page_words(const struct key *k)
 {
@@ -278,7 +278,8 @@ only_on_page_words(const struct key *k)
 				     : "";
 }
 
-/* Of the keys that are there on all pages those that do most on some. */
+/* Returns true if a key belongs to a page: it acts there but not on all pages,
+ * or that page lists it first. */
 static bool
 is_key_of_page(const struct key *k, enum page page)
 {
@@ -288,8 +289,8 @@ is_key_of_page(const struct key *k, enum page page)
 	return pages & (1U << page);
 }
 
-/* "  Up Down       a row": with the keys that go with it, as far as there is
- * room. */
+/* Returns "  Up Down       a row": a key, with those that go with it as far as
+ * there is room. */
 static char *
 brief_line(const struct key *k)
 {
@@ -318,15 +319,15 @@ keys_has_word(const struct key *k, const char *word)
 	return text_has(line, word);
 }
 
-/* In brief a key of other pages is left out. */
+/* Returns true if the brief list of a page has the key. */
 static bool
 keys_is_listed(const struct key *k, enum page page)
 {
 	return k->brief != NULL && k->where & (1U << page);
 }
 
-/* The keys of the list, the page's own first: all of the page in brief, or
- * those with a word.  Returns how many. */
+/* Lists keys, those of the page first: all of the page, or those whose line
+ * contains the word.  Returns their number. */
 static size_t
 keys_list_keys(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])
@@ -380,7 +381,7 @@ keys_manual(FILE *out)
 {
 	fputs(".Bl -tag -width Shift-Right\n", out);
 	for (const struct key *k = KEYS; k->code != 0; k++) {
-		/* The control characters of mdoc would be taken as such. */
+		/* A single character might be one that mdoc interprets. */
 		fprintf(out, ".It %s%s\n%s%s.\n",
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
 		    only_on_page_words(k));

@@ -26,7 +26,7 @@ area_row(const struct area *area, int row)
 	return area_cells(area, row, 0, area->columns);
 }
 
-/* One row at the bottom of what is left. */
+/* Takes the last row of what is left. */
 static struct area
 take_bottom_row(struct area *left)
 {
@@ -54,8 +54,8 @@ enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
  * its text. */
 enum { FOR_GAP = 100 };
 
-/* So many rows at the bottom of what is left: with the rows of the screen they
- * become more. */
+/* Takes three rows from the bottom of what is left, and one more for each
+ * `every` rows that the screen has beyond `least`. */
 static struct area
 layout_take_rows(struct area *left, int rows, int least, int every)
 {

@@ -19,9 +19,9 @@
 #include "cli/restore.h"
 #include "cli/terminal.h"
 
-/* screen: NULL where nothing is shown, only drawn.  frame: the last one, or
- * NULL; shown: that which ncurses has, or NULL, when it is to have all anew.
- * ncurses keeps its state by itself, too. */
+/* screen: NULL if frames are only drawn, not shown.  frame: the last one, or
+ * NULL; shown: the one that ncurses has, or NULL if it is to get all of it
+ * anew. ncurses has state of its own beside this. */
 static struct display {
 	SCREEN *screen;
 	bool utf8, mouse, only_text;
@@ -88,7 +88,7 @@ set_modes(void)
 	define_key("\032", 0);
 }
 
-/* Has pasted text marked, where unknown modes of this kind are passed over. */
+/* Has the terminal mark pasted text, if it ignores unknown modes. */
 static void
 mark_pastes(bool on)
 {
@@ -130,8 +130,8 @@ screen_open(bool colour)
 	return true;
 }
 
-/* Not every terminal has a second screen to leave: where the picture stays, the
- * shell goes on in a row of its own. */
+/* Where the terminal has no second screen, the picture stays, and the shell
+ * continues in a row below. */
 static void
 end_curses(void)
 {
@@ -206,8 +206,8 @@ screen_depth(void)
 	return display.depth;
 }
 
-/* The Linux console says that it has a mouse; but it is gpm's, which tells
- * nobody of it in this way. */
+/* Returns true if the terminal reports the mouse.  The Linux console says so,
+ * but its mouse is that of gpm, which does not report in this way. */
 static bool
 has_mouse_keys(void)
 {
@@ -302,8 +302,8 @@ screen_put_cell(
 	if (row < 0 || row >= display.rows || column < 0 ||
 	    column >= display.columns)
 		return;
-	/* With few colours nothing is dim: the shade outshone what lies on it.
-	 */
+	/* With few colours nothing is dim, and the shade would outshine the
+	 * text. */
 	if (code == LIGHT_SHADE && series == SERIES_TEXT && display.depth > 0 &&
 	    display.depth < 256)
 		code = MIDDLE_DOT;
@@ -414,7 +414,7 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 		}
 }
 
-/* Where there are eight colours, a bright one is a bold one. */
+/* With eight colours, bright ones are bold. */
 static attr_t
 curses_attributes(const struct canvas_cell *cell)
 {
@@ -427,7 +427,7 @@ curses_attributes(const struct canvas_cell *cell)
 	       (faint ? A_DIM : 0) | ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
 
-/* A letter without its accent, where there is nothing but ASCII. */
+/* Returns a letter without its accent, for a terminal with ASCII alone. */
 static wchar_t
 letter_without_accent(uint32_t code)
 {
@@ -457,7 +457,8 @@ screen_is_same(const struct canvas_cell *a, const struct canvas_cell *b)
 	       a->attribute == b->attribute;
 }
 
-/* Hands over a cell; the right half of a wide letter comes with its left. */
+/* Passes a cell to ncurses; the right half of a wide letter comes with the
+ * left. */
 static void
 screen_put(int row, int column)
 {
@@ -470,7 +471,7 @@ screen_put(int row, int column)
 	show_cell(row, column, blank ? &BLANK : at);
 }
 
-/* What is as it was shown last ncurses has already. */
+/* Only the cells that have changed are passed to ncurses. */
 void
 screen_show(int row, int column)
 {

@@ -14,7 +14,8 @@
 #include "tui/captured.h"
 #include "tui/widgets/viewer.h"
 
-/* "4 of 15: validate", and what a search of it is at; the caller frees. */
+/* Returns "4 of 15: validate", with the state of its search.  The caller frees
+ * it. */
 static char *
 running_words(const struct tui *t)
 {
@@ -32,8 +33,8 @@ running_words(const struct tui *t)
 	return words;
 }
 
-/* In the midst of a script no page can be drawn: what it would show changes
- * with every command. */
+/* During a script, no page can be drawn, because each command may change what
+ * it shows. */
 static void
 script_progress_draw_lines(struct tui *t, bool begins)
 {

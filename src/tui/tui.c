@@ -32,8 +32,8 @@
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
 
-/* How long to wait, s, for the next generation that is due, or for the end of
- * what is pasted; INFINITY: for ever. */
+/* Returns how long to wait, s, for the next generation that is due or the end
+ * of pasted text; INFINITY: until something happens. */
 static double
 seconds_to_wait(const struct tui *t)
 {
@@ -79,7 +79,8 @@ suspend_program(struct tui *t)
 	t->started += session_clock() - left;
 }
 
-/* Everything that was typed and dragged; only the newest speed is predicted. */
+/* Handles all that was typed and dragged, so that only the newest speed is
+ * predicted. */
 static void
 take_keys(struct tui *t)
 {
@@ -92,7 +93,7 @@ take_keys(struct tui *t)
 	}
 	if (word_wait(t) <= 0)
 		keymap_held(t);
-	/* Its end does not come: keys are keys again. */
+	/* The end of the paste never came: what is typed is keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);
 }
@@ -110,7 +111,7 @@ check_terminal_is_there(void)
 	signals_deliver();
 }
 
-/* One frame, until something happens. */
+/* Draws a frame and waits until something happens. */
 static void
 draw_and_wait(struct tui *t)
 {
@@ -127,7 +128,7 @@ draw_and_wait(struct tui *t)
 		screen_resize();
 }
 
-/* False at a signal. */
+/* Returns false on a signal. */
 static bool
 wait_for_answer_key(struct tui *t, int *code, bool *special)
 {
@@ -146,7 +147,8 @@ wait_for_answer_key(struct tui *t, int *code, bool *special)
 	return done;
 }
 
-/* Keys that come before their time are lost. */
+/* Returns true if Esc or ^C was pressed; other keys that were pressed meanwhile
+ * are lost. */
 static bool
 is_stop_key_pressed(struct tui *t)
 {
@@ -185,7 +187,7 @@ show_page(const char *page)
 	return shown;
 }
 
-/* What was kept of the last session. */
+/* Offers to restore the last session, if it was kept. */
 static void
 offer_last_session(struct tui *t)
 {
@@ -202,7 +204,8 @@ tui_run(struct session *s)
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();
-	/* What it says of a history that cannot be kept is not for ncurses. */
+	/* If the history cannot be kept, that is printed before ncurses
+	 * starts. */
 	if (!history)
 		typed_history_open(!s->safe);
 	restore_keep_settings();

@@ -41,7 +41,7 @@ view_numbers_of(const char *key, const struct prediction *p)
 	return n;
 }
 
-/* What the session has pinned. */
+/* Takes over the prediction that the session has pinned. */
 static void
 copy_pinned_numbers(struct tui *t)
 {
@@ -67,7 +67,8 @@ forget_prediction(struct tui *t)
 	t->view.of = (struct view_key){0};
 }
 
-/* What was worked out for another one is forgotten. */
+/* Notes the basis and, if it is another one, discards what was computed for the
+ * last. */
 static void
 update_basis(struct tui *t)
 {
@@ -146,7 +147,7 @@ view_predict(struct tui *t)
 	if ((!entry->has_params && !forming) ||
 	    (!other && !moved && was.basis == key.basis))
 		return;
-	/* What a search had on its way is nothing to count from. */
+	/* Changes are not counted from what a search had on its way. */
 	if (!t->view.from_search &&
 	    (t->clock - t->view.moved > PAUSE ||
 		t->view.reference.site[0] == '\0' ||
@@ -174,7 +175,6 @@ view_predict(struct tui *t)
 	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }
 
-/* The prediction at the slider, of which the session is not told. */
 void
 view_predict_unrecorded(struct tui *t)
 {

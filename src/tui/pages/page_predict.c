@@ -66,7 +66,7 @@ act_crosshair_passing(struct tui *t, const struct key *key)
 	t->ui.crosshair_passing = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
-/* What the panel has no room for; before a calibration it is that. */
+/* Shows all numbers; before a calibration, starts that. */
 void
 act_numbers(struct tui *t, const struct key *key)
 {
@@ -97,7 +97,7 @@ act_runs(struct tui *t, const struct key *key)
 static bool
 predict_move(struct tui *t, const struct key *key)
 {
-	/* Sieves stand coarsest first, the plot finest first. */
+	/* Both the sieves and the key go from coarse to fine. */
 	size_t n = t->view.shown.product.n;
 	if (!t->ui.crosshair || key->act != act_list)
 		return false;
@@ -106,7 +106,7 @@ predict_move(struct tui *t, const struct key *key)
 	return true;
 }
 
-/* Opens the page. */
+/* Turns the crosshair on, which opens the page, or off. */
 void
 act_crosshair(struct tui *t, const struct key *key)
 {
@@ -123,7 +123,8 @@ act_crosshair(struct tui *t, const struct key *key)
 		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
 
-/* The nearest sieve by the ratio of sizes, as the axis has them. */
+/* Moves the crosshair to the nearest sieve, by the ratio of sizes, as on the
+ * axis. */
 static void
 move_crosshair_to(struct tui *t, double size)
 {

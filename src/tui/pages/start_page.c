@@ -10,7 +10,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/list.h"
 
-/* Each with the list that it opens. */
+/* The ways to open a site, each with the list of files that it opens. */
 static const struct {
 	const char *name, *what;
 	enum picker_list list;
@@ -57,7 +57,7 @@ draw_way(struct tui *t, const struct area *line, size_t i, unsigned look,
 	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
 }
 
-/* In the middle, with what the chosen one is for where there is room. */
+/* In the middle, with a description of the chosen way if there is room. */
 void
 start_draw(struct tui *t)
 {

@@ -25,7 +25,8 @@ dialog_key(struct tui *t, int code, bool special)
 	}
 	if (special && code == KEY_ENTER)
 		return EDIT_DONE;
-	/* In an empty line Backspace would give up; Tab completes commands. */
+	/* Backspace in an empty line would give up, and Tab complete
+	 * commands. */
 	if ((back && t->answer.n == 0) || (!special && code == '\t'))
 		return EDIT_ON;
 	return edit_key(&t->answer, t->session, code, special);
@@ -47,7 +48,7 @@ dialog_ask(struct tui *t, const struct inquiry *q)
 	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
 }
 
-/* How many rows each part has; gap: blank ones around the table. */
+/* The rows of each part; gap: blank ones around the table. */
 struct parts {
 	int about, table, gap, text, line, hint;
 };
@@ -107,15 +108,15 @@ draw_frame(struct tui *t, const struct area *box, const char *keys)
 	pane_touch_hints(t, edge.row, edge.column + 3, keys);
 }
 
-/* The wheel goes through the table. */
+/* The wheel scrolls the table. */
 static void
 touch_table(struct tui *t, const struct touched *touched)
 {
 	t->inquiry_up -= touched->by;
 }
 
-/* The heads, and as many rows as there is room for, with the one asked about
- * unless it was moved away. */
+/* Draws the headings and as many rows as fit, with the one asked about unless
+ * the table was scrolled. */
 static void
 draw_table(struct tui *t, const struct area *area)
 {
@@ -146,7 +147,7 @@ dialog_draw_line(struct tui *t, const struct area *area)
 	t->cursor = (struct cursor){area->row, area->column + at};
 }
 
-/* The parts one below the other. */
+/* Draws the parts from the top down. */
 static void
 draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
     const char *asks)

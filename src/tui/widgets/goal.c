@@ -24,7 +24,7 @@
 /* Screens separate sharply. */
 static const struct partition SHARP = {0, 1};
 
-/* A list of more conditions is an envelope's. */
+/* A list of more conditions is that of an envelope. */
 enum { MANY = 4 };
 
 bool
@@ -93,7 +93,7 @@ act_goal(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
-	/* What a search has found so far is shown, too. */
+	/* During a search its best so far is shown, too. */
 	if (entry == NULL ||
 	    (!entry->has_params && t->view.shown.product.n == 0)) {
 		tui_say(t, true, "%s", tui_why_none(t));
@@ -112,8 +112,8 @@ act_goal(struct tui *t, const struct key *key)
 	edit_begin(&t->line, line);
 }
 
-/* What the words before a comma may become: quantities, and the envelopes that
- * come with the program. */
+/* Completes the last condition: quantities, and the envelopes that come with
+ * the program. */
 static void
 complete_goal(struct edit *y)
 {
@@ -160,8 +160,8 @@ close_goal_field(struct tui *t)
 	t->goal_field = false;
 }
 
-/* The line that sets one, or takes it away; NULL where that changes nothing.
- * An envelope alone is also the one in use, so that its limits are drawn. */
+/* Returns the line that sets the goal, or clears it; NULL if nothing changes.
+ * An envelope alone is also put to use, so that its limits are drawn. */
 static char *
 goal_command_line(struct tui *t, const char *text)
 {
@@ -180,7 +180,8 @@ goal_command_line(struct tui *t, const char *text)
 	return NULL;
 }
 
-/* "p80" and "p80=" alone are to be looked at, and nothing is wanted of them. */
+/* A quantity alone, "p80" or "p80=", is only shown above the track.  Returns
+ * false if the text is no quantity. */
 static bool
 take_quantity(struct tui *t, const char *text)
 {
@@ -205,8 +206,8 @@ take_quantity(struct tui *t, const char *text)
 	return ok;
 }
 
-/* What is to be seen of conditions: that of the last, of an envelope's that of
- * a sieve in the middle until it is known which one binds. */
+/* Returns the quantity to show for conditions: that of the last; for an
+ * envelope, that of a sieve in the middle until it is known which one binds. */
 static struct quantity
 quantity_to_show(const struct condition_list *list)
 {
@@ -224,12 +225,12 @@ goal_step(struct tui *t)
 		return;
 	struct quantity first = quantity_to_show(&g->list);
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
-	/* Not that of a list of sieves, which goes with the goal. */
+	/* A list of sieves is freed with the goal. */
 	if (quantity_same(&t->ui.quantity, &first) && binds->sieve == NULL)
 		t->ui.quantity = *binds;
 }
 
-/* Enter: what cannot be read stays to be mended. */
+/* Reads the field on Enter.  What cannot be read stays, to be corrected. */
 static char *
 read_goal_field(struct tui *t)
 {
@@ -257,8 +258,8 @@ read_goal_field(struct tui *t)
 	return line;
 }
 
-/* What stands there was only offered: a letter begins another quantity, a sign
- * stands for its own, a number is a value of it; a comma adds to it. */
+/* Replaces the proposed text: a letter begins another quantity, a sign its own
+ * condition, a number a value; a comma adds a condition. */
 static void
 begins_new_goal(struct tui *t, int code)
 {
@@ -270,7 +271,8 @@ begins_new_goal(struct tui *t, int code)
 	edit_begin(&t->line, isalpha(code) ? "" : words);
 }
 
-/* The number that stood for a value begins a fraction: "p80=0", then a /. */
+/* Turns a number typed for a value, "p80=0", into the beginning of a fraction,
+ * "0/". */
 static void
 begin_fraction(struct edit *y)
 {

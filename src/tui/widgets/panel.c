@@ -23,12 +23,11 @@
 #include "tui/cmdline.h"
 #include "tui/folder.h"
 
-/* A row of numbers: its name, then these columns; where the panel is wide a
- * band stands between value and change. */
+/* Columns of a row of numbers: after its name its value, unit and change, and
+ * on a wide panel the band. */
 enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
 
-/* How many rows a block takes: at least, or it is left out, and where there is
- * room. */
+/* The rows that a block takes: at least, or it is left out, and at most. */
 struct wish {
 	int least, most;
 };
@@ -48,14 +47,14 @@ numbers_before(const struct tui *t)
 						   : NULL;
 }
 
-/* Not 0 as shown. */
+/* Returns true if a change is not shown as 0. */
 static bool
 is_change_visible(double change, int digits)
 {
 	return fabs(change) >= 0.5 * pow(10, -digits);
 }
 
-/* "-0.03", what is now less what was; nothing where that is 0 as shown. */
+/* Draws "-0.03", the change since then; nothing if it is shown as 0. */
 static void
 draw_change(
     const struct area *area, int row, double now, double was, int digits)
@@ -66,8 +65,8 @@ draw_change(
 		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
 }
 
-/* "5.29..5.44" where the panel is wide, else half of that behind the number,
- * "5.36\u00b10.08", with that unit; nothing without a band. */
+/* Draws a band: "5.29..5.44" on a wide panel, else half its width after the
+ * number, "5.36\u00b10.08", with that unit; nothing without a band. */
 static void
 draw_range(const struct area *area, int row, double low, double high,
     int digits, const char *unit)
@@ -98,7 +97,7 @@ draw_size(const struct area *area, int row, unsigned look, double mm)
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
 
-/* The speed, and what changes are counted from. */
+/* The speed, and that from which changes are counted. */
 static struct wish
 speed_wish(struct tui *t)
 {
@@ -107,7 +106,7 @@ speed_wish(struct tui *t)
 	return (struct wish){1, other ? 2 : 1};
 }
 
-/* At the same speed: by another calibration, say. */
+/* Returns true if the sizes have changed, by another calibration, say. */
 static bool
 is_changed(const struct numbers *now, const struct numbers *was)
 {
@@ -136,7 +135,7 @@ panel_draw_speed(struct tui *t, const struct area *area)
 		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
-/* The crosshair where the curve passes so much. */
+/* Puts the crosshair where the curve passes so much. */
 static void
 touch_size(struct tui *t, const struct touched *touched)
 {
@@ -174,7 +173,8 @@ draw_break(struct tui *t, const struct area *area)
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
-	/* The draws' range need not hold the fit's value. */
+	/* The band is of the draws, and may not include the value of the
+	 * fit. */
 	if (area->columns >= WIDE)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (was != NULL)
@@ -197,7 +197,7 @@ fractions_wish(struct tui *t)
 	return (struct wish){n, n};
 }
 
-/* The crosshair on the sieve, or the coarsest that is finer. */
+/* Puts the crosshair on the sieve of a fraction, or on the next finer one. */
 static void
 touch_fraction(struct tui *t, const struct touched *touched)
 {
@@ -291,8 +291,8 @@ draw_tonnes(struct tui *t, const struct area *area)
 	draw_passings(t, area, 1, tph, "t/h");
 }
 
-/* The heading says the verdict; a row each, or as many of the worst as there is
- * room for. */
+/* A heading with the verdict and a row for each limit, or for as many of the
+ * worst as there is room for. */
 static struct wish
 limits_wish(struct tui *t)
 {
@@ -302,7 +302,7 @@ limits_wish(struct tui *t)
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
 }
 
-/* What a limit is of, as short as there is room for. */
+/* Writes what a limit is of, in few letters. */
 static void
 panel_name_quantity(const struct quantity *q, char *name, size_t size)
 {
@@ -316,7 +316,8 @@ panel_name_quantity(const struct quantity *q, char *name, size_t size)
 						: typed);
 }
 
-/* Limit i at the slider's speed: in, or by how much it is missed. */
+/* Draws limit i with its value at the slider's speed, and whether that meets
+ * it. */
 static void
 panel_draw_limit(
     const struct area *area, int row, const struct grading *g, size_t i)
@@ -344,7 +345,7 @@ panel_draw_limit(
 	    in ? N_(" in") : N_("OUT"));
 }
 
-/* Where limit i stands among margins [n], the least first. */
+/* Returns the place of limit i among margins [n], the smallest first. */
 static size_t
 rank_of_limit(const double *margin, size_t n, size_t i)
 {
@@ -355,7 +356,7 @@ rank_of_limit(const double *margin, size_t n, size_t i)
 	return place;
 }
 
-/* What says more of the light, and of the limits. */
+/* A click on the light or the limits explains them. */
 static void
 touch_verdict(struct tui *t, const struct touched *touched)
 {
@@ -369,7 +370,7 @@ panel_draw_limits(struct tui *t, const struct area *area)
 	struct area name = *area;
 	name.columns -= 4;
 	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 1);
-	/* The fraction, where the name has room behind it. */
+	/* With the fraction, if there is room for it. */
 	FREED char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width(words) <= name.columns;
@@ -402,7 +403,7 @@ readings_wish(struct tui *t)
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
-/* Of a few sieves nobody sees a curve. */
+/* A few sieves do not show a curve. */
 static struct wish
 sieves_wish(struct tui *t)
 {
@@ -411,8 +412,8 @@ sieves_wish(struct tui *t)
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
-/* The first reason, but one that came with the slider's speed before those of
- * all speeds; NULL: none. */
+/* Returns the first reason, but that of a speed beyond the measured ones before
+ * all others; NULL: none. */
 static const struct trust_reason *
 panel_reason(const struct trust *light)
 {
@@ -423,7 +424,7 @@ panel_reason(const struct trust *light)
 	return light->n > 0 ? &light->reason[first] : NULL;
 }
 
-/* The light of what is shown, once for all that tells of it. */
+/* Returns the light of what is shown, computed once. */
 static const struct trust *
 light_shown(struct tui *t)
 {
@@ -437,8 +438,8 @@ light_shown(struct tui *t)
 	return &v->light;
 }
 
-/* As many rows whether there is a doubt or not, or the numbers below would move
- * with the speed; what is red says all of its reason. */
+/* Takes as many rows with a reason as without, because the numbers below would
+ * move with the speed; only a red light shows all of its reason. */
 static struct wish
 light_wish(struct tui *t)
 {
@@ -465,8 +466,8 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_MACHINE] = N_("another machine"),
     [TRUST_ORIGIN] = N_("not calibrated here")};
 
-/* What stands before its colon, or a few words, where there is no room for all
- * of it. */
+/* Draws a reason, or what stands before its colon, or what it is about, as far
+ * as there is room. */
 static void
 draw_reason(const struct area *area, const struct trust_reason *reason)
 {
@@ -491,8 +492,8 @@ draw_fit_quality(const struct tui *t, const struct area *area)
 	    fit, held);
 }
 
-/* In reverse, as what comes out is read by it; below it the first reason, or
- * how well the fit holds. */
+/* Draws the light in reverse, because all else is read by it; below it the
+ * first reason, or else how good the fit is. */
 static void
 draw_light(struct tui *t, const struct area *area)
 {
@@ -541,7 +542,7 @@ static const struct block {
     {7, true, sieve_table_draw, .wish = sieves_wish},
 };
 
-/* Rows [BLOCKS] out for a panel of so many. */
+/* Shares the rows of the panel among the blocks: rows [BLOCKS], out. */
 static void
 panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
 {
@@ -567,7 +568,8 @@ panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
 	}
 }
 
-/* A blank row above those that stand apart, where there are some left. */
+/* Draws the blocks, with a blank row above those that stand apart while some
+ * are left. */
 static void
 draw_blocks(struct tui *t)
 {
@@ -592,14 +594,15 @@ draw_blocks(struct tui *t)
 	}
 }
 
-/* Without a prediction there is what to do, and what is pinned or was read. */
+/* Says what to do while there is no prediction, and what is pinned or was
+ * read. */
 static void
 draw_nothing(const struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	const struct site *site = tui_current_entry(t)->site;
 	int row = 0;
-	/* The row of numbers has said it already. */
+	/* The row of numbers already says it. */
 	if (t->layout.numbers.rows == 0)
 		screen_text(side, row++, 0, 0, "nothing predicted yet");
 	screen_text(side, row++, 0, 0,
@@ -633,9 +636,9 @@ panel_draw(struct tui *t)
 		draw_blocks(t);
 }
 
-/* The light in so many columns, or in `most` in the shortest words, with its
- * first reason: what stands before its last colon, or its first, else a few
- * words on what it is about, as far as there is room. */
+/* Returns the light in at most `columns`, or `most` in its shortest form, with
+ * its first reason: up to its last or first colon, or what it is about, as far
+ * as there is room. */
 static char *
 light_words(const struct trust *light, int columns, int most)
 {
@@ -686,8 +689,8 @@ panel_words(struct tui *t, int columns, int most)
 	return words;
 }
 
-/* The same in four characters at most, where there is little room: a number cut
- * by its end would be another. */
+/* Writes a size in at most four characters, because a number that is cut would
+ * be another. */
 static const char *
 short_size(double mm, char text[static 24])
 {
@@ -710,7 +713,7 @@ panel_row(struct tui *t)
 	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->view.shown;
 	char a[24], b[24], c[24], d[24];
-	/* The list of sites tells of the marked one, which may be another. */
+	/* The list of sites shows the marked site, which may be another. */
 	if (area->rows == 0 ||
 	    (t->ui.page == PAGE_SITES &&
 		t->ui.list[PAGE_SITES].at != t->session->current))

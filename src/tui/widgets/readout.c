@@ -28,7 +28,7 @@ readout_size(double mm, char text[static 24])
 	return text;
 }
 
-/* A row of the crosshair: what a curve passes there, and its size at the
+/* Draws a row: the passing of a curve at the crosshair, and its size at the
  * level, read from `finer`. */
 static void
 draw_reading(const struct tui *t, const struct area *area, int row,
@@ -47,8 +47,8 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 	screen_text(area, row, 15, look, "%9s", size);
 }
 
-/* One row, or two where there is room: the passing there, and the size at the
- * level. */
+/* Draws the band of the passing and, if there is room, of the size.  Returns
+ * the row after it. */
 static int
 readout_draw_band(const struct tui *t, const struct area *area, int row)
 {

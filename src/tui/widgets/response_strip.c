@@ -65,7 +65,8 @@ act_quantity(struct tui *t, const struct key *key)
 	t->ui.quantity = all[at];
 }
 
-/* What a search is still at would be another curve with each generation. */
+/* Returns true if there is a curve to compute; a running search would have
+ * another with each generation. */
 static bool
 has_curve(const struct tui *t)
 {
@@ -75,7 +76,7 @@ has_curve(const struct tui *t)
 	       session_fitting(s) != entry;
 }
 
-/* Whether its points are those that are to be shown. */
+/* Returns true if the points are of what is to be shown. */
 static bool
 response_strip_is_of(const struct tui *t)
 {
@@ -91,8 +92,8 @@ is_strip_current(const struct tui *t)
 	return a->n == STRIP_POINTS && response_strip_is_of(t);
 }
 
-/* The forecast is made anew for each part: what it is made of may be gone
- * between two of them. */
+/* Computes some points.  The forecast is opened for each part, because what it
+ * borrows may be gone before the next. */
 static void
 response_strip_work_out(struct tui *t)
 {
@@ -130,7 +131,8 @@ strip_seconds_to_wait(const struct tui *t)
 	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 
-/* What the heading has no room for on a narrow screen. */
+/* Computes a part of the goal; at its end, a goal that is missed is explained
+ * in the message, for which a narrow heading has no room. */
 static void
 step_goal_for_heading(struct tui *t)
 {
@@ -166,8 +168,7 @@ response_strip_value_at(const struct strip *a, double share)
 	return (1 - part) * a->value[i][0] + part * a->value[i + 1][0];
 }
 
-/* The limits of the goal on the quantity shown, as people see them: what each
- * is called.  Returns how many. */
+/* The limits of the goal on the quantity shown, as shown, with their names. */
 struct limit {
 	double value;
 	const char *name;
@@ -204,8 +205,8 @@ response_strip_measured_at(const struct tui *t, size_t run)
 			      : NAN;
 }
 
-/* Moves the ends of an axis to the middle of the first and the last of n parts,
- * as those of the track are. */
+/* Moves the ends of an axis so that the first and the last of n parts have
+ * their middles there, like the ends of the track. */
 static void
 axis_end_in_cell_middles(struct axis *axis, int n)
 {
@@ -223,8 +224,8 @@ axis_include(struct axis *axis, double value)
 	axis->high = fmax(axis->high, value);
 }
 
-/* From the least to the most of all that is drawn; of limits those that are not
- * farther off than the curve is high.  False where there is nothing. */
+/* Fits an axis to all that is drawn, and to limits that are not farther away
+ * than the curve is high.  Returns false if there is nothing. */
 static bool
 response_strip_scale(const struct tui *t, struct axis *axis)
 {
@@ -251,7 +252,7 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 	return true;
 }
 
-/* A series at the speeds of the curve. */
+/* Adds a series at the speeds of the curve. */
 static struct chart_series *
 add_series(const struct tui *t, struct chart *chart, enum chart_line line)
 {
@@ -265,7 +266,7 @@ add_series(const struct tui *t, struct chart *chart, enum chart_line line)
 	return s;
 }
 
-/* Where it is thicker than the line of the curve, among so many dots. */
+/* Adds the band where it is thicker than the line of the curve. */
 static void
 add_band(const struct tui *t, struct chart *chart, int dots)
 {
@@ -281,7 +282,7 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 	}
 }
 
-/* Whole at the speeds that were trained on, dashed from these to all others. */
+/* Adds the curve: solid within the training speeds, dashed beyond. */
 static void
 response_strip_add_curve(const struct tui *t, struct chart *chart)
 {
@@ -332,7 +333,8 @@ response_strip_row_of(
 	return axis_place_of(1 - axis_share(axis, value), area->rows);
 }
 
-/* In four columns, or not at all: a number cut at its end would be another. */
+/* Draws a number of at most four characters, because one that is cut would be
+ * another.  Returns true if it was drawn. */
 static bool
 draw_label(const struct tui *t, int row, unsigned look, double value)
 {
@@ -344,8 +346,8 @@ draw_label(const struct tui *t, int row, unsigned look, double value)
 	return width <= 4;
 }
 
-/* The least of 1, 2, 5 times a power of ten that leaves nearly each value a
- * row. */
+/* Returns the smallest step of 1, 2 or 5 times a power of ten at which each
+ * value has a row, or nearly. */
 static double
 response_strip_round_step(const struct axis *axis, int rows)
 {
@@ -358,7 +360,8 @@ response_strip_round_step(const struct axis *axis, int rows)
 	return ROUND[i] * ten;
 }
 
-/* A limit off the scale stands at the edge that is nearest to it. */
+/* Draws the name of a limit; one that is off the scale stands at the edge
+ * nearest to it. */
 static void
 response_strip_draw_limit(
     struct tui *t, const struct axis *axis, const struct limit *limit)
@@ -382,8 +385,8 @@ response_strip_draw_limit(
 	    &t->hits, area_cells(area, row, area->columns - wide, wide), 't');
 }
 
-/* Limits, then round values, in rows of their own.  One off the scale gives way
- * to others. */
+/* Labels limits, then round values, each in a row of its own; a limit off the
+ * scale gives way to others. */
 static void
 response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
@@ -437,7 +440,7 @@ response_strip_draw_marks(
 		    screen_charset() == CHARSET_ASCII ? "O" : "\u25CE");
 }
 
-/* In words why there is no curve; nothing while it is being worked out. */
+/* Says why there is no curve; nothing while it is being computed. */
 static void
 response_strip_draw_none(const struct tui *t)
 {

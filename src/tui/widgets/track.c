@@ -40,8 +40,8 @@ track_trained(const struct entry *entry, size_t run)
 	return false;
 }
 
-/* The speeds that were measured and those that the parameters were trained at,
- * also where that was on another site.  Returns how many. */
+/* Lists the measured speeds, and those at which the parameters were trained,
+ * even on another site.  Returns their number. */
 static size_t
 take_marks(const struct entry *entry, struct slider_range range,
     struct slider_mark mark[static MOST_MARKS])
@@ -71,7 +71,7 @@ track_touch(struct tui *t, const struct touched *touched)
 	    track.columns);
 }
 
-/* Whether all that is wanted holds somewhere in a cell of the track. */
+/* Returns true if the goal is met somewhere in a cell of the track. */
 static bool
 is_goal_met_in_cell(
     const struct tui *t, const struct area *track, int column, bool *certain)
@@ -83,7 +83,8 @@ is_goal_met_in_cell(
 	return goal_holds(t, speed - half, speed + half, certain);
 }
 
-/* Where a window begins and ends, and where it does so for sure. */
+/* Marks the cells in which a window begins or ends, and those in which its
+ * certainty does.  The caller frees them. */
 static bool *
 window_ends(const struct tui *t, const struct area *track)
 {
@@ -105,8 +106,8 @@ window_ends(const struct tui *t, const struct area *track)
 	return end;
 }
 
-/* A cell of slider_draw, and a heavy line at the speeds at which all that is
- * wanted holds, with gaps where that is not sure. */
+/* Draws a cell: a heavy line where the goal is met, with gaps where that is not
+ * certain. */
 static void
 track_draw_cell(const struct tui *t, const struct area *track, int column,
     const struct slider_cell *cell)
@@ -173,7 +174,7 @@ track_draw(struct tui *t)
 		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
 		    "%d", range.most / 10);
 	}
-	/* On its bracket: a block would stand out of the number. */
+	/* On its bracket, because a cursor on the number would hide a digit. */
 	t->cursor.column = track.column + at;
 }
 
@@ -220,7 +221,7 @@ say_goal(const struct tui *t, struct part *part)
 	part->look = LOOK_BOLD;
 }
 
-/* The rim of the rotor goes round at the tip speed. */
+/* The rotor tip speed, as energy and rotor speed too. */
 static void
 say_speed(const struct tui *t, struct part *part)
 {
@@ -239,7 +240,7 @@ say_speed(const struct tui *t, struct part *part)
 	track_say(part, xasprintf("%.1f", v));
 }
 
-/* A speed beyond those measured is not to be read without that. */
+/* What the signs mean.  Beyond the measured speeds, that is not left out. */
 static void
 say_signs(const struct tui *t, struct part *part)
 {
@@ -249,7 +250,7 @@ say_signs(const struct tui *t, struct part *part)
 		return;
 	}
 	enum { REASONS = 34 };
-	/* Where the panel is wide its light says so. */
+	/* A wide panel says so in its light. */
 	bool beyond =
 	    t->layout.side.columns < REASONS && t->view.shown.product.n > 0 &&
 	    answers_extrapolates(tui_current_entry(t), t->view.shown.speed);
@@ -264,7 +265,7 @@ say_signs(const struct tui *t, struct part *part)
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
 }
 
-/* With a rule before it. */
+/* Returns the width of a part and of the rule before it. */
 static int
 width_of_part(const struct part *part)
 {
@@ -272,7 +273,8 @@ width_of_part(const struct part *part)
 	return width > 0 ? width + 4 : 0;
 }
 
-/* Each is as short as can be, then grows in turn while there is room. */
+/* Gives each part its shortest text, then lengthens them in turn while there is
+ * room. */
 static void
 fit_heading_parts(struct part part[static PARTS], int columns)
 {
@@ -331,7 +333,8 @@ track_draw_heading(struct tui *t)
 	}
 }
 
-/* Where keys go to, in no order: the goal's limits, or what was measured. */
+/* Lists the speeds to which keys move, in no order: the limits of the goal, or
+ * the measured speeds.  Returns their number. */
 static size_t
 track_stops(const struct tui *t, int tenths[static MOST_MARKS])
 {
