@@ -105,6 +105,18 @@ effect_on_job(
 	return bounds ? JOB_TAKES_BOUNDS : JOB_STOPS;
 }
 
+/* Returns true for a question about the site that is being calibrated: its
+ * parameters are not found yet. */
+static bool
+asks_before_fit(const struct tui *t, const struct command *command)
+{
+	const struct entry *fitting = session_fitting(t->session);
+	return fitting != NULL && fitting == tui_current_entry(t) &&
+	       command != NULL && command->answer != NULL &&
+	       (command->flags & COMMAND_KNOWN) &&
+	       !(command->flags & COMMAND_CHANGES);
+}
+
 /* Continues a search within bounds that a line edited; one that was stopped
  * says so. */
 static void
@@ -269,7 +281,14 @@ cmdline_run(struct tui *t, const char *line)
 	FREED char *meant = line_at_slider(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
-	run_typed(t, meant);
+	const struct command *command = control_find_command(meant);
+	if (asks_before_fit(t, command))
+		tui_say(t, false,
+		    "%s answers when the calibration ends; s stops it and "
+		    "keeps the best",
+		    command->name);
+	else
+		run_typed(t, meant);
 	t->keep_message = t->message[0] != '\0';
 	viewer_message(t);
 }
