@@ -342,6 +342,8 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	double best = goal_best(t);
 	type(t, "N");
 	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), best));
+	view_predict(t);
+	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
 	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
@@ -385,6 +387,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	int best = slider_tenths(tui_range(t), goal_best(t));
 	assert_int_not_equal(best, 741);
 	assert_int_equal(t->ui.tenths, best);
+	assert_non_null(strstr(t->message, "best speed of the goal"));
 	/* Before that it is worked out for who will not wait. */
 	type(t, ":set level 90\n");
 	assert_false(goal_known(t));

@@ -377,6 +377,34 @@ move_to_limit(struct tui *t, int by)
 	t->ui.tenths = best;
 }
 
+/* Moves the slider to the best speed of the goal, and says how well that is met
+ * there. */
+static void
+move_to_best(struct tui *t)
+{
+	const struct goal *g = &t->view.goal;
+	double best = goal_best(t);
+	if (!isfinite(best)) {
+		tui_say(t, false,
+		    goals_is_set(t->session) ? N_("no best speed is known")
+					     : N_("no goal yet: t sets one"));
+		return;
+	}
+	t->ui.tenths = slider_tenths(tui_range(t), best);
+	t->keep_message = true;
+	FREED char *chance =
+	    conditions_chance(g->found->best_certain, g->missed == NULL);
+	if (g->missed != NULL)
+		tui_say(t, false,
+		    "no speed meets the goal, %.1f m/s is nearest: %s", best,
+		    g->missed);
+	else if (g->n_value > 0)
+		tui_say(t, false, "the goal is met at %.1f m/s", best);
+	else
+		tui_say(t, false, "best speed of the goal: %.1f m/s (%s)", best,
+		    chance);
+}
+
 static bool
 is_goal_pending(const struct tui *t)
 {
@@ -416,13 +444,8 @@ track_run_pending_key(struct tui *t, bool now)
 		return;
 	t->pending_key = NULL;
 	t->message[0] = '\0';
-	double best = key->amount == 0 ? goal_best(t) : NAN;
 	if (key->amount != 0)
 		move_to_limit(t, key->amount);
-	else if (isfinite(best))
-		t->ui.tenths = slider_tenths(tui_range(t), best);
 	else
-		tui_say(t, false,
-		    goals_is_set(t->session) ? N_("no best speed is known")
-					     : N_("no goal yet: t sets one"));
+		move_to_best(t);
 }
