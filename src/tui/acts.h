@@ -70,9 +70,9 @@ key_action act_command, act_describe, act_type, act_save, act_export;
 key_action act_fit, act_pause, act_stop, act_pace;
 
 /* Change what is predicted and shown.  act_goal opens a field that starts with
- * the quantity above the track. */
+ * the quantity above the track, act_goal_view shows the goal at full height. */
 key_action act_correct, act_band, act_pin, act_crosshair, act_crosshair_passing,
-    act_quantity, act_goal;
+    act_quantity, act_goal, act_goal_view;
 
 /* For single pages. */
 key_action act_runs, act_numbers, act_next_plot, act_next_generation,

@@ -443,7 +443,7 @@ add_wheel(struct tui *t, bool viewing)
 	const struct layout *l = &t->layout;
 	struct hits *hits = &t->hits;
 	const struct area over[] = {l->plot, l->legend, l->differences,
-	    l->numbers, l->caption, l->strip, l->track};
+	    l->numbers, l->caption, l->strip, l->certainty, l->track};
 	if (viewing)
 		hits_add(hits, HIT_WHEEL, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
@@ -460,11 +460,12 @@ frame_draw(struct tui *t)
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
 	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
-	t->layout = viewing || list
-			? layout_text(rows, columns)
-			: layout_make(rows, columns,
-			      (struct layout_ask){side_columns(page, columns),
-				  page->differences, page->strip});
+	int list_rows = page->list_rows != NULL ? page->list_rows(t) : 0;
+	bool beside = list_rows == 0;
+	const struct layout_ask ask = {beside ? side_columns(page, columns) : 0,
+	    beside && page->differences, page->strip, list_rows};
+	t->layout = viewing || list ? layout_text(rows, columns)
+				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
 	t->n_drawn = 0;
 	t->shows = page;

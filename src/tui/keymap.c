@@ -359,6 +359,8 @@ act_back(struct tui *t, const struct key *key)
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
 		watch_pause(t);
+	else if (goal_is_viewed(t))
+		t->ui.goal_view = false;
 	else if (predict && t->ui.crosshair)
 		act_crosshair(t, key);
 	else if (predict && t->ui.runs)

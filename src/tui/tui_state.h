@@ -155,14 +155,15 @@ struct ui {
 	enum page page;
 	int tenths;  /* slider position */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
-	struct quantity quantity;   /* above the track */
-	bool crosshair, band, runs; /* runs: page Predict has plot runs */
-	size_t crosshair_sieve;     /* a sieve of the prediction */
-	int crosshair_passing;      /* %, at which the crosshair reads sizes */
-	enum plot_kind picture;     /* on the page Fit */
-	int pace;                   /* index of PACES */
-	size_t generation;          /* shown, 1..; 0: the latest */
-	size_t param_at;            /* chosen on the page Fit, 1..; 0: none */
+	struct quantity quantity; /* above the track */
+	/* Page Predict has plot runs; the goal at full height. */
+	bool crosshair, band, runs, goal_view;
+	size_t crosshair_sieve; /* a sieve of the prediction */
+	int crosshair_passing;  /* %, at which the crosshair reads sizes */
+	enum plot_kind picture; /* on the page Fit */
+	int pace;               /* index of PACES */
+	size_t generation;      /* shown, 1..; 0: the latest */
+	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
 	/* On the page Data: the cell of the cursor, if shown (on), and the
 	 * first cell shown. */
 	struct {

@@ -20,6 +20,7 @@
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/widgets/goal.h"
+#include "tui/widgets/list.h"
 #include "tui/input.h"
 #include "tui/pages.h"
 #include "tui/pane.h"
@@ -1054,6 +1055,54 @@ shown(struct tui *t)
 	return copy;
 }
 
+/* T; Down chooses a condition, whose curve is drawn; Esc, or T again: back. */
+static void
+the_goal_fills_the_page(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_refresh(t);
+	type(t, "T");
+	assert_non_null(strstr(t->message, "no goal yet"));
+	assert_false(goal_is_viewed(t));
+	type(t, "tpassing 2 = 32..36, fines<3\n");
+	draw_all(t);
+	type(t, "T");
+	draw_all(t);
+	assert_true(goal_is_viewed(t));
+	assert_true(t->layout.strip.rows > 8);
+	assert_float_equal(t->ui.quantity.x, 2e-3, 1e-9);
+	char *screen = shown(t);
+	assert_non_null(strstr(screen, "70.8 to 78.0 m/s"));
+	assert_non_null(
+	    strstr(screen, "all conditions at 74.0 m/s: over 99 %"));
+	free(screen);
+	type(t, "]");
+	draw_all(t);
+	screen = shown(t);
+	assert_non_null(strstr(screen, "OUT"));
+	assert_non_null(strstr(screen, "at 79.0 m/s: "));
+	free(screen);
+	t->ui.list[PAGE_PREDICT].at = 0;
+	desk_expect(stage->desk, "set goal \"fines<3, p80=5.2\"");
+	control_refresh(t);
+	draw_all(t);
+	assert_float_equal(t->ui.quantity.x, 0.063e-3, 1e-9);
+	rows_move(t, &(struct key){.act = act_list, .amount = 1});
+	draw_all(t);
+	assert_float_equal(t->ui.quantity.x, 0.8, 1e-9);
+	screen = shown(t);
+	assert_non_null(strstr(screen, "75.6 m/s"));
+	free(screen);
+	type(t, "\033");
+	assert_false(goal_is_viewed(t));
+	assert_int_equal(t->ui.page, PAGE_PREDICT);
+	type(t, "T");
+	type(t, "T");
+	assert_false(goal_is_viewed(t));
+}
+
 /* Whether a screen on a new session shows the same by that script. */
 static void
 shows_in_another(struct tui *t, const char *file, const char *was)
@@ -1897,6 +1946,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(an_envelope_waits_for_parameters),
     ON_STAGE(a_goal_outlives_its_site),
     ON_STAGE(a_goal_takes_five_keys_and_is_met_where_find_says),
+    ON_STAGE(the_goal_fills_the_page),
     ON_STAGE(a_key_of_the_goal_waits_for_its_speeds),
     ON_STAGE(a_goal_stays_known_until_something_else_is_asked),
     ON_STAGE(a_goal_may_be_set_while_a_first_search_runs),

@@ -13,7 +13,10 @@
 #include "io/sitefile/units.h"
 #include "tui/acts.h"
 #include "tui/pages/start_page.h"
+#include "cmd/ask/quantity_words.h"
 #include "tui/widgets/envelope_check.h"
+#include "tui/widgets/goal.h"
+#include "tui/widgets/goal_view.h"
 #include "tui/pages.h"
 #include "tui/cmdline.h"
 #include "tui/widgets/panel.h"
@@ -33,6 +36,10 @@ predict_draw(struct tui *t)
 	struct plot_request request = plots_request(PLOT_PSD);
 	if (tui_current_entry(t) == NULL) {
 		start_draw(t);
+		return;
+	}
+	if (goal_is_viewed(t)) {
+		goal_view_draw(t);
 		return;
 	}
 	if (t->ui.runs) {
@@ -92,6 +99,7 @@ act_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->ui.runs = tui_current_entry(t) != NULL && !t->ui.runs;
+	t->ui.goal_view = false;
 }
 
 static bool
@@ -99,7 +107,7 @@ predict_move(struct tui *t, const struct key *key)
 {
 	/* Both the sieves and the key go from coarse to fine. */
 	size_t n = t->view.shown.product.n;
-	if (!t->ui.crosshair || key->act != act_list)
+	if (!t->ui.crosshair || goal_is_viewed(t) || key->act != act_list)
 		return false;
 	t->ui.crosshair_sieve =
 	    (size_t)pane_clamp_row((int)t->ui.crosshair_sieve, key->amount, n);
@@ -113,6 +121,7 @@ act_crosshair(struct tui *t, const struct key *key)
 	(void)key;
 	t->ui.crosshair = !t->ui.crosshair && t->view.shown.product.n > 0;
 	t->ui.runs = t->ui.runs && !t->ui.crosshair;
+	t->ui.goal_view = t->ui.goal_view && !t->ui.crosshair;
 	if (t->ui.crosshair && t->ui.crosshair_sieve == 0)
 		t->ui.crosshair_sieve = t->view.shown.product.n / 3;
 	if (t->ui.crosshair)
@@ -155,6 +164,10 @@ static char *
 predict_words(const struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
+	if (goal_is_viewed(t)) {
+		FREED char *of = quantities_as_typed(&t->ui.quantity);
+		return xasprintf("response of=\"%s\"", of);
+	}
 	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
@@ -175,6 +188,9 @@ predict_hints(const struct tui *t)
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	if (tui_current_entry(t) == NULL)
 		return START_HINTS;
+	if (goal_is_viewed(t))
+		return N_("<-/->  n p  N  Up/Down condition  T back  t  ?  q  "
+			  "e  :");
 	if (t->ui.runs)
 		return N_("r this speed  <-/->  ?  q  :  d");
 	if (t->ui.crosshair)
@@ -187,13 +203,31 @@ predict_hints(const struct tui *t)
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')
 		return goals_is_set(t->session)
-			   ? N_("<-/->  n p  N  ?  Enter  q  e  x unpin  :  t")
+			   ? N_("<-/->  n p  N  T  ?  Enter  q  e  x unpin  :  "
+				"t")
 			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
 				"u");
 	return goals_is_set(t->session)
-		   ? "<-/->  n p  N  ?  Enter  q  x  e  :  t"
+		   ? "<-/->  n p  N  T  ?  Enter  q  x  e  :  t"
 		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
 }
+
+/* Its rows are the ways to open a site, or the conditions of the goal. */
+static size_t
+predict_rows(const struct tui *t)
+{
+	return goal_is_viewed(t) ? t->view.goal.list.n : START_LIST.n(t);
+}
+
+static void
+predict_open_row(struct tui *t)
+{
+	if (tui_current_entry(t) == NULL)
+		START_LIST.open(t);
+}
+
+static const struct page_list LIST = {
+    .n = predict_rows, .chosen = goal_show_chosen, .open = predict_open_row};
 
 const struct page_ops page_predict = {.name = N_("Predict"),
     .hints_now = predict_hints,
@@ -204,7 +238,8 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .strip = true,
     .update = envelope_check_update,
     .draw = predict_draw,
-    .list = &START_LIST,
+    .list = &LIST,
+    .list_rows = goal_view_rows,
     .move = predict_move,
     .point = point_crosshair,
     .words = predict_words};

@@ -44,7 +44,9 @@ ways_count(const struct tui *t)
 static void
 ways_open(struct tui *t)
 {
-	picker_open(t, WAYS[t->ui.list[PAGE_PREDICT].at].list);
+	size_t at = t->ui.list[PAGE_PREDICT].at;
+	if (at < ARRAY_LEN(WAYS))
+		picker_open(t, WAYS[at].list);
 }
 
 const struct page_list START_LIST = {.n = ways_count, .open = ways_open};

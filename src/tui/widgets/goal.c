@@ -88,6 +88,60 @@ goal_holds(const struct tui *t, double from, double to, bool *certain)
 	return holds;
 }
 
+double
+goal_certain_at(const struct tui *t, double speed)
+{
+	const struct speed_search *found = t->view.goal.found;
+	size_t k = 0;
+	if (!goal_known(t))
+		return NAN;
+	while (k + 1 < found->n && found->speed[k] < speed - 0.05)
+		k++;
+	return found->certain[k];
+}
+
+bool
+goal_is_viewed(const struct tui *t)
+{
+	const struct entry *entry = tui_current_entry(t);
+	return t->ui.goal_view && t->ui.page == PAGE_PREDICT &&
+	       goals_is_set(t->session) && entry != NULL && entry->has_params;
+}
+
+void
+goal_show_chosen(struct tui *t)
+{
+	const struct condition_list *list = &t->view.goal.list;
+	size_t at = t->ui.list[PAGE_PREDICT].at;
+	if (!goal_is_viewed(t) || list->n == 0)
+		return;
+	const struct quantity *q =
+	    &list->at[at < list->n ? at : list->n - 1].quantity;
+	/* A list of sieves is freed with the goal. */
+	if (q->sieve == NULL)
+		t->ui.quantity = *q;
+}
+
+void
+act_goal_view(struct tui *t, const struct key *key)
+{
+	(void)key;
+	bool opens = !goal_is_viewed(t);
+	t->message[0] = '\0';
+	t->ui.goal_view = opens;
+	t->ui.goal_view = goal_is_viewed(t);
+	/* The first step reads the conditions. */
+	if (t->ui.goal_view && goal_pending(t))
+		goal_step(t);
+	if (t->ui.goal_view && goal_known(t))
+		t->ui.list[PAGE_PREDICT].at = t->view.goal.binds;
+	goal_show_chosen(t);
+	if (opens && !goals_is_set(t->session))
+		tui_say(t, false, "no goal yet: t sets one");
+	else if (opens && !t->ui.goal_view)
+		tui_say(t, true, "%s", tui_why_none(t));
+}
+
 void
 act_goal(struct tui *t, const struct key *key)
 {

@@ -151,12 +151,13 @@ strip_update(struct tui *t)
 	if (!has_curve(t))
 		return;
 	bool now = t->aside || strip_seconds_to_wait(t) <= 0;
-	do
+	do {
+		goal_show_chosen(t);
 		if (now && !is_strip_current(t))
 			response_strip_work_out(t);
 		else if (now)
 			step_goal_for_heading(t);
-	while (t->aside && (!is_strip_current(t) || goal_pending(t)));
+	} while (t->aside && (!is_strip_current(t) || goal_pending(t)));
 }
 
 static double
@@ -458,6 +459,32 @@ response_strip_draw_none(const struct tui *t)
 	screen_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
 }
 
+/* Draws the certainty of the goal at each speed, in eighths of a cell or, where
+ * these are not drawn, in tenths: 9 is 90 % or more. */
+static void
+draw_certainty(struct tui *t, const struct area *track)
+{
+	static const char *const EIGHTH[] = {"\u2581", "\u2582", "\u2583",
+	    "\u2584", "\u2585", "\u2586", "\u2587", "\u2588"};
+	struct area area = t->layout.certainty;
+	if (area.rows == 0 || !goal_known(t) || t->view.goal.n_value > 0)
+		return;
+	hits_add(&t->hits, HIT_SLIDE, area, track_touch, 0);
+	screen_text(&area, 0, 0, LOOK_DIM, "sure");
+	area.column = track->column;
+	area.columns = track->columns;
+	for (int c = 0; c < area.columns; c++) {
+		double speed = slider_at(tui_range(t), c, area.columns) / 10.0,
+		       certain = goal_certain_at(t, speed);
+		bool blocks = screen_charset() == CHARSET_BRAILLE;
+		int parts = blocks ? 8 : 10, part = (int)(certain * parts);
+		char digit[2] = {(char)('0' + (part < 10 ? part : 9))};
+		if (certain > 0)
+			screen_series(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
+			    blocks ? EIGHTH[part < 8 ? part : 7] : digit);
+	}
+}
+
 void
 strip_draw(struct tui *t)
 {
@@ -470,6 +497,7 @@ strip_draw(struct tui *t)
 	area.column = track.column;
 	area.columns = track.columns;
 	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_touch, 0);
+	draw_certainty(t, &track);
 	if (!has_curve(t) || !is_strip_current(t) ||
 	    !response_strip_scale(t, &y)) {
 		response_strip_draw_none(t);
