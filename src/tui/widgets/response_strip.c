@@ -386,8 +386,8 @@ response_strip_draw_limit(
 	    &t->hits, area_cells(area, row, area->columns - wide, wide), 't');
 }
 
-/* Labels limits, then round values, each in a row of its own; a limit off the
- * scale gives way to others. */
+/* Labels limits, then round values, each in a row of its own; of limits off the
+ * scale only the nearest on either side, which gives way to others. */
 static void
 response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
@@ -395,14 +395,27 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
 	FREED bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
-	for (size_t i = 0; i < 2 * n; i++) {
-		const struct limit *l = &limit[i % n];
-		bool on = is_on_axis(axis, l->value);
+	const struct limit *below = NULL, *above = NULL;
+	for (size_t i = 0; i < n; i++) {
+		const struct limit *l = &limit[i];
 		int row = response_strip_row_of(axis, area, l->value);
-		if (on == (i < n) && !taken[row])
+		if (l->value < axis->low) {
+			below = below == NULL || l->value > below->value
+				    ? l
+				    : below;
+		} else if (l->value > axis->high) {
+			above = above == NULL || l->value < above->value
+				    ? l
+				    : above;
+		} else if (!taken[row]) {
 			response_strip_draw_limit(t, axis, l);
-		taken[row] = taken[row] || on;
+			taken[row] = true;
+		}
 	}
+	if (below != NULL && !taken[area->rows - 1])
+		response_strip_draw_limit(t, axis, below);
+	if (above != NULL && !taken[0])
+		response_strip_draw_limit(t, axis, above);
 	double step = response_strip_round_step(axis, area->rows);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
@@ -515,9 +528,9 @@ strip_draw(struct tui *t)
 	struct canvas *canvas = chart_draw(
 	    chart, area.columns, area.rows, screen_charset(), CHART_BARE);
 	screen_canvas(&area, canvas);
+	response_strip_draw_marks(t, &area, &chart->y);
 	if (area.column > 0)
 		response_strip_draw_labels(t, &chart->y);
-	response_strip_draw_marks(t, &area, &chart->y);
 	canvas_free(canvas);
 	chart_free(chart);
 }
