@@ -292,10 +292,3 @@ cmdline_run(struct tui *t, const char *line)
 	t->keep_message = t->message[0] != '\0';
 	viewer_message(t);
 }
-
-void
-cmdline_show(struct tui *t, const char *line)
-{
-	if (control_run(t, line))
-		captured_show(t);
-}

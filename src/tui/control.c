@@ -296,13 +296,12 @@ control_draw_before_search(const char *what)
 /* Returns the speed last asked about or, if the slider cannot show it, the
  * usual speed of the site. */
 static int
-first_slider_tenths(const struct session *s)
+first_slider_tenths(const struct tui *t)
 {
-	double speed = s->asked > 0 ? s->asked : NAN;
-	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	struct slider_range range = tui_range_of(s, e);
-	if (slider_has(range, speed))
-		return slider_tenths(range, speed);
+	const struct entry *e = tui_current_entry(t);
+	struct slider_range range = tui_range(t);
+	if (slider_has(range, t->session->asked))
+		return slider_tenths(range, t->session->asked);
 	return e != NULL ? slider_tenths(range, answers_usual_speed(e)) : 740;
 }
 
@@ -313,8 +312,7 @@ control_begin(
 	*t = (struct tui){.session = s,
 	    .callbacks = callbacks,
 	    .aside = callbacks->leave == NULL,
-	    .ui = {.tenths = first_slider_tenths(s),
-		.list[PAGE_SITES].at = s->current,
+	    .ui = {.list[PAGE_SITES].at = s->current,
 		.pace = PACE_AUTO,
 		.picture = PLOT_SEARCH,
 		.crosshair_passing = 50},
@@ -322,6 +320,7 @@ control_begin(
 	    .view.holdout = NAN,
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
+	t->ui.tenths = first_slider_tenths(t);
 	s->hooks.confirm = control_confirm;
 	s->hooks.question = control_question;
 	s->prompt = true;

@@ -341,7 +341,7 @@ act_mouse(struct tui *t, const struct key *key)
 	    on         ? N_("mouse on: Shift and drag selects text")
 	    : t->mouse ? N_("mouse off: drag selects text, M turns it on")
 		       : N_("this terminal has no mouse"));
-	t->mouse = screen_mouse_on();
+	t->mouse = on;
 }
 
 /* Esc: goes back one step. */

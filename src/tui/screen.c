@@ -237,12 +237,6 @@ screen_mouse(bool on)
 	return true;
 }
 
-bool
-screen_mouse_on(void)
-{
-	return display.mouse;
-}
-
 void
 screen_suspend_curses(void)
 {

@@ -187,15 +187,6 @@ show_page(const char *page)
 	return shown;
 }
 
-/* Offers to restore the last session, if it was kept. */
-static void
-offer_last_session(struct tui *t)
-{
-	FREED char *offer = autosave_begin(t->session);
-	if (offer != NULL)
-		tui_say(t, false, "%s", offer);
-}
-
 int
 tui_run(struct session *s)
 {
@@ -215,7 +206,9 @@ tui_run(struct session *s)
 	if (opened) {
 		control_begin(&t, s, &ON_TERMINAL);
 		s->hooks.show_page = show_page;
-		offer_last_session(&t);
+		FREED char *offer = autosave_begin(s);
+		if (offer != NULL)
+			tui_say(&t, false, "%s", offer);
 		run_loop(&t);
 		control_end(&t);
 		screen_close();

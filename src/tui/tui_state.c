@@ -42,17 +42,13 @@ tui_why_none(const struct tui *t)
 }
 
 struct slider_range
-tui_range_of(const struct session *s, const struct entry *entry)
-{
-	double from, to;
-	settings_reach(&s->set, entry != NULL ? entry->site : NULL, &from, &to);
-	return slider_range(from, to);
-}
-
-struct slider_range
 tui_range(const struct tui *t)
 {
-	return tui_range_of(t->session, tui_current_entry(t));
+	const struct entry *entry = tui_current_entry(t);
+	double from, to;
+	settings_reach(
+	    &t->session->set, entry != NULL ? entry->site : NULL, &from, &to);
+	return slider_range(from, to);
 }
 
 size_t

@@ -351,10 +351,8 @@ const struct entry *tui_entry_asked_about(const struct tui *t);
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
 const char *tui_why_none(const struct tui *t);
 
-/* Return the range of the slider for the site. */
+/* Returns the range of the slider for the site. */
 struct slider_range tui_range(const struct tui *t);
-struct slider_range tui_range_of(
-    const struct session *s, const struct entry *entry);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: that of the last

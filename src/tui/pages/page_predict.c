@@ -18,7 +18,8 @@
 #include "tui/widgets/goal.h"
 #include "tui/widgets/goal_view.h"
 #include "tui/pages.h"
-#include "tui/cmdline.h"
+#include "tui/captured.h"
+#include "tui/control.h"
 #include "tui/widgets/panel.h"
 
 static void
@@ -90,8 +91,8 @@ act_numbers(struct tui *t, const struct key *key)
 	FREED char *line = tui_command_of_page(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
-	else
-		cmdline_show(t, line);
+	else if (control_run(t, line))
+		captured_show(t);
 }
 
 void
