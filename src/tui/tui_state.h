@@ -216,7 +216,6 @@ struct view {
 	bool light_known;        /* light is for it, see panel.c */
 	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
-	struct prediction pinned_whole; /* the prediction in pinned, borrowed */
 	double holdout;     /* RMSE for the current site, points, or NAN */
 	struct strip strip; /* the response strip */
 	struct goal goal;   /* from `set goal`, see goals.h */

@@ -46,9 +46,8 @@ static void
 copy_pinned_numbers(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
-	t->view.pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
-	t->view.pinned =
-	    view_numbers_of(pin != NULL ? pin->key : "", &t->view.pinned_whole);
+	t->view.pinned = pin != NULL ? view_numbers_of(pin->key, &pin->p)
+				     : (struct numbers){0};
 }
 
 static void

@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "cmd/session/journal.h"
 #include "cmd/draw/plots_search.h"
+#include "cmd/ask/pin.h"
 #include "tui/widgets/response_strip.h"
 #include "tui/keymap.h"
 #include "tui/control.h"
@@ -1122,7 +1123,7 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
-	assert_int_equal(t->view.pinned_whole.feed_run, 0);
+	assert_int_equal(t->session->pin->p.feed_run, 0);
 	assert_true(t->view.pinned.speed == 74);
 	assert_memory_equal(t->view.pinned.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
@@ -1399,7 +1400,7 @@ a_pinned_answer_keeps_its_feed(void **state)
 	type(t, ":predict 74 feed=69\n");
 	view_predict(t);
 	type(t, "x");
-	assert_int_equal(t->view.pinned_whole.feed_run, 0);
+	assert_int_equal(t->session->pin->p.feed_run, 0);
 	type(t, "\033");
 	type(t, ":predict 79 feed=79\n");
 	view_predict(t);
@@ -1615,8 +1616,8 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	type(t, "u");
 	assert_true(
 	    t->view.pinned.speed == 74 && t->view.pinned.size[1] == p50);
-	assert_true(t->view.pinned_whole.speed == 74 &&
-		    t->view.pinned_whole.product.n > 0);
+	assert_true(
+	    t->session->pin->p.speed == 74 && t->session->pin->p.product.n > 0);
 	assert_true(tui_current_entry(t)->has_fit);
 	draw_all(t);
 	/* x again pins what is shown; each is a step of undo. */

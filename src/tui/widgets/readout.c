@@ -10,6 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/asked.h"
+#include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -109,6 +110,6 @@ readout_draw(struct tui *t, const struct area *area)
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
 		draw_reading(t, area, row++, 0, "pinned",
-		    &t->view.pinned_whole.product, &t->view.pinned_whole.curve);
+		    &t->session->pin->p.product, &t->session->pin->p.curve);
 	readout_draw_band(t, area, row);
 }

@@ -12,6 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/draw/site_chart.h"
+#include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -31,7 +32,7 @@ find_compared_product(
 	if (t->view.pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));
 		*series = SERIES_OTHER;
-		return &t->view.pinned_whole.product;
+		return &t->session->pin->p.product;
 	}
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
