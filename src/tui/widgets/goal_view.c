@@ -38,15 +38,25 @@ holds_now(const struct tui *t, const struct condition *c)
 	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
+/* Returns true if the speeds of the goal are known, and of the parameters by
+ * which the values are predicted: not those of a running search. */
+static bool
+are_speeds_known(const struct tui *t)
+{
+	return goal_known(t) &&
+	       session_fitting(t->session) != tui_current_entry(t);
+}
+
 /* Writes the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
  * for a single value, which is last, those that give it. */
 static void
 speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 {
 	const struct goal *g = &t->view.goal;
-	if (!goal_known(t) || i >= g->list.n - g->n_value) {
+	bool known = are_speeds_known(t);
+	if (!known || i >= g->list.n - g->n_value) {
 		FREED char *met = xstrdup("");
-		for (size_t k = 0; k < g->n_met; k++)
+		for (size_t k = 0; known && k < g->n_met; k++)
 			xlist(&met, ", ", tr("%.1f m/s"), g->met[k]);
 		snprintf(text, n, "%s", met[0] != '\0' ? met : "-");
 		return;
@@ -108,7 +118,7 @@ draw_chance(const struct tui *t, const struct area *area)
 	bool all = true;
 	for (size_t i = 0; i < g->list.n; i++)
 		all = all && holds_now(t, &g->list.at[i]);
-	if (!goal_known(t) || g->n_value > 0)
+	if (!are_speeds_known(t) || g->n_value > 0)
 		return;
 	FREED char *chance = conditions_chance(goal_certain_at(t, speed), all);
 	screen_text(area, 0, 0, LOOK_BOLD,

@@ -480,7 +480,9 @@ draw_certainty(struct tui *t, const struct area *track)
 	static const char *const EIGHTH[] = {"\u2581", "\u2582", "\u2583",
 	    "\u2584", "\u2585", "\u2586", "\u2587", "\u2588"};
 	struct area area = t->layout.certainty;
-	if (area.rows == 0 || !goal_known(t) || t->view.goal.n_value > 0)
+	const struct goal *g = &t->view.goal;
+	if (area.rows == 0 || !goal_known(t) || g->n_value > 0 ||
+	    isnan(g->found->best_certain))
 		return;
 	hits_add(&t->hits, HIT_SLIDE, area, track_touch, 0);
 	screen_text(&area, 0, 0, LOOK_DIM, "sure");
@@ -490,11 +492,12 @@ draw_certainty(struct tui *t, const struct area *track)
 		double speed = slider_at(tui_range(t), c, area.columns) / 10.0,
 		       certain = goal_certain_at(t, speed);
 		bool blocks = screen_charset() == CHARSET_BRAILLE;
+		if (!(certain > 0))
+			continue;
 		int parts = blocks ? 8 : 10, part = (int)(certain * parts);
 		char digit[2] = {(char)('0' + (part < 10 ? part : 9))};
-		if (certain > 0)
-			screen_series(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
-			    blocks ? EIGHTH[part < 8 ? part : 7] : digit);
+		screen_series(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
+		    blocks ? EIGHTH[part < 8 ? part : 7] : digit);
 	}
 }
 
@@ -510,12 +513,12 @@ strip_draw(struct tui *t)
 	area.column = track.column;
 	area.columns = track.columns;
 	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_touch, 0);
-	draw_certainty(t, &track);
 	if (!has_curve(t) || !is_strip_current(t) ||
 	    !response_strip_scale(t, &y)) {
 		response_strip_draw_none(t);
 		return;
 	}
+	draw_certainty(t, &track);
 	int dots = area.rows * canvas_cell_dots_down(screen_charset());
 	axis_end_in_cell_middles(&x, area.columns);
 	axis_end_in_cell_middles(&y, dots);
