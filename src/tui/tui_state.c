@@ -15,6 +15,8 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/question.h"
 
+const double NUMBERS_SIEVE[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
+
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
 const struct entry *
@@ -40,23 +42,25 @@ tui_why_none(const struct tui *t)
 }
 
 struct slider_range
-tui_range_of(const struct session *s, const struct entry *entry)
-{
-	double from, to;
-	settings_reach(&s->set, entry != NULL ? entry->site : NULL, &from, &to);
-	return slider_range(from, to);
-}
-
-struct slider_range
 tui_range(const struct tui *t)
 {
-	return tui_range_of(t->session, tui_current_entry(t));
+	const struct entry *entry = tui_current_entry(t);
+	double from, to;
+	settings_reach(
+	    &t->session->set, entry != NULL ? entry->site : NULL, &from, &to);
+	return slider_range(from, to);
 }
 
 size_t
 tui_feed(const struct tui *t)
 {
 	return feed_sampled_at(tui_entry_asked_about(t)->site, t->ui.feed);
+}
+
+const struct psd *
+tui_feed_curve(const struct tui *t)
+{
+	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 /* What measured products are moved by: the parameters of the prediction beside

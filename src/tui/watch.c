@@ -13,8 +13,8 @@
 #include "cli/signals.h"
 #include "tui/captured.h"
 
-/* What is said of one that was stopped, by what became of it: in full, and
- * behind what a line has said that stopped it. */
+/* What is said of a stopped calibration, by its outcome: by itself, and after
+ * the output of the line that stopped it. */
 static const struct {
 	const char *all, *behind;
 } STOPS[] = {
@@ -55,13 +55,13 @@ watch_pause(struct tui *t)
 	return useless == NULL && alone ? tr(STOPS[stopped].behind) : said;
 }
 
-/* The calibration, or the last of several, has come to its end. */
+/* Reports the end of a calibration, or of the last of several. */
 static void
 watch_finish(struct tui *t, bool alone)
 {
 	struct error error = {0};
 	if (!session_end_finished_commands(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
+		captured_show_error(t, &error, "", "");
 	t->held = false;
 	control_refresh(t);
 	const struct entry *entry = tui_current_entry(t);
@@ -82,7 +82,7 @@ watch_finish(struct tui *t, bool alone)
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
-/* The job of these is over. */
+/* Ends a job and shows its result. */
 static void
 finish_rounds(struct tui *t, const struct rounds *rounds)
 {
@@ -95,7 +95,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	control_refresh(t);
 	captured_show(t);
 	if (!session_end_finished_commands(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
+		captured_show_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",
@@ -103,7 +103,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	}
 }
 
-/* Whether the search is over and what is drawn of its end under way. */
+/* Returns true after a search, while the posterior is drawn from. */
 static bool
 is_sampling_posterior(const struct session *s)
 {
@@ -135,7 +135,7 @@ watch_step(struct tui *t)
 		finish_rounds(t, rounds);
 }
 
-/* Generations a second: fewer where the last one gained much. */
+/* Returns the generations per second: fewer after one that gained much. */
 static double
 generations_per_second(const struct tui *t)
 {
@@ -159,7 +159,7 @@ watch_pump(struct tui *t)
 	if (!session_busy(s) || t->held)
 		return;
 	double began = session_clock();
-	/* Of several nobody watches the generations. */
+	/* The generations of several calibrations in turn are not watched. */
 	const struct rounds *rounds = s->job.rounds;
 	int pace =
 	    rounds->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
@@ -167,14 +167,14 @@ watch_pump(struct tui *t)
 	if (pace < PACE_FULL && t->clock < t->due)
 		return;
 	do {
-		/* What each round says is not for a result. */
+		/* The output of a round is no part of the result. */
 		if (rounds->at != NULL)
 			captured_clear(t);
 		session_step(s);
 	} while (session_busy(s) && signals_pending() == 0 &&
 		 entry == s->job.entry &&
 		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
-		 (t->aside || (!signals_waited_for() &&
+		 (t->aside || (!signals_stop_wanted() &&
 				  session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / generations_per_second(t);

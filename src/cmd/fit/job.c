@@ -209,6 +209,7 @@ take_entry(struct session *s)
 	take_history(entry, &s->job);
 	session_forget(s);
 	entry->has_fit = entry->has_params = true;
+	entry->remembered = false;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_drop(entry->origin);

@@ -27,7 +27,7 @@ touch_scrubber(struct tui *t, const struct touched *touched)
 	tui_show_generation(t, 1 + (size_t)at * (n - 1) / (size_t)last);
 }
 
-/* The slider of the generations, instead of the usual caption. */
+/* Draws the slider of the generations instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {
@@ -56,7 +56,8 @@ caption(struct tui *t, const struct area *area)
 	return true;
 }
 
-/* One row, where the plot's own would leave the plot little room. */
+/* Draws a legend of one row, as that of the plot itself would leave it little
+ * room. */
 static void
 fit_draw_legend(const struct tui *t)
 {
@@ -95,7 +96,8 @@ fit_draw(struct tui *t)
 	enum { TALL = 20, LOW = 9 };
 	bool any = tui_search_shown(t).n > 0;
 	struct layout *l = &t->layout;
-	/* What there are no rows for to draw is said. */
+	/* Without rows for a plot, the state of the search is shown in
+	 * words. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
 	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
@@ -140,9 +142,10 @@ move_by_generations(struct tui *t, int by)
 	    t, (size_t)pane_clamp_row(at, by, tui_count_generations(t)) + 1);
 }
 
-/* Of a search that runs the next one is made, of one that is over shown. */
+/* Runs the next generation of a running search; of one that is over, shows
+ * it. */
 void
-act_generation(struct tui *t, const struct key *key)
+act_next_generation(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!session_busy(t->session)) {
@@ -155,7 +158,7 @@ act_generation(struct tui *t, const struct key *key)
 }
 
 void
-act_picture(struct tui *t, const struct key *key)
+act_next_plot(struct tui *t, const struct key *key)
 {
 	static const enum plot_kind NEXT[] = {[PLOT_SEARCH] = PLOT_PSD,
 	    [PLOT_PSD] = PLOT_CONVERGENCE,
@@ -165,7 +168,7 @@ act_picture(struct tui *t, const struct key *key)
 	t->ui.picture = NEXT[t->ui.picture];
 }
 
-/* Arrows to the sides go through the generations, up and down through the
+/* Left and Right move through the generations, Up and Down through the
  * parameters. */
 static bool
 fit_move(struct tui *t, const struct key *key)

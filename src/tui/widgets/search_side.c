@@ -16,14 +16,14 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-/* Columns of a parameter's row: name, lower bound, bar, upper bound, value; of
- * a wide panel a remark as well. */
+/* Columns of the row of a parameter: name, lower bound, bar, upper bound and
+ * value; on a wide panel, a remark. */
 enum { NAME = 7, BOUND = 6, VALUE = 8, SIGN = 1, REMARK = 12, WIDE = 48 };
 
 /* The least rows of the convergence. */
 enum { CONVERGENCE = 3 };
 
-/* What a row of the panel is drawn from. */
+/* Where and how a row of the panel is drawn. */
 struct row {
 	const struct area *side;
 	int row, width;
@@ -58,7 +58,8 @@ act_bounds(struct tui *t, const struct key *key)
 	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
 	const struct breakage *of = breakage_of(&past.best);
 	const struct session *s = t->session;
-	/* Those of the next search; of another model the last one's. */
+	/* The bounds of the next search; of another model, those of the
+	 * last. */
 	const struct bounds *now = s->set.model.breakage == past.best.breakage
 				       ? &s->set.bounds
 				       : past.bounds;
@@ -80,7 +81,7 @@ touch_parameter(struct tui *t, const struct touched *touched)
 	act_bounds(t, NULL);
 }
 
-/* Where a value stands within its bounds, as a cell of a bar. */
+/* Returns the cell of a bar at which a value stands between its bounds. */
 static int
 search_side_cell_of(const struct plots_strip *strip, double value, int width)
 {
@@ -90,7 +91,7 @@ search_side_cell_of(const struct plots_strip *strip, double value, int width)
 	return (int)lround(share * (width - 1));
 }
 
-/* From one value to another by the same sign. */
+/* Draws a sign from one value to another. */
 static void
 draw_span(const struct row *r, const struct plots_strip *strip,
     const double *end, enum series series, const char *sign)
@@ -102,7 +103,7 @@ draw_span(const struct row *r, const struct plots_strip *strip,
 		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
 }
 
-/* In few letters: "0.001", "2746". */
+/* Writes a number in few letters: "0.001", "2746". */
 static const char *
 shown_number(double value, bool scaled, char text[static 24])
 {
@@ -114,7 +115,7 @@ shown_number(double value, bool scaled, char text[static 24])
 	return text;
 }
 
-/* What lies between the bounds: the middle 80 % of the draws and of the
+/* Draws the bar between the bounds: the middle 80 % of the draws and of the
  * candidates, and the best. */
 static void
 search_side_draw_bar(const struct row *r, const struct plots_strip *strip)
@@ -137,7 +138,8 @@ search_side_draw_bar(const struct row *r, const struct plots_strip *strip)
 	    SERIES_PREDICTED, LOOK_BOLD, "*");
 }
 
-/* "f_mat  0.01|  ==*=    |10    2.18"; of one held fixed the value alone. */
+/* Draws "f_mat  0.01|  ==*=    |10    2.18"; for a fixed parameter only the
+ * value. */
 static void
 draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
     const struct plots_strip *strip)
@@ -151,7 +153,7 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 	char text[24];
 	screen_text(
 	    r->side, r->row, 0, chosen ? LOOK_REVERSE : LOOK_PLAIN, "%s", name);
-	/* Where a name in reverse is not seen. */
+	/* For terminals without reverse. */
 	if (chosen)
 		screen_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
 	if (strip->fixed)
@@ -204,8 +206,8 @@ stop_words(enum calibrate_state stop)
 					       : tr("stopped");
 }
 
-/* "1.2 s, 350000 candidates a second, pace auto".  How much longer nobody
- * knows: the polish ends when it finds nothing better. */
+/* Draws "1.2 s  350000 candidates  pace auto".  The time left is not known,
+ * because the polish ends when it finds nothing better. */
 static int
 draw_pace(const struct tui *t, int row)
 {
@@ -222,8 +224,8 @@ draw_pace(const struct tui *t, int row)
 	return row + 1;
 }
 
-/* "converged; seed 1; doubtful: ..", with the first reason; where the search
- * that is shown has not replaced it, that. */
+/* Returns "converged; seed 1; doubtful: ..", with the first reason; if the
+ * search shown has not replaced the fit, that is said first. */
 static char *
 verdict_words(const struct tui *t, const struct entry *entry)
 {
@@ -249,7 +251,7 @@ draws_words(const struct evidence *e)
 	    POSTERIOR_DRAWS);
 }
 
-/* Of what was found, only beside the end, in rows that parameters and
+/* Draws the verdict beside the end of a search, in rows that parameters and
  * convergence leave free. */
 static int
 draw_found(const struct tui *t, int row)
@@ -276,7 +278,7 @@ draw_found(const struct tui *t, int row)
 	return row;
 }
 
-/* Where the search stood at the generation looked at, and what happened. */
+/* Draws the state of the search at the generation shown. */
 static int
 draw_words(const struct tui *t, const struct plots_past *past)
 {
@@ -293,9 +295,10 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	    past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
 	    best, plots_past_points(past, g->median));
-	FREED char *words = t->begun != NULL ? xstrdup(t->begun)
-					     : plots_search_words(t->session,
-						   past, t->ui.generation);
+	FREED char *words =
+	    t->computing != NULL
+		? xstrdup(t->computing)
+		: plots_search_words(t->session, past, t->ui.generation);
 	row = screen_words(side, row, LOOK_BOLD, words);
 	return session_fitting(t->session) ? draw_pace(t, row)
 					   : draw_found(t, row);
@@ -333,7 +336,7 @@ parameters_words(const struct tui *t, const struct plots_past *past)
 	return words;
 }
 
-/* Where there are no rows for strips: the same in words, and what happens. */
+/* Draws the parameters in words if there are no rows for bars. */
 static void
 draw_params_in_words(const struct tui *t, const struct plots_past *past)
 {
