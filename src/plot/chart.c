@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -85,6 +86,15 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	s->field = NULL;
 	s->finer = NULL;
 	return s;
+}
+
+void
+chart_move_to_back(struct chart *chart)
+{
+	struct chart_series *last = chart->series[chart->n - 1];
+	memmove(chart->series + 1, chart->series,
+	    (chart->n - 1) * sizeof(*chart->series));
+	chart->series[0] = last;
 }
 
 struct chart_series *

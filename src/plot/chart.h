@@ -43,14 +43,15 @@ struct chart_field {
  * draw it that many cells to the right of x.  lifted: marks are set off from
  * bars, in reverse, with a gap on either side.  named: show the labels of
  * points if there is room.  whose, field [n]: may be NULL.  finer: a closer set
- * of points of the same curve for chart_x_at to read, owned, or NULL. */
+ * of points of the same curve for chart_x_at to read, owned, or NULL.
+ * compared: its difference from the last series is drawn below. */
 struct chart_series {
 	char *name;
 	enum series series;
 	enum chart_line line;
 	char ascii, mark;
 	bool fine;
-	bool bars, lifted, named;
+	bool bars, lifted, named, compared;
 	int beside;
 	size_t n;
 	double *x, *y, *low, *high;
@@ -93,6 +94,9 @@ void chart_free(struct chart *chart);
  * Returns the series, borrowed; it stays valid when others are added. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
+
+/* Moves the last series to the front, so that all others are drawn on top. */
+void chart_move_to_back(struct chart *chart);
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
  * will own. */

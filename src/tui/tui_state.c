@@ -54,7 +54,9 @@ tui_range(const struct tui *t)
 size_t
 tui_feed(const struct tui *t)
 {
-	return feed_sampled_at(tui_entry_asked_about(t)->site, t->ui.feed);
+	const struct entry *entry = tui_entry_asked_about(t);
+	return entry != NULL ? feed_sampled_at(entry->site, t->ui.feed)
+			     : SITE_MEAN_FEED;
 }
 
 const struct psd *

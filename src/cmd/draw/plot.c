@@ -87,9 +87,8 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 		return true;
 	if (!question_read_for(s, &s->entry[at], args, &a->q, error))
 		return false;
-	double feed = feed_speed(a->q.entry->site, a->q.feed);
 	r->entry = a->q.entry;
-	r->feed_speed = feed > 0 ? feed : 0;
+	r->feed = a->q.feed;
 	r->fraction = a->q.fraction;
 	r->n_speed = a->q.n_at;
 	r->speeds = a->q.at;
@@ -695,10 +694,9 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 	const struct site *site = entry->site;
 	double speed =
 	    isnan(request->speed) ? site_middle(site) : request->speed;
-	size_t feed = feed_sampled_at(site, request->feed_speed);
-	while (goals_need_search(s, &goal, feed) &&
+	while (goals_need_search(s, &goal, request->feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
-		goals_step(s, entry, &goal, feed);
+		goals_step(s, entry, &goal, request->feed);
 	FREED char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);
 	fields_put(answer_fields(t->answer), "goal %s", words);

@@ -392,11 +392,11 @@ plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	struct drawn d = {.entry = entry, .fraction = q->fraction};
+	struct drawn d = {
+	    .entry = entry, .feed = q->feed, .fraction = q->fraction};
 	struct chart *chart = NULL;
 	if (!answers_check_params(s, entry, error))
 		return NULL;
-	d.feed = feed_sampled_at(entry->site, q->feed_speed);
 	settings_reach(&s->set, entry->site, &d.from, &d.to);
 	if (read_drawn(s, q->of, q->limits, &d, error)) {
 		response_set_values(s, &d);

@@ -117,8 +117,8 @@ sieves_of(const struct candidates *c)
 	const double margin = 1.1;
 	FREED double *size = xdoubles(c->n);
 	for (size_t k = 0; k < c->n; k++)
-		size[k] = units_mm(c->cell[k].size);
-	struct axis axis = axis_sieves(tr("size, mm"), size, c->n);
+		size[k] = c->cell[k].size;
+	struct axis axis = site_chart_sieves(size, c->n);
 	/* Room for what is drawn beside the last one. */
 	axis.low /= margin;
 	axis.high *= margin;

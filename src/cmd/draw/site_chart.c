@@ -4,10 +4,12 @@
 #include "cmd/draw/site_chart.h"
 
 #include <stdarg.h>
+#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/moved.h"
+#include "io/sitefile/units.h"
 #include "plot/marks.h"
 
 struct chart *
@@ -23,6 +25,52 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 	FREED char *about = site_source(site, "provenance not stated");
 	return chart_new(title, about, x, y);
 }
+
+struct axis
+site_chart_sieves(const double *size, size_t n)
+{
+	FREED double *mm = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		mm[i] = units_mm(size[i]);
+	return axis_sieves(tr("size, mm"), mm, n);
+}
+
+static void
+put_points(struct chart_series *s, const struct psd *psd)
+{
+	for (size_t i = 0; i < psd->n; i++) {
+		s->x[i] = units_mm(psd->size[i]);
+		s->y[i] = units_pct(psd->passing[i]);
+	}
+}
+
+void
+site_chart_add_psd(struct chart *chart, struct chart_series look,
+    const struct psd *psd, const struct psd *finer, char *name)
+{
+	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
+	put_points(s, psd);
+	if (finer != NULL)
+		put_points(chart_add_finer(s, finer->n), finer);
+	free(name);
+}
+
+void
+site_chart_across_sieves(struct chart *chart)
+{
+	size_t n = 0;
+	FREED double *mm = NULL;
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		mm = xrealloc(mm, n + s->n + 1, sizeof *mm);
+		for (size_t j = 0; j < s->n; j++)
+			mm[n++] = s->x[j];
+	}
+	chart->x = axis_sieves(tr("size, mm"), mm, n);
+}
+
+const struct chart_series SITE_CHART_FEED = {
+    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
 
 struct chart_series
 site_chart_style(size_t i)
@@ -50,6 +98,21 @@ site_chart_run(const struct site *site, size_t run, bool held_out)
 	    .line = CHART_MARKS,
 	    .mark = mark_code(i, held_out),
 	    .fine = true};
+}
+
+void
+site_chart_note_runs(struct chart *chart, const struct site *site)
+{
+	size_t left_out = site_chart_speeds_left_out(site);
+	bool hollow = false;
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		hollow = hollow || (s->fine && mark_of(s->mark)->hollow);
+	}
+	if (hollow)
+		chart_note(chart, "hollow marks: held out from the fit");
+	if (left_out > 0)
+		chart_note(chart, "%zu measured runs are not drawn", left_out);
 }
 
 void

@@ -14,6 +14,20 @@
 struct chart *site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...) __attribute__((format(printf, 4, 5)));
 
+/* Returns an axis with a tick at each of n sieves, m. */
+struct axis site_chart_sieves(const double *size, size_t n);
+
+/* Adds a size distribution, in mm and %, and takes ownership of the name.
+ * finer: the same curve at more sizes, off which sizes are read, or NULL. */
+void site_chart_add_psd(struct chart *chart, struct chart_series look,
+    const struct psd *psd, const struct psd *finer, char *name);
+
+/* Makes the x axis of a chart over size: the sieves of all its series. */
+void site_chart_across_sieves(struct chart *chart);
+
+/* The style of a feed. */
+extern const struct chart_series SITE_CHART_FEED;
+
 /* Returns style i of those used in turn for several series in a chart; the
  * first 23 differ even without colour. */
 struct chart_series site_chart_style(size_t i);
@@ -22,6 +36,10 @@ struct chart_series site_chart_style(size_t i);
  * only, filled unless held_out.  Repeats look alike. */
 struct chart_series site_chart_run(
     const struct site *site, size_t run, bool held_out);
+
+/* Notes below a chart what hollow marks are, if it has any, and how many runs
+ * are not drawn. */
+void site_chart_note_runs(struct chart *chart, const struct site *site);
 
 /* Notes below a chart that its measured products were moved to the feed, if the
  * largest move, 0..1 (moved_largest), is large enough to mention. */

@@ -50,7 +50,7 @@ predict_draw(struct tui *t)
 	}
 	request.words = 0;
 	request.speed = t->ui.tenths / 10.0;
-	request.feed_speed = t->ui.feed;
+	request.feed = tui_feed(t);
 	request.band = t->ui.band;
 	if (p->product.n > 0 && t->view.of.tenths == t->ui.tenths)
 		request.made = p;
