@@ -14,7 +14,6 @@
 #include "cmd/lang/table.h"
 #include "core/posterior/discrepancy.h"
 #include "core/check/league.h"
-#include "core/search/misfit.h"
 #include "core/check/validate.h"
 
 /* The rows of a league: every breakage model and, where collision energies are
@@ -32,32 +31,29 @@ name_of_row(size_t row)
 				      : "grunditz+energies";
 }
 
-/* A model at a site.  fit: of the site's training runs; last: of the present
- * round, where a larger model begins. */
+/* A model at a site.  fit, parameters, aicc: of the site's training runs; last:
+ * of the present round, where a larger model begins; runs: those held out. */
 struct tried {
 	struct fit fit, last;
 	size_t parameters;
-	size_t n;
-	double *predicted; /* [n] of the cells */
+	double aicc;
+	struct trials runs;
 };
 
-/* A site with the cells of the runs that were held out, [n]. */
+/* A site with its models; each: each speed was held out in turn. */
 struct ground {
 	const struct site *site;
 	size_t entry;
-	bool each; /* each speed in turn */
+	bool each;
 	size_t n_model;
 	struct tried *model; /* [n_model] */
-	size_t n;
-	struct league_cell *cell;
-	double *null[VALIDATE_WAYS];
 };
 
 /* at, end: the site that is worked on and the one to stop before; speed: held
  * out in turn, 0: none yet; model: of the present round. */
 struct league {
 	bool all;
-	size_t n, at, end, model, n_model, runs;
+	size_t n, at, end, model, n_model;
 	double speed;
 	struct ground *ground;
 };
@@ -69,11 +65,8 @@ league_drop(void *of)
 	for (size_t i = 0; l != NULL && i < l->n; i++) {
 		struct ground *g = &l->ground[i];
 		for (size_t m = 0; m < g->n_model; m++)
-			free(g->model[m].predicted);
-		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-			free(g->null[way]);
+			trials_clear(&g->model[m].runs);
 		free(g->model);
-		free(g->cell);
 	}
 	if (l != NULL)
 		free(l->ground);
@@ -155,7 +148,8 @@ next_round(struct session *s)
 	l->model = 0;
 	struct ground *g = first ? NULL : &l->ground[l->n - 1];
 	if (!first && l->speed == 0)
-		g->each = g->n == 0 && job_speeds(g->site) >= JOB_FOR_EACH;
+		g->each = g->model[0].runs.n == 0 &&
+			  job_speeds(g->site) >= JOB_FOR_EACH;
 	if (!first && g->each && job_hold_out(g->site, &l->speed, s->job.train))
 		return begin_model(s);
 	l->speed = 0;
@@ -163,29 +157,6 @@ next_round(struct session *s)
 		if (begin_site(s))
 			return begin_model(s);
 	return false;
-}
-
-/* The cells of a run that was held out, and what predicts them without a
- * model. */
-static void
-add_cells(struct league *l, size_t run, const bool *train, size_t from)
-{
-	struct ground *g = &l->ground[l->n - 1];
-	const struct psd *product = &g->site->run[run].product;
-	g->n = from + misfit_covered(&g->site->run[run]);
-	g->cell = xrealloc(g->cell, g->n, sizeof *g->cell);
-	for (size_t i = from; i < g->n; i++)
-		g->cell[i] = (struct league_cell){.run = l->runs,
-		    .log_size = log(product->size[i - from]),
-		    .measured = product->passing[i - from]};
-	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
-	     way++) {
-		g->null[way] =
-		    xrealloc(g->null[way], g->n, sizeof *g->null[way]);
-		validate_passing(g->site, run, train, NULL,
-		    model_settings_default(), way, g->null[way] + from);
-	}
-	l->runs++;
 }
 
 static void
@@ -200,29 +171,26 @@ take_round(struct session *s)
 		t->fit = t->last;
 		t->parameters = league_count_fitted(
 		    &t->fit, calibration_bounds(job->calibration));
+		t->aicc =
+		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 	}
-	for (size_t r = 0; r < g->site->n_run; r++) {
-		size_t n = misfit_covered(&g->site->run[r]), from = t->n;
-		if (job->train[r] || n == 0)
-			continue;
-		if (l->model == 0)
-			add_cells(l, r, job->train, from);
-		t->n += n;
-		t->predicted =
-		    xrealloc(t->predicted, t->n, sizeof *t->predicted);
-		validate_passing(g->site, r, job->train, &t->last.params,
-		    t->last.settings, VALIDATE_MODEL, t->predicted + from);
-	}
+	trials_add(&t->runs, &(struct predicted_by){.entry = g->entry,
+				 .key = s->entry[g->entry].key,
+				 .site = g->site,
+				 .train = job->train,
+				 .params = t->last.params,
+				 .settings = t->last.settings,
+				 .rmse = t->last.rmse});
 }
 
-/* The sampling error of the cells: as large as the model that explains the
- * training runs best leaves it, 0.1 points at least, 0.5 where none can say;
- * more in the middle of a curve than at its ends, as h is (D13). */
-static void
-find_noise(struct ground *g)
+/* The sampling error of a passing at a site: as large as the model that
+ * explains the training runs best leaves it, 0.1 points at least, 0.5 where
+ * none can say. */
+static double
+sampling_error(const struct ground *g)
 {
 	const double least = 0.001, unknown = 0.005;
-	double variance = INFINITY, h = 0;
+	double variance = INFINITY;
 	for (size_t m = 0; m < g->n_model; m++) {
 		const struct tried *t = &g->model[m];
 		if (t->fit.cells > t->parameters)
@@ -230,12 +198,7 @@ find_noise(struct ground *g)
 			    t->fit.misfit /
 				(double)(t->fit.cells - t->parameters));
 	}
-	double sd = isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
-	for (size_t i = 0; i < g->n; i++)
-		h += pow(discrepancy_h(g->cell[i].measured), 2) / (double)g->n;
-	for (size_t i = 0; i < g->n && h > 0; i++)
-		g->cell[i].noise =
-		    sd * discrepancy_h(g->cell[i].measured) / sqrt(h);
+	return isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
 }
 
 /* What is said of one site, or of several together: models
@@ -245,7 +208,7 @@ find_noise(struct ground *g)
  * null model that errs least where that is less than the best model errs, by
  * more than sampling explains; else VALIDATE_MODEL. */
 struct verdict {
-	size_t n, n_model, cells, best, simplest, *parameters;
+	size_t n, n_run, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
 	struct league_model *model;
 	double *misfit, **predicted, *null[VALIDATE_WAYS];
@@ -272,13 +235,43 @@ verdict_free(struct verdict *v)
 	free(v->misfit);
 }
 
-/* Adds b [more] to a [n]. */
+/* Adds the cells of a site's runs that were held out.  Their sampling error is
+ * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-append_doubles(double **a, size_t n, const double *b, size_t more)
+add_cells(struct verdict *v, const struct ground *g)
 {
-	*a = xrealloc(*a, n + more + 1, sizeof **a);
-	if (more > 0)
-		memcpy(*a + n, b, more * sizeof *b);
+	const struct trials *runs = &g->model[0].runs;
+	double sd = sampling_error(g), h = 0;
+	size_t from = v->n;
+	for (size_t r = 0; r < runs->n; r++, v->n_run++) {
+		const struct psd *product = &runs->item[r].run->product;
+		size_t n = runs->item[r].v.n_sieve;
+		v->cell = xrealloc(v->cell, v->n + n, sizeof *v->cell);
+		for (size_t i = 0; i < n; i++)
+			v->cell[v->n++] = (struct league_cell){.run = v->n_run,
+			    .log_size = log(product->size[i]),
+			    .measured = product->passing[i]};
+	}
+	for (size_t i = from; i < v->n; i++)
+		h += pow(discrepancy_h(v->cell[i].measured), 2) /
+		     (double)(v->n - from);
+	for (size_t i = from; i < v->n && h > 0; i++)
+		v->cell[i].noise =
+		    sd * discrepancy_h(v->cell[i].measured) / sqrt(h);
+}
+
+/* Adds what a way predicts at the cells of runs to passing [n]. */
+static void
+add_passings(double **passing, size_t n, const struct trials *runs,
+    enum validate_way way)
+{
+	for (size_t r = 0; r < runs->n; r++) {
+		size_t more = runs->item[r].v.n_sieve;
+		*passing = xrealloc(*passing, n + more, sizeof **passing);
+		memcpy(*passing + n, trials_passing(&runs->item[r], way),
+		    more * sizeof **passing);
+		n += more;
+	}
 }
 
 /* Adds a site.  Its AICc count where all models have one. */
@@ -286,28 +279,18 @@ static void
 add_ground(struct verdict *v, const struct ground *g, bool alone)
 {
 	bool counts = true;
-	size_t size = sizeof *v->cell;
+	for (size_t m = 0; m < v->n_model; m++)
+		counts = counts && (alone || isfinite(g->model[m].aicc));
 	for (size_t m = 0; m < v->n_model; m++) {
 		const struct tried *t = &g->model[m];
-		double aicc =
-		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
-		counts = counts && (alone || isfinite(aicc));
-	}
-	for (size_t m = 0; m < v->n_model; m++) {
-		const struct tried *t = &g->model[m];
-		double aicc =
-		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 		v->misfit[m] += t->fit.misfit;
 		v->parameters[m] += t->parameters;
-		v->model[m].aicc += counts ? aicc : 0;
-		append_doubles(&v->predicted[m], v->n, t->predicted, g->n);
+		v->model[m].aicc += counts ? t->aicc : 0;
+		add_passings(&v->predicted[m], v->n, &t->runs, VALIDATE_MODEL);
 	}
-	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		append_doubles(&v->null[way], v->n, g->null[way], g->n);
-	v->cell = xrealloc(v->cell, v->n + g->n + 1, size);
-	if (g->n > 0)
-		memcpy(v->cell + v->n, g->cell, g->n * size);
-	v->n += g->n;
+	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
+		add_passings(&v->null[way], v->n, &g->model[0].runs, way);
+	add_cells(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
@@ -663,8 +646,6 @@ static void
 end_league(struct session *s, void *of)
 {
 	struct league *l = of;
-	for (size_t i = 0; i < l->n; i++)
-		find_noise(&l->ground[i]);
 	session_show_answer(
 	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->ground[0]));
 	league_drop(l);

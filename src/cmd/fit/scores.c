@@ -47,13 +47,6 @@ run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 	}
 }
 
-/* What a way predicts at the sieves compared, [v.n_sieve]. */
-static const double *
-passing_of_way(const struct trial *item, enum validate_way way)
-{
-	return item->passing + way * item->v.n_sieve;
-}
-
 /* "null", "winner". */
 static void
 put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
@@ -88,7 +81,7 @@ put_sieves(struct fields *o, const struct trial *item)
 	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
-		fields_numbers(o, key, passing_of_way(item, way), n, units_pct);
+		fields_numbers(o, key, trials_passing(item, way), n, units_pct);
 	}
 }
 
@@ -153,7 +146,7 @@ scores_add_sieves(struct answer *r, const struct trial *item, bool exact)
 		answer_cells(r, "%.1f", units_pct(product->passing[i]));
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 			answer_cells(
-			    r, "%.1f", units_pct(passing_of_way(item, way)[i]));
+			    r, "%.1f", units_pct(trials_passing(item, way)[i]));
 	}
 }
 

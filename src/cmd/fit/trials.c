@@ -55,6 +55,12 @@ trials_sources(const struct trials *c, size_t *sites)
 	return list;
 }
 
+const double *
+trials_passing(const struct trial *trial, enum validate_way way)
+{
+	return trial->passing + way * trial->v.n_sieve;
+}
+
 struct validate_score
 trials_score(const struct trials *c, enum validate_way way, size_t i)
 {
