@@ -121,6 +121,14 @@ chart_add_band(struct chart_series *series)
 }
 
 void
+chart_drop_band(struct chart_series *series)
+{
+	free(series->low);
+	free(series->high);
+	series->low = series->high = NULL;
+}
+
+void
 chart_add_rule(
     struct chart *chart, enum series series, double x, const char *name, ...)
 {
@@ -195,6 +203,22 @@ chart_x_at(
 		return by_log ? exp(at) : at;
 	}
 	return NAN;
+}
+
+bool
+chart_y_extent(const struct chart *chart, double *low, double *high)
+{
+	*low = INFINITY;
+	*high = -INFINITY;
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		for (size_t k = 0; k < s->n; k++) {
+			bool band = s->low != NULL && !isnan(s->y[k]);
+			*low = fmin(*low, band ? s->low[k] : s->y[k]);
+			*high = fmax(*high, band ? s->high[k] : s->y[k]);
+		}
+	}
+	return isfinite(*low);
 }
 
 void

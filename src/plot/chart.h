@@ -102,8 +102,10 @@ void chart_move_to_back(struct chart *chart);
  * will own. */
 void chart_add_point_sites(struct chart_series *series);
 
-/* Adds arrays low and high to a series, for its band. */
+/* chart_add_band adds arrays low and high to a series, for its band;
+ * chart_drop_band removes them. */
 void chart_add_band(struct chart_series *series);
+void chart_drop_band(struct chart_series *series);
 
 /* Adds n finer points to a series and returns them, with x and y to be filled
  * in. */
@@ -123,6 +125,10 @@ double chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x);
 double chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y);
+
+/* Finds the range of y over all series and their bands.  Returns false if there
+ * is no point. */
+bool chart_y_extent(const struct chart *chart, double *low, double *high);
 
 /* Sets *on and *off to the number of dots in each dash of a line and in each
  * gap; off is 0 for a solid line. */

@@ -18,17 +18,15 @@ static void
 add_figure(struct answer *r, struct fields *list, struct forecast *all,
     size_t i, const struct quantity *q, double speed, bool model)
 {
-	struct figure f = forecast_figure(all, i);
-	double value = quantities_shown(q, f.value),
-	       low = quantities_shown(q, f.low),
-	       high = quantities_shown(q, f.high);
+	struct figure f = figure_shown(q, forecast_figure(all, i));
 	bool whole = quantities_decimals(q) == 1;
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	answer_name(r, key, words);
 	answer_cells(
-	    r, whole ? "%.1f %s" : "%.2f %s", value, quantities_unit(q));
+	    r, whole ? "%.1f %s" : "%.2f %s", f.value, quantities_unit(q));
 	if (forecast_draws(all, i) != NULL)
-		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f", low, high);
+		answer_cells(
+		    r, whole ? "%.1f %.1f" : "%.2f %.2f", f.low, f.high);
 	if (forecast_draws(all, i) != NULL && model)
 		answer_cells(
 		    r, "%g", quantities_shown(q, forecast_model(all, i)));
@@ -36,8 +34,8 @@ add_figure(struct answer *r, struct fields *list, struct forecast *all,
 		answer_cells(r, "%g", speed);
 	if (list != NULL)
 		fields_put(fields_object(list, NULL),
-		    "quantity %s value %g unit %s low %g high %g", key, value,
-		    quantities_unit(q), low, high);
+		    "quantity %s value %g unit %s low %g high %g", key, f.value,
+		    quantities_unit(q), f.low, f.high);
 }
 
 static void

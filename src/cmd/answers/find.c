@@ -290,14 +290,13 @@ value_words(const struct goal *goal, size_t i)
 				       ? &goal->wanted.at[i].quantity
 				       : &goal->target.quantity;
 	int digits = quantities_decimals(q);
-	struct figure f = forecast_figure(goal->wanted.forecast, i);
+	struct figure f =
+	    figure_shown(q, forecast_figure(goal->wanted.forecast, i));
 	char *words = quantities_words(q);
-	xappend(&words, " %.*f%s", digits, quantities_shown(q, f.value),
-	    quantities_unit_suffix(q));
+	xappend(&words, " %.*f%s", digits, f.value, quantities_unit_suffix(q));
 	if (isfinite(f.low) && isfinite(f.high))
-		xappend(&words, tr(" (%.*f to %.*f)"), digits,
-		    quantities_shown(q, f.low), digits,
-		    quantities_shown(q, f.high));
+		xappend(&words, tr(" (%.*f to %.*f)"), digits, f.low, digits,
+		    f.high);
 	return words;
 }
 

@@ -12,6 +12,10 @@ struct figure {
 	double value, low, high;
 };
 
+/* Returns a figure of a quantity as people see it: in the unit of
+ * quantities_unit. */
+struct figure figure_shown(const struct quantity *q, struct figure f);
+
 /* Opaque; the question's entry must outlive it. */
 struct forecast;
 

@@ -70,13 +70,9 @@ add_residuals(struct chart *chart, const struct session *s,
 static struct axis
 axis_with_zero(const struct chart *chart, const char *title)
 {
-	double low = 0, high = 0;
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i]->n; j++) {
-			low = fmin(low, chart->series[i]->y[j]);
-			high = fmax(high, chart->series[i]->y[j]);
-		}
-	struct axis axis = axis_linear(title, low, high);
+	double low, high;
+	chart_y_extent(chart, &low, &high);
+	struct axis axis = axis_linear(title, fmin(0, low), fmax(0, high));
 	for (size_t i = 0; i < axis.n; i++)
 		axis.tick[i].guide = axis.tick[i].at == 0;
 	return axis;

@@ -31,16 +31,6 @@ energy_fill(struct chart_series *series, const struct spectrum *s,
 	}
 }
 
-static double
-highest_value(const struct chart *chart)
-{
-	double most = 0;
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i]->n; j++)
-			most = fmax(most, chart->series[i]->y[j]);
-	return most;
-}
-
 static void
 energy_add(
     struct chart *chart, const struct energies *e, bool main, size_t place)
@@ -73,7 +63,7 @@ plots_energy(
 	if (e == NULL)
 		return NULL;
 	const struct spectrum *of = e->c.spectrum;
-	double E = of->speed > 0 ? energy_specific(of->speed) : NAN;
+	double low, high, E = of->speed > 0 ? energy_specific(of->speed) : NAN;
 	struct chart *chart = chart_new(tr("collision energies"),
 	    e->c.about[0] != '\0' ? e->c.about : tr("origin not stated"),
 	    axis_log(tr("energy of an impact, J/kg"), 0.01, fmax(1e4, 2 * E)),
@@ -83,11 +73,12 @@ plots_energy(
 		    s->energies[i]->c.spectrum->counted == of->counted)
 			energy_add(chart, s->energies[i], false, i);
 	energy_add(chart, e, true, 0);
+	chart_y_extent(chart, &low, &high);
 	axis_free(&chart->y);
 	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
 						"octave, -")
 					   : tr("impacts in half an octave, %"),
-	    0, highest_value(chart));
+	    0, high);
 	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
 	if (E > 0)
 		chart_add_rule(

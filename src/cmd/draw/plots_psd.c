@@ -60,11 +60,9 @@ static struct axis
 difference_points_axis(const struct chart *chart)
 {
 	struct axis axis = {.title = xstrdup(tr("difference, points"))};
-	double most = 0;
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i]->n; j++)
-			most = fmax(most, fabs(chart->series[i]->y[j]));
-	axis.high = axis_limit(most);
+	double low, high;
+	chart_y_extent(chart, &low, &high);
+	axis.high = axis_limit(fmax(-low, high));
 	axis.low = -axis.high;
 	add_tick(&axis, axis.low);
 	add_tick(&axis, 0);
@@ -207,12 +205,8 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
 		.fraction = q->fraction}};
 	struct forecast *f = forecast_open(s, &question, asked, 2);
 	forecast_at(f, p->speed);
-	for (size_t i = 0; i < 2; i++) {
-		struct figure at = forecast_figure(f, i);
-		band[i] = (struct figure){quantities_shown(&asked[i], at.value),
-		    quantities_shown(&asked[i], at.low),
-		    quantities_shown(&asked[i], at.high)};
-	}
+	for (size_t i = 0; i < 2; i++)
+		band[i] = figure_shown(&asked[i], forecast_figure(f, i));
 	forecast_close(f);
 }
 

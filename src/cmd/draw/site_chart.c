@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/site_chart.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 
@@ -67,6 +68,47 @@ site_chart_across_sieves(struct chart *chart)
 			mm[n++] = s->x[j];
 	}
 	chart->x = axis_sieves(tr("size, mm"), mm, n);
+}
+
+void
+site_chart_figure(struct chart_series *s, size_t k, double x, struct figure at)
+{
+	if (s->low == NULL)
+		chart_add_band(s);
+	s->x[k] = x;
+	s->y[k] = at.value;
+	s->low[k] = at.low;
+	s->high[k] = at.high;
+}
+
+void
+site_chart_end_figures(struct chart_series *s)
+{
+	bool band = false;
+	for (size_t k = 0; k < s->n; k++) {
+		band = band || isfinite(s->low[k]);
+		s->low[k] = isnan(s->low[k]) ? s->y[k] : s->low[k];
+		s->high[k] = isnan(s->high[k]) ? s->y[k] : s->high[k];
+	}
+	if (!band)
+		chart_drop_band(s);
+}
+
+void
+site_chart_over_speed(struct forecast *f, const struct quantity *q, size_t n,
+    double from, double to, struct chart_series *const *line)
+{
+	size_t points = line[0]->n;
+	for (size_t k = 0; k < points; k++) {
+		double speed =
+		    from + (to - from) * (double)k / (double)(points - 1);
+		forecast_at(f, speed);
+		for (size_t i = 0; i < n; i++)
+			site_chart_figure(line[i], k, speed,
+			    figure_shown(&q[i], forecast_figure(f, i)));
+	}
+	for (size_t i = 0; i < n; i++)
+		site_chart_end_figures(line[i]);
 }
 
 const struct chart_series SITE_CHART_FEED = {

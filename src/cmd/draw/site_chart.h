@@ -5,8 +5,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/session/session.h"
-#include "core/psd/site.h"
+#include "cmd/ask/forecast.h"
 #include "plot/chart.h"
 
 /* Returns a chart titled "Tierp, Granite, 11.2 mm: ..", with the source of the
@@ -24,6 +23,19 @@ void site_chart_add_psd(struct chart *chart, struct chart_series look,
 
 /* Makes the x axis of a chart over size: the sieves of all its series. */
 void site_chart_across_sieves(struct chart *chart);
+
+/* Sets point k of a series to a figure, as people see it, at x. */
+void site_chart_figure(
+    struct chart_series *s, size_t k, double x, struct figure at);
+
+/* Ends a series of figures: its band is its line where a figure has none, and
+ * none where no figure has one. */
+void site_chart_end_figures(struct chart_series *s);
+
+/* Fills series [n], of as many points each, with quantities of a forecast at
+ * speeds from..to, evenly. */
+void site_chart_over_speed(struct forecast *f, const struct quantity *q,
+    size_t n, double from, double to, struct chart_series *const *line);
 
 /* The style of a feed. */
 extern const struct chart_series SITE_CHART_FEED;

@@ -514,32 +514,22 @@ add_products(struct chart *chart, const struct plant *p,
 			continue;
 		struct chart_series look = site_chart_style(products);
 		look.line = CHART_SOLID;
-		struct chart_series *s =
-		    chart_add(chart, look, POINTS, "%s", line[i].name);
-		if (o->flow.draws == DRAWS)
-			chart_add_band(s);
+		chart_add(chart, look, POINTS, "%s", line[i].name);
 		unit[products++] = line[i].unit;
 	}
 	return products;
 }
 
-static void
-add_draws_of_point(const struct plant *p, const struct outcome *o,
-    const struct unit *unit, struct chart_series *s, size_t k)
+static struct figure
+tph_of_product(
+    const struct plant *p, const struct outcome *o, const struct unit *unit)
 {
-	double draw[DRAWS], range[2];
-	s->x[k] = o->speed;
-	s->y[k] = o->flow.open ? NAN : flow_into_unit(&o->flow, unit);
-	if (s->low == NULL)
-		return;
-	s->low[k] = s->high[k] = s->y[k];
-	if (o->flow.draws < DRAWS || o->flow.open)
-		return;
-	for (size_t d = 0; d < DRAWS; d++)
-		draw[d] = flow_draw_into_unit(&o->flow, unit, d);
-	ensemble_interval_with_answer(draw, p->level, s->y[k], range);
-	s->low[k] = range[0];
-	s->high[k] = range[1];
+	double range[2];
+	if (o->flow.open)
+		return (struct figure){NAN, NAN, NAN};
+	range_tph(p, o, unit, 0, range);
+	return (struct figure){
+	    flow_into_unit(&o->flow, unit), range[0], range[1]};
 }
 
 /* A line with its band for each product, t/h, at speeds from..to, m/s; a gap
@@ -561,9 +551,12 @@ flow_chart(const struct plant *p, double from, double to)
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			add_draws_of_point(p, &o, unit[i], chart->series[i], k);
+			site_chart_figure(chart->series[i], k, o.speed,
+			    tph_of_product(p, &o, unit[i]));
 		flow_free(&o.flow);
 	}
+	for (size_t i = 0; i < n; i++)
+		site_chart_end_figures(chart->series[i]);
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
 	/* That of the middle speed: further out it is as good at most. */

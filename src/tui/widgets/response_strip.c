@@ -113,10 +113,10 @@ response_strip_work_out(struct tui *t)
 		a->speed[a->n] =
 		    (range.least + share * (range.most - range.least)) / 10;
 		forecast_at(f, a->speed[a->n]);
-		struct figure at = forecast_figure(f, 0);
-		value[0] = quantities_shown(&a->of, at.value);
-		value[1] = quantities_shown(&a->of, at.low);
-		value[2] = quantities_shown(&a->of, at.high);
+		struct figure at = figure_shown(&a->of, forecast_figure(f, 0));
+		value[0] = at.value;
+		value[1] = at.low;
+		value[2] = at.high;
 	}
 	forecast_close(f);
 }
