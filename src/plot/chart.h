@@ -44,14 +44,15 @@ struct chart_field {
  * bars, in reverse, with a gap on either side.  named: show the labels of
  * points if there is room.  whose, field [n]: may be NULL.  finer: a closer set
  * of points of the same curve for chart_x_at to read, owned, or NULL.
- * compared: its difference from the last series is drawn below. */
+ * compared: its difference from the last series is drawn below.  psd: it is a
+ * size distribution, off which P20, P50 and P80 are read. */
 struct chart_series {
 	char *name;
 	enum series series;
 	enum chart_line line;
 	char ascii, mark;
 	bool fine;
-	bool bars, lifted, named, compared;
+	bool bars, lifted, named, compared, psd;
 	int beside;
 	size_t n;
 	double *x, *y, *low, *high;
@@ -69,13 +70,15 @@ struct chart_rule {
 
 /* strip: the number of rows of a chart drawn without labels below another chart
  * with the same x axis; 0: a chart of its own.  Later series are drawn on top.
- * about: the source of the data, shown at the foot after "data: ".  note: lines
+ * mixed: its series are of different quantities, not to be compared.  about:
+ * the source of the data, shown at the foot after "data: ".  note: lines
  * below the legend.  below: another chart to draw below this one, with the same
  * x axis but other units, or NULL; chart_free also frees it. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
 	enum theme theme;
+	bool mixed;
 	int strip;
 	size_t n, n_rule, n_note;
 	struct chart_series **series;

@@ -443,7 +443,6 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 /* A chart being told. */
 struct tale {
 	const struct chart *chart;
-	enum plot_kind kind;
 	struct answer *answer;
 };
 
@@ -452,10 +451,9 @@ say_axes(struct tale *t)
 {
 	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
 	static const char *const ways[] = {N_("Across"), N_("Up")};
-	size_t named = t->kind == PLOT_SPREAD        ? 1
-		       : t->kind == PLOT_CORRELATION ? 2
-						     : 0; /* by parameters */
-	for (size_t i = 0; i < ARRAY_LEN(axes) - named; i++)
+	for (size_t i = 0; i < ARRAY_LEN(axes); i++) {
+		if (axes[i]->names)
+			continue;
 		answer_note(t->answer,
 		    axes[i]->log ? N_("%s: %s, from %.4g to %.4g on a log "
 				      "scale")
@@ -464,17 +462,16 @@ say_axes(struct tale *t)
 			     "scale")
 			: N_("%s: %s, from %.4g to %.4g"),
 		    tr(ways[i]), axes[i]->title, axes[i]->low, axes[i]->high);
+	}
 }
 
-/* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a product or a feed. */
+/* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a size distribution, or "". */
 static char *
 sizes_of(const struct tale *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
-	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_RUNS ||
-		   t->kind == PLOT_SWEEP;
-	for (size_t i = 0; psd && i < ARRAY_LEN(PASSING); i++) {
+	for (size_t i = 0; s->psd && i < ARRAY_LEN(PASSING); i++) {
 		double x = chart_x_at(t->chart, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
 		if (isnan(x))
@@ -603,12 +600,12 @@ say_series(struct tale *t)
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
-		if (s->line == CHART_MARKS && t->kind != PLOT_PSD)
+		if (s->line == CHART_MARKS && !s->psd)
 			say_points(t, s);
 		else if (s->series != SERIES_TEXT)
 			say_curve(t, s);
 	}
-	for (size_t i = 0; i + 1 < c->n && t->kind != PLOT_RESPONSE; i++)
+	for (size_t i = 0; i + 1 < c->n && !c->mixed; i++)
 		if (c->series[c->n - 1]->line != CHART_MARKS &&
 		    c->series[i]->series != SERIES_TEXT)
 			say_difference(t, c->series[i]);
@@ -632,10 +629,19 @@ say_strip(struct tale *t)
 	}
 }
 
+static bool
+has_bars(const struct chart *chart)
+{
+	bool any = false;
+	for (size_t i = 0; i < chart->n; i++)
+		any = any || chart->series[i]->bars;
+	return any;
+}
+
 /* Of each run the sieve at which the candidates lie furthest apart, and that
  * which the best misses by most. */
 static void
-say_search(struct tale *t)
+say_bars(struct tale *t)
 {
 	for (size_t i = 0; i + 1 < t->chart->n; i++) {
 		const struct chart_series *s = t->chart->series[i];
@@ -667,12 +673,12 @@ say_chart(struct tale *t)
 		return;
 	}
 	say_axes(t);
-	if (t->kind == PLOT_SPREAD)
-		say_spread(t);
-	else if (t->kind == PLOT_CORRELATION)
+	if (chart->n > 0 && chart->series[0]->field != NULL)
 		say_fields(t);
-	else if (t->kind == PLOT_SEARCH)
-		say_search(t);
+	else if (chart->y.names)
+		say_spread(t);
+	else if (has_bars(chart))
+		say_bars(t);
 	else
 		say_series(t);
 	for (size_t i = 0; i < chart->n_rule; i++)
@@ -688,7 +694,7 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 {
 	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
-	if (t->kind != PLOT_PSD || !goals_is_set(s) || session_busy(s) ||
+	if (request->kind != PLOT_PSD || !goals_is_set(s) || session_busy(s) ||
 	    request->site != NULL || !entry->has_params)
 		return;
 	const struct site *site = entry->site;
@@ -710,7 +716,7 @@ plot_describe(struct session *s, const struct args *args, struct asked *a,
 	struct chart *chart = asked_chart(s, args, a, error);
 	if (chart == NULL)
 		return false;
-	struct tale t = {chart, a->request.kind, answer_new("describe")};
+	struct tale t = {chart, answer_new("describe")};
 	answer_title(t.answer, "%s", chart->title);
 	answer_sites(t.answer,
 	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);

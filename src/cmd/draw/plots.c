@@ -294,16 +294,6 @@ appearance_chart(
 	return chart;
 }
 
-/* In the session's colours; *chart stays NULL where there is none. */
-static void
-make_chart(struct session *s, const struct plot_request *request,
-    plot_make *make, struct chart **chart, struct error *error)
-{
-	*chart = make(s, request, error);
-	if (*chart != NULL)
-		(*chart)->theme = (enum theme)s->set.theme;
-}
-
 struct chart *
 plots_chart(
     struct session *s, const struct plot_request *request, struct error *error)
@@ -337,8 +327,9 @@ plots_chart(
 	struct plot_request as = *request;
 	if (as.entry == NULL && s->n_entry > 0)
 		as.entry = &s->entry[at];
-	struct chart *chart = NULL;
-	make_chart(s, &as, KINDS[as.kind].make, &chart, error);
+	struct chart *chart = KINDS[as.kind].make(s, &as, error);
+	if (chart != NULL)
+		chart->theme = (enum theme)s->set.theme;
 	return chart;
 }
 

@@ -272,6 +272,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 	    site_chart(site, axis_linear(tr("tip speed, m/s"), d->from, d->to),
 		(struct axis){.title = xstrdup(title)}, "%s against tip speed",
 		about);
+	chart->mixed = true;
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
 			FREED char *name = quantities_words(&d->q[i]);

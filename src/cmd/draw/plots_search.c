@@ -285,6 +285,7 @@ parameter_axis(const struct breakage *of)
 {
 	const double margin = 0.45;
 	struct axis axis = {.title = xstrdup("parameter"),
+	    .names = true,
 	    .low = margin,
 	    .high = (double)of->n + margin};
 	for (size_t j = 0; j < of->n; j++)

@@ -50,6 +50,7 @@ site_chart_add_psd(struct chart *chart, struct chart_series look,
     const struct psd *psd, const struct psd *finer, char *name)
 {
 	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
+	s->psd = true;
 	put_points(s, psd);
 	if (finer != NULL)
 		put_points(chart_add_finer(s, finer->n), finer);
