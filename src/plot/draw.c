@@ -641,7 +641,7 @@ static void
 draw_chart_band(struct brush *p, const struct chart_series *s)
 {
 	enum { EVERY = 2 };
-	const struct chart_series edge = {.series = palette_tint(s->series)};
+	const struct chart_series edge = {.series = s->series};
 	int across = canvas_cell_dots_across(p->at.charset),
 	    parts = p->at.width * across;
 	int down = canvas_cell_dots_down(p->at.charset);

@@ -233,8 +233,7 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 		y[back] = page_y(p, s->high[i]);
 	}
 	p->pen->path(p->pen, x, y, 2 * s->n,
-	    &(struct pen_stroke){
-		palette_tint(s->series), CHART_SOLID, 0, PEN_TINT});
+	    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
 	free(x);
 	free(y);
 }
@@ -800,8 +799,9 @@ draw_text(struct sheet *s, int row)
 	free(text);
 }
 
-struct pen_paper
-picture_cells_paper(const struct canvas *canvas, int depth, double size[2])
+/* The paper for cells, and its size, points. */
+static struct pen_paper
+paper_of_cells(const struct canvas *canvas, int depth, double size[2])
 {
 	bool light = canvas->theme == THEME_LIGHT;
 	struct pen_paper paper = {.colour = light ? 0xFFFFFF : 0x161B22,
@@ -820,8 +820,8 @@ picture_cells_paper(const struct canvas *canvas, int depth, double size[2])
 	return paper;
 }
 
-void
-picture_cells_draw(const struct canvas *canvas, int depth, struct pen *pen)
+static void
+draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
 {
 	size_t n = (size_t)(canvas->columns * canvas->rows);
 	struct sheet s = {.canvas = canvas,
@@ -829,7 +829,7 @@ picture_cells_draw(const struct canvas *canvas, int depth, struct pen *pen)
 	    .depth = depth,
 	    .x = xdoubles(2 * BARS * n),
 	    .y = xdoubles(2 * BARS * n)};
-	bool has[SERIES_COUNT] = {[SERIES_BAND] = true};
+	bool has[SERIES_COUNT] = {false};
 	for (size_t i = 0; i < n; i++)
 		has[canvas->cell[i].series] = true;
 	for (int kind = 0; kind < KINDS; kind++)
@@ -848,9 +848,9 @@ picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
     const char *title, const char *about, FILE *out)
 {
 	double size[2];
-	struct pen_paper paper = picture_cells_paper(canvas, depth, size);
+	struct pen_paper paper = paper_of_cells(canvas, depth, size);
 	struct pen *pen =
 	    pen_open(form, size[0], size[1], &paper, title, about, out);
-	picture_cells_draw(canvas, depth, pen);
+	draw_cells(canvas, depth, pen);
 	return pen->close(pen);
 }

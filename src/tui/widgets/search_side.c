@@ -128,7 +128,7 @@ search_side_draw_bar(const struct row *r, const struct plots_strip *strip)
 	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
 	    shown_number(strip->upper, false, text));
 	if (isfinite(strip->drawn[0]))
-		draw_span(r, strip, strip->drawn, SERIES_BAND,
+		draw_span(r, strip, strip->drawn, SERIES_PREDICTED,
 		    ascii ? "-" : "\u2500");
 	draw_span(r, strip, (double[]){strip->p10, strip->p90}, SERIES_FEED,
 	    ascii ? "=" : "\u2501");
