@@ -31,9 +31,7 @@ struct asked {
 	struct condition_list list; /* limits of the product, or none */
 	char *limits; /* where those of an envelope are from, or NULL */
 	struct wanted wanted;
-	bool flows; /* the plant is worked out */
-	struct flow_plan plan;
-	struct plant plant;
+	struct plant plant; /* circuit NULL: none is asked about */
 	size_t n_line;
 	struct plant_line *line;
 	char *power;
@@ -96,9 +94,7 @@ read_limits(struct session *s, struct asked *all, const struct args *args,
 static void
 card_request_free(struct asked *all)
 {
-	if (all->flows)
-		plant_free(&all->plant);
-	flow_plan_free(&all->plan);
+	plant_free(&all->plant);
 	free(all->line);
 	free(all->power);
 	free(all->q);
@@ -116,8 +112,7 @@ read_flow(struct session *s, struct asked *all, const struct args *args,
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
 	    &args->power, &args->prices, &args->kwh};
 	if (args->tph > 0 || args->circuit != NULL)
-		return flow_plan_read(
-		    s, args, all->question, &all->plan, error);
+		return plant_read(s, args, all->question, &all->plant, error);
 	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
 		if (args_given(args, with_feed[i]))
 			return error_set(error, ERROR_USAGE,
@@ -132,7 +127,7 @@ read_flow(struct session *s, struct asked *all, const struct args *args,
 static bool
 find_lines(struct asked *all, double speed, struct error *error)
 {
-	const struct circuit *c = all->plan.circuit;
+	const struct circuit *c = all->plant.circuit;
 	struct outcome o = plant_solve_at(&all->plant, speed);
 	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
@@ -161,11 +156,7 @@ card_request_read(struct session *s, struct asked *all, const struct args *args,
 	if (all->list.n > 0)
 		all->wanted =
 		    conditions_open(s, all->question, &all->list, NULL);
-	all->flows = all->plan.circuit != NULL;
-	if (!all->flows)
-		return true;
-	all->plant = plant_new(s, &all->plan);
-	return find_lines(all, slowest, error);
+	return all->plant.circuit == NULL || find_lines(all, slowest, error);
 }
 
 /* What one speed gives: the quantities and their band, as they are shown,
@@ -188,7 +179,7 @@ work_out_flow(const struct asked *all, struct card_row *row)
 				 : o.flow.tph[line->stream];
 		row->tph[i] = o.flow.open ? NAN : tph;
 	}
-	row->kwh = o.flow.open ? NAN : o.kw / all->plan.circuit->tph;
+	row->kwh = o.flow.open ? NAN : o.kw / all->plant.circuit->tph;
 	row->earned = o.flow.open ? NAN : o.money;
 	flow_free(&o.flow);
 }
@@ -226,7 +217,7 @@ card_work_out(struct session *s, struct asked *all, double speed,
 	row->low = 1000 * p80.low;
 	row->high = 1000 * p80.high;
 	row->ranged = forecast_figure(all->forecast, ranged_figure(all));
-	if (all->flows)
+	if (all->plant.circuit != NULL)
 		work_out_flow(all, row);
 	if (all->list.n > 0) {
 		forecast_at(all->wanted.forecast, speed);
@@ -316,7 +307,7 @@ page_flow(
 	    page_column(page, xstrdup("kWh/t"), 2, FIGURE);
 	for (size_t k = 0; k < page->rows; k++)
 		page_cell(kwh, k, row[k].kwh, NULL);
-	if (!all->plan.priced)
+	if (!all->plant.priced)
 		return;
 	struct page_column *earned =
 	    page_column(page, xstrdup(tr("earned/h")), 0, NEEDED);
@@ -376,7 +367,7 @@ page_of(const struct asked *all, const struct card_row *row, size_t rows,
 			page_cell(c, k, row[k].rpm, NULL);
 	}
 	page_sizes(&page, all, row, level);
-	if (all->flows)
+	if (all->plant.circuit != NULL)
 		page_flow(&page, all, row);
 	if (all->list.n > 0) {
 		c = page_column(
@@ -475,9 +466,9 @@ add_flow_keys(struct answer *r, const struct asked *all)
 		    line->unit == NULL ? "back_tph" : "tph", line->name);
 		add_key(r, key);
 	}
-	if (all->flows)
+	if (all->plant.circuit != NULL)
 		add_key(r, "kwh_per_t");
-	if (all->flows && all->plan.priced)
+	if (all->plant.priced)
 		add_key(r, "earnings");
 }
 
@@ -516,9 +507,9 @@ card_add_row(struct answer *r, const struct asked *all,
 	answer_cells(r, "%.2f %.2f", row->low, row->high);
 	for (size_t i = 0; i < all->n_line; i++)
 		answer_cells(r, "%.1f", row->tph[i]);
-	if (all->flows)
+	if (all->plant.circuit != NULL)
 		answer_cells(r, "%.2f", row->kwh);
-	if (all->flows && all->plan.priced)
+	if (all->plant.priced)
 		answer_cells(r, "%.0f", row->earned);
 	if (all->list.n > 0) {
 		bool met = isnan(row->share) ? row->holds : row->share >= 0.5;
@@ -534,16 +525,16 @@ card_add_row(struct answer *r, const struct asked *all,
 static void
 note_flow(struct answer *r, const struct asked *all)
 {
-	if (!all->flows)
+	if (all->plant.circuit == NULL)
 		return;
-	const char *back = all->plan.back;
+	const char *back = all->plant.back;
 	bool returns = back != NULL && back[0] != '\0';
 	if (returns)
 		answer_note(r, "%g t/h of new feed, %s back to the crusher; %s",
-		    all->plan.circuit->tph, back, all->power);
+		    all->plant.circuit->tph, back, all->power);
 	else
-		answer_note(r, "%g t/h of new feed; %s", all->plan.circuit->tph,
-		    all->power);
+		answer_note(r, "%g t/h of new feed; %s",
+		    all->plant.circuit->tph, all->power);
 	if (returns)
 		answer_say(r, ANSWER_REMARK,
 		    "sizes and passings are those of the new feed's product, "
@@ -598,7 +589,7 @@ note_basis(struct answer *r, const struct session *s, const struct asked *all,
 				     all->q[i].letter != 0);
 	answer_note(r, "P20, P50, P80 in mm, passing in %%%s%s",
 	    fines ? tr(", fines under 0.063 mm") : "",
-	    all->flows ? tr(", fractions in t/h") : "");
+	    all->plant.circuit != NULL ? tr(", fractions in t/h") : "");
 	if (fraction_screens(&q->fraction)) {
 		FREED char *cut = quantities_fraction_text(&q->fraction);
 		answer_note(r, "all of these of the fraction %s", cut);

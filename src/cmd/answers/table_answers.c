@@ -10,7 +10,7 @@
 	SPEED(speed), \
 	    "rotor tip speed; default: as last predicted, with its feed"
 
-/* A crusher with its screens, of flow and card, see flow_plan_read. */
+/* A crusher with its screens, of flow and card, see plant_read. */
 #define FLOW_PARTS                                                        \
 	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
 	    "fractions of the product, mm"},                              \

@@ -29,7 +29,8 @@ flow_range_of(const struct plant *p, const struct outcome *o,
 {
 	range[0] = range[1] = NAN;
 	if (o->flow.draws == DRAWS)
-		ensemble_interval_with_answer(draw, p->level, answer, range);
+		ensemble_interval_with_answer(
+		    draw, p->question->level, answer, range);
 }
 
 /* Of what goes into a unit, or for NULL in a stream. */
@@ -57,7 +58,7 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 	size_t n = plant_lines(p, o, line);
 	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
 	answer_columns(r, "name: %s, tph: t/h",
-	    p->plan->from_file ? "product" : tr("fraction mm"));
+	    p->from_file ? "product" : tr("fraction mm"));
 	if (band)
 		answer_columns(r, "low_tph: low, high_tph: high");
 	answer_columns(r, "share_pct: share %%");
@@ -159,7 +160,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 static void
 warn_power(const struct plant *p, struct answer *r)
 {
-	if (power_falls_with_speed(p->plan->reading, p->plan->n_reading))
+	if (power_falls_with_speed(p->reading, p->n_reading))
 		answer_say(r, ANSWER_WARNING,
 		    "the readings contradict the estimate of power: power "
 		    "cannot fall while the speed rises and the t/h do not "
@@ -179,7 +180,7 @@ note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 	struct fields *f = answer_fields(r);
 	if (!p->power.least)
 		ensemble_interval_with_answer(
-		    o->kw_draw, p->level, o->kw, range);
+		    o->kw_draw, p->question->level, o->kw, range);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		factor += p->power.draw[d].factor / POWER_DRAWS;
 	if (isfinite(range[0]))
@@ -203,7 +204,7 @@ static void
 note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 {
 	double range[2];
-	if (!p->plan->priced)
+	if (!p->priced)
 		return;
 	FREED char *none = xstrdup("");
 	flow_range_of(p, o, o->money_draw, o->money, range);
@@ -214,7 +215,7 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	}
 	FREED char *band = quantities_band(range[0], range[1], 2);
 	answer_note(r,
-	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
+	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
 		? N_("earnings %.2f an hour%s at %.4g m/s, less the power")
 		: N_("earnings %.2f an hour%s at %.4g m/s, less the lowest "
@@ -289,7 +290,8 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_interval_with_answer(best, p->level, s->speed[s->best], range);
+	ensemble_interval_with_answer(
+	    best, p->question->level, s->speed[s->best], range);
 }
 
 /* What the best speed gains over the usual one, and whether that is more than
@@ -365,7 +367,7 @@ static double
 feed_difference(
     const struct plant *p, const struct outcome *o, const struct unit *unit)
 {
-	size_t n = p->plan->n;
+	size_t n = p->n;
 	double most = 0, in = 0, feed = 0, all = flow_into_unit(&o->flow, unit);
 	for (size_t i = n; i-- > 0 && all > 0;) {
 		for (size_t k = 0; k < unit->n_in; k++)
@@ -383,13 +385,13 @@ flow_trust(const struct plant *p, const struct outcome *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
-	const struct entry *entry = p->plan->question->entry;
+	const struct entry *entry = p->question->entry;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
 		struct trust t = light_at(p->s, entry,
-		    plant_speed(unit, o->speed), p->plan->question->feed);
+		    plant_speed(unit, o->speed), p->question->feed);
 		double off = feed_difference(p, o, unit);
 		if (off > other)
 			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
@@ -407,18 +409,18 @@ flow_trust(const struct plant *p, const struct outcome *o)
 static struct answer *
 answer_flow(const struct plant *p, const struct outcome *o)
 {
-	const struct entry *entry = p->plan->question->entry;
-	const char *back = p->plan->back != NULL ? p->plan->back : "";
+	const struct entry *entry = p->question->entry;
+	const char *back = p->back != NULL ? p->back : "";
 	FREED char *what =
-	    p->plan->from_file
+	    p->from_file
 		? xstrdup(p->circuit->name[0] != '\0' ? p->circuit->name
 						      : "circuit of a file")
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
 	struct answer *r = answers_new(entry->site, "flow",
 	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
-	    p->plan->from_file || back[0] != '\0' ? ", " : "",
-	    p->plan->from_file || back[0] != '\0' ? what : "");
+	    p->from_file || back[0] != '\0' ? ", " : "",
+	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put(answer_fields(r),
 	    "speed %g extrapolated %d feed_tph %g "
 	    "circuit %s",
@@ -437,7 +439,7 @@ answer_flow(const struct plant *p, const struct outcome *o)
 static bool
 flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
 {
-	const struct entry *entry = p->plan->question->entry;
+	const struct entry *entry = p->question->entry;
 	put_streams(p, o, answer_fields(r));
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
@@ -447,9 +449,8 @@ flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		answer_say(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
-	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	answers_show_basis(
-	    p->s, r, p->plan->question, 0, band, flow_trust(p, o));
+	fields_put(answer_fields(r), "level %g", 100 * p->question->level);
+	answers_show_basis(p->s, r, p->question, 0, band, flow_trust(p, o));
 	if (!plot_writes_image(p->s) || p->s->document != NULL)
 		return session_show_answer(p->s, r);
 	session_keep_answer(p->s, r);
@@ -460,16 +461,16 @@ static bool
 flow_show_best(
     const struct plant *p, const struct args *args, struct error *error)
 {
-	const struct entry *entry = p->plan->question->entry;
+	const struct entry *entry = p->question->entry;
 	double from, to;
-	if (!p->plan->priced)
+	if (!p->priced)
 		return error_set(error, ERROR_USAGE,
 		    "best=on needs prices\n"
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
 	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
 		return false;
 	struct search search = flow_search_best(p, from, to);
-	struct outcome usual = plant_solve_at(p, p->plan->question->speed),
+	struct outcome usual = plant_solve_at(p, p->question->speed),
 		       best = plant_solve_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
 	if (ok) {
@@ -538,7 +539,7 @@ static struct chart *
 flow_chart(const struct plant *p, double from, double to)
 {
 	const struct circuit *c = p->circuit;
-	struct chart *chart = site_chart(p->plan->question->entry->site,
+	struct chart *chart = site_chart(p->question->entry->site,
 	    axis_linear(tr("tip speed, m/s"), from, to),
 	    axis_linear("t/h", 0, c->tph), "products of %g t/h against speed",
 	    c->tph);
@@ -558,10 +559,11 @@ flow_chart(const struct plant *p, double from, double to)
 	for (size_t i = 0; i < n; i++)
 		site_chart_end_figures(chart->series[i]);
 	if (n > 0 && chart->series[0]->low != NULL)
-		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
+		chart_note(chart, "band: %.0f %% uncertainty",
+		    100 * p->question->level);
 	/* That of the middle speed: further out it is as good at most. */
-	FREED char *light = light_words_at(p->s, p->plan->question->entry,
-	    (from + to) / 2, p->plan->question->feed);
+	FREED char *light = light_words_at(
+	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);
 	return chart;
 }
@@ -570,11 +572,10 @@ bool
 cmd_flow(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct flow_plan plan;
+	struct plant p;
 	question_as_last(s, args, q);
-	if (!flow_plan_read(s, args, q, &plan, error))
+	if (!plant_read(s, args, q, &p, error))
 		return false;
-	struct plant p = plant_new(s, &plan);
 	bool ok = args->best ? flow_show_best(&p, args, error)
 			     : flow_show_at(&p, q->speed, error);
 	if (ok && plot_writes_image(s) && s->document == NULL) {
@@ -584,6 +585,5 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 		     plot_write_image(s, flow_chart(&p, from, to), error);
 	}
 	plant_free(&p);
-	flow_plan_free(&plan);
 	return ok;
 }

@@ -10,40 +10,34 @@
 #include "core/answer/crusher.h"
 #include "core/answer/power.h"
 
-/* The task of flow: a circuit with its prices and its power.  question:
- * borrowed.  size [n]: the classes.  back: the stream that returns to the
- * crusher, in words; NULL for a circuit from a file.  priced: there are prices;
- * kwh: price per kWh, 0 if not given. */
-struct flow_plan {
-	struct circuit *circuit;
-	char *back;
-	bool from_file, priced;
-	const struct question *question;
-	size_t n;
-	double *size, kwh;
-	size_t n_reading;
-	struct reading *reading;
-	bool of_cuts; /* the readings are from belt cuts */
-};
-
-/* Reads the options and the file of the call. */
-bool flow_plan_read(struct session *s, const struct args *args,
-    const struct question *q, struct flow_plan *plan, struct error *error);
-void flow_plan_free(struct flow_plan *plan);
-
-/* A circuit with the data for computing its crushers.  feed [plan->n]: masses
- * of the new feed.  own [n_unit]: for crushers with their own speed.  bypass:
- * the fitted share that bypasses the rotor; level: of bands. */
+/* A circuit with its prices and its power, and what its crushers are computed
+ * from.  question: borrowed.  back: the stream that returns to the crusher, in
+ * words; NULL for a circuit from a file.  priced: there are prices; kwh: price
+ * per kWh, 0 if not given.  of_cuts: the readings are from belt cuts.  size,
+ * feed [n]: the classes, and the masses of the new feed in them.  own [n_unit]:
+ * for crushers with their own speed.  bypass: the fitted share that bypasses
+ * the rotor. */
 struct plant {
 	struct session *s;
-	const struct flow_plan *plan;
-	const struct circuit *circuit;
+	const struct question *question;
+	struct circuit *circuit;
+	char *back;
+	bool from_file, priced, of_cuts;
+	double kwh;
+	size_t n, n_reading;
+	double *size, *feed;
+	struct reading *reading;
 	struct crusher *crusher;
-	double *feed;
 	struct transfer **own;
 	struct power power;
-	double bypass, level;
+	double bypass;
 };
+
+/* Reads the options and the file of the call.  If that fails, there is nothing
+ * to free. */
+bool plant_read(struct session *s, const struct args *args,
+    const struct question *q, struct plant *plant, struct error *error);
+void plant_free(struct plant *plant);
 
 /* Results at a speed: for the answer, then for each draw. */
 struct outcome {
@@ -51,9 +45,6 @@ struct outcome {
 	struct flow flow;
 	double kw, money, kw_draw[POSTERIOR_DRAWS], money_draw[POSTERIOR_DRAWS];
 };
-
-struct plant plant_new(struct session *s, const struct flow_plan *plan);
-void plant_free(struct plant *p);
 
 /* plant_rotor_share returns the share of a crusher's feed that meets the rotor;
  * plant_speed its speed. */
