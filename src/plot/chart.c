@@ -205,20 +205,27 @@ chart_x_at(
 	return NAN;
 }
 
-bool
-chart_y_extent(const struct chart *chart, double *low, double *high)
+static void
+extent_include(double extent[2], double low, double high)
 {
-	*low = INFINITY;
-	*high = -INFINITY;
+	extent[0] = fmin(extent[0], low);
+	extent[1] = fmax(extent[1], high);
+}
+
+struct chart_extent
+chart_extent(const struct chart *chart)
+{
+	struct chart_extent e = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *s = chart->series[i];
 		for (size_t k = 0; k < s->n; k++) {
-			bool band = s->low != NULL && !isnan(s->y[k]);
-			*low = fmin(*low, band ? s->low[k] : s->y[k]);
-			*high = fmax(*high, band ? s->high[k] : s->y[k]);
+			extent_include(e.x, s->x[k], s->x[k]);
+			extent_include(e.y, s->y[k], s->y[k]);
+			if (s->low != NULL)
+				extent_include(e.y, s->low[k], s->high[k]);
 		}
 	}
-	return isfinite(*low);
+	return e;
 }
 
 void

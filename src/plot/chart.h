@@ -129,9 +129,12 @@ double chart_y_at(
 double chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y);
 
-/* Finds the range of y over all series and their bands.  Returns false if there
- * is no point. */
-bool chart_y_extent(const struct chart *chart, double *low, double *high);
+/* Returns the range of all series, and of y with their bands: from, to; from
+ * INFINITY to -INFINITY if there is no point. */
+struct chart_extent {
+	double x[2], y[2];
+};
+struct chart_extent chart_extent(const struct chart *chart);
 
 /* Sets *on and *off to the number of dots in each dash of a line and in each
  * gap; off is 0 for a solid line. */

@@ -70,9 +70,8 @@ add_residuals(struct chart *chart, const struct session *s,
 static struct axis
 axis_with_zero(const struct chart *chart, const char *title)
 {
-	double low, high;
-	chart_y_extent(chart, &low, &high);
-	struct axis axis = axis_linear(title, fmin(0, low), fmax(0, high));
+	struct chart_extent e = chart_extent(chart);
+	struct axis axis = axis_linear(title, fmin(0, e.y[0]), fmax(0, e.y[1]));
 	for (size_t i = 0; i < axis.n; i++)
 		axis.tick[i].guide = axis.tick[i].at == 0;
 	return axis;

@@ -63,7 +63,7 @@ plots_energy(
 	if (e == NULL)
 		return NULL;
 	const struct spectrum *of = e->c.spectrum;
-	double low, high, E = of->speed > 0 ? energy_specific(of->speed) : NAN;
+	double E = of->speed > 0 ? energy_specific(of->speed) : NAN;
 	struct chart *chart = chart_new(tr("collision energies"),
 	    e->c.about[0] != '\0' ? e->c.about : tr("origin not stated"),
 	    axis_log(tr("energy of an impact, J/kg"), 0.01, fmax(1e4, 2 * E)),
@@ -73,12 +73,11 @@ plots_energy(
 		    s->energies[i]->c.spectrum->counted == of->counted)
 			energy_add(chart, s->energies[i], false, i);
 	energy_add(chart, e, true, 0);
-	chart_y_extent(chart, &low, &high);
 	axis_free(&chart->y);
 	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
 						"octave, -")
 					   : tr("impacts in half an octave, %"),
-	    0, high);
+	    0, chart_extent(chart).y[1]);
 	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
 	if (E > 0)
 		chart_add_rule(

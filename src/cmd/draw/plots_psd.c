@@ -60,9 +60,8 @@ static struct axis
 difference_points_axis(const struct chart *chart)
 {
 	struct axis axis = {.title = xstrdup(tr("difference, points"))};
-	double low, high;
-	chart_y_extent(chart, &low, &high);
-	axis.high = axis_limit(fmax(-low, high));
+	struct chart_extent e = chart_extent(chart);
+	axis.high = axis_limit(fmax(-e.y[0], e.y[1]));
 	axis.low = -axis.high;
 	add_tick(&axis, axis.low);
 	add_tick(&axis, 0);

@@ -188,10 +188,10 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 static void
 set_y_axis(struct chart *chart)
 {
-	double low, high;
-	bool any = chart_y_extent(chart, &low, &high);
+	struct chart_extent e = chart_extent(chart);
+	bool any = isfinite(e.y[0]);
 	struct axis axis =
-	    axis_linear(chart->y.title, any ? low : 0, any ? high : 1);
+	    axis_linear(chart->y.title, any ? e.y[0] : 0, any ? e.y[1] : 1);
 	axis_free(&chart->y);
 	chart->y = axis;
 }

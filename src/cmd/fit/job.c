@@ -473,8 +473,6 @@ session_step(struct session *s)
 struct ahead {
 	const struct session *s;
 	struct round round;
-	bool *train;
-	struct calibration *calibration;
 	bool over;
 	void *found;
 };
@@ -488,8 +486,8 @@ run_ahead(void *data, size_t piece, unsigned thread)
 	bool (*stop)(void) = a->round.stop;
 	(void)thread;
 	do
-		a->over =
-		    calibration_step(a->calibration) >= CALIBRATE_TOLERANCE;
+		a->over = calibration_step(a->round.calibration) >=
+			  CALIBRATE_TOLERANCE;
 	while (!a->over && (stop == NULL || !stop()));
 	if (a->over && rounds->follow != NULL) {
 		a->found = rounds->follow(a->s, &a->round);
@@ -506,9 +504,7 @@ list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
 	do {
 		ahead[n++] = (struct ahead){.s = s,
 		    .round = {job->entry, job->train, job->calibration,
-			job->options.stop},
-		    .train = job->train,
-		    .calibration = job->calibration};
+			job->options.stop}};
 		job->train = NULL;
 		if (n == most || !job->rounds->next(s))
 			break;
@@ -530,13 +526,13 @@ take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
 		if (!over) {
 			if (ahead[i].found != NULL)
 				job->rounds->drop(ahead[i].found);
-			calibration_free(ahead[i].calibration);
-			free(ahead[i].train);
+			calibration_free(ahead[i].round.calibration);
+			free(ahead[i].round.train);
 			continue;
 		}
 		job->entry = ahead[i].round.entry;
-		job->train = ahead[i].train;
-		job->calibration = ahead[i].calibration;
+		job->train = ahead[i].round.train;
+		job->calibration = ahead[i].round.calibration;
 		job->found = ahead[i].found;
 		struct calibrate_status st =
 		    calibration_status(job->calibration);

@@ -9,7 +9,7 @@
  * the user is waiting; may be NULL. */
 struct round {
 	size_t entry;
-	const bool *train;
+	bool *train;
 	struct calibration *calibration;
 	bool (*stop)(void);
 };
