@@ -180,7 +180,7 @@ progress_run(struct session *s)
 	signals_take_report_wanted();
 	s->hooks.tidy = p.terminal ? clear_line : NULL;
 	while (session_busy(s) && signals_pending() == 0) {
-		session_rounds(s);
+		session_run_tasks(s);
 		if (session_busy(s) && signals_take_report_wanted())
 			progress_answer(s);
 		print_progress(s, &p);

@@ -149,7 +149,7 @@ show_job_begun(struct tui *t, const char *line)
 	t->due = t->started = t->clock;
 	if (calibration_status(job->calibration).generation == 0)
 		t->ran = 0;
-	if (job->fits && !job->rounds->alone) {
+	if (job->fits && !job->type->alone) {
 		t->ui.page = PAGE_SITES;
 		tui_clear_hits(t);
 	}

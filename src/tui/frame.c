@@ -134,7 +134,7 @@ draw_work(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	if (!s->job.fits) {
-		FREED char *at = s->job.rounds->at(s);
+		FREED char *at = s->job.type->task_words(s);
 		return screen_text(area, 0, 0, LOOK_BOLD,
 		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
 		    t->held ? tr("PAUSED") : tr("WORKING"), at);

@@ -22,7 +22,7 @@ running_words(const struct tui *t)
 	const struct session *s = t->session;
 	char *words = xasprintf("%s  %s", tr("WORKING"), t->running_line);
 	if (session_busy(s) && !s->job.fits) {
-		FREED char *at = s->job.rounds->at(s);
+		FREED char *at = s->job.type->task_words(s);
 		xappend(&words, "\n%s", at);
 	}
 	if (session_busy(s)) {

@@ -38,8 +38,8 @@ watch_pause(struct tui *t)
 	if (!session_busy(s))
 		return "";
 	struct error error = {0};
-	bool alone = s->job.rounds->alone;
-	const char *useless = s->job.rounds->useless;
+	bool alone = s->job.type->alone;
+	const char *useless = s->job.type->useless;
 	enum stopped stopped = session_pause(s);
 	session_end_finished_commands(s, true, &error);
 	t->ran = tui_search_seconds(t);
@@ -84,11 +84,11 @@ watch_finish(struct tui *t, bool alone)
 
 /* Ends a job and shows its result. */
 static void
-finish_rounds(struct tui *t, const struct rounds *rounds)
+finish_tasks(struct tui *t, const struct job_type *type)
 {
 	struct error error = {0};
-	if (rounds->at == NULL) {
-		watch_finish(t, rounds->alone);
+	if (type->task_words == NULL) {
+		watch_finish(t, type->alone);
 		return;
 	}
 	t->held = false;
@@ -127,12 +127,12 @@ watch_step(struct tui *t)
 {
 	if (!session_busy(t->session))
 		return;
-	const struct rounds *rounds = t->session->job.rounds;
+	const struct job_type *type = t->session->job.type;
 	do
 		session_step(t->session);
 	while (session_busy(t->session) && is_sampling_posterior(t->session));
 	if (!session_busy(t->session))
-		finish_rounds(t, rounds);
+		finish_tasks(t, type);
 }
 
 /* Returns the generations per second: fewer after one that gained much. */
@@ -160,15 +160,15 @@ watch_pump(struct tui *t)
 		return;
 	double began = session_clock();
 	/* The generations of several calibrations in turn are not watched. */
-	const struct rounds *rounds = s->job.rounds;
+	const struct job_type *type = s->job.type;
 	int pace =
-	    rounds->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
+	    type->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
 	size_t entry = s->job.entry;
 	if (pace < PACE_FULL && t->clock < t->due)
 		return;
 	do {
-		/* The output of a round is no part of the result. */
-		if (rounds->at != NULL)
+		/* The output of a task is no part of the result. */
+		if (type->task_words != NULL)
 			captured_clear(t);
 		session_step(s);
 	} while (session_busy(s) && signals_pending() == 0 &&
@@ -179,7 +179,7 @@ watch_pump(struct tui *t)
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / generations_per_second(t);
 	if (!session_busy(s))
-		finish_rounds(t, rounds);
-	else if (rounds->at == NULL && entry != s->job.entry)
+		finish_tasks(t, type);
+	else if (type->task_words == NULL && entry != s->job.entry)
 		control_refresh(t);
 }

@@ -54,7 +54,7 @@ runs_together(const struct job *job)
 	return job->apart && job->pause_at == 0;
 }
 
-/* Begins with the round that job.entry and job.train say. */
+/* Begins with the task that job.entry and job.train say. */
 static void
 job_begin(struct session *s)
 {
@@ -74,8 +74,8 @@ job_begin(struct session *s)
 static void
 job_free(struct job *job)
 {
-	if (job->rounds != NULL)
-		job->rounds->drop(job->of);
+	if (job->type != NULL)
+		job->type->drop(job->of);
 	free(job->run_weight);
 	calibration_free(job->calibration);
 	calibration_free(job->lowest);
@@ -89,8 +89,8 @@ job_start(struct session *s, const struct job *job)
 	session_stop(s);
 	s->job = *job;
 	s->job.invocation = s->invocation;
-	s->job.fits = job->rounds->at == NULL;
-	bool any = job->rounds->next(s);
+	s->job.fits = job->type->task_words == NULL;
+	bool any = job->type->next(s);
 	if (any)
 		job_begin(s);
 	else
@@ -224,7 +224,7 @@ seek_lowest(struct session *s)
 {
 	struct job *job = &s->job;
 	struct calibrate_options options = job->options;
-	if (!options.plain || options.polish || !job->rounds->alone)
+	if (!options.plain || options.polish || !job->type->alone)
 		return true;
 	if (job->lowest == NULL) {
 		const struct calibrate_options usual =
@@ -334,11 +334,11 @@ end_fit_of_one(struct session *s, void *of)
 	(void)of;
 }
 
-static const struct rounds ALONE = {next_fit_of_one, draw_fit, take_fit_of_one,
-    end_fit_of_one, free, true, NULL, NULL, NULL};
+static const struct job_type ONE_SITE = {next_fit_of_one, draw_fit,
+    take_fit_of_one, end_fit_of_one, free, true, NULL, NULL, NULL};
 
 /* What `calibrate all` adds up. */
-struct every {
+struct all_fits {
 	bool train_all;
 	struct part part;
 	size_t n, *index; /* sites of the part so far */
@@ -347,44 +347,44 @@ struct every {
 };
 
 static void *
-every_new(const struct session *s, bool train_all, struct part part,
+all_fits_new(const struct session *s, bool train_all, struct part part,
     const struct calibrate_options *options)
 {
-	struct every *every = xcalloc(1, sizeof *every);
-	*every = (struct every){.train_all = train_all,
+	struct all_fits *fits = xcalloc(1, sizeof *fits);
+	*fits = (struct all_fits){.train_all = train_all,
 	    .part = part,
 	    .options = part_options(s, options, train_all ? "all" : "ends"),
 	    .summary = part_answer()};
-	return every;
+	return fits;
 }
 
 static void
-free_every_fit(void *of)
+all_fits_free(void *of)
 {
-	struct every *every = of;
-	if (every == NULL)
+	struct all_fits *fits = of;
+	if (fits == NULL)
 		return;
-	answer_free(every->summary);
-	free(every->index);
-	free(every->options);
-	free(every);
+	answer_free(fits->summary);
+	free(fits->index);
+	free(fits->options);
+	free(fits);
 }
 
 /* The next of the sites that can be calibrated. */
 static bool
-next_every(struct session *s)
+next_site_to_fit(struct session *s)
 {
 	struct job *job = &s->job;
-	const struct every *every = job->of;
+	const struct all_fits *fits = job->of;
 	size_t i = job->calibration == NULL ? 0 : job->entry + 1;
 	for (; i < s->n_entry; i++) {
 		const struct site *site = s->entry[i].site;
 		free(job->train);
 		job->train = xcalloc(site->n_run, sizeof *job->train);
 		job->entry = i;
-		if (part_has_site(&every->part, i) &&
+		if (part_has_site(&fits->part, i) &&
 		    job_mark(site, true, job->train) > 0 &&
-		    job_mark(site, every->train_all, job->train) > 0)
+		    job_mark(site, fits->train_all, job->train) > 0)
 			return true;
 	}
 	return false;
@@ -400,53 +400,53 @@ note_fit_ended(const struct session *s)
 }
 
 static void
-take_fit_of_every(struct session *s)
+take_one_of_all_fits(struct session *s)
 {
-	struct every *every = s->job.of;
+	struct all_fits *fits = s->job.of;
 	job_take_fit(s, false);
 	note_fit_ended(s);
-	every->index =
-	    xrealloc(every->index, every->n + 1, sizeof *every->index);
-	every->index[every->n++] = s->job.entry;
-	add_summary_row(s, every->summary, &s->entry[s->job.entry]);
+	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
+	fits->index[fits->n++] = s->job.entry;
+	add_summary_row(s, fits->summary, &s->entry[s->job.entry]);
 }
 
 static void
-show_fits_of_every(struct session *s, void *of)
+show_all_fits(struct session *s, void *of)
 {
-	struct every *every = of;
-	if (every->part.of > 0) {
-		part_put_digest(every->summary, s, &every->part, every->index,
-		    every->n, every->options);
-		answer_put_rows(every->summary, "rows");
+	struct all_fits *fits = of;
+	if (fits->part.of > 0) {
+		part_put_digest(fits->summary, s, &fits->part, fits->index,
+		    fits->n, fits->options);
+		answer_put_rows(fits->summary, "rows");
 	}
-	session_show_answer(s, every->summary);
-	every->summary = NULL;
-	free_every_fit(every);
+	session_show_answer(s, fits->summary);
+	fits->summary = NULL;
+	all_fits_free(fits);
 }
 
-static const struct rounds EVERY = {next_every, draw_fit, take_fit_of_every,
-    show_fits_of_every, free_every_fit, false, NULL, NULL, NULL};
+static const struct job_type ALL_SITES = {next_site_to_fit, draw_fit,
+    take_one_of_all_fits, show_all_fits, all_fits_free, false, NULL, NULL,
+    NULL};
 
 static void
-end_rounds(struct session *s)
+end_job(struct session *s)
 {
-	const struct rounds *rounds = s->job.rounds;
+	const struct job_type *type = s->job.type;
 	void *of = s->job.of;
-	s->job.rounds = NULL;
+	s->job.type = NULL;
 	job_free(&s->job);
-	rounds->end(s, of);
+	type->end(s, of);
 }
 
-/* The calibration is done: on to the next round, or to the end. */
+/* The calibration is done: on to the next task, or to the end. */
 static void
 next_or_end(struct session *s)
 {
-	s->job.rounds->take(s);
-	if (s->job.rounds->next(s))
+	s->job.type->take(s);
+	if (s->job.type->next(s))
 		job_begin(s);
 	else
-		end_rounds(s);
+		end_job(s);
 }
 
 void
@@ -458,21 +458,21 @@ session_step(struct session *s)
 		s->job.taken = false;
 	bool over = calibration_step(c) >= CALIBRATE_TOLERANCE;
 	s->job.step += calibration_status(c).step - before.step;
-	if (over && s->job.rounds->draw != NULL && !s->job.rounds->draw(s))
+	if (over && s->job.type->draw != NULL && !s->job.type->draw(s))
 		return;
-	if (over && s->job.rounds->follow != NULL)
-		s->job.found = s->job.rounds->follow(
-		    s, &(struct round){s->job.entry, s->job.train, c, NULL});
+	if (over && s->job.type->follow != NULL)
+		s->job.found = s->job.type->follow(
+		    s, &(struct job_task){s->job.entry, s->job.train, c, NULL});
 	if (over)
 		next_or_end(s);
 	if (session_busy(s) && s->job.step == s->job.pause_at)
 		session_pause(s);
 }
 
-/* A round that is calibrated beside others.  found: what followed. */
-struct ahead {
+/* A task that is calibrated beside others.  found: what followed. */
+struct running_task {
 	const struct session *s;
-	struct round round;
+	struct job_task task;
 	bool over;
 	void *found;
 };
@@ -481,32 +481,32 @@ struct ahead {
 static void
 run_ahead(void *data, size_t piece, unsigned thread)
 {
-	struct ahead *a = &((struct ahead *)data)[piece];
-	const struct rounds *rounds = a->s->job.rounds;
-	bool (*stop)(void) = a->round.stop;
+	struct running_task *a = &((struct running_task *)data)[piece];
+	const struct job_type *type = a->s->job.type;
+	bool (*stop)(void) = a->task.stop;
 	(void)thread;
 	do
-		a->over = calibration_step(a->round.calibration) >=
+		a->over = calibration_step(a->task.calibration) >=
 			  CALIBRATE_TOLERANCE;
 	while (!a->over && (stop == NULL || !stop()));
-	if (a->over && rounds->follow != NULL) {
-		a->found = rounds->follow(a->s, &a->round);
+	if (a->over && type->follow != NULL) {
+		a->found = type->follow(a->s, &a->task);
 		a->over = a->found != NULL;
 	}
 }
 
-/* The present round and those after it, `most` at most. */
+/* The present task and those after it, `most` at most. */
 static size_t
-list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
+list_tasks(struct session *s, struct running_task *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
 	do {
-		ahead[n++] = (struct ahead){.s = s,
-		    .round = {job->entry, job->train, job->calibration,
+		ahead[n++] = (struct running_task){.s = s,
+		    .task = {job->entry, job->train, job->calibration,
 			job->options.stop}};
 		job->train = NULL;
-		if (n == most || !job->rounds->next(s))
+		if (n == most || !job->type->next(s))
 			break;
 		job->calibration = NULL;
 		job_begin(s);
@@ -515,24 +515,25 @@ list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
 	return n;
 }
 
-/* Takes the results in the order of the rounds.  One that was stopped is the
+/* Takes the results in the order of the tasks.  One that was stopped is the
  * present one then, and those after it begin anew. */
 static void
-take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
+take_results_ahead(
+    struct session *s, const struct running_task *ahead, size_t n)
 {
 	struct job *job = &s->job;
 	bool over = true;
 	for (size_t i = 0; i < n; i++) {
 		if (!over) {
 			if (ahead[i].found != NULL)
-				job->rounds->drop(ahead[i].found);
-			calibration_free(ahead[i].round.calibration);
-			free(ahead[i].round.train);
+				job->type->drop(ahead[i].found);
+			calibration_free(ahead[i].task.calibration);
+			free(ahead[i].task.train);
 			continue;
 		}
-		job->entry = ahead[i].round.entry;
-		job->train = ahead[i].round.train;
-		job->calibration = ahead[i].round.calibration;
+		job->entry = ahead[i].task.entry;
+		job->train = ahead[i].task.train;
+		job->calibration = ahead[i].task.calibration;
 		job->found = ahead[i].found;
 		struct calibrate_status st =
 		    calibration_status(job->calibration);
@@ -541,7 +542,7 @@ take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
 		job->step += over ? st.step : 0;
 		if (!over || i + 1 == n)
 			continue;
-		job->rounds->take(s);
+		job->type->take(s);
 		calibration_free(job->calibration);
 		free(job->train);
 	}
@@ -550,7 +551,7 @@ take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
 }
 
 void
-session_rounds(struct session *s)
+session_run_tasks(struct session *s)
 {
 	enum { EACH_THREAD = 2 };
 	if (!runs_together(&s->job)) {
@@ -559,8 +560,8 @@ session_rounds(struct session *s)
 	}
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
-	FREED struct ahead *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = list_rounds_ahead(s, ahead, most);
+	FREED struct running_task *ahead = xcalloc(most, sizeof *ahead);
+	size_t n = list_tasks(s, ahead, most);
 	struct pool *pool = pool_new(threads);
 	pool_run(pool, n, run_ahead, ahead);
 	pool_free(pool);
@@ -604,12 +605,12 @@ static void
 note_stop(const struct session *s, double best, double present, bool taken)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (taken && s->job.rounds->alone)
+	if (taken && s->job.type->alone)
 		session_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g kept: "
 		    "continue, accept, undo or calibrate again",
 		    st.generation, s->job.options.generations, best);
-	else if (s->job.rounds->alone)
+	else if (s->job.type->alone)
 		session_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g; the "
 		    "site's parameters fit better (misfit %.4g) and stay: "
@@ -639,7 +640,7 @@ keep_best(struct session *s)
 		job->before = present_misfit(s);
 	bool taken = is_worth_taking(job, best, job->before);
 	if (taken) {
-		job->rounds->take(s);
+		job->type->take(s);
 		job->given = *params;
 		job->gave = true;
 	}
@@ -652,7 +653,7 @@ session_pause(struct session *s)
 {
 	if (!session_busy(s))
 		return STOPPED_EMPTY;
-	const char *useless = s->job.rounds->useless;
+	const char *useless = s->job.type->useless;
 	if (useless != NULL) {
 		session_stop(s);
 		session_note(s, "%s", useless);
@@ -660,8 +661,8 @@ session_pause(struct session *s)
 	}
 	enum stopped stopped = keep_best(s);
 	invocation_stopped(s, s->job.step);
-	if (!s->job.rounds->alone || stopped == STOPPED_EMPTY) {
-		end_rounds(s);
+	if (!s->job.type->alone || stopped == STOPPED_EMPTY) {
+		end_job(s);
 		return stopped;
 	}
 	s->job.paused = true;
@@ -851,7 +852,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	bool all = args->n_operand > 0;
 	struct part part = {0};
-	struct job job = {.rounds = all ? &EVERY : &ALONE,
+	struct job job = {.type = all ? &ALL_SITES : &ONE_SITE,
 	    .options = chosen_options(s, args, all),
 	    .detail = args->detail,
 	    .watch = args->watch,
@@ -871,14 +872,14 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	/* Side by side there is none to watch. */
 	job.apart = all && !job.watch;
 	if (all)
-		job.of = every_new(s, train_all, part, &job.options);
+		job.of = all_fits_new(s, train_all, part, &job.options);
 	if (job_start(s, &job))
 		return true;
 	if (part.of == 0)
 		return error_set(error, ERROR_DATA,
 		    "no loaded site has a product to calibrate on");
 	/* More parts than sites: an empty one is a part, too. */
-	show_fits_of_every(s, every_new(s, train_all, part, &job.options));
+	show_all_fits(s, all_fits_new(s, train_all, part, &job.options));
 	return true;
 }
 
@@ -951,7 +952,7 @@ cmd_accept(struct session *s, const struct args *args, struct error *error)
 	if (!need_paused(s, "accept", error))
 		return false;
 	if (s->job.held_back)
-		s->job.rounds->take(s);
+		s->job.type->take(s);
 	job_free(&s->job);
 	return true;
 }

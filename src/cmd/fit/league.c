@@ -32,8 +32,8 @@ name_of_row(size_t row)
 }
 
 /* A model at a site.  fit, parameters, aicc: of the site's training runs; last:
- * of the present round, where a larger model begins; runs: those held out. */
-struct tried {
+ * of the present task, where a larger model begins; runs: those held out. */
+struct tried_model {
 	struct fit fit, last;
 	size_t parameters;
 	double aicc;
@@ -41,21 +41,21 @@ struct tried {
 };
 
 /* A site with its models; each: each speed was held out in turn. */
-struct ground {
+struct site_models {
 	const struct site *site;
 	size_t entry;
 	bool each;
 	size_t n_model;
-	struct tried *model; /* [n_model] */
+	struct tried_model *model; /* [n_model] */
 };
 
 /* at, end: the site that is worked on and the one to stop before; speed: held
- * out in turn, 0: none yet; model: of the present round. */
+ * out in turn, 0: none yet; model: of the present task. */
 struct league {
 	bool all;
 	size_t n, at, end, model, n_model;
 	double speed;
-	struct ground *ground;
+	struct site_models *sites;
 };
 
 static void
@@ -63,13 +63,13 @@ league_drop(void *of)
 {
 	struct league *l = of;
 	for (size_t i = 0; l != NULL && i < l->n; i++) {
-		struct ground *g = &l->ground[i];
+		struct site_models *g = &l->sites[i];
 		for (size_t m = 0; m < g->n_model; m++)
 			trials_clear(&g->model[m].runs);
 		free(g->model);
 	}
 	if (l != NULL)
-		free(l->ground);
+		free(l->sites);
 	free(l);
 }
 
@@ -90,12 +90,12 @@ league_bounds_of(const struct session *s, size_t model)
 	return b;
 }
 
-/* The round's model, which begins with the best of those that it extends. */
+/* The task's model, which begins with the best of those that it extends. */
 static bool
 begin_model(struct session *s)
 {
 	const struct league *l = s->job.of;
-	const struct tried *tried = l->ground[l->n - 1].model;
+	const struct tried_model *tried = l->sites[l->n - 1].model;
 	struct calibrate_options *o = &s->job.options;
 	const struct fit *from = NULL;
 	bool energies = l->model >= breakage_count();
@@ -128,25 +128,25 @@ begin_site(struct session *s)
 		    site->n_run * sizeof *entry->train);
 	else
 		job_mark(site, false, s->job.train);
-	l->ground = xrealloc(l->ground, l->n + 1, sizeof *l->ground);
-	l->ground[l->n++] = (struct ground){.site = site,
+	l->sites = xrealloc(l->sites, l->n + 1, sizeof *l->sites);
+	l->sites[l->n++] = (struct site_models){.site = site,
 	    .entry = l->at,
 	    .n_model = l->n_model,
-	    .model = xcalloc(l->n_model, sizeof(struct tried))};
+	    .model = xcalloc(l->n_model, sizeof(struct tried_model))};
 	return true;
 }
 
 /* The next model; or the next speed to hold out, where no run was held out
  * anyway; or the next site. */
 static bool
-next_round(struct session *s)
+next_task(struct session *s)
 {
 	struct league *l = s->job.of;
 	bool first = s->job.calibration == NULL;
 	if (!first && ++l->model < l->n_model)
 		return begin_model(s);
 	l->model = 0;
-	struct ground *g = first ? NULL : &l->ground[l->n - 1];
+	struct site_models *g = first ? NULL : &l->sites[l->n - 1];
 	if (!first && l->speed == 0)
 		g->each = g->model[0].runs.n == 0 &&
 			  job_speeds(g->site) >= JOB_FOR_EACH;
@@ -160,12 +160,12 @@ next_round(struct session *s)
 }
 
 static void
-take_round(struct session *s)
+take_task(struct session *s)
 {
 	struct league *l = s->job.of;
 	const struct job *job = &s->job;
-	struct ground *g = &l->ground[l->n - 1];
-	struct tried *t = &g->model[l->model];
+	struct site_models *g = &l->sites[l->n - 1];
+	struct tried_model *t = &g->model[l->model];
 	t->last = calibration_fit(job->calibration);
 	if (l->speed == 0) {
 		t->fit = t->last;
@@ -187,12 +187,12 @@ take_round(struct session *s)
  * explains the training runs best leaves it, 0.1 points at least, 0.5 where
  * none can say. */
 static double
-sampling_error(const struct ground *g)
+sampling_error(const struct site_models *g)
 {
 	const double least = 0.001, unknown = 0.005;
 	double variance = INFINITY;
 	for (size_t m = 0; m < g->n_model; m++) {
-		const struct tried *t = &g->model[m];
+		const struct tried_model *t = &g->model[m];
 		if (t->fit.cells > t->parameters)
 			variance = fmin(variance,
 			    t->fit.misfit /
@@ -238,7 +238,7 @@ verdict_free(struct verdict *v)
 /* Adds the cells of a site's runs that were held out.  Their sampling error is
  * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-add_cells(struct verdict *v, const struct ground *g)
+add_cells(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error(g), h = 0;
@@ -276,13 +276,13 @@ add_passings(double **passing, size_t n, const struct trials *runs,
 
 /* Adds a site.  Its AICc count where all models have one. */
 static void
-add_ground(struct verdict *v, const struct ground *g, bool alone)
+add_site(struct verdict *v, const struct site_models *g, bool alone)
 {
 	bool counts = true;
 	for (size_t m = 0; m < v->n_model; m++)
 		counts = counts && (alone || isfinite(g->model[m].aicc));
 	for (size_t m = 0; m < v->n_model; m++) {
-		const struct tried *t = &g->model[m];
+		const struct tried_model *t = &g->model[m];
 		v->misfit[m] += t->fit.misfit;
 		v->parameters[m] += t->parameters;
 		v->model[m].aicc += counts ? t->aicc : 0;
@@ -295,7 +295,7 @@ add_ground(struct verdict *v, const struct ground *g, bool alone)
 }
 
 static struct verdict
-verdict_of(const struct ground *g, size_t n)
+verdict_of(const struct site_models *g, size_t n)
 {
 	size_t models = g->n_model;
 	struct verdict v = {.n_model = models,
@@ -304,7 +304,7 @@ verdict_of(const struct ground *g, size_t n)
 	    .parameters = xcalloc(models, sizeof *v.parameters),
 	    .predicted = xcalloc(models, sizeof *v.predicted)};
 	for (size_t i = 0; i < n; i++)
-		add_ground(&v, &g[i], n == 1);
+		add_site(&v, &g[i], n == 1);
 	for (size_t m = 0; m < models; m++) {
 		v.model[m].model = breakage_of_row(m);
 		v.model[m].energies = m >= breakage_count();
@@ -530,7 +530,8 @@ is_one_speed(const struct site *site)
 
 /* What answers with now, and how to change that. */
 static void
-note_in_use(struct answer *r, const struct session *s, const struct ground *g)
+note_in_use(
+    struct answer *r, const struct session *s, const struct site_models *g)
 {
 	const struct entry *entry = &s->entry[g->entry];
 	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
@@ -571,7 +572,7 @@ note_weights(struct answer *r, const struct verdict *v)
 }
 
 static struct answer *
-answer_one_site(const struct session *s, const struct ground *g)
+answer_one_site(const struct session *s, const struct site_models *g)
 {
 	struct verdict v = verdict_of(g, 1);
 	find_weights(&v, s, &s->entry[g->entry]);
@@ -611,9 +612,9 @@ answer_all(const struct session *s, const struct league *l)
 			  "interpolation_pct: interpolation, "
 			  "can_tell: can tell, possible: also possible");
 	for (size_t i = 0; i <= l->n; i++) {
-		const struct ground *g = i < l->n ? &l->ground[i] : NULL;
+		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
 		struct verdict v =
-		    g != NULL ? verdict_of(g, 1) : verdict_of(l->ground, l->n);
+		    g != NULL ? verdict_of(g, 1) : verdict_of(l->sites, l->n);
 		FREED char *open =
 		    league_names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
@@ -647,7 +648,7 @@ end_league(struct session *s, void *of)
 {
 	struct league *l = of;
 	session_show_answer(
-	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->ground[0]));
+	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->sites[0]));
 	league_drop(l);
 }
 
@@ -663,7 +664,7 @@ job_words_at_model(const struct session *s)
 			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
-static const struct rounds LEAGUE = {next_round, NULL, take_round, end_league,
+static const struct job_type LEAGUE = {next_task, NULL, take_task, end_league,
     league_drop, false, job_words_at_model,
     N_("stopped before all models were calibrated"), NULL};
 
@@ -685,7 +686,7 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 	    .end = all ? s->n_entry : s->current + 1};
 	session_discard_job(s);
 	const struct job job = {
-	    .rounds = &LEAGUE, .of = l, .options = job_options(s)};
+	    .type = &LEAGUE, .of = l, .options = job_options(s)};
 	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
 		   all ? N_("no loaded site has a product to calibrate on")

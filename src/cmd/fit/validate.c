@@ -290,20 +290,20 @@ validate_next_speed(struct session *s)
 
 /* Compares the runs at the speed held out with what the others have found. */
 static void *
-validate_follow_speed(const struct session *s, const struct round *round)
+validate_follow_speed(const struct session *s, const struct job_task *task)
 {
 	const struct validating *c = s->job.of;
-	const struct site *site = s->entry[round->entry].site;
-	struct fit fit = calibration_fit(round->calibration);
+	const struct site *site = s->entry[task->entry].site;
+	struct fit fit = calibration_fit(task->calibration);
 	bool few = fit.cells <= fit.parameters;
-	struct posterior_options o = {.use = round->train,
+	struct posterior_options o = {.use = task->train,
 	    .settings = fit.settings,
-	    .bounds = *calibration_bounds(round->calibration),
+	    .bounds = *calibration_bounds(task->calibration),
 	    .seed = fit.seed,
 	    .threads = c->all ? 1 : s->set.threads,
 	    .isa = s->isa,
 	    .noise = s->set.noise / 100,
-	    .stop = round->stop};
+	    .stop = task->stop};
 	struct posterior *posterior =
 	    few ? NULL : posterior_new(site, &fit.params, &o);
 	if (posterior == NULL && !few)
@@ -311,10 +311,9 @@ validate_follow_speed(const struct session *s, const struct round *round)
 	struct validating *found = xcalloc(1, sizeof *found);
 	found->runs.one = c->runs.one;
 	found->runs.level = c->runs.level;
-	trials_add(
-	    &found->runs, &(struct predicted_by){round->entry,
-			      s->entry[round->entry].key, site, round->train,
-			      fit.params, fit.settings, posterior, fit.rmse});
+	trials_add(&found->runs,
+	    &(struct predicted_by){task->entry, s->entry[task->entry].key, site,
+		task->train, fit.params, fit.settings, posterior, fit.rmse});
 	posterior_free(posterior);
 	return found;
 }
@@ -350,7 +349,7 @@ end_speeds(struct session *s, void *of)
 	validate_drop(c);
 }
 
-static const struct rounds EACH = {validate_next_speed, NULL,
+static const struct job_type EACH = {validate_next_speed, NULL,
     validate_take_speed, end_speeds, validate_drop, false, at_speed,
     N_("stopped before all speeds were predicted"), validate_follow_speed};
 
@@ -377,10 +376,8 @@ validate_each(struct session *s, struct validating *c, struct error *error)
 	c->at = c->all ? 0 : s->current;
 	c->end = c->all ? s->n_entry : s->current + 1;
 	session_discard_job(s);
-	const struct job job = {.rounds = &EACH,
-	    .of = c,
-	    .apart = c->all,
-	    .options = job_options(s)};
+	const struct job job = {
+	    .type = &EACH, .of = c, .apart = c->all, .options = job_options(s)};
 	c->options = part_options(s, &job.options, "each");
 	size_t left_out;
 	if (holds_none(s, &c->part, &left_out)) {

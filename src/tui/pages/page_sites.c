@@ -142,7 +142,7 @@ progress_text(const struct tui *t, size_t i, char *text, size_t n)
 	const struct job *job = &s->job;
 	if (session_fitting(s) == NULL || i < job->entry ||
 	    (i > job->entry &&
-		(job->rounds->alone || site_products(s->entry[i].site) == 0)))
+		(job->type->alone || site_products(s->entry[i].site) == 0)))
 		return false;
 	struct calibrate_status st = calibration_status(job->calibration);
 	if (i > job->entry)
@@ -466,7 +466,7 @@ static void
 sites_choose(struct tui *t)
 {
 	const struct session *s = t->session;
-	if (session_fitting(s) != NULL && !s->job.rounds->alone) {
+	if (session_fitting(s) != NULL && !s->job.type->alone) {
 		tui_say(t, false,
 		    "calibrating all sites: s stops, then Enter opens one");
 		return;
