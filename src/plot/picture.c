@@ -657,7 +657,7 @@ picture_shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 	return n;
 }
 
-struct sheet {
+struct cells_page {
 	const struct canvas *canvas;
 	struct pen *pen;
 	int depth; /* of colour; with 256 what is dim is faint */
@@ -666,13 +666,13 @@ struct sheet {
 };
 
 static const struct canvas_cell *
-picture_cell_at(const struct sheet *s, int column, int row)
+picture_cell_at(const struct cells_page *s, int column, int row)
 {
 	return &s->canvas->cell[row * s->canvas->columns + column];
 }
 
 static bool
-is_faint(const struct sheet *s, const struct canvas_cell *cell)
+is_faint(const struct cells_page *s, const struct canvas_cell *cell)
 {
 	return canvas_is_faint(s->canvas, cell, s->depth);
 }
@@ -686,7 +686,8 @@ picture_is_same(double a, double b)
 
 /* A level one that begins where the last one ends makes that longer. */
 static void
-picture_extend_bar(struct sheet *s, int column, int row, const struct bar *bar)
+picture_extend_bar(
+    struct cells_page *s, int column, int row, const struct bar *bar)
 {
 	double left = MARGIN + CELL_WIDTH * column;
 	double top = MARGIN + CELL_HEIGHT * row;
@@ -709,7 +710,7 @@ picture_extend_bar(struct sheet *s, int column, int row, const struct bar *bar)
 /* All bars of a kind and colour at once: a screen has thousands. */
 static void
 picture_draw_bars(
-    struct sheet *s, enum kind kind, enum series series, bool faint)
+    struct cells_page *s, enum kind kind, enum series series, bool faint)
 {
 	static const struct bar whole = {0, 4, 8, 4};
 	s->n = 0;
@@ -757,7 +758,7 @@ is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
-picture_run_end(const struct sheet *s, int from, int row)
+picture_run_end(const struct cells_page *s, int from, int row)
 {
 	const struct canvas_cell *cell = picture_cell_at(s, 0, row);
 	int end = from + 1;
@@ -773,7 +774,7 @@ picture_run_end(const struct sheet *s, int from, int row)
 }
 
 static void
-draw_text(struct sheet *s, int row)
+draw_text(struct cells_page *s, int row)
 {
 	char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
 	for (int c = 0, end; c < s->canvas->columns; c = end) {
@@ -824,7 +825,7 @@ static void
 draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
 {
 	size_t n = (size_t)(canvas->columns * canvas->rows);
-	struct sheet s = {.canvas = canvas,
+	struct cells_page s = {.canvas = canvas,
 	    .pen = pen,
 	    .depth = depth,
 	    .x = xdoubles(2 * BARS * n),

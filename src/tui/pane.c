@@ -112,7 +112,8 @@ pane_draw_runs(
 		    !site_run_is_near(
 			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
 			continue;
-		struct chart_series look = site_chart_run(site, r, held_out);
+		struct chart_series look =
+		    site_chart_run_style(site, r, held_out);
 		FREED char *sample = chart_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    site->run[r].speed, held_out ? tr(" held out") : "");

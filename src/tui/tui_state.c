@@ -135,18 +135,18 @@ tui_command_of_page(const struct tui *t)
 		   : xasprintf("predict %s", where);
 }
 
-struct plots_past
+struct search_shown
 tui_search_shown(const struct tui *t)
 {
 	return tui_current_entry(t) != NULL
-		   ? plots_past(t->session, tui_current_entry(t))
-		   : (struct plots_past){0};
+		   ? search_shown(t->session, tui_current_entry(t))
+		   : (struct search_shown){0};
 }
 
 size_t
 tui_count_generations(const struct tui *t)
 {
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	return past.n + (past.n > 0 && past.polished);
 }
 

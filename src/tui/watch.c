@@ -141,7 +141,7 @@ generations_per_second(const struct tui *t)
 {
 	enum { QUICK = 40, USUAL = 12, SLOW = 4 };
 	const double much = 0.2, little = 0.02;
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	const struct calibrate_generation *g = past.generation;
 	if (t->ui.pace != PACE_AUTO)
 		return PACES[t->ui.pace];

@@ -523,10 +523,10 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	fclose(out);
 	assert_non_null(strstr(text, "beta1 >"));
 	assert_null(strstr(text, "beta2 >"));
-	struct plots_past past = tui_search_shown(t);
-	struct plots_strip strip =
-	    plots_search_strip(t->session, &past, 0, ALPHA - 1);
-	assert_true(strip.near && !strip.at_bound);
+	struct search_shown past = tui_search_shown(t);
+	struct param_span span =
+	    plots_search_span(t->session, &past, 0, ALPHA - 1);
+	assert_true(span.near && !span.at_bound);
 	const char *alpha = strstr(text, "alpha ");
 	assert_non_null(alpha);
 	assert_null(memchr(alpha, '!', strcspn(alpha, "\n")));

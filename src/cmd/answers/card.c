@@ -128,7 +128,7 @@ static bool
 find_lines(struct asked *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
-	struct outcome o = plant_solve_at(&all->plant, speed);
+	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
 	all->n_line = plant_lines(&all->plant, &o, all->line);
@@ -171,7 +171,7 @@ struct card_row {
 static void
 work_out_flow(const struct asked *all, struct card_row *row)
 {
-	struct outcome o = plant_solve_at(&all->plant, row->speed);
+	struct plant_result o = plant_solve_at(&all->plant, row->speed);
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
 		double tph = line->unit != NULL

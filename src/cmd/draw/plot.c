@@ -68,7 +68,7 @@ read_request(const struct session *s, const struct args *args,
 }
 
 /* What a call asks for: of its site, and of the one beside. */
-struct asked {
+struct plot_questions {
 	struct plot_request request;
 	struct question q, second;
 };
@@ -76,8 +76,8 @@ struct asked {
 /* plots_chart tells of what is not loaded.  The speed of a feed names one of
  * the first site alone. */
 static bool
-read_questions(struct session *s, const struct args *args, struct asked *a,
-    struct error *error)
+read_questions(struct session *s, const struct args *args,
+    struct plot_questions *a, struct error *error)
 {
 	struct plot_request *r = &a->request;
 	struct error none = {0};
@@ -108,10 +108,10 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
  * describe have in common; see plots_chart.  plot_questions_free, also where it
  * is NULL. */
 static struct chart *
-asked_chart(struct session *s, const struct args *args, struct asked *a,
-    struct error *error)
+asked_chart(struct session *s, const struct args *args,
+    struct plot_questions *a, struct error *error)
 {
-	*a = (struct asked){0};
+	*a = (struct plot_questions){0};
 	return read_request(s, args, &a->request, error) &&
 		       read_questions(s, args, a, error)
 		   ? plots_chart(s, &a->request, error)
@@ -119,7 +119,7 @@ asked_chart(struct session *s, const struct args *args, struct asked *a,
 }
 
 static void
-plot_questions_free(struct session *s, struct asked *a)
+plot_questions_free(struct session *s, struct plot_questions *a)
 {
 	question_free(s, &a->q);
 	question_free(s, &a->second);
@@ -441,13 +441,13 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 }
 
 /* A chart being told. */
-struct tale {
+struct description {
 	const struct chart *chart;
 	struct answer *answer;
 };
 
 static void
-say_axes(struct tale *t)
+say_axes(struct description *t)
 {
 	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
 	static const char *const ways[] = {N_("Across"), N_("Up")};
@@ -467,7 +467,7 @@ say_axes(struct tale *t)
 
 /* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a size distribution, or "". */
 static char *
-sizes_of(const struct tale *t, const struct chart_series *s)
+sizes_of(const struct description *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
@@ -484,7 +484,7 @@ sizes_of(const struct tale *t, const struct chart_series *s)
 
 /* Where a curve begins and ends, from the left; flat ends are left out. */
 static void
-say_curve(struct tale *t, const struct chart_series *s)
+say_curve(struct description *t, const struct chart_series *s)
 {
 	size_t n = s->n;
 	bool falls = n > 1 && s->x[0] > s->x[n - 1];
@@ -511,7 +511,7 @@ say_curve(struct tale *t, const struct chart_series *s)
 
 /* Points of a map or of a comparison; all of them where they are few. */
 static void
-say_points(struct tale *t, const struct chart_series *s)
+say_points(struct description *t, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
@@ -531,7 +531,7 @@ say_points(struct tale *t, const struct chart_series *s)
 
 /* The three points of a parameter in the spread: its ends, and the best. */
 static void
-say_spread(struct tale *t)
+say_spread(struct description *t)
 {
 	const struct chart_series *s = t->chart->series[0];
 	const struct chart_series *best = t->chart->series[1];
@@ -549,7 +549,7 @@ say_spread(struct tale *t)
 
 /* The pairs that stand out, each once. */
 static void
-say_fields(struct tale *t)
+say_fields(struct description *t)
 {
 	const double worth_saying = 0.5;
 	const struct chart *c = t->chart;
@@ -574,7 +574,7 @@ say_fields(struct tale *t)
 
 /* Where the last curve, which lies on top, is furthest from another. */
 static void
-say_difference(struct tale *t, const struct chart_series *other)
+say_difference(struct description *t, const struct chart_series *other)
 {
 	const struct chart_series *top = t->chart->series[t->chart->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
@@ -595,7 +595,7 @@ say_difference(struct tale *t, const struct chart_series *other)
 }
 
 static void
-say_series(struct tale *t)
+say_series(struct description *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
@@ -613,7 +613,7 @@ say_series(struct tale *t)
 
 /* Of each difference where it is largest. */
 static void
-say_strip(struct tale *t)
+say_strip(struct description *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
@@ -641,7 +641,7 @@ has_bars(const struct chart *chart)
 /* Of each run the sieve at which the candidates lie furthest apart, and that
  * which the best misses by most. */
 static void
-say_bars(struct tale *t)
+say_bars(struct description *t)
 {
 	for (size_t i = 0; i + 1 < t->chart->n; i++) {
 		const struct chart_series *s = t->chart->series[i];
@@ -665,7 +665,7 @@ say_bars(struct tale *t)
 }
 
 static void
-say_chart(struct tale *t)
+say_chart(struct description *t)
 {
 	const struct chart *chart = t->chart;
 	if (chart->strip > 0) {
@@ -690,7 +690,8 @@ say_chart(struct tale *t)
 
 /* Where the goal that is set is met, on the feed that the curves have. */
 static void
-say_goal(struct tale *t, struct session *s, const struct plot_request *request)
+say_goal(struct description *t, struct session *s,
+    const struct plot_request *request)
 {
 	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
@@ -710,13 +711,13 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 }
 
 static bool
-plot_describe(struct session *s, const struct args *args, struct asked *a,
-    struct error *error)
+plot_describe(struct session *s, const struct args *args,
+    struct plot_questions *a, struct error *error)
 {
 	struct chart *chart = asked_chart(s, args, a, error);
 	if (chart == NULL)
 		return false;
-	struct tale t = {chart, answer_new("describe")};
+	struct description t = {chart, answer_new("describe")};
 	answer_title(t.answer, "%s", chart->title);
 	answer_sites(t.answer,
 	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);
@@ -732,7 +733,7 @@ plot_describe(struct session *s, const struct args *args, struct asked *a,
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
-	struct asked a;
+	struct plot_questions a;
 	bool ok = plot_describe(s, args, &a, error);
 	plot_questions_free(s, &a);
 	return ok;
@@ -741,7 +742,7 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
-	struct asked a;
+	struct plot_questions a;
 	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);

@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/fit/trials.h"
@@ -83,7 +83,7 @@ residuals_chart(
 {
 	const struct site *site = q->entry->site;
 	struct params params;
-	if (!plots_past_params(s, q, &params, error))
+	if (!search_shown_params(s, q, &params, error))
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
@@ -105,7 +105,7 @@ residuals_chart(
 		    misfit_covered(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
-		    site_chart_run(site, i, !q->entry->train[i]);
+		    site_chart_run_style(site, i, !q->entry->train[i]);
 		look.line = CHART_SOLID;
 		look.ascii = look.mark;
 		add_residuals(chart, s, q->entry, i, &params, look);
@@ -245,7 +245,7 @@ selection_chart(
 	const struct site *site = q->entry->site;
 	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
 	struct params params;
-	if (!plots_past_params(s, q, &params, error))
+	if (!search_shown_params(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = site_feed(site, q->feed);
 	struct chart *chart =
@@ -266,7 +266,7 @@ appearance_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct params params;
-	if (!plots_past_params(s, q, &params, error))
+	if (!search_shown_params(s, q, &params, error))
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,

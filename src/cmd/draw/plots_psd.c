@@ -19,7 +19,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/plots_limits.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/sites.h"
 #include "core/answer/predict.h"
@@ -427,7 +427,7 @@ add_measured(struct chart *chart, const struct session *s,
 		if (!site_run_is_near(site, i, speed, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look =
-		    site_chart_run(site, i, !q->entry->train[i]);
+		    site_chart_run_style(site, i, !q->entry->train[i]);
 		look.compared = site_run_is_near(site, i, speed, 1);
 		const struct psd *product =
 		    moved_product(s, q->entry, params, i, q->feed);
@@ -492,7 +492,7 @@ find_predictions(struct session *s, const struct plot_request *q,
 	const struct entry *entry = q->entry;
 	*p = (struct psd_plot){
 	    .speed = isnan(q->speed) ? site_middle(entry->site) : q->speed};
-	bool known = plots_past_params(s, q, &p->params, &p->unknown);
+	bool known = search_shown_params(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
 		return false;
@@ -533,7 +533,7 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	else if (q->strip > 0)
 		add_strip(chart, q->strip);
 	site_chart_note_runs(chart, entry->site);
-	site_chart_moved(chart, moved);
+	site_chart_note_moved(chart, moved);
 	if (!isnan(q->crosshair_mm))
 		note_crosshair(chart, s, q, &p->params, one);
 }
@@ -566,7 +566,7 @@ plots_sweep(
 	const struct site *site = q->entry->site;
 	size_t n = q->n_speed;
 	struct params params;
-	if (!plots_past_params(s, q, &params, error))
+	if (!search_shown_params(s, q, &params, error))
 		return NULL;
 	if (n > MOST) {
 		error_set(error, ERROR_USAGE,

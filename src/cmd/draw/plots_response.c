@@ -328,7 +328,7 @@ make_charts(struct session *s, struct drawn *d)
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	free(feed);
-	site_chart_moved(last, d->moved);
+	site_chart_note_moved(last, d->moved);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));

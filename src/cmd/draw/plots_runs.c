@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
 
@@ -75,7 +75,7 @@ runs_add_run(struct chart *chart, const struct session *s,
 	const struct site *site = entry->site;
 	const struct run *r = &site->run[run];
 	bool held_out = !entry->train[run];
-	struct chart_series look = site_chart_run(site, run, held_out);
+	struct chart_series look = site_chart_run_style(site, run, held_out);
 	struct chart_series dashed = {.series = look.series,
 	    .line = CHART_DASHED,
 	    .ascii = ASCII[run % (sizeof ASCII - 1)]};
@@ -160,7 +160,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	const struct site *site = entry_loaded(q->entry)->site;
 	struct params params;
 	struct error unknown = {0};
-	bool known = plots_past_params(s, q, &params, &unknown);
+	bool known = search_shown_params(s, q, &params, &unknown);
 	if (runs_refuse(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->n_speed > 0)) {

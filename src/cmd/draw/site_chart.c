@@ -128,7 +128,7 @@ site_chart_style(size_t i)
 }
 
 struct chart_series
-site_chart_run(const struct site *site, size_t run, bool held_out)
+site_chart_run_style(const struct site *site, size_t run, bool held_out)
 {
 	enum { COLOURS = 4 };
 	unsigned i = 0, n = 0;
@@ -159,7 +159,7 @@ site_chart_note_runs(struct chart *chart, const struct site *site)
 }
 
 void
-site_chart_moved(struct chart *chart, double most)
+site_chart_note_moved(struct chart *chart, double most)
 {
 	if (most > MOVED_TOLD)
 		chart_note(chart, "measured products moved to this feed");

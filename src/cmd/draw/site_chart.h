@@ -46,7 +46,7 @@ struct chart_series site_chart_style(size_t i);
 
 /* Returns the style for a run's measurements, the same in every plot: marks
  * only, filled unless held_out.  Repeats look alike. */
-struct chart_series site_chart_run(
+struct chart_series site_chart_run_style(
     const struct site *site, size_t run, bool held_out);
 
 /* Notes below a chart what hollow marks are, if it has any, and how many runs
@@ -55,7 +55,7 @@ void site_chart_note_runs(struct chart *chart, const struct site *site);
 
 /* Notes below a chart that its measured products were moved to the feed, if the
  * largest move, 0..1 (moved_largest), is large enough to mention. */
-void site_chart_moved(struct chart *chart, double most);
+void site_chart_note_moved(struct chart *chart, double most);
 
 /* psd shows the measured products at the SITE_CHART_RUNS speeds nearest to its
  * own; site_chart_speeds_left_out returns the number of other speeds. */

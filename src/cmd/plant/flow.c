@@ -24,7 +24,7 @@ enum { DRAWS = POSTERIOR_DRAWS };
 /* The middle of values of draws, widened to hold the answer; NAN of a model
  * alone. */
 static void
-flow_range_of(const struct plant *p, const struct outcome *o,
+flow_range_of(const struct plant *p, const struct plant_result *o,
     const double *draw, double answer, double range[static 2])
 {
 	range[0] = range[1] = NAN;
@@ -35,7 +35,7 @@ flow_range_of(const struct plant *p, const struct outcome *o,
 
 /* Of what goes into a unit, or for NULL in a stream. */
 static void
-range_tph(const struct plant *p, const struct outcome *o,
+range_tph(const struct plant *p, const struct plant_result *o,
     const struct unit *unit, size_t stream, double range[static 2])
 {
 	double draw[DRAWS];
@@ -49,7 +49,8 @@ range_tph(const struct plant *p, const struct outcome *o,
 }
 
 static void
-show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
+show_lines(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
@@ -90,7 +91,8 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 
 /* All streams, for programs. */
 static void
-put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
+put_streams(
+    const struct plant *p, const struct plant_result *o, struct fields *all)
 {
 	struct fields *list = fields_list(all, "streams");
 	for (size_t i = 0; i < p->circuit->n_stream; i++) {
@@ -105,7 +107,8 @@ put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
 
 /* The circulating load and the mass balance. */
 static void
-note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
+note_balance(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2], tph = p->circuit->tph;
 	struct fields *f = answer_fields(r);
@@ -125,7 +128,8 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 
 /* Rotor and cascade of each crusher. */
 static void
-note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
+note_crushers(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	struct fields *list = fields_list(answer_fields(r), "crushers");
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
@@ -173,7 +177,8 @@ warn_power(const struct plant *p, struct answer *r)
 }
 
 static void
-note_power(const struct plant *p, const struct outcome *o, struct answer *r)
+note_power(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2] = {NAN, NAN}, idle[2], factor = 0, t = p->circuit->tph;
 	FREED char *words = plant_power_words(p, o);
@@ -201,7 +206,8 @@ note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 
 /* Earnings, which a product without a price adds nothing to. */
 static void
-note_money(const struct plant *p, const struct outcome *o, struct answer *r)
+note_money(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2];
 	if (!p->priced)
@@ -242,7 +248,7 @@ struct search {
 static void
 flow_search_try(struct search *search, const struct plant *p, double speed)
 {
-	struct outcome o = plant_solve_at(p, speed);
+	struct plant_result o = plant_solve_at(p, speed);
 	size_t i = search->n++;
 	search->speed[i] = speed;
 	search->money[i] = o.flow.open ? NAN : o.money;
@@ -297,8 +303,8 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 /* What the best speed gains over the usual one, and whether that is more than
  * what is not known. */
 static void
-note_gain(const struct plant *p, const struct outcome *best,
-    const struct outcome *usual, struct answer *r)
+note_gain(const struct plant *p, const struct plant_result *best,
+    const struct plant_result *usual, struct answer *r)
 {
 	double draw[DRAWS], gain = best->money - usual->money, range[2];
 	for (size_t d = 0; d < best->flow.draws; d++)
@@ -330,7 +336,7 @@ note_gain(const struct plant *p, const struct outcome *best,
 
 static void
 flow_note_best(const struct plant *p, const struct search *s,
-    const struct outcome *best, struct answer *r)
+    const struct plant_result *best, struct answer *r)
 {
 	double range[2], v = s->speed[s->best];
 	size_t open = 0;
@@ -364,8 +370,8 @@ flow_note_best(const struct plant *p, const struct search *s,
 /* How far what goes into a crusher differs from the feed of the site, passing
  * 0..1. */
 static double
-feed_difference(
-    const struct plant *p, const struct outcome *o, const struct unit *unit)
+feed_difference(const struct plant *p, const struct plant_result *o,
+    const struct unit *unit)
 {
 	size_t n = p->n;
 	double most = 0, in = 0, feed = 0, all = flow_into_unit(&o->flow, unit);
@@ -381,7 +387,7 @@ feed_difference(
 /* The light of each crusher's speed; a feed that what comes back has changed is
  * judged as another feed would be. */
 static struct trust
-flow_trust(const struct plant *p, const struct outcome *o)
+flow_trust(const struct plant *p, const struct plant_result *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
@@ -407,7 +413,7 @@ flow_trust(const struct plant *p, const struct outcome *o)
 }
 
 static struct answer *
-answer_flow(const struct plant *p, const struct outcome *o)
+answer_flow(const struct plant *p, const struct plant_result *o)
 {
 	const struct entry *entry = p->question->entry;
 	const char *back = p->back != NULL ? p->back : "";
@@ -437,7 +443,8 @@ answer_flow(const struct plant *p, const struct outcome *o)
 
 /* The rest of the answer, which it gives. */
 static bool
-flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
+flow_finish(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct entry *entry = p->question->entry;
 	put_streams(p, o, answer_fields(r));
@@ -470,8 +477,8 @@ flow_show_best(
 	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
 		return false;
 	struct search search = flow_search_best(p, from, to);
-	struct outcome usual = plant_solve_at(p, p->question->speed),
-		       best = plant_solve_at(p, search.speed[search.best]);
+	struct plant_result usual = plant_solve_at(p, p->question->speed),
+			    best = plant_solve_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
 	if (ok) {
 		struct answer *r = answer_flow(p, &best);
@@ -489,7 +496,7 @@ flow_show_best(
 static bool
 flow_show_at(const struct plant *p, double speed, struct error *error)
 {
-	struct outcome o = plant_solve_at(p, speed);
+	struct plant_result o = plant_solve_at(p, speed);
 	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
 	if (ok)
 		flow_finish(p, &o, answer_flow(p, &o));
@@ -504,7 +511,7 @@ enum { POINTS = 21 };
  * speeds.  Returns how many. */
 static size_t
 add_products(struct chart *chart, const struct plant *p,
-    const struct outcome *o, const struct unit **unit)
+    const struct plant_result *o, const struct unit **unit)
 {
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
@@ -522,8 +529,8 @@ add_products(struct chart *chart, const struct plant *p,
 }
 
 static struct figure
-tph_of_product(
-    const struct plant *p, const struct outcome *o, const struct unit *unit)
+tph_of_product(const struct plant *p, const struct plant_result *o,
+    const struct unit *unit)
 {
 	double range[2];
 	if (o->flow.open)
@@ -548,7 +555,7 @@ flow_chart(const struct plant *p, double from, double to)
 	size_t n = 0;
 	for (size_t k = 0; k < POINTS; k++) {
 		double v = from + (to - from) * (double)k / (POINTS - 1);
-		struct outcome o = plant_solve_at(p, v);
+		struct plant_result o = plant_solve_at(p, v);
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)

@@ -498,7 +498,7 @@ plant_speed(const struct unit *unit, double speed)
 /* Power and earnings of a draw; a model alone has one product for all draws of
  * the power. */
 static void
-count_draw(const struct plant *p, struct outcome *o, size_t d)
+count_draw(const struct plant *p, struct plant_result *o, size_t d)
 {
 	double kw = 0, money = 0;
 	size_t of = d % o->flow.draws;
@@ -518,10 +518,10 @@ count_draw(const struct plant *p, struct outcome *o, size_t d)
 	o->money += o->money_draw[d] / POWER_DRAWS;
 }
 
-struct outcome
+struct plant_result
 plant_solve_at(const struct plant *p, double speed)
 {
-	struct outcome o = {.speed = speed};
+	struct plant_result o = {.speed = speed};
 	struct transfer *t = crusher_at(p->crusher, speed);
 	FREED struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
@@ -534,8 +534,8 @@ plant_solve_at(const struct plant *p, double speed)
 }
 
 size_t
-plant_lines(
-    const struct plant *p, const struct outcome *o, struct plant_line *line)
+plant_lines(const struct plant *p, const struct plant_result *o,
+    struct plant_line *line)
 {
 	const struct circuit *c = p->circuit;
 	size_t n = 0;
@@ -560,7 +560,7 @@ plant_lines(
 /* "7.3e+03 t/h circulate after 1000 passes". */
 bool
 plant_not_steady(
-    const struct plant *p, const struct outcome *o, struct error *error)
+    const struct plant *p, const struct plant_result *o, struct error *error)
 {
 	return error_set(error, ERROR_NUMERIC,
 	    "the circuit does not reach a steady state at %g m/s: after %d "
@@ -584,7 +584,7 @@ plant_idle(const struct plant *p, double speed, double range[static 2])
 }
 
 char *
-plant_power_words(const struct plant *p, const struct outcome *o)
+plant_power_words(const struct plant *p, const struct plant_result *o)
 {
 	const struct power *w = &p->power;
 	double range[2], idle = plant_idle(p, o->speed, range);

@@ -40,7 +40,7 @@ bool plant_read(struct session *s, const struct args *args,
 void plant_free(struct plant *plant);
 
 /* Results at a speed: for the answer, then for each draw. */
-struct outcome {
+struct plant_result {
 	double speed;
 	struct flow flow;
 	double kw, money, kw_draw[POSTERIOR_DRAWS], money_draw[POSTERIOR_DRAWS];
@@ -52,7 +52,7 @@ double plant_rotor_share(const struct plant *p, const struct unit *unit);
 double plant_speed(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
-struct outcome plant_solve_at(const struct plant *p, double speed);
+struct plant_result plant_solve_at(const struct plant *p, double speed);
 
 /* A row of the table: a product (unit), or a returned stream (unit NULL). */
 struct plant_line {
@@ -63,18 +63,18 @@ struct plant_line {
 
 /* Lists products and returned streams, [n_stream + n_unit] out, from fine to
  * coarse, or for a circuit from a file in its order.  Returns their number. */
-size_t plant_lines(
-    const struct plant *p, const struct outcome *o, struct plant_line *line);
+size_t plant_lines(const struct plant *p, const struct plant_result *o,
+    struct plant_line *line);
 
 /* Sets the error for an outcome that did not become steady.  Returns false. */
 bool plant_not_steady(
-    const struct plant *p, const struct outcome *o, struct error *error);
+    const struct plant *p, const struct plant_result *o, struct error *error);
 
 /* Returns the power of the empty crusher at a speed, kW, estimated from the
  * readings, and its band. */
 double plant_idle(const struct plant *p, double speed, double range[static 2]);
 
 /* Returns the basis of the power estimate, in words.  The caller frees it. */
-char *plant_power_words(const struct plant *p, const struct outcome *o);
+char *plant_power_words(const struct plant *p, const struct plant_result *o);
 
 #endif

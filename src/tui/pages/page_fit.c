@@ -64,7 +64,7 @@ fit_draw_legend(const struct tui *t)
 	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
 				 *const ASCII[] = {"#", "|", ":"};
 	const struct area *area = &t->layout.legend;
-	const struct plots_past past = tui_search_shown(t);
+	const struct search_shown past = tui_search_shown(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int column = 0;
 	size_t nth = 0;
@@ -73,7 +73,8 @@ fit_draw_legend(const struct tui *t)
 		const struct run *run = &past.site->run[r];
 		if (!past.train[r] || misfit_covered(run) == 0)
 			continue;
-		struct chart_series look = plots_search_look(past.site, r, nth);
+		struct chart_series look =
+		    plots_search_style(past.site, r, nth);
 		size_t kind = nth++ % ARRAY_LEN(BARS);
 		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
 		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);

@@ -50,7 +50,7 @@ find_compared_product(
 		: tr("vs %g m/s"),
 	    nearest->speed);
 	size_t run = (size_t)(nearest - site->run);
-	*series = site_chart_run(site, run, false).series;
+	*series = site_chart_run_style(site, run, false).series;
 	return tui_measured_product(t, run);
 }
 
