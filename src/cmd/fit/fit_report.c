@@ -293,15 +293,12 @@ add_search(
 static void
 note_untested(struct answer *r, const struct entry *entry)
 {
-	const struct site *site = entry->site;
-	size_t speeds = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		speeds += entry->train[i] && !site_run_repeats(site, i);
-	answer_note(r,
-	    speeds > 2 ? N_("no speed was held out: 'validate holdout=each' "
-			    "tests the model")
-		       : N_("no speed was held out: measure a third speed to "
-			    "test the model"));
+	answer_note(
+	    r, site_count_speeds(entry->site, entry->train) > 2
+		   ? N_("no speed was held out: 'validate holdout=each' "
+			"tests the model")
+		   : N_("no speed was held out: measure a third speed to "
+			"test the model"));
 }
 
 /* How good the fit is, in a line, and what tests it. */
@@ -330,43 +327,48 @@ add_summary(
 		note_untested(r, entry);
 }
 
+/* The parameters and the course of the search. */
 static struct answer *
-new_fit_answer(const struct entry *entry, const char *command, bool detail)
+detailed_answer(const struct session *s, const struct entry *entry,
+    const struct bounds *bounds, double seconds, const char *command)
 {
-	if (detail)
-		return answers_new(
-		    entry->site, command, "calibrated parameters");
-	FREED char *speeds =
-	    session_speeds(entry->site, ", ", entry->train, true);
-	return answers_new(
-	    entry->site, command, "calibrated on %s m/s", speeds);
+	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
+	struct answer *r =
+	    answers_new(entry->site, command, "calibrated parameters");
+	struct fields *o = answer_fields(r);
+	add_params(r, s, &entry->fit, u, bounds);
+	add_search(r, entry, bounds);
+	if (strcmp(command, "show") == 0)
+		fields_put(o, "what %s", "fit");
+	fit_put(o, entry, light_verdict(s, entry, NULL), seconds);
+	answers_show_basis_of_fit(s, r, entry, u != NULL);
+	fit_put_bands(o, s, u, &entry->fit.params);
+	return r;
 }
 
 struct answer *
 fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail)
 {
+	if (detail)
+		return detailed_answer(s, entry, bounds, seconds, "calibrate");
 	const struct fit *fit = &entry->fit;
 	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
-	struct answer *r = new_fit_answer(entry, "calibrate", detail);
-	if (detail) {
-		add_params(r, s, fit, u, bounds);
-		add_search(r, entry, bounds);
-	} else {
-		answer_fill_for_programs(r);
-		add_params(r, s, fit, u, bounds);
-		add_summary(r, s, entry);
-		note_lowest(r, fit);
-		note_edits(r, fit);
-		add_warnings(r, entry);
-	}
+	FREED char *speeds =
+	    session_speeds(entry->site, ", ", entry->train, true);
+	struct answer *r = answers_new(
+	    entry->site, "calibrate", "calibrated on %s m/s", speeds);
+	answer_fill_for_programs(r);
+	add_params(r, s, fit, u, bounds);
+	add_summary(r, s, entry);
+	note_lowest(r, fit);
+	note_edits(r, fit);
+	add_warnings(r, entry);
 	fit_put(
 	    answer_fields(r), entry, light_verdict(s, entry, NULL), seconds);
-	bool red = answers_show_basis_of_fit(
-		       s, r, entry, detail && u != NULL) == LIGHT_RED;
-	if (!detail && red)
+	if (answers_show_basis_of_fit(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
-	else if (!detail)
+	else
 		answer_note(r,
 		    "next: 'predict %g', or any speed; 'show fit' "
 		    "has the parameters",
@@ -385,16 +387,8 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 		    "%s has not been calibrated in this session\n"
 		    "run 'calibrate' first",
 		    entry->site->name);
-	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
-	const struct bounds *bounds = &entry->history->bounds;
-	struct answer *r = new_fit_answer(entry, "show", true);
-	add_params(r, s, &entry->fit, u, bounds);
-	add_search(r, entry, bounds);
-	fields_put(answer_fields(r), "what %s", "fit");
-	fit_put(answer_fields(r), entry, light_verdict(s, entry, NULL), NAN);
-	answers_show_basis_of_fit(s, r, entry, u != NULL);
-	fit_put_bands(answer_fields(r), s, u, &entry->fit.params);
-	return session_show_answer(s, r);
+	return session_show_answer(
+	    s, detailed_answer(s, entry, &entry->history->bounds, NAN, "show"));
 }
 
 /* Rows that fit a screen with their heading. */

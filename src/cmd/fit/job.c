@@ -112,15 +112,9 @@ job_mark(const struct site *site, bool all, bool *train)
 size_t
 job_speeds(const struct site *site)
 {
-	size_t n = 0;
-	double last = 0;
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (misfit_covered(&site->run[r]) == 0)
-			continue;
-		n += site->run[r].speed != last;
-		last = site->run[r].speed;
-	}
-	return n;
+	FREED bool *use = xcalloc(site->n_run + 1, sizeof *use);
+	job_mark(site, true, use);
+	return site_count_speeds(site, use);
 }
 
 bool
