@@ -16,7 +16,7 @@
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
-/* The speeds that were trained on, or the others. */
+/* Puts the training speeds, or the other speeds. */
 static void
 put_speeds(
     struct fields *o, const char *key, const struct entry *entry, bool trained)
@@ -58,7 +58,7 @@ fit_put(struct fields *o, const struct entry *entry, const char *verdict,
 			       : 0);
 }
 
-/* Why nothing breaks, in terms of the break size and the feed. */
+/* Explains by the break size and the feed why nothing breaks. */
 static void
 explain_nothing_breaks(struct answer *r, const struct entry *entry)
 {
@@ -80,7 +80,8 @@ explain_nothing_breaks(struct answer *r, const struct entry *entry)
 	    fastest->speed, units_mm(x), 100 * coarser);
 }
 
-/* The range of a parameter: that of its bounds, of the gauge's scaled to 1. */
+/* Returns the range of a parameter: that of its bounds, or 2 in the gauge,
+ * which is scaled to 1. */
 static double
 fit_report_range_of(
     const struct fit *fit, const struct bounds *bounds, size_t j)
@@ -90,8 +91,8 @@ fit_report_range_of(
 		   : bounds->upper[j] - bounds->lower[j];
 }
 
-/* Whether all poorly determined parameters stay within their bounds with the
- * step as it is (sign 1) or reversed (-1). */
+/* True if all poorly determined parameters stay within their bounds after
+ * the step (sign 1) or its reverse (-1). */
 static bool
 step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 {
@@ -108,7 +109,7 @@ step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 	return fits;
 }
 
-/* both: to either side. */
+/* both: the step may be reversed. */
 static void
 say_flat(struct answer *r, const char *list, bool several, bool both)
 {
@@ -130,9 +131,9 @@ say_flat(struct answer *r, const char *list, bool several, bool both)
 	    list);
 }
 
-/* Names the parameters that can go far together for a tenth more misfit, each
- * with its step, in a direction that the bounds allow.  Steps beyond the bounds
- * either way say no more than that the data are silent. */
+/* Names the parameters that can move far together for a tenth more misfit,
+ * each with its step, in a direction that the bounds allow.  If the steps
+ * leave the bounds either way, the data say nothing about them. */
 static void
 add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
@@ -163,7 +164,7 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 		say_flat(r, list, n > 1, ahead && back);
 }
 
-/* What speaks against the fit. */
+/* Warns of what speaks against the fit. */
 static void
 add_warnings(struct answer *r, const struct entry *entry)
 {
@@ -207,7 +208,7 @@ add_interval(struct answer *r, const struct session *s,
 	answer_cells(r, "%.4f %.4f", range[0], range[1]);
 }
 
-/* A row for each parameter, with its range where there are draws. */
+/* Adds a row for each parameter, with its range if there are draws. */
 static void
 add_params(struct answer *r, const struct session *s, const struct fit *fit,
     const struct posterior *u, const struct bounds *bounds)
@@ -232,7 +233,7 @@ add_params(struct answer *r, const struct session *s, const struct fit *fit,
 	}
 }
 
-/* What a search that was not to be polished leaves. */
+/* Notes how much lower a polished search would end. */
 static void
 note_lowest(struct answer *r, const struct fit *fit)
 {
@@ -265,7 +266,7 @@ note_edits(struct answer *r, const struct fit *fit)
 		    fit->edited_at);
 }
 
-/* What the search did and how far it determines the parameters. */
+/* Adds what the search did and how well it determines the parameters. */
 static void
 add_search(
     struct answer *r, const struct entry *entry, const struct bounds *bounds)
@@ -289,7 +290,7 @@ add_search(
 	add_flat(r, fit, bounds);
 }
 
-/* What would test a fit of which no speed was held out. */
+/* Notes what would test a fit without a held-out speed. */
 static void
 note_untested(struct answer *r, const struct entry *entry)
 {
@@ -301,7 +302,7 @@ note_untested(struct answer *r, const struct entry *entry)
 			"test the model"));
 }
 
-/* How good the fit is, in a line, and what tests it. */
+/* Sums up the quality of the fit, and what tests it. */
 static void
 add_summary(
     struct answer *r, const struct session *s, const struct entry *entry)
@@ -391,11 +392,11 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 	    s, detailed_answer(s, entry, &entry->history->bounds, NAN, "show"));
 }
 
-/* Rows that fit a screen with their heading. */
+/* Rows of a table that fit a screen together with its heading. */
 enum { ROWS = 18 };
 
-/* The middle 80 % of the candidates in per cent of the bounds; 0 where a
- * parameter is held fixed. */
+/* Returns the range of the middle 80 % of the candidates in per cent of the
+ * bounds; 0 if the parameter is held fixed. */
 static double
 fit_report_spread(
     const struct history *h, const struct calibrate_generation *g, size_t j)

@@ -19,7 +19,7 @@
 #include "cmd/session/turn.h"
 #include "core/search/misfit.h"
 
-/* Says beside the results what the job is about to do. */
+/* Notes what the job is about to do. */
 static void
 note_job_begun(struct session *s)
 {
@@ -47,14 +47,14 @@ note_job_begun(struct session *s)
 		    o->threads);
 }
 
-/* What is to be paused after some step goes one after the other. */
+/* A job that pauses after a step runs its tasks one after the other. */
 static bool
 runs_together(const struct job *job)
 {
 	return job->apart && job->pause_at == 0;
 }
 
-/* Begins with the task that job.entry and job.train say. */
+/* Starts to calibrate job.entry on job.train. */
 static void
 job_begin(struct session *s)
 {
@@ -70,7 +70,7 @@ job_begin(struct session *s)
 	note_job_begun(s);
 }
 
-/* Frees what it owns, and leaves it empty. */
+/* Frees the job's members and clears it. */
 static void
 job_free(struct job *job)
 {
@@ -134,7 +134,7 @@ job_hold_out(const struct site *site, double *speed, bool *train)
 	return true;
 }
 
-/* Keeps the job's generations and its misfit in its site. */
+/* Keeps the job's generations and misfit with its site. */
 static void
 take_history(struct entry *entry, const struct job *job)
 {
@@ -153,8 +153,8 @@ take_history(struct entry *entry, const struct job *job)
 	entry->history = h;
 }
 
-/* The options of the job as one would type them, for whoever asks later how the
- * fit was found; bounds only where they are not the default ones. */
+/* Returns the job's options as typed, which later tell how the fit was
+ * found.  Bounds are named only if they are not the defaults. */
 static char *
 options_words(const struct session *s, const struct fit *fit)
 {
@@ -189,7 +189,7 @@ options_words(const struct session *s, const struct fit *fit)
 	return words;
 }
 
-/* Takes the job's result into its site. */
+/* Makes the job's result the fit of its site. */
 static void
 take_entry(struct session *s)
 {
@@ -211,8 +211,8 @@ take_entry(struct session *s)
 	s->job.taken = true;
 }
 
-/* A step of the polished search that a plain one is compared with; true when
- * that is at its end, or none is wanted. */
+/* Runs a step of the polished search with which a plain one is compared.
+ * Returns true if it is complete or not wanted. */
 static bool
 seek_lowest(struct session *s)
 {
@@ -235,7 +235,8 @@ seek_lowest(struct session *s)
 	return calibration_step(job->lowest) >= CALIBRATE_TOLERANCE;
 }
 
-/* The draws that tell its light take longer than many generations. */
+/* Drawing the posterior, which the light needs, takes longer than many
+ * generations. */
 static bool
 draw_fit(struct session *s)
 {
@@ -246,14 +247,15 @@ draw_fit(struct session *s)
 	return outlook_draw(s, &s->entry[s->job.entry]);
 }
 
-/* draw: with what its draws tell. */
+/* draw: judge the fit by its draws, too. */
 static void
 job_take_fit(struct session *s, bool draw)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
 		take_entry(s);
-	/* That of `all` is a table of sites, and tells of none alone. */
+	/* `calibrate all` answers with a table of sites, which has none of
+	 * these fields. */
 	struct answer *answer = answer_new("calibrate");
 	fit_put(answer_fields(answer), entry,
 	    draw ? light_verdict(s, entry, NULL)
@@ -306,7 +308,7 @@ add_summary_row(struct session *s, struct answer *r, const struct entry *entry)
 			100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
 }
 
-/* A job of one calibration has its site and its runs from the start. */
+/* A job with one calibration has its site and its runs from the start. */
 static bool
 next_fit_of_one(struct session *s)
 {
@@ -331,7 +333,7 @@ end_fit_of_one(struct session *s, void *of)
 static const struct job_type ONE_SITE = {next_fit_of_one, draw_fit,
     take_fit_of_one, end_fit_of_one, free, true, NULL, NULL, NULL};
 
-/* What `calibrate all` adds up. */
+/* The results of `calibrate all`. */
 struct all_fits {
 	bool train_all;
 	struct part part;
@@ -364,7 +366,7 @@ all_fits_free(void *of)
 	free(fits);
 }
 
-/* The next of the sites that can be calibrated. */
+/* Finds the next site that can be calibrated. */
 static bool
 next_site_to_fit(struct session *s)
 {
@@ -384,7 +386,7 @@ next_site_to_fit(struct session *s)
 	return false;
 }
 
-/* One line for each site as it ends. */
+/* Notes the fit of each site as it is found. */
 static void
 note_fit_ended(const struct session *s)
 {
@@ -432,7 +434,7 @@ end_job(struct session *s)
 	type->end(s, of);
 }
 
-/* The calibration is done: on to the next task, or to the end. */
+/* Goes on to the next task, or ends the job. */
 static void
 next_or_end(struct session *s)
 {
@@ -463,7 +465,7 @@ session_step(struct session *s)
 		session_pause(s);
 }
 
-/* A task that is calibrated beside others.  found: what followed. */
+/* A task that runs in parallel with others. found: see job_type.follow. */
 struct running_task {
 	const struct session *s;
 	struct job_task task;
@@ -471,7 +473,7 @@ struct running_task {
 	void *found;
 };
 
-/* To its end, or until somebody waits. */
+/* Runs a task until it is complete or the user waits. */
 static void
 run_ahead(void *data, size_t piece, unsigned thread)
 {
@@ -489,7 +491,7 @@ run_ahead(void *data, size_t piece, unsigned thread)
 	}
 }
 
-/* The present task and those after it, `most` at most. */
+/* Lists the present task and those after it, at most `most`. */
 static size_t
 list_tasks(struct session *s, struct running_task *ahead, size_t most)
 {
@@ -509,8 +511,8 @@ list_tasks(struct session *s, struct running_task *ahead, size_t most)
 	return n;
 }
 
-/* Takes the results in the order of the tasks.  One that was stopped is the
- * present one then, and those after it begin anew. */
+/* Takes the results in the order of the tasks.  If one was stopped, it
+ * becomes the present task, and those after it start again. */
 static void
 take_results_ahead(
     struct session *s, const struct running_task *ahead, size_t n)
@@ -562,9 +564,9 @@ session_run_tasks(struct session *s)
 	take_results_ahead(s, ahead, n);
 }
 
-/* What the parameters of the job's site come to by all that the job goes by:
- * its runs, weights and settings; INFINITY where it has none, or these cannot
- * have that breakage model. */
+/* Returns the misfit of the site's own parameters with the job's runs,
+ * weights and settings; INFINITY if it has none or the settings do not allow
+ * their breakage model. */
 static double
 present_misfit(const struct session *s)
 {
@@ -584,9 +586,9 @@ present_misfit(const struct session *s)
 	return misfit;
 }
 
-/* Whether the best of a search that is stopped becomes its site's: a better fit
- * is not given up for one that is half done.  What has come to its end, and
- * only wants its draws, is no such. */
+/* True if the best of a stopped search replaces the site's parameters.  A
+ * better fit is not given up for a search that is half done; one that is
+ * complete and lacks only its draws always counts. */
 static bool
 is_worth_taking(const struct job *job, double best, double present)
 {
@@ -619,9 +621,10 @@ note_stop(const struct session *s, double best, double present, bool taken)
 		    s->job.options.generations, best, present);
 }
 
-/* Before its first generation there is nothing to keep.  What it gave its site
- * when it was stopped before is half done, too, and may be outside bounds that
- * were edited since: it is compared with what was there before that. */
+/* Before the first generation there is nothing to keep.  What the site got
+ * when the job was stopped earlier is half done, too, and may be outside
+ * bounds that were edited since; so the best is compared with the parameters
+ * before that. */
 static enum stopped
 keep_best(struct session *s)
 {
@@ -683,8 +686,8 @@ session_discard_job(struct session *s)
 	    s, "discarded the stopped calibration; it cannot be continued");
 }
 
-/* Marks the runs with a product at the speeds given, with all repeats; each
- * must have one. */
+/* Marks the runs with a product at the given speeds, including all repeats.
+ * Each speed must have one. */
 static bool
 mark_training(const struct site *site, const struct args *args, bool *train,
     struct error *error)
@@ -712,7 +715,7 @@ mark_training(const struct site *site, const struct args *args, bool *train,
 	return true;
 }
 
-/* Every training run must have something to compare. */
+/* True if each training run has a sieve to compare. */
 static bool
 check_training(const struct site *site, const bool *train, struct error *error)
 {
@@ -730,8 +733,8 @@ check_training(const struct site *site, const bool *train, struct error *error)
 	return true;
 }
 
-/* Weights by standard deviation need one for every training run; a run without
- * would count next to nothing beside the others. */
+/* True if each training run has standard deviations.  A run without them
+ * would count for almost nothing beside the others. */
 static bool
 check_weights(const struct site *site, const bool *train, struct error *error)
 {
@@ -747,7 +750,7 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 	return true;
 }
 
-/* The weights in the order of the training runs, as one for each run. */
+/* Turns weights in the order of the training runs into one for each run. */
 static bool
 spread_weights(const struct site *site, const bool *train,
     const struct number_list *given, double **run_weight, struct error *error)
@@ -783,12 +786,12 @@ job_options(const struct session *s)
 	return o;
 }
 
-/* Of many sites nobody watches a search: the starts that its polish needs are
- * found by fewer candidates; doc/decisions/search-and-polish.md has the
+/* The population of `calibrate all`: fewer candidates are enough to find the
+ * starts that the polish needs; doc/decisions/search-and-polish.md has the
  * count. */
 enum { POPULATION_OF_MANY = 2500 };
 
-/* Of calibrate's options. */
+/* Values of calibrate's options. */
 enum { PRESET_PAPER = 1, WEIGHTS_SD = 1 };
 
 static struct calibrate_options
@@ -826,7 +829,7 @@ check_all(const struct args *args, struct error *error)
 	    "but train=all; each site uses its own");
 }
 
-/* The runs to train on, and what each counts. */
+/* Chooses the training runs and their weights. */
 static bool
 job_choose_runs(const struct site *site, const struct args *args,
     struct job *job, struct error *error)
@@ -863,7 +866,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return false;
 	}
 	bool train_all = all && args_given(args, &args->train);
-	/* Side by side there is none to watch. */
+	/* Sites that are calibrated in parallel cannot be watched. */
 	job.apart = all && !job.watch;
 	if (all)
 		job.of = all_fits_new(s, train_all, part, &job.options);
@@ -872,7 +875,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	if (part.of == 0)
 		return error_set(error, ERROR_DATA,
 		    "no loaded site has a product to calibrate on");
-	/* More parts than sites: an empty one is a part, too. */
+	/* With more parts than sites, a part may be empty. */
 	show_all_fits(s, all_fits_new(s, train_all, part, &job.options));
 	return true;
 }
@@ -888,7 +891,7 @@ need_paused(const struct session *s, const char *name, struct error *error)
 	    name);
 }
 
-/* On within the session's bounds, where these are others than it began with. */
+/* Continues within the session's bounds if they were edited. */
 static void
 take_bounds(struct session *s)
 {
@@ -905,7 +908,7 @@ take_bounds(struct session *s)
 	if (job->options.plain || memcmp(&s->set.bounds, &job->options.bounds,
 				      sizeof s->set.bounds) == 0)
 		return;
-	/* Only its draws are missing. */
+	/* Only the draws are missing. */
 	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {
 		session_note(s,
 		    "  the search has ended; 'calibrate' begins within the "
@@ -929,7 +932,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		    "pause: expected a generation after %zu, which is done",
 		    s->job.step);
 	take_bounds(s);
-	/* One fit is one step of undo, however often it was stopped. */
+	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
 		invocation_join_undo(s);
 	s->job.pause_at = (size_t)args->pause;

@@ -73,7 +73,8 @@ league_drop(void *of)
 	free(l);
 }
 
-/* Default bounds, and those that were set of parameters with the same name. */
+/* Returns the default bounds, with those that were set for parameters of the
+ * same name. */
 static struct bounds
 league_bounds_of(const struct session *s, size_t model)
 {
@@ -90,7 +91,8 @@ league_bounds_of(const struct session *s, size_t model)
 	return b;
 }
 
-/* The task's model, which begins with the best of those that it extends. */
+/* Sets up the task's model, which starts from the best of the models that it
+ * extends. */
 static bool
 begin_model(struct session *s)
 {
@@ -111,7 +113,7 @@ begin_model(struct session *s)
 	return true;
 }
 
-/* The site's own training runs. */
+/* Begins a site, with its own training runs. */
 static bool
 begin_site(struct session *s)
 {
@@ -136,8 +138,8 @@ begin_site(struct session *s)
 	return true;
 }
 
-/* The next model; or the next speed to hold out, where no run was held out
- * anyway; or the next site. */
+/* Goes on to the next model; then to the next speed to hold out, if no run
+ * was held out anyway; then to the next site. */
 static bool
 next_task(struct session *s)
 {
@@ -338,8 +340,8 @@ static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
     [LEAGUE_OUT_AICC] = N_("out: AICc"),
     [LEAGUE_OUT_ERROR] = N_("out: hold-out")};
 
-/* Those who need no model and err least, where that is less than the best model
- * errs; else VALIDATE_MODEL. */
+/* Returns the null model with the smallest error, if that is smaller than
+ * the best model's; else VALIDATE_MODEL. */
 static enum validate_way
 baseline_ahead(const struct verdict *v)
 {
@@ -355,9 +357,9 @@ baseline_ahead(const struct verdict *v)
 	return ahead;
 }
 
-/* Where it stands.  Without AICc and error none is the best, nor is one that
- * errs more than those who need no model: beaten, where sampling does not
- * explain it. */
+/* Returns the standing of a model in words.  No model is the best without
+ * AICc and hold-out error, nor is one that errs more than a null model; it
+ * is beaten if sampling errors do not explain that. */
 static const char *
 verdict_word(const struct verdict *v, size_t m)
 {
@@ -369,7 +371,8 @@ verdict_word(const struct verdict *v, size_t m)
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
 }
 
-/* What the answer between measured speeds has of a model, per cent. */
+/* Returns the share of a model in the answer between measured speeds, per
+ * cent. */
 static double
 weight_of(const struct verdict *v, size_t m)
 {
@@ -401,9 +404,8 @@ put_verdict(struct fields *o, const struct verdict *v)
 		fields_put(o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
-/* The models, then those who need none; csv has the site in each row.
- * programs: with how far AICc is above the best's, for which people have no
- * room. */
+/* Adds the models, then the null models. programs: with how far AICc is
+ * above the best's, for which people have no room. */
 static void
 league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 {
@@ -484,7 +486,7 @@ say_verdict(struct answer *r, const struct verdict *v)
 		    100 * v->rmse[v->winner], 100 * v->model[v->best].rmse);
 }
 
-/* How to read it. */
+/* Adds how to read the table. */
 static void
 note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
 {
@@ -528,7 +530,7 @@ is_one_speed(const struct site *site)
 	return true;
 }
 
-/* What answers with now, and how to change that. */
+/* Notes the model in use, and how to change it. */
 static void
 note_in_use(
     struct answer *r, const struct session *s, const struct site_models *g)
@@ -543,7 +545,7 @@ note_in_use(
 	    name);
 }
 
-/* What the site's answers have of the models. */
+/* Finds the shares of the models in the site's answers. */
 static void
 find_weights(
     struct verdict *v, const struct session *s, const struct entry *entry)
@@ -597,7 +599,7 @@ answer_one_site(const struct session *s, const struct site_models *g)
 	return r;
 }
 
-/* A row a site, and all of them together. */
+/* Adds a row for each site and one for all of them. */
 static struct answer *
 answer_all(const struct session *s, const struct league *l)
 {
