@@ -25,9 +25,8 @@ void
 error_prefix_place(struct error *e, const char *file, int line, int column)
 {
 	if (e->file[0] != '\0') {
-		char *text = xasprintf("%s: %s", e->file, e->text);
+		FREED char *text = xasprintf("%s: %s", e->file, e->text);
 		snprintf(e->text, sizeof e->text, "%s", text);
-		free(text);
 	}
 	error_set_place(e, file, line, column);
 }
@@ -49,17 +48,15 @@ error_say(struct error *e, enum error_kind kind, const char *file, int line,
 	va_list again;
 	va_copy(again, ap);
 	format = tr(format);
-	char *first, *text = xvasprintf(first_line(format, &first), ap);
-	char *all = xvasprintf(format, again);
+	FREED char *first = NULL,
+		   *text = xvasprintf(first_line(format, &first), ap);
+	FREED char *all = xvasprintf(format, again);
 	const char *rest = all + strlen(text);
 	va_end(again);
 	e->kind = kind;
 	error_set_place(e, file, line, column);
 	snprintf(e->text, sizeof e->text, "%s", text);
 	snprintf(e->hint, sizeof e->hint, "%s", *rest == '\n' ? rest + 1 : "");
-	free(first);
-	free(text);
-	free(all);
 	return false;
 }
 

@@ -212,23 +212,19 @@ datetime_read_time(const char *p, bool point, struct moment *m)
 bool
 moment_read(const char *text, struct moment *m)
 {
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	const char *all = text_trim(folded), *p = all;
 	struct moment none = {.plain = false};
 	*m = none;
 	m->has_date = datetime_read_date(&p, m);
-	bool good = m->has_date;
-	if (good && *p != '\0') {
-		size_t gap = strspn(p, "t, ");
-		p += gap;
-		good =
-		    gap > 0 && (*p == '\0' || datetime_read_time(p, true, m));
-	} else if (!good) {
+	if (!m->has_date) {
 		*m = none;
-		good = datetime_read_time(all, false, m);
+		return datetime_read_time(all, false, m);
 	}
-	free(folded);
-	return good;
+	size_t gap = strspn(p, "t, ");
+	return *p == '\0' ||
+	       (gap > 0 &&
+		   (p[gap] == '\0' || datetime_read_time(p + gap, true, m)));
 }
 
 double
@@ -293,12 +289,9 @@ moment_day(long days)
 char *
 moment_text(double seconds)
 {
-	char *day = moment_day((long)floor(seconds / DAY));
-	char *clock = moment_clock(seconds);
-	char *text = xasprintf("%s %s", day, clock);
-	free(day);
-	free(clock);
-	return text;
+	FREED char *day = moment_day((long)floor(seconds / DAY));
+	FREED char *clock = moment_clock(seconds);
+	return xasprintf("%s %s", day, clock);
 }
 
 char *

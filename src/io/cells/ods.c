@@ -365,15 +365,13 @@ ods_read(struct archive *archive, struct grid *grid)
 	    ods_on_begin, ods_on_end, ods_on_text};
 	size_t n;
 	char *wrong = NULL;
-	char *bytes = archive_part(archive, "content.xml", &n, &wrong);
+	FREED char *bytes = archive_part(archive, "content.xml", &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
 	struct reading r = {.grid = grid};
-	char *fault = xml_read(bytes, n, &EVENTS, &r, grid->errors);
-	free(bytes);
+	FREED char *fault = xml_read(bytes, n, &EVENTS, &r, grid->errors);
 	if (fault != NULL)
 		wrong = xasprintf("content.xml: %s", fault);
-	free(fault);
 	clear_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
 		clear_content(&r.kept[i].content);

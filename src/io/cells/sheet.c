@@ -51,12 +51,12 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	struct error e;
 	va_list ap;
 	va_start(ap, format);
-	char *file = sheet->name[0] != '\0' ? xasprintf(tr("%s, sheet %s"),
-						  sheet->path, sheet->name)
-					    : xstrdup(sheet->path);
+	FREED char *file =
+	    sheet->name[0] != '\0'
+		? xasprintf(tr("%s, sheet %s"), sheet->path, sheet->name)
+		: xstrdup(sheet->path);
 	error_say(&e, ERROR_DATA, file, where.line, where.column, format, ap);
 	e.in_grid = sheet->name[0] != '\0';
-	free(file);
 	va_end(ap);
 	*insert_fault(sheet, &e) = e;
 	return false;
@@ -77,7 +77,8 @@ sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
 {
 	va_list ap;
 	va_start(ap, hint);
-	char *step = hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
+	FREED char *step =
+	    hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
 	va_end(ap);
 	int n = sheet_cut_length(found.text);
 	bool cut = found.text[n] != '\0';
@@ -91,7 +92,6 @@ sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
 		    "expected %s, got '%.*s%s'\n"
 		    "%s",
 		    tr(wanted), n, found.text, cut ? "..." : "", step);
-	free(step);
 	return false;
 }
 
@@ -178,13 +178,12 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 static void
 sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 {
-	char *text = text_unquoted(from->p, (size_t)(end - from->p));
+	FREED char *text = text_unquoted(from->p, (size_t)(end - from->p));
 	const char *said = text_trim(text);
 	said += said[0] == '\'' && text_is_formula(said);
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
 	row->cell[row->n_all++] = (struct cell){
 	    .text = xstrdup(said), .line = row->line, .column = from->column};
-	free(text);
 	if (row->cell[row->n_all - 1].text[0] != '\0')
 		row->n = row->n_all;
 }
@@ -586,9 +585,8 @@ void
 sheet_write_cell(const char *text, char separator, FILE *out)
 {
 	const char marks[] = {separator, '"', '\n', '\r', '\0'};
-	char *cell = xasprintf("%s%s", text_is_formula(text) ? "'" : "", text);
-	char *quoted = text_quoted(cell);
+	FREED char *cell =
+	    xasprintf("%s%s", text_is_formula(text) ? "'" : "", text);
+	FREED char *quoted = text_quoted(cell);
 	fputs(strpbrk(text, marks) != NULL ? quoted : cell, out);
-	free(quoted);
-	free(cell);
 }

@@ -59,15 +59,12 @@ source_read_rows(const char *path, struct sheet_limits most,
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
-	char *bytes = textfile_bytes(path, &n, errors);
+	FREED char *bytes = textfile_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	bool good =
-	    workbook_is(bytes, n)
-		? read_workbook(path, bytes, n, most, errors, source)
-		: source_read_plain(path, bytes, n, most, errors, source);
-	free(bytes);
-	return good;
+	return workbook_is(bytes, n)
+		   ? read_workbook(path, bytes, n, most, errors, source)
+		   : source_read_plain(path, bytes, n, most, errors, source);
 }
 
 bool

@@ -229,11 +229,9 @@ read_whole(const char *path, size_t most, struct error_list *errors)
 {
 	size_t n;
 	const char *note;
-	char *bytes = read_bytes(path, most, &n, errors), *text = NULL;
-	if (bytes != NULL)
-		text = textfile_text(path, bytes, n, &note, errors);
-	free(bytes);
-	return text;
+	FREED char *bytes = read_bytes(path, most, &n, errors);
+	return bytes != NULL ? textfile_text(path, bytes, n, &note, errors)
+			     : NULL;
 }
 
 char *

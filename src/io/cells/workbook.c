@@ -44,14 +44,12 @@ static bool
 is_locked(struct archive *archive)
 {
 	size_t n;
-	char *wrong = NULL;
+	FREED char *wrong = NULL;
 	if (archive_has(archive, "encrypted-package"))
 		return true;
-	char *list = archive_part(archive, "META-INF/manifest.xml", &n, &wrong);
-	bool locked = list != NULL && strstr(list, "encryption-data") != NULL;
-	free(list);
-	free(wrong);
-	return locked;
+	FREED char *list =
+	    archive_part(archive, "META-INF/manifest.xml", &n, &wrong);
+	return list != NULL && strstr(list, "encryption-data") != NULL;
 }
 
 static bool
@@ -76,11 +74,10 @@ refuse_other(struct archive *archive, const struct grid *grid)
 static bool
 refuse_damaged(const struct grid *grid, const char *wrong)
 {
-	char *what =
+	FREED char *what =
 	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
 	workbook_refuse(
 	    grid, what, tr("open and save it in a spreadsheet program"));
-	free(what);
 	return false;
 }
 
@@ -102,7 +99,8 @@ read_archive(struct archive *archive, struct grid *grid)
 		    tr("expected a workbook without a password, got one with "
 		       "it"),
 		    tr("save it without a password"));
-	char *wrong = xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
+	FREED char *wrong =
+	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
 	grid_end_notes(grid);
 	if (wrong != NULL)
 		refuse_damaged(grid, wrong);
@@ -113,15 +111,13 @@ read_archive(struct archive *archive, struct grid *grid)
 		workbook_refuse(grid,
 		    tr("expected a site file, got an empty workbook"),
 		    tr("see tipspeed-site(5) for what a site file contains"));
-	bool good = wrong == NULL && grid->n > 0;
-	free(wrong);
-	return good;
+	return wrong == NULL && grid->n > 0;
 }
 
 bool
 workbook_read(const char *bytes, size_t n, struct grid *grid)
 {
-	char *wrong = NULL;
+	FREED char *wrong = NULL;
 	if (workbook_begins(bytes, n, OLE))
 		return workbook_refuse(grid,
 		    tr("expected .xlsx, .ods or text, got an old .xls or a "
@@ -131,7 +127,6 @@ workbook_read(const char *bytes, size_t n, struct grid *grid)
 	bool good = archive != NULL && read_archive(archive, grid);
 	if (archive == NULL)
 		refuse_damaged(grid, wrong);
-	free(wrong);
 	archive_close(archive);
 	return good;
 }

@@ -50,14 +50,12 @@ xlsx_read_part(struct book *b, const char *name,
 {
 	size_t n;
 	char *wrong = NULL;
-	char *bytes = archive_part(b->archive, name, &n, &wrong);
+	FREED char *bytes = archive_part(b->archive, name, &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
-	char *fault = xml_read(bytes, n, events, data, b->grid->errors);
-	free(bytes);
+	FREED char *fault = xml_read(bytes, n, events, data, b->grid->errors);
 	if (fault != NULL)
 		wrong = xasprintf("%s: %s", name, fault);
-	free(fault);
 	return wrong;
 }
 
@@ -291,7 +289,8 @@ text_in_sheet(void *data, const char *text, size_t n)
 static void
 xlsx_put_text(struct reading *r, const char *text)
 {
-	char *copy = xstrdup(text), *to = copy;
+	FREED char *copy = xstrdup(text);
+	char *to = copy;
 	for (const char *p = text; *p != '\0';) {
 		unsigned code = 0;
 		int n = 0;
@@ -306,7 +305,6 @@ xlsx_put_text(struct reading *r, const char *text)
 	}
 	*to = '\0';
 	grid_put_text(r->book->grid, r->at, copy);
-	free(copy);
 }
 
 static void

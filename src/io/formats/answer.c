@@ -555,9 +555,8 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 	fputc(separator, out);
 	sheet_write_cell(a->site, separator, out);
 	fputc(separator, out);
-	char *kind = xstrndup(a->provenance, first_clause(a->provenance));
+	FREED char *kind = xstrndup(a->provenance, first_clause(a->provenance));
 	sheet_write_cell(kind, separator, out);
-	free(kind);
 }
 
 static void
@@ -609,10 +608,8 @@ text_json(const char *text)
 {
 	if (text_is_utf8(text, strlen(text)))
 		return json_string(text);
-	char *shown = text_escaped(text);
-	json_t *string = json_string(shown);
-	free(shown);
-	return string;
+	FREED char *shown = text_escaped(text);
+	return json_string(shown);
 }
 
 static void answer_put_fields(json_t *o, const struct fields *fields);
@@ -747,14 +744,13 @@ form_free(struct form *f)
 static void
 print_sentence(const char *text, int indent, int room, FILE *out)
 {
-	char *lines = NULL;
+	FREED char *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&lines, &n);
 	text_wrap(text, indent, room, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
 		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
-	free(lines);
 }
 
 /* Columns of a table that stand side by side: the first one and those from
@@ -824,7 +820,7 @@ static void
 print_trimmed(const struct table *t, const struct form *f, size_t row,
     struct block block, FILE *out)
 {
-	char *line = NULL;
+	FREED char *line = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&line, &n);
 	answer_print_row(
@@ -833,7 +829,6 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	while (n > 0 && line[n - 1] == ' ')
 		n--;
 	fprintf(out, "  %.*s\n", (int)n, line);
-	free(line);
 }
 
 /* The sentences that are warnings, or those that are none. */
@@ -845,13 +840,12 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 		const struct answer_sentence *said = &a->sentence[i];
 		if ((said->grade == ANSWER_WARNING) != warnings)
 			continue;
-		char *text = xasprintf("%s%s%s",
+		FREED char *text = xasprintf("%s%s%s",
 		    !warnings              ? ""
 		    : is_sentences_only(a) ? tr("Warning: ")
 					   : tr("warning: "),
 		    said->text, is_sentences_only(a) ? "." : "");
 		add_sentence(copy, said->grade, way(text));
-		free(text);
 	}
 }
 
@@ -864,15 +858,13 @@ copy_with_words(char *(*way)(const char *), const struct answer *a)
 	const struct table *from = &a->table[0];
 	copy->title = a->title != NULL ? way(a->title) : NULL;
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
-		char *first =
+		FREED char *first =
 		    xstrndup(a->provenance, first_clause(a->provenance));
 		copy->provenance = way(first);
-		free(first);
 	}
 	for (size_t c = 0; c < from->n_column; c++) {
-		char *head = way(from->head[c]);
+		FREED char *head = way(from->head[c]);
 		answer_column(copy, from->key[c], head);
-		free(head);
 	}
 	for (size_t i = 0; i < from->n_cell; i++)
 		answer_add_cell(
@@ -971,7 +963,7 @@ is_markup(const char *text, const char *p)
 static char *
 as_markdown(const char *text)
 {
-	char *shown = text_escaped(text);
+	FREED char *shown = text_escaped(text);
 	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"
@@ -986,7 +978,6 @@ as_markdown(const char *text)
 			*end++ = '\\';
 		*end++ = *p;
 	}
-	free(shown);
 	return copy;
 }
 

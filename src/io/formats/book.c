@@ -35,12 +35,11 @@ static int
 open_temporary_file(void)
 {
 	const char *folder = getenv("TMPDIR");
-	char *path = xasprintf("%s/tipspeed-XXXXXX",
+	FREED char *path = xasprintf("%s/tipspeed-XXXXXX",
 	    folder != NULL && folder[0] != '\0' ? folder : "/tmp");
 	int fd = mkstemp(path);
 	if (fd >= 0)
 		unlink(path);
-	free(path);
 	return fd;
 }
 
@@ -93,8 +92,8 @@ book_new(struct error *error)
 	}
 	struct book *b = xcalloc(1, sizeof *b);
 	const char *folder = getenv("TMPDIR");
-	char *path = xasprintf("/dev/fd/%d", fd);
-	char *parts = xstrdup(folder != NULL ? folder : "");
+	FREED char *path = xasprintf("/dev/fd/%d", fd);
+	FREED char *parts = xstrdup(folder != NULL ? folder : "");
 	lxw_workbook_options options = {
 	    .tmpdir = parts[0] != '\0' ? parts : NULL};
 	/* 2000-01-01, in place of the hour at which it is written. */
@@ -103,8 +102,6 @@ book_new(struct error *error)
 	b->workbook = workbook_new_opt(path, &options);
 	workbook_set_properties(b->workbook, &properties);
 	add_formats(b);
-	free(path);
-	free(parts);
 	return b;
 }
 
@@ -153,7 +150,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
-	char *shown = text_escaped(text);
+	FREED char *shown = text_escaped(text);
 	if (strlen(shown) > MOST) {
 		size_t n = MOST;
 		while ((shown[n] & 0xC0) == 0x80)
@@ -162,7 +159,6 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 	}
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
-	free(shown);
 }
 
 /* Text of a column of sieves: there are also rows such as "P80 mm" in it. */
@@ -279,12 +275,11 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 		if (!book_is_curve(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
-		char *name = text_escaped(v->head[c]);
+		FREED char *name = text_escaped(v->head[c]);
 		chart_series_set_categories(series, p->name, from, 0, to, 0);
 		chart_series_set_values(
 		    series, p->name, from, (lxw_col_t)c, to, (lxw_col_t)c);
 		chart_series_set_name(series, name);
-		free(name);
 	}
 	chart_axis_set_name(chart->x_axis, "sieve, mm");
 	chart_axis_set_name(chart->y_axis, "passing, %");
@@ -335,7 +330,7 @@ book_put_sentences(
 		bool warning = said->grade == ANSWER_WARNING;
 		if (warning != warnings)
 			continue;
-		char *text =
+		FREED char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
 		lxw_format *light = light_format(b, said->text);
 		book_put_text(p, 0, text,
@@ -343,7 +338,6 @@ book_put_sentences(
 		    : warning     ? b->warning
 				  : NULL);
 		p->row++;
-		free(text);
 	}
 }
 
@@ -357,10 +351,9 @@ book_add(struct book *b, const struct answer *answer)
 		p.row++;
 	}
 	if (v.provenance != NULL && v.provenance[0] != '\0') {
-		char *data = xasprintf("data: %.*s",
+		FREED char *data = xasprintf("data: %.*s",
 		    (int)strcspn(v.provenance, ";"), v.provenance);
 		book_put_text(&p, 0, data, b->remark);
-		free(data);
 		p.row++;
 	}
 	p.row += p.row > 0;
@@ -399,7 +392,7 @@ book_add_text(struct book *b, const char *name, const char *text)
 {
 	enum { MOST_ROWS = 2000 };
 	struct error_list errors = {0};
-	char *copy = xstrdup(text);
+	FREED char *copy = xstrdup(text);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new("", copy, most, &errors);
 	number_find(sheet);
@@ -408,13 +401,11 @@ book_add_text(struct book *b, const char *name, const char *text)
 		book_put_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
 		const char *said = sheet->comment[i].text;
-		char *plain = text_unquoted(said, strlen(said));
+		FREED char *plain = text_unquoted(said, strlen(said));
 		p.row = (lxw_row_t)sheet->comment[i].line - 1;
 		book_put_text(&p, 0, plain, b->remark);
-		free(plain);
 	}
 	sheet_free(sheet);
-	free(copy);
 }
 
 void

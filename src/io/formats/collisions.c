@@ -170,7 +170,7 @@ find_head(const char *plain)
 static enum column
 collisions_column_of(const char *head, double *scale)
 {
-	char *plain = plain_head(head);
+	FREED char *plain = plain_head(head);
 	enum column column = find_head(plain);
 	const char *unit = "";
 	*scale = column == COL_SIZE ? 1e-3 : 1;
@@ -193,7 +193,6 @@ collisions_column_of(const char *head, double *scale)
 		column = COL_PARTICLES_KG;
 	if (strcmp(plain, "energy") == 0 && strcmp(unit, "m/s") == 0)
 		column = COL_NONE;
-	free(plain);
 	return column;
 }
 
@@ -214,14 +213,14 @@ take_column(struct reading *r, const char *head)
 static void
 collisions_take_columns(struct reading *r, const char *heads, char separator)
 {
-	char *copy = xstrdup(heads), *rest = copy, *head, was = r->separator;
+	FREED char *copy = xstrdup(heads);
+	char *rest = copy, *head, was = r->separator;
 	r->separator = separator;
 	r->n = 0;
 	memset(r->has, 0, sizeof r->has);
 	while ((head = next_field(r, &rest)) != NULL)
 		take_column(r, head);
 	r->separator = was;
-	free(copy);
 }
 
 static bool
@@ -337,27 +336,23 @@ take_impact(struct reading *r)
 static bool
 collisions_take_note(struct reading *r)
 {
-	char *copy = xstrdup(r->line), *rest = copy;
+	FREED char *copy = xstrdup(r->line);
+	char *rest = copy;
 	const char *key = next_field(r, &rest), *value = next_field(r, &rest);
 	double v;
-	bool ok = false;
-	if (key != NULL && value != NULL && strcmp(key, "speed_m_s") == 0 &&
-	    text_number(value, &v) && v > 0) {
+	if (key == NULL || value == NULL)
+		return key != NULL && strcmp(key, "spectrum") == 0;
+	if (strcmp(key, "speed_m_s") == 0 && text_number(value, &v) && v > 0) {
 		r->to->spectrum->speed = v;
-		ok = true;
-	} else if (key != NULL && value != NULL &&
-		   strcmp(key, "provenance") == 0) {
+		return true;
+	}
+	if (strcmp(key, "provenance") == 0) {
 		free(r->to->about);
 		r->to->about = xstrdup(value);
-		ok = true;
-	} else if (key != NULL && value != NULL &&
-		   strcmp(key, "impacts") == 0 && text_whole(value, &r->told)) {
-		ok = true;
-	} else if (key != NULL && strcmp(key, "spectrum") == 0) {
-		ok = true;
+		return true;
 	}
-	free(copy);
-	return ok;
+	return strcmp(key, "spectrum") == 0 ||
+	       (strcmp(key, "impacts") == 0 && text_whole(value, &r->told));
 }
 
 static char
@@ -373,12 +368,12 @@ separator_of(const char *line)
 static bool
 table_columns(struct reading *r, bool *is_row)
 {
-	char *copy = xstrdup(r->line), *rest = copy;
+	FREED char *copy = xstrdup(r->line);
+	char *rest = copy;
 	double v;
 	const char *first = next_field(r, &rest);
 	*is_row = first != NULL && text_number(first, &v);
 	bool two = next_field(r, &rest) != NULL;
-	free(copy);
 	if (r->way->columns != NULL)
 		collisions_take_columns(r, r->way->columns, ',');
 	else if (!*is_row)

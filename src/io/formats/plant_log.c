@@ -60,10 +60,8 @@ struct reading {
 static bool
 list_has(const char *words, const char *word, size_t n)
 {
-	char *wanted = xasprintf(" %.*s ", (int)n, word);
-	bool found = strstr(words, wanted) != NULL;
-	free(wanted);
-	return found;
+	FREED char *wanted = xasprintf(" %.*s ", (int)n, word);
+	return strstr(words, wanted) != NULL;
 }
 
 /* Whether a text has one of these words. */
@@ -71,16 +69,16 @@ static bool
 plant_log_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
-	char *folded = text_fold(text);
-	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
-	for (const char *p = folded; *p != '\0' && !found;) {
+	FREED char *folded = text_fold(text);
+	if (strstr(folded, "feed rate") != NULL && words == RATE)
+		return true;
+	for (const char *p = folded; *p != '\0'; p += strspn(p, BREAKS)) {
 		size_t n = strcspn(p, BREAKS);
-		found = n > 0 && list_has(words, p, n);
+		if (n > 0 && list_has(words, p, n))
+			return true;
 		p += n;
-		p += strspn(p, BREAKS);
 	}
-	free(folded);
-	return found;
+	return false;
 }
 
 /* What a head says its column is. */
@@ -265,11 +263,10 @@ static bool
 plant_log_find_columns(struct reading *r)
 {
 	for (size_t c = 0; c < r->n_column; c++) {
-		char *text = plant_log_head_text(r, c);
+		FREED char *text = plant_log_head_text(r, c);
 		r->head[c] = head_read(text);
 		bool time = c == r->date || c == r->clock;
 		r->kind[c] = time ? TIME : plant_log_kind_of(text, &r->head[c]);
-		free(text);
 	}
 	const char *columns = r->request->columns;
 	if (columns != NULL && !plant_log_take_columns(r, columns))
@@ -411,7 +408,7 @@ check_numbers(struct reading *r)
 static void
 write_columns_text(struct reading *r)
 {
-	char *text = xasprintf(tr("time in column %zu"), r->date + 1);
+	FREED char *text = xasprintf(tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
 		xappend(&text, tr(" and %zu"), r->clock + 1);
 	for (size_t k = 0; k < LOG_COLUMNS; k++)
@@ -421,7 +418,6 @@ write_columns_text(struct reading *r)
 				    LOG_UNITS[k], c + 1);
 	if (r->log->read_as[0] == '\0')
 		xappend(&r->log->read_as, "%s", text);
-	free(text);
 }
 
 /* A sheet without times at all is none of a log, where others have some. */
@@ -486,8 +482,8 @@ compare_by_time(const void *a, const void *b)
 static void
 plant_log_sort_rows(struct plant_log *log)
 {
-	struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
-	double *old = xdoubles(log->n);
+	FREED struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
+	FREED double *old = xdoubles(log->n);
 	for (size_t i = 0; i < log->n; i++)
 		stamp[i] = (struct stamp){log->time[i], i};
 	qsort(stamp, log->n, sizeof *stamp, compare_by_time);
@@ -498,8 +494,6 @@ plant_log_sort_rows(struct plant_log *log)
 		for (size_t i = 0; i < log->n; i++)
 			log->value[k][i] = old[stamp[i].row];
 	}
-	free(old);
-	free(stamp);
 }
 
 /* NAN of none. */
@@ -518,7 +512,7 @@ plant_log_finish(struct reading *r)
 {
 	struct plant_log *log = r->log;
 	plant_log_sort_rows(log);
-	double *apart = xdoubles(log->n);
+	FREED double *apart = xdoubles(log->n);
 	for (size_t i = 1; i < log->n; i++) {
 		apart[i - 1] = log->time[i] - log->time[i - 1];
 		if (apart[i - 1] > log->gap) {
@@ -527,7 +521,6 @@ plant_log_finish(struct reading *r)
 		}
 	}
 	log->apart = log->n > 1 ? plant_log_median(apart, log->n - 1) : 0;
-	free(apart);
 	log->digest = text_digest(
 	    TEXT_DIGEST_START, log->time, log->n * sizeof *log->time);
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
@@ -602,7 +595,7 @@ plant_log_window(const struct plant_log *log, double from, double to)
 		end++;
 	w.n = end - first;
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
-		double *value = xdoubles(w.n);
+		FREED double *value = xdoubles(w.n);
 		size_t n = 0;
 		for (size_t i = first; i < end && log->value[k] != NULL; i++)
 			if (!isnan(log->value[k][i]))
@@ -610,7 +603,6 @@ plant_log_window(const struct plant_log *log, double from, double to)
 		w.median[k] = plant_log_median(value, n);
 		w.least[k] = n > 0 ? value[0] : NAN;
 		w.most[k] = n > 0 ? value[n - 1] : NAN;
-		free(value);
 	}
 	return w;
 }

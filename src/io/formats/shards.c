@@ -195,25 +195,23 @@ static bool
 check_each_once(const struct parts *parts, struct error *error)
 {
 	size_t of = parts->part[0].of;
-	const char **path = xcalloc(of + 1, sizeof(*path));
-	bool good = true;
-	for (size_t k = 0; good && k < parts->n; k++) {
+	FREED const char **path = xcalloc(of + 1, sizeof(*path));
+	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		const char **at = &path[part->number];
-		good = *at == NULL ||
-		       error_at(error, ERROR_DATA, part->path, 0, 0,
-			   "part %zu of %zu is in %s already\nleave one out",
-			   part->number, of, *at);
+		if (*at != NULL)
+			return error_at(error, ERROR_DATA, part->path, 0, 0,
+			    "part %zu of %zu is in %s already\nleave one out",
+			    part->number, of, *at);
 		*at = part->path;
 	}
-	for (size_t i = 1; good && i <= of; i++)
-		good = path[i] != NULL ||
-		       error_set(error, ERROR_DATA,
-			   "part %zu of %zu is missing\n"
-			   "make it with: %s all part=%zu/%zu > FILE.json",
-			   i, of, parts->part[0].command, i, of);
-	free(path);
-	return good;
+	for (size_t i = 1; i <= of; i++)
+		if (path[i] == NULL)
+			return error_set(error, ERROR_DATA,
+			    "part %zu of %zu is missing\n"
+			    "make it with: %s all part=%zu/%zu > FILE.json",
+			    i, of, parts->part[0].command, i, of);
+	return true;
 }
 
 bool

@@ -22,11 +22,11 @@ spec_read_cut(const char *text, double cut[static 2])
 {
 	double mm[2];
 	const char *slash = strchr(text, '/');
-	char *fine = slash != NULL ? xstrndup(text, (size_t)(slash - text))
-				   : xstrdup("");
+	FREED char *fine = slash != NULL
+			       ? xstrndup(text, (size_t)(slash - text))
+			       : xstrdup("");
 	bool ok = text_number(fine, &mm[0]) && text_number(slash + 1, &mm[1]) &&
 		  mm[0] >= 0 && mm[1] > mm[0];
-	free(fine);
 	for (size_t i = 0; ok && i < 2; i++)
 		cut[i] = mm[i] / 1000;
 	return ok;

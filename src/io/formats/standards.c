@@ -75,10 +75,8 @@ base_envelope(const struct standards *all, const char *name)
 	const char *bracket = strstr(name, " (");
 	if (bracket == NULL)
 		return NULL;
-	char *base = xstrndup(name, (size_t)(bracket - name));
-	const struct spec *spec = spec_of(all, base);
-	free(base);
-	return spec;
+	FREED char *base = xstrndup(name, (size_t)(bracket - name));
+	return spec_of(all, base);
 }
 
 static struct spec *
@@ -124,7 +122,8 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	enum { STANDARD, NAME, CUT, SIZE, LEAST, MOST, SOURCE };
 	const char *standard = sheet_cell(row, STANDARD).text;
 	const char *source = sheet_cell(row, SOURCE).text;
-	char *name = xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
+	FREED char *name =
+	    xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
 	double mm = read_limit_cell(sheet, row, SIZE);
 	struct spec *spec = spec_of(all, name);
 	if (spec == NULL)
@@ -134,7 +133,6 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	    read_limit_cell(sheet, row, LEAST) / 100,
 	    read_limit_cell(sheet, row, MOST) / 100);
 	add_remark(spec, source, mm);
-	free(name);
 }
 
 static void
@@ -159,7 +157,7 @@ standards_read_text(struct standards *all, const char *name,
     void (*read)(struct standards *, struct sheet *, const struct row *))
 {
 	struct error_list errors = {0};
-	char *text = textfile_lines(line);
+	FREED char *text = textfile_lines(line);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new(name, text, most, &errors);
 	number_decide(sheet);
@@ -168,7 +166,6 @@ standards_read_text(struct standards *all, const char *name,
 	/* They are part of the program: the tests read all of them. */
 	assert(sheet->n_fault == 0);
 	sheet_free(sheet);
-	free(text);
 }
 
 struct standards *
@@ -223,7 +220,7 @@ match_word(const char *name, const char *word, size_t n)
 static int
 match_words(const char *name, const char *words)
 {
-	char *folded = text_fold(name), *all = text_fold(words);
+	FREED char *folded = text_fold(name), *all = text_fold(words);
 	int least = 2;
 	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
 		size_t n = strcspn(p, BETWEEN);
@@ -232,8 +229,6 @@ match_words(const char *name, const char *words)
 		p += n;
 		p += strspn(p, BETWEEN);
 	}
-	free(all);
-	free(folded);
 	return least;
 }
 
@@ -281,9 +276,9 @@ keep_base_envelope(
 size_t
 standards_match(const struct standards *all, const char *words, bool *match)
 {
-	char *folded = text_fold(words);
+	FREED char *folded = text_fold(words);
 	size_t n = 0, full = 0;
-	int *in = xcalloc(all->n + 1, sizeof *in);
+	FREED int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
 		in[i] = match_words(all->spec[i]->name, folded);
 		full += in[i] == 2;
@@ -291,8 +286,6 @@ standards_match(const struct standards *all, const char *words, bool *match)
 	for (size_t i = 0; i < all->n; i++)
 		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
 	n = n > 1 ? keep_base_envelope(all, folded, match, n) : n;
-	free(in);
-	free(folded);
 	return n;
 }
 
@@ -302,9 +295,9 @@ nearest_name(const struct standards *all, const char *words)
 {
 	const char *best = all->spec[0]->name;
 	size_t least = SIZE_MAX;
-	char *folded = text_fold(words);
+	FREED char *folded = text_fold(words);
 	for (size_t i = 0; i < all->n; i++) {
-		char *name = text_fold(all->spec[i]->name);
+		FREED char *name = text_fold(all->spec[i]->name);
 		/* What was left out at its end is no mistake. */
 		if (strlen(name) > strlen(folded))
 			name[strlen(folded)] = '\0';
@@ -313,9 +306,7 @@ nearest_name(const struct standards *all, const char *words)
 			least = d;
 			best = all->spec[i]->name;
 		}
-		free(name);
 	}
-	free(folded);
 	return best;
 }
 
@@ -323,15 +314,14 @@ const struct spec *
 standards_find(
     const struct standards *all, const char *words, struct error *error)
 {
-	bool *match = xcalloc(all->n, sizeof *match);
+	FREED bool *match = xcalloc(all->n, sizeof *match);
 	size_t n = standards_match(all, words, match), at = 0;
 	while (at < all->n && !match[at])
 		at++;
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < all->n && n > 1; i++)
 		if (match[i])
 			xlist(&list, ", ", "%s", all->spec[i]->name);
-	free(match);
 	if (n == 0)
 		error_set(error, ERROR_USAGE,
 		    "there is no envelope '%s', and no such file\n"
@@ -341,7 +331,6 @@ standards_find(
 		error_set(error, ERROR_USAGE,
 		    "'%s' matches %zu envelopes\ngive more of the name: %s",
 		    words, n, list);
-	free(list);
 	return n == 1 ? all->spec[at] : NULL;
 }
 

@@ -105,7 +105,7 @@ struct kept_file *
 kept_files(size_t *n)
 {
 	struct kept_file *file = NULL;
-	char *folder = state_path("");
+	FREED char *folder = state_path("");
 	DIR *dir = folder != NULL ? opendir(folder) : NULL;
 	*n = 0;
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
@@ -123,7 +123,6 @@ kept_files(size_t *n)
 	}
 	if (dir != NULL)
 		closedir(dir);
-	free(folder);
 	if (*n > 0)
 		qsort(file, *n, sizeof *file, newer_first);
 	return file;
@@ -173,9 +172,8 @@ make_file(struct kept *kept, struct error *error)
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
-		char *closed = xdg_make_folders(kept->path);
+		FREED char *closed = xdg_make_folders(kept->path);
 		bool made = closed == NULL || cannot_make(closed, errno, error);
-		free(closed);
 		if (made)
 			fd = open(kept->path,
 			    O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);

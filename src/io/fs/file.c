@@ -53,10 +53,8 @@ link_target(const char *path)
 	to[n] = '\0';
 	if (to[0] == '/')
 		return xstrdup(to);
-	char *folder = folder_of(path);
-	char *target = xasprintf("%s%s", folder, to);
-	free(folder);
-	return target;
+	FREED char *folder = folder_of(path);
+	return xasprintf("%s%s", folder, to);
 }
 
 /* The file after links, which need not be there yet. */
@@ -239,7 +237,7 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 	/* A rename asks the folder only. */
 	if (there && access(path, W_OK) != 0)
 		return cannot_write(path, errno, error);
-	char *target = behind_links(path);
+	FREED char *target = behind_links(path);
 	sigset_t all, before;
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
@@ -247,7 +245,6 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 	    file_put_file(target, there ? &about : NULL, rights, bytes, n);
 	int reason = errno;
 	sigprocmask(SIG_SETMASK, &before, NULL);
-	free(target);
 	return good || cannot_write(path, reason, error);
 }
 
@@ -256,15 +253,12 @@ file_replace_by(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
 	write(data, memory);
-	bool good = fclose(memory) == 0
-			? file_replace(path, rights, text, n, error)
-			: cannot_write(path, ENOMEM, error);
-	free(text);
-	return good;
+	return fclose(memory) == 0 ? file_replace(path, rights, text, n, error)
+				   : cannot_write(path, ENOMEM, error);
 }
 
 /* To the end of the open file; what a full disk took is cut off again, unless
@@ -313,12 +307,10 @@ file_may_write(const char *path, struct error *error)
 	bool there;
 	if (!file_look(path, &about, &there))
 		return cannot_write(path, errno, error);
-	char *target = behind_links(path), *folder = folder_of(target);
+	FREED char *target = behind_links(path), *folder = folder_of(target);
 	bool ok =
 	    there ? access(path, W_OK) == 0
 		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;
 	int reason = errno;
-	free(folder);
-	free(target);
 	return ok || cannot_write(path, reason, error);
 }

@@ -51,10 +51,8 @@ shipped_path_in(const char *name, const char *from)
 {
 	if (strchr(name, '/') != NULL)
 		return NULL;
-	char *slug = text_slug(name), *folder = shipped_folder();
+	FREED char *slug = text_slug(name), *folder = shipped_folder();
 	char *path = xasprintf("%s%s%s.csv", folder, from, slug);
-	free(folder);
-	free(slug);
 	if (access(path, R_OK) == 0)
 		return path;
 	free(path);

@@ -25,14 +25,11 @@ assume(struct column *c, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(tr(format), ap);
+	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	if (c->assumed == NULL)
-		c->assumed = what;
-	else {
-		xlist(&c->assumed, "\n", "%s", what);
-		free(what);
-	}
+		c->assumed = xstrdup("");
+	xlist(&c->assumed, "\n", "%s", what);
 }
 
 /* The head of column c in row r: its own cell, or the one that spreads from its
@@ -599,11 +596,10 @@ leave_out(struct site *site, char *where, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(tr(format), ap);
+	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 	free(where);
-	free(what);
 }
 
 static bool
@@ -757,7 +753,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 {
 	struct surroundings around = *near;
 	struct error_list *errors = t->sheet->errors;
-	struct column *column = xcalloc(t->n_col, sizeof *column);
+	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
 		column[n] = column_from_heads(t, n + 1);
@@ -784,7 +780,6 @@ recognise_columns(struct table *t, const struct surroundings *near,
 		classify_find_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
-	free(column);
 }
 
 /* Nobody waits for the columns any more. */
@@ -815,29 +810,29 @@ classify_rank(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
-/* Whether the words that nobody knows, or that have digits, are the same in the
- * heads of two columns: the name of one sample. */
+/* The words in the heads of a column that nobody knows, or that have digits.
+ * The caller frees them. */
+static char *
+name_in_head(const struct column *c)
+{
+	FREED char *head = layout_head_text(c->table, c->at);
+	char *rest = head, *name = xstrdup("");
+	for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
+		size_t unknown, n = strlen(word);
+		vocabulary_text(word, &unknown);
+		if ((unknown > 0 && n > 1) ||
+		    strpbrk(word, "0123456789") != NULL)
+			xlist(&name, " ", "%s", word);
+	}
+	return name;
+}
+
+/* Whether the names of samples are the same in the heads of two columns. */
 static bool
 is_called_alike(const struct column *a, const struct column *b)
 {
-	const struct column *both[] = {a, b};
-	char *name[] = {xstrdup(""), xstrdup("")};
-	for (size_t i = 0; i < 2; i++) {
-		char *head = layout_head_text(both[i]->table, both[i]->at);
-		char *rest = head;
-		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
-			size_t unknown, n = strlen(word);
-			vocabulary_text(word, &unknown);
-			if ((unknown > 0 && n > 1) ||
-			    strpbrk(word, "0123456789") != NULL)
-				xlist(&name[i], " ", "%s", word);
-		}
-		free(head);
-	}
-	bool same = text_same(name[0], name[1]);
-	free(name[0]);
-	free(name[1]);
-	return same;
+	FREED char *one = name_in_head(a), *other = name_in_head(b);
+	return text_same(one, other);
 }
 
 /* Whether two columns are one sample in two quantities, of which one at least
@@ -875,11 +870,12 @@ mark_twin(struct column *c, const struct column *other)
 static char *
 own_words(const struct column *c)
 {
-	char *head = layout_head_text(c->table, c->at), *words = xstrdup("");
-	char *folded = text_fold(head);
+	FREED char *head = layout_head_text(c->table, c->at);
+	FREED char *folded = text_fold(head);
+	char *words = xstrdup("");
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
-		char *word = xstrndup(p, n);
+		FREED char *word = xstrndup(p, n);
 		bool range = strchr(word, '/') != NULL &&
 			     strspn(word, "0123456789/.") == n && n > 2;
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
@@ -892,11 +888,8 @@ own_words(const struct column *c)
 				   WORD_MACHINE) != 0;
 		if (range || machine || (letters && unknown > 0))
 			xlist(&words, " ", "%s", word);
-		free(word);
 		p += n + (p[n] != '\0');
 	}
-	free(folded);
-	free(head);
 	return words;
 }
 
@@ -915,7 +908,7 @@ is_repeat(const struct column *a, const char *x, const struct column *b,
 static void
 ask_repeats(struct columns *all)
 {
-	char **words = xcalloc(all->n, sizeof(*words));
+	FREED char **words = xcalloc(all->n, sizeof(*words));
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *a = &all->column[i];
 		if (a->role != PRODUCT || !(a->speed > 0))
@@ -933,7 +926,6 @@ ask_repeats(struct columns *all)
 	}
 	for (size_t i = 0; i < all->n; i++)
 		free(words[i]);
-	free(words);
 }
 
 /* The mean of samples that are there themselves is no sample. */

@@ -231,9 +231,9 @@ is_second_speed(const struct before *before, const char *text, double value)
 	if (before->end == NULL || !(before->at || (before->unit && near)))
 		return false;
 	size_t unknown;
-	char *gap = xasprintf("%.*s", (int)(text - before->end), before->end);
+	FREED char *gap =
+	    xasprintf("%.*s", (int)(text - before->end), before->end);
 	uint64_t means = vocabulary_text(gap, &unknown);
-	free(gap);
 	return unknown > 0 ||
 	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
@@ -395,13 +395,11 @@ column_header_cut(const char *folded, char *words, char *rest)
 static struct head
 column_header_read(const char *text, char **left)
 {
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	plain_blanks(folded);
-	char *words = xcalloc(strlen(folded) + 1, 1);
+	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	char *rest = xcalloc(strlen(folded) + 1, 1);
 	struct head head = column_header_cut(folded, words, rest);
-	free(words);
-	free(folded);
 	if (left != NULL)
 		*left = rest;
 	else

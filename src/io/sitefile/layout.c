@@ -792,9 +792,8 @@ fill_names(struct table *t)
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->n_col; c++) {
-		char *head = layout_head_text(t, c);
+		FREED char *head = layout_head_text(t, c);
 		uint64_t means = vocabulary_text(head, NULL);
-		free(head);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
 			continue;
@@ -813,7 +812,7 @@ static void
 add_layout_table(const struct grid *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
 {
-	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
+	FREED size_t *col = xcalloc(g->n_col + 1, sizeof *col);
 	size_t n = layout_list_columns(g, p, from, end, col);
 	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
@@ -850,7 +849,6 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	layout->table =
 	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
 	layout->table[layout->n++] = t;
-	free(col);
 }
 
 static bool

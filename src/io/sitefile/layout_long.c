@@ -101,7 +101,7 @@ list_sizes(struct longer *l)
 	/* Of which series they are shows later; here they only differ. */
 	if (unit.series == SIEVE_MESH)
 		unit = (struct sieve_unit){1, SIEVE_NONE};
-	struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
+	FREED struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
 	size_t n = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
 		enum sieve_kind kind =
@@ -117,7 +117,6 @@ list_sizes(struct longer *l)
 			l->first[l->n_size++] = ranked[i].row;
 		l->size[ranked[i].row] = l->n_size - 1;
 	}
-	free(ranked);
 }
 
 static bool
@@ -149,7 +148,7 @@ static void
 layout_long_list_samples(struct longer *l)
 {
 	size_t n = l->table->n_row, room = 2 * n + 1;
-	size_t *known =
+	FREED size_t *known =
 	    xcalloc(room, sizeof *known); /* samples from 1; 0: no */
 	for (size_t r = 0; r < n; r++) {
 		l->mark[r] = layout_long_mark_of(l, r);
@@ -166,7 +165,6 @@ layout_long_list_samples(struct longer *l)
 		}
 		l->sample[r] = known[at] - 1;
 	}
-	free(known);
 }
 
 /* Whether sample a comes after b by their numbers: number [n], NAN where a
@@ -205,9 +203,9 @@ static void
 sort_samples(struct longer *l)
 {
 	size_t n, n_sample = l->n_sample;
-	double *number = sample_numbers(l, &n);
-	size_t *order = xcalloc(n_sample, sizeof *order);
-	size_t *place = xcalloc(n_sample, sizeof *place);
+	FREED double *number = sample_numbers(l, &n);
+	FREED size_t *order = xcalloc(n_sample, sizeof *order);
+	FREED size_t *place = xcalloc(n_sample, sizeof *place);
 	size_t *lead = xcalloc(n_sample, sizeof *lead);
 	for (size_t i = 0; i < n_sample; i++) {
 		size_t k = i;
@@ -225,9 +223,6 @@ sort_samples(struct longer *l)
 		l->sample[r] = place[l->sample[r]];
 	free(l->lead);
 	l->lead = lead;
-	free(number);
-	free(order);
-	free(place);
 }
 
 /* Whether each sample has each of its sieves once, and some sieve is there for
@@ -241,7 +236,7 @@ is_long(const struct longer *l)
 		values = values || l->use[c] == VALUE;
 	if (!values || l->n_sample < 2 || 2 * n < 3 * l->n_size)
 		return false;
-	struct ranked *ranked = xcalloc(n, sizeof *ranked);
+	FREED struct ranked *ranked = xcalloc(n, sizeof *ranked);
 	for (size_t r = 0; r < n && good; r++) {
 		good = !isnan(l->mm[r]);
 		/* Exact: both are below the number of rows. */
@@ -251,7 +246,6 @@ is_long(const struct longer *l)
 	qsort(ranked, n, sizeof *ranked, compare_ranked);
 	for (size_t i = 1; i < n && good; i++)
 		good = ranked[i].by != ranked[i - 1].by;
-	free(ranked);
 	return good;
 }
 
@@ -291,9 +285,8 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 			xlist(&text, " ", "%s %s", cell.text,
 			    number ? unit_text(unit) : "");
 	}
-	char *own = layout_head_text(t, value);
+	FREED char *own = layout_head_text(t, value);
 	xlist(&text, " ", "%s", own);
-	free(own);
 	return text;
 }
 
@@ -444,10 +437,9 @@ layout_widen(struct table *t, uint64_t told)
 	l.mark = xcalloc(n, sizeof *l.mark);
 	for (size_t c = 0; c < t->n_col && !error_stopped(t->sheet->errors);
 	     c++) {
-		char *text = layout_head_text(t, c);
+		FREED char *text = layout_head_text(t, c);
 		l.head[c] = head_read(text);
 		l.use[c] = c > 0 ? guess_use(t, c, &l.head[c]) : UNUSED;
-		free(text);
 	}
 	list_sizes(&l);
 	layout_long_list_samples(&l);

@@ -269,7 +269,7 @@ uint64_t
 vocabulary_text(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	uint64_t means = 0;
 	size_t none = 0;
 	for (char *p = folded; *p != '\0';) {
@@ -294,7 +294,6 @@ vocabulary_text(const char *text, size_t *unknown)
 			means |= one;
 		}
 	}
-	free(folded);
 	if (unknown != NULL)
 		*unknown = none;
 	return means;
@@ -319,19 +318,16 @@ static const char *const KEYS[N_KEY] = {
 static bool
 is_one_of(const char *key, const char *list)
 {
-	char *folded = text_fold(key);
+	FREED char *folded = text_fold(key);
 	const char *word = text_trim(folded);
 	size_t n = strlen(word);
-	bool found = false;
-	for (const char *p = list; !found && n > 0;) {
+	for (const char *p = list; n > 0 && *p != '\0';) {
 		size_t length = strcspn(p, "|");
-		found = length == n && strncmp(p, word, n) == 0;
-		if (p[length] == '\0')
-			break;
-		p += length + 1;
+		if (length == n && strncmp(p, word, n) == 0)
+			return true;
+		p += length + (p[length] == '|');
 	}
-	free(folded);
-	return found;
+	return false;
 }
 
 enum vocabulary_key

@@ -38,7 +38,7 @@ without_signs(const char *text)
 {
 	static const char *const SIGNS[] = {"\xC3\x98", "\xC3\xB8", "\xCE\xA6",
 	    "\xCF\x86", "\xCF\x95", "\xE2\x8C\x80"};
-	char *plain = xstrdup("");
+	FREED char *plain = xstrdup("");
 	for (const char *p = text; *p != '\0';) {
 		size_t n = 0;
 		for (size_t i = 0; i < ARRAY_LEN(SIGNS); i++)
@@ -52,9 +52,7 @@ without_signs(const char *text)
 			xappend(&plain, "%c", *p);
 		p += sign ? n : 1;
 	}
-	char *folded = text_fold(plain);
-	free(plain);
-	return folded;
+	return text_fold(plain);
 }
 
 static bool
@@ -213,7 +211,7 @@ can_stand_alone(const char *text, const char *folded)
 double
 rotor_size_mm(const char *text, bool machine)
 {
-	char *folded = without_signs(text);
+	FREED char *folded = without_signs(text);
 	struct search s = {.machine = machine};
 	s.alone = can_stand_alone(text, folded);
 	for (const char *p = folded; *p != '\0';) {
@@ -229,6 +227,5 @@ rotor_size_mm(const char *text, bool machine)
 			s.ahead = 0;
 		p += n > 0 ? n : 1;
 	}
-	free(folded);
 	return s.found;
 }

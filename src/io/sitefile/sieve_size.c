@@ -117,7 +117,7 @@ read_series_word(const char **text)
 static enum sieve_series
 read_name(const char *text, double *value)
 {
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	enum sieve_series series = SIEVE_NONE;
 	bool good = true;
 	*value = NAN;
@@ -140,7 +140,6 @@ read_name(const char *text, double *value)
 			 word != SIEVE_ASTM)
 			good = false;
 	}
-	free(folded);
 	return good && *value > 0 && isfinite(*value) ? series : SIEVE_NONE;
 }
 

@@ -51,7 +51,8 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 {
 	if (columns == NULL)
 		return true;
-	char *copy = xstrdup(columns), *rest = copy;
+	FREED char *copy = xstrdup(columns);
+	char *rest = copy;
 	bool good = true;
 	while (good && rest != NULL) {
 		char *part = rest;
@@ -65,7 +66,6 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 			*rest++ = '\0';
 		good = site_ask_add_name(names, part, error);
 	}
-	free(copy);
 	for (size_t i = 0; i < names->n; i++) {
 		uint64_t means = vocabulary_text(names->text[i], NULL);
 		uint64_t other =
@@ -187,10 +187,8 @@ site_ask_has_names(
 	    !samples_are_apart(t))
 		return false;
 	for (size_t i = 0; i < all->n; i++) {
-		char *label = samples_label(t, all->column[i].at);
-		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
-		free(label);
-		if (!good)
+		FREED char *label = samples_label(t, all->column[i].at);
+		if (label[0] == '\0' || strpbrk(label, "\",=") != NULL)
 			return false;
 	}
 	return true;
@@ -214,9 +212,8 @@ guess_words(const struct column *c, bool *feed)
 	if (*feed || c->role != NO_ROLE)
 		return words;
 	*feed = true;
-	char *guess = xasprintf("feed%s", words + strcspn(words, " "));
-	free(words);
-	return guess;
+	FREED char *role = words;
+	return xasprintf("feed%s", role + strcspn(role, " "));
 }
 
 /* Everything as samples= would have it: two stand for all. */
@@ -225,7 +222,7 @@ site_ask_list_samples(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
 {
 	struct cell head = site_sieve_heading(t);
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
 	if (sieves)
 		xappend(
@@ -248,7 +245,6 @@ site_ask_list_samples(struct site_ask *ask, const struct table *t,
 	}
 	xappend(&ask->settle, "samples=\"%s\"", text);
 	ask->by_sample = true;
-	free(text);
 }
 
 /* Everything as columns= would have it. */
@@ -261,7 +257,7 @@ site_ask_list_columns(struct site_ask *ask, struct table *const *table,
 		site_ask_list_samples(ask, table[0], all, sieves);
 		return;
 	}
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	bool feed = has_feed(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
@@ -280,7 +276,6 @@ site_ask_list_columns(struct site_ask *ask, struct table *const *table,
 		}
 	}
 	ask->settle = xasprintf("columns=\"%s\"", text);
-	free(text);
 }
 
 /* The files of the request, as load has them. */
@@ -318,7 +313,7 @@ list_files(const struct site_request *q, const char *settle)
 static char *
 line_with_answers(const struct site_request *q, const char *settle)
 {
-	char *files = list_files(q, settle);
+	FREED char *files = list_files(q, settle);
 	char *line =
 	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
 	const char *slash = strrchr(q->path[0], '/');
@@ -326,7 +321,6 @@ line_with_answers(const struct site_request *q, const char *settle)
 	if (q->feed)
 		xappend(&line, "; write \"%.*s-read.csv\"",
 		    (int)strcspn(name, "."), name);
-	free(files);
 	return line;
 }
 
@@ -341,11 +335,10 @@ site_ask_refuse(const struct site_request *q, const struct table *t,
     struct cell where, struct site_ask *ask, struct error_list *errors,
     const char *what)
 {
-	char *line = line_with_answers(q, ask->settle);
+	FREED char *line = line_with_answers(q, ask->settle);
 	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
 	    where.column, "%s\nsay what it is%s: %s", what, hint_for_feed(q),
 	    line);
-	free(line);
 	return true;
 }
 
@@ -375,14 +368,13 @@ ask_table(const struct site_request *q, struct table *const *table,
 		if (table[i]->sheet != second->sheet)
 			first = table[i];
 	if (strcmp(first->sheet->path, second->sheet->path) != 0) {
-		char *files = xstrdup("");
+		FREED char *files = xstrdup("");
 		for (size_t i = 0; i < q->n; i++)
 			xlist(&files, " ", "%s@SPEED", q->path[i]);
 		sheet_fault(second->sheet, second->row[0].cell[0],
 		    "expected one feed, got one in each of several files\n"
 		    "give each the tip speed of its samples: load %s",
 		    files);
-		free(files);
 		return true;
 	}
 	if (first->sheet != second->sheet) {
@@ -405,14 +397,13 @@ ask_which_sieves(const struct open *open, const struct site_request *q,
 {
 	const struct table *t = open->twice;
 	struct cell again = t->row[open->again].cell[0];
-	char *what = xasprintf(tr("expected one table, got the sieves from %s "
-				  "on a second time"),
-	    again.text);
-	char *range = site_ask_table_range(t, open->end);
+	FREED char *what =
+	    xasprintf(tr("expected one table, got the sieves from %s "
+			 "on a second time"),
+		again.text);
+	FREED char *range = site_ask_table_range(t, open->end);
 	ask->settle = xasprintf("range=%s", range);
-	free(range);
 	site_ask_refuse(q, t, again, ask, errors, what);
-	free(what);
 	return true;
 }
 
@@ -476,7 +467,7 @@ above_100(const struct column *c)
 static void
 hint_speed(const struct site_request *q, const char *path, struct error *error)
 {
-	char *files = xstrdup("");
+	FREED char *files = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
 		xlist(&files, " ", "%s", q->path[i]);
 		if (q->speed != NULL && q->speed[i] > 0)
@@ -485,29 +476,26 @@ hint_speed(const struct site_request *q, const char *path, struct error *error)
 			xappend(&files, "@SPEED");
 	}
 	error_hint(error, "say its speed: load %s", files);
-	free(files);
 }
 
 static bool
 site_ask_ask_column(const struct site_request *q, const struct column *first,
     bool alone, struct site_ask *ask, struct error_list *errors)
 {
-	char *values = first_values(first->table, first->at);
+	FREED char *values = first_values(first->table, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = above_100(first);
 	if (above != NULL) {
-		char *what =
+		FREED char *what =
 		    xasprintf(tr("expected at most 100 %% passing, got '%.*s': "
 				 "column %zu has no other number above 100; "
 				 "correct it if it is a typing error"),
 			sheet_cut_length(above->text), above->text,
 			first->table->number[first->at]);
 		site_ask_refuse(q, first->table, *above, ask, errors, what);
-		free(what);
-		free(values);
 		return true;
 	}
-	char *what = xasprintf(
+	FREED char *what = xasprintf(
 	    speed ? tr("expected headings and numbers that tell what column "
 		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
@@ -522,8 +510,6 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 		    "say its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
 		    q->path[0], q->path[0]);
-	free(what);
-	free(values);
 	return true;
 }
 
@@ -532,11 +518,11 @@ ask_decimal(const struct open *open, const struct site_request *q,
     const struct table *t, struct site_ask *ask, struct error_list *errors)
 {
 	ask->settle = xstrdup("decimal=point|comma");
-	char *what = xasprintf(tr("expected a number that can be read in one "
-				  "way, got %s: a decimal sign, or thousands?"),
-	    open->number.text);
+	FREED char *what =
+	    xasprintf(tr("expected a number that can be read in one "
+			 "way, got %s: a decimal sign, or thousands?"),
+		open->number.text);
 	site_ask_refuse(q, t, open->number, ask, errors, what);
-	free(what);
 	return true;
 }
 
@@ -603,18 +589,16 @@ site_ask_top(
 	char p[32];
 	char *settle =
 	    much ? xstrdup("top=SIZE") : xasprintf("top=%g", coarser);
-	char *passes = much
-			   ? xstrdup(tr("SIZE mm"))
-			   : xasprintf(tr("%g mm, the next sieve up"), coarser);
-	char *line = line_with_answers(q, settle);
+	FREED char *passes =
+	    much ? xstrdup(tr("SIZE mm"))
+		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
+	FREED char *line = line_with_answers(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%g mm\n"
 	    "add the coarser sieves; or assume that 100 %% passes %s%s: %s",
 	    site_column_pct(c, at, 100, p), t->mm[at], passes, hint_for_feed(q),
 	    line);
-	free(passes);
-	free(line);
 	if (alone)
 		ask->settle = settle;
 	else
@@ -627,24 +611,21 @@ site_ask_one_feed(const struct column *further, const struct columns *all,
 {
 	const struct table *t = further->table;
 	const struct column *first = site_column_find(all, FEED, 0, 0);
-	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
-	char *columns = xasprintf("columns=\"%zu=%s", t->number[0], sieve);
+	FREED char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	FREED char *columns =
+	    xasprintf("columns=\"%zu=%s", t->number[0], sieve);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		bool other = c->role == FEED && c != first;
-		char *words = recognise_column_text(c);
+		FREED char *words = recognise_column_text(c);
 		if (c->table == t && c->twin == 0 && !other)
 			xappend(&columns, ", %zu=%s", t->number[c->at], words);
-		free(words);
 	}
 	xappend(&columns, "\"");
-	char *line = line_with_answers(q, columns);
+	FREED char *line = line_with_answers(q, columns);
 	sheet_fault(t->sheet, further->head,
 	    "expected one feed, or a feed at the left of each product, got %s "
 	    "beside %s\n"
 	    "keep the first%s: %s",
 	    further->head.text, first->head.text, hint_for_feed(q), line);
-	free(line);
-	free(columns);
-	free(sieve);
 }

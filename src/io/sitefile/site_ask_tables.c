@@ -45,10 +45,8 @@ is_table_of_site(
 	const struct table *t = s->table[k];
 	if (!has_products(t, s->all) || title_is_limit(t))
 		return false;
-	char *line = title_line(s->table[feed]), *own = title_line(t);
+	FREED char *line = title_line(s->table[feed]), *own = title_line(t);
 	bool same = !title_names_differ(line, own);
-	free(line);
-	free(own);
 	return same && (like == NULL || (!t->strange && !like->strange) ||
 			   title_is_like(like, t));
 }
@@ -130,14 +128,13 @@ tables_contents(const struct table *t, const struct columns *all)
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
 			continue;
-		char *words = recognise_column_text(c);
+		FREED char *words = recognise_column_text(c);
 		words[strcspn(words, " ")] = '\0';
 		if (n++ < MOST)
 			xlist(&list, ", ", "%s",
 			    strstr(words, "@SPEED") != NULL
 				? SITE_ROLES[c->role]
 				: words);
-		free(words);
 	}
 	if (n > MOST)
 		xappend(&list, ", ..");
@@ -159,15 +156,13 @@ site_ask_tables_list(const struct tables *s, struct site_ask *ask)
 	for (size_t i = 0; i < s->n; i++) {
 		const struct table *t = s->table[i];
 		struct site_box box = table_box(t, t->n_row);
-		char *line = title_line(t);
+		FREED char *line = title_line(t);
 		ask->column[i] = (struct site_ask_column){.number = i + 1,
 		    .head = xstrndup(line, (size_t)sheet_cut_length(line)),
 		    .values = xasprintf(tr("%d to %d"), box.top, box.bottom),
 		    .guess = tables_contents(t, s->all),
 		    .box = box};
-		free(line);
 	}
-	char *range = site_box_text(site_ask_box(ask, s->first, s->last));
+	FREED char *range = site_box_text(site_ask_box(ask, s->first, s->last));
 	ask->settle = xasprintf("range=%s", range);
-	free(range);
 }

@@ -41,12 +41,11 @@ is_own_form(const struct table *t)
 static void
 add_role(char **text, const struct column *c, const struct column *before)
 {
-	char *words = recognise_column_text(c);
+	FREED char *words = recognise_column_text(c);
 	words[strcspn(words, " ")] = '\0';
 	const char *at = strchr(words, '@');
 	bool again = before != NULL && before->role == c->role && at != NULL;
 	xlist(text, ", ", "%s", again ? at : words);
-	free(words);
 }
 
 static void
@@ -60,7 +59,8 @@ site_describe_add_number(size_t *number, size_t *n, size_t next)
 static void
 describe_samples(const struct table *t, const struct columns *all, char **text)
 {
-	size_t *number = xcalloc(all->n + 1, sizeof *number), n = 0;
+	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
+	size_t n = 0;
 	const struct column *before = NULL;
 	char *roles = xstrdup("");
 	for (size_t i = 0; i <= all->n; i++) {
@@ -71,12 +71,11 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 			    (c == NULL || c->unit != before->unit ||
 				(c->role == SD) != (before->role == SD));
 		if (ends) {
-			char *list = numbers_text(number, n);
+			FREED char *list = numbers_text(number, n);
 			xlist(text, "; ", tr("%s in %s (%s)"), roles, list,
 			    before->role == SD
 				? tr("percentage points")
 				: tr(SITE_UNITS[before->unit].words));
-			free(list);
 			free(roles);
 			roles = xstrdup("");
 			n = 0;
@@ -89,7 +88,6 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		before = c;
 	}
 	free(roles);
-	free(number);
 }
 
 /* Whether the sieves of a table are told by those of the one before. */
@@ -124,7 +122,7 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k];
 		const char *place = site_describe_place_of(table, n, k);
-		char *own = xstrdup("");
+		FREED char *own = xstrdup("");
 		if (k == 0 || !has_sieves_like(table[k - 1], t))
 			xlist(&own, "; ",
 			    t->finest_first
@@ -136,7 +134,6 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 		if (own[0] != '\0')
 			xlist(&text, "; ", "%s%s%s", place,
 			    place[0] != '\0' ? ": " : "", own);
-		free(own);
 	}
 	return text;
 }
@@ -170,19 +167,19 @@ static void
 add_note(const struct columns *all, size_t i, const char *note, size_t length,
     char **text)
 {
-	size_t *number = xcalloc(all->n + 1, sizeof *number), n = 0, has = 0,
-	       samples = 0;
+	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
+	size_t n = 0, has = 0, samples = 0;
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		samples += c->twin == 0;
 		if (!has_note(c, note, length))
 			continue;
 		if (k < i)
-			goto out;
+			return;
 		has++;
 		site_describe_add_number(number, &n, c->table->number[c->at]);
 	}
-	char *list = numbers_text(number, n);
+	FREED char *list = numbers_text(number, n);
 	bool across = all->column[i].table->across;
 	const char *colon = strncmp(note, "as ", 3) == 0 ? "" : ":";
 	if (has == samples && has > 1)
@@ -193,9 +190,6 @@ add_note(const struct columns *all, size_t i, const char *note, size_t length,
 		    across ? tr_n("line %s%s %.*s", "lines %s%s %.*s", n)
 			   : tr_n("column %s%s %.*s", "columns %s%s %.*s", n),
 		    list, colon, (int)length, note);
-	free(list);
-out:
-	free(number);
 }
 
 void

@@ -176,12 +176,10 @@ begins_with_key(const char *text)
 static void
 leave_out_line(struct site *site, const struct cell *key)
 {
-	char *where = xasprintf(tr("line %d"), key->line);
-	char *what = xasprintf(tr("%.*s: numbers above the table"),
+	FREED char *where = xasprintf(tr("line %d"), key->line);
+	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
 	    sheet_cut_length(key->text), key->text);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
-	free(where);
-	free(what);
 }
 
 /* What a machine is called may tell its rotor. */
@@ -200,14 +198,14 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
     size_t *at, int seen[static N_KEY], struct heading_speed *speed)
 {
 	struct cell key = {0}, value, third;
-	char *left = NULL, *right = NULL;
+	FREED char *left = NULL, *right = NULL;
 	size_t n = next_pair(row, at, &key, &value, &third);
 	if (n == 0)
 		return false;
 	if (n == 1 && split_colon(&key, &value, &left, &right))
 		n = 2;
 	size_t colon = strlen(key.text);
-	char *bare = xstrndup(key.text,
+	FREED char *bare = xstrndup(key.text,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
 	enum vocabulary_key k = vocabulary_key(bare);
 	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
@@ -242,9 +240,6 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 	}
 	if (k < N_KEY)
 		seen[k] = row->line;
-	free(left);
-	free(right);
-	free(bare);
 	return true;
 }
 

@@ -388,10 +388,9 @@ leave_out(struct site *site, const char *where, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(tr(format), ap);
+	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
-	free(what);
 }
 
 /* Sieves without a number, and words below the table. */
@@ -416,7 +415,7 @@ static void
 site_read_leave_out_cells(struct reading *r)
 {
 	size_t more = 0;
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t k = 0; k < r->all.n; k++) {
 		const struct column *c = &r->all.column[k];
 		for (size_t i = 0; i < c->table->n_row; i++) {
@@ -434,7 +433,6 @@ site_read_leave_out_cells(struct reading *r)
 		xlist(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
 		leave_out(r->site, "cells without a number", "%s", list);
-	free(list);
 }
 
 /* Lines of sums that nothing could be compared with. */
@@ -650,7 +648,7 @@ site_read_read_file(struct reading *r, size_t file)
 	if (!read || !is_measured(source))
 		return false;
 	size_t before = r->n_page;
-	char *names = xstrdup("");
+	FREED char *names = xstrdup("");
 	if (source->note[0] != '\0')
 		xlist(&r->site->remark, "; ", "%s", source->note);
 	for (size_t i = 0; i < source->n && !error_stopped(r->errors); i++) {
@@ -672,7 +670,6 @@ site_read_read_file(struct reading *r, size_t file)
 		    "expected a sheet called %s, got none\n"
 		    "its sheets: %s",
 		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
-	free(names);
 	return found;
 }
 
@@ -822,14 +819,13 @@ choose_series(struct reading *r)
 	if (tests)
 		give_feeds_speeds(&r->all);
 	r->open.other = NULL;
-	char *speeds = product_speeds(&r->all);
+	FREED char *speeds = product_speeds(&r->all);
 	if (count_columns_of_role(&r->all, FEED) > 0)
 		xlist(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
 		xlist(&r->site->remark, "; ",
 		    tr("read as one site: products at %s"), speeds);
-	free(speeds);
 }
 
 static size_t

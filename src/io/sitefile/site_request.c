@@ -20,12 +20,9 @@ cell_name(int column, int line)
 char *
 site_box_text(struct site_box box)
 {
-	char *from = cell_name(box.left, box.top);
-	char *to = cell_name(box.right, box.bottom);
-	char *text = xasprintf("%s:%s", from, to);
-	free(from);
-	free(to);
-	return text;
+	FREED char *from = cell_name(box.left, box.top);
+	FREED char *to = cell_name(box.right, box.bottom);
+	return xasprintf("%s:%s", from, to);
 }
 
 /* "A3" as column 1 and line 3. */

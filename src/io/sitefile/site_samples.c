@@ -35,7 +35,8 @@ add_sample(struct samples *s, char *part, struct error *error)
 bool
 samples_read(struct samples *s, const char *text, struct error *error)
 {
-	char *copy = xstrdup(text != NULL ? text : ""), *rest = copy;
+	FREED char *copy = xstrdup(text != NULL ? text : "");
+	char *rest = copy;
 	bool good = true;
 	while (good && text != NULL && rest != NULL) {
 		char *part = rest;
@@ -50,7 +51,6 @@ samples_read(struct samples *s, const char *text, struct error *error)
 			*rest++ = '\0';
 		good = add_sample(s, part, error);
 	}
-	free(copy);
 	return good;
 }
 
@@ -161,12 +161,11 @@ site_samples_take(struct column *c, const char *text)
 bool
 samples_take(struct samples *s, struct column *c)
 {
-	char *label = samples_label(c->table, c->at);
+	FREED char *label = samples_label(c->table, c->at);
 	size_t i = 0;
 	while (
 	    i < s->n && !is_name_of_column(c->table, c->at, label, s->name[i]))
 		i++;
-	free(label);
 	if (i == s->n)
 		return false;
 	s->found[i] = true;
@@ -183,15 +182,13 @@ samples_check(const struct samples *s, const struct table *t)
 		i++;
 	if (i == s->n)
 		return;
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t c = 1; c < t->n_col && c <= SHOWN; c++) {
-		char *label = samples_label(t, c);
+		FREED char *label = samples_label(t, c);
 		xlist(&list, ", ", "%s", label);
-		free(label);
 	}
 	sheet_fault(t->sheet, t->row[0].cell[0],
 	    "expected a sample called %s, got none\n"
 	    "its samples: %s%s",
 	    s->name[i], list, t->n_col > SHOWN + 1 ? ", .." : "");
-	free(list);
 }

@@ -57,12 +57,11 @@ fault_unknown_name(struct table *t, struct cell cell)
 		    t->number[0]);
 		return;
 	}
-	char *nearest = sieve_names_nearest(cell.text);
+	FREED char *nearest = sieve_names_nearest(cell.text);
 	sheet_fault_expected(t->sheet, cell, "a sieve of ASTM E11",
 	    "use the nearest: %s; or begin a remark with # and a word, not a "
 	    "number alone",
 	    nearest);
-	free(nearest);
 }
 
 /* The size of a row; 0: pan; NAN after a fault. */
@@ -303,7 +302,8 @@ static bool
 split_micro(struct table *t)
 {
 	size_t n = t->n_row, from = 0, to = 0;
-	double *v = xdoubles(n), number;
+	FREED double *v = xdoubles(n);
+	double number;
 	for (size_t i = 0; i < n; i++)
 		v[i] = number_of(t->row[i].cell[0], &number) && number > 0
 			   ? number
@@ -327,7 +327,6 @@ split_micro(struct table *t)
 		*cell = number_cell(t->sheet, *cell,
 		    layout_own_text(t, xasprintf("%s um", cell->text)));
 	}
-	free(v);
 	return split;
 }
 
@@ -390,14 +389,13 @@ site_sieve_check_order(struct table *t)
 enum sieve_certainty
 site_sieve_find(struct table *t, uint64_t told)
 {
-	char *head = layout_head_text(t, 0);
+	FREED char *head = layout_head_text(t, 0);
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
 	struct head said = head_read(head);
 	bool speeds =
 	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
 	t->unit = sieve_unit_of(means);
-	free(head);
 	bool lengths = t->unit.mm == 1 || t->unit.mm == 0;
 	bool split = lengths && t->unit.series == SIEVE_NONE && split_micro(t);
 	if (split)
@@ -430,9 +428,8 @@ check_heads(struct table *t)
 {
 	size_t heads = 0;
 	for (size_t c = 0; c < t->n_col; c++) {
-		char *head = layout_head_text(t, c);
+		FREED char *head = layout_head_text(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
-		free(head);
 	}
 	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
 		size_t n = t->n_col;
@@ -480,7 +477,8 @@ size_t
 site_sieve_end(const struct table *t, size_t *again)
 {
 	enum { ENOUGH = 3 };
-	double *mm = xdoubles(t->n_row), least = INFINITY;
+	FREED double *mm = xdoubles(t->n_row);
+	double least = INFINITY;
 	size_t words = t->n_row, in_a_row = 0;
 	*again = t->n_row;
 	for (size_t i = 0; i < t->n_row && in_a_row < ENOUGH; i++) {
@@ -494,7 +492,6 @@ site_sieve_end(const struct table *t, size_t *again)
 		in_a_row = twice ? in_a_row + 1 : 0;
 		*again = in_a_row == 1 ? i : *again;
 	}
-	free(mm);
 	if (in_a_row < ENOUGH)
 		return t->n_row;
 	return words < *again ? words : *again;
@@ -517,7 +514,7 @@ site_sieve_numbers(struct sheet *sheet)
 	size_t rows = sheet->n_row;
 	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
 		const struct comment *c = &sheet->comment[i];
-		char *first =
+		FREED char *first =
 		    text_unquoted(c->text, strcspn(c->text, separator));
 		bool cells = c->row.cell != NULL
 				 ? c->row.n > 1
@@ -526,7 +523,6 @@ site_sieve_numbers(struct sheet *sheet)
 		bool head = strcmp(first, "#") == 0;
 		if (cells && (head || sieve_names_is_number(first)))
 			sheet_uncomment(sheet, i);
-		free(first);
 	}
 	if (sheet->n_row > rows)
 		number_find(sheet);

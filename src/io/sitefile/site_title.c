@@ -104,9 +104,8 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 		}
 	}
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
-		char *stem = site_heading_name(path);
+		FREED char *stem = site_heading_name(path);
 		means |= vocabulary_text(stem, NULL);
-		free(stem);
 	}
 	return means;
 }
@@ -145,13 +144,12 @@ is_numeral(const char *word, size_t n, const char *next)
 		digits++;
 	if (digits == 0)
 		return false;
-	char *tail = xstrndup(word + digits, n - digits);
+	FREED char *tail = xstrndup(word + digits, n - digits);
 	bool range = (tail[0] == '/' || tail[0] == '-') &&
 		     strspn(tail + 1, "0123456789.,") == strlen(tail) - 1;
 	vocabulary_text(tail, &more);
 	bool unit =
 	    tail[0] != '\0' && strpbrk(tail, "0123456789") == NULL && more == 0;
-	free(tail);
 	size_t follows = strcspn(next, " ,;:()[]@\n");
 	bool measured = digits == n && follows > 0 &&
 			(vocabulary_word(next, follows) &
@@ -164,12 +162,11 @@ is_numeral(const char *word, size_t n, const char *next)
 static bool
 is_name(const char *word, size_t n, const char *next)
 {
-	char *copy = xstrndup(word, n);
+	FREED char *copy = xstrndup(word, n);
 	size_t unknown;
 	vocabulary_text(copy, &unknown);
 	bool letters = strpbrk(copy, "0123456789") == NULL;
 	bool own = !letters && strspn(copy, "0123456789") == 0;
-	free(copy);
 	return letters ? unknown > 0 && n > 1
 		       : own || is_numeral(word, n, next);
 }
@@ -198,22 +195,18 @@ has_other_name(const char *a, const char *b)
 bool
 title_names_differ(const char *a, const char *b)
 {
-	char *one = head_without_speeds(a), *other = head_without_speeds(b);
-	bool differ = has_other_name(one, other) && has_other_name(other, one);
-	free(one);
-	free(other);
-	return differ;
+	FREED char *one = head_without_speeds(a),
+		   *other = head_without_speeds(b);
+	return has_other_name(one, other) && has_other_name(other, one);
 }
 
 bool
 title_is_like(const struct table *a, const struct table *b)
 {
-	char *one = head_without_speeds(a->title != NULL ? a->title : "");
-	char *other = head_without_speeds(b->title != NULL ? b->title : "");
-	bool same = strcmp(one, other) == 0;
-	free(one);
-	free(other);
-	return same;
+	FREED char *one = head_without_speeds(a->title != NULL ? a->title : "");
+	FREED char *other =
+	    head_without_speeds(b->title != NULL ? b->title : "");
+	return strcmp(one, other) == 0;
 }
 
 /* The only sample of a table; NULL: it has none, or several. */
@@ -283,12 +276,11 @@ title_is_series(
 		return parts;
 	if (title_is_limit(feed))
 		return false;
-	char *line = title_line(feed);
+	FREED char *line = title_line(feed);
 	bool one = true;
 	for (size_t k = 0; k < n; k++)
 		one = one && (table[k] == feed ||
 				 !title_names_differ(line, table[k]->title));
-	free(line);
 	return one;
 }
 
@@ -300,7 +292,8 @@ name_of_test(const char *text)
 {
 	static const char *const COUNTED[] = {"ark", "blad", "feuil", "hoja",
 	    "prov", "run", "sheet", "tabelle", "test", "trial", "versuch"};
-	char *from = head_without_speeds(text), *name = xstrdup("");
+	FREED char *from = head_without_speeds(text);
+	char *name = xstrdup("");
 	bool counts = false;
 	for (const char *p = from; *p != '\0';) {
 		size_t n = strcspn(p, " ,;:()[]@\n_");
@@ -318,18 +311,14 @@ name_of_test(const char *text)
 		counts = n > 0 ? named : counts;
 		p += n + (p[n] != '\0');
 	}
-	free(from);
 	return name;
 }
 
 static bool
 tests_alike(const char *a, const char *b)
 {
-	char *one = name_of_test(a), *other = name_of_test(b);
-	bool same = strcmp(one, other) == 0;
-	free(one);
-	free(other);
-	return same;
+	FREED char *one = name_of_test(a), *other = name_of_test(b);
+	return strcmp(one, other) == 0;
 }
 
 /* The product of a table that has one, beside one feed; or NULL.  *feed out. */

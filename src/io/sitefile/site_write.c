@@ -153,7 +153,7 @@ size_t
 site_write(const struct site *site, FILE *out)
 {
 	char number[32];
-	struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
+	FREED struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
 	size_t n = list_curves(site, curve);
 	write_heading(site, out);
 	fputs("size_mm", out);
@@ -167,7 +167,6 @@ site_write(const struct site *site, FILE *out)
 	size_t rows = 0;
 	for (double mm; (mm = next_mm(curve, n)) > 0; rows++)
 		write_row(curve, n, mm, out);
-	free(curve);
 	return rows;
 }
 
@@ -175,12 +174,10 @@ bool
 site_save(const struct site *site, const char *path, size_t *rows,
     struct error *error)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
 	*rows = site_write(site, memory);
 	fclose(memory);
-	bool ok = file_replace(path, FILE_SHARED, text, n, error);
-	free(text);
-	return ok;
+	return file_replace(path, FILE_SHARED, text, n, error);
 }

@@ -130,7 +130,7 @@ unescape_line_ends(const char *line)
 char *
 basis_written(const struct basis *b)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
 	write_fit(b, out);
@@ -146,9 +146,7 @@ basis_written(const struct basis *b)
 		site_write(b->now, out);
 	}
 	fclose(out);
-	char *line = escape_line_ends(text);
-	free(text);
-	return line;
+	return escape_line_ends(text);
 }
 
 /* Numbers of "name=1,2,3"; what a later version adds is passed over. */
@@ -215,7 +213,7 @@ read_provenance(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
 		char **said = provenance_field(site, &TAKEN[k]);
-		char *begin = xasprintf("%s=", TAKEN[k].name);
+		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
 			if (strncmp(line, begin, head) == 0) {
@@ -224,7 +222,6 @@ read_provenance(struct site *site, const char *lines)
 			}
 			line += n + (line[n] == '\n');
 		}
-		free(begin);
 	}
 }
 
@@ -302,9 +299,8 @@ basis_from_material(
 	*b = (struct basis){.weight = 0};
 	if (m->basis[0] == '\0')
 		return false;
-	char *text = unescape_line_ends(m->basis);
+	FREED char *text = unescape_line_ends(m->basis);
 	bool good = basis_read_text(b, text);
-	free(text);
 	if (good)
 		basis_from_fields(b, m);
 	return (good && basis_is_possible(b)) ||

@@ -157,16 +157,10 @@ stored_list_add(struct stored_list *list, struct stored m)
 const struct stored *
 stored_find(const struct stored_list *list, const char *name)
 {
-	const struct stored *found = NULL;
-	char *wanted = text_fold(name);
-	for (size_t i = 0; found == NULL && i < list->n; i++) {
-		char *fold = text_fold(list->item[i].name);
-		if (strcmp(fold, wanted) == 0)
-			found = &list->item[i];
-		free(fold);
-	}
-	free(wanted);
-	return found;
+	for (size_t i = 0; i < list->n; i++)
+		if (text_same(list->item[i].name, name))
+			return &list->item[i];
+	return NULL;
 }
 
 static int
@@ -236,10 +230,9 @@ param_in(const char *text, const char *name)
 		size_t word = strcspn(text, " ");
 		if (word > n && text[n] == '=' && strncmp(text, name, n) == 0) {
 			double value = NAN;
-			char *number = xstrndup(text + n + 1, word - n - 1);
-			bool ok = text_number(number, &value);
-			free(number);
-			return ok ? value : NAN;
+			FREED char *number =
+			    xstrndup(text + n + 1, word - n - 1);
+			return text_number(number, &value) ? value : NAN;
 		}
 		text += word + (text[word] == ' ');
 	}
@@ -288,9 +281,8 @@ stored_each_field(const struct stored *m, stored_take *take, void *data)
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
 		const struct params *p = &m->params;
 		if (FIELDS[i].kind != FIELD_PARAMS) {
-			char *text = stored_written(m, &FIELDS[i]);
+			FREED char *text = stored_written(m, &FIELDS[i]);
 			take(data, FIELDS[i].name, text);
-			free(text);
 			continue;
 		}
 		for (size_t j = 0; j < count_params(p); j++)
@@ -339,10 +331,8 @@ static const char TABLE3[] = "table3/";
 bool
 stored_is_table3_name(const char *name)
 {
-	char *folded = text_fold(name);
-	bool is = strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
-	free(folded);
-	return is;
+	FREED char *folded = text_fold(name);
+	return strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
 }
 
 enum { MOST_NAME = 60 };
@@ -437,9 +427,8 @@ stored_is_valid(const struct stored *m, const struct field *f)
 bool
 stored_check_name(const char *name, struct error *error)
 {
-	char *copy = xstrdup(name);
+	FREED char *copy = xstrdup(name);
 	bool trimmed = strlen(text_trim(copy)) == strlen(name);
-	free(copy);
 	if (stored_is_table3_name(name))
 		return error_set(error, ERROR_USAGE,
 		    "names that begin with %s are those of the paper's Table "
@@ -501,12 +490,11 @@ material_read_row(
 		double *number = column[i].number;
 		if (number == NULL)
 			continue;
-		char *wanted = xasprintf(
+		FREED char *wanted = xasprintf(
 		    tr("a number above 0, up to %g,"), column[i].most);
 		if (number_read(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
-		free(wanted);
 	}
 	replace_string(&m.rock, xstrdup(row->cell[ROCK].text));
 	replace_string(&m.site, xstrdup(row->cell[SITE].text));
@@ -552,21 +540,19 @@ table3_name(
     const struct stored_list *rows, const struct stored_list *list, size_t i)
 {
 	const struct stored *row = &rows->item[i];
-	char *slug = text_slug(row->site);
+	FREED char *slug = text_slug(row->site);
 	bool shared = false;
 	for (size_t j = 0; j < rows->n; j++)
 		shared = shared ||
 			 (j != i && text_same(rows->item[j].site, row->site));
-	char *stem = shared
-			 ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
-			 : xasprintf("%s%s", TABLE3, slug);
+	FREED char *stem =
+	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
+		   : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
 	for (int n = 2; stored_find(list, name) != NULL; n++) {
 		free(name);
 		name = xasprintf("%s/%d", stem, n);
 	}
-	free(stem);
-	free(slug);
 	return name;
 }
 

@@ -152,10 +152,8 @@ query_text(sqlite3 *db, const char *sql)
 static long
 query_integer(sqlite3 *db, const char *sql)
 {
-	char *text = query_text(db, sql);
-	long value = text != NULL ? strtol(text, NULL, 10) : -1;
-	free(text);
-	return value;
+	FREED char *text = query_text(db, sql);
+	return text != NULL ? strtol(text, NULL, 10) : -1;
 }
 
 /* A file that is written is in WAL mode from then on.  To change the mode takes
@@ -165,12 +163,11 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 {
 	const struct timespec pause = {0, PAUSE_MS * 1000000L};
 	for (int waited = 0;; waited += PAUSE_MS) {
-		char *mode = query_text(db, "PRAGMA journal_mode = WAL");
+		FREED char *mode = query_text(db, "PRAGMA journal_mode = WAL");
 		bool done = mode != NULL && (strcmp(mode, "wal") == 0 ||
 						strcmp(mode, "memory") == 0);
 		bool busy =
 		    mode == NULL && (sqlite3_errcode(db) & 0xFF) == SQLITE_BUSY;
-		free(mode);
 		if (done)
 			return true;
 		if (!busy || waited >= WAIT_MS)
@@ -222,7 +219,7 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 	const long small = 1024;
 	if (query_integer(db, "PRAGMA page_count") > small)
 		return true;
-	char *found = query_text(db, "PRAGMA integrity_check(1)");
+	FREED char *found = query_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
 		schema_fail(db, path, error);
@@ -232,21 +229,19 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 		    "move the file away, and import the newest export into a "
 		    "new one",
 		    found);
-	free(found);
 	return ok;
 }
 
 static bool
 refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 {
-	char *program = query_text(db, "SELECT program FROM about");
+	FREED char *program = query_text(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which reads schemas up to %d\n"
 	    "use that program, or another store with --store=PATH",
 	    program != NULL ? program : "a newer tipspeed", version,
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
-	free(program);
 	return false;
 }
 
@@ -306,19 +301,17 @@ connect(const char *path, bool make)
 static sqlite3 *
 connect_closed_folder(const char *path)
 {
-	char *log = xasprintf("%s-wal", path);
+	FREED char *log = xasprintf("%s-wal", path);
 	bool alone = access(log, F_OK) != 0;
-	free(log);
 	if (!alone)
 		return NULL;
-	char *uri = xstrdup("file:");
+	FREED char *uri = xstrdup("file:");
 	for (const char *p = path; *p != '\0'; p++)
 		xappend(&uri, strchr("?#%", *p) != NULL ? "%%%02X" : "%c", *p);
 	xappend(&uri, "?immutable=1");
 	sqlite3 *db = NULL;
 	sqlite3_open_v2(uri, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
 	add_functions(db);
-	free(uri);
 	return db;
 }
 
@@ -442,14 +435,13 @@ store_bytes(const struct store *store)
 static bool
 make_folders(const char *path, struct error *error)
 {
-	char *closed = xdg_make_folders(path);
+	FREED char *closed = xdg_make_folders(path);
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
 	    "cannot create the store's folder: %s\n"
 	    "check its permissions, or use another store: --store=PATH",
 	    strerror(errno));
-	free(closed);
 	return false;
 }
 
@@ -530,15 +522,13 @@ check_fields(const struct stored *m, struct error *error)
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
-	char *label = shown_name(m->name), *wanted = stored_expected_text(m, f),
-	     *found = stored_value_text(m, f);
+	FREED char *label = shown_name(m->name),
+		   *wanted = stored_expected_text(m, f),
+		   *found = stored_value_text(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct the source of this material",
 	    label, f->name, wanted, found);
-	free(label);
-	free(wanted);
-	free(found);
 	return false;
 }
 
@@ -548,8 +538,8 @@ static bool
 is_row_as_put(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
 {
-	char *of_name = text_fold(m->name), *of_row = digest_text(m);
-	char *label = shown_name(m->name);
+	FREED char *of_name = text_fold(m->name), *of_row = digest_text(m);
+	FREED char *label = shown_name(m->name);
 	bool good = check_fields(m, error);
 	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
 		good = error_set(error, ERROR_DATA,
@@ -558,9 +548,6 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
 	if (!good)
 		error_hint(error, "run 'forget \"%s\"', then remember it again",
 		    label);
-	free(of_name);
-	free(of_row);
-	free(label);
 	return good;
 }
 
@@ -635,8 +622,8 @@ bind_text(sqlite3_stmt *stmt, int i, const char *text)
 static void
 bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 {
-	char *name = text_fold(q->name != NULL ? q->name : "");
-	char *rock = text_fold(q->rock != NULL ? q->rock : "");
+	FREED char *name = text_fold(q->name != NULL ? q->name : "");
+	FREED char *rock = text_fold(q->rock != NULL ? q->rock : "");
 	bind_text(stmt, 1, name);
 	bind_text(stmt, 2, rock);
 	sqlite3_bind_double(stmt, 3, q->top_least);
@@ -645,22 +632,17 @@ bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 	sqlite3_bind_int64(
 	    stmt, 6, (sqlite3_int64)(q->first > 0 ? q->first : q->most));
 	sqlite3_bind_int64(stmt, 7, (sqlite3_int64)q->apart);
-	free(name);
-	free(rock);
 }
 
 static bool
 store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
     struct stored_list *list, struct error *error)
 {
-	char *where = where_clause(q),
-	     *after = xasprintf("%s ORDER BY fold", where);
-	char *sql = columns("SELECT fold, digest", false, after);
+	FREED char *where = where_clause(q),
+		   *after = xasprintf("%s ORDER BY fold", where);
+	FREED char *sql = columns("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	free(sql);
-	free(after);
-	free(where);
 	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
@@ -738,7 +720,7 @@ list_one_end(struct store *store, sqlite3 *db, bool first, const char *fold,
 {
 	sqlite3_stmt *stmt = NULL;
 	/* Past all that begin so: the last code point. */
-	char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
+	FREED char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
 	int code = sqlite3_prepare_v2(db,
 	    first ? "SELECT name FROM material WHERE fold >= ?1 AND fold < ?2 "
 		    "ORDER BY fold LIMIT ?3"
@@ -756,7 +738,6 @@ list_one_end(struct store *store, sqlite3 *db, bool first, const char *fold,
 	}
 	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
 	sqlite3_finalize(stmt);
-	free(past);
 	return ok;
 }
 
@@ -768,13 +749,12 @@ store_begin(struct store *store, const char *beginning, size_t most,
 	size_t n = 0;
 	if (!store_begin_change(store, false, &db, error))
 		return false;
-	char *fold = text_fold(beginning);
+	FREED char *fold = text_fold(beginning);
 	bool ok = db == NULL || list_one_end(store, db, true, fold, most, &n,
 				    take, data, error);
 	if (ok && n == most)
 		ok = list_one_end(
 		    store, db, false, fold, 1, &n, take, data, error);
-	free(fold);
 	close_unless_memory(store, db);
 	return ok;
 }
@@ -783,7 +763,7 @@ store_begin(struct store *store, const char *beginning, size_t most,
 static void
 bind_row(sqlite3_stmt *stmt, const struct stored *m)
 {
-	char *fold = text_fold(m->name), *digest = digest_text(m);
+	FREED char *fold = text_fold(m->name), *digest = digest_text(m);
 	sqlite3_reset(stmt);
 	sqlite3_clear_bindings(stmt);
 	bind_text(stmt, 1, fold);
@@ -799,12 +779,9 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 			sqlite3_bind_int64(stmt, i + 3, stored_integer(m, f));
 		if (f->kind < FIELD_MODEL)
 			continue;
-		char *text = stored_written(m, f);
+		FREED char *text = stored_written(m, f);
 		bind_text(stmt, i + 3, text);
-		free(text);
 	}
-	free(fold);
-	free(digest);
 }
 
 static bool
@@ -826,11 +803,12 @@ static bool
 store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
     size_t n, bool replace, struct error *error)
 {
-	char *head = columns(replace ? "INSERT OR REPLACE INTO material "
-				       "(fold, digest"
-				     : "INSERT INTO material (fold, digest",
-	    false, ") VALUES (?, ?");
-	char *sql = columns(head, true, ")");
+	FREED char *head =
+	    columns(replace ? "INSERT OR REPLACE INTO material "
+			      "(fold, digest"
+			    : "INSERT INTO material (fold, digest",
+		false, ") VALUES (?, ?");
+	FREED char *sql = columns(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
 	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
@@ -838,8 +816,6 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 		ok = check_fields(&item[i], error) &&
 		     store_put_row(store, db, stmt, &item[i], error);
 	sqlite3_finalize(stmt);
-	free(head);
-	free(sql);
 	return ok;
 }
 
@@ -879,10 +855,9 @@ find_fold_by_shown_name(sqlite3 *db, const char *name)
 	sqlite3_prepare_v2(
 	    db, "SELECT fold, name FROM material", -1, &stmt, NULL);
 	while (fold == NULL && sqlite3_step(stmt) == SQLITE_ROW) {
-		char *label = shown_name(column_text(stmt, 1));
+		FREED char *label = shown_name(column_text(stmt, 1));
 		if (text_same(label, name))
 			fold = xstrdup(column_text(stmt, 0));
-		free(label);
 	}
 	sqlite3_finalize(stmt);
 	return fold;

@@ -80,7 +80,7 @@ write_list(const void *data, FILE *out)
 {
 	const struct stored_list *list = data;
 	struct column column[COLUMNS];
-	bool *model = xcalloc(breakage_count(), sizeof *model);
+	FREED bool *model = xcalloc(breakage_count(), sizeof *model);
 	for (size_t i = 0; i < list->n; i++)
 		model[list->item[i].params.breakage] = true;
 	size_t n = make_columns(model, column);
@@ -89,15 +89,14 @@ write_list(const void *data, FILE *out)
 	fputc('\n', out);
 	for (size_t i = 0; i < list->n; i++) {
 		for (size_t c = 0; c < n; c++) {
-			char *text = column_written(&column[c], &list->item[i]);
+			FREED char *text =
+			    column_written(&column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
 			sheet_write_cell(text, ',', out);
-			free(text);
 		}
 		fputc('\n', out);
 	}
-	free(model);
 }
 
 bool
@@ -160,7 +159,7 @@ store_csv_take_value(struct sheet *sheet, struct cell cell,
     const struct field *f, struct stored *m)
 {
 	double value;
-	char *wanted = stored_expected_text(m, f);
+	FREED char *wanted = stored_expected_text(m, f);
 	bool read = true;
 	if (f->kind == FIELD_TEXT)
 		stored_set_text(m, f, cell.text);
@@ -170,7 +169,6 @@ store_csv_take_value(struct sheet *sheet, struct cell cell,
 		stored_set_number(m, f, value);
 	if (read && !stored_is_valid(m, f))
 		sheet_fault_expected(sheet, cell, wanted, NULL);
-	free(wanted);
 }
 
 static const char EMPTY[] = "expected %s, got an empty cell\n"
@@ -182,8 +180,8 @@ take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
     struct stored *m)
 {
 	double value;
-	char *wanted = xasprintf("a number from %g to %g for %s", info->least,
-	    info->most, info->name);
+	FREED char *wanted = xasprintf("a number from %g to %g for %s",
+	    info->least, info->most, info->name);
 	size_t j = breakage_parameter(breakage_of(&m->params), info->name);
 	if (cell.text[0] == '\0')
 		sheet_fault(sheet, cell, EMPTY, info->name);
@@ -192,7 +190,6 @@ take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
 		if (value < info->least || value > info->most)
 			sheet_fault_expected(sheet, cell, wanted, NULL);
 	}
-	free(wanted);
 }
 
 static void
@@ -270,16 +267,15 @@ bool
 store_csv_read(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors)
 {
-	char *text = textfile_read_own(path, errors);
+	FREED char *text = textfile_read_own(path, errors);
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new_own(path, text, errors);
 	number_decide(sheet);
 	struct column column[COLUMNS];
-	bool *all = xcalloc(breakage_count(), sizeof *all);
+	FREED bool *all = xcalloc(breakage_count(), sizeof *all);
 	memset(all, true, breakage_count() * sizeof *all);
 	size_t n = make_columns(all, column);
-	free(all);
 	if (sheet->n_row > 0)
 		read_head(sheet, column, n);
 	const struct cell start = {.line = 1, .column = 1};
@@ -299,6 +295,5 @@ store_csv_read(const char *path, const struct stored_list *there,
 		check_names(sheet, column[0].at, there, list);
 	bool ok = sheet->n_fault == 0 && !errors->stopped;
 	sheet_free(sheet);
-	free(text);
 	return ok;
 }
