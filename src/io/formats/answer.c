@@ -25,23 +25,6 @@ struct table {
 	struct answer_cell *cell; /* row by row */
 };
 
-enum kind { NUMBER, WHOLE, BOOL, TEXT, OBJECT, LIST };
-
-struct field {
-	char *key;   /* NULL in a list */
-	bool hidden; /* from json */
-	enum kind kind;
-	double number;
-	long long whole;
-	char *text;
-	struct fields *inner;
-};
-
-struct fields {
-	size_t n;
-	struct field *item;
-};
-
 /* table: what people see; what programs do, if it has columns. */
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
@@ -49,7 +32,7 @@ struct answer {
 	int room;         /* columns for a table */
 	bool across;      /* a table with more rows than columns is turned */
 	struct table table[2], *filled;
-	struct fields fields;
+	json_t *fields; /* an object */
 	size_t n_sentence;
 	struct answer_sentence *sentence;
 };
@@ -60,6 +43,7 @@ answer_new(const char *command)
 	struct answer *a = xcalloc(1, sizeof *a);
 	a->command = xstrdup(command);
 	a->missing = xstrdup("-");
+	a->fields = json_object();
 	a->filled = a->table;
 	a->room = SCREEN;
 	return a;
@@ -75,20 +59,6 @@ void
 answer_set_across(struct answer *answer)
 {
 	answer->across = true;
-}
-
-static void
-free_fields(struct fields *fields)
-{
-	for (size_t i = 0; i < fields->n; i++) {
-		struct field *f = &fields->item[i];
-		free(f->key);
-		free(f->text);
-		if (f->inner != NULL)
-			free_fields(f->inner);
-		free(f->inner);
-	}
-	free(fields->item);
 }
 
 static void
@@ -114,7 +84,7 @@ answer_free(struct answer *a)
 		return;
 	free_table(&a->table[0]);
 	free_table(&a->table[1]);
-	free_fields(&a->fields);
+	json_decref(a->fields);
 	for (size_t i = 0; i < a->n_sentence; i++)
 		free(a->sentence[i].text);
 	free(a->sentence);
@@ -320,52 +290,54 @@ answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
 struct fields *
 answer_fields(struct answer *a)
 {
-	return &a->fields;
+	return (struct fields *)(void *)a->fields;
 }
 
-/* key: NULL in a list. */
-static struct field *
-answer_add_field(struct fields *fields, const char *key, enum kind kind)
+/* key: NULL in a list.  Takes the value. */
+static struct fields *
+put_value(struct fields *fields, const char *key, json_t *value)
 {
-	fields->item =
-	    xrealloc(fields->item, fields->n + 1, sizeof *fields->item);
-	struct field *f = &fields->item[fields->n++];
-	bool hidden = key != NULL && key[0] == '.';
-	*f = (struct field){.key = key != NULL ? xstrdup(key + hidden) : NULL,
-	    .hidden = hidden,
-	    .kind = kind,
-	    .number = NAN};
-	if (kind == OBJECT || kind == LIST)
-		f->inner = xcalloc(1, sizeof *f->inner);
-	return f;
+	json_t *in = (json_t *)(void *)fields;
+	if (key == NULL)
+		json_array_append_new(in, value);
+	else
+		json_object_set_new(in, key, value);
+	return (struct fields *)(void *)value;
+}
+
+/* JSON is UTF-8: a name that is not, a file's, is there as it is shown. */
+static json_t *
+text_json(const char *text)
+{
+	if (text_is_utf8(text, strlen(text)))
+		return json_string(text);
+	FREED char *shown = text_escaped(text);
+	return json_string(shown);
+}
+
+static json_t *
+number_json(double value)
+{
+	return isfinite(value) ? json_real(value) : json_null();
 }
 
 /* The value that a conversion of fields_put stands for. */
-static void
-add_value(
-    struct fields *fields, const char *key, const char *conversion, va_list *ap)
+static json_t *
+converted_json(const char *conversion, va_list *ap)
 {
-	struct field *f = answer_add_field(fields, key, NUMBER);
 	switch (conversion[1]) {
 	case 's':
-		f->kind = TEXT;
-		f->text = xstrdup(va_arg(*ap, char *));
-		return;
+		return text_json(va_arg(*ap, char *));
 	case 'd':
-		f->kind = BOOL;
-		f->number = va_arg(*ap, int) != 0;
-		return;
+		return json_boolean(va_arg(*ap, int) != 0);
 	case 'z':
+		return json_integer((json_int_t)va_arg(*ap, size_t));
 	case 'l':
-		f->kind = WHOLE;
-		f->whole = (long long)(conversion[1] == 'z'
-					   ? va_arg(*ap, size_t)
-					   : va_arg(*ap, unsigned long long));
-		f->number = (double)f->whole;
-		return;
+		return json_integer(
+		    (json_int_t)va_arg(*ap, unsigned long long));
 	default:
 		assert(conversion[1] == 'g');
-		f->number = va_arg(*ap, double);
+		return number_json(va_arg(*ap, double));
 	}
 }
 
@@ -378,8 +350,8 @@ fields_put(struct fields *fields, const char *format, ...)
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
 		const char *key = word[0] != '%' ? word : NULL;
-		add_value(fields, key,
-		    key != NULL ? strtok_r(NULL, " ", &save) : word, &ap);
+		word = key != NULL ? strtok_r(NULL, " ", &save) : word;
+		put_value(fields, key, converted_json(word, &ap));
 	}
 	free(copy);
 	va_end(ap);
@@ -388,19 +360,19 @@ fields_put(struct fields *fields, const char *format, ...)
 void
 fields_number(struct fields *fields, const char *key, double value)
 {
-	answer_add_field(fields, key, NUMBER)->number = value;
+	put_value(fields, key, number_json(value));
 }
 
 struct fields *
 fields_object(struct fields *fields, const char *key)
 {
-	return answer_add_field(fields, key, OBJECT)->inner;
+	return put_value(fields, key, json_object());
 }
 
 struct fields *
 fields_list(struct fields *fields, const char *key)
 {
-	return answer_add_field(fields, key, LIST)->inner;
+	return put_value(fields, key, json_array());
 }
 
 void
@@ -418,11 +390,9 @@ static void
 add_cell_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
 {
-	if (cell->is_text)
-		answer_add_field(fields, key, TEXT)->text =
-		    xstrdup(cell->key != NULL ? cell->key : cell->text);
-	else
-		fields_number(fields, key, cell->number);
+	const char *text = cell->key != NULL ? cell->key : cell->text;
+	put_value(fields, key,
+	    cell->is_text ? text_json(text) : number_json(cell->number));
 }
 
 static void
@@ -440,7 +410,7 @@ answer_add_rows(struct fields *fields, const char *key, const struct table *t)
 void
 answer_put_rows(struct answer *a, const char *key)
 {
-	answer_add_rows(&a->fields, key, a->filled);
+	answer_add_rows(answer_fields(a), key, a->filled);
 }
 
 void
@@ -451,7 +421,7 @@ answer_put_columns(struct answer *a, const char *keys)
 	for (size_t c = 0; c < t->n_column; c++) {
 		if (!text_find_word(keys, t->key[c], &which))
 			continue;
-		struct fields *list = fields_list(&a->fields, t->key[c]);
+		struct fields *list = fields_list(answer_fields(a), t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
 			add_cell_field(list, NULL, &t->cell[i]);
 	}
@@ -460,26 +430,26 @@ answer_put_columns(struct answer *a, const char *keys)
 bool
 answer_has_fields(const struct answer *a)
 {
-	return a->fields.n > 0;
+	return json_object_size(a->fields) > 0;
 }
 
-/* What a list has counts under the list's own name. */
+/* The number at a path; what a list has counts under the list's own name. */
 static void
-answer_look_up(const struct fields *fields, const char *path, double *value)
+answer_look_up(const json_t *in, const char *path, double *value)
 {
 	size_t n = strcspn(path, ".");
-	for (size_t i = 0; i < fields->n; i++) {
-		const struct field *f = &fields->item[i];
-		const char *rest = path;
-		if (f->key != NULL &&
-		    (strncmp(f->key, path, n) != 0 || f->key[n] != '\0'))
-			continue;
-		if (f->key != NULL)
-			rest += n + (path[n] == '.');
-		if (f->inner != NULL)
-			answer_look_up(f->inner, rest, value);
-		else if (*rest == '\0')
-			*value = fmax(*value, f->number);
+	for (size_t i = 0; i < json_array_size(in); i++)
+		answer_look_up(json_array_get(in, i), path, value);
+	if (json_is_object(in)) {
+		FREED char *key = xstrndup(path, n),
+			   *hidden = xasprintf(".%s", key);
+		const json_t *item = json_object_get(in, key);
+		item = item != NULL ? item : json_object_get(in, hidden);
+		answer_look_up(item, path + n + (path[n] == '.'), value);
+	} else if (*path == '\0' && json_is_boolean(in)) {
+		*value = fmax(*value, json_is_true(in));
+	} else if (*path == '\0' && json_is_number(in)) {
+		*value = fmax(*value, json_number_value(in));
 	}
 }
 
@@ -491,7 +461,7 @@ answer_number(const struct answer *a, const char *path)
 		value = 0;
 	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
 		value += a->sentence[i].grade == ANSWER_WARNING;
-	answer_look_up(&a->fields, path, &value);
+	answer_look_up(a->fields, path, &value);
 	return value;
 }
 
@@ -602,49 +572,29 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	return rows;
 }
 
-/* JSON is UTF-8: a name that is not, a file's, is there as it is shown. */
+/* Returns a copy without values whose keys begin with a dot. */
 static json_t *
-text_json(const char *text)
+json_without_hidden(json_t *in)
 {
-	if (text_is_utf8(text, strlen(text)))
-		return json_string(text);
-	FREED char *shown = text_escaped(text);
-	return json_string(shown);
-}
-
-static void answer_put_fields(json_t *o, const struct fields *fields);
-
-static json_t *
-field_json(const struct field *f)
-{
-	json_t *inner;
-	switch (f->kind) {
-	case WHOLE:
-		return json_integer(f->whole);
-	case BOOL:
-		return json_boolean(f->number != 0);
-	case TEXT:
-		return text_json(f->text);
-	case OBJECT:
-	case LIST:
-		inner = f->kind == LIST ? json_array() : json_object();
-		answer_put_fields(inner, f->inner);
-		return inner;
-	default:
-		return isfinite(f->number) ? json_real(f->number) : json_null();
+	const char *key;
+	json_t *value, *copy;
+	if (json_is_array(in)) {
+		copy = json_array();
+		for (size_t i = 0; i < json_array_size(in); i++)
+			json_array_append_new(
+			    copy, json_without_hidden(json_array_get(in, i)));
+		return copy;
 	}
-}
-
-static void
-answer_put_fields(json_t *o, const struct fields *fields)
-{
-	for (size_t i = 0; i < fields->n; i++) {
-		const struct field *f = &fields->item[i];
-		if (f->key == NULL)
-			json_array_append_new(o, field_json(f));
-		else if (!f->hidden)
-			json_object_set_new(o, f->key, field_json(f));
+	if (!json_is_object(in))
+		return json_incref(in);
+	copy = json_object();
+	json_object_foreach(in, key, value)
+	{
+		if (key[0] != '.')
+			json_object_set_new(
+			    copy, key, json_without_hidden(value));
 	}
+	return copy;
 }
 
 static size_t
@@ -652,26 +602,25 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	const struct table *t = table_for_programs(a);
-	struct fields more = {0};
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string(a->command));
+	json_t *o = json_object(), *own = json_without_hidden(a->fields);
+	struct fields *all = (struct fields *)(void *)o;
+	fields_put(all, "command %s", a->command);
 	if (a->site != NULL && !a->names_sites)
-		json_object_set_new(o, "site", text_json(a->site));
-	answer_put_fields(o, &a->fields);
+		fields_put(all, "site %s", a->site);
+	json_object_update(o, own);
+	json_decref(own);
 	if (is_sentences_only(a)) {
-		struct fields *list = fields_list(&more, "sentences");
+		struct fields *list = fields_list(all, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
 			fields_put(list, "%s", a->sentence[i].text);
-	} else if (a->fields.n == 0) {
-		answer_add_rows(&more, "rows", t);
+	} else if (!answer_has_fields(a)) {
+		answer_add_rows(all, "rows", t);
 	}
 	if (a->provenance != NULL)
-		fields_put(&more, "provenance %s", a->provenance);
-	answer_put_fields(o, &more);
+		fields_put(all, "provenance %s", a->provenance);
 	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
 	json_decref(o);
-	free_fields(&more);
 	return answer_rows_of(t);
 }
 
