@@ -134,12 +134,10 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 static void
 place_text(const struct error *e, char place[static 32])
 {
-	enum { LETTERS = 26 };
-	char name[8] = "", *first = name + sizeof name - 1;
-	for (int c = e->column; c > 0 && first > name; c = (c - 1) / LETTERS)
-		*--first = (char)('A' + (c - 1) % LETTERS);
+	char letters[8];
 	if (e->line > 0 && e->in_grid)
-		snprintf(place, 32, " %s%d:", first, e->line);
+		snprintf(place, 32,
+		    " %s%d:", text_column_letters(e->column, letters), e->line);
 	else if (e->line > 0)
 		snprintf(place, 32, "%d:%d:", e->line, e->column);
 }

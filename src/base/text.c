@@ -253,6 +253,17 @@ text_quoted(const char *s)
 	return quoted;
 }
 
+const char *
+text_column_letters(int column, char buf[static 8])
+{
+	enum { LETTERS = 26 };
+	char *first = buf + 7;
+	*first = '\0';
+	for (; column > 0 && first > buf; column = (column - 1) / LETTERS)
+		*--first = (char)('A' + (column - 1) % LETTERS);
+	return first;
+}
+
 bool
 text_ends(const char *s, const char *end)
 {

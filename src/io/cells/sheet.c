@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/sheet.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -289,6 +290,17 @@ sheet_add_line(struct sheet *sheet, const char *line, int number)
 		    xrealloc(sheet->comment, 2 * n + 1, sizeof *sheet->comment);
 	sheet->comment[n] = (struct comment){.line = number, .text = line};
 	return true;
+}
+
+const char *
+sheet_read_place(const char *p, int *column, int *line)
+{
+	*column = *line = 0;
+	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
+		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
+	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
+		*line = 10 * *line + (*p - '0');
+	return *column > 0 && *line > 0 ? p : NULL;
 }
 
 void

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xlsx.h"
 
-#include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -206,30 +205,18 @@ struct reading {
 	char *wrong;
 };
 
-/* "BC12": false for what is no place. */
-static bool
-read_place(const char *ref, struct cell *at)
-{
-	int column = 0;
-	uint64_t line;
-	for (; isalpha((unsigned char)*ref) && column < 20000; ref++)
-		column = 26 * column + toupper((unsigned char)*ref) - 'A' + 1;
-	if (column == 0 || !text_whole(ref, &line) || line == 0 ||
-	    line > 2000000)
-		return false;
-	at->line = (int)line;
-	at->column = column;
-	return true;
-}
-
 static void
 xlsx_begin_cell(struct reading *r, const char *const *attribute)
 {
 	const char *place = xml_attribute(attribute, "r");
 	const char *type = xml_attribute(attribute, "t");
+	struct cell at = r->at;
+	const char *end = place != NULL
+			      ? sheet_read_place(place, &at.column, &at.line)
+			      : NULL;
 	r->at.column++;
-	if (place != NULL)
-		read_place(place, &r->at);
+	if (end != NULL && *end == '\0')
+		r->at = at;
 	snprintf(r->type, sizeof r->type, "%s", type != NULL ? type : "n");
 	r->style = xml_whole(attribute, "s", 0);
 	r->in_cell = true;
