@@ -819,6 +819,7 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	    .n_col = n,
 	    .left = g->across ? g->row_number[p->first] : g->col_number[p->c],
 	    .end = g->across || end == g->n_col ? SIZE_MAX : g->col_number[end],
+	    .title = xstrdup(""),
 	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&

@@ -65,10 +65,7 @@ note_title(struct table *t, const struct row *row, const char *text,
 {
 	if (!has_one_cell(row) || text[0] == '\0')
 		return;
-	if (t->title == NULL)
-		t->title = xstrdup(text);
-	else
-		xappend(&t->title, "\n%s", text);
+	xlist(&t->title, "\n", "%s", text);
 	t->strange =
 	    t->strange || title->unknown > 0 ||
 	    (title->means & (WORD_LIMIT | WORD_MEAN | WORD_MACHINE)) != 0;
@@ -110,28 +107,18 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 	return means;
 }
 
-/* The lines of a title. */
-static const char *
-title_next_line(const char *line, size_t *n)
-{
-	*n = strcspn(line, "\n");
-	return line[*n] == '\n' ? line + *n + 1 : NULL;
-}
-
 char *
 title_line(const struct table *t)
 {
-	char *found = NULL;
-	for (const char *p = t->title; p != NULL;) {
-		size_t n;
-		const char *next = title_next_line(p, &n);
+	for (const char *p = t->title;;) {
+		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
-		bool feed = (vocabulary_text(line, NULL) & WORD_FEED) != 0;
-		free(found);
-		found = line;
-		p = feed ? NULL : next;
+		if (p[n] == '\0' ||
+		    (vocabulary_text(line, NULL) & WORD_FEED) != 0)
+			return line;
+		free(line);
+		p += n + 1;
 	}
-	return found != NULL ? found : xstrdup("");
 }
 
 /* Whether a word of n bytes is or begins with a number that counts or dates
@@ -203,9 +190,8 @@ title_names_differ(const char *a, const char *b)
 bool
 title_is_like(const struct table *a, const struct table *b)
 {
-	FREED char *one = head_without_speeds(a->title != NULL ? a->title : "");
-	FREED char *other =
-	    head_without_speeds(b->title != NULL ? b->title : "");
+	FREED char *one = head_without_speeds(a->title);
+	FREED char *other = head_without_speeds(b->title);
 	return strcmp(one, other) == 0;
 }
 
@@ -228,15 +214,14 @@ title_only_sample(const struct columns *all, const struct table *t)
 bool
 title_is_limit(const struct table *t)
 {
-	return t->title != NULL &&
-	       (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
+	return (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
 /* Whether a table has one product, whose speed its title has. */
 static bool
 has_product(const struct table *t, const struct column *c)
 {
-	struct head head = head_read(t->title != NULL ? t->title : "");
+	struct head head = head_read(t->title);
 	return c->role == PRODUCT && !c->said.several && has_speed(&head) &&
 	       !head.several && !title_is_limit(t);
 }
@@ -352,8 +337,7 @@ title_is_tests(struct table *const *table, size_t n, const struct columns *all)
 		if (c == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_is_limit(t) ||
 		    !tests_alike(first->sheet->name, t->sheet->name) ||
-		    !tests_alike(first->title != NULL ? first->title : "",
-			t->title != NULL ? t->title : ""))
+		    !tests_alike(first->title, t->title))
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =
