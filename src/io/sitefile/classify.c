@@ -52,18 +52,16 @@ static void
 classify_merge(
     struct head *said, const struct head *more, bool own, bool titles)
 {
-	static const uint64_t GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
-	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
-	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
-	uint64_t rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
+	const uint64_t group[] = {ROLE_WORDS, KIND_WORDS, SCALE_WORDS};
+	uint64_t rest = ~(ROLE_WORDS | KIND_WORDS | SCALE_WORDS);
 	/* Of "Feed" above the next column, where this one has a speed of its
 	 * own, only the feed is meant. */
 	bool mean = !own && (said->means & WORD_MEAN) != 0;
 	bool feed = !own && (more->means & WORD_FEED) != 0 &&
 		    (said->speed > 0 || said->rpm > 0);
-	for (size_t i = feed ? 1 : 0; i < 3; i++)
-		if ((said->means & GROUPS[i]) == 0)
-			said->means |= more->means & GROUPS[i];
+	for (size_t i = feed ? 1 : 0; i < ARRAY_LEN(group); i++)
+		if ((said->means & group[i]) == 0)
+			said->means |= more->means & group[i];
 	if (own)
 		said->means |= more->means & rest;
 	if (own && !titles)
@@ -83,6 +81,17 @@ classify_merge(
 	}
 	said->several = said->several || more->several;
 	said->range = said->range || more->range;
+}
+
+/* The number of a head is a speed in a unit that it has from elsewhere. */
+static void
+take_number_for_speed(struct head *head, enum speed_unit unit)
+{
+	if (unit == SPEED_RPM)
+		head->rpm = head->number[0];
+	else
+		head->speed = head_mps(head->number[0], unit, 0);
+	head->n_number = 0;
 }
 
 /* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
@@ -121,11 +130,7 @@ apply_row_label(const struct cell *label, struct head *head)
 			return;
 		}
 		head->unit = unit;
-		if (unit == SPEED_RPM)
-			head->rpm = head->number[0];
-		else
-			head->speed = head_mps(head->number[0], unit, 0);
-		head->n_number = 0;
+		take_number_for_speed(head, unit);
 	} else if ((row.means & WORD_SAMPLE) != 0 && !speed) {
 		head->n_number = 0;
 	}
@@ -148,19 +153,11 @@ classify_read_heads(const struct table *t, size_t c)
 		classify_merge(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
-	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
-	    said.unit != SPEED_NO_UNIT) {
-		if (said.unit == SPEED_RPM)
-			said.rpm = said.number[0];
-		else
-			said.speed = head_mps(said.number[0], said.unit, 0);
-		said.n_number = 0;
-	}
-	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
-	    (said.means & WORD_RPM) != 0 && said.number[0] > 200) {
-		said.rpm = said.number[0];
-		said.n_number = 0;
-	}
+	bool number = said.speed == 0 && said.rpm == 0 && said.n_number == 1;
+	if (number && said.unit != SPEED_NO_UNIT)
+		take_number_for_speed(&said, said.unit);
+	else if (number && (said.means & WORD_RPM) != 0 && said.number[0] > 200)
+		take_number_for_speed(&said, SPEED_RPM);
 	return said;
 }
 
@@ -582,24 +579,18 @@ find_role(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 }
 
-/* "column 5", or the line of a sheet that lies on its side. */
-static char *
-column_words(const struct table *t, size_t at)
-{
-	return xasprintf(
-	    t->across ? tr("line %zu") : tr("column %zu"), t->number[at]);
-}
-
-/* Takes where. */
 static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, char *where, const char *format, ...)
+leave_out(struct site *site, const struct column *c, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
 	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
+	/* "column 5", or the line of a sheet that lies on its side. */
+	FREED char *where =
+	    xasprintf(c->table->across ? tr("line %zu") : tr("column %zu"),
+		c->table->number[c->at]);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
-	free(where);
 }
 
 static bool
@@ -641,31 +632,28 @@ is_count(const struct column *c)
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
-	const struct table *t = c->table;
 	size_t filled, numbers;
 	bool words = has_words(c, &filled, &numbers);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	if (is_count(c)) {
-		leave_out(site, column_words(t, c->at),
+		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
 	} else if (filled == 0) {
-		leave_out(site, column_words(t, c->at), "it is empty");
+		leave_out(site, c, "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(
-		    site, column_words(t, c->at), "%s: it has words", head);
+		leave_out(site, c, "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
-		leave_out(site, column_words(t, c->at),
-		    "%s: a limit, or calculated, or rejected", head);
+		leave_out(
+		    site, c, "%s: a limit, or calculated, or rejected", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
-		leave_out(site, column_words(t, c->at), "%s: no sample", head);
+		leave_out(site, c, "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
 		   c->said.speed == 0 && !c->said.range) {
-		leave_out(
-		    site, column_words(t, c->at), "%s: the sieves again", head);
+		leave_out(site, c, "%s: the sieves again", head);
 	} else {
 		return false;
 	}
@@ -947,8 +935,8 @@ drop_means(struct columns *all, struct site *site)
 		if (!mean || (others < 2 && c->speed > 0) ||
 		    (others == 0 && all->n < 3))
 			continue;
-		leave_out(site, column_words(c->table, c->at),
-		    "%s: the mean of samples that are read", c->head.text);
+		leave_out(site, c, "%s: the mean of samples that are read",
+		    c->head.text);
 		drop_column(all, i--);
 	}
 }
@@ -965,7 +953,7 @@ classify_drop_twins(struct columns *all, struct site *site)
 			    classify_rank(a) < classify_rank(b) ||
 			    (classify_rank(a) == classify_rank(b) && i < k))
 				continue;
-			leave_out(site, column_words(a->table, a->at),
+			leave_out(site, a,
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
@@ -1072,8 +1060,8 @@ recognise_roles(
 		    c->said.unknown > 0 && !classify_is_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
-			leave_out(site, column_words(c->table, c->at),
-			    "%s: neither feed nor product", c->head.text);
+			leave_out(site, c, "%s: neither feed nor product",
+			    c->head.text);
 			drop_column(all, i--);
 			continue;
 		}

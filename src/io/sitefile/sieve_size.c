@@ -222,13 +222,6 @@ sieve_names_mm(const char *text, enum sieve_series head)
 }
 
 bool
-sieve_names_is_number(const char *text)
-{
-	double value;
-	return read_name(text, &value) == SIEVE_ASTM;
-}
-
-bool
 sieve_names_is_standard(double mm)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)

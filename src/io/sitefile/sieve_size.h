@@ -31,10 +31,6 @@ enum sieve_series sieve_names_series(const char *text);
  * or BS.  head: the series of bare numbers, from the heading of the column. */
 double sieve_names_mm(const char *text, enum sieve_series head);
 
-/* True if the text has the form of an ASTM E11 number (not inches), even if
- * there is no such sieve. */
-bool sieve_names_is_number(const char *text);
-
 /* True if a size in mm is within 1 % of a sieve in ISO 565, EN 933-2 or ASTM
  * E11. */
 bool sieve_names_is_standard(double mm);

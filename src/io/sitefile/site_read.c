@@ -384,12 +384,13 @@ make_runs(struct site *site, const struct columns *t)
 }
 
 static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, const char *where, const char *format, ...)
+leave_out(struct site *site, int line, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
 	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
+	FREED char *where = xasprintf(tr("line %d"), line);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
@@ -397,15 +398,14 @@ leave_out(struct site *site, const char *where, const char *format, ...)
 static void
 leave_out_rows(struct reading *r, const struct table *t)
 {
-	char where[32];
 	for (size_t i = 0; i < t->n_row; i++) {
 		bool values = !(t->mm[i] > 0);
 		for (size_t c = 0; c < r->all.n && !values; c++)
 			values = r->all.column[c].table == t &&
 				 !isnan(r->all.column[c].pct[i]);
-		snprintf(where, sizeof where, tr("line %d"), t->row[i].line);
 		if (!values)
-			leave_out(r->site, where, "the sieve %s has no numbers",
+			leave_out(r->site, t->row[i].line,
+			    "the sieve %s has no numbers",
 			    t->row[i].cell[0].text);
 	}
 }
@@ -432,14 +432,14 @@ site_read_leave_out_cells(struct reading *r)
 	if (more > 3)
 		xlist(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
-		leave_out(r->site, "cells without a number", "%s", list);
+		site_add_note(&r->site->left_out, &r->site->n_left_out,
+		    "cells without a number", list);
 }
 
 /* Lines of sums that nothing could be compared with. */
 static void
 leave_out_sums(struct reading *r, const struct page *page)
 {
-	char where[32];
 	bool grams = false;
 	for (size_t c = 0; c < r->all.n; c++)
 		grams =
@@ -448,9 +448,8 @@ leave_out_sums(struct reading *r, const struct page *page)
 		for (size_t i = 0; i < page->layout->table[b].n_foot; i++) {
 			const struct row *row = &page->layout->table[b].foot[i];
 			const char *text = row->cell[0].text;
-			snprintf(where, sizeof where, tr("line %d"), row->line);
 			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
-				leave_out(r->site, where,
+				leave_out(r->site, row->line,
 				    "%s: sums are checked for grams only",
 				    text);
 		}
@@ -467,7 +466,6 @@ states_rotor(const struct site *site, const char *text)
 static void
 leave_out_foot(struct reading *r, const struct page *page)
 {
-	char where[32];
 	int first = page->layout->table[0].row[0].line;
 	leave_out_sums(r, page);
 	for (size_t i = 0; i < page->layout->n_heading; i++) {
@@ -475,12 +473,11 @@ leave_out_foot(struct reading *r, const struct page *page)
 		size_t c = 0;
 		while (row->cell[c].text[0] == '\0')
 			c++;
-		snprintf(where, sizeof where, tr("line %d"), row->line);
 		const char *text = row->cell[c].text;
 		bool rotor = states_rotor(r->site, text);
 		if (row->line > first && !rotor &&
 		    !title_heads_any(page->layout, row))
-			leave_out(r->site, where,
+			leave_out(r->site, row->line,
 			    "remark below the table: %.*s",
 			    sheet_cut_length(text), text);
 	}
@@ -491,7 +488,6 @@ leave_out_foot(struct reading *r, const struct page *page)
 static void
 note_left_out(struct reading *r)
 {
-	char where[32];
 	for (size_t p = 0; p < r->n_page; p++) {
 		const struct page *page = &r->page[p];
 		if (page->layout->n == 0)
@@ -503,16 +499,15 @@ note_left_out(struct reading *r)
 			const struct comment *c = &page->sheet->comment[i];
 			if (c->line <= head)
 				continue;
-			snprintf(where, sizeof where, tr("line %d"), c->line);
 			int shown = sheet_cut_length(c->text);
-			leave_out(r->site, where, "a comment: %.*s%s", shown,
+			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
 		leave_out_foot(r, page);
 		const struct cell *beside = &page->layout->beside;
-		snprintf(where, sizeof where, tr("line %d"), beside->line);
 		if (beside->text != NULL)
-			leave_out(r->site, where, "beside the table: %.*s",
+			leave_out(r->site, beside->line,
+			    "beside the table: %.*s",
 			    sheet_cut_length(beside->text), beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)

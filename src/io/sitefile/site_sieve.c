@@ -521,7 +521,7 @@ site_sieve_numbers(struct sheet *sheet)
 				 : c->text[strcspn(c->text, separator)] != '\0';
 		/* "#" alone heads a column of numbers. */
 		bool head = strcmp(first, "#") == 0;
-		if (cells && (head || sieve_names_is_number(first)))
+		if (cells && (head || sieve_names_series(first) == SIEVE_ASTM))
 			sheet_uncomment(sheet, i);
 	}
 	if (sheet->n_row > rows)

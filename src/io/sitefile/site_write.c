@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "io/fs/file.h"
 #include "io/cells/sheet.h"
+#include "io/sitefile/units.h"
 
 /* A curve to write and the first of its sieves not yet written. */
 struct curve {
@@ -36,12 +37,6 @@ is_small(const struct site *site, double speed)
 	return small;
 }
 
-static double
-size_mm(double size)
-{
-	return round(size * 1e12) / 1e9;
-}
-
 /* Of a fraction to 14 decimals: percent has 12. */
 static double
 as_written(const struct curve *c, double fraction)
@@ -63,9 +58,9 @@ write_heading(const struct site *site, FILE *out)
 {
 	char top[32] = "", rotor[32] = "";
 	if (site->top_size > 0)
-		text_exact(size_mm(site->top_size), top);
+		text_exact(units_mm(site->top_size), top);
 	if (site->rotor > 0)
-		text_exact(size_mm(site->rotor), rotor);
+		text_exact(units_mm(site->rotor), rotor);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
 	    {"machine", site->machine}, {"rotor_mm", rotor},
@@ -121,7 +116,7 @@ next_mm(const struct curve *curve, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct curve *c = &curve[i];
 		if (c->next < c->psd->n)
-			mm = fmax(mm, size_mm(c->psd->size[c->next]));
+			mm = fmax(mm, units_mm(c->psd->size[c->next]));
 	}
 	return mm;
 }
@@ -136,7 +131,7 @@ write_row(struct curve *curve, size_t n, double mm, FILE *out)
 		fputc(',', out);
 		bool used = false;
 		for (; c->next < c->psd->n; c->next++) {
-			if (size_mm(c->psd->size[c->next]) < mm)
+			if (units_mm(c->psd->size[c->next]) < mm)
 				break;
 			if (!used)
 				fputs(
