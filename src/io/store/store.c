@@ -72,6 +72,31 @@ folded(sqlite3_context *context, int n, sqlite3_value **value)
 	    context, text_fold(text != NULL ? text : ""), -1, free);
 }
 
+/* A name as it can be read and typed, whoever made it: shown, and cut. */
+static char *
+shown_name(const char *name)
+{
+	enum { MOST = 60 };
+	char *label = text_escaped(name);
+	size_t n = strlen(label);
+	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
+		n--;
+	label[n] = '\0';
+	for (char *p = label; (p = strchr(p, '"')) != NULL;)
+		*p = '\'';
+	return label;
+}
+
+/* shown(name): as shown_name. */
+static void
+sql_shown(sqlite3_context *context, int n, sqlite3_value **value)
+{
+	const char *text = (const char *)sqlite3_value_text(value[0]);
+	(void)n;
+	sqlite3_result_text(
+	    context, shown_name(text != NULL ? text : ""), -1, free);
+}
+
 /* The kind of error, its words and the next step, by SQLite's result code. */
 static const struct problem {
 	int code;
@@ -276,6 +301,8 @@ add_functions(sqlite3 *db)
 	    db, "exact", 1, flags, NULL, sql_exact, NULL, NULL, NULL);
 	sqlite3_create_function_v2(
 	    db, "folded", 1, flags, NULL, folded, NULL, NULL, NULL);
+	sqlite3_create_function_v2(
+	    db, "shown", 1, flags, NULL, sql_shown, NULL, NULL, NULL);
 }
 
 static sqlite3 *
@@ -498,21 +525,6 @@ digest_text(const struct stored *m)
 	return xasprintf("%016" PRIx64, stored_make_digest(m));
 }
 
-/* A name as it can be read and typed, whoever made it: shown, and cut. */
-static char *
-shown_name(const char *name)
-{
-	enum { MOST = 60 };
-	char *label = text_escaped(name);
-	size_t n = strlen(label);
-	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
-		n--;
-	label[n] = '\0';
-	for (char *p = label; (p = strchr(p, '"')) != NULL;)
-		*p = '\'';
-	return label;
-}
-
 /* False for a material that no import would take. */
 static bool
 check_fields(const struct stored *m, struct error *error)
@@ -690,20 +702,26 @@ store_count(struct store *store, size_t *n, struct error *error)
 	return ok;
 }
 
-bool
-store_each_name(struct store *store, enum store_word what,
-    void (*take)(void *data, const char *word), void *data, struct error *error)
+/* Calls take for the first column of each row of a query, whose ?1 is a folded
+ * beginning, ?2 past all that begin so, and ?3 how many rows to take. */
+static bool
+each_text(struct store *store, const char *sql, const char *fold, size_t most,
+    void (*take)(void *data, const char *text), void *data, struct error *error)
 {
-	static const char *const SQL[] = {
-	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
-	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
 	sqlite3 *db;
 	sqlite3_stmt *stmt = NULL;
 	int code = SQLITE_DONE;
 	if (!store_begin_change(store, false, &db, error))
 		return false;
+	/* The last code point. */
+	FREED char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
 	if (db != NULL)
-		code = sqlite3_prepare_v2(db, SQL[what], -1, &stmt, NULL);
+		code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
+	if (sqlite3_bind_parameter_count(stmt) > 0) {
+		bind_text(stmt, 1, fold);
+		bind_text(stmt, 2, past);
+		sqlite3_bind_int64(stmt, 3, (sqlite3_int64)most);
+	}
 	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
 		take(data, column_text(stmt, 0));
 	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
@@ -712,51 +730,27 @@ store_each_name(struct store *store, enum store_word what,
 	return ok;
 }
 
-/* One end of the names from fold ?1 to ?2, ?3 of them. */
-static bool
-list_one_end(struct store *store, sqlite3 *db, bool first, const char *fold,
-    size_t most, size_t *n, void (*take)(void *data, const char *name),
-    void *data, struct error *error)
+bool
+store_each_name(struct store *store, enum store_word what,
+    void (*take)(void *data, const char *word), void *data, struct error *error)
 {
-	sqlite3_stmt *stmt = NULL;
-	/* Past all that begin so: the last code point. */
-	FREED char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
-	int code = sqlite3_prepare_v2(db,
-	    first ? "SELECT name FROM material WHERE fold >= ?1 AND fold < ?2 "
-		    "ORDER BY fold LIMIT ?3"
-		  : "SELECT name FROM material WHERE fold >= ?1 AND fold < ?2 "
-		    "ORDER BY fold DESC LIMIT ?3",
-	    -1, &stmt, NULL);
-	if (code == SQLITE_OK) {
-		bind_text(stmt, 1, fold);
-		bind_text(stmt, 2, past);
-		sqlite3_bind_int64(stmt, 3, (sqlite3_int64)most);
-	}
-	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
-		take(data, column_text(stmt, 0));
-		++*n;
-	}
-	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
-	sqlite3_finalize(stmt);
-	return ok;
+	static const char *const SQL[] = {
+	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
+	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
+	return each_text(store, SQL[what], "", 0, take, data, error);
 }
 
 bool
 store_begin(struct store *store, const char *beginning, size_t most,
     void (*take)(void *data, const char *name), void *data, struct error *error)
 {
-	sqlite3 *db;
-	size_t n = 0;
-	if (!store_begin_change(store, false, &db, error))
-		return false;
+	static const char SQL[] =
+	    "WITH matching AS (SELECT fold FROM material WHERE fold >= ?1 AND "
+	    "fold < ?2) SELECT name FROM material WHERE fold IN (SELECT fold "
+	    "FROM matching ORDER BY fold LIMIT ?3) OR fold = (SELECT max(fold) "
+	    "FROM matching) ORDER BY fold";
 	FREED char *fold = text_fold(beginning);
-	bool ok = db == NULL || list_one_end(store, db, true, fold, most, &n,
-				    take, data, error);
-	if (ok && n == most)
-		ok = list_one_end(
-		    store, db, false, fold, 1, &n, take, data, error);
-	close_unless_memory(store, db);
-	return ok;
+	return each_text(store, SQL, fold, most, take, data, error);
 }
 
 /* What is not known stays NULL. */
@@ -845,56 +839,25 @@ store_put(struct store *store, const struct stored *item, size_t n,
 	return ok;
 }
 
-/* The fold of the row whose name is shown so, which the caller frees; NULL if
- * there is none. */
-static char *
-find_fold_by_shown_name(sqlite3 *db, const char *name)
-{
-	sqlite3_stmt *stmt = NULL;
-	char *fold = NULL;
-	sqlite3_prepare_v2(
-	    db, "SELECT fold, name FROM material", -1, &stmt, NULL);
-	while (fold == NULL && sqlite3_step(stmt) == SQLITE_ROW) {
-		FREED char *label = shown_name(column_text(stmt, 1));
-		if (text_same(label, name))
-			fold = xstrdup(column_text(stmt, 0));
-	}
-	sqlite3_finalize(stmt);
-	return fold;
-}
-
-/* *n: how many rows went. */
-static bool
-delete_row(struct store *store, sqlite3 *db, const char *fold, int *n,
-    struct error *error)
-{
-	sqlite3_stmt *stmt = NULL;
-	sqlite3_prepare_v2(
-	    db, "DELETE FROM material WHERE fold = ?", -1, &stmt, NULL);
-	if (stmt != NULL)
-		bind_text(stmt, 1, fold);
-	bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-		  schema_fail(db, store->path, error);
-	sqlite3_finalize(stmt);
-	*n = ok ? sqlite3_changes(db) : 0;
-	return ok;
-}
-
 /* By name, else by what errors call it. */
 static bool
 forget_row(
     struct store *store, sqlite3 *db, const char *name, struct error *error)
 {
-	int n;
-	char *fold = text_fold(name);
-	bool ok = delete_row(store, db, fold, &n, error);
-	free(fold);
-	fold = ok && n == 0 ? find_fold_by_shown_name(db, name) : NULL;
-	if (fold != NULL)
-		ok = delete_row(store, db, fold, &n, error);
-	free(fold);
-	if (!ok || n > 0)
-		return ok;
+	static const char *const SQL[] = {"DELETE FROM material WHERE fold = ?",
+	    "DELETE FROM material WHERE fold = (SELECT fold FROM material "
+	    "WHERE folded(shown(name)) = ? LIMIT 1)"};
+	FREED char *fold = text_fold(name);
+	for (size_t i = 0; i < ARRAY_LEN(SQL); i++) {
+		sqlite3_stmt *stmt = NULL;
+		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
+		bind_text(stmt, 1, fold);
+		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
+			  schema_fail(db, store->path, error);
+		sqlite3_finalize(stmt);
+		if (!ok || sqlite3_changes(db) > 0)
+			return ok;
+	}
 	return error_set(error, ERROR_USAGE,
 	    "the store has no material '%s'\n"
 	    "run 'materials origin=own' to list its materials",
