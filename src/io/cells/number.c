@@ -14,10 +14,16 @@
 
 enum { LONGEST = 64 };
 
-/* What may stand between thousands whatever the decimal sign: blanks, also
- * those that do not break, and apostrophes. */
-static const char *const GROUPS[] = {" ", "\xC2\xA0", "\xE2\x80\xAF",
-    "\xE2\x80\x89", "'", "\xE2\x80\x99", "\xCA\xBC"};
+size_t
+number_separator_bytes(const char *s)
+{
+	static const char *const GROUPS[] = {" ", "\xC2\xA0", "\xE2\x80\xAF",
+	    "\xE2\x80\x89", "'", "\xE2\x80\x99", "\xCA\xBC"};
+	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
+		if (strncmp(s, GROUPS[i], strlen(GROUPS[i])) == 0)
+			return strlen(GROUPS[i]);
+	return 0;
+}
 
 /* A copy without them; 1 010,5 becomes 1010,5.  False for what is too long to
  * be a number. */
@@ -28,10 +34,7 @@ join_thousands(const char *s, char copy[static LONGEST])
 	if (strlen(s) >= LONGEST)
 		return false;
 	for (const char *p = s; *p != '\0';) {
-		size_t n = 0;
-		for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
-			if (strncmp(p, GROUPS[g], strlen(GROUPS[g])) == 0)
-				n = strlen(GROUPS[g]);
+		size_t n = number_separator_bytes(p);
 		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
 		    strspn(p + n, "0123456789") == 3)
 			p += n;

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/cells/number.h"
 #include "io/sitefile/units.h"
 #include "io/sitefile/lexicon.h"
 
@@ -33,8 +34,8 @@ static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "cm", "micron", "inch", "in.", "\"", "g", "kg", "%", "t/h", "tph", "ton",
     "t", "kw", "h", "hz", "a", "s", "v", "bar", "min", "pct", "\xC2\xB0"};
 
-static bool
-column_header_is_letter(char c)
+bool
+head_is_letter(char c)
 {
 	return isalpha((unsigned char)c) || (c & 0x80) != 0;
 }
@@ -46,7 +47,7 @@ unit_at(const char *text, size_t *n)
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*n = strlen(UNITS[i].text);
 		if (strncmp(text, UNITS[i].text, *n) == 0 &&
-		    !column_header_is_letter(text[*n]))
+		    !head_is_letter(text[*n]))
 			return UNITS[i].unit;
 	}
 	*n = 0;
@@ -59,7 +60,7 @@ other_unit_at(const char *text)
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_UNITS); i++) {
 		size_t n = strlen(OTHER_UNITS[i]);
 		if (strncmp(text, OTHER_UNITS[i], n) == 0 &&
-		    !column_header_is_letter(text[n]))
+		    !head_is_letter(text[n]))
 			return true;
 	}
 	return false;
@@ -108,18 +109,6 @@ plain_blanks(char *s)
 	*to = '\0';
 }
 
-/* Bytes of what may stand between thousands at p; 0: nothing that may. */
-static size_t
-group_separator_bytes(const char *p)
-{
-	static const char *const GROUPS[] = {
-	    " ", "'", "\xE2\x80\x99", "\xCA\xBC"};
-	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		if (strncmp(p, GROUPS[i], strlen(GROUPS[i])) == 0)
-			return strlen(GROUPS[i]);
-	return 0;
-}
-
 /* A number at *text, which moves after it: 63,6 or 63.6, 1 350 or 1,350 where
  * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
  * moved over. */
@@ -146,7 +135,7 @@ column_header_number_at(const char **text, double *value)
 	}
 	*text = p;
 	const char *blank = *p == ' ' ? p + 1 : p;
-	size_t group = group_separator_bytes(p);
+	size_t group = number_separator_bytes(p);
 	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
 	    strspn(p + group, DIGITS) == 3) {
 		const char *end = p + group + 3;
@@ -165,8 +154,7 @@ static const char *
 skip_unit_of_mass(const char *text)
 {
 	size_t n = strspn(text, "k") + 1;
-	bool grams =
-	    n <= 2 && text[n - 1] == 'g' && !column_header_is_letter(text[n]);
+	bool grams = n <= 2 && text[n - 1] == 'g' && !head_is_letter(text[n]);
 	return grams ? text + n : text;
 }
 
@@ -277,7 +265,7 @@ column_header_is_cut(
 	if (from > text && from[-1] == '+')
 		return true;
 	if (from > text && from[-1] == '.' &&
-	    (from == text + 1 || !column_header_is_letter(from[-2])))
+	    (from == text + 1 || !head_is_letter(from[-2])))
 		return true;
 	return at && *to != '\0' && strchr(" ,;:()[]_\"", *to) == NULL &&
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
@@ -291,7 +279,7 @@ column_header_read_number(struct head *head, const char *start,
 	const char *from = *text;
 	double value;
 	size_t n;
-	bool inside = from > start && column_header_is_letter(from[-1]);
+	bool inside = from > start && head_is_letter(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
 	bool good = column_header_number_at(text, &value);
 	const char *to = *text;
@@ -363,7 +351,7 @@ column_header_cut(const char *folded, char *words, char *rest)
 	size_t n = 0, m = 0, k;
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
-		bool inside = p > folded && column_header_is_letter(p[-1]);
+		bool inside = p > folded && head_is_letter(p[-1]);
 		enum speed_unit unit = inside ? SPEED_NO_UNIT : unit_at(p, &k);
 		if (unit != SPEED_NO_UNIT) {
 			if (head.unit == SPEED_NO_UNIT)

@@ -25,12 +25,6 @@ struct search {
 	double unit, ahead, found;
 };
 
-static bool
-is_letter(char c)
-{
-	return isalpha((unsigned char)c) || (c & 0x80) != 0;
-}
-
 /* Folded, with a word in place of each sign for a diameter that is no part of
  * another word: O with a stroke, phi, and the sign of U+2300. */
 static char *
@@ -44,8 +38,8 @@ without_signs(const char *text)
 		for (size_t i = 0; i < ARRAY_LEN(SIGNS); i++)
 			if (strncmp(p, SIGNS[i], strlen(SIGNS[i])) == 0)
 				n = strlen(SIGNS[i]);
-		bool sign = n > 0 && (p == text || !is_letter(p[-1])) &&
-			    !is_letter(p[n]);
+		bool sign = n > 0 && (p == text || !head_is_letter(p[-1])) &&
+			    !head_is_letter(p[n]);
 		if (sign)
 			xappend(&plain, " diameter ");
 		else
@@ -70,7 +64,7 @@ static size_t
 word_bytes(const char *p)
 {
 	size_t n = 0;
-	while (is_letter(p[n]))
+	while (head_is_letter(p[n]))
 		n++;
 	return n;
 }
