@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -330,16 +331,19 @@ hint_for_feed(const struct site_request *q)
 	return q->feed ? tr(", and write it again for feed=") : "";
 }
 
-static bool
+/* Adds the question as a fault.  Returns true. */
+static bool __attribute__((format(printf, 5, 6)))
 site_ask_refuse(const struct site_request *q, const struct table *t,
-    struct cell where, struct site_ask *ask, struct error_list *errors,
-    const char *what)
+    struct cell where, const struct site_ask *ask, const char *what, ...)
 {
+	va_list ap;
+	va_start(ap, what);
+	FREED char *said = xvasprintf(what, ap);
+	va_end(ap);
 	FREED char *line = line_with_answers(q, ask->settle);
-	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
-	    where.column, "%s\nsay what it is%s: %s", what, hint_for_feed(q),
-	    line);
-	return true;
+	return !error_at(error_add(t->sheet->errors), ERROR_DATA,
+	    t->sheet->path, where.line, where.column,
+	    "%s\nsay what it is%s: %s", said, hint_for_feed(q), line);
 }
 
 /* Several tables that each have a feed: which is the one? */
@@ -361,7 +365,7 @@ second_feed(const struct columns *all)
 static bool
 ask_table(const struct site_request *q, struct table *const *table,
     size_t n_table, const struct table *second, const struct columns *all,
-    struct site_ask *ask, struct error_list *errors)
+    struct site_ask *ask)
 {
 	const struct table *first = table[0];
 	for (size_t i = 0; i < n_table; i++)
@@ -380,31 +384,27 @@ ask_table(const struct site_request *q, struct table *const *table,
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
 		return site_ask_refuse(q, second, second->row[0].cell[0], ask,
-		    errors,
 		    tr("expected one site, got sheets with a feed each"));
 	}
 	struct tables tables = {.table = table, .n = n_table, .all = all};
 	site_ask_tables_guess(&tables);
 	site_ask_tables_list(&tables, ask);
-	return site_ask_refuse(q, first, second->row[0].cell[0], ask, errors,
+	return site_ask_refuse(q, first, second->row[0].cell[0], ask,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
 }
 
 static bool
-ask_which_sieves(const struct open *open, const struct site_request *q,
-    struct site_ask *ask, struct error_list *errors)
+ask_which_sieves(
+    const struct open *open, const struct site_request *q, struct site_ask *ask)
 {
 	const struct table *t = open->twice;
 	struct cell again = t->row[open->again].cell[0];
-	FREED char *what =
-	    xasprintf(tr("expected one table, got the sieves from %s "
-			 "on a second time"),
-		again.text);
 	FREED char *range = site_ask_table_range(t, open->end);
 	ask->settle = xasprintf("range=%s", range);
-	site_ask_refuse(q, t, again, ask, errors, what);
-	return true;
+	return site_ask_refuse(q, t, again, ask,
+	    tr("expected one table, got the sieves from %s on a second time"),
+	    again.text);
 }
 
 /* Of tables below each other of which nothing tells feed from product, proposes
@@ -437,7 +437,6 @@ guess_largest(struct tables *s)
 	return below;
 }
 
-/* What is the first column that is open, and how fast was it? */
 /* The only number of a column that is more than 100, if the others can be
  * percentages; or NULL. */
 static const struct cell *
@@ -478,35 +477,34 @@ hint_speed(const struct site_request *q, const char *path, struct error *error)
 	error_hint(error, "say its speed: load %s", files);
 }
 
+/* What is the first column that is open, and how fast was it? */
 static bool
-site_ask_ask_column(const struct site_request *q, const struct column *first,
-    bool alone, struct site_ask *ask, struct error_list *errors)
+ask_column(const struct site_request *q, const struct column *first, bool alone,
+    struct site_ask *ask)
 {
-	FREED char *values = first_values(first->table, first->at);
+	const struct table *t = first->table;
+	struct error *error = &t->sheet->errors->item[0];
+	FREED char *values = first_values(t, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = above_100(first);
-	if (above != NULL) {
-		FREED char *what =
-		    xasprintf(tr("expected at most 100 %% passing, got '%.*s': "
-				 "column %zu has no other number above 100; "
-				 "correct it if it is a typing error"),
-			sheet_cut_length(above->text), above->text,
-			first->table->number[first->at]);
-		site_ask_refuse(q, first->table, *above, ask, errors, what);
-		return true;
-	}
-	FREED char *what = xasprintf(
+	if (above != NULL)
+		return site_ask_refuse(q, t, *above, ask,
+		    tr("expected at most 100 %% passing, got '%.*s': column "
+		       "%zu has no other number above 100; correct it if it is "
+		       "a typing error"),
+		    sheet_cut_length(above->text), above->text,
+		    t->number[first->at]);
+	site_ask_refuse(q, t, first->head, ask,
 	    speed ? tr("expected headings and numbers that tell what column "
 		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
 		       "%zu is, got '%.*s' above %s"),
-	    first->table->number[first->at], sheet_cut_length(first->head.text),
+	    t->number[first->at], sheet_cut_length(first->head.text),
 	    first->head.text, values);
-	site_ask_refuse(q, first->table, first->head, ask, errors, what);
 	if (q->n > 1 && speed && !q->parts)
-		hint_speed(q, first->table->sheet->path, &errors->item[0]);
+		hint_speed(q, t->sheet->path, error);
 	if (q->parts && speed && q->n == 1 && alone)
-		error_hint(&errors->item[0],
+		error_hint(error,
 		    "say its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
 		    q->path[0], q->path[0]);
@@ -515,21 +513,19 @@ site_ask_ask_column(const struct site_request *q, const struct column *first,
 
 static bool
 ask_decimal(const struct open *open, const struct site_request *q,
-    const struct table *t, struct site_ask *ask, struct error_list *errors)
+    const struct table *t, struct site_ask *ask)
 {
 	ask->settle = xstrdup("decimal=point|comma");
-	FREED char *what =
-	    xasprintf(tr("expected a number that can be read in one "
-			 "way, got %s: a decimal sign, or thousands?"),
-		open->number.text);
-	site_ask_refuse(q, t, open->number, ask, errors, what);
-	return true;
+	return site_ask_refuse(q, t, open->number, ask,
+	    tr("expected a number that can be read in one way, got %s: a "
+	       "decimal sign, or thousands?"),
+	    open->number.text);
 }
 
 bool
 site_ask_open(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
-    struct site_ask *ask, struct error_list *errors)
+    struct site_ask *ask)
 {
 	const struct table *second = second_feed(all);
 	for (size_t i = 0; i < n_table && second == NULL; i++)
@@ -537,27 +533,26 @@ site_ask_open(const struct open *open, const struct site_request *q,
 			second = table[i];
 	const struct column *first = NULL;
 	if (open->twice != NULL)
-		return ask_which_sieves(open, q, ask, errors);
+		return ask_which_sieves(open, q, ask);
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
 	if (open->number.text != NULL)
-		return ask_decimal(open, q, table[0], ask, errors);
+		return ask_decimal(open, q, table[0], ask);
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
 		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
-		    ask, errors,
+		    ask,
 		    tr("expected tip speeds in m/s, got rpm without the "
 		       "rotor's diameter"));
 	}
 	if (second != NULL)
-		return ask_table(q, table, n_table, second, all, ask, errors);
+		return ask_table(q, table, n_table, second, all, ask);
 	struct tables tables = {.table = table, .n = n_table, .all = all};
 	if (guess_largest(&tables)) {
 		const struct table *most = tables.table[tables.first];
 		site_ask_tables_list(&tables, ask);
 		return site_ask_refuse(q, most, most->row[0].cell[0], ask,
-		    errors,
 		    tr("expected one table, got several: that with most sieves "
 		       "is proposed"));
 	}
@@ -566,10 +561,10 @@ site_ask_open(const struct open *open, const struct site_request *q,
 	site_ask_list_columns(ask, table, n_table, all, open->sieves);
 	if (first == NULL)
 		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
-		    ask, errors,
+		    ask,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
-	return site_ask_ask_column(q, first, all->n == 1, ask, errors);
+	return ask_column(q, first, all->n == 1, ask);
 }
 
 void

@@ -901,7 +901,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 		choose_series(&r);
 		bool open = count_faults(&r) == 0 &&
 			    site_ask_open(&r.open, request, r.table, r.n_table,
-				&r.all, ask != NULL ? ask : &none, errors);
+				&r.all, ask != NULL ? ask : &none);
 		if (!open) {
 			read_columns(&r);
 			assume_top_size(&r, ask != NULL ? ask : &none);
