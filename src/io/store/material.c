@@ -55,60 +55,38 @@ const struct field FIELDS[FIELD_COUNT] = {
     {"basis", FIELD_TEXT, AT(basis), false, NULL, 0, 0},
 };
 
-static char **
-text_at(struct stored *m, const struct field *f)
+static void *
+value_at(const struct stored *m, const struct field *f, enum field_kind kind)
 {
-	assert(f->kind == FIELD_TEXT);
-	return (char **)(void *)((char *)m + f->offset);
+	assert(f->kind == kind);
+	(void)kind;
+	return (void *)((uintptr_t)m + f->offset);
 }
 
-static const void *
-field_of(const struct stored *m, const struct field *f)
-{
-	return (const char *)m + f->offset;
-}
-
-const char *
+char **
 stored_text(const struct stored *m, const struct field *f)
 {
-	assert(f->kind == FIELD_TEXT);
-	return *(char *const *)field_of(m, f);
+	return value_at(m, f, FIELD_TEXT);
 }
 
-double
+double *
 stored_number(const struct stored *m, const struct field *f)
 {
-	assert(f->kind == FIELD_NUMBER);
-	return *(const double *)field_of(m, f);
+	return value_at(m, f, FIELD_NUMBER);
 }
 
-int64_t
+int64_t *
 stored_integer(const struct stored *m, const struct field *f)
 {
-	assert(f->kind == FIELD_WHOLE);
-	return *(const int64_t *)field_of(m, f);
+	return value_at(m, f, FIELD_WHOLE);
 }
 
 void
 stored_set_text(struct stored *m, const struct field *f, const char *text)
 {
 	char *copy = xstrdup(text);
-	free(*text_at(m, f));
-	*text_at(m, f) = copy;
-}
-
-void
-stored_set_number(struct stored *m, const struct field *f, double value)
-{
-	assert(f->kind == FIELD_NUMBER);
-	memcpy((char *)m + f->offset, &value, sizeof value);
-}
-
-void
-stored_set_integer(struct stored *m, const struct field *f, int64_t value)
-{
-	assert(f->kind == FIELD_WHOLE);
-	memcpy((char *)m + f->offset, &value, sizeof value);
+	free(*stored_text(m, f));
+	*stored_text(m, f) = copy;
 }
 
 struct stored
@@ -120,9 +98,9 @@ stored_empty(void)
 		if (f->kind == FIELD_TEXT)
 			stored_set_text(&m, f, "");
 		else if (f->kind == FIELD_NUMBER)
-			stored_set_number(&m, f, NAN);
+			*stored_number(&m, f) = NAN;
 		else if (f->kind == FIELD_WHOLE)
-			stored_set_integer(&m, f, -1);
+			*stored_integer(&m, f) = -1;
 		else
 			stored_set_written(&m, f, "");
 	}
@@ -134,7 +112,7 @@ stored_free(struct stored *m)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++)
 		if (FIELDS[i].kind == FIELD_TEXT)
-			free(*text_at(m, &FIELDS[i]));
+			free(*stored_text(m, &FIELDS[i]));
 	free(m->feed_source);
 }
 
@@ -265,12 +243,12 @@ stored_written(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS)
 		return params_written(params);
 	if (f->kind == FIELD_TEXT)
-		return xstrdup(stored_text(m, f));
+		return xstrdup(*stored_text(m, f));
 	if (f->kind == FIELD_NUMBER)
-		return xstrdup(isfinite(stored_number(m, f))
-				   ? text_exact(stored_number(m, f), number)
+		return xstrdup(isfinite(*stored_number(m, f))
+				   ? text_exact(*stored_number(m, f), number)
 				   : "");
-	int64_t whole = stored_integer(m, f);
+	int64_t whole = *stored_integer(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
@@ -392,7 +370,7 @@ stored_value_text(const struct stored *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
-		return xasprintf("%g", stored_number(m, f));
+		return xasprintf("%g", *stored_number(m, f));
 	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_params(p))
 		return xasprintf("%g", p->at[wrong_param(p)]);
 	return stored_written(m, f);
@@ -407,13 +385,13 @@ stored_is_valid(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS)
 		return wrong_param(&m->params) == count_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
-		return stored_integer(m, f) >= -1;
+		return *stored_integer(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
-		double value = stored_number(m, f);
+		double value = *stored_number(m, f);
 		return isnan(value) ? !f->needed
 				    : value >= f->least && value <= f->most;
 	}
-	const char *text = stored_text(m, f);
+	const char *text = *stored_text(m, f);
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)

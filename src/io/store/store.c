@@ -575,11 +575,11 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 		if (f->kind == FIELD_TEXT)
 			stored_set_text(m, f, column_text(stmt, i + 2));
 		else if (f->kind == FIELD_NUMBER && !none)
-			stored_set_number(
-			    m, f, sqlite3_column_double(stmt, i + 2));
+			*stored_number(m, f) =
+			    sqlite3_column_double(stmt, i + 2);
 		else if (f->kind == FIELD_WHOLE && !none)
-			stored_set_integer(
-			    m, f, sqlite3_column_int64(stmt, i + 2));
+			*stored_integer(m, f) =
+			    sqlite3_column_int64(stmt, i + 2);
 		else if (f->kind >= FIELD_MODEL)
 			stored_set_written(m, f, column_text(stmt, i + 2));
 	}
@@ -765,12 +765,12 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		if (f->kind == FIELD_TEXT)
-			bind_text(stmt, i + 3, stored_text(m, f));
+			bind_text(stmt, i + 3, *stored_text(m, f));
 		else if (f->kind == FIELD_NUMBER &&
-			 isfinite(stored_number(m, f)))
-			sqlite3_bind_double(stmt, i + 3, stored_number(m, f));
-		else if (f->kind == FIELD_WHOLE && stored_integer(m, f) >= 0)
-			sqlite3_bind_int64(stmt, i + 3, stored_integer(m, f));
+			 isfinite(*stored_number(m, f)))
+			sqlite3_bind_double(stmt, i + 3, *stored_number(m, f));
+		else if (f->kind == FIELD_WHOLE && *stored_integer(m, f) >= 0)
+			sqlite3_bind_int64(stmt, i + 3, *stored_integer(m, f));
 		if (f->kind < FIELD_MODEL)
 			continue;
 		FREED char *text = stored_written(m, f);

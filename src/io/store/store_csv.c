@@ -166,7 +166,7 @@ store_csv_take_value(struct sheet *sheet, struct cell cell,
 	else if (f->kind == FIELD_MODEL)
 		stored_set_written(m, f, cell.text);
 	else if ((read = number_read(sheet, cell, wanted, &value)))
-		stored_set_number(m, f, value);
+		*stored_number(m, f) = value;
 	if (read && !stored_is_valid(m, f))
 		sheet_fault_expected(sheet, cell, wanted, NULL);
 }
@@ -203,7 +203,7 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	} else if (f->kind != FIELD_WHOLE) {
 		store_csv_take_value(sheet, cell, f, m);
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
-		stored_set_integer(m, f, (int64_t)whole);
+		*stored_integer(m, f) = (int64_t)whole;
 	} else {
 		sheet_fault_expected(
 		    sheet, cell, "a whole number below 2^63", NULL);
