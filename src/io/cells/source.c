@@ -124,8 +124,8 @@ read_archive(struct archive *archive, struct grid *grid)
 	return wrong == NULL && grid->n > 0;
 }
 
-/* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  False with one
- * fault if it is of another kind, damaged, encrypted or without content. */
+/* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  False with
+ * one fault if it is of another kind, damaged, encrypted or without content. */
 static bool
 workbook_read(const char *bytes, size_t n, struct grid *grid)
 {
