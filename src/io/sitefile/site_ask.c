@@ -54,19 +54,9 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 		return true;
 	FREED char *copy = xstrdup(columns);
 	char *rest = copy;
-	bool good = true;
-	while (good && rest != NULL) {
-		char *part = rest;
-		rest = strchr(part, ',');
-		/* A comma within a speed: product@63,6. */
-		while (rest != NULL && isdigit((unsigned char)rest[1]) &&
-		       strchr(rest, '=') != NULL &&
-		       rest[1 + strspn(rest + 1, "0123456789")] != '=')
-			rest = strchr(rest + 1, ',');
-		if (rest != NULL)
-			*rest++ = '\0';
-		good = site_ask_add_name(names, part, error);
-	}
+	for (char *part; (part = samples_next_part(&rest)) != NULL;)
+		if (!site_ask_add_name(names, part, error))
+			return false;
 	for (size_t i = 0; i < names->n; i++) {
 		uint64_t means = vocabulary_text(names->text[i], NULL);
 		uint64_t other =
@@ -78,13 +68,12 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 		site_ask_add_sieves(range, names->number[i]);
 		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
-	if (good && range->n_sieves == 0)
-		good = error_set(error, ERROR_USAGE,
-		    "expected a column of sieves in columns, got '%s'\n"
-		    "for instance: columns=\"1=sieve mm, 2=feed, "
-		    "3=product@69\"",
-		    columns);
-	return good;
+	return range->n_sieves > 0 ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a column of sieves in columns, got '%s'\n"
+		   "for instance: columns=\"1=sieve mm, 2=feed, "
+		   "3=product@69\"",
+		   columns);
 }
 
 uint64_t

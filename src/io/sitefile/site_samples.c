@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_samples.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,21 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/sitefile/lexicon.h"
+
+char *
+samples_next_part(char **rest)
+{
+	char *part = *rest, *comma = part != NULL ? strchr(part, ',') : NULL;
+	while (comma != NULL && comma > part &&
+	       isdigit((unsigned char)comma[-1]) &&
+	       isdigit((unsigned char)comma[1]) &&
+	       comma[1 + strcspn(comma + 1, "=,")] != '=')
+		comma = strchr(comma + 1, ',');
+	*rest = comma != NULL ? comma + 1 : NULL;
+	if (comma != NULL)
+		*comma = '\0';
+	return part;
+}
 
 static bool
 add_sample(struct samples *s, char *part, struct error *error)
@@ -35,23 +51,14 @@ add_sample(struct samples *s, char *part, struct error *error)
 bool
 samples_read(struct samples *s, const char *text, struct error *error)
 {
-	FREED char *copy = xstrdup(text != NULL ? text : "");
+	if (text == NULL)
+		return true;
+	FREED char *copy = xstrdup(text);
 	char *rest = copy;
-	bool good = true;
-	while (good && text != NULL && rest != NULL) {
-		char *part = rest;
-		rest = strchr(part, ',');
-		/* A comma within a speed: @63,6. */
-		while (rest != NULL && strchr(rest, '=') == NULL &&
-		       strchr(rest + 1, ',') != NULL)
-			rest = strchr(rest + 1, ',');
-		if (rest != NULL && strchr(rest, '=') == NULL)
-			rest = NULL;
-		if (rest != NULL)
-			*rest++ = '\0';
-		good = add_sample(s, part, error);
-	}
-	return good;
+	for (char *part; (part = samples_next_part(&rest)) != NULL;)
+		if (!add_sample(s, part, error))
+			return false;
+	return true;
 }
 
 void
