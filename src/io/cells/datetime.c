@@ -72,7 +72,7 @@ month_of(const char *word)
 
 /* "May-2026" after the day. */
 static bool
-read_named(const char **p, int day, struct moment *m)
+read_named(const char **p, int day, struct datetime *m)
 {
 	size_t n;
 	m->day = day;
@@ -89,7 +89,7 @@ read_named(const char **p, int day, struct moment *m)
 
 /* The last two numbers after a day or month and a sign. */
 static bool
-read_local(const char **p, int first, char sign, struct moment *m)
+read_local(const char **p, int first, char sign, struct datetime *m)
 {
 	size_t n;
 	int second = read_digits(p, 2, &n);
@@ -102,15 +102,16 @@ read_local(const char **p, int first, char sign, struct moment *m)
 	bool day_first = is_date(m->year, second, first);
 	bool month_first = is_date(m->year, first, second) && !m->plain;
 	if (day_first && month_first)
-		m->order = MOMENT_OPEN;
+		m->order = DATETIME_OPEN;
 	else
-		m->order = day_first ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
+		m->order =
+		    day_first ? DATETIME_DAY_FIRST : DATETIME_MONTH_FIRST;
 	return n == 4 && (day_first || month_first);
 }
 
 /* A date at *p, which moves after it. */
 static bool
-datetime_read_date(const char **p, struct moment *m)
+datetime_read_date(const char **p, struct datetime *m)
 {
 	size_t n;
 	int first = read_digits(p, 4, &n);
@@ -154,7 +155,7 @@ read_half(const char **p, int *hour)
 
 /* "Z", "+02:00"; nothing else may follow. */
 static bool
-read_zone(const char *p, struct moment *m)
+read_zone(const char *p, struct datetime *m)
 {
 	size_t n;
 	p += strspn(p, " ");
@@ -179,7 +180,7 @@ read_zone(const char *p, struct moment *m)
 
 /* A time of day, to the end of the text; point: "10.15" is one, too. */
 static bool
-datetime_read_time(const char *p, bool point, struct moment *m)
+datetime_read_time(const char *p, bool point, struct datetime *m)
 {
 	size_t n;
 	int hour = read_digits(&p, 2, &n), minute, second = 0;
@@ -210,11 +211,11 @@ datetime_read_time(const char *p, bool point, struct moment *m)
 }
 
 bool
-moment_read(const char *text, struct moment *m)
+datetime_read(const char *text, struct datetime *m)
 {
 	FREED char *folded = text_fold(text);
 	const char *all = text_trim(folded), *p = all;
-	struct moment none = {.plain = false};
+	struct datetime none = {.plain = false};
 	*m = none;
 	m->has_date = datetime_read_date(&p, m);
 	if (!m->has_date) {
@@ -228,23 +229,23 @@ moment_read(const char *text, struct moment *m)
 }
 
 double
-moment_seconds(const struct moment *m, enum moment_order order)
+datetime_seconds(const struct datetime *m, enum datetime_order order)
 {
 	if (!m->has_date)
 		return NAN;
-	if (m->order != MOMENT_OPEN)
+	if (m->order != DATETIME_OPEN)
 		order = m->order;
-	bool turned = !m->plain && order == MOMENT_MONTH_FIRST;
+	bool turned = !m->plain && order == DATETIME_MONTH_FIRST;
 	int month = turned ? m->day : m->month,
 	    day = turned ? m->month : m->day;
-	if ((!m->plain && order == MOMENT_OPEN) ||
+	if ((!m->plain && order == DATETIME_OPEN) ||
 	    !is_date(m->year, month, day))
 		return NAN;
 	return (double)days_to(m->year, month, day) * DAY + m->seconds;
 }
 
 char *
-moment_clock(double seconds)
+datetime_clock(double seconds)
 {
 	double day = floor(seconds / DAY), left = seconds - day * DAY;
 	int of_day = (int)left, s = of_day % 60;
@@ -255,7 +256,7 @@ moment_clock(double seconds)
 }
 
 bool
-moment_is_day(const char *text)
+datetime_is_day(const char *text)
 {
 	size_t n[3];
 	const char *p = text;
@@ -274,7 +275,7 @@ moment_is_day(const char *text)
 /* Source: H. Hinnant, chrono-Compatible Low-Level Date Algorithms,
  * civil_from_days. */
 char *
-moment_day(long days)
+datetime_day(long days)
 {
 	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
 	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
@@ -287,15 +288,15 @@ moment_day(long days)
 }
 
 char *
-moment_text(double seconds)
+datetime_text(double seconds)
 {
-	FREED char *day = moment_day((long)floor(seconds / DAY));
-	FREED char *clock = moment_clock(seconds);
+	FREED char *day = datetime_day((long)floor(seconds / DAY));
+	FREED char *clock = datetime_clock(seconds);
 	return xasprintf("%s %s", day, clock);
 }
 
 char *
-moment_today(void)
+datetime_today(void)
 {
 	uint64_t whole;
 	const char *epoch = getenv("SOURCE_DATE_EPOCH");

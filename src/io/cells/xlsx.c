@@ -23,7 +23,7 @@ struct tab {
 };
 struct code {
 	unsigned id;
-	struct shown shown;
+	struct cell_format shown;
 };
 
 struct book {
@@ -37,7 +37,7 @@ struct book {
 	size_t n_start, *start;
 	size_t n_code, n_style;
 	struct code *code;
-	struct shown *style; /* of a cell, by its index */
+	struct cell_format *style; /* of a cell, by its index */
 	bool in_styles, in_text;
 	int phonetic;
 };
@@ -154,13 +154,13 @@ append_string_text(void *data, const char *text, size_t n)
 }
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
-static struct shown
+static struct cell_format
 shown_of(const struct book *b, unsigned id)
 {
 	for (size_t i = 0; i < b->n_code; i++)
 		if (b->code[i].id == id)
 			return b->code[i].shown;
-	return shown_builtin(id);
+	return cell_format_builtin(id);
 }
 
 static void
@@ -173,7 +173,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	if (strcmp(name, "numFmt") == 0 && code != NULL && b->n_code < 1000) {
 		b->code = xrealloc(b->code, b->n_code + 1, sizeof *b->code);
 		b->code[b->n_code++] =
-		    (struct code){id, shown_parse_code(code)};
+		    (struct code){id, cell_format_of_code(code)};
 	}
 	if (!b->in_styles || strcmp(name, "xf") != 0 ||
 	    b->n_style == MOST_FORMATS)
@@ -300,12 +300,12 @@ xlsx_put_number(struct reading *r)
 	const struct book *b = r->book;
 	double value;
 	char date[32];
-	struct shown shown =
-	    r->style < b->n_style ? b->style[r->style] : shown_builtin(0);
+	struct cell_format shown =
+	    r->style < b->n_style ? b->style[r->style] : cell_format_builtin(0);
 	if (!text_number(r->value.text, &value))
 		xlsx_put_text(r, r->value.text);
-	else if (shown.kind != SHOWN_NUMBER &&
-		 shown_serial_date(value, b->from_1904, shown.kind, date))
+	else if (shown.kind != FORMAT_NUMBER &&
+		 cell_format_date(value, b->from_1904, shown.kind, date))
 		grid_put_date(b->grid, r->at, date);
 	else
 		grid_put_number(b->grid, r->at, value, shown.unit);

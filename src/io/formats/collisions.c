@@ -211,7 +211,7 @@ take_column(struct reading *r, const char *head)
 }
 
 static void
-collisions_take_columns(struct reading *r, const char *heads, char separator)
+take_column_names(struct reading *r, const char *heads, char separator)
 {
 	FREED char *copy = xstrdup(heads);
 	char *rest = copy, *head, was = r->separator;
@@ -251,7 +251,7 @@ columns_do(struct reading *r)
 
 /* The numbers of a row; false with a fault where a field is none. */
 static bool
-collisions_take_row(struct reading *r)
+take_numbers_of_row(struct reading *r)
 {
 	char *rest = r->line;
 	for (size_t i = 0; i < r->n; i++) {
@@ -276,7 +276,7 @@ collisions_take_row(struct reading *r)
 }
 
 static bool
-report_progress_going(struct reading *r)
+may_go_on(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -334,7 +334,7 @@ take_impact(struct reading *r)
 /* A line "speed_m_s,69" or "provenance,.." above the heads; false where it is
  * none. */
 static bool
-collisions_take_note(struct reading *r)
+take_note(struct reading *r)
 {
 	FREED char *copy = xstrdup(r->line);
 	char *rest = copy;
@@ -375,15 +375,15 @@ table_columns(struct reading *r, bool *is_row)
 	*is_row = first != NULL && text_number(first, &v);
 	bool two = next_field(r, &rest) != NULL;
 	if (r->way->columns != NULL)
-		collisions_take_columns(r, r->way->columns, ',');
+		take_column_names(r, r->way->columns, ',');
 	else if (!*is_row)
-		collisions_take_columns(r, r->line, r->separator);
+		take_column_names(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
 		    "expected headings above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
-		collisions_take_columns(r,
+		take_column_names(r,
 		    strcmp(r->way->unit, "m/s") == 0
 			? two ? "velocity,weight" : "velocity"
 		    : two ? "specific_energy,weight"
@@ -397,17 +397,16 @@ collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
 	r->separator = separator_of(r->line);
-	while (collisions_take_note(r))
+	while (take_note(r))
 		if (!next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file whole?");
 	ok = table_columns(r, &is_row);
 	if (ok && is_row)
-		ok = collisions_take_row(r) && take_impact(r);
+		ok = take_numbers_of_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (collisions_take_row(r) && take_impact(r) &&
-			 report_progress_going(r));
+		     (take_numbers_of_row(r) && take_impact(r) && may_go_on(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];

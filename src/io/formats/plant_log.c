@@ -53,7 +53,7 @@ struct reading {
 	size_t n_column, first, date, clock, room;
 	unsigned kind[MOST_COLUMNS];
 	struct head head[MOST_COLUMNS];
-	enum moment_order order;
+	enum datetime_order order;
 	bool told, zone;
 };
 
@@ -99,10 +99,11 @@ plant_log_kind_of(const char *text, const struct head *head)
 }
 
 static bool
-moment_at(const struct reading *r, size_t row, size_t column, struct moment *m)
+moment_at(
+    const struct reading *r, size_t row, size_t column, struct datetime *m)
 {
 	struct cell cell = sheet_cell(&r->sheet->row[row], column);
-	return cell.text[0] != '\0' && moment_read(cell.text, m);
+	return cell.text[0] != '\0' && datetime_read(cell.text, m);
 }
 
 /* The column with the most dates, the one with the most times of day without
@@ -112,7 +113,7 @@ find_times(struct reading *r)
 {
 	size_t dates[MOST_COLUMNS] = {0}, clocks[MOST_COLUMNS] = {0}, full = 0;
 	size_t n = r->sheet->n_row;
-	struct moment m;
+	struct datetime m;
 	n = n < LOOKED_AT ? n : LOOKED_AT;
 	for (size_t i = 0; i < n; i++)
 		for (size_t c = 0; c < r->sheet->row[i].n; c++)
@@ -294,16 +295,16 @@ plant_log_find_columns(struct reading *r)
 static bool
 find_order(struct reading *r, bool *open)
 {
-	struct moment m;
+	struct datetime m;
 	struct cell other = {.text = NULL}, undecided = {.text = NULL};
 	r->order = r->request->order;
 	for (size_t i = r->first;
 	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
 		if (!moment_at(r, i, r->date, &m) || m.plain)
 			continue;
-		if (m.order == MOMENT_OPEN)
+		if (m.order == DATETIME_OPEN)
 			undecided = sheet_cell(&r->sheet->row[i], r->date);
-		else if (r->order == MOMENT_OPEN)
+		else if (r->order == DATETIME_OPEN)
 			r->order = m.order;
 		else if (m.order != r->order)
 			other = sheet_cell(&r->sheet->row[i], r->date);
@@ -312,9 +313,9 @@ find_order(struct reading *r, bool *open)
 		return sheet_fault(r->sheet, other,
 		    "expected dates with the %s first, got %s\n"
 		    "write dates as 2026-05-03",
-		    r->order == MOMENT_DAY_FIRST ? tr("day") : tr("month"),
+		    r->order == DATETIME_DAY_FIRST ? tr("day") : tr("month"),
 		    other.text);
-	if (undecided.text == NULL || r->order != MOMENT_OPEN)
+	if (undecided.text == NULL || r->order != DATETIME_OPEN)
 		return true;
 	*open = true;
 	return sheet_fault(r->sheet, undecided,
@@ -362,10 +363,10 @@ plant_log_read_rows(struct reading *r)
 {
 	for (size_t i = r->first;
 	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
-		struct moment day, clock = {.has_time = false};
+		struct datetime day, clock = {.has_time = false};
 		bool good = moment_at(r, i, r->date, &day) && day.has_date;
 		double time =
-		    good ? moment_seconds(&day, r->order) : (double)NAN;
+		    good ? datetime_seconds(&day, r->order) : (double)NAN;
 		if (good && r->clock != r->date) {
 			good = moment_at(r, i, r->clock, &clock);
 			time += clock.seconds;

@@ -49,7 +49,7 @@ head_cell(const struct table *t, size_t r, size_t c, bool *own)
 
 /* Fills in what `said` lacks from a cell above. */
 static void
-classify_merge(
+merge_cell_above(
     struct head *said, const struct head *more, bool own, bool titles)
 {
 	const uint64_t group[] = {ROLE_WORDS, KIND_WORDS, SCALE_WORDS};
@@ -138,7 +138,7 @@ apply_row_label(const struct cell *label, struct head *head)
 
 /* Everything that the heads of a column say. */
 static struct head
-classify_read_heads(const struct table *t, size_t c)
+read_heads(const struct table *t, size_t c)
 {
 	struct head said = {0};
 	for (size_t r = t->n_head; r-- > 0;) {
@@ -150,7 +150,7 @@ classify_read_heads(const struct table *t, size_t c)
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
 			apply_row_label(&t->head[r].cell[0], &one);
-		classify_merge(&said, &one, own, r < t->titles);
+		merge_cell_above(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
 	bool number = said.speed == 0 && said.rpm == 0 && said.n_number == 1;
@@ -170,7 +170,7 @@ struct shape {
 };
 
 static struct shape
-classify_shape_of(const struct column *c)
+shape_of_column(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
@@ -196,7 +196,7 @@ classify_shape_of(const struct column *c)
 }
 
 static bool
-classify_near(double value, double whole, double percent)
+is_near(double value, double whole, double percent)
 {
 	return fabs(value - whole) <= percent / 100 * whole;
 }
@@ -208,7 +208,8 @@ stated_total(const struct column *c)
 	const struct table *t = c->table;
 	double v;
 	for (size_t i = 0; i < t->n_foot; i++) {
-		uint64_t means = vocabulary_text(t->foot[i].cell[0].text, NULL);
+		uint64_t means =
+		    lexicon_meanings(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
 		    number_of(t->foot[i].cell[c->at], &v))
 			return v;
@@ -220,16 +221,16 @@ stated_total(const struct column *c)
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
-	bool percent = classify_near(s->sum, 100, 5) && s->most <= 100.5;
+	bool percent = is_near(s->sum, 100, 5) && s->most <= 100.5;
 	*scale = OF_100;
-	if (classify_near(s->sum, 100, 1.05) && s->most <= 100.5)
+	if (is_near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
-	else if (classify_near(s->sum, 1, 1.05) && s->most <= 1.005)
+	else if (is_near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
 	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
 	else { /* nearly 100, and neither 100 nor some mass */
-		bool mass = s->most > 100.5 && !classify_near(s->first, 100, 1);
+		bool mass = s->most > 100.5 && !is_near(s->first, 100, 1);
 		*scale = mass ? OF_MASS : *scale;
 		return false;
 	}
@@ -246,7 +247,7 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 	bool peak = s->first >= s->most && s->rises <= 1;
 	*scale = s->most <= 1 + 1e-9 ? OF_1 : OF_100;
 	if (hill && peak &&
-	    (classify_near(s->most, 100, 1) || classify_near(s->most, 1, 1))) {
+	    (is_near(s->most, 100, 1) || is_near(s->most, 1, 1))) {
 		*kind = PASSING; /* and one cell is wrong */
 		return true;
 	}
@@ -264,8 +265,7 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		if (end > 101)
 			*scale = OF_MASS;
 		return s->n > 2 && *scale != OF_MASS &&
-		       (classify_near(end, 100, 10) ||
-			   classify_near(end, 1, 10)) &&
+		       (is_near(end, 100, 10) || is_near(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
 	if (s->has_pan && s->pan > 0.015 * s->most) {
@@ -279,10 +279,9 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		return s->has_pan && s->n > 2 && s->pan > 0;
 	}
 	if (*scale == OF_1)
-		return classify_near(s->first, 1, 0.1) && s->n > 2 &&
-		       s->falls > 1;
-	return classify_near(s->first, 100, 0.6) ||
-	       (!classify_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
+		return is_near(s->first, 1, 0.1) && s->n > 2 && s->falls > 1;
+	return is_near(s->first, 100, 0.6) ||
+	       (!is_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
 }
 
 /* Whether numbers can be what the head says. */
@@ -296,8 +295,8 @@ is_possible_kind(const struct shape *s, enum unit_kind kind)
 		return !rises && !(hill && s->first < 0.9 * s->most);
 	if (kind == CUMULATIVE)
 		return !falls && !(hill && s->last < 0.9 * s->most);
-	return !(falls && s->n > 2 && classify_near(s->first, 100, 1)) &&
-	       !(falls && s->n > 2 && classify_near(s->first, 1, 0.1));
+	return !(falls && s->n > 2 && is_near(s->first, 100, 1)) &&
+	       !(falls && s->n > 2 && is_near(s->first, 1, 0.1));
 }
 
 /* Of a column that says "retained", and rises throughout: each sieve's, or
@@ -311,15 +310,13 @@ choose_kind_of_rising(
 	*kind = CUMULATIVE;
 	if (s->has_pan && s->pan < s->last)
 		*kind = RETAINED;
-	else if (share && classify_near(s->sum, whole, 1.05))
+	else if (share && is_near(s->sum, whole, 1.05))
 		*kind = RETAINED;
-	else if (share && s->sum > 1.05 * whole &&
-		 classify_near(s->most, whole, 25))
+	else if (share && s->sum > 1.05 * whole && is_near(s->most, whole, 25))
 		assume(c, "cumulative, as the parts would sum to %.3g", s->sum);
-	else if (!isnan(total) && classify_near(s->sum, total, 1))
+	else if (!isnan(total) && is_near(s->sum, total, 1))
 		*kind = RETAINED;
-	else if (!(s->has_pan && !isnan(total) &&
-		     classify_near(s->pan, total, 0.1) &&
+	else if (!(s->has_pan && !isnan(total) && is_near(s->pan, total, 0.1) &&
 		     s->sum > 1.05 * total))
 		return false;
 	return true;
@@ -354,8 +351,7 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		/* 1.002 is a fraction, and refused as one. */
 		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
-		return one ||
-		       (kind == PASSING && classify_near(s->first, 100, 0.6));
+		return one || (kind == PASSING && is_near(s->first, 100, 0.6));
 	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
@@ -370,8 +366,8 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return kind == CUMULATIVE && s->has_pan;
 	}
 	if (one && s->most > 0)
-		return classify_near(whole, 1, 1.05) && s->n > 2;
-	return kind == PASSING || classify_near(whole, 100, 25) ||
+		return is_near(whole, 1, 1.05) && s->n > 2;
+	return kind == PASSING || is_near(whole, 100, 25) ||
 	       (means & WORD_PERCENT) != 0;
 }
 
@@ -401,7 +397,7 @@ is_defined(
 			*unit = DEFINED[i].unit;
 			return words != 0 ||
 			       ((s->rises == 0 || s->falls == 0 ||
-				    classify_near(s->first, 100, 0.6)) &&
+				    is_near(s->first, 100, 0.6)) &&
 				   s->most > 1);
 		}
 	return false;
@@ -426,7 +422,7 @@ refuse_small(struct column *c, const struct shape *s)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (unit->scale != OF_100 || s->n < 3 || s->most > 1 ||
-	    !classify_near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
+	    !is_near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
 		return;
 	sheet_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\n"
@@ -435,9 +431,9 @@ refuse_small(struct column *c, const struct shape *s)
 }
 
 static void
-classify_find_unit(struct column *c, bool told)
+find_unit(struct column *c, bool told)
 {
-	struct shape s = classify_shape_of(c);
+	struct shape s = shape_of_column(c);
 	uint64_t kinds = c->said.means & KIND_WORDS;
 	uint64_t scales = c->said.means & SCALE_WORDS;
 	double total = stated_total(c);
@@ -662,7 +658,7 @@ is_no_sample(const struct column *c, struct site *site)
 
 /* A column that has one speed for all rows: of a long table with one sample. */
 static void
-classify_note_speed(const struct column *c, struct surroundings *near)
+note_constant_speed(const struct column *c, struct surroundings *near)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
@@ -686,7 +682,7 @@ classify_note_speed(const struct column *c, struct surroundings *near)
 /* The numbers of a column from their least to their most; the least is -1 where
  * one is missing. */
 static void
-classify_bounds_of(const struct column *c, double *least, double *most)
+column_bounds(const struct column *c, double *least, double *most)
 {
 	*least = INFINITY;
 	*most = 0;
@@ -706,7 +702,7 @@ refuse_tare(const struct column *column, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct column *c = &column[i];
 		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		classify_bounds_of(c, &least, &most);
+		column_bounds(c, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
 			sheet_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
@@ -731,12 +727,12 @@ column_from_heads(struct table *t, size_t at)
 		const struct cell *cell = head_cell(t, r, at, &own);
 		c.head = cell != NULL ? *cell : c.head;
 	}
-	c.said = classify_read_heads(t, at);
+	c.said = read_heads(t, at);
 	return c;
 }
 
 void
-recognise_columns(struct table *t, const struct surroundings *near,
+classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
 	struct surroundings around = *near;
@@ -745,7 +741,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
 		column[n] = column_from_heads(t, n + 1);
-		classify_note_speed(&column[n], &around);
+		note_constant_speed(&column[n], &around);
 		around.counted =
 		    around.counted || is_other_number(&column[n].said);
 	}
@@ -765,7 +761,7 @@ recognise_columns(struct table *t, const struct surroundings *near,
 		/* Below a speed an empty cell may be the same, or forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		classify_find_unit(&c, around.told);
+		find_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
 }
@@ -788,7 +784,7 @@ drop_column(struct columns *all, size_t i)
 
 /* Masses are exact and have a pan; then what needs least done to it. */
 static int
-classify_rank(const struct column *c)
+column_rank(const struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (c->open)
@@ -807,7 +803,7 @@ name_in_head(const struct column *c)
 	char *rest = head, *name = xstrdup("");
 	for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
 		size_t unknown, n = strlen(word);
-		vocabulary_text(word, &unknown);
+		lexicon_meanings(word, &unknown);
 		if ((unknown > 0 && n > 1) ||
 		    strpbrk(word, "0123456789") != NULL)
 			xlist(&name, " ", "%s", word);
@@ -826,7 +822,7 @@ is_called_alike(const struct column *a, const struct column *b)
 /* Whether two columns are one sample in two quantities, of which one at least
  * is stated. */
 static bool
-classify_is_same_sample(const struct column *a, const struct column *b)
+is_same_sample(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
@@ -869,11 +865,11 @@ own_words(const struct column *c)
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
 			       strcmp(word, "iii") != 0;
 		size_t unknown;
-		vocabulary_text(word, &unknown);
+		lexicon_meanings(word, &unknown);
 		char *end = word + strcspn(word, "0123456789");
-		bool machine = *end != '\0' &&
-			       (vocabulary_word(word, (size_t)(end - word)) &
-				   WORD_MACHINE) != 0;
+		bool machine = *end != '\0' && (lexicon_word_meanings(word,
+						    (size_t)(end - word)) &
+						   WORD_MACHINE) != 0;
 		if (range || machine || (letters && unknown > 0))
 			xlist(&words, " ", "%s", word);
 		p += n + (p[n] != '\0');
@@ -942,16 +938,16 @@ drop_means(struct columns *all, struct site *site)
 }
 
 static void
-classify_drop_twins(struct columns *all, struct site *site)
+drop_twins(struct columns *all, struct site *site)
 {
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
 			const struct column *a = &all->column[i];
 			const struct column *b = &all->column[k];
 			if (i == k || a->twin > 0 || b->twin > 0 ||
-			    !classify_is_same_sample(a, b) ||
-			    classify_rank(a) < classify_rank(b) ||
-			    (classify_rank(a) == classify_rank(b) && i < k))
+			    !is_same_sample(a, b) ||
+			    column_rank(a) < column_rank(b) ||
+			    (column_rank(a) == column_rank(b) && i < k))
 				continue;
 			leave_out(site, a,
 			    "%s: the sample of column %zu again, as %s",
@@ -964,9 +960,9 @@ classify_drop_twins(struct columns *all, struct site *site)
 
 /* A column that no head explains is left out where it looks like no curve. */
 static bool
-classify_is_curve(const struct column *c)
+looks_like_curve(const struct column *c)
 {
-	struct shape s = classify_shape_of(c);
+	struct shape s = shape_of_column(c);
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
@@ -1041,7 +1037,7 @@ guess_feed(struct columns *all, size_t feeds)
 }
 
 void
-recognise_roles(
+classify_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
 	size_t feeds = 0, products = 0;
@@ -1057,7 +1053,7 @@ recognise_roles(
 		if (c->role != NO_ROLE)
 			continue;
 		bool unknown =
-		    c->said.unknown > 0 && !classify_is_curve(c) &&
+		    c->said.unknown > 0 && !looks_like_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c, "%s: neither feed nor product",
@@ -1068,7 +1064,7 @@ recognise_roles(
 		c->no_role = true;
 	}
 	drop_means(all, site);
-	classify_drop_twins(all, site);
+	drop_twins(all, site);
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
@@ -1089,7 +1085,7 @@ recognise_roles(
 }
 
 char *
-recognise_column_text(const struct column *c)
+classify_column_text(const struct column *c)
 {
 	char speed[32];
 	const char *role = c->role == NO_ROLE ? "product" : SITE_ROLES[c->role];

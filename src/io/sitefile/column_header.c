@@ -113,7 +113,7 @@ plain_blanks(char *s)
  * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
  * moved over. */
 static bool
-column_header_number_at(const char **text, double *value)
+read_number_at(const char **text, double *value)
 {
 	static const char DIGITS[] = "0123456789";
 	const char *p = *text;
@@ -221,7 +221,7 @@ is_second_speed(const struct before *before, const char *text, double value)
 	size_t unknown;
 	FREED char *gap =
 	    xasprintf("%.*s", (int)(text - before->end), before->end);
-	uint64_t means = vocabulary_text(gap, &unknown);
+	uint64_t means = lexicon_meanings(gap, &unknown);
 	return unknown > 0 ||
 	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
@@ -254,7 +254,7 @@ is_part_of_speed(
 /* Whether what stands around a number makes another one of it: 7.4e1, .69,
  * 1E+02.  from, to: of its digits in the text; at: @ is before it. */
 static bool
-column_header_is_cut(
+is_within_other_number(
     const char *text, const char *from, const char *to, bool at)
 {
 	const char *p = from;
@@ -273,22 +273,22 @@ column_header_is_cut(
 
 /* Takes the number at *text, which moves after it. */
 static void
-column_header_read_number(struct head *head, const char *start,
-    const char **text, bool at, struct before *before)
+read_heading_number(struct head *head, const char *start, const char **text,
+    bool at, struct before *before)
 {
 	const char *from = *text;
 	double value;
 	size_t n;
 	bool inside = from > start && head_is_letter(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
-	bool good = column_header_number_at(text, &value);
+	bool good = read_number_at(text, &value);
 	const char *to = *text;
 	bool speed = unit_at(to + strspn(to, " "), &n) != SPEED_NO_UNIT;
 	at = at && good;
 	head->several =
 	    head->several || minus ||
 	    (good && (at || speed) &&
-		column_header_is_cut(start, from, to, at && !speed)) ||
+		is_within_other_number(start, from, to, at && !speed)) ||
 	    (good && is_part_of_speed(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
 		!other_unit_at(to + strspn(to, " ")) &&
@@ -317,7 +317,7 @@ range_at(const char *p)
 
 /* Whether a text has two sizes, and no date, which has three numbers. */
 static bool
-column_header_has_range(const char *text)
+has_size_range(const char *text)
 {
 	static const char NUMBER[] = "0123456789.,";
 	for (const char *p = text; *p != '\0'; p++) {
@@ -344,7 +344,7 @@ column_header_has_range(const char *text)
  * the units of speed; rest: out, all but the speeds; each of at least as many
  * bytes as the text. */
 static struct head
-column_header_cut(const char *folded, char *words, char *rest)
+split_off_speeds(const char *folded, char *words, char *rest)
 {
 	struct head head = {0};
 	struct before before = {0};
@@ -360,8 +360,7 @@ column_header_cut(const char *folded, char *words, char *rest)
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
 			const char *from = p;
-			column_header_read_number(
-			    &head, folded, &p, at, &before);
+			read_heading_number(&head, folded, &p, at, &before);
 			words[n++] = ' ';
 			bool speed = before.at || before.unit;
 			while (!speed && from < p)
@@ -374,20 +373,20 @@ column_header_cut(const char *folded, char *words, char *rest)
 		}
 	}
 	words[n] = rest[m] = '\0';
-	head.range = column_header_has_range(folded);
-	head.means = vocabulary_text(words, &head.unknown);
+	head.range = has_size_range(folded);
+	head.means = lexicon_meanings(words, &head.unknown);
 	return head;
 }
 
 /* What is left of a text without its speeds, or NULL: it is not wanted. */
 static struct head
-column_header_read(const char *text, char **left)
+read_head_text(const char *text, char **left)
 {
 	FREED char *folded = text_fold(text);
 	plain_blanks(folded);
 	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	char *rest = xcalloc(strlen(folded) + 1, 1);
-	struct head head = column_header_cut(folded, words, rest);
+	struct head head = split_off_speeds(folded, words, rest);
 	if (left != NULL)
 		*left = rest;
 	else
@@ -398,13 +397,13 @@ column_header_read(const char *text, char **left)
 struct head
 head_read(const char *text)
 {
-	return column_header_read(text, NULL);
+	return read_head_text(text, NULL);
 }
 
 char *
 head_without_speeds(const char *text)
 {
 	char *left;
-	column_header_read(text, &left);
+	read_head_text(text, &left);
 	return left;
 }

@@ -79,7 +79,7 @@ is_filled(const struct grid *g, size_t r, size_t c)
 /* Whether only comments are between two lines of a sheet; *i: the first of them
  * that may be, which moves on, as lines are asked from the top. */
 static bool
-is_next(const struct sheet *sheet, int line, int next, size_t *i)
+only_comments_between(const struct sheet *sheet, int line, int next, size_t *i)
 {
 	int comments = 0;
 	for (; *i < sheet->n_comment && sheet->comment[*i].line < next; ++*i)
@@ -141,7 +141,7 @@ guess_nature(const struct sheet *sheet, const struct cell *cell)
 		n.kind = sieve_size(sheet, *cell, length, &n.mm);
 	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
-	n.means = vocabulary_text(cell->text, &unknown);
+	n.means = lexicon_meanings(cell->text, &unknown);
 	n.unknown = (unsigned)unknown;
 	n.head = can_head_sieves(cell, &n);
 	n.foot = n.kind == SIEVE_IS_NONE &&
@@ -196,8 +196,8 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 	for (size_t r = 0; r < g.n_row; r++) {
 		const struct row *row = &sheet->row[r];
 		g.row_number[r] = (size_t)row->line;
-		g.gap[r] =
-		    r > 0 && !is_next(sheet, row[-1].line, row->line, &comment);
+		g.gap[r] = r > 0 && !only_comments_between(sheet, row[-1].line,
+					row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
 			if (!layout_in_range(range, row->line, c + 1))
@@ -332,7 +332,7 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 		const struct cell *cell = layout_cell_at(g, r, c);
 		if (!number_of(*cell, &v))
 			break;
-		if (isnan(sieve_names_mm(cell->text, SIEVE_ASTM)))
+		if (isnan(sieve_name_mm(cell->text, SIEVE_ASTM)))
 			return false;
 		step = n > 0 ? fmax(step, fabs(v - last)) : 0;
 		last = v;
@@ -400,7 +400,7 @@ struct place {
 
 /* Where a sieve with numbers follows right below; n_row: it ends before. */
 static size_t
-layout_goes_on(const struct grid *g, size_t r, size_t c, size_t end)
+next_sieve_row(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(g, r, c))
@@ -437,7 +437,7 @@ find_end(const struct grid *g, struct place *p)
 		if (is_sieve_head(g, r, p->c))
 			break;
 		if (r >= known && nature_at(g, r, p->c)->foot &&
-		    (known = layout_goes_on(g, r, p->c, p->end)) == g->n_row)
+		    (known = next_sieve_row(g, r, p->c, p->end)) == g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
 		    (kind == SIEVE_IS_NONE || !numbers))
@@ -447,9 +447,9 @@ find_end(const struct grid *g, struct place *p)
 		p->last = r + 1;
 		standard +=
 		    kind == SIEVE_IS_SIZE &&
-		    (isnan(mm) || sieve_names_is_standard(mm) ||
-			sieve_names_is_standard(mm / 1000) ||
-			sieve_names_series(layout_cell_at(g, r, p->c)->text) !=
+		    (isnan(mm) || sieve_is_standard(mm) ||
+			sieve_is_standard(mm / 1000) ||
+			sieve_name_series(layout_cell_at(g, r, p->c)->text) !=
 			    SIEVE_NONE);
 	}
 	while (p->last < g->n_row && is_unnamed(g, p->last, p->c, p->end))
@@ -725,7 +725,7 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 		return false;
 	if (!is_filled(g, r, p->c))
 		return true;
-	if (vocabulary_key(layout_cell_at(g, r, p->c)->text) != N_KEY)
+	if (lexicon_key(layout_cell_at(g, r, p->c)->text) != N_KEY)
 		return false;
 	struct head first = head_read(layout_cell_at(g, r, p->c)->text);
 	bool of_columns =
@@ -793,7 +793,7 @@ fill_names(struct table *t)
 	double mm;
 	for (size_t c = 1; c < t->n_col; c++) {
 		FREED char *head = layout_head_text(t, c);
-		uint64_t means = vocabulary_text(head, NULL);
+		uint64_t means = lexicon_meanings(head, NULL);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
 			continue;

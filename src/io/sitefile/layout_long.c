@@ -120,7 +120,7 @@ list_sizes(struct longer *l)
 }
 
 static bool
-layout_long_is_same_sample(const struct longer *l, size_t a, size_t b)
+is_row_of_same_sample(const struct longer *l, size_t a, size_t b)
 {
 	const struct table *t = l->table;
 	for (size_t c = 1; c < t->n_col; c++)
@@ -132,7 +132,7 @@ layout_long_is_same_sample(const struct longer *l, size_t a, size_t b)
 
 /* Of the cells that tell row r's sample from others. */
 static uint64_t
-layout_long_mark_of(const struct longer *l, size_t r)
+row_mark(const struct longer *l, size_t r)
 {
 	uint64_t mark = TEXT_DIGEST_START;
 	for (size_t c = 1; c < l->table->n_col; c++) {
@@ -145,18 +145,18 @@ layout_long_mark_of(const struct longer *l, size_t r)
 
 /* Samples are looked up by their marks, from the place of the mark on. */
 static void
-layout_long_list_samples(struct longer *l)
+list_samples(struct longer *l)
 {
 	size_t n = l->table->n_row, room = 2 * n + 1;
 	FREED size_t *known =
 	    xcalloc(room, sizeof *known); /* samples from 1; 0: no */
 	for (size_t r = 0; r < n; r++) {
-		l->mark[r] = layout_long_mark_of(l, r);
+		l->mark[r] = row_mark(l, r);
 		size_t at = (size_t)(l->mark[r] % room);
 		for (; known[at] != 0; at = (at + 1) % room) {
 			size_t lead = l->lead[known[at] - 1];
 			if (l->mark[lead] == l->mark[r] &&
-			    layout_long_is_same_sample(l, lead, r))
+			    is_row_of_same_sample(l, lead, r))
 				break;
 		}
 		if (known[at] == 0) {
@@ -321,7 +321,7 @@ empty_row(size_t n, const struct row *from)
 /* Whether the wide table has room for what the long one says; false with a
  * fault. */
 static bool
-layout_long_has_room(const struct longer *l)
+has_room_for_samples(const struct longer *l)
 {
 	const struct table *t = l->table;
 	size_t values = 0, most = SOURCE_MOST_CELLS / l->n_size;
@@ -360,7 +360,7 @@ head_samples(const struct longer *l, struct table *wide)
 
 /* The wide table of a long one. */
 static void
-layout_long_widen(struct longer *l)
+widen_table(struct longer *l)
 {
 	struct table *t = l->table, wide = *t;
 	size_t values = 0;
@@ -414,7 +414,7 @@ is_long_by_other(struct longer *l)
 			continue;
 		l->use[c] = is_numeric(t, c) ? COUNT : KEY;
 		l->n_sample = 0;
-		layout_long_list_samples(l);
+		list_samples(l);
 		found = 2 * l->n_sample <= t->n_row && is_long(l);
 		l->use[c] = found ? l->use[c] : UNUSED;
 	}
@@ -442,11 +442,11 @@ layout_widen(struct table *t, uint64_t told)
 		l.use[c] = c > 0 ? guess_use(t, c, &l.head[c]) : UNUSED;
 	}
 	list_sizes(&l);
-	layout_long_list_samples(&l);
+	list_samples(&l);
 	if ((is_long(&l) || is_long_by_other(&l)) &&
-	    (good = layout_long_has_room(&l))) {
+	    (good = has_room_for_samples(&l))) {
 		sort_samples(&l);
-		layout_long_widen(&l);
+		widen_table(&l);
 	}
 	free(l.use);
 	free(l.head);

@@ -189,7 +189,7 @@ struct index {
 	bool begins[UCHAR_MAX + 1][UCHAR_MAX + 1];
 };
 
-/* The one there is, which vocabulary_word fills. */
+/* The one there is, which lexicon_word_meanings fills. */
 static struct index *
 word_index(void)
 {
@@ -253,7 +253,7 @@ lexicon_part_of(const struct index *index, const char *word, size_t n)
 }
 
 uint64_t
-vocabulary_word(const char *word, size_t n)
+lexicon_word_meanings(const char *word, size_t n)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	const struct index *index = word_index();
@@ -266,7 +266,7 @@ vocabulary_word(const char *word, size_t n)
 }
 
 uint64_t
-vocabulary_text(const char *text, size_t *unknown)
+lexicon_meanings(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
 	FREED char *folded = text_fold(text);
@@ -285,9 +285,9 @@ vocabulary_text(const char *text, size_t *unknown)
 			bool micro = p - word == 3 && word[2] == 'm' &&
 				     (memcmp(word, "\xC2\xB5", 2) == 0 ||
 					 memcmp(word, "\xCE\xBC", 2) == 0);
-			uint64_t one =
-			    micro ? WORD_UM
-				  : vocabulary_word(word, (size_t)(p - word));
+			uint64_t one = micro ? WORD_UM
+					     : lexicon_word_meanings(
+						   word, (size_t)(p - word));
 			bool digits =
 			    strspn(word, "0123456789") >= (size_t)(p - word);
 			none += one == 0 && !digits;
@@ -330,11 +330,11 @@ is_one_of(const char *key, const char *list)
 	return false;
 }
 
-enum vocabulary_key
-vocabulary_key(const char *text)
+enum lexicon_key
+lexicon_key(const char *text)
 {
 	size_t k = 0;
 	while (k < N_KEY && !is_one_of(text, KEYS[k]))
 		k++;
-	return (enum vocabulary_key)k;
+	return (enum lexicon_key)k;
 }

@@ -79,7 +79,7 @@ mm_of_unit(const char *p, size_t n)
 		return 0;
 	if (n == 2 && strncmp(p, "cm", 2) == 0)
 		return 10;
-	uint64_t means = vocabulary_word(p, n);
+	uint64_t means = lexicon_word_meanings(p, n);
 	return (means & WORD_MM) != 0     ? 1
 	       : (means & WORD_INCH) != 0 ? 25.4
 	       : (means & WORD_M) != 0    ? 1000
@@ -167,7 +167,7 @@ read_number(struct search *s, const char **text)
 static void
 rotor_read_word(struct search *s, const char *word, size_t n)
 {
-	uint64_t means = vocabulary_word(word, n);
+	uint64_t means = lexicon_word_meanings(word, n);
 	double unit = mm_of_unit(word, n);
 	if (is_diameter(word, n)) {
 		s->diameter = true;
@@ -193,7 +193,7 @@ can_stand_alone(const char *text, const char *folded)
 	for (const char *p = folded; *p != '\0';) {
 		size_t n = word_bytes(p);
 		if (n > 1 && !is_diameter(p, n) &&
-		    (vocabulary_word(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
+		    (lexicon_word_meanings(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
 			WORD_SIZE)
 			return false;
 		p += n > 0 ? n : 1;

@@ -181,14 +181,14 @@ find_astm(enum sieve_series wanted, double number)
 }
 
 enum sieve_series
-sieve_names_series(const char *text)
+sieve_name_series(const char *text)
 {
 	double value;
 	return read_name(text, &value);
 }
 
 double
-sieve_names_mm(const char *text, enum sieve_series head)
+sieve_name_mm(const char *text, enum sieve_series head)
 {
 	double value;
 	enum sieve_series series = read_name(text, &value);
@@ -222,7 +222,7 @@ sieve_names_mm(const char *text, enum sieve_series head)
 }
 
 bool
-sieve_names_is_standard(double mm)
+sieve_is_standard(double mm)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
 		if (fabs(SIEVES[i].mm - mm) < 0.01 * mm)
@@ -234,7 +234,7 @@ sieve_names_is_standard(double mm)
 }
 
 double
-sieve_names_coarser(double mm, bool astm)
+sieve_next_coarser(double mm, bool astm)
 {
 	static const double EN[] = {0.063, 0.125, 0.25, 0.5, 1, 2, 4, 5.6, 8,
 	    11.2, 16, 22.4, 31.5, 45, 63, 90, 125};
@@ -248,7 +248,7 @@ sieve_names_coarser(double mm, bool astm)
 }
 
 char *
-sieve_names_nearest(const char *text)
+sieve_nearest_names(const char *text)
 {
 	double wanted, value;
 	enum sieve_series kind = read_name(text, &wanted);
@@ -309,11 +309,11 @@ is_pan(const char *text)
 	if (text[0] == '<') {
 		const char *rest = text + 1 + strspn(text + 1, " ");
 		return isdigit((unsigned char)rest[0]) ||
-		       sieve_names_series(rest) != SIEVE_NONE;
+		       sieve_name_series(rest) != SIEVE_NONE;
 	}
 	if (isdigit((unsigned char)text[0]) || strpbrk(text, "0123456789"))
 		return false;
-	uint64_t means = vocabulary_text(text, &unknown);
+	uint64_t means = lexicon_meanings(text, &unknown);
 	return (means & WORD_PAN) != 0 && unknown == 0 &&
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }
@@ -333,7 +333,7 @@ sieve_size_cut_unit(
 	if (at == 0 || at == n || strchr(cell->text + at, '/') != NULL)
 		return 0;
 	struct sieve_unit unit =
-	    sieve_unit_of(vocabulary_text(cell->text + at, &unknown));
+	    sieve_unit_of(lexicon_meanings(cell->text + at, &unknown));
 	if (unknown > 0 || unit.mm == 0)
 		return 0;
 	memcpy(copy, cell->text, at);
@@ -408,7 +408,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
 	}
-	double named = sieve_names_mm(cell.text, unit.series);
+	double named = sieve_name_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;
 		return SIEVE_IS_SIZE;

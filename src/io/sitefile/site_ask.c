@@ -20,7 +20,7 @@
 #include "io/cells/number.h"
 
 static bool
-site_ask_add_name(struct names *names, char *part, struct error *error)
+add_column_name(struct names *names, char *part, struct error *error)
 {
 	char *text = text_trim(part), *end;
 	unsigned long number = strtoul(text, &end, 10);
@@ -40,7 +40,7 @@ site_ask_add_name(struct names *names, char *part, struct error *error)
 }
 
 static void
-site_ask_add_sieves(struct layout_range *range, size_t number)
+add_sieve_column(struct layout_range *range, size_t number)
 {
 	if (range->n_sieves < LAYOUT_SIEVES)
 		range->sieves[range->n_sieves++] = number;
@@ -55,17 +55,17 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 	FREED char *copy = xstrdup(columns);
 	char *rest = copy;
 	for (char *part; (part = samples_next_part(&rest)) != NULL;)
-		if (!site_ask_add_name(names, part, error))
+		if (!add_column_name(names, part, error))
 			return false;
 	for (size_t i = 0; i < names->n; i++) {
-		uint64_t means = vocabulary_text(names->text[i], NULL);
+		uint64_t means = lexicon_meanings(names->text[i], NULL);
 		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
 		if ((means & WORD_SIZE) == 0 || (means & other) != 0) {
 			names->others = true;
 			continue;
 		}
-		site_ask_add_sieves(range, names->number[i]);
+		add_sieve_column(range, names->number[i]);
 		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
 	return range->n_sieves > 0 ||
@@ -84,7 +84,7 @@ names_apply(const struct names *names, struct table *t)
 	uint64_t sieve = 0;
 	for (size_t i = 0; i < names->n; i++)
 		if (names->number[i] == t->number[0])
-			sieve = vocabulary_text(names->text[i], NULL);
+			sieve = lexicon_meanings(names->text[i], NULL);
 	if (names->others)
 		layout_set_names(t, names->number,
 		    (const char *const *)names->text, names->n);
@@ -163,7 +163,7 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 /* Whether samples are better told by their names: of a long table, whose
  * columns have no numbers of their own, and of many. */
 static bool
-site_ask_has_names(
+has_sample_names(
     struct table *const *table, size_t n_table, const struct columns *all)
 {
 	enum { FEW = 6 };
@@ -198,7 +198,7 @@ has_feed(const struct columns *all)
 static char *
 guess_words(const struct column *c, bool *feed)
 {
-	char *words = recognise_column_text(c);
+	char *words = classify_column_text(c);
 	if (*feed || c->role != NO_ROLE)
 		return words;
 	*feed = true;
@@ -208,7 +208,7 @@ guess_words(const struct column *c, bool *feed)
 
 /* Everything as samples= would have it: two stand for all. */
 static void
-site_ask_list_samples(struct site_ask *ask, const struct table *t,
+list_samples_to_name(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
 {
 	struct cell head = site_sieve_heading(t);
@@ -239,12 +239,12 @@ site_ask_list_samples(struct site_ask *ask, const struct table *t,
 
 /* Everything as columns= would have it. */
 static void
-site_ask_list_columns(struct site_ask *ask, struct table *const *table,
+list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
-	if (site_ask_has_names(table, n_table, all)) {
+	if (has_sample_names(table, n_table, all)) {
 		ask->settle = xstrdup("");
-		site_ask_list_samples(ask, table[0], all, sieves);
+		list_samples_to_name(ask, table[0], all, sieves);
 		return;
 	}
 	FREED char *text = xstrdup("");
@@ -322,7 +322,7 @@ hint_for_feed(const struct site_request *q)
 
 /* Adds the question as a fault.  Returns true. */
 static bool __attribute__((format(printf, 5, 6)))
-site_ask_refuse(const struct site_request *q, const struct table *t,
+refuse_with_question(const struct site_request *q, const struct table *t,
     struct cell where, const struct site_ask *ask, const char *what, ...)
 {
 	va_list ap;
@@ -456,7 +456,7 @@ tables_contents(const struct table *t, const struct columns *all)
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
 			continue;
-		FREED char *words = recognise_column_text(c);
+		FREED char *words = classify_column_text(c);
 		words[strcspn(words, " ")] = '\0';
 		if (n++ < MOST)
 			xlist(&list, ", ", "%s",
@@ -533,13 +533,13 @@ ask_table(const struct site_request *q, struct table *const *table,
 	}
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
-		return site_ask_refuse(q, second, second->row[0].cell[0], ask,
-		    tr("expected one site, got sheets with a feed each"));
+		return refuse_with_question(q, second, second->row[0].cell[0],
+		    ask, tr("expected one site, got sheets with a feed each"));
 	}
 	struct tables tables = {.table = table, .n = n_table, .all = all};
 	propose_tables(&tables);
 	list_tables(&tables, ask);
-	return site_ask_refuse(q, first, second->row[0].cell[0], ask,
+	return refuse_with_question(q, first, second->row[0].cell[0], ask,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
 }
@@ -552,7 +552,7 @@ ask_which_sieves(
 	struct cell again = t->row[open->again].cell[0];
 	FREED char *range = site_box_text(table_box(t, open->end));
 	ask->settle = xasprintf("range=%s", range);
-	return site_ask_refuse(q, t, again, ask,
+	return refuse_with_question(q, t, again, ask,
 	    tr("expected one table, got the sieves from %s on a second time"),
 	    again.text);
 }
@@ -638,13 +638,13 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = above_100(first);
 	if (above != NULL)
-		return site_ask_refuse(q, t, *above, ask,
+		return refuse_with_question(q, t, *above, ask,
 		    tr("expected at most 100 %% passing, got '%.*s': column "
 		       "%zu has no other number above 100; correct it if it is "
 		       "a typing error"),
 		    sheet_cut_length(above->text), above->text,
 		    t->number[first->at]);
-	site_ask_refuse(q, t, first->head, ask,
+	refuse_with_question(q, t, first->head, ask,
 	    speed ? tr("expected headings and numbers that tell what column "
 		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
@@ -666,7 +666,7 @@ ask_decimal(const struct open *open, const struct site_request *q,
     const struct table *t, struct site_ask *ask)
 {
 	ask->settle = xstrdup("decimal=point|comma");
-	return site_ask_refuse(q, t, open->number, ask,
+	return refuse_with_question(q, t, open->number, ask,
 	    tr("expected a number that can be read in one way, got %s: a "
 	       "decimal sign, or thousands?"),
 	    open->number.text);
@@ -691,8 +691,8 @@ site_ask_open(const struct open *open, const struct site_request *q,
 		return ask_decimal(open, q, table[0], ask);
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
-		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
-		    ask,
+		return refuse_with_question(q, table[0],
+		    table[0]->row[0].cell[0], ask,
 		    tr("expected tip speeds in m/s, got rpm without the "
 		       "rotor's diameter"));
 	}
@@ -702,16 +702,16 @@ site_ask_open(const struct open *open, const struct site_request *q,
 	if (guess_largest(&tables)) {
 		const struct table *most = tables.table[tables.first];
 		list_tables(&tables, ask);
-		return site_ask_refuse(q, most, most->row[0].cell[0], ask,
+		return refuse_with_question(q, most, most->row[0].cell[0], ask,
 		    tr("expected one table, got several: that with most sieves "
 		       "is proposed"));
 	}
 	if (first == NULL && !open->sieves)
 		return false;
-	site_ask_list_columns(ask, table, n_table, all, open->sieves);
+	list_columns_to_name(ask, table, n_table, all, open->sieves);
 	if (first == NULL)
-		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
-		    ask,
+		return refuse_with_question(q, table[0],
+		    table[0]->row[0].cell[0], ask,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
 	return ask_column(q, first, all->n == 1, ask);
@@ -726,8 +726,8 @@ site_ask_top(
 	const struct cell *name = &t->row[at].cell[0];
 	bool astm = t->unit.series == SIEVE_ASTM ||
 		    t->unit.series == SIEVE_INCH ||
-		    sieve_names_series(name->text) != SIEVE_NONE;
-	double coarser = sieve_names_coarser(t->mm[at], astm);
+		    sieve_name_series(name->text) != SIEVE_NONE;
+	double coarser = sieve_next_coarser(t->mm[at], astm);
 	bool alone = t->sheet->errors->n == 0;
 	/* Of much that is coarser nobody knows how coarse. */
 	bool much = c->pct[at] < 90;
@@ -762,7 +762,7 @@ site_ask_one_feed(const struct column *further, const struct columns *all,
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		bool other = c->role == FEED && c != first;
-		FREED char *words = recognise_column_text(c);
+		FREED char *words = classify_column_text(c);
 		if (c->table == t && c->twin == 0 && !other)
 			xappend(&columns, ", %zu=%s", t->number[c->at], words);
 	}

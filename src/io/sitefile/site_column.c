@@ -238,7 +238,7 @@ read_foot(const struct column *c, double sum)
 	double before = NAN, after = NAN;
 	for (size_t i = 0; i < c->table->n_foot; i++) {
 		const struct row *row = &c->table->foot[i];
-		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
+		uint64_t means = lexicon_meanings(row->cell[0].text, NULL);
 		const struct cell *cell = &row->cell[c->at];
 		bool percent = cell->value == AS_PERCENT;
 		double v = percent ? (double)NAN : cell->number;

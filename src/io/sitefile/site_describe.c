@@ -41,7 +41,7 @@ is_own_form(const struct table *t)
 static void
 add_role(char **text, const struct column *c, const struct column *before)
 {
-	FREED char *words = recognise_column_text(c);
+	FREED char *words = classify_column_text(c);
 	words[strcspn(words, " ")] = '\0';
 	const char *at = strchr(words, '@');
 	bool again = before != NULL && before->role == c->role && at != NULL;
@@ -49,7 +49,7 @@ add_role(char **text, const struct column *c, const struct column *before)
 }
 
 static void
-site_describe_add_number(size_t *number, size_t *n, size_t next)
+add_rising_number(size_t *number, size_t *n, size_t next)
 {
 	if (*n == 0 || number[*n - 1] != next)
 		number[(*n)++] = next;
@@ -84,7 +84,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		if (c == NULL)
 			break;
 		add_role(&roles, c, before);
-		site_describe_add_number(number, &n, t->number[c->at]);
+		add_rising_number(number, &n, t->number[c->at]);
 		before = c;
 	}
 	free(roles);
@@ -102,7 +102,7 @@ has_sieves_like(const struct table *a, const struct table *b)
 /* What tells a table from those of other files, or of other sheets: "" where
  * all are of one. */
 static const char *
-site_describe_place_of(struct table *const *table, size_t n, size_t k)
+place_of_table(struct table *const *table, size_t n, size_t k)
 {
 	const struct sheet *own = table[k]->sheet;
 	const char *slash = strrchr(own->path, '/');
@@ -121,7 +121,7 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	char *text = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k];
-		const char *place = site_describe_place_of(table, n, k);
+		const char *place = place_of_table(table, n, k);
 		FREED char *own = xstrdup("");
 		if (k == 0 || !has_sieves_like(table[k - 1], t))
 			xlist(&own, "; ",
@@ -177,7 +177,7 @@ add_note(const struct columns *all, size_t i, const char *note, size_t length,
 		if (k < i)
 			return;
 		has++;
-		site_describe_add_number(number, &n, c->table->number[c->at]);
+		add_rising_number(number, &n, c->table->number[c->at]);
 	}
 	FREED char *list = numbers_text(number, n);
 	bool across = all->column[i].table->across;

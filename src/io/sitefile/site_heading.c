@@ -21,7 +21,7 @@ static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
 static void
-site_heading_take_value(struct site *site, enum vocabulary_key key,
+site_heading_take_value(struct site *site, enum lexicon_key key,
     struct sheet *sheet, struct cell cell)
 {
 	char **text[] = {
@@ -58,13 +58,13 @@ static bool
 site_heading_take_rotor(struct site *site, const struct sheet *sheet,
     struct cell key, struct cell value)
 {
-	uint64_t means = vocabulary_text(key.text, NULL);
+	uint64_t means = lexicon_meanings(key.text, NULL);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
 		double said = rotor_size_mm(value.text, true);
 		site->rotor = said > 0 ? said / 1000 : site->rotor;
 		return said > 0;
 	}
-	means |= vocabulary_text(value.text, NULL);
+	means |= lexicon_meanings(value.text, NULL);
 	double number;
 	if ((means & WORD_ROTOR) == 0 ||
 	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
@@ -184,7 +184,7 @@ leave_out_line(struct site *site, const struct cell *key)
 
 /* What a machine is called may tell its rotor. */
 static void
-take_known_key(struct site *site, enum vocabulary_key k, struct sheet *sheet,
+take_known_key(struct site *site, enum lexicon_key k, struct sheet *sheet,
     struct cell key, struct cell value)
 {
 	site_heading_take_value(site, k, sheet, value);
@@ -207,7 +207,7 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 	size_t colon = strlen(key.text);
 	FREED char *bare = xstrndup(key.text,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
-	enum vocabulary_key k = vocabulary_key(bare);
+	enum lexicon_key k = lexicon_key(bare);
 	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
 		sheet_fault_expected(sheet, key, "a key and a value",
 		    "write key%cvalue, or begin a remark with #",

@@ -71,11 +71,11 @@ fault_no_table(struct sheet *sheet)
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
 		if (number_of(cell, &v) ||
-		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
+		    (lexicon_meanings(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
 	char c = sheet->separator == ';' ? ';' : ',';
-	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
+	bool heads = (lexicon_meanings(found.text, NULL) & WORD_SIZE) != 0 &&
 		     found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
 		sheet_fault_expected(sheet, found,
@@ -102,7 +102,7 @@ count_columns_of_role(const struct columns *all, enum role role)
 /* Of repeats at one speed, one feed serves all, or each product has its own;
  * likewise standard deviations. */
 static void
-site_read_check_repeats(const struct columns *t, const struct column *c)
+check_column_repeats(const struct columns *t, const struct column *c)
 {
 	if (!(c->speed > 0))
 		return;
@@ -129,7 +129,7 @@ check_partner(const struct columns *t, const struct column *c,
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
-	site_read_check_repeats(t, c);
+	check_column_repeats(t, c);
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
 		site_ask_one_feed(c, t, request);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
@@ -271,7 +271,7 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 		sheet_fault(t->sheet, t->row[at].cell[0],
 		    "expected top= above the coarsest sieve, %g mm, got %g\n"
 		    "name the next size that all passes: top=%g",
-		    t->mm[at], top, sieve_names_coarser(t->mm[at], false));
+		    t->mm[at], top, sieve_next_coarser(t->mm[at], false));
 		return;
 	}
 	for (size_t i = 0; i < r->all.n; i++)
@@ -325,7 +325,7 @@ make_psd(const struct column *c)
 
 /* nth: of the runs at its speed. */
 static void
-site_read_fill_run(const struct columns *t, const struct column *shared,
+fill_run_curves(const struct columns *t, const struct column *shared,
     struct run *run, size_t nth)
 {
 	double v = run->speed;
@@ -378,7 +378,7 @@ make_runs(struct site *site, const struct columns *t)
 	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats(site, r) ? first : r;
-		site_read_fill_run(t, shared, &site->run[r], r - first);
+		fill_run_curves(t, shared, &site->run[r], r - first);
 	}
 	site_update_mean_feed(site);
 }
@@ -412,7 +412,7 @@ leave_out_rows(struct reading *r, const struct table *t)
 
 /* Cells of the samples that say that there is no number, "-" or "<0.1". */
 static void
-site_read_leave_out_cells(struct reading *r)
+leave_out_empty_cells(struct reading *r)
 {
 	size_t more = 0;
 	FREED char *list = xstrdup("");
@@ -448,7 +448,7 @@ leave_out_sums(struct reading *r, const struct page *page)
 		for (size_t i = 0; i < page->layout->table[b].n_foot; i++) {
 			const struct row *row = &page->layout->table[b].foot[i];
 			const char *text = row->cell[0].text;
-			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
+			if ((lexicon_meanings(text, NULL) & WORD_TOTAL) != 0)
 				leave_out(r->site, row->line,
 				    "%s: sums are checked for grams only",
 				    text);
@@ -512,7 +512,7 @@ note_left_out(struct reading *r)
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);
-	site_read_leave_out_cells(r);
+	leave_out_empty_cells(r);
 }
 
 /* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
@@ -526,7 +526,7 @@ note_sieve_names(struct reading *r)
 			double v;
 			bool bare = number_of(t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
-			    (sieve_names_series(text) != SIEVE_NONE ||
+			    (sieve_name_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
 				xlist(&r->site->named, ", ", "%s = %g", text,
 				    t->mm[i]);
@@ -551,8 +551,8 @@ has_sieves_twice(struct reading *r, const struct table *t)
 }
 
 static void
-site_read_read_table(struct reading *r, const struct page *page,
-    struct table *t, struct heading_speed told)
+read_site_table(struct reading *r, const struct page *page, struct table *t,
+    struct heading_speed told)
 {
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
@@ -587,7 +587,7 @@ site_read_read_table(struct reading *r, const struct page *page,
 		    site_sieve_unit(t));
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
-	recognise_columns(t, &near, &r->all, r->site);
+	classify_columns(t, &near, &r->all, r->site);
 	bool lone = q->feed && r->all.n == first + 1;
 	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
 	     i++)
@@ -632,7 +632,7 @@ is_measured(const struct source *source)
 
 /* The sheets of a file that are wanted: the one with the name, or all. */
 static bool
-site_read_read_file(struct reading *r, size_t file)
+read_site_file(struct reading *r, size_t file)
 {
 	const struct site_request *q = r->request;
 	struct source *source = &r->source[r->n_source++];
@@ -709,8 +709,7 @@ read_pages(struct reading *r)
 		take_rotor(r, &rotor);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
-			site_read_read_table(
-			    r, page, &page->layout->table[b], told);
+			read_site_table(r, page, &page->layout->table[b], told);
 	}
 }
 
@@ -830,7 +829,7 @@ count_faults(const struct reading *r)
 }
 
 static struct site *
-site_read_finish(struct reading *r)
+finish_site(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	free(r->site->path);
@@ -872,7 +871,7 @@ static bool
 read_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
-		if (!site_read_read_file(r, i) || error_stopped(r->errors))
+		if (!read_site_file(r, i) || error_stopped(r->errors))
 			return false;
 	return has_tables(r);
 }
@@ -896,7 +895,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			choose_feed_column(&r);
 		if (r.n_table > 0)
 			samples_check(&r.samples, r.table[0]);
-		recognise_roles(&r.all, r.site,
+		classify_roles(&r.all, r.site,
 		    r.names.others || r.samples.n > 0, &r.open.rotor);
 		choose_series(&r);
 		bool open = count_faults(&r) == 0 &&
@@ -912,7 +911,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			    count_columns_of_role(&r.all, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
-			site = site_read_finish(&r);
+			site = finish_site(&r);
 	}
 	reading_clear(&r);
 	site_ask_clear(&none);

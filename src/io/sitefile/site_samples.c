@@ -120,7 +120,7 @@ is_name_of_column(
 }
 
 static void
-site_samples_refuse(const struct column *c, const char *text)
+refuse_contradiction(const struct column *c, const char *text)
 {
 	sheet_fault(c->table->sheet, c->head,
 	    "expected what this heading states, got '%s' in samples=\nleave "
@@ -130,17 +130,16 @@ site_samples_refuse(const struct column *c, const char *text)
 
 /* What both state has to be the same. */
 static void
-site_samples_merge(
-    struct column *c, const char *text, uint64_t group, uint64_t own)
+merge_meanings(struct column *c, const char *text, uint64_t group, uint64_t own)
 {
 	uint64_t stated = c->said.means & group;
 	if (stated != 0 && (own & group & ~stated) != 0)
-		site_samples_refuse(c, text);
+		refuse_contradiction(c, text);
 	c->said.means |= own & group;
 }
 
 static void
-site_samples_take(struct column *c, const char *text)
+take_sample_text(struct column *c, const char *text)
 {
 	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
@@ -150,10 +149,10 @@ site_samples_take(struct column *c, const char *text)
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		site_samples_merge(c, text, GROUPS[i], own.means);
+		merge_meanings(c, text, GROUPS[i], own.means);
 	if (own.speed > 0 && said->speed > 0 &&
 	    fabs(own.speed - said->speed) > 1e-3)
-		site_samples_refuse(c, text);
+		refuse_contradiction(c, text);
 	if (speed) {
 		said->speed = own.speed;
 		said->rpm = own.rpm;
@@ -176,7 +175,7 @@ samples_take(struct samples *s, struct column *c)
 	if (i == s->n)
 		return false;
 	s->found[i] = true;
-	site_samples_take(c, s->text[i]);
+	take_sample_text(c, s->text[i]);
 	return true;
 }
 

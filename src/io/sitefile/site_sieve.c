@@ -47,7 +47,7 @@ site_sieve_mm(
 static void
 fault_unknown_name(struct table *t, struct cell cell)
 {
-	if (sieve_names_series(cell.text) == SIEVE_MESH ||
+	if (sieve_name_series(cell.text) == SIEVE_MESH ||
 	    t->unit.series == SIEVE_MESH) {
 		sheet_fault_expected(t->sheet, cell,
 		    "a mesh number with its series",
@@ -57,7 +57,7 @@ fault_unknown_name(struct table *t, struct cell cell)
 		    t->number[0]);
 		return;
 	}
-	FREED char *nearest = sieve_names_nearest(cell.text);
+	FREED char *nearest = sieve_nearest_names(cell.text);
 	sheet_fault_expected(t->sheet, cell, "a sieve of ASTM E11",
 	    "use the nearest: %s; or begin a remark with # and a word, not a "
 	    "number alone",
@@ -102,7 +102,7 @@ standard_share(const struct table *t, double factor, double *most)
 		    isnan(mm))
 			continue;
 		n++;
-		known += sieve_names_is_standard(mm * factor);
+		known += sieve_is_standard(mm * factor);
 		*most = fmax(*most, mm * factor);
 	}
 	return n > 0 ? known / n : 0;
@@ -157,7 +157,7 @@ is_fraction(const char *text)
 	       strpbrk(text, ".,") == NULL && text_number(bar + 1, &parts) &&
 	       (parts == 2 || parts == 4 || parts == 8 || parts == 16 ||
 		   parts == 32) &&
-	       sieve_names_mm(text, SIEVE_ASTM) > 0;
+	       sieve_name_mm(text, SIEVE_ASTM) > 0;
 }
 
 /* Whether two texts are neighbouring classes, 8/16 and 4/8. */
@@ -196,8 +196,7 @@ site_sieve_numbers_of(const struct table *t)
 		all.n_part += part;
 		if (part || !number)
 			continue;
-		all.n_astm +=
-		    v > 0 && sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
+		all.n_astm += v > 0 && sieve_name_mm(cell.text, SIEVE_ASTM) > 0;
 		all.n_below += v < 0;
 		all.n_beyond += fabs(v) > SIEVE_MOST_PHI;
 		all.even = all.even && !(fabs(v - last - step) > 1e-9);
@@ -521,7 +520,7 @@ site_sieve_numbers(struct sheet *sheet)
 				 : c->text[strcspn(c->text, separator)] != '\0';
 		/* "#" alone heads a column of numbers. */
 		bool head = strcmp(first, "#") == 0;
-		if (cells && (head || sieve_names_series(first) == SIEVE_ASTM))
+		if (cells && (head || sieve_name_series(first) == SIEVE_ASTM))
 			sheet_uncomment(sheet, i);
 	}
 	if (sheet->n_row > rows)

@@ -23,7 +23,7 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 {
 	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
 	return row->line < top && row->line >= top - 3 &&
-	       vocabulary_key(row->cell[0].text) == N_KEY &&
+	       lexicon_key(row->cell[0].text) == N_KEY &&
 	       (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 }
 
@@ -75,7 +75,7 @@ uint64_t
 title_context(const struct layout *layout, struct table *t, const char *path,
     struct surroundings *near)
 {
-	uint64_t means = vocabulary_text(t->sheet->name, NULL);
+	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
 	struct head name = head_read(t->sheet->name);
 	if (!(near->speed > 0)) {
 		near->speed = name.speed;
@@ -102,7 +102,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 	}
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
 		FREED char *stem = site_heading_name(path);
-		means |= vocabulary_text(stem, NULL);
+		means |= lexicon_meanings(stem, NULL);
 	}
 	return means;
 }
@@ -114,7 +114,7 @@ title_line(const struct table *t)
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
 		if (p[n] == '\0' ||
-		    (vocabulary_text(line, NULL) & WORD_FEED) != 0)
+		    (lexicon_meanings(line, NULL) & WORD_FEED) != 0)
 			return line;
 		free(line);
 		p += n + 1;
@@ -134,12 +134,12 @@ is_numeral(const char *word, size_t n, const char *next)
 	FREED char *tail = xstrndup(word + digits, n - digits);
 	bool range = (tail[0] == '/' || tail[0] == '-') &&
 		     strspn(tail + 1, "0123456789.,") == strlen(tail) - 1;
-	vocabulary_text(tail, &more);
+	lexicon_meanings(tail, &more);
 	bool unit =
 	    tail[0] != '\0' && strpbrk(tail, "0123456789") == NULL && more == 0;
 	size_t follows = strcspn(next, " ,;:()[]@\n");
 	bool measured = digits == n && follows > 0 &&
-			(vocabulary_word(next, follows) &
+			(lexicon_word_meanings(next, follows) &
 			    (WORD_MM | WORD_UM | WORD_M | WORD_INCH |
 				WORD_GRAMS | WORD_PERCENT)) != 0;
 	return !range && !unit && !measured;
@@ -151,7 +151,7 @@ is_name(const char *word, size_t n, const char *next)
 {
 	FREED char *copy = xstrndup(word, n);
 	size_t unknown;
-	vocabulary_text(copy, &unknown);
+	lexicon_meanings(copy, &unknown);
 	bool letters = strpbrk(copy, "0123456789") == NULL;
 	bool own = !letters && strspn(copy, "0123456789") == 0;
 	return letters ? unknown > 0 && n > 1

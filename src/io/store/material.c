@@ -399,7 +399,7 @@ stored_is_valid(const struct stored *m, const struct field *f)
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
 	return stored_is_one_line(text) &&
-	       (strcmp(f->name, "date") != 0 || moment_is_day(text));
+	       (strcmp(f->name, "date") != 0 || datetime_is_day(text));
 }
 
 bool

@@ -128,7 +128,7 @@ static const struct problem {
 
 /* The error for the newest failure of db, NULL allowed.  Returns false. */
 static bool
-schema_fail(sqlite3 *db, const char *path, struct error *error)
+fail_as_sqlite(sqlite3 *db, const char *path, struct error *error)
 {
 	int code = db != NULL ? sqlite3_errcode(db) & 0xFF : SQLITE_NOMEM;
 	int reason = db != NULL ? sqlite3_system_errno(db) : 0;
@@ -150,10 +150,10 @@ schema_fail(sqlite3 *db, const char *path, struct error *error)
 
 /* Runs SQL without results.  False with the error set. */
 static bool
-schema_run(sqlite3 *db, const char *path, const char *sql, struct error *error)
+run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
 {
 	return sqlite3_exec(db, sql, NULL, NULL, NULL) == SQLITE_OK ||
-	       schema_fail(db, path, error);
+	       fail_as_sqlite(db, path, error);
 }
 
 /* The first value of the first row as text, which the caller frees; NULL
@@ -196,7 +196,7 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 		if (done)
 			return true;
 		if (!busy || waited >= WAIT_MS)
-			return schema_fail(db, path, error);
+			return fail_as_sqlite(db, path, error);
 		nanosleep(&pause, NULL);
 	}
 }
@@ -208,9 +208,9 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 {
 	long version = query_integer(db, "PRAGMA user_version");
 	if (version < 0)
-		return schema_fail(db, path, error);
+		return fail_as_sqlite(db, path, error);
 	for (long i = version; i < STORE_SCHEMA; i++)
-		if (!schema_run(db, path, SCHEMA_STEPS[i], error))
+		if (!run_sql(db, path, SCHEMA_STEPS[i], error))
 			return false;
 	if (version >= STORE_SCHEMA)
 		return true;
@@ -219,7 +219,7 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 	    "application_id = %d;PRAGMA user_version = %d;",
 	    "tipspeed " PACKAGE_VERSION, (int)SCHEMA_APPLICATION,
 	    (int)STORE_SCHEMA);
-	bool ok = schema_run(db, path, end, error);
+	bool ok = run_sql(db, path, end, error);
 	sqlite3_free(end);
 	return ok;
 }
@@ -227,9 +227,9 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 static bool
 migrate(sqlite3 *db, const char *path, struct error *error)
 {
-	if (!schema_run(db, path, "BEGIN IMMEDIATE", error))
+	if (!run_sql(db, path, "BEGIN IMMEDIATE", error))
 		return false;
-	if (run_steps(db, path, error) && schema_run(db, path, "COMMIT", error))
+	if (run_steps(db, path, error) && run_sql(db, path, "COMMIT", error))
 		return true;
 	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	return false;
@@ -247,7 +247,7 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 	FREED char *found = query_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
-		schema_fail(db, path, error);
+		fail_as_sqlite(db, path, error);
 	else if (!ok)
 		error_at(error, ERROR_DATA, path, 0, 0,
 		    "the store is damaged: %.200s\n"
@@ -272,13 +272,14 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 
 /* What the file is: *version 0 for an empty one. */
 static bool
-store_look(sqlite3 *db, const char *path, long *version, struct error *error)
+check_database(
+    sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
-		return schema_fail(db, path, error);
+		return fail_as_sqlite(db, path, error);
 	long tables = query_integer(db, "SELECT count(*) FROM sqlite_master");
 	if (tables < 0)
-		return schema_fail(db, path, error);
+		return fail_as_sqlite(db, path, error);
 	long application = query_integer(db, "PRAGMA application_id");
 	*version = query_integer(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
@@ -354,7 +355,7 @@ store_create_or_migrate(
 	bool stale = version < STORE_SCHEMA && (make || version > 0);
 	return (!stale || migrate(db, path, error)) &&
 	       (!make || (set_wal_mode(db, path, error) &&
-			     schema_run(db, path, INDEX, error)));
+			     run_sql(db, path, INDEX, error)));
 }
 
 /* Opens and looks; for reading, in a closed folder too. */
@@ -363,7 +364,7 @@ open_to(
     const char *path, bool make, long *version, bool *ok, struct error *error)
 {
 	sqlite3 *db = connect(path, make), *closed = NULL;
-	*ok = store_look(db, path, version, error);
+	*ok = check_database(db, path, version, error);
 	int code = sqlite3_errcode(db) & 0xFF;
 	bool beside = code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 	if (!*ok && !make && beside)
@@ -371,7 +372,7 @@ open_to(
 	if (closed == NULL)
 		return db;
 	sqlite3_close(db);
-	*ok = store_look(closed, path, version, error);
+	*ok = check_database(closed, path, version, error);
 	return closed;
 }
 
@@ -379,7 +380,7 @@ open_to(
  * store; without it *db is then NULL, which is no error.  A file of an older
  * schema is brought up to date, all steps or none.  False: *db is NULL. */
 static bool
-schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
+open_database(const char *path, bool make, sqlite3 **db, struct error *error)
 {
 	bool ok;
 	long version = 0;
@@ -474,8 +475,7 @@ make_folders(const char *path, struct error *error)
 
 /* *db is NULL where there is nothing to read. */
 static bool
-store_begin_change(
-    struct store *store, bool make, sqlite3 **db, struct error *error)
+store_connect(struct store *store, bool make, sqlite3 **db, struct error *error)
 {
 	*db = store->memory;
 	if (*db != NULL)
@@ -486,7 +486,7 @@ store_begin_change(
 		    "name a file with --store=PATH");
 	if (make && store->own_folder && !make_folders(store->path, error))
 		return false;
-	if (!schema_open(store->path, make, db, error))
+	if (!open_database(store->path, make, db, error))
 		return false;
 	if (strcmp(store->path, ":memory:") == 0)
 		store->memory = *db;
@@ -565,7 +565,7 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
 
 /* The row stmt stands on.  False when it is not what was put. */
 static bool
-store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
+take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
     struct error *error)
 {
 	*m = stored_empty();
@@ -655,16 +655,16 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 	FREED char *sql = columns("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
+	bool ok = code == SQLITE_OK || fail_as_sqlite(db, store->path, error);
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
 		struct stored m;
-		ok = store_take_row(store, stmt, &m, error);
+		ok = take_row(store, stmt, &m, error);
 		if (ok)
 			stored_list_add(list, m);
 	}
 	if (ok && code != SQLITE_DONE)
-		ok = schema_fail(db, store->path, error);
+		ok = fail_as_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
@@ -674,7 +674,7 @@ store_find(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error)
 {
 	sqlite3 *db;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	bool ok = db == NULL || store_read_rows(store, db, query, list, error);
 	close_unless_memory(store, db);
@@ -692,11 +692,11 @@ store_count(struct store *store, size_t *n, struct error *error)
 {
 	sqlite3 *db;
 	*n = 0;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	long found =
 	    db != NULL ? query_integer(db, "SELECT count(*) FROM material") : 0;
-	bool ok = found >= 0 || schema_fail(db, store->path, error);
+	bool ok = found >= 0 || fail_as_sqlite(db, store->path, error);
 	*n = ok ? (size_t)found : 0;
 	close_unless_memory(store, db);
 	return ok;
@@ -711,7 +711,7 @@ each_text(struct store *store, const char *sql, const char *fold, size_t most,
 	sqlite3 *db;
 	sqlite3_stmt *stmt = NULL;
 	int code = SQLITE_DONE;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	/* The last code point. */
 	FREED char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
@@ -724,7 +724,7 @@ each_text(struct store *store, const char *sql, const char *fold, size_t most,
 	}
 	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
 		take(data, column_text(stmt, 0));
-	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
+	bool ok = code == SQLITE_DONE || fail_as_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	close_unless_memory(store, db);
 	return ok;
@@ -741,7 +741,7 @@ store_each_name(struct store *store, enum store_word what,
 }
 
 bool
-store_begin(struct store *store, const char *beginning, size_t most,
+store_names_beginning(struct store *store, const char *beginning, size_t most,
     void (*take)(void *data, const char *name), void *data, struct error *error)
 {
 	static const char SQL[] =
@@ -786,7 +786,7 @@ store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
-		return schema_fail(db, store->path, error);
+		return fail_as_sqlite(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
 	    "add replace=on to the line",
@@ -805,7 +805,7 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 	FREED char *sql = columns(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
+	bool ok = code == SQLITE_OK || fail_as_sqlite(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
 		ok = check_fields(&item[i], error) &&
 		     store_put_row(store, db, stmt, &item[i], error);
@@ -817,7 +817,7 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 static bool
 commit(struct store *store, sqlite3 *db, bool ok, struct error *error)
 {
-	ok = ok && schema_run(db, store->path, "COMMIT", error);
+	ok = ok && run_sql(db, store->path, "COMMIT", error);
 	if (!ok)
 		sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	return ok;
@@ -828,9 +828,9 @@ store_put(struct store *store, const struct stored *item, size_t n,
     bool replace, struct error *error)
 {
 	sqlite3 *db;
-	if (!store_begin_change(store, true, &db, error))
+	if (!store_connect(store, true, &db, error))
 		return false;
-	bool ok = schema_run(db, store->path, "BEGIN IMMEDIATE", error);
+	bool ok = run_sql(db, store->path, "BEGIN IMMEDIATE", error);
 	if (ok) {
 		ok = store_put_rows(store, db, item, n, replace, error);
 		ok = commit(store, db, ok, error);
@@ -853,7 +853,7 @@ forget_row(
 		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
 		bind_text(stmt, 1, fold);
 		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-			  schema_fail(db, store->path, error);
+			  fail_as_sqlite(db, store->path, error);
 		sqlite3_finalize(stmt);
 		if (!ok || sqlite3_changes(db) > 0)
 			return ok;
@@ -868,7 +868,7 @@ bool
 store_forget(struct store *store, const char *name, struct error *error)
 {
 	sqlite3 *db;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	if (db == NULL)
 		return error_set(error, ERROR_USAGE,
