@@ -32,8 +32,9 @@ assume(struct column *c, const char *format, ...)
 	xlist(&c->assumed, "\n", "%s", what);
 }
 
-/* The head of column c in row r: its own cell, or the one that spreads from its
- * left, as merged cells do (own: false). */
+/* Returns the heading of column c in row r: its own cell, or the one to the
+ * left that spreads over it, as merged cells do (own: false); NULL if there is
+ * none. */
 static const struct cell *
 head_cell(const struct table *t, size_t r, size_t c, bool *own)
 {
@@ -47,7 +48,7 @@ head_cell(const struct table *t, size_t r, size_t c, bool *own)
 	return k > 0 && t->n_head > 1 ? &row->cell[k] : NULL;
 }
 
-/* Fills in what `said` lacks from a cell above. */
+/* Adds what the heading lacks from a cell above it. */
 static void
 merge_cell_above(
     struct head *said, const struct head *more, bool own, bool titles)
@@ -83,7 +84,7 @@ merge_cell_above(
 	said->range = said->range || more->range;
 }
 
-/* The number of a head is a speed in a unit that it has from elsewhere. */
+/* Makes the number in a heading a speed, in a unit stated elsewhere. */
 static void
 take_number_for_speed(struct head *head, enum speed_unit unit)
 {
@@ -94,7 +95,8 @@ take_number_for_speed(struct head *head, enum speed_unit unit)
 	head->n_number = 0;
 }
 
-/* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
+/* Applies the label in the first cell of a row of headings: "Speed (m/s)",
+ * "Sample", "Date". */
 static void
 apply_row_label(const struct cell *label, struct head *head)
 {
@@ -136,7 +138,7 @@ apply_row_label(const struct cell *label, struct head *head)
 	}
 }
 
-/* Everything that the heads of a column say. */
+/* Combines all headings of a column. */
 static struct head
 read_heads(const struct table *t, size_t c)
 {
@@ -201,7 +203,8 @@ is_near(double value, double whole, double percent)
 	return fabs(value - whole) <= percent / 100 * whole;
 }
 
-/* The sum that a line below the table has, in the column's own unit; NAN. */
+/* Returns the sum stated in a line below the table, in the column's own unit,
+ * or NAN. */
 static double
 stated_total(const struct column *c)
 {
@@ -217,7 +220,7 @@ stated_total(const struct column *c)
 	return NAN;
 }
 
-/* Of numbers that rise and fall, or of parts: what they are parts of. */
+/* Finds the whole of which the numbers are parts.  False if it is unclear. */
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
@@ -237,8 +240,8 @@ parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 	return true;
 }
 
-/* What the numbers alone look like; false where they could be several
- * things. */
+/* Guesses the quantity from the numbers alone.  False if several are
+ * possible. */
 static bool
 guess_kind(const struct shape *s, double total, enum unit_kind *kind,
     enum unit_scale *scale)
@@ -284,7 +287,7 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 	       (!is_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
 }
 
-/* Whether numbers can be what the head says. */
+/* True if the numbers can be the quantity that the heading states. */
 static bool
 is_possible_kind(const struct shape *s, enum unit_kind kind)
 {
@@ -299,8 +302,8 @@ is_possible_kind(const struct shape *s, enum unit_kind kind)
 	       !(falls && s->n > 2 && is_near(s->first, 1, 0.1));
 }
 
-/* Of a column that says "retained", and rises throughout: each sieve's, or
- * cumulative?  False where both are possible. */
+/* For a column headed "retained" whose numbers rise throughout: decides between
+ * each sieve's mass and cumulative.  False if both are possible. */
 static bool
 choose_kind_of_rising(
     struct column *c, const struct shape *s, double total, enum unit_kind *kind)
@@ -322,7 +325,8 @@ choose_kind_of_rising(
 	return true;
 }
 
-/* The scale that the head states, checked against the numbers. */
+/* Finds the scale, as the heading states it and the numbers allow.  False if it
+ * remains unclear. */
 static bool
 choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
@@ -371,9 +375,10 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 	       (means & WORD_PERCENT) != 0;
 }
 
-/* Whether a head in the form of tipspeed-site(5) defines the unit: product@69
- * is per cent passing, unless its numbers rise and fall; or one given by hand,
- * told, in words that leave nothing open.  Then *unit is it. */
+/* True if a heading defines the unit, which is then *unit: in the form of
+ * tipspeed-site(5), in which product@69 is per cent passing unless its numbers
+ * rise and fall; or given by the user (told) in words that leave nothing
+ * open. */
 static bool
 is_defined(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
@@ -403,8 +408,7 @@ is_defined(
 	return false;
 }
 
-/* Whether the sieves are classes between two of them, as retained masses
- * have. */
+/* True if the sieves are classes between two sieves, as for retained masses. */
 static bool
 has_classes(const struct table *t)
 {
@@ -416,7 +420,7 @@ has_classes(const struct table *t)
 	return false;
 }
 
-/* What was said to be per cent, and is no more than 1 where all passes. */
+/* Refuses a column said to be per cent whose numbers do not exceed 1. */
 static void
 refuse_small(struct column *c, const struct shape *s)
 {
@@ -483,9 +487,9 @@ find_unit(struct column *c, bool told)
 	c->open = c->open || !sure || (classes && kind != RETAINED);
 }
 
-/* The one number without a unit that can be a tip speed in m/s: 63.6, not the 1
- * of "Prov 1".  0 where there is none, or several.  A whole number from 40 to
- * 99 counts unless it may be the sample's. */
+/* Returns the only number without a unit that can be a tip speed in m/s: 63.6,
+ * but not the 1 of "Prov 1"; 0 if there is none, or several.  A whole number
+ * from 40 to 99 counts unless it may number the sample. */
 static double
 bare_speed(const struct head *said)
 {
@@ -506,8 +510,8 @@ bare_speed(const struct head *said)
 	return found;
 }
 
-/* Whether a head is a number alone that is no tip speed: then those beside it,
- * such as minutes, are none either. */
+/* True if a heading is only a number that cannot be a tip speed: then its
+ * neighbours, such as minutes, are not speeds either. */
 static bool
 is_other_number(const struct head *said)
 {
@@ -601,7 +605,8 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	return *filled > 0 && *numbers * 2 < *filled;
 }
 
-/* 1, 2, 3 and so on, up or down, or one number throughout: no curve. */
+/* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
+ * is no curve. */
 static bool
 is_count(const struct column *c)
 {
@@ -624,7 +629,7 @@ is_count(const struct column *c)
 	       ((steps == pairs && small) || same == pairs);
 }
 
-/* Whether a column is no sample, told to the site. */
+/* True if a column is no sample, which is then noted for the user. */
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
@@ -656,7 +661,8 @@ is_no_sample(const struct column *c, struct site *site)
 	return true;
 }
 
-/* A column that has one speed for all rows: of a long table with one sample. */
+/* Takes the speed of all samples from a column that repeats it in each row, as
+ * in a long table with one sample. */
 static void
 note_constant_speed(const struct column *c, struct surroundings *near)
 {
@@ -679,8 +685,8 @@ note_constant_speed(const struct column *c, struct surroundings *near)
 		near->speed = head_mps(v, c->said.unit, near->rotor);
 }
 
-/* The numbers of a column from their least to their most; the least is -1 where
- * one is missing. */
+/* Finds the least and the largest number of a column; the least is -1 if one is
+ * missing. */
 static void
 column_bounds(const struct column *c, double *least, double *most)
 {
@@ -693,8 +699,9 @@ column_bounds(const struct column *c, double *least, double *most)
 	}
 }
 
-/* Refuses the mass of empty sieves, the same throughout, beside that of full
- * ones, of which nothing is said: what was retained is their difference. */
+/* Refuses a column with the same mass throughout, that of empty sieves, beside
+ * one of full sieves, if no heading explains them: the mass retained is their
+ * difference. */
 static void
 refuse_tare(const struct column *column, size_t n)
 {
@@ -716,7 +723,7 @@ refuse_tare(const struct column *column, size_t n)
 	}
 }
 
-/* A column of the table as its heads have it. */
+/* Returns the column with what its headings state. */
 static struct column
 column_from_heads(struct table *t, size_t at)
 {
@@ -766,7 +773,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 	}
 }
 
-/* Nobody waits for the columns any more. */
+/* True if the user has interrupted the reading. */
 static bool
 is_stopped(const struct columns *all)
 {
@@ -782,7 +789,8 @@ drop_column(struct columns *all, size_t i)
 	    (all->n - i) * sizeof *all->column);
 }
 
-/* Masses are exact and have a pan; then what needs least done to it. */
+/* Ranks the quantities of one sample: masses first, because they are exact and
+ * include the pan, then those that need the least conversion. */
 static int
 column_rank(const struct column *c)
 {
@@ -794,8 +802,8 @@ column_rank(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
-/* The words in the heads of a column that nobody knows, or that have digits.
- * The caller frees them. */
+/* Returns the unknown words in the headings of a column and those with digits.
+ * The caller frees the text. */
 static char *
 name_in_head(const struct column *c)
 {
@@ -811,7 +819,7 @@ name_in_head(const struct column *c)
 	return name;
 }
 
-/* Whether the names of samples are the same in the heads of two columns. */
+/* True if two columns have the same sample name in their headings. */
 static bool
 is_called_alike(const struct column *a, const struct column *b)
 {
@@ -819,7 +827,7 @@ is_called_alike(const struct column *a, const struct column *b)
 	return text_same(one, other);
 }
 
-/* Whether two columns are one sample in two quantities, of which one at least
+/* True if two columns are one sample in two quantities, at least one of which
  * is stated. */
 static bool
 is_same_sample(const struct column *a, const struct column *b)
@@ -839,7 +847,7 @@ is_same_sample(const struct column *a, const struct column *b)
 	       (a->role != NO_ROLE || (stated && is_called_alike(a, b)));
 }
 
-/* It is compared with the other one, and not used. */
+/* Makes the column one that is only compared with the other. */
 static void
 mark_twin(struct column *c, const struct column *other)
 {
@@ -848,9 +856,9 @@ mark_twin(struct column *c, const struct column *other)
 	c->open = c->no_role = false;
 }
 
-/* The words of the heads of a column that nobody knows, and ranges such as 0/4:
- * what makes it another sample than its neighbours.  Signs of samples, of two
- * letters at most, are left out.  The caller frees. */
+/* Returns the unknown words in the headings of a column and ranges such as 0/4,
+ * which distinguish its sample from others; signs of samples, at most two
+ * letters, are omitted.  The caller frees the text. */
 static char *
 own_words(const struct column *c)
 {
@@ -877,8 +885,8 @@ own_words(const struct column *c)
 	return words;
 }
 
-/* Samples at one speed that are called by other words (own_words of each), or
- * come from machines with other numbers, are perhaps no repeats. */
+/* True if two samples at one speed may be repeats: they have the same words
+ * (own_words of each) and do not come from machines with different numbers. */
 static bool
 is_repeat(const struct column *a, const char *x, const struct column *b,
     const char *y)
@@ -912,7 +920,7 @@ ask_repeats(struct columns *all)
 		free(words[i]);
 }
 
-/* The mean of samples that are there themselves is no sample. */
+/* Drops the means of samples that are in the sheet themselves. */
 static void
 drop_means(struct columns *all, struct site *site)
 {
@@ -958,7 +966,8 @@ drop_twins(struct columns *all, struct site *site)
 		}
 }
 
-/* A column that no head explains is left out where it looks like no curve. */
+/* True if the numbers look like a curve; others are dropped if no heading
+ * explains them. */
 static bool
 looks_like_curve(const struct column *c)
 {
@@ -968,8 +977,8 @@ looks_like_curve(const struct column *c)
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
 }
 
-/* The one feed is that of all runs, though the speed at its left spreads over
- * it. */
+/* Makes an only feed that of all runs, even if the speed to its left spreads
+ * over it. */
 static void
 set_feed_for_all_runs(struct columns *all)
 {
@@ -984,7 +993,7 @@ set_feed_for_all_runs(struct columns *all)
 		only->speed = only->rpm = 0;
 }
 
-/* Feed, product, feed, product ..: each feed is that of the product at its
+/* Feed, product, feed, product ..: makes each feed that of the product to its
  * right. */
 static void
 pair_feeds_with_products(struct columns *all)
@@ -1006,7 +1015,7 @@ pair_feeds_with_products(struct columns *all)
 	}
 }
 
-/* Where nothing is called feed, the one column without a role may be it. */
+/* If no column is called feed, takes the only one without a role for it. */
 static void
 guess_feed(struct columns *all, size_t feeds)
 {

@@ -40,7 +40,7 @@ head_is_letter(char c)
 	return isalpha((unsigned char)c) || (c & 0x80) != 0;
 }
 
-/* The unit at text, and its length. */
+/* Returns the unit at the start of the text, and its length. */
 static enum speed_unit
 unit_at(const char *text, size_t *n)
 {
@@ -84,14 +84,14 @@ head_mps(double number, enum speed_unit unit, double rotor)
 	}
 }
 
-/* Whether speeds in a unit have four digits and more. */
+/* True if speeds in a unit have four digits or more. */
 static bool
 has_thousands(enum speed_unit unit)
 {
 	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
 }
 
-/* Blanks that do not break become others. */
+/* Replaces blanks that do not break with spaces. */
 static void
 plain_blanks(char *s)
 {
@@ -109,9 +109,9 @@ plain_blanks(char *s)
 	*to = '\0';
 }
 
-/* A number at *text, which moves after it: 63,6 or 63.6, 1 350 or 1,350 where
- * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
- * moved over. */
+/* Reads a number at *text and moves *text after it: 63,6 or 63.6, or, before
+ * rpm, 1 350 or 1,350.  False for dates, times and ranges (0/8, 2026-05-03),
+ * after which *text moves too. */
 static bool
 read_number_at(const char **text, double *value)
 {
@@ -149,7 +149,8 @@ read_number_at(const char **text, double *value)
 	return parts == 1 && text_number(copy, value);
 }
 
-/* Behind the unit of mass at text, or text where there is none. */
+/* Returns the text after a unit of mass, or the text itself if it does not
+ * begin with one. */
 static const char *
 skip_unit_of_mass(const char *text)
 {
@@ -158,7 +159,8 @@ skip_unit_of_mass(const char *text)
 	return grams ? text + n : text;
 }
 
-/* Notes what a number says, with the unit after it, which *text moves over. */
+/* Adds a number to the heading, with the unit after it; moves *text after the
+ * unit. */
 static void
 head_read_number(struct head *head, const char **text, double value, bool at)
 {
@@ -196,7 +198,8 @@ struct before {
 	bool at, unit;
 };
 
-/* Whether n bytes say "or", "to", "..": that two numbers are one thing.  */
+/* True if n bytes are "or", "to", ".." or the like, which make two numbers one
+ * quantity. */
 static bool
 is_link_between_numbers(const char *text, size_t n)
 {
@@ -209,9 +212,9 @@ is_link_between_numbers(const char *text, size_t n)
 	return false;
 }
 
-/* Whether a number without a unit of speed, at `text`, may be meant for the one
- * before it, which is a speed already: @74 approx 75, 74 m/s or 75.  Words that
- * say what it is instead, as in @74 sample 3, are those of the vocabulary. */
+/* True if a number without a unit of speed, at `text`, may be a second value
+ * for the speed before it: @74 approx 75, 74 m/s or 75.  In @74 sample 3, a
+ * known word shows what it is instead. */
 static bool
 is_second_speed(const struct before *before, const char *text, double value)
 {
@@ -226,9 +229,9 @@ is_second_speed(const struct before *before, const char *text, double value)
 	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
 
-/* Whether a number that begins at `text` is no more than a part of a speed,
- * together with the one before: @6 9, @69..70, 74 or 75 m/s.  In "Cut 3 - 69
- * m/s" it is not.  unit: it has one of speed. */
+/* True if the number at `text` and the one before it are parts of one speed: @6
+ * 9, @69..70, 74 or 75 m/s; but not in "Cut 3 - 69 m/s".  unit: it has a unit
+ * of speed. */
 static bool
 is_part_of_speed(
     const struct before *before, const char *text, double value, bool unit)
@@ -251,8 +254,8 @@ is_part_of_speed(
 	return is_link_between_numbers(gap, n);
 }
 
-/* Whether what stands around a number makes another one of it: 7.4e1, .69,
- * 1E+02.  from, to: of its digits in the text; at: @ is before it. */
+/* True if the characters around a number make it another number: 7.4e1, .69,
+ * 1E+02.  from, to: its digits in the text; at: @ precedes it. */
 static bool
 is_within_other_number(
     const char *text, const char *from, const char *to, bool at)
@@ -271,7 +274,7 @@ is_within_other_number(
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
 }
 
-/* Takes the number at *text, which moves after it. */
+/* Reads the number at *text and moves *text after it. */
 static void
 read_heading_number(struct head *head, const char *start, const char **text,
     bool at, struct before *before)
@@ -299,8 +302,8 @@ read_heading_number(struct head *head, const char *start, const char **text,
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
 
-/* The bytes of what is between the sizes of a range, "-" or "-d-"; 0: nothing
- * that is. */
+/* Returns the bytes of what separates the sizes of a range, such as "-" or
+ * "-d-"; 0 if there is no separator. */
 static size_t
 range_at(const char *p)
 {
@@ -315,7 +318,7 @@ range_at(const char *p)
 	return 0;
 }
 
-/* Whether a text has two sizes, and no date, which has three numbers. */
+/* True if a text has two sizes; a date, with three numbers, is none. */
 static bool
 has_size_range(const char *text)
 {
@@ -340,9 +343,8 @@ has_size_range(const char *text)
 	return false;
 }
 
-/* Reads a text that is folded.  words: out, what stands around the numbers and
- * the units of speed; rest: out, all but the speeds; each of at least as many
- * bytes as the text. */
+/* Reads a folded text.  words: out, the text without numbers and units of
+ * speed; rest: out, the text without speeds; each as large as the text. */
 static struct head
 split_off_speeds(const char *folded, char *words, char *rest)
 {
@@ -378,7 +380,7 @@ split_off_speeds(const char *folded, char *words, char *rest)
 	return head;
 }
 
-/* What is left of a text without its speeds, or NULL: it is not wanted. */
+/* Reads a heading.  left: out, the text without its speeds; may be NULL. */
 static struct head
 read_head_text(const char *text, char **left)
 {

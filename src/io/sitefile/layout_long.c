@@ -81,7 +81,7 @@ struct ranked {
 	size_t row;
 };
 
-/* The largest first; of the same, the upper row. */
+/* Orders the largest first and, among equals, the upper row. */
 static int
 compare_ranked(const void *a, const void *b)
 {
@@ -130,7 +130,7 @@ is_row_of_same_sample(const struct longer *l, size_t a, size_t b)
 	return true;
 }
 
-/* Of the cells that tell row r's sample from others. */
+/* Returns a digest of the cells that identify the sample of row r. */
 static uint64_t
 row_mark(const struct longer *l, size_t r)
 {
@@ -143,7 +143,7 @@ row_mark(const struct longer *l, size_t r)
 	return mark;
 }
 
-/* Samples are looked up by their marks, from the place of the mark on. */
+/* Finds the different samples by the digests of their rows, in a hash table. */
 static void
 list_samples(struct longer *l)
 {
@@ -167,8 +167,8 @@ list_samples(struct longer *l)
 	}
 }
 
-/* Whether sample a comes after b by their numbers: number [n], NAN where a
- * sample has none. */
+/* True if sample a comes after b by their numbers: [n], NAN if a sample has
+ * none. */
 static bool
 is_later_sample(const double *a, const double *b, size_t n)
 {
@@ -178,7 +178,7 @@ is_later_sample(const double *a, const double *b, size_t n)
 	return false;
 }
 
-/* The numbers of samples [n_sample][n], and how many each has. */
+/* Returns the numbers of all samples [n_sample][n], and n. */
 static double *
 sample_numbers(const struct longer *l, size_t *n)
 {
@@ -198,7 +198,7 @@ sample_numbers(const struct longer *l, size_t *n)
 	return number;
 }
 
-/* place [n_sample]: in what order samples come. */
+/* Sorts the samples by their numbers. */
 static void
 sort_samples(struct longer *l)
 {
@@ -225,7 +225,7 @@ sort_samples(struct longer *l)
 	l->lead = lead;
 }
 
-/* Whether each sample has each of its sieves once, and some sieve is there for
+/* True if each sample has each of its sieves once, and some sieves occur for
  * several samples. */
 static bool
 is_long(const struct longer *l)
@@ -261,7 +261,7 @@ unit_text(enum speed_unit unit)
 	return TEXTS[unit];
 }
 
-/* What heads a sample's column: "Product 69 m/s Passing %". */
+/* Returns the heading of a sample's column: "Product 69 m/s Passing %". */
 static char *
 sample_head(const struct longer *l, size_t sample, size_t value)
 {
@@ -290,7 +290,7 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 	return text;
 }
 
-/* What a sample is called, by all that tells it from others. */
+/* Returns the name of a sample: all cells that identify it. */
 static char *
 sample_name(const struct longer *l, size_t sample)
 {
@@ -304,7 +304,7 @@ sample_name(const struct longer *l, size_t sample)
 	return text;
 }
 
-/* An empty row of n cells at a place. */
+/* Returns an empty row of n cells at the position of another. */
 static struct row
 empty_row(size_t n, const struct row *from)
 {
@@ -318,7 +318,7 @@ empty_row(size_t n, const struct row *from)
 	return row;
 }
 
-/* Whether the wide table has room for what the long one says; false with a
+/* True if the wide table has room for all samples; otherwise false with a
  * fault. */
 static bool
 has_room_for_samples(const struct longer *l)
@@ -336,7 +336,7 @@ has_room_for_samples(const struct longer *l)
 		   most, l->n_sample, values, t->sheet->path);
 }
 
-/* The heads of all samples, with their names. */
+/* Writes the headings and names of all samples. */
 static void
 head_samples(const struct longer *l, struct table *wide)
 {
@@ -358,7 +358,7 @@ head_samples(const struct longer *l, struct table *wide)
 	}
 }
 
-/* The wide table of a long one. */
+/* Replaces the long table with a wide one. */
 static void
 widen_table(struct longer *l)
 {
@@ -402,8 +402,8 @@ widen_table(struct longer *l)
 	layout_table_clear(&old);
 }
 
-/* Numbers of samples may stand below "ID" or a date, which no sample is told by
- * else: the first such column that makes the table a long one does. */
+/* If nothing else identifies the samples, a column headed "ID" or with dates
+ * may: the first such column that makes the table a long one does. */
 static bool
 is_long_by_other(struct longer *l)
 {

@@ -189,7 +189,7 @@ struct index {
 	bool begins[UCHAR_MAX + 1][UCHAR_MAX + 1];
 };
 
-/* The one there is, which lexicon_word_meanings fills. */
+/* Returns the only index, which lexicon_word_meanings fills. */
 static struct index *
 word_index(void)
 {
@@ -233,7 +233,7 @@ fill_index(void)
 	}
 }
 
-/* What the first of PARTS says that a word has in it. */
+/* Returns the meanings of the first of PARTS that a word contains, or 0. */
 static uint64_t
 lexicon_part_of(const struct index *index, const char *word, size_t n)
 {
@@ -314,7 +314,7 @@ static const char *const KEYS[N_KEY] = {
     [KEY_TOP_SIZE] = "top_size_mm|top size mm|top size (mm)",
 };
 
-/* Whether a key is one of those of a list. */
+/* True if a key is in a list. */
 static bool
 is_one_of(const char *key, const char *list)
 {

@@ -25,8 +25,8 @@ struct search {
 	double unit, ahead, found;
 };
 
-/* Folded, with a word in place of each sign for a diameter that is no part of
- * another word: O with a stroke, phi, and the sign of U+2300. */
+/* Returns the folded text, with a word in place of each sign for a diameter
+ * that is not part of another word: O with a stroke, phi, and U+2300. */
 static char *
 without_signs(const char *text)
 {
@@ -69,7 +69,7 @@ word_bytes(const char *p)
 	return n;
 }
 
-/* The mm in a unit of length, n bytes at p; 0: it is none. */
+/* Returns a unit of length, n bytes at p, in mm; 0 if it is none. */
 static double
 mm_of_unit(const char *p, size_t n)
 {
@@ -102,8 +102,9 @@ keep_rotor_found(struct search *s, double mm)
 	s->found = differs ? -1 : mm;
 }
 
-/* A number at *text, which moves after it, with a decimal point or comma.
- * 1,050 mm has thousands, as no rotor is that small.  unit: mm. */
+/* Reads a number with a decimal point or comma at *text and moves *text after
+ * it.  In 1,050 mm the comma separates thousands, as no rotor is that small.
+ * unit: mm. */
 static double
 number_mm(const char **text, size_t n, double unit)
 {
@@ -130,7 +131,7 @@ number_bytes(const char *p)
 	return decimals ? n + 1 + strspn(p + n + 1, "0123456789") : n;
 }
 
-/* Whether a number that ends at `end` has no unit and is no part of a range: a
+/* True if a number that ends at `end` has no unit and is not part of a range: a
  * word of `word` bytes, if any, follows at `after`. */
 static bool
 is_bare(const char *end, const char *after, size_t word)
@@ -184,8 +185,9 @@ rotor_read_word(struct search *s, const char *word, size_t n)
 	}
 }
 
-/* Whether a diameter in a line may be the rotor's, which it does not name: of a
- * machine or a speed, and not of sieves, which have diameters, too. */
+/* True if a diameter may be the rotor's although the line does not name it: the
+ * line is about a machine or a speed, and not about sieves, which have
+ * diameters too. */
 static bool
 can_stand_alone(const char *text, const char *folded)
 {

@@ -60,8 +60,8 @@ static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
     0.63, 0.56, 0.45, 0.4, 0.315, 0.28, 0.224, 0.2, 0.16, 0.14, 0.112, 0.1,
     0.08, 0.071, 0.056, 0.05, 0.04, 0.036};
 
-/* "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a digit
- * or a point and moves after it. */
+/* Reads "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a
+ * digit or a point, and moves *text after it. */
 static double
 read_mixed_fraction(const char **text)
 {
@@ -81,8 +81,8 @@ read_mixed_fraction(const char **text)
 	return whole;
 }
 
-/* The word at *text, which moves after it, as a series; SIEVE_NONE where it is
- * no word of a sieve's name. */
+/* Reads the word at *text as a series and moves *text after it; SIEVE_NONE if
+ * it does not belong to the name of a sieve. */
 static enum sieve_series
 read_series_word(const char **text)
 {
@@ -113,7 +113,8 @@ read_series_word(const char **text)
 	return SIEVE_NONE;
 }
 
-/* The series that a name's own words say ("BS 7 mesh"), and its number. */
+/* Returns the series that a name itself states ("BS 7 mesh"), and its
+ * number. */
 static enum sieve_series
 read_name(const char *text, double *value)
 {
@@ -296,8 +297,8 @@ sieve_unit_of(uint64_t means)
 /* Sizes in phi go by quarters. */
 static const double LEAST_PHI = 0.25;
 
-/* What is left under the finest sieve, as labs of several languages call it:
- * pan, Botten, <0.063. */
+/* True for what remains below the finest sieve, as laboratories call it in
+ * several languages: pan, Botten, <0.063. */
 static bool
 is_pan(const char *text)
 {
@@ -318,7 +319,8 @@ is_pan(const char *text)
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }
 
-/* "63 um" as 63, and mm in its unit; 0 where no unit of size follows. */
+/* Cuts "63 um" to 63 and returns the unit in mm; 0 if no unit of size
+ * follows. */
 static double
 sieve_size_cut_unit(
     const struct sheet *sheet, struct cell *cell, char copy[static 40])
@@ -342,8 +344,8 @@ sieve_size_cut_unit(
 	return unit.mm;
 }
 
-/* The lower of the two sizes of a class, "11,2/16", "11,2 - 16" or "-16 +11.2",
- * or the one of "> 22,4" or "+22.4", as the cell's text. */
+/* Makes the cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16"
+ * or "-16 +11.2", or the size in "> 22,4" or "+22.4". */
 static bool
 cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
@@ -378,7 +380,7 @@ sieve_size_is_class(const struct sheet *sheet, struct cell cell)
 	return cut_class(sheet, &cell, copy);
 }
 
-/* mm, to 9 decimals, of a size in a unit of so many mm; 0: in mm. */
+/* Converts a size to mm, with 9 decimals; unit: mm, or 0 for mm. */
 static double
 mm_from_unit(double value, double unit)
 {

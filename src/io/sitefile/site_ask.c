@@ -160,8 +160,8 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 	    .open = open};
 }
 
-/* Whether samples are better told by their names: of a long table, whose
- * columns have no numbers of their own, and of many. */
+/* True if samples are better identified by name: those of a long table, whose
+ * columns have no numbers of their own, or many samples. */
 static bool
 has_sample_names(
     struct table *const *table, size_t n_table, const struct columns *all)
@@ -193,8 +193,8 @@ has_feed(const struct columns *all)
 	return i < all->n;
 }
 
-/* What a column seems to be; the first without a role is the feed, where
- * nothing else is: *feed, which is then found. */
+/* Describes what a column seems to be; the first without a role is the feed if
+ * there is no other, and then sets *feed. */
 static char *
 guess_words(const struct column *c, bool *feed)
 {
@@ -206,7 +206,8 @@ guess_words(const struct column *c, bool *feed)
 	return xasprintf("feed%s", role + strcspn(role, " "));
 }
 
-/* Everything as samples= would have it: two stand for all. */
+/* Lists the samples in the words of samples=, whose first two show how to name
+ * all. */
 static void
 list_samples_to_name(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
@@ -237,7 +238,7 @@ list_samples_to_name(struct site_ask *ask, const struct table *t,
 	ask->by_sample = true;
 }
 
-/* Everything as columns= would have it. */
+/* Lists the columns in the words of columns=. */
 static void
 list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
@@ -268,7 +269,7 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 	ask->settle = xasprintf("columns=\"%s\"", text);
 }
 
-/* The files of the request, as load has them. */
+/* Returns the files and options of the request, as `load` takes them. */
 static char *
 list_files(const struct site_request *q, const char *settle)
 {
@@ -298,8 +299,8 @@ list_files(const struct site_request *q, const char *settle)
 	return list;
 }
 
-/* The line that loads the files as `settle` says.  Where a question takes its
- * feed from a sheet it has no such options: the sheet is written anew. */
+/* Returns the line that loads the files with the answer.  Where a sheet is only
+ * read for its feed, these options do not exist: the sheet is written anew. */
 static char *
 line_with_answers(const struct site_request *q, const char *settle)
 {
@@ -343,7 +344,7 @@ struct tables {
 	const struct columns *all;
 };
 
-/* Whether a table has nothing but products whose speeds are known. */
+/* True if a table has only products whose speeds are known. */
 static bool
 has_products(const struct table *t, const struct columns *all)
 {
@@ -368,8 +369,8 @@ tables_have_feed(const struct table *t, const struct columns *all)
 	return false;
 }
 
-/* Whether table k may be of the site whose feed is in table `feed`; like: a
- * table of products that is, or NULL. */
+/* True if table k may belong to the site whose feed is in table `feed`.  like:
+ * a table of products that does, or NULL. */
 static bool
 is_table_of_site(
     const struct tables *s, size_t k, size_t feed, const struct table *like)
@@ -418,8 +419,8 @@ box_extend(struct site_box *box, const struct row *row, size_t n)
 	}
 }
 
-/* The cells of a table, of its first n_row rows; of one whose sieves go across
- * its lines in full. */
+/* Returns the cells of the first n_row rows of a table; its whole lines if the
+ * sieves are in one row. */
 static struct site_box
 table_box(const struct table *t, size_t n_row)
 {
@@ -445,7 +446,7 @@ table_box(const struct table *t, size_t n_row)
 	return box;
 }
 
-/* "feed, product@69": what a table seems to have. */
+/* Describes what a table seems to contain: "feed, product@69". */
 static char *
 tables_contents(const struct table *t, const struct columns *all)
 {
@@ -496,7 +497,7 @@ list_tables(const struct tables *s, struct site_ask *ask)
 	ask->settle = xasprintf("range=%s", range);
 }
 
-/* Several tables that each have a feed: which is the one? */
+/* Returns the second of several tables with a feed each, or NULL. */
 static const struct table *
 second_feed(const struct columns *all)
 {
@@ -557,9 +558,9 @@ ask_which_sieves(
 	    again.text);
 }
 
-/* Of tables below each other of which nothing tells feed from product, proposes
- * the one with most sieves, of which the others are perhaps extracts.  False:
- * there is one table, or something tells. */
+/* If nothing distinguishes feed from product in tables below each other,
+ * proposes the one with most sieves, from which the others may be extracts.
+ * False if there is one table, or something distinguishes them. */
 static bool
 guess_largest(struct tables *s)
 {
@@ -612,7 +613,7 @@ above_100(const struct column *c)
 	return n >= 4 && n_above == 1 && !mass ? above : NULL;
 }
 
-/* Numbers of columns do not tell one file from another; @ does. */
+/* Suggests @SPEED after a file: numbers of columns do not distinguish files. */
 static void
 hint_speed(const struct site_request *q, const char *path, struct error *error)
 {
@@ -627,7 +628,7 @@ hint_speed(const struct site_request *q, const char *path, struct error *error)
 	error_hint(error, "say its speed: load %s", files);
 }
 
-/* What is the first column that is open, and how fast was it? */
+/* Asks about the first open column and, if need be, its speed. */
 static bool
 ask_column(const struct site_request *q, const struct column *first, bool alone,
     struct site_ask *ask)

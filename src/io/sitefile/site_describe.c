@@ -10,7 +10,7 @@
 #include "io/sitefile/classify.h"
 #include "io/sitefile/site_sieve.h"
 
-/* "3", "3, 4", "3 to 5, 8" of numbers in rising order, each once. */
+/* Returns "3", "3, 4" or "3 to 5, 8" for rising numbers without repeats. */
 static char *
 numbers_text(const size_t *number, size_t n)
 {
@@ -37,7 +37,7 @@ is_own_form(const struct table *t)
 	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 }
 
-/* "product@69", or what of it follows a product before: "@79". */
+/* Adds "product@69" or, after another product, only "@79". */
 static void
 add_role(char **text, const struct column *c, const struct column *before)
 {
@@ -55,7 +55,7 @@ add_rising_number(size_t *number, size_t *n, size_t next)
 		number[(*n)++] = next;
 }
 
-/* The samples of a table, those in one unit together. */
+/* Describes the samples of a table, grouped by unit. */
 static void
 describe_samples(const struct table *t, const struct columns *all, char **text)
 {
@@ -90,7 +90,8 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 	free(roles);
 }
 
-/* Whether the sieves of a table are told by those of the one before. */
+/* True if a table has its sieves in the same place and unit as the one before
+ * it. */
 static bool
 has_sieves_like(const struct table *a, const struct table *b)
 {
@@ -99,8 +100,8 @@ has_sieves_like(const struct table *a, const struct table *b)
 	       strcmp(site_sieve_unit(a), site_sieve_unit(b)) == 0;
 }
 
-/* What tells a table from those of other files, or of other sheets: "" where
- * all are of one. */
+/* Returns the file or sheet that distinguishes a table from others; "" if all
+ * are on one sheet. */
 static const char *
 place_of_table(struct table *const *table, size_t n, size_t k)
 {
@@ -138,8 +139,8 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	return text;
 }
 
-/* A column's notes are lines: of the first the length, and where the next one
- * is. */
+/* Returns the note after the one at `at`, and the length of that one: notes are
+ * lines. */
 static const char *
 next_note(const char *at, size_t *n)
 {
@@ -161,8 +162,8 @@ has_note(const struct column *c, const char *note, size_t n)
 	return false;
 }
 
-/* One note with all the columns that have it, unless one of those before the
- * i-th had: then it is told. */
+/* Adds a note with all columns that have it, unless a column before the i-th
+ * has it and it has been added. */
 static void
 add_note(const struct columns *all, size_t i, const char *note, size_t length,
     char **text)

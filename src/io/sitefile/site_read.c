@@ -59,7 +59,7 @@ first_sheet(const struct reading *r)
 	return r->page[0].sheet;
 }
 
-/* Without a table nothing else can be judged. */
+/* Reports that there is no table, without which nothing else can be judged. */
 static void
 fault_no_table(struct sheet *sheet)
 {
@@ -99,8 +99,8 @@ count_columns_of_role(const struct columns *all, enum role role)
 	return n;
 }
 
-/* Of repeats at one speed, one feed serves all, or each product has its own;
- * likewise standard deviations. */
+/* Checks repeats at one speed: one feed serves all, or each product has its
+ * own; likewise for standard deviations. */
 static void
 check_column_repeats(const struct columns *t, const struct column *c)
 {
@@ -122,7 +122,7 @@ check_column_repeats(const struct columns *t, const struct column *c)
 	    SITE_ROLES[c->role], c->speed, own);
 }
 
-/* A feed for each product, a product for each standard deviation. */
+/* Checks that each product has a feed and each standard deviation a product. */
 static void
 check_partner(const struct columns *t, const struct column *c,
     const struct site_request *request)
@@ -151,7 +151,7 @@ check_partner(const struct columns *t, const struct column *c,
 		    c->head.text);
 }
 
-/* Each product value needs a standard deviation, and the other way round. */
+/* Checks that product values and standard deviations occur together. */
 static void
 check_sd(const struct columns *all, const struct column *product)
 {
@@ -176,8 +176,8 @@ check_sd(const struct columns *all, const struct column *product)
 	}
 }
 
-/* Two quantities of one sample say the same, but for rounding and what was lost
- * in sieving. */
+/* Checks that two quantities of one sample agree, except for rounding and
+ * losses in sieving. */
 static void
 check_twin(const struct columns *all, const struct column *twin)
 {
@@ -205,7 +205,7 @@ check_twin(const struct columns *all, const struct column *twin)
 	}
 }
 
-/* Where the numbers of an empty table begin. */
+/* Returns the cell where the numbers of an empty table should begin. */
 static struct cell
 first_empty(const struct table *t)
 {
@@ -213,7 +213,7 @@ first_empty(const struct table *t)
 	return row->n_all > 1 ? row->cell[1] : site_sieve_heading(t);
 }
 
-/* What the sheets lack. */
+/* Reports a missing feed, product or number. */
 static void
 check_roles(struct reading *r)
 {
@@ -235,8 +235,8 @@ check_roles(struct reading *r)
 		    "add takes samples of product; load this file as a site");
 }
 
-/* The feed whose coarsest sieve is the coarsest of those that do not pass all;
- * NULL: there is none. */
+/* Returns the feed that has the coarsest sieve among those whose coarsest sieve
+ * does not pass everything; NULL if there is none. */
 static const struct column *
 feed_below_top(const struct columns *all)
 {
@@ -251,8 +251,8 @@ feed_below_top(const struct columns *all)
 	return found;
 }
 
-/* What is assumed of feeds whose coarsest sieve does not pass all: as was said
- * or, where nothing was, asked. */
+/* Sets the size that all of a feed passes if its coarsest sieve does not pass
+ * everything: as given by the user; otherwise asks for it. */
 static void
 assume_top_size(struct reading *r, struct site_ask *ask)
 {
@@ -323,7 +323,7 @@ make_psd(const struct column *c)
 	return psd;
 }
 
-/* nth: of the runs at its speed. */
+/* Fills the curves of a run, the nth of those at its speed. */
 static void
 fill_run_curves(const struct columns *t, const struct column *shared,
     struct run *run, size_t nth)
@@ -355,8 +355,8 @@ by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
-/* A run for each product, and for each speed with no more than a feed of its
- * own; where there is only the feed of all runs, one run without a speed. */
+/* Makes a run for each product, and for each speed that only has a feed; if
+ * there is only the feed of all runs, one run without a speed. */
 static void
 make_runs(struct site *site, const struct columns *t)
 {
@@ -394,7 +394,7 @@ leave_out(struct site *site, int line, const char *format, ...)
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
-/* Sieves without a number, and words below the table. */
+/* Notes sieves without numbers. */
 static void
 leave_out_rows(struct reading *r, const struct table *t)
 {
@@ -410,7 +410,7 @@ leave_out_rows(struct reading *r, const struct table *t)
 	}
 }
 
-/* Cells of the samples that say that there is no number, "-" or "<0.1". */
+/* Notes cells of the samples that stand for a missing number, "-" or "<0.1". */
 static void
 leave_out_empty_cells(struct reading *r)
 {
@@ -436,7 +436,7 @@ leave_out_empty_cells(struct reading *r)
 		    "cells without a number", list);
 }
 
-/* Lines of sums that nothing could be compared with. */
+/* Notes lines of sums that could not be compared with anything. */
 static void
 leave_out_sums(struct reading *r, const struct page *page)
 {
@@ -455,7 +455,7 @@ leave_out_sums(struct reading *r, const struct page *page)
 		}
 }
 
-/* Whether a remark says what is known of the rotor. */
+/* True if a remark states the known rotor diameter. */
 static bool
 states_rotor(const struct site *site, const char *text)
 {
@@ -483,8 +483,8 @@ leave_out_foot(struct reading *r, const struct page *page)
 	}
 }
 
-/* What stands in the table or below it and was not read.  A line that begins
- * with # may be a sieve that somebody thought away. */
+/* Notes what is in the table or below it and was not read.  A line that begins
+ * with # may be a sieve that the user excluded. */
 static void
 note_left_out(struct reading *r)
 {
@@ -515,7 +515,7 @@ note_left_out(struct reading *r)
 	leave_out_empty_cells(r);
 }
 
-/* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
+/* Lists the sieves that have names: "#4 = 4.75, No. 8 = 2.36". */
 static void
 note_sieve_names(struct reading *r)
 {
@@ -534,7 +534,7 @@ note_sieve_names(struct reading *r)
 	}
 }
 
-/* Whether a table has its sieves twice, which is open then. */
+/* True if a table contains its sieves twice, which is then an open question. */
 static bool
 has_sieves_twice(struct reading *r, const struct table *t)
 {
@@ -596,7 +596,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	site_ask_find_open_numbers(&r->open, t);
 }
 
-/* What a request says in words: columns=, range=. */
+/* Parses columns=, samples= and range=. */
 static bool
 read_request(struct reading *r)
 {
@@ -610,7 +610,8 @@ read_request(struct reading *r)
 	return false;
 }
 
-/* What was predicted is not read as measured, whatever columns= says. */
+/* Refuses predictions, which must not be read as measurements, whatever
+ * columns= says. */
 static bool
 is_measured(const struct source *source)
 {
@@ -630,7 +631,7 @@ is_measured(const struct source *source)
 	return command == NULL;
 }
 
-/* The sheets of a file that are wanted: the one with the name, or all. */
+/* Reads the requested sheets of a file: the one with the given name, or all. */
 static bool
 read_site_file(struct reading *r, size_t file)
 {
@@ -668,7 +669,7 @@ read_site_file(struct reading *r, size_t file)
 	return found;
 }
 
-/* Pages of a workbook without any table are no part of it. */
+/* True if a page has a table; pages without one are ignored. */
 static bool
 has_tables(struct reading *r)
 {
@@ -680,8 +681,8 @@ has_tables(struct reading *r)
 	return n > 0;
 }
 
-/* Takes the rotor's diameter that titles and remarks state, where no line of
- * its own does. */
+/* Takes the rotor's diameter from titles and remarks if no line of its own
+ * states it. */
 static void
 take_rotor(struct reading *r, const struct heading_rotor *said)
 {
@@ -722,7 +723,7 @@ file_of(const struct reading *r, const struct column *c)
 	return r->page[i].file;
 }
 
-/* Of files that each have a feed, a feed is that of the speed of its file. */
+/* If several files each have a feed, gives each feed the speed of its file. */
 static void
 give_feeds_file_speed(struct reading *r)
 {
@@ -744,8 +745,8 @@ give_feeds_file_speed(struct reading *r)
 	}
 }
 
-/* Of a sheet whose feed is wanted, products whose speed is not told are no
- * question; one alone, which is called product, may be meant for the feed. */
+/* If only the feed is wanted, drops products without a speed; an only column
+ * called product may be meant as the feed. */
 static void
 choose_feed_column(struct reading *r)
 {
@@ -765,7 +766,7 @@ choose_feed_column(struct reading *r)
 	all->n = n;
 }
 
-/* "1560, 1680 rpm" of the products, or their speeds in m/s. */
+/* Returns the speeds of the products: "1560, 1680 rpm", or in m/s. */
 static char *
 product_speeds(const struct columns *all)
 {
@@ -783,7 +784,7 @@ product_speeds(const struct columns *all)
 	return list;
 }
 
-/* The feed of a table is that of its product. */
+/* Gives each feed the speed of the product in its table. */
 static void
 give_feeds_speeds(struct columns *all)
 {
@@ -800,7 +801,8 @@ give_feeds_speeds(struct columns *all)
 		}
 }
 
-/* Tables under titles that differ in the speed alone are no question. */
+/* Reads tables whose titles differ only in speed as one site, without a
+ * question. */
 static void
 choose_series(struct reading *r)
 {

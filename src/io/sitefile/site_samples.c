@@ -73,7 +73,7 @@ samples_clear(struct samples *s)
 	free(s->found);
 }
 
-/* Whether the cells of a row of heads tell all columns apart. */
+/* True if the cells of a row of headings are all different. */
 static bool
 tells_apart(const struct table *t, size_t r)
 {
@@ -108,7 +108,7 @@ samples_label(const struct table *t, size_t c)
 	return layout_head_text(t, c);
 }
 
-/* Whether a name is that of a column: its label, or a cell that heads it. */
+/* True if a name is that of a column: its label, or a cell of its headings. */
 static bool
 is_name_of_column(
     const struct table *t, size_t c, const char *label, const char *name)
@@ -128,7 +128,7 @@ refuse_contradiction(const struct column *c, const char *text)
 	    text);
 }
 
-/* What both state has to be the same. */
+/* Adds the stated meanings of a group; a contradiction is a fault. */
 static void
 merge_meanings(struct column *c, const char *text, uint64_t group, uint64_t own)
 {

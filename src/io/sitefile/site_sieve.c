@@ -43,7 +43,7 @@ site_sieve_mm(
 	return NAN;
 }
 
-/* Of a name that no sieve has. */
+/* Reports a name that no sieve has. */
 static void
 fault_unknown_name(struct table *t, struct cell cell)
 {
@@ -64,7 +64,7 @@ fault_unknown_name(struct table *t, struct cell cell)
 	    nearest);
 }
 
-/* The size of a row; 0: pan; NAN after a fault. */
+/* Returns the size of a row's sieve; 0 for the pan, NAN after a fault. */
 static double
 row_mm(struct table *t, struct cell cell)
 {
@@ -88,7 +88,8 @@ row_mm(struct table *t, struct cell cell)
 	    "a sieve size or pan");
 }
 
-/* Share of the sizes, times a factor, that are those of real sieves. */
+/* Returns the share of the sizes, multiplied by a factor, that are sizes of
+ * real sieves. */
 static double
 standard_share(const struct table *t, double factor, double *most)
 {
@@ -108,7 +109,7 @@ standard_share(const struct table *t, double factor, double *most)
 	return n > 0 ? known / n : 0;
 }
 
-/* Whether every size has its own unit or is a name. */
+/* True if each size has its own unit or is a name. */
 static bool
 all_sieves_named(const struct table *t)
 {
@@ -207,9 +208,10 @@ site_sieve_numbers_of(const struct table *t)
 	return all;
 }
 
-/* Numbers of sieves: 4, 8, 16 .. 200, which rise while the sieves get finer.
- * said: the head says number, which 16, 8, 4 could be, too, if not mm.  Without
- * it, fractions of an inch above them show that they are no sizes. */
+/* Recognises numbers of sieves, 4, 8, 16 .. 200, which rise while the sieves
+ * get finer.  said: the heading says number; 16, 8, 4 could also be in mm.
+ * Without such a heading, fractions of an inch above them show that they are
+ * not sizes. */
 static enum sieve_certainty
 site_sieve_find_numbers(struct table *t, const struct numbers *all, bool said)
 {
@@ -223,7 +225,7 @@ site_sieve_find_numbers(struct table *t, const struct numbers *all, bool said)
 	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
 }
 
-/* The likeliest unit of numbers that several could have. */
+/* Returns the likeliest unit of numbers for which several are possible. */
 static struct sieve_unit
 guess_unit(const struct table *t, const struct numbers *all)
 {
@@ -235,9 +237,8 @@ guess_unit(const struct table *t, const struct numbers *all)
 	return small || most > COARSE_TOP ? um : mm;
 }
 
-/* Takes mm or um for what has no unit, where the numbers leave no doubt; the
- * only place where the unit of sieves is decided.  means: the words of the
- * head. */
+/* Decides the unit of the sieves, here only: assumes mm or um if none is stated
+ * and the numbers leave no doubt.  means: the words of the heading. */
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
@@ -277,7 +278,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	return SIEVES_ASSUMED;
 }
 
-/* Whether sizes rise, or fall, without exception; NAN are passed over. */
+/* True if the sizes rise, or fall, without exception, ignoring NAN. */
 static bool
 is_ordered(const double *v, size_t n)
 {
@@ -294,9 +295,9 @@ is_ordered(const double *v, size_t n)
 	return rises == pairs || falls == pairs;
 }
 
-/* 2, 1, 500, 250: sieves below 1 mm are called by their um, as ISO 3310 does.
- * Gives these, at one end of the table, their unit where that brings all into
- * order. */
+/* Reads 2, 1, 500, 250 as mm and um: sieves below 1 mm are named by their um,
+ * as in ISO 3310.  Adds the unit to these cells, at one end of the table, if
+ * that puts all sizes in order. */
 static bool
 split_micro(struct table *t)
 {
@@ -329,7 +330,7 @@ split_micro(struct table *t)
 	return split;
 }
 
-/* Whether the sizes rise without exception. */
+/* True if the sizes rise without exception. */
 static bool
 is_finest_first(const struct table *t)
 {
@@ -356,7 +357,7 @@ site_sieve_heading(const struct table *t)
 				     : t->row[0].cell[0];
 }
 
-/* Neighbours are compared, so that one wrong size is one fault. */
+/* Compares neighbours, so that one wrong size is one fault. */
 static void
 site_sieve_check_order(struct table *t)
 {
@@ -420,8 +421,8 @@ site_sieve_find(struct table *t, uint64_t told)
 	return certainty;
 }
 
-/* A number in a column that nothing heads: a decimal comma may have cut one in
- * two. */
+/* Reports a number in a column without a heading: a decimal comma may have cut
+ * a number in two. */
 static void
 check_heads(struct table *t)
 {
@@ -462,7 +463,7 @@ site_sieve_check(struct table *t)
 	site_sieve_check_order(t);
 }
 
-/* Whether row i has the size of one before it. */
+/* True if row i has the size of an earlier row. */
 static bool
 is_again(const double *mm, size_t i)
 {

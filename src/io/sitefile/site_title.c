@@ -27,7 +27,7 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 	       (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 }
 
-/* Whether words say which sample a table has. */
+/* True if the words state which sample a table has. */
 static bool
 is_title(const struct head *head)
 {
@@ -48,7 +48,7 @@ title_heads_any(const struct layout *layout, const struct row *row)
 	return false;
 }
 
-/* One cell with something in it: a title. */
+/* True if a row has one filled cell, which may be a title. */
 static bool
 has_one_cell(const struct row *row)
 {
@@ -58,7 +58,7 @@ has_one_cell(const struct row *row)
 	return filled == 1;
 }
 
-/* Notes a line above a table that has no other cell. */
+/* Adds a line above a table to its title if it has no other cell. */
 static void
 note_title(struct table *t, const struct row *row, const char *text,
     const struct head *title)
@@ -121,8 +121,9 @@ title_line(const struct table *t)
 	}
 }
 
-/* Whether a word of n bytes is or begins with a number that counts or dates
- * something: not one with a unit, which may follow it, nor a range of sizes. */
+/* True if a word of n bytes is, or begins with, a number that counts or dates
+ * something; not if it has a unit, which may follow it, or is a range of
+ * sizes. */
 static bool
 is_numeral(const char *word, size_t n, const char *next)
 {
@@ -145,7 +146,7 @@ is_numeral(const char *word, size_t n, const char *next)
 	return !range && !unit && !measured;
 }
 
-/* Whether a word is a name: of no known meaning, or with a number in it. */
+/* True if a word is a name: of unknown meaning, or with a number in it. */
 static bool
 is_name(const char *word, size_t n, const char *next)
 {
@@ -158,7 +159,7 @@ is_name(const char *word, size_t n, const char *next)
 		       : own || is_numeral(word, n, next);
 }
 
-/* Whether a has a name that is no word of b, both in the form of text_fold. */
+/* True if text a contains a name that is no word of b; both are folded. */
 static bool
 has_other_name(const char *a, const char *b)
 {
@@ -195,7 +196,7 @@ title_is_like(const struct table *a, const struct table *b)
 	return strcmp(one, other) == 0;
 }
 
-/* The only sample of a table; NULL: it has none, or several. */
+/* Returns the only sample of a table, or NULL if it has none or several. */
 static const struct column *
 title_only_sample(const struct columns *all, const struct table *t)
 {
@@ -217,7 +218,7 @@ title_is_limit(const struct table *t)
 	return (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
-/* Whether a table has one product, whose speed its title has. */
+/* True if a table has one product, with its speed in the title. */
 static bool
 has_product(const struct table *t, const struct column *c)
 {
@@ -226,7 +227,8 @@ has_product(const struct table *t, const struct column *c)
 	       !head.several && !title_is_limit(t);
 }
 
-/* Whether product k is like those before it, at another speed. */
+/* True if product k has the same title as those before it, but another
+ * speed. */
 static bool
 title_goes_on(struct table *const *table, size_t k, const struct columns *all)
 {
@@ -269,9 +271,9 @@ title_is_series(
 	return one;
 }
 
-/* Removes, in the form of text_fold, what may differ from test to test: speeds,
- * dates, the number behind "test", and names that programs give to sheets.  The
- * caller frees. */
+/* Returns the folded text without what may differ from test to test: speeds,
+ * dates, the number after "test", and default names of sheets.  The caller
+ * frees it. */
 static char *
 name_of_test(const char *text)
 {
@@ -306,7 +308,8 @@ tests_alike(const char *a, const char *b)
 	return strcmp(one, other) == 0;
 }
 
-/* The product of a table that has one, beside one feed; or NULL.  *feed out. */
+/* Returns the product of a table that has one product and one feed, and sets
+ * *feed; otherwise NULL. */
 static const struct column *
 test_sample(const struct columns *all, const struct table *t,
     const struct column **feed)

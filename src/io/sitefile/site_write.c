@@ -22,9 +22,9 @@ struct curve {
 	size_t next;
 };
 
-/* The reader takes percents that are all 1 or less for fractions, so a product
- * like that is written in fractions, as are its repeats, which have one unit
- * with it. */
+/* True if products at a speed are written as fractions: the reader takes
+ * percents that never exceed 1 for fractions, so such a product is written in
+ * fractions, and so are its repeats, which share its unit. */
 static bool
 is_small(const struct site *site, double speed)
 {
@@ -37,7 +37,7 @@ is_small(const struct site *site, double speed)
 	return small;
 }
 
-/* Of a fraction to 14 decimals: percent has 12. */
+/* Converts a fraction, rounded to 14 decimals, to the unit of the column. */
 static double
 as_written(const struct curve *c, double fraction)
 {
@@ -72,8 +72,8 @@ write_heading(const struct site *site, FILE *out)
 		write_line(site->note[i].key, site->note[i].value, out);
 }
 
-/* One feed serves all runs, unless there are several or one of the runs has
- * nothing but its feed, which no other column would name. */
+/* True if each run has its own feed.  One feed serves all runs unless there are
+ * several, or a run has only its feed, which no other column would name. */
 static bool
 has_own_feeds(const struct site *site)
 {
@@ -83,7 +83,8 @@ has_own_feeds(const struct site *site)
 	return own;
 }
 
-/* The columns in their order; room for three a run and one more. */
+/* Lists the columns in order; `curve` has room for three per run and one
+ * more. */
 static size_t
 list_curves(const struct site *site, struct curve *curve)
 {
@@ -108,7 +109,7 @@ list_curves(const struct site *site, struct curve *curve)
 	return n;
 }
 
-/* The coarsest sieve not yet written, mm, or 0 when all are. */
+/* Returns the coarsest sieve not yet written, mm, or 0 if all are. */
 static double
 next_mm(const struct curve *curve, size_t n)
 {
