@@ -27,7 +27,7 @@ add_unit(struct said *said, char c)
 		said->unit[said->n++] = c;
 }
 
-/* "text", [Red], [h]; returns where it ends. */
+/* Reads "text", [Red] or [h].  Returns the text after it. */
 static const char *
 read_enclosed(const char *p, struct said *said)
 {
@@ -46,7 +46,7 @@ read_enclosed(const char *p, struct said *said)
 	return *p != '\0' ? p + 1 : p;
 }
 
-/* A sign by itself; returns where it ends. */
+/* Reads a sign by itself.  Returns the text after it. */
 static const char *
 read_format_sign(const char *p, struct said *said)
 {
@@ -79,7 +79,7 @@ read_format_sign(const char *p, struct said *said)
 	return p + 1;
 }
 
-/* m:ss has minutes. */
+/* True if m means minutes, as in m:ss. */
 static bool
 is_minutes(const char *code)
 {

@@ -37,7 +37,7 @@ is_date(int year, int month, int day)
 	       day >= 1 && day <= days_in(year, month);
 }
 
-/* Days from the beginning of 1970. */
+/* Returns the days since the beginning of 1970. */
 static int
 days_to(int year, int month, int day)
 {
@@ -49,7 +49,8 @@ days_to(int year, int month, int day)
 	return days;
 }
 
-/* A number of at most `most` digits at *p, which moves after it; -1: none. */
+/* Reads a number of at most `most` digits at *p and moves *p after it; -1 if
+ * there is none. */
 static int
 read_digits(const char **p, size_t most, size_t *n)
 {
@@ -70,7 +71,7 @@ month_of(const char *word)
 	return 0;
 }
 
-/* "May-2026" after the day. */
+/* Reads "May-2026", after the day. */
 static bool
 read_named(const char **p, int day, struct datetime *m)
 {
@@ -87,7 +88,7 @@ read_named(const char **p, int day, struct datetime *m)
 	return (n == 2 || n == 4) && is_date(m->year, m->month, m->day);
 }
 
-/* The last two numbers after a day or month and a sign. */
+/* Reads the last two numbers of a date, after a day or month and a sign. */
 static bool
 read_local(const char **p, int first, char sign, struct datetime *m)
 {
@@ -109,7 +110,7 @@ read_local(const char **p, int first, char sign, struct datetime *m)
 	return n == 4 && (day_first || month_first);
 }
 
-/* A date at *p, which moves after it. */
+/* Reads a date at *p and moves *p after it. */
 static bool
 datetime_read_date(const char **p, struct datetime *m)
 {
@@ -137,7 +138,7 @@ datetime_read_date(const char **p, struct datetime *m)
 	return is_date(m->year, m->month, m->day);
 }
 
-/* "AM", "p.m." */
+/* Reads "AM" or "p.m.". */
 static bool
 read_half(const char **p, int *hour)
 {
@@ -153,7 +154,7 @@ read_half(const char **p, int *hour)
 	return true;
 }
 
-/* "Z", "+02:00"; nothing else may follow. */
+/* Reads "Z" or "+02:00", which nothing may follow. */
 static bool
 read_zone(const char *p, struct datetime *m)
 {
@@ -178,7 +179,7 @@ read_zone(const char *p, struct datetime *m)
 	return *p == '\0';
 }
 
-/* A time of day, to the end of the text; point: "10.15" is one, too. */
+/* Reads a time of day, to the end of the text.  point: "10.15" is one too. */
 static bool
 datetime_read_time(const char *p, bool point, struct datetime *m)
 {

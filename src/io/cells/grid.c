@@ -103,7 +103,7 @@ grid_end(struct grid *g)
 	g->sheet[g->n++] = sheet;
 }
 
-/* Takes the text of the cell; false where it is empty. */
+/* Takes ownership of the cell's text.  False if it is empty. */
 static bool
 grid_put(struct grid *g, struct cell cell)
 {
@@ -147,7 +147,7 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 	return grid_put(g, where);
 }
 
-/* A hundred times 0.975 is 97.5, and not what the last bit makes of it. */
+/* Returns 97.5 for 0.975, without the error in the last bit. */
 static double
 grid_percent(double value)
 {

@@ -28,8 +28,8 @@ workbook_begins(const char *bytes, size_t n, const char *with)
 	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
 }
 
-/* Whether the bytes are a workbook, also an old one or one with a password.  An
- * empty archive begins with its end, a split one with PK78. */
+/* True for workbooks, including old ones and those with a password.  An empty
+ * archive begins with its end, a split one with PK78. */
 static bool
 is_workbook(const char *bytes, size_t n)
 {
@@ -48,8 +48,8 @@ workbook_refuse(const struct grid *grid, const char *what, const char *step)
 	    what, step);
 }
 
-/* In a workbook of OpenDocument with a password the parts are there, but
- * nobody can read them. */
+/* True if an OpenDocument workbook has a password: its parts are there but
+ * cannot be read. */
 static bool
 is_locked(struct archive *archive)
 {
@@ -143,7 +143,7 @@ workbook_read(const char *bytes, size_t n, struct grid *grid)
 	return good;
 }
 
-/* Takes the sheets and the note. */
+/* Moves the sheets and the note to the source. */
 static bool
 read_workbook(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)

@@ -42,7 +42,7 @@ struct book {
 	int phonetic;
 };
 
-/* Goes through a part of the archive. */
+/* Parses a part of the archive. */
 static char *
 xlsx_read_part(struct book *b, const char *name,
     const struct xml_events *events, void *data)
@@ -98,8 +98,8 @@ begin_workbook(void *data, const char *name, const char *const *attribute)
 	    .hidden = state != NULL && strcmp(state, "visible") != 0};
 }
 
-/* xl/_rels/workbook.xml.rels: which part a sheet is in.  Sheets that are charts
- * and macros are of other types. */
+/* xl/_rels/workbook.xml.rels: the part in which a sheet is.  Sheets that are
+ * charts or macros have other types. */
 static void
 begin_relations(void *data, const char *name, const char *const *attribute)
 {
@@ -118,7 +118,7 @@ begin_relations(void *data, const char *name, const char *const *attribute)
 }
 
 /* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts;
- * <rPh> says how Japanese is spoken. */
+ * <rPh> has the pronunciation of Japanese. */
 static void
 begin_string(void *data, const char *name, const char *const *attribute)
 {
@@ -272,7 +272,8 @@ text_in_sheet(void *data, const char *text, size_t n)
 		xml_text_add(&r->formula, text, n);
 }
 
-/* Excel writes a carriage return as _x000D_, and _ before an x as _x005F_. */
+/* Puts a text in which Excel writes a carriage return as _x000D_, and _ before
+ * an x as _x005F_. */
 static void
 xlsx_put_text(struct reading *r, const char *text)
 {
@@ -323,7 +324,7 @@ put_shared(struct reading *r)
 		    "row %d has a text that is not there", r->at.line);
 }
 
-/* An ISO date as strict workbooks have it; midnight is a date alone. */
+/* Puts an ISO date of a strict workbook; one at midnight is a date alone. */
 static void
 put_iso(struct reading *r)
 {
@@ -402,7 +403,7 @@ read_sheets(struct book *b)
 	return wrong;
 }
 
-/* Parts that a workbook may do without. */
+/* Reads a part that a workbook may lack. */
 static char *
 read_if_there(struct book *b, const char *name, const struct xml_events *events)
 {

@@ -178,7 +178,7 @@ add_text(struct answer *a, char *text)
 	answer_add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
-/* decimals -1: as many digits as needed; sign: + too. */
+/* decimals -1: as many digits as needed; sign: with + too. */
 static void
 answer_add_number(struct answer *a, double value, int decimals, bool sign)
 {
@@ -260,7 +260,7 @@ answer_rows(const struct answer *a)
 	return answer_rows_of(a->filled);
 }
 
-/* Takes the text. */
+/* Takes ownership of the text. */
 static void
 add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
@@ -293,7 +293,7 @@ answer_fields(struct answer *a)
 	return (struct fields *)(void *)a->fields;
 }
 
-/* key: NULL in a list.  Takes the value. */
+/* Takes ownership of the value.  key: NULL in a list. */
 static struct fields *
 put_value(struct fields *fields, const char *key, json_t *value)
 {
@@ -305,7 +305,8 @@ put_value(struct fields *fields, const char *key, json_t *value)
 	return (struct fields *)(void *)value;
 }
 
-/* JSON is UTF-8: a name that is not, a file's, is there as it is shown. */
+/* Returns a text in UTF-8; the name of a file that is not UTF-8 as it is
+ * shown. */
 static json_t *
 text_json(const char *text)
 {
@@ -321,7 +322,7 @@ number_json(double value)
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
-/* The value that a conversion of fields_put stands for. */
+/* Returns the next value of fields_put, according to its conversion. */
 static json_t *
 converted_json(const char *conversion, va_list *ap)
 {
@@ -385,7 +386,7 @@ fields_numbers(struct fields *fields, const char *key, const double *value,
 		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
 }
 
-/* A cell of the table as a field. */
+/* Adds a cell of the table as a field. */
 static void
 add_cell_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
@@ -433,7 +434,8 @@ answer_has_fields(const struct answer *a)
 	return json_object_size(a->fields) > 0;
 }
 
-/* The number at a path; what a list has counts under the list's own name. */
+/* Finds the number at a path; the contents of a list count under its own
+ * name. */
 static void
 answer_look_up(const json_t *in, const char *path, double *value)
 {
@@ -487,23 +489,23 @@ answer_view(const struct answer *a)
 	    .sentence = a->sentence};
 }
 
-/* Where there is no table the sentences are the answer. */
+/* True if there is no table: the sentences are the answer. */
 static bool
 is_sentences_only(const struct answer *a)
 {
 	return table_for_programs(a)->n_column == 0 && a->n_sentence > 0;
 }
 
-/* Length of the provenance's first clause, which says what the data are; the
- * rest says how they were made. */
+/* Returns the length of the provenance's first clause, which states the kind of
+ * data; the rest says how they were made. */
 static size_t
 first_clause(const char *provenance)
 {
 	return strcspn(provenance, ";");
 }
 
-/* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
- * 22.4: people look things up by it. */
+/* Prints a number with a decimal point, or with a decimal comma between
+ * semicolons.  A sieve of 22.4 mm stays 22.4, as people look it up. */
 static void
 print_csv_number(double value, char separator, FILE *out)
 {
@@ -515,7 +517,7 @@ print_csv_number(double value, char separator, FILE *out)
 	fputs(text, out);
 }
 
-/* The columns that stand before those of the answer. */
+/* Prints the columns before those of the answer. */
 static void
 print_csv_origin(const struct answer *a, char separator, FILE *out)
 {
@@ -633,7 +635,7 @@ struct form {
 	bool *number, wraps, even;
 };
 
-/* A column of numbers is set flush right. */
+/* True for a column of numbers, which is set flush right. */
 static bool
 is_number_column(const struct table *t, size_t column)
 {
@@ -662,8 +664,8 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
 	    right || last ? 0 : pad, "");
 }
 
-/* Where the last column holds sentences that would not fit a screen after the
- * columns before it, it is wrapped. One column alone is something to be
+/* Wraps the last column if it holds sentences that would not fit the screen
+ * after the other columns.  A single column is not wrapped, as it may be
  * copied. */
 static struct form
 table_form(const struct table *t, int room)
@@ -689,7 +691,7 @@ form_free(struct form *f)
 	free(f->number);
 }
 
-/* The last cell of a row, wrapped under itself. */
+/* Prints the last cell of a row, wrapped under itself. */
 static void
 print_sentence(const char *text, int indent, int room, FILE *out)
 {
@@ -708,8 +710,8 @@ struct block {
 	size_t from, to;
 };
 
-/* As many columns as fit a screen.  A table that ends in sentences wraps them
- * instead. */
+/* Returns as many columns as fit the screen.  A table that ends in sentences
+ * wraps them instead. */
 static struct block
 columns_that_fit(const struct table *t, const struct form *f, size_t from)
 {
@@ -730,7 +732,8 @@ columns_that_fit(const struct table *t, const struct form *f, size_t from)
 	return b;
 }
 
-/* Where the last column is wrapped in a block that ends in it; 0: it is not. */
+/* Returns the column where the last cell is wrapped in a block that ends with
+ * it; 0 if it is not. */
 static int
 wrap_column(const struct table *t, const struct form *f, struct block b)
 {
@@ -764,7 +767,7 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 	}
 }
 
-/* A row of a table (0: the heads) without spaces at its end. */
+/* Prints a row of a table (0: the headings) without trailing spaces. */
 static void
 print_trimmed(const struct table *t, const struct form *f, size_t row,
     struct block block, FILE *out)
@@ -780,7 +783,7 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
-/* The sentences that are warnings, or those that are none. */
+/* Adds the sentences that are warnings, or the others. */
 static void
 answer_put_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)
@@ -798,8 +801,8 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 	}
 }
 
-/* What people see, with all its words put in a way: as shown, or as markdown.
- * Of the provenance the first clause only. */
+/* Returns what people see, with all texts converted: as shown, or as markdown.
+ * Only the first clause of the provenance is included. */
 static struct answer *
 copy_with_words(char *(*way)(const char *), const struct answer *a)
 {
@@ -833,7 +836,7 @@ answer_escaped(const struct answer *a)
 	return copy_with_words(text_escaped, a);
 }
 
-/* Makes the first column the heads, and the heads the first column. */
+/* Exchanges the headings and the first column. */
 static void
 answer_transpose(struct answer *a)
 {
@@ -889,8 +892,8 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	return rows;
 }
 
-/* Whether markdown or HTML could take the character for markup.  Within a word
- * like f_mat a low line is none. */
+/* True if markdown or HTML could take the character for markup.  An underscore
+ * within a word such as f_mat is none. */
 static bool
 is_markup(const char *text, const char *p)
 {
@@ -907,8 +910,8 @@ is_markup(const char *text, const char *p)
 	return strchr(p == text ? "|*[]`\\~$#" : "|*[]`\\~$", *p) != NULL;
 }
 
-/* Words that markdown shows as they are: signs after backslashes, and as
- * entities those of HTML, which knows no backslash. */
+/* Escapes a text for markdown: signs with backslashes, those of HTML as
+ * entities. */
 static char *
 as_markdown(const char *text)
 {

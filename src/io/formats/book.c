@@ -30,7 +30,7 @@ struct book {
 	char **about; /* keys and values */
 };
 
-/* A file that nobody can find; -1 where there is none. */
+/* Opens a file without a name; -1 on failure. */
 static int
 open_temporary_file(void)
 {
@@ -131,7 +131,7 @@ struct page {
 	lxw_row_t row;
 };
 
-/* Names of sheets are different from each other, and short. */
+/* Adds a sheet with a short and unique name. */
 static struct page
 add_page(struct book *b, const char *name)
 {
@@ -144,7 +144,7 @@ add_page(struct book *b, const char *name)
 	return page;
 }
 
-/* As text in any case, also where it begins with =. */
+/* Writes a text, even if it begins with =. */
 static void
 book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
@@ -161,7 +161,8 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }
 
-/* Text of a column of sieves: there are also rows such as "P80 mm" in it. */
+/* True if the text in a column of sieves is a sieve: there are also rows such
+ * as "P80 mm". */
 static bool
 book_is_sieve(const char *head, const struct answer_cell *cell, double *value)
 {
@@ -187,7 +188,8 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 		book_put_text(p, column, cell->text, NULL);
 }
 
-/* As wide as its numbers; text of the last column may go on to the right. */
+/* Makes a column as wide as its numbers; text of the last column may extend to
+ * the right. */
 static void
 set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 {
@@ -201,7 +203,7 @@ set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 	worksheet_set_column(p->sheet, column, column, (double)width + 2, NULL);
 }
 
-/* Rows of the table from its first on whose first cell is a sieve. */
+/* Returns the number of rows, from the first, that begin with a sieve. */
 static size_t
 sieve_rows(const struct answer_view *v)
 {
@@ -219,7 +221,8 @@ sieve_rows(const struct answer_view *v)
 	return n;
 }
 
-/* Whether a column is a curve: numbers from 0 to 100 that are no difference. */
+/* True if a column is a curve: numbers from 0 to 100 that are not
+ * differences. */
 static bool
 book_is_curve(const struct answer_view *v, size_t rows, size_t column)
 {
@@ -238,7 +241,7 @@ book_is_curve(const struct answer_view *v, size_t rows, size_t column)
 	return n > 1;
 }
 
-/* The power of ten at or below, at or above the sieves. */
+/* Extends the axis to the powers of ten around the sieves. */
 static void
 set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 {
@@ -259,7 +262,8 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 	chart_axis_set_crossing(chart->x_axis, from);
 }
 
-/* Passings over the sieves, beside the table that begins at the page's row. */
+/* Draws passing over sieve size, beside the table that begins at the page's
+ * row. */
 static void
 add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 {
@@ -309,7 +313,7 @@ put_table(struct book *b, struct page *p, const struct answer_view *v)
 	p->row++;
 }
 
-/* "trust: amber: .." in its colour. */
+/* Returns the format of "trust: amber: ..", in its colour, or NULL. */
 static lxw_format *
 light_format(const struct book *b, const char *text)
 {
@@ -365,7 +369,7 @@ book_add(struct book *b, const struct answer *answer)
 	return v.n_column > 0 ? v.n_row : v.n_sentence;
 }
 
-/* A row of a text; heads of columns, which are more than a key and a value, are
+/* Writes a row of a text.  Headings, which are more than a key and a value, are
  * bold. */
 static void
 book_put_row(struct book *b, struct page *p, const struct row *row)
@@ -447,7 +451,7 @@ put_about(struct book *b)
 	worksheet_set_column(p.sheet, 1, 1, 80, NULL);
 }
 
-/* All of the file. */
+/* Returns the contents of the file. */
 static char *
 read_whole_file(int fd, size_t *n)
 {

@@ -28,7 +28,7 @@ struct reading_circuit {
 	struct cell *made, *used, row[CIRCUIT_UNITS];
 };
 
-/* A part of a cell; text is of the cell's, which it may shorten. */
+/* Returns a part of a cell, whose text it may shorten. */
 static struct cell
 part_of_cell(const struct reading_circuit *r, struct cell cell, char *from)
 {
@@ -47,7 +47,7 @@ stream_name(struct reading_circuit *r, struct cell cell)
 	    "name streams as you like, without + and =");
 }
 
-/* A stream that a unit makes. */
+/* Adds a stream that a unit makes. */
 static void
 add_out(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -83,7 +83,7 @@ add_in(struct reading_circuit *r, struct unit *unit, struct cell cell)
 	}
 }
 
-/* "new + back" */
+/* Adds the streams of "new + back". */
 static void
 add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -148,7 +148,7 @@ static const char *const HINTS[UNIT_KINDS] = {
     [UNIT_STOCKPILE] = N_(
 	"write: stockpile,FROM + FROM,NAME, optionally followed by price=12")};
 
-/* One cell key=value. */
+/* Reads one cell key=value. */
 static void
 read_unit_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -217,7 +217,8 @@ read_screen(struct reading_circuit *r, struct unit *unit, const struct row *row)
 	read_keys(r, unit, row, 5);
 }
 
-/* "a=60" or "a", which takes what is left.  Returns its share, NAN for that. */
+/* Reads "a=60", or "a", which takes the rest.  Returns its share; NAN for the
+ * rest. */
 static double
 read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -318,7 +319,7 @@ read_unit_row(struct reading_circuit *r, const struct row *row)
 	    "each line begins with what it is; see tipspeed-circuit(5)");
 }
 
-/* Streams that come from nowhere or lead nowhere. */
+/* Reports streams without a source or a destination. */
 static void
 check_streams(struct reading_circuit *r)
 {
@@ -358,7 +359,7 @@ check_feeds(struct reading_circuit *r)
 		    "out");
 }
 
-/* Only of streams that all have a source and a use. */
+/* Checks the paths, if all streams have a source and a destination. */
 static void
 check_ways(struct reading_circuit *r)
 {

@@ -94,7 +94,7 @@ fault(
 	    tr(what), tr(hint));
 }
 
-/* The next line without its end; false at the end of the file. */
+/* Reads the next line, without its end.  False at the end of the file. */
 static bool
 next_line(struct reading *r)
 {
@@ -109,8 +109,8 @@ next_line(struct reading *r)
 	return true;
 }
 
-/* The field at *s, which moves behind it, ended by a NUL; NULL after the
- * last. */
+/* Returns the field at *s, ended by a NUL, and moves *s after it; NULL after
+ * the last. */
 static char *
 next_field(const struct reading *r, char **s)
 {
@@ -138,7 +138,7 @@ next_field(const struct reading *r, char **s)
 	return begin;
 }
 
-/* "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
+/* Returns "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
 static char *
 plain_head(const char *head)
 {
@@ -166,7 +166,7 @@ find_head(const char *plain)
 	return COL_NONE;
 }
 
-/* What a column is by its head; *scale: to SI. */
+/* Returns what a column has according to its heading.  *scale: to SI. */
 static enum column
 collisions_column_of(const char *head, double *scale)
 {
@@ -231,8 +231,8 @@ has_energy(const struct reading *r)
 	       (r->has[COL_LOW] && r->has[COL_HIGH] && r->has[COL_WEIGHT]);
 }
 
-/* Whether the columns make energies; else what is missing, and how to name
- * them. */
+/* True if the columns yield energies; otherwise reports what is missing, and
+ * how to name them. */
 static bool
 columns_do(struct reading *r)
 {
@@ -249,7 +249,7 @@ columns_do(struct reading *r)
 	       "columns=-,velocity_m_s,mass_kg"));
 }
 
-/* The numbers of a row; false with a fault where a field is none. */
+/* Reads the numbers of a row.  False with a fault if a field is none. */
 static bool
 take_numbers_of_row(struct reading *r)
 {
@@ -287,7 +287,7 @@ may_go_on(struct reading *r)
 	    (unsigned long long)r->to->rows);
 }
 
-/* A row of a table as energy, J/kg. */
+/* Returns the energy of a row, J/kg. */
 static double
 row_energy(const struct reading *r)
 {
@@ -331,8 +331,8 @@ take_impact(struct reading *r)
 	return true;
 }
 
-/* A line "speed_m_s,69" or "provenance,.." above the heads; false where it is
- * none. */
+/* Reads a line "speed_m_s,69" or "provenance,.." above the headings.  False if
+ * it is none. */
 static bool
 take_note(struct reading *r)
 {
@@ -364,7 +364,7 @@ separator_of(const char *line)
 				   : ' ';
 }
 
-/* The heads of a table, or what a list without them has. */
+/* Reads the headings of a table, or what a list without them has. */
 static bool
 table_columns(struct reading *r, bool *is_row)
 {

@@ -64,7 +64,7 @@ list_has(const char *words, const char *word, size_t n)
 	return strstr(words, wanted) != NULL;
 }
 
-/* Whether a text has one of these words. */
+/* True if a text contains one of the words. */
 static bool
 plant_log_has_word(const char *text, const char *words)
 {
@@ -81,7 +81,7 @@ plant_log_has_word(const char *text, const char *words)
 	return false;
 }
 
-/* What a head says its column is. */
+/* Returns what a column has according to its heading. */
 static unsigned
 plant_log_kind_of(const char *text, const struct head *head)
 {
@@ -106,8 +106,8 @@ moment_at(
 	return cell.text[0] != '\0' && datetime_read(cell.text, m);
 }
 
-/* The column with the most dates, the one with the most times of day without
- * one, and the first row of data. */
+/* Finds the column with the most dates, the one with the most times of day
+ * without a date, and the first row of data. */
 static bool
 find_times(struct reading *r)
 {
@@ -153,7 +153,7 @@ find_times(struct reading *r)
 	return true;
 }
 
-/* The words above a column: lines of one cell are titles. */
+/* Returns the words above a column.  Lines with one cell are titles. */
 static char *
 plant_log_head_text(const struct reading *r, size_t c)
 {
@@ -171,7 +171,7 @@ plant_log_head_text(const struct reading *r, size_t c)
 	return text;
 }
 
-/* "1=time, 3=rpm, 4=kW" */
+/* Reads "1=time, 3=rpm, 4=kW". */
 static bool
 plant_log_take_columns(struct reading *r, const char *columns)
 {
@@ -201,8 +201,8 @@ plant_log_take_columns(struct reading *r, const char *columns)
 	return good;
 }
 
-/* The only column of that kind, or of those that name the rotor; of several
- * that cannot be told apart none. */
+/* Keeps the only column of a kind, or of those that name the rotor; several
+ * that cannot be told apart are a fault. */
 static bool
 choose_column_of_kind(struct reading *r, unsigned kind)
 {
@@ -233,8 +233,8 @@ choose_column_of_kind(struct reading *r, unsigned kind)
 	    LOG_UNITS[kind]);
 }
 
-/* A speed without a unit is told by its size: no rotor of a crusher has less
- * than 400 rpm, or more than 150 m/s at its tip. */
+/* Finds the unit of a speed by its size: no rotor of a crusher has less than
+ * 400 rpm, or more than 150 m/s at its tip. */
 static bool
 choose_speed_unit(struct reading *r, size_t c)
 {
@@ -291,7 +291,8 @@ plant_log_find_columns(struct reading *r)
 	return good;
 }
 
-/* Whether 5/3/2026 is of May or of March, by dates that have one order only. */
+/* Decides whether 5/3/2026 is in May or in March, by dates that are valid in
+ * one order only. */
 static bool
 find_order(struct reading *r, bool *open)
 {
@@ -325,7 +326,7 @@ find_order(struct reading *r, bool *open)
 	    undecided.text, r->sheet->path);
 }
 
-/* Room for one more row, all of its numbers unknown. */
+/* Makes room for one more row. */
 static void
 plant_log_grow(struct reading *r)
 {
@@ -385,7 +386,8 @@ plant_log_read_rows(struct reading *r)
 	}
 }
 
-/* Numbers such as 1,250, where the sheet does not tell what the comma is. */
+/* Reports numbers such as 1,250 if the sheet does not show what the comma
+ * is. */
 static bool
 check_numbers(struct reading *r)
 {
@@ -421,7 +423,7 @@ write_columns_text(struct reading *r)
 		xappend(&r->log->read_as, "%s", text);
 }
 
-/* A sheet without times at all is none of a log, where others have some. */
+/* Reads a sheet.  One without times is a fault. */
 static bool
 plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 {
@@ -497,7 +499,7 @@ plant_log_sort_rows(struct plant_log *log)
 	}
 }
 
-/* NAN of none. */
+/* Returns the median, or NAN of none; sorts the values. */
 static double
 plant_log_median(double *value, size_t n)
 {
@@ -507,7 +509,7 @@ plant_log_median(double *value, size_t n)
 	return (value[(n - 1) / 2] + value[n / 2]) / 2;
 }
 
-/* What is told of the rows as a whole; columns without numbers go. */
+/* Computes what concerns all rows, and drops columns without numbers. */
 static void
 plant_log_finish(struct reading *r)
 {

@@ -29,8 +29,8 @@ shards_refuse(const char *path, struct error *error)
 	    "write parts with: calibrate all part=I/N > FILE.json");
 }
 
-/* Number i of a row, which has a list of them or has it by its key; *there: it
- * must be. */
+/* Returns number i of a row, from its list of numbers or by key.  *there: it
+ * must be present. */
 static const json_t *
 shards_number_of(
     const json_t *row, const struct kind *kind, size_t i, bool *there)
@@ -159,7 +159,7 @@ parts_free(struct parts *parts)
 	free(parts->part);
 }
 
-/* What must be the same in all. */
+/* Checks what must be the same in all parts. */
 static bool
 check_same(const struct part_file *a, const struct part_file *b,
     const char *what, const char *in_a, const char *in_b, struct error *error)

@@ -45,8 +45,7 @@ spec_of(const struct standards *all, const char *name)
 	return NULL;
 }
 
-/* Puts a row where it belongs, coarsest first; one on the same sieve is
- * replaced. */
+/* Inserts a row, coarsest first; one on the same sieve is replaced. */
 static void
 standards_put_row(struct spec *spec, double size, double least, double most)
 {
@@ -68,7 +67,7 @@ standards_put_row(struct spec *spec, double size, double least, double most)
 	spec->n += !there;
 }
 
-/* The envelope that a name in brackets goes on from, or NULL. */
+/* Returns the envelope that one with a name in brackets continues, or NULL. */
 static const struct spec *
 base_envelope(const struct standards *all, const char *name)
 {
@@ -102,7 +101,7 @@ add_spec(struct standards *all, const char *standard, const char *name,
 	return spec;
 }
 
-/* What a row's source says beyond that of the envelope's first row goes with
+/* Adds what a row's source says beyond that of the envelope's first row, with
  * its sieve: "0.15 mm: crushed stone sand: up to 20". */
 static void
 add_remark(struct spec *spec, const char *source, double mm)
@@ -150,7 +149,7 @@ standards_read_limit(
 	    .most = read_limit_cell(sheet, row, MOST)};
 }
 
-/* Row by row, the heading left out. */
+/* Reads a built-in table row by row, without its heading. */
 static void
 standards_read_text(struct standards *all, const char *name,
     const char *const *line,
@@ -200,8 +199,8 @@ standards_free(struct standards *all)
 
 static const char BETWEEN[] = " :;,()";
 
-/* The n letters of a word in a folded name: 0 it is not there, 1 a word of the
- * name begins so, 2 it is one. */
+/* Looks for a word of n letters in a folded name: 0 if it is not there, 1 if a
+ * word of the name begins with it, 2 if it is one. */
 static int
 match_word(const char *name, const char *word, size_t n)
 {
@@ -216,7 +215,7 @@ match_word(const char *name, const char *word, size_t n)
 	return best;
 }
 
-/* The least of that over all words. */
+/* Returns the least result of match_word over all words. */
 static int
 match_words(const char *name, const char *words)
 {
@@ -232,9 +231,9 @@ match_words(const char *name, const char *words)
 	return least;
 }
 
-/* Whether words say enough to mean the plain one of an envelope's variants: a
- * number of its standard, "C33", or all of its own name, "zone II"; "ASTM"
- * alone does not. */
+/* True if the words are enough to mean the plain one of an envelope's variants:
+ * a number of its standard, "C33", or all of its own name, "zone II"; but not
+ * "ASTM" alone. */
 static bool
 names_plain(const struct spec *spec, const char *folded)
 {
@@ -242,7 +241,7 @@ names_plain(const struct spec *spec, const char *folded)
 	       match_words(folded, spec->name + strlen(spec->standard)) == 2;
 }
 
-/* Whether a name is that other one of so many letters, or goes on after it. */
+/* True if a name is another one, of `length` letters, or continues it. */
 static bool
 standards_begins_with_name(const char *name, const char *other, size_t length)
 {
@@ -250,8 +249,8 @@ standards_begins_with_name(const char *name, const char *other, size_t length)
 	       (name[length] == '\0' || name[length] == ' ');
 }
 
-/* Leaves of those marked the one whose name all the others begin with, if there
- * is one and the words mean it.  Returns how many are left. */
+/* If the names of all those marked begin with the name of one of them, and the
+ * words mean that one, keeps it alone.  Returns how many are left. */
 static size_t
 keep_base_envelope(
     const struct standards *all, const char *folded, bool *match, size_t n)
@@ -289,7 +288,7 @@ standards_match(const struct standards *all, const char *words, bool *match)
 	return n;
 }
 
-/* The envelope whose name is most like the words. */
+/* Returns the envelope whose name is most like the words. */
 static const char *
 nearest_name(const struct standards *all, const char *words)
 {

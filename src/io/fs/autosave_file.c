@@ -67,7 +67,8 @@ autosave_file_remove(struct autosave_file *kept)
 	autosave_file_close(kept);
 }
 
-/* False for the file of a program that runs, and for none. */
+/* Reads about a file.  False for that of a running program, and for an empty
+ * one. */
 static bool
 autosave_file_look_at(struct autosave_left *file)
 {
@@ -92,7 +93,7 @@ autosave_file_look_at(struct autosave_left *file)
 	return true;
 }
 
-/* Of two in one second the later name is the newer one. */
+/* Of two files from the same second, the later name is the newer one. */
 static int
 newer_first(const void *a, const void *b)
 {
@@ -155,8 +156,8 @@ cannot_make(const char *what, int reason, struct error *error)
 	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
 }
 
-/* An empty file of a name that nobody has, for the user alone: its rights stay
- * when it is replaced. */
+/* Makes an empty file with a new name, for the user alone; it keeps its
+ * permissions when it is replaced. */
 static bool
 make_file(struct autosave_file *kept, struct error *error)
 {

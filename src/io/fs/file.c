@@ -33,7 +33,7 @@ cannot_write(const char *path, int reason, struct error *error)
 	    path, strerror(reason));
 }
 
-/* The folder of a path with its slash, "" for a name alone. */
+/* Returns the folder of a path with its slash; "" for a name alone. */
 static char *
 folder_of(const char *path)
 {
@@ -41,8 +41,8 @@ folder_of(const char *path)
 	return xstrndup(path, slash != NULL ? (size_t)(slash - path) + 1 : 0);
 }
 
-/* Where a symbolic link leads, from the folder that it stands in; NULL where
- * path is none. */
+/* Returns where a symbolic link leads, relative to its own folder; NULL if path
+ * is none. */
 static char *
 link_target(const char *path)
 {
@@ -57,7 +57,7 @@ link_target(const char *path)
 	return xasprintf("%s%s", folder, to);
 }
 
-/* The file after links, which need not be there yet. */
+/* Returns the file after all links; it need not exist. */
 static char *
 behind_links(const char *path)
 {
@@ -95,8 +95,8 @@ sync_file(int fd)
 	return !failed;
 }
 
-/* A name is on the disk when its folder is.  Some file systems have nothing to
- * sync there, and say EINVAL. */
+/* Syncs a folder, without which the name of a file is not on the disk.  Some
+ * file systems have nothing to sync there, and say EINVAL. */
 static bool
 sync_folder(const char *folder)
 {
@@ -118,7 +118,7 @@ is_left_over(const char *name)
 	       text_ends(name, SUFFIX);
 }
 
-/* Removes what writers that were killed have left in the folder. */
+/* Removes files left in the folder by writers that were killed. */
 static void
 remove_left_over_files(const char *folder)
 {
@@ -139,8 +139,8 @@ remove_left_over_files(const char *folder)
 		closedir(dir);
 }
 
-/* A new file with a name of its own, locked; -1 with errno.  Between being made
- * and being locked another program's sweep may take it: then once more. */
+/* Opens a new file with a name of its own, locked; -1 with errno.  Before it is
+ * locked, another program may remove it as left over; then another is made. */
 static int
 open_new(const char *folder, mode_t rights, char **name)
 {
@@ -171,8 +171,8 @@ open_new(const char *folder, mode_t rights, char **name)
 	}
 }
 
-/* Owner and permissions of the file that is to be replaced; the umask has taken
- * some.  Whose it is only root can say. */
+/* Gives a file the owner and permissions of the one it replaces, as the umask
+ * has changed them.  Only root can change the owner. */
 static bool
 copy_owner_and_mode(int fd, const struct stat *old)
 {
@@ -185,7 +185,7 @@ copy_owner_and_mode(int fd, const struct stat *old)
 	return fchmod(fd, old->st_mode & 0777) == 0;
 }
 
-/* old: of the file that is there, or NULL.  False with errno. */
+/* old: of the existing file, or NULL.  False with errno. */
 static bool
 file_put_file(const char *path, const struct stat *old, enum file_rights rights,
     const char *bytes, size_t n)
@@ -214,7 +214,7 @@ file_put_file(const char *path, const struct stat *old, enum file_rights rights,
 	return good && renamed;
 }
 
-/* False, with errno, for what can be no file. */
+/* False, with errno, if the path cannot be a file. */
 static bool
 file_look(const char *path, struct stat *about, bool *there)
 {
@@ -261,8 +261,8 @@ file_replace_by(const char *path, enum file_rights rights,
 				   : cannot_write(path, ENOMEM, error);
 }
 
-/* To the end of the open file; what a full disk took is cut off again, unless
- * somebody else has added to it. */
+/* Appends to the open file.  What was written before a full disk is cut off
+ * again, unless somebody else has appended meanwhile. */
 static bool
 append_bytes(int fd, const char *bytes, size_t n)
 {

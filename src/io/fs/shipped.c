@@ -12,8 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* A folder of the one that holds the folder of the program; NULL where it is
- * not there. */
+/* Returns a folder beside that of the program, or NULL if it does not exist. */
 static char *
 shipped_beside(const char *folder)
 {
@@ -45,7 +44,7 @@ shipped_folder(void)
 	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
 }
 
-/* A file of a folder beside that of the sites. */
+/* Returns a file in a folder relative to that of the sites. */
 static char *
 shipped_path_in(const char *name, const char *from)
 {

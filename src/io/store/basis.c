@@ -101,7 +101,7 @@ write_fit(const struct basis *b, FILE *out)
 	fputc('\n', out);
 }
 
-/* A store's text is one line: ends of lines become \n. */
+/* Replaces line ends with \n: the text of a store is one line. */
 static char *
 escape_line_ends(const char *text)
 {
@@ -149,7 +149,8 @@ basis_written(const struct basis *b)
 	return escape_line_ends(text);
 }
 
-/* Numbers of "name=1,2,3"; what a later version adds is passed over. */
+/* Reads the numbers of "name=1,2,3"; unknown names, from a later version, are
+ * ignored. */
 static bool
 take_numbers(struct basis *b, const char *name, char *list)
 {
@@ -197,7 +198,8 @@ basis_read_sheet(const char *text)
 	return site;
 }
 
-/* Cuts the text off at the next empty line; what comes after it, or NULL. */
+/* Ends the text at the next empty line.  Returns what comes after it, or
+ * NULL. */
 static char *
 cut_at_empty_line(char *text)
 {
@@ -225,7 +227,7 @@ read_provenance(struct site *site, const char *lines)
 	}
 }
 
-/* The runs, "1,0,1". */
+/* Reads which runs were trained on, "1,0,1". */
 static bool
 take_train(struct basis *b, const char *train)
 {
@@ -241,7 +243,7 @@ take_train(struct basis *b, const char *train)
 	return any;
 }
 
-/* What the fields of a material have of its fit. */
+/* Takes what the fields of a material state about its fit. */
 static void
 basis_from_fields(struct basis *b, const struct stored *m)
 {
@@ -259,7 +261,7 @@ basis_from_fields(struct basis *b, const struct stored *m)
 		fit->stop++;
 }
 
-/* Whether a calibration can have left it. */
+/* True if a calibration can have written this. */
 static bool
 basis_is_possible(const struct basis *b)
 {

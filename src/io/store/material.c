@@ -182,7 +182,7 @@ stored_index_clear(struct stored_index *index)
 	free(index->name);
 }
 
-/* Parameters there are; 0 where the model is not known. */
+/* Returns the number of parameters; 0 if the model is unknown. */
 static size_t
 count_params(const struct params *p)
 {
@@ -199,7 +199,7 @@ params_written(const struct params *p)
 	return text;
 }
 
-/* The number of "name=number" among others; NAN where there is none. */
+/* Returns the number in "name=number" among others, or NAN. */
 static double
 param_in(const char *text, const char *name)
 {
@@ -270,8 +270,8 @@ stored_each_field(const struct stored *m, stored_take *take, void *data)
 	}
 }
 
-/* An empty field counts for nothing, nor does the name of the paper's model, so
- * that a row keeps its digest when a later schema adds a column. */
+/* Adds a field to the digest.  Empty fields and the name of the paper's model
+ * are omitted, so a row keeps its digest when a later schema adds a column. */
 static void
 digest_one(void *data, const char *name, const char *text)
 {
@@ -315,7 +315,8 @@ stored_is_table3_name(const char *name)
 
 enum { MOST_NAME = 60 };
 
-/* Index of the first parameter that cannot be; the model's n: none. */
+/* Returns the index of the first impossible parameter, or the number of
+ * parameters. */
 static size_t
 wrong_param(const struct params *p)
 {
@@ -443,8 +444,8 @@ replace_string(char **text, char *value)
 	*text = value;
 }
 
-/* A row of a table such as data/table3.csv; false where it shows that the file
- * is of another kind. */
+/* Reads a row of a table such as data/table3.csv.  False if it shows that the
+ * file is of another kind. */
 static bool
 material_read_row(
     struct sheet *sheet, const struct row *row, struct stored_list *list)
@@ -481,7 +482,7 @@ material_read_row(
 	return true;
 }
 
-/* text is taken apart and freed; false after a fault, which is reported. */
+/* Consumes the text.  False after a fault, which is reported. */
 static bool
 read_printed(const char *path, char *text, struct stored_list *list,
     struct error_list *errors)
@@ -511,8 +512,8 @@ stored_read_printed(
 	return read_printed(path, textfile_read(path, errors), list, errors);
 }
 
-/* As a session calls its sites: a later one of the same name has its size, and
- * of the same name and size a number. */
+/* Names sites as a session does: a later one of the same name has its size, and
+ * one of the same name and size a number. */
 static char *
 table3_name(
     const struct stored_list *rows, const struct stored_list *list, size_t i)

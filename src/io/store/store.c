@@ -72,7 +72,8 @@ folded(sqlite3_context *context, int n, sqlite3_value **value)
 	    context, text_fold(text != NULL ? text : ""), -1, free);
 }
 
-/* A name as it can be read and typed, whoever made it: shown, and cut. */
+/* Returns a name, possibly of another user, as it can be read and typed:
+ * escaped and shortened. */
 static char *
 shown_name(const char *name)
 {
@@ -126,7 +127,8 @@ static const struct problem {
 	"this is not a store of tipspeed, or it is damaged",
 	"move the file away, or use another with --store=PATH"}};
 
-/* The error for the newest failure of db, NULL allowed.  Returns false. */
+/* Sets the error for the latest failure of db, which may be NULL.  Returns
+ * false. */
 static bool
 fail_as_sqlite(sqlite3 *db, const char *path, struct error *error)
 {
@@ -156,8 +158,8 @@ run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
 	       fail_as_sqlite(db, path, error);
 }
 
-/* The first value of the first row as text, which the caller frees; NULL
- * without a row or after a failure. */
+/* Returns the first value of the first row as text, which the caller frees;
+ * NULL without a row or after a failure. */
 static char *
 query_text(sqlite3 *db, const char *sql)
 {
@@ -173,7 +175,7 @@ query_text(sqlite3 *db, const char *sql)
 	return text;
 }
 
-/* A whole number; -1 after a failure. */
+/* Returns a whole number; -1 after a failure. */
 static long
 query_integer(sqlite3 *db, const char *sql)
 {
@@ -181,8 +183,8 @@ query_integer(sqlite3 *db, const char *sql)
 	return text != NULL ? strtol(text, NULL, 10) : -1;
 }
 
-/* A file that is written is in WAL mode from then on.  To change the mode takes
- * the whole file, and SQLite does not wait for that by itself. */
+/* Sets WAL mode, which a file then keeps.  Changing the mode needs the whole
+ * file, for which SQLite does not wait by itself. */
 static bool
 set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 {
@@ -201,8 +203,8 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 	}
 }
 
-/* Within a transaction: the version is asked again, as another program may have
- * done the work meanwhile. */
+/* Runs the steps within a transaction, in which the version is read again, as
+ * another program may have migrated the file meanwhile. */
 static bool
 run_steps(sqlite3 *db, const char *path, struct error *error)
 {
@@ -235,9 +237,9 @@ migrate(sqlite3 *db, const char *path, struct error *error)
 	return false;
 }
 
-/* Every page and every index, where the store is small.  In a large one that
- * takes longer than all else (0.3 s for 100,000 materials): each row that is
- * read has its digest. */
+/* Checks every page and index of a small store.  In a large one that takes
+ * longer than everything else (0.3 s for 100,000 materials), and each row read
+ * has its digest. */
 static bool
 check_integrity(sqlite3 *db, const char *path, struct error *error)
 {
@@ -270,7 +272,7 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 	return false;
 }
 
-/* What the file is: *version 0 for an empty one. */
+/* Checks what the file is.  *version: 0 for an empty one. */
 static bool
 check_database(
     sqlite3 *db, const char *path, long *version, struct error *error)
@@ -358,7 +360,8 @@ store_create_or_migrate(
 			     run_sql(db, path, INDEX, error)));
 }
 
-/* Opens and looks; for reading, in a closed folder too. */
+/* Opens and checks the file; for reading, also in a folder without write
+ * access. */
 static sqlite3 *
 open_to(
     const char *path, bool make, long *version, bool *ok, struct error *error)
@@ -459,7 +462,7 @@ store_bytes(const struct store *store)
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
 }
 
-/* The folders above the file, for this user alone. */
+/* Makes the folders above the file, for this user alone. */
 static bool
 make_folders(const char *path, struct error *error)
 {
@@ -525,7 +528,7 @@ digest_text(const struct stored *m)
 	return xasprintf("%016" PRIx64, stored_make_digest(m));
 }
 
-/* False for a material that no import would take. */
+/* False for a material that no import would accept. */
 static bool
 check_fields(const struct stored *m, struct error *error)
 {
@@ -544,8 +547,8 @@ check_fields(const struct stored *m, struct error *error)
 	return false;
 }
 
-/* Whether a row is what was put.  It has its name also as fold, by which it is
- * found. */
+/* True if a row is unchanged since it was stored.  Its name is also stored
+ * folded, by which it is found. */
 static bool
 is_row_as_put(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
@@ -563,7 +566,7 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
 	return good;
 }
 
-/* The row stmt stands on.  False when it is not what was put. */
+/* Reads the row of stmt.  False if it is not as it was stored. */
 static bool
 take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
     struct error *error)
@@ -591,8 +594,8 @@ take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 	return false;
 }
 
-/* What of a query is a condition on a row.  ?1 name, ?2 rock, ?3 and ?4 the
- * least and the most top size, ?5 that wanted, ?6 the most rows, ?7 their
+/* Returns the condition of a query.  ?1 name, ?2 rock, ?3 and ?4 the least and
+ * the largest top size, ?5 the top size wanted, ?6 the number of rows, ?7 their
  * distance. */
 static char *
 where_clause(const struct store_query *q)
@@ -753,7 +756,7 @@ store_names_beginning(struct store *store, const char *beginning, size_t most,
 	return each_text(store, SQL, fold, most, take, data, error);
 }
 
-/* What is not known stays NULL. */
+/* Binds a material to a row; unknown values stay NULL. */
 static void
 bind_row(sqlite3_stmt *stmt, const struct stored *m)
 {
@@ -839,7 +842,7 @@ store_put(struct store *store, const struct stored *item, size_t n,
 	return ok;
 }
 
-/* By name, else by what errors call it. */
+/* Deletes a row by its name, otherwise by the name shown in errors. */
 static bool
 forget_row(
     struct store *store, sqlite3 *db, const char *name, struct error *error)

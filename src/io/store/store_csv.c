@@ -34,8 +34,8 @@ has_column(const struct column *column, size_t n, const char *name)
 	return false;
 }
 
-/* The fields, with a column for each parameter of the paper's model and of the
- * models marked. Returns how many. */
+/* Lists the fields, with a column for each parameter of the paper's model and
+ * of the models marked.  Returns their number. */
 static size_t
 make_columns(const bool *model, struct column column[static COLUMNS])
 {
@@ -106,8 +106,8 @@ store_csv_save(
 	return file_replace_by(path, FILE_SHARED, write_list, list, error);
 }
 
-/* Whether a file has to have the column: exports of old have no model and no
- * basis, and each model its own parameters. */
+/* True if a file must have the column: old exports have no model and no basis,
+ * and each model has its own parameters. */
 static bool
 is_required(const struct column *c)
 {
@@ -118,7 +118,7 @@ is_required(const struct column *c)
 	       BREAKAGES[0]->n;
 }
 
-/* Where the columns are. */
+/* Finds the columns. */
 static void
 read_head(struct sheet *sheet, struct column *column, size_t n)
 {
@@ -153,7 +153,7 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 			    column_name(&column[c]));
 }
 
-/* A number that cannot be read is reported already. */
+/* Takes a value; one that cannot be read has been reported. */
 static void
 store_csv_take_value(struct sheet *sheet, struct cell cell,
     const struct field *f, struct stored *m)
@@ -174,7 +174,7 @@ store_csv_take_value(struct sheet *sheet, struct cell cell,
 static const char EMPTY[] = "expected %s, got an empty cell\n"
 			    "fill it, or remove the row";
 
-/* A parameter of the row's model. */
+/* Takes a parameter of the row's model. */
 static void
 take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
     struct stored *m)
@@ -237,7 +237,7 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
 	stored_index_clear(&others);
 }
 
-/* The model first: its parameters depend on it. */
+/* Reads the model first, because its parameters depend on it. */
 static void
 store_csv_read_row(struct sheet *sheet, const struct row *row,
     const struct column *column, size_t n, struct stored_list *list)
