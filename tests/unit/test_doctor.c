@@ -85,7 +85,40 @@ a_wrong_cell_is_named(void **state)
 	assert_true(alarms == 0);
 }
 
-/* 34.6 for 36.4: the two digits about the point change places. */
+/* Curves of Rosin and Rammler whose size leaps between two speeds, as no law of
+ * breakage has it, on a feed with the corner of the screen that it was cut by:
+ * no cell is told of. */
+static void
+a_law_that_is_wrong_accuses_no_cell(void **state)
+{
+	static const double SHARE[] = {0.4, 0.39, 0.32}; /* of the top size */
+	(void)state;
+	for (uint64_t seed = 1; seed <= SITES; seed++) {
+		struct site *site = site_of(seed);
+		struct rng_key key = rng_key(seed, 0, 6);
+		for (size_t r = 0; r < 3; r++) {
+			struct psd *psd = &site->run[r].product;
+			double size = SHARE[r] * site->top_size;
+			for (size_t i = 1; i < psd->n; i++) {
+				double u = psd->size[i] / size;
+				double P = psd_passing(
+				    &site->run[r].feed, psd->size[i]);
+				P = fmax(P, -expm1(-u));
+				P += 0.004 * sqrt(P * (1 - P)) *
+				     rng_normal(key, (uint32_t)(20 * r + i));
+				psd->passing[i] = fmin(
+				    round(1e4 * P) / 1e4, psd->passing[i - 1]);
+			}
+		}
+		struct posterior *p = posterior_of(site);
+		struct doctor d = outliers_find(site, p, 0);
+		assert_int_equal(d.n, 0);
+		outliers_free(&d);
+		posterior_free(p);
+		site_free(site);
+	}
+}
+
 /* Bounds within which passings could move by 10^10 leave no less to say: all
  * numbers are finite, and none changes by more than bounds that are wide. */
 static void
@@ -115,6 +148,7 @@ wide_bounds_leave_numbers(void **state)
 	site_free(site);
 }
 
+/* 34.6 for 36.4: the two digits about the point change places. */
 static double
 transposed(double passing)
 {
@@ -344,6 +378,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(a_wrong_cell_is_named),
+	    cmocka_unit_test(a_law_that_is_wrong_accuses_no_cell),
 	    cmocka_unit_test(wide_bounds_leave_numbers),
 	    cmocka_unit_test(transposed_digits_are_read),
 	    cmocka_unit_test(columns_are_put_right),

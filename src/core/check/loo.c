@@ -38,8 +38,9 @@ static const struct {
  * passing; what no passing is trusted to more than. */
 static const double FREE = 0.3, FEED_OWN = 0.0035, ROUNDING = 0.0005;
 
-/* Above COARSE a curve ends at the screen it was cut by, with a corner that no
- * smooth curve has: sd of ln(P / (1 - P)). */
+/* Above COARSE, or below the sieve that all passes, a curve ends at the screen
+ * it was cut by, with a corner that no smooth curve has: sd of
+ * ln(P / (1 - P)). */
 static const double COARSE = 0.8, CORNER = 0.6;
 
 /* Nearer to 0 or 1 a passing says nothing of how steep a curve is. */
@@ -422,6 +423,15 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }
 
+/* Whether all of the curve passes the next coarser sieve. */
+static bool
+is_at_the_screen(const struct leave_out *l, size_t cell)
+{
+	const struct leave_out_cell *of = &l->of[cell];
+	const struct psd *curve = loo_curve_of(l, of);
+	return of->sieve > 0 && curve->passing[of->sieve - 1] >= 1;
+}
+
 /* ln of the mean energy of the runs. */
 static double
 mean_log_energy(const struct site *site)
@@ -463,8 +473,10 @@ block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 				       (y->log_size - b->cell[0].log_size);
 			b->fixed[i * b->n + j] =
 			    25 + 4 * sizes + x->t * y->t * (0.1 + 0.01 * sizes);
-			bool corner = i == j && P > COARSE;
-			b->fixed[i * b->n + j] += corner ? CORNER * CORNER : 0;
+			bool corner =
+			    P > COARSE || is_at_the_screen(l, b->first + i);
+			b->fixed[i * b->n + j] +=
+			    i == j && corner ? CORNER * CORNER : 0;
 		}
 }
 

@@ -18,6 +18,10 @@
  * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */
 static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 4.5, WORTH = 0.02;
 
+/* A feed's cell is told of where its own curve has it off, too, by so many
+ * standard deviations: a law that is wrong asks for a wrong feed. */
+static const double FEED_OFF = 3;
+
 /* Before one, a cell whose distance from the straight line, on log size,
  * between its neighbours is more than this from the mean distance of the other
  * runs on the same three sieves, or from 0 where there are none.  Of 19000
@@ -459,8 +463,25 @@ cell_passing(const struct site *site, const struct leave_out_cell *c)
 	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
 }
 
-/* The next cell from a fit of its own, which moves; before: those that were
- * found [n].  Returns false where none is worth telling of. */
+/* How far a cell is off what the curves expect, whatever law they follow. */
+static struct leave_out_shift
+shift_along_curves(
+    const struct site *site, double noise, const struct leave_out_cell *cell)
+{
+	struct leave_out *l = leave_out_new(site, NULL, noise);
+	struct leave_out_shift s = {.z = NAN, .expected = NAN, .sd = NAN};
+	for (size_t i = 0; i < leave_out_cells(l); i++) {
+		struct leave_out_cell c = leave_out_cell(l, i);
+		if (c.feed == cell->feed && c.run == cell->run &&
+		    c.sieve == cell->sieve)
+			s = leave_out_shift_of(l, i);
+	}
+	leave_out_free(l);
+	return s;
+}
+
+/* The next cell from a fit of its own, which moves; found [n]: those before it.
+ * Returns false where none is worth telling of. */
 static bool
 find_next(struct doctor *d, const struct site *site, struct posterior *p,
     double noise, size_t *found, size_t n)
@@ -480,6 +501,11 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 	       fabs(s.expected - cell_passing(site, &c)) > WORTH;
 	if (!tell)
 		return false;
+	found[n] = s.cell;
+	if (c.feed &&
+	    !(shift_along_curves(site, noise, &c).z * copysign(1, s.z) >
+		FEED_OFF))
+		return true;
 	struct mend m = {.feed = c.feed, .run = c.run};
 	m.size = outliers_curve_of(site, &m)->size[c.sieve];
 	move_refitted(p, site, m);
@@ -489,7 +515,6 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 	double gain = s.gain;
 	s = leave_out_shift_of(l, s.cell);
 	leave_out_free(l);
-	found[n] = s.cell;
 	if (!(fabs(s.expected - cell_passing(site, &c)) > WORTH))
 		return false;
 	outliers_add_cell(d, site, &c, &s);
@@ -530,15 +555,7 @@ static void
 add_bent(struct doctor *d, const struct site *site, double noise,
     struct leave_out_cell cell)
 {
-	struct leave_out *l = leave_out_new(site, NULL, noise);
-	struct leave_out_shift s = {.expected = NAN, .sd = NAN};
-	for (size_t i = 0; i < leave_out_cells(l); i++) {
-		struct leave_out_cell c = leave_out_cell(l, i);
-		if (c.feed == cell.feed && c.run == cell.run &&
-		    c.sieve == cell.sieve)
-			s = leave_out_shift_of(l, i);
-	}
-	leave_out_free(l);
+	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
 	outliers_add_cell(d, site, &cell, &s);
 }
 
