@@ -72,6 +72,24 @@ the_error_of_a_difference_is_that_of_made_up_samples(void **state)
 	expect_near("error", sqrt(squares - sum * sum) / want.error, 1, 0.04);
 }
 
+/* A model that errs by 3 points misses runs whose samples err by 1 point, not
+ * by 2; by 6 points it misses whatever the misfit says of the samples. */
+static void
+a_model_misses_what_no_sampling_explains(void **state)
+{
+	(void)state;
+	for (double noise = 0.01; noise < 0.1; noise *= 2) {
+		struct league_cell cell[] = {
+		    {0, -5, 0.5, noise}, {0, -6, 0.4, noise}};
+		double far[] = {0.56, 0.34}, some[] = {0.53, 0.37};
+		double near[] = {0.515, 0.385};
+		assert_true(league_misses(cell, 2, far));
+		assert_true(league_misses(cell, 2, some) == (noise < 0.015));
+		assert_false(league_misses(cell, 2, near));
+		assert_false(league_misses(cell, 0, far));
+	}
+}
+
 static struct league_model
 entrant(size_t model, double aicc, double rmse)
 {
@@ -225,6 +243,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(aicc_is_that_of_the_book),
 	    cmocka_unit_test(rmse_is_the_mean_of_runs),
+	    cmocka_unit_test(a_model_misses_what_no_sampling_explains),
 	    cmocka_unit_test(
 		the_error_of_a_difference_is_that_of_made_up_samples),
 	    cmocka_unit_test(extensions_of_the_best_are_no_rivals),

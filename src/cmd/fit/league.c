@@ -208,14 +208,15 @@ sampling_error(const struct site_models *g)
  * held out of all, and what the null models err there.  simplest: of those that
  * remain, the one that the others extend, where they can be told.  winner: the
  * null model that errs least where that is less than the best model errs, by
- * more than sampling explains; else VALIDATE_MODEL. */
+ * more than sampling explains; else VALIDATE_MODEL.  none: even the best model
+ * misses the runs held out, so that none remains. */
 struct verdict {
 	size_t n, n_run, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
 	struct league_model *model;
 	double *misfit, **predicted, *null[VALIDATE_WAYS];
 	double rmse[VALIDATE_WAYS];
-	bool can_tell, ranked;
+	bool can_tell, ranked, none;
 	enum validate_way winner;
 	/* The share of the straight line in the answer between measured speeds,
 	 * 0..1, of which the model in use has the rest; NAN: no draws. */
@@ -323,6 +324,8 @@ verdict_of(const struct site_models *g, size_t n)
 		    breakage_extends(v.simplest, m))
 			v.simplest = m;
 	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
+	v.none = league_misses(v.cell, v.n, v.predicted[v.best]);
+	v.can_tell = v.can_tell && !v.none;
 	v.straight = NAN;
 	const double *least = v.predicted[v.best];
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
@@ -366,6 +369,8 @@ verdict_word(const struct verdict *v, size_t m)
 	enum league_standing standing = v->model[m].standing;
 	if (standing == LEAGUE_BEST && v->winner != VALIDATE_MODEL)
 		return tr("beaten");
+	if (v->none && standing <= LEAGUE_POSSIBLE)
+		return tr("misses");
 	if (standing == LEAGUE_BEST && baseline_ahead(v) != VALIDATE_MODEL)
 		standing = LEAGUE_POSSIBLE;
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
@@ -458,7 +463,12 @@ say_verdict(struct answer *r, const struct verdict *v)
 	FREED char *open = league_names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 	FREED char *out = league_names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
 	const char *best = name_of_row(v->best);
-	if (v->can_tell)
+	if (v->none)
+		answer_say(r, ANSWER_WARNING,
+		    "none of these describes this rock: the best, %s, misses "
+		    "the runs left out by %.1f points",
+		    best, 100 * v->model[v->best].rmse);
+	else if (v->can_tell)
 		answer_note(r,
 		    open[0] ? N_("the data can tell the models apart: %s and "
 				 "its extensions remain")
@@ -476,7 +486,8 @@ say_verdict(struct answer *r, const struct verdict *v)
 			"remain possible",
 			strchr(open, ',') != NULL ? 2 : 1),
 		    best, open);
-	if (out[0] != '\0' && (v->can_tell || (v->ranked && open[0] != '\0')))
+	if (out[0] != '\0' && !v->none &&
+	    (v->can_tell || (v->ranked && open[0] != '\0')))
 		answer_note(r, "ruled out: %s", out);
 	if (v->winner != VALIDATE_MODEL)
 		answer_say(r, ANSWER_WARNING,
@@ -617,13 +628,15 @@ answer_all(const struct session *s, const struct league *l)
 		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
 		struct verdict v =
 		    g != NULL ? verdict_of(g, 1) : verdict_of(l->sites, l->n);
-		FREED char *open =
-		    league_names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+		FREED char *open = v.none ? xstrdup("")
+					  : league_names_of(&v, LEAGUE_POSSIBLE,
+						LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
 		enum validate_way ahead = baseline_ahead(&v);
 		answer_cells(r, "%s %.2f %.2f %s",
 		    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
+		    : v.none                ? tr("none")
 					    : name_of_row(v.best),
 		    100 * v.model[v.best].rmse,
 		    100 * v.rmse[VALIDATE_INTERPOLATION],

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "core/check/trust.h"
 #include "core/model/breakage.h"
 #include "core/posterior/discrepancy.h"
 
@@ -91,6 +92,16 @@ league_errs_more(
 	struct league_pair p = league_compare(cell, n, a, b);
 	return p.difference > ERRORS * p.error &&
 	       league_rmse(cell, n, a) > league_rmse(cell, n, b) + LEAST;
+}
+
+bool
+league_misses(const struct league_cell *cell, size_t n, const double *predicted)
+{
+	double variance = 0, error = league_rmse(cell, n, predicted);
+	for (size_t i = 0; i < n; i++)
+		variance += cell[i].noise * cell[i].noise / (double)n;
+	return error > FIT_POOR &&
+	       error > ERRORS * fmin(sqrt(variance), FIT_POOR);
 }
 
 /* By AICc, of those that have none by what they err at runs held out. */

@@ -50,6 +50,13 @@ struct league_pair league_compare(
 bool league_errs_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
+/* True if the predictions miss the held-out runs by more than both FIT_POOR and
+ * twice the sampling error, which is taken to be FIT_POOR at most, as it is
+ * estimated from a misfit.  A model that does describes these runs badly, even
+ * if all others are worse. */
+bool league_misses(
+    const struct league_cell *cell, size_t n, const double *predicted);
+
 /* A model to be compared.  model: its index in BREAKAGES.  standing: out. */
 enum league_standing {
 	LEAGUE_BEST,     /* smallest held-out error; among these, smallest
