@@ -10,6 +10,7 @@
 #include <gsl/gsl_sort.h>
 
 #include "core/posterior/ensemble.h"
+#include "core/posterior/lack_of_fit.h"
 #include "core/posterior/thin.h"
 
 struct known {
@@ -961,6 +962,40 @@ a_leap_is_no_sampling_error(void **state)
 	}
 }
 
+/* What a smaller leap leaves is smooth along the curves: it is the product's
+ * where the straight line has most of the draws, a sample's where the model is
+ * right. */
+static void
+smooth_residuals_are_the_products_where_the_law_is_wrong(void **state)
+{
+	(void)state;
+	static const double SPEED[NO_LAW_RUNS] = {69, 74, 79};
+	const struct no_law law = {0.004, 0.5, 1, 0.05};
+	bool use[NO_LAW_RUNS] = {true, true, true};
+	struct calibrate_options o = quick_options(1);
+	o.train = use;
+	struct site *site = no_law_site(&law, SPEED, 5);
+	struct fit fit = fitted(site, &o);
+	struct posterior *p = drawn(site, &fit, &o, use);
+	struct misfit *m = misfit_new(site, use, NULL, false, p->settings);
+	double found = missed_at_runs(p, site, use);
+	print_message("straight %g, missed %g", p->straight, found);
+	assert_true(p->straight > 0.2);
+	memset(p->lack, 0, p->n_speed * p->n_knot * sizeof *p->lack);
+	double none = missed_at_runs(p, site, use);
+	p->straight = 0.1;
+	lack_of_fit_add_smooth(p, m);
+	assert_true(missed_at_runs(p, site, use) == none);
+	p->straight = 0.75;
+	lack_of_fit_add_smooth(p, m);
+	double added = missed_at_runs(p, site, use);
+	print_message(", without %g, added %g\n", none, added);
+	assert_true(found < 0.7 * none && added < 0.7 * none);
+	misfit_free(m);
+	posterior_free(p);
+	site_free(site);
+}
+
 int
 main(void)
 {
@@ -982,6 +1017,8 @@ main(void)
 	    cmocka_unit_test(faster_is_never_coarser),
 	    cmocka_unit_test(test_straight),
 	    cmocka_unit_test(test_no_law),
+	    cmocka_unit_test(
+		smooth_residuals_are_the_products_where_the_law_is_wrong),
 	    cmocka_unit_test(answers_at_runs_are_held),
 	    cmocka_unit_test(a_leap_is_no_sampling_error),
 	};

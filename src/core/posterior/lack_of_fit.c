@@ -52,6 +52,21 @@ product_error_share(const double *r, const double *h, size_t n, double shared)
 	return squares > 0 ? fmin(fmax(along / squares, 0), 1) : 0;
 }
 
+/* The share of residuals r [m->n_residual] that is smooth along the curves:
+ * once the smooth answer is taken off, neighbours have half of the rest in
+ * common, and none of what errs independently. */
+static double
+smooth_share(const struct misfit *m, const double *r)
+{
+	double along = 0, squares = 0;
+	for (size_t j = 0; j < m->n_run; r += m->run[j++].n)
+		for (size_t i = 0; i < m->run[j].n; i++) {
+			squares += r[i] * r[i];
+			along += i > 0 ? r[i] * r[i - 1] : 0;
+		}
+	return squares > 0 ? fmin(fmax(2 * along / squares, 0), 1) : 0;
+}
+
 /* Adds a run's residuals, over h, times `share` to those at the knots: straight
  * in ln size between its sieves, held beyond them. */
 static void
@@ -72,28 +87,70 @@ add_residuals_at_knots(const struct posterior *p, const struct misfit_run *run,
 	}
 }
 
+static size_t
+number_of_speed(const struct posterior *p, double v)
+{
+	size_t k = 0;
+	while (p->speed[k] < v)
+		k++;
+	return k;
+}
+
+/* Adds the residuals of all runs r, over h, each [m->n_residual], times the
+ * share of its run [m->n_run], with the mean of repeats. */
+static void
+add_shares_of_residuals(struct posterior *p, const struct misfit *m,
+    const double *r, const double *h, const double *share)
+{
+	double repeats[POSTERIOR_RUNS] = {0};
+	for (size_t j = 0; j < m->n_run; j++)
+		repeats[number_of_speed(p, m->run[j].speed)]++;
+	for (size_t j = 0; j < m->n_run; r += m->run[j].n, h += m->run[j++].n) {
+		size_t k = number_of_speed(p, m->run[j].speed);
+		add_residuals_at_knots(p, &m->run[j], r, h,
+		    share[j] / repeats[k], p->lack + k * p->n_knot);
+	}
+}
+
+/* What the mean answer leaves at all runs, and its h behind it, [2 *
+ * m->n_residual], which the caller frees. */
+static double *
+residuals_of_runs(const struct posterior *p, const struct misfit *m)
+{
+	double *r = xdoubles(2 * m->n_residual), *at = r;
+	for (size_t j = 0; j < m->n_run; at += m->run[j++].n)
+		find_residuals(p, &m->run[j], at, at + m->n_residual);
+	return r;
+}
+
 void
 lack_of_fit_find(struct posterior *p, const struct misfit *m)
 {
 	if (p->n_speed < 2)
 		return;
-	double shared = shared_error(p, m), repeats[POSTERIOR_RUNS] = {0};
-	double *lack = xdoubles(p->n_speed * p->n_knot);
-	for (size_t j = 0; j < m->n_run; j++) {
-		const struct misfit_run *run = &m->run[j];
-		double *r = xdoubles(2 * run->n), *h = r + run->n;
-		size_t k = 0;
-		while (p->speed[k] < run->speed)
-			k++;
-		find_residuals(p, run, r, h);
-		double share = product_error_share(r, h, run->n, shared);
-		add_residuals_at_knots(
-		    p, run, r, h, share, lack + k * p->n_knot);
-		repeats[k]++;
-		free(r);
-	}
-	for (size_t k = 0; k < p->n_speed; k++)
-		for (size_t i = 0; i < p->n_knot; i++)
-			lack[k * p->n_knot + i] /= repeats[k];
-	p->lack = lack;
+	double *r = residuals_of_runs(p, m), *h = r + m->n_residual;
+	double *share = xdoubles(m->n_run), shared = shared_error(p, m);
+	for (size_t j = 0, at = 0; j < m->n_run; at += m->run[j++].n)
+		share[j] =
+		    product_error_share(r + at, h + at, m->run[j].n, shared);
+	p->lack = xdoubles(p->n_speed * p->n_knot);
+	add_shares_of_residuals(p, m, r, h, share);
+	free(share);
+	free(r);
+}
+
+void
+lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m)
+{
+	const double usual = 0.1, most = 0.75; /* of D25's share */
+	double law = fmin(1, (most - p->straight) / (most - usual));
+	if (p->n_speed < 2 || law == 1)
+		return;
+	double *r = residuals_of_runs(p, m), *share = xdoubles(m->n_run);
+	double smooth = (1 - law * law) * smooth_share(m, r);
+	for (size_t j = 0; j < m->n_run; j++)
+		share[j] = smooth;
+	add_shares_of_residuals(p, m, r, r + m->n_residual, share);
+	free(share);
+	free(r);
 }

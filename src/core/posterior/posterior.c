@@ -1127,6 +1127,7 @@ posterior_step(struct posterior_run *run)
 	choose_draws(run);
 	lack_of_fit_find(run->p, run->m);
 	thin_straighten_draws(run->thin, run->p);
+	lack_of_fit_add_smooth(run->p, run->m);
 	find_convergence(run->p, s, run->sums);
 	return true;
 }
