@@ -214,12 +214,11 @@ card_work_out(struct session *s, struct asked *all, double speed,
 	    .share = NAN};
 	forecast_at(all->forecast, speed);
 	for (size_t i = 0; i < all->n; i++)
-		row->value[i] = quantities_shown(
-		    &all->q[i], forecast_figure(all->forecast, i).value);
-	struct figure p80 = forecast_figure(all->forecast, P80);
-	row->low = 1000 * p80.low;
-	row->high = 1000 * p80.high;
-	row->ranged = forecast_figure(all->forecast, ranged_figure(all));
+		row->value[i] = forecast_shown(all->forecast, i).value;
+	struct figure p80 = forecast_shown(all->forecast, P80);
+	row->low = p80.low;
+	row->high = p80.high;
+	row->ranged = forecast_shown(all->forecast, ranged_figure(all));
 	if (all->flows)
 		work_out_flow(all, row);
 	if (all->list.n > 0) {
@@ -328,9 +327,9 @@ page_sizes(struct page *page, const struct asked *all,
 	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
 	for (size_t i = 0; i < all->n; i++) {
 		const struct quantity *q = &all->q[i];
-		bool one = quantities_decimals(q) == 1;
+		int decimals = quantities_decimals(q);
 		struct page_column *c = page_column(page, page_head(all, q),
-		    one ? 1 : 2, i < SIZES ? SPARE[i] : FIGURE);
+		    decimals, i < SIZES ? SPARE[i] : FIGURE);
 		for (size_t k = 0; k < page->rows; k++)
 			page_cell(c, k, row[k].value[i], NULL);
 		if (i != ranged_figure(all) || isnan(row[0].ranged.low))
@@ -339,10 +338,8 @@ page_sizes(struct page *page, const struct asked *all,
 		    page, xasprintf(tr("%.0f %% range"), level), WORDS, RANGE);
 		for (size_t k = 0; k < page->rows; k++)
 			page_cell(c, k, NAN,
-			    xasprintf("%.*f..%.*f", one ? 1 : 2,
-				quantities_shown(q, row[k].ranged.low),
-				one ? 1 : 2,
-				quantities_shown(q, row[k].ranged.high)));
+			    xasprintf("%.*f..%.*f", decimals, row[k].ranged.low,
+				decimals, row[k].ranged.high));
 	}
 }
 
@@ -443,12 +440,8 @@ add_page(struct answer *r, struct page *page)
 			if (c->decimals == WORDS)
 				answer_text(r, "%s", c->word[k]);
 			else
-				answer_cells(r,
-				    i == 0             ? "%g"
-				    : c->decimals == 0 ? "%.0f"
-				    : c->decimals == 1 ? "%.1f"
-						       : "%.2f",
-				    c->number[k]);
+				answer_cells(r, "%.*f",
+				    i == 0 ? -1 : c->decimals, c->number[k]);
 		}
 }
 
@@ -502,9 +495,8 @@ card_add_row(struct answer *r, const struct asked *all,
 	if (rpm)
 		answer_cells(r, "%.0f", row->rpm);
 	for (size_t i = 0; i < all->n; i++)
-		answer_cells(r,
-		    quantities_decimals(&all->q[i]) == 1 ? "%.1f" : "%.2f",
-		    row->value[i]);
+		answer_cells(
+		    r, "%.*f", quantities_decimals(&all->q[i]), row->value[i]);
 	answer_cells(r, "%.2f %.2f", row->low, row->high);
 	for (size_t i = 0; i < all->n_line; i++)
 		answer_cells(r, "%.1f", row->tph[i]);

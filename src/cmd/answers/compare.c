@@ -217,23 +217,20 @@ compare_figures(struct answer *r, const struct session *s,
 		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
 		struct figure more = forecast_difference(f[0], f[1], i);
-		double a =
-		    quantities_shown(&q[i], forecast_figure(f[0], i).value);
-		double b =
-		    quantities_shown(&q[i], forecast_figure(f[1], i).value);
+		double a = forecast_shown(f[0], i).value;
+		double b = forecast_shown(f[1], i).value;
 		double low = quantities_shown(&q[i], more.low);
 		double high = quantities_shown(&q[i], more.high);
-		bool tenths = quantities_decimals(&q[i]) == 1;
+		int decimals = quantities_decimals(&q[i]);
 		FREED char *key = quantities_key(&q[i]);
 		FREED char *words = quantities_words(&q[i]);
 		const char *unit = quantities_unit(&q[i]);
 		answer_name(r, key, words);
-		answer_cells(r,
-		    tenths ? "%.1f %.1f %s %+.1f" : "%.2f %.2f %s %+.2f", a, b,
-		    unit, b - a);
+		answer_cells(r, "%.*f %.*f %s %+.*f", decimals, a, decimals, b,
+		    unit, decimals, b - a);
 		if (band)
-			answer_cells(r, tenths ? "%+.1f %+.1f" : "%+.2f %+.2f",
-			    low, high);
+			answer_cells(
+			    r, "%+.*f %+.*f", decimals, low, decimals, high);
 		fields_put(fields_object(list, NULL),
 		    "quantity %s unit %s a %g b %g difference %g low %g high "
 		    "%g",

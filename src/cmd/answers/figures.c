@@ -18,17 +18,13 @@ static void
 add_figure(struct answer *r, struct fields *list, struct forecast *all,
     size_t i, const struct quantity *q, double speed, bool model)
 {
-	struct figure f = forecast_figure(all, i);
-	double value = quantities_shown(q, f.value),
-	       low = quantities_shown(q, f.low),
-	       high = quantities_shown(q, f.high);
-	bool whole = quantities_decimals(q) == 1;
+	struct figure f = forecast_shown(all, i);
+	int decimals = quantities_decimals(q);
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	answer_name(r, key, words);
-	answer_cells(
-	    r, whole ? "%.1f %s" : "%.2f %s", value, quantities_unit(q));
+	answer_cells(r, "%.*f %s", decimals, f.value, quantities_unit(q));
 	if (forecast_draws(all, i) != NULL)
-		answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f", low, high);
+		answer_cells(r, "%.*f %.*f", decimals, f.low, decimals, f.high);
 	if (forecast_draws(all, i) != NULL && model)
 		answer_cells(
 		    r, "%g", quantities_shown(q, forecast_model(all, i)));
@@ -36,8 +32,8 @@ add_figure(struct answer *r, struct fields *list, struct forecast *all,
 		answer_cells(r, "%g", speed);
 	if (list != NULL)
 		fields_put(fields_object(list, NULL),
-		    "quantity %s value %g unit %s low %g high %g", key, value,
-		    quantities_unit(q), low, high);
+		    "quantity %s value %g unit %s low %g high %g", key, f.value,
+		    quantities_unit(q), f.low, f.high);
 }
 
 static void

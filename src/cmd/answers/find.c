@@ -170,7 +170,7 @@ find_value_at(const struct goal *goal, double v)
 {
 	struct forecast *f = goal->wanted.forecast;
 	forecast_at(f, v);
-	return shown_value(goal, forecast_figure(f, goal->wanted.n).value);
+	return forecast_shown(f, goal->wanted.n).value;
 }
 
 /* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
@@ -290,15 +290,11 @@ value_words(const struct goal *goal, size_t i)
 				       ? &goal->wanted.at[i].quantity
 				       : &goal->target.quantity;
 	int digits = quantities_decimals(q);
-	struct figure f = forecast_figure(goal->wanted.forecast, i);
-	char *words = quantities_words(q);
-	xappend(&words, " %.*f%s", digits, quantities_shown(q, f.value),
-	    quantities_unit_suffix(q));
-	if (isfinite(f.low) && isfinite(f.high))
-		xappend(&words, tr(" (%.*f to %.*f)"), digits,
-		    quantities_shown(q, f.low), digits,
-		    quantities_shown(q, f.high));
-	return words;
+	struct figure f = forecast_shown(goal->wanted.forecast, i);
+	FREED char *name = quantities_words(q);
+	FREED char *band = quantities_band(f.low, f.high, digits);
+	return xasprintf("%s %.*f%s%s", name, digits, f.value,
+	    quantities_unit_suffix(q), band);
 }
 
 /* The largest value, and what keeps it from being larger: a limit that is

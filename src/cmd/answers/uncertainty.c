@@ -71,22 +71,17 @@ static void
 add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
     struct figure answer, struct figure sample)
 {
-	const double values[] = {
-	    answer.value, answer.low, answer.high, sample.low, sample.high};
-	double shown[ARRAY_LEN(values)];
-	for (size_t i = 0; i < ARRAY_LEN(values); i++)
-		shown[i] = quantities_shown(q, values[i]);
+	int d = quantities_decimals(q);
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	const char *unit = quantities_unit(q);
 	answer_name(r, key, words);
-	answer_cells(r,
-	    quantities_decimals(q) == 1 ? "%.1f %s %.1f %.1f %.1f %.1f"
-					: "%.2f %s %.2f %.2f %.2f %.2f",
-	    shown[0], unit, shown[1], shown[2], shown[3], shown[4]);
+	answer_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, answer.value, unit, d,
+	    answer.low, d, answer.high, d, sample.low, d, sample.high);
 	fields_put(fields_object(list, NULL),
 	    "quantity %s value %g unit %s low %g high %g cut_low %g cut_high "
 	    "%g",
-	    key, shown[0], unit, shown[1], shown[2], shown[3], shown[4]);
+	    key, answer.value, unit, answer.low, answer.high, sample.low,
+	    sample.high);
 }
 
 /* A row a figure, with the range of the true value and that of a new sample. */
@@ -103,8 +98,8 @@ add_figures(struct answer *r, const struct session *s,
 			  "cut_low: cut low, cut_high: cut high");
 	struct fields *list = fields_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
-		add_figure_row(r, list, &q[i], forecast_figure(answer, i),
-		    forecast_figure(sample, i));
+		add_figure_row(r, list, &q[i], forecast_shown(answer, i),
+		    forecast_shown(sample, i));
 	forecast_close(answer);
 	forecast_close(sample);
 	FREED char *chance = predict_chance(question->level);

@@ -572,30 +572,27 @@ add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
 {
 	const struct quantity *q = &wanted->at[i].quantity;
 	struct margin margin = wanted_margin(wanted, i);
-	struct figure f = forecast_figure(wanted->forecast, i);
+	struct figure f = forecast_shown(wanted->forecast, i);
 	const double limit[] = {quantities_shown(q, wanted->at[i].least),
 	    quantities_shown(q, wanted->at[i].most)};
-	const double value = quantities_shown(q, f.value),
-		     band[] = {quantities_shown(q, f.low),
-			 quantities_shown(q, f.high)},
-		     points = 100 * margin.passing, *alone = found->alone[i];
+	const double points = 100 * margin.passing, *alone = found->alone[i];
 	const char *unit = quantities_unit(q);
-	bool whole = quantities_decimals(q) == 1;
+	int decimals = quantities_decimals(q);
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
 	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, unit, limit[0], limit[1], value, band[0], band[1], points,
+	    key, unit, limit[0], limit[1], f.value, f.low, f.high, points,
 	    conditions_widths(wanted, margin), alone[0], alone[1]);
 	if (unit[0] != '\0')
 		xappend(&words, ", %s", unit);
 	if (r != NULL) {
 		answer_name(r, key, words);
-		answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f", limit[0],
-		    limit[1], value);
+		answer_cells(
+		    r, "%g %g %.*f", limit[0], limit[1], decimals, f.value);
 		if (forecast_draws(wanted->forecast, i) != NULL)
-			answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
-			    band[0], band[1]);
+			answer_cells(
+			    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
 		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
 	}
 }

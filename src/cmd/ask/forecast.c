@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/asked.h"
+#include "cmd/ask/quantity_words.h"
 
 /* Its draws are those of the question's other answers, which are kept until
  * another site or feed is asked about. */
@@ -82,6 +83,15 @@ forecast_figure(const struct forecast *f, size_t i)
 	response_band(f->response, i, f->level, range);
 	return (struct figure){
 	    response_value(f->response, i), range[0], range[1]};
+}
+
+struct figure
+forecast_shown(const struct forecast *f, size_t i)
+{
+	const struct quantity *q = response_quantity(f->response, i);
+	struct figure at = forecast_figure(f, i);
+	return (struct figure){quantities_shown(q, at.value),
+	    quantities_shown(q, at.low), quantities_shown(q, at.high)};
 }
 
 double

@@ -34,7 +34,10 @@ void forecast_at(struct forecast *f, double speed);
 void forecast_part_at(
     struct forecast *f, double speed, enum ensemble_part part);
 
+/* forecast_figure returns quantity i in its own unit, forecast_shown in the one
+ * that people see (quantities_shown). */
 struct figure forecast_figure(const struct forecast *f, size_t i);
+struct figure forecast_shown(const struct forecast *f, size_t i);
 
 /* Returns quantity i of the model alone. */
 double forecast_model(struct forecast *f, size_t i);

@@ -275,12 +275,8 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
 		.fraction = q->fraction}};
 	struct forecast *f = forecast_open(s, &question, asked, 2);
 	forecast_at(f, p->speed);
-	for (size_t i = 0; i < 2; i++) {
-		struct figure at = forecast_figure(f, i);
-		band[i] = (struct figure){quantities_shown(&asked[i], at.value),
-		    quantities_shown(&asked[i], at.low),
-		    quantities_shown(&asked[i], at.high)};
-	}
+	for (size_t i = 0; i < 2; i++)
+		band[i] = forecast_shown(f, i);
 	forecast_close(f);
 }
 

@@ -144,10 +144,10 @@ response_set_values(struct session *s, struct drawn *d)
 		forecast_at(f, response_speed_at(d, k));
 		for (size_t i = 0; i < d->n; i++) {
 			double *value = d->value[i * POINTS + k];
-			struct figure at = forecast_figure(f, i);
-			value[0] = quantities_shown(&d->q[i], at.value);
-			value[1] = quantities_shown(&d->q[i], at.low);
-			value[2] = quantities_shown(&d->q[i], at.high);
+			struct figure at = forecast_shown(f, i);
+			value[0] = at.value;
+			value[1] = at.low;
+			value[2] = at.high;
 		}
 	}
 	forecast_close(f);

@@ -270,6 +270,12 @@ response_at(
 		response_read_draws(r);
 }
 
+const struct quantity *
+response_quantity(const struct response *r, size_t i)
+{
+	return &r->asked[i];
+}
+
 double
 response_value(const struct response *r, size_t i)
 {

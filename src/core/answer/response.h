@@ -25,6 +25,9 @@ void response_free(struct response *r);
 void response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
+/* Returns quantity i as it was asked; borrowed. */
+const struct quantity *response_quantity(const struct response *r, size_t i);
+
 /* Return quantity i at the response's speed, for the answer and for the model
  * alone; NAN if the curve does not reach that far. */
 double response_value(const struct response *r, size_t i);

@@ -335,8 +335,7 @@ panel_draw_limit(
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
 	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
 	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
-	    quantities_shown(
-		&q, forecast_figure(g->conditions.forecast, i).value));
+	    forecast_shown(g->conditions.forecast, i).value);
 	if (!isnan(least) || !isnan(most))
 		screen_text(area, row, UNIT, LOOK_DIM, "%s", limits);
 	screen_text(area, row, area->columns - 3, in ? LOOK_PLAIN : LOOK_BOLD,

@@ -143,10 +143,10 @@ response_strip_work_out(struct tui *t)
 		double *value = a->value[a->n];
 		forecast_at(
 		    f, response_strip_speed_at(t, (double)a->n / (POINTS - 1)));
-		struct figure at = forecast_figure(f, 0);
-		value[0] = quantities_shown(&a->of, at.value);
-		value[1] = quantities_shown(&a->of, at.low);
-		value[2] = quantities_shown(&a->of, at.high);
+		struct figure at = forecast_shown(f, 0);
+		value[0] = at.value;
+		value[1] = at.low;
+		value[2] = at.high;
 	}
 	forecast_close(f);
 }
