@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/ask/quantity_words.h"
 #include "core/posterior/ensemble.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
@@ -77,8 +78,7 @@ static size_t
 sides_of(const struct wanted *w, size_t i, struct side side[static 2])
 {
 	const struct condition *of = &w->at[i];
-	bool share = of->quantity.kind == QUANTITY_PASSING ||
-		     of->quantity.kind == QUANTITY_SHARE;
+	bool share = quantities_unit(&of->quantity)[0] == '%';
 	size_t n = 0;
 	if (!isnan(of->least))
 		side[n++] = (struct side){

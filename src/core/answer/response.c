@@ -333,22 +333,13 @@ response_draws(const struct response *r, size_t i)
 	return r->draw[i];
 }
 
-/* Whether the distance from a limit is not that of the value, but one of
- * passings. */
-static bool
-is_read_between(const struct quantity *q)
-{
-	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
-	       q->kind == QUANTITY_CURVATURE;
-}
-
 /* Of a curve of the product that has this value. */
 static double
 excess_of_curve(struct response *r, size_t i, double limit, double value,
     const struct psd *curve)
 {
 	const struct quantity *q = &r->asked[i];
-	if (!is_read_between(q))
+	if (!quantity_over_reads_curve(q))
 		return quantity_over(q, limit, value, NULL);
 	if (r->kept[i] == NULL)
 		return quantity_over(q, limit, value, curve);
@@ -367,7 +358,7 @@ response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++) {
-		if (is_read_between(&r->asked[i]))
+		if (quantity_over_reads_curve(&r->asked[i]))
 			draw_curve(r, d, &r->curve);
 		over[d] =
 		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);

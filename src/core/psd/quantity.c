@@ -107,6 +107,13 @@ quantity_over(const struct quantity *q, double limit, double value,
 	return NAN;
 }
 
+bool
+quantity_over_reads_curve(const struct quantity *q)
+{
+	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
+	       q->kind == QUANTITY_CURVATURE;
+}
+
 size_t
 quantity_points(const struct quantity *q, double size[static QUANTITY_POINTS])
 {

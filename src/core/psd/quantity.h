@@ -63,6 +63,9 @@ double quantity_read(
 double quantity_over(const struct quantity *q, double limit, double value,
     const struct psd *curve);
 
+/* True if quantity_over reads the curve; if not, it may be NULL. */
+bool quantity_over_reads_curve(const struct quantity *q);
+
 /* Lists the sizes, m, at which the curve needs points for the value to be
  * exact: [QUANTITY_POINTS] out, including the first STEP_SIEVES of a step's
  * sieves.  Returns their number. */
