@@ -239,19 +239,21 @@ quantities_fraction_text(const struct fraction *fraction)
 	    "%g/%g", units_mm(fraction->fine), units_mm(fraction->coarse));
 }
 
-/* How each kind is written: for people, as a key, as it is typed where that is
- * not as for people, and the unit behind a number.  %s: what tells it from
- * others of its kind, see kind_name. */
+/* How each kind is written: for people, as a key, as it is typed, and the unit
+ * behind a number.  %s: what tells it from others of its kind, see
+ * kind_name. */
 static const struct {
 	const char *words, *key, *typed, *unit;
 } KINDS[] = {
-    [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", NULL, " %"},
+    [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
+	" %"},
     [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm"},
-    [QUANTITY_SHARE] = {"%s", "share", NULL, " %"},
+    [QUANTITY_SHARE] = {"%s", "share", "%s", " %"},
     [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", ""},
     [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", ""},
     [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", ""},
-    [QUANTITY_STEP] = {N_("between two sieves"), "step", NULL, " %"}};
+    [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %"},
+};
 
 /* The size, percentage, fraction or standard of a quantity; for people or, with
  * key, for programs.  The caller frees. */
@@ -295,22 +297,26 @@ with_fraction(char *words, const struct quantity *q)
 	return words;
 }
 
+static bool
+is_fines(const struct quantity *q)
+{
+	return q->kind == QUANTITY_PASSING && q->letter != 0;
+}
+
 char *
 quantities_words(const struct quantity *q)
 {
-	bool fines = q->kind == QUANTITY_PASSING && q->letter != 0;
 	return with_fraction(
-	    fines ? xstrdup(tr("fines"))
-		  : fill_in_name(tr(KINDS[q->kind].words), q, false),
+	    is_fines(q) ? xstrdup(tr("fines"))
+			: fill_in_name(tr(KINDS[q->kind].words), q, false),
 	    q);
 }
 
 char *
 quantities_as_typed(const struct quantity *q)
 {
-	const char *typed = KINDS[q->kind].typed;
-	return typed == NULL ? quantities_words(q)
-			     : with_fraction(fill_in_name(typed, q, true), q);
+	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
+	return with_fraction(fill_in_name(typed, q, true), q);
 }
 
 char *

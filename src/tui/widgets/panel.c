@@ -310,9 +310,7 @@ panel_name_quantity(const struct quantity *q, char *name, size_t size)
 		snprintf(name, size, "%g", units_mm(q->x));
 	else
 		snprintf(name, size, "%s",
-		    q->kind == QUANTITY_MODULUS ? "FM"
-		    : q->kind == QUANTITY_STEP  ? "step"
-						: typed);
+		    q->kind == QUANTITY_MODULUS ? "FM" : typed);
 }
 
 /* Limit i at the slider's speed: in, or by how much it is missed. */
