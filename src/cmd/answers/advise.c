@@ -254,9 +254,7 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 		    of);
 	w->q = q[0];
 	w->name = quantities_words(&w->q);
-	w->unit = strcmp(quantities_unit(&w->q), "%") == 0
-		      ? tr(" points")
-		      : quantities_unit_suffix(&w->q);
+	w->unit = quantities_difference_suffix(&w->q);
 	return true;
 }
 

@@ -168,8 +168,7 @@ note_difference(struct answer *r, const struct session *s,
     const struct side side[2], const struct quantity *q, struct figure more)
 {
 	int digits = quantities_decimals(q);
-	const char *unit = quantities_unit_suffix(q);
-	unit = strcmp(unit, " %") == 0 ? tr(" points") : unit;
+	const char *unit = quantities_difference_suffix(q);
 	FREED char *words = quantities_words(q);
 	FREED char *chance = predict_chance(side[0].q.level);
 	double range[2], low = shown_difference(q, more.low);

@@ -296,6 +296,17 @@ predict_chance(double level)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
 }
 
+static double
+value_at(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed)
+{
+	struct forecast *f = forecast_open(s, q, of, 1);
+	forecast_at(f, speed);
+	double value = forecast_figure(f, 0).value;
+	forecast_close(f);
+	return value;
+}
+
 size_t
 predict_each_feed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *value)
@@ -306,21 +317,18 @@ predict_each_feed(const struct session *s, const struct question *q,
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
 		own.feed = run;
-		struct forecast *f = forecast_open(s, &own, of, 1);
-		forecast_at(f, speed);
-		value[run] = forecast_figure(f, 0).value;
-		forecast_close(f);
+		value[run] = value_at(s, &own, of, speed);
 	}
 	return n;
 }
 
 double
 predict_feeds_move(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double value)
+    const struct quantity *of, double speed)
 {
 	FREED double *fed = xdoubles(q->entry->site->n_run);
 	size_t n = predict_each_feed(s, q, of, speed, fed);
-	double most = 0;
+	double most = 0, value = value_at(s, q, of, speed);
 	for (size_t run = 0; run < n; run++)
 		most = fmax(most, fabs(fed[run] - value));
 	return most;
@@ -347,8 +355,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
 	double most = q->feed == SITE_MEAN_FEED
-			  ? predict_feeds_move(
-				s, q, &passing, p->speed, p->product.passing[i])
+			  ? predict_feeds_move(s, q, &passing, p->speed)
 			  : 0;
 	if (most >= FEEDS_TOLD) {
 		char *more = xasprintf(tr("%s; the feeds that were sampled "

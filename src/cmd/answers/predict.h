@@ -22,12 +22,12 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
 size_t predict_each_feed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *value);
 
-/* Returns the largest change of a quantity, in its own unit, from its value at
- * a speed, m/s, when the mean feed is replaced with a sampled one: the band
- * does not include changes of the feed.  Returns 0 if the site has one feed or
- * the question gives another. */
+/* Returns the largest change of a quantity, in its own unit, at a speed, m/s,
+ * when the question's feed is replaced with a sampled one: the band does not
+ * include changes of the feed.  Returns 0 if the site has one feed or the
+ * question gives another. */
 double predict_feeds_move(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double value);
+    const struct quantity *of, double speed);
 
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */
 char *predict_chance(double level);

@@ -250,19 +250,14 @@ static void
 note_feeds(struct answer *r, const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
-	struct forecast *f = forecast_open(s, q, of, 1);
-	forecast_at(f, speed);
-	double most =
-	    predict_feeds_move(s, q, of, speed, forecast_figure(f, 0).value);
-	forecast_close(f);
+	double most = predict_feeds_move(s, q, of, speed);
 	if (!(most > 0))
 		return;
 	FREED char *name = figure_name(of);
-	const char *unit = quantities_unit_suffix(of);
 	double shown = quantities_shown(of, most);
 	answer_note(r, "the feeds that were sampled change %s by up to %.*f%s",
 	    name, quantities_decimals(of), shown,
-	    strcmp(unit, " %") == 0 ? tr(" points") : unit);
+	    quantities_difference_suffix(of));
 	if (of->kind == QUANTITY_PASSING)
 		fields_put(answer_fields(r), "feeds_move_pct %g", shown);
 }

@@ -348,6 +348,13 @@ quantities_unit_suffix(const struct quantity *q)
 }
 
 const char *
+quantities_difference_suffix(const struct quantity *q)
+{
+	const char *unit = quantities_unit_suffix(q);
+	return strcmp(unit, " %") == 0 ? tr(" points") : unit;
+}
+
+const char *
 quantities_unit(const struct quantity *q)
 {
 	const char *after = quantities_unit_suffix(q);
