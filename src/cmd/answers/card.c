@@ -143,7 +143,7 @@ card_request_read(struct session *s, struct asked *all, const struct args *args,
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
 	const struct psd *feed = site_feed(entry->site, run);
-	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
+	bool ok = add_list(all, ANSWERS_SIZE_LIST, feed, error) &&
 		  (args_given(args, &args->of)
 			  ? add_list(all, args->of, feed, error)
 			  : add_usual_passings(all, feed, error)) &&

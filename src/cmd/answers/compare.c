@@ -119,7 +119,7 @@ comparison_rows(struct answer *r, const struct side side[2],
 			difference_cells(r, f, i, false);
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
-		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
+		answer_name(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
 		answer_set_missing(r, "-");

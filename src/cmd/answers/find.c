@@ -31,16 +31,6 @@ struct goal {
 	struct wanted wanted; /* the others; then the target */
 };
 
-/* Whether the speeds of an envelope are asked for: of one that is named, or,
- * for no other wish, of the one that is chosen. */
-static bool
-asks_for_spec(const struct session *s, const struct args *args)
-{
-	bool other = args->p20 > 0 || args->p50 > 0 || args->p80 > 0 ||
-		     args_given(args, &args->passing) || args->n_operand > 0;
-	return !other && (args->spec != NULL || s->spec != NULL);
-}
-
 static void
 add_target(struct goal *goal, struct quantity q, double value)
 {
@@ -144,7 +134,6 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 	const struct question *q = goal->question;
 	const struct psd *feed = question_feed(q);
 	const struct fraction *fraction = &q->fraction;
-	read_options(args, fraction, goal);
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!read_operand(args->operand[i], fraction, goal, error))
 			return conditions_set_error_place(args, i, error);
@@ -609,6 +598,9 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 	if (!conditions_speeds(s, args, q->entry->site, &goal.wanted.from,
 		&goal.wanted.to, error))
 		return false;
-	return asks_for_spec(s, args) ? answer_spec(s, args, &goal, error)
-				      : find_goal(s, args, &goal, error);
+	read_options(args, &q->fraction, &goal);
+	bool named = goal.n > 0 || args->n_operand > 0;
+	return !named && (args->spec != NULL || s->spec != NULL)
+		   ? answer_spec(s, args, &goal, error)
+		   : find_goal(s, args, &goal, error);
 }

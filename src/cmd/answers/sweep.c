@@ -54,7 +54,7 @@ sweep_across(struct answer *r, const struct entry *entry,
 			answer_cells(r, "%.1f", units_pct(p[i].share));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
-		answer_cells(r, "%s", tr(ANSWERS_HEADS[size]));
+		answer_cells(r, "%s", tr(ANSWERS_SIZE[size].head));
 		answer_set_missing(r, "");
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)

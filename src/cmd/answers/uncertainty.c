@@ -57,7 +57,7 @@ static char *
 usual_quantities(const struct prediction *p, bool sieves)
 {
 	if (!sieves)
-		return xasprintf("passing %g,P20,P50,P80",
+		return xasprintf("passing %g," ANSWERS_SIZE_LIST,
 		    units_mm(
 			p->product.size[answers_usual_sieve(&p->product)]));
 	char *list = xstrdup("");
@@ -200,7 +200,8 @@ draws_answer(const struct session *s, const struct question *q,
 	answer_columns(r, "harder_share, softer_e0, harder_e0");
 	for (size_t h = 0; h < HYPERS; h++)
 		answer_columns(r, "%s", HYPER[h].symbol);
-	answer_columns(r, "p20_mm, p50_mm, p80_mm");
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		answer_columns(r, "%s", ANSWERS_SIZE[k].key);
 	for (size_t i = 0; i < sieves; i++)
 		answer_columns(
 		    r, "passing_pct@%g", units_mm(at->product.size[i]));
