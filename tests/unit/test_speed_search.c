@@ -55,7 +55,7 @@ ask(struct asked *a, const struct session *s, struct draw *draw, bool narrow)
 	    question_of_whole_product(s, &s->entry[s->current], SITE_MEAN_FEED);
 	for (size_t i = 0; i < CONDITIONS; i++)
 		a->at[i] = (struct condition){any_quantity(draw), NAN, NAN};
-	a->list = (struct condition_list){CONDITIONS, a->at};
+	a->list = (struct condition_list){.n = CONDITIONS, .at = a->at};
 	a->w = conditions_open(s, &a->q, &a->list, NULL);
 	for (size_t i = 0; i < CONDITIONS; i++) {
 		double v = draw_between(draw, 66, 84), one = value_at(a, i, v);

@@ -29,7 +29,6 @@ struct asked {
 	struct quantity *q;
 	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
-	char *limits; /* where those of an envelope are from, or NULL */
 	struct wanted wanted;
 	bool flows; /* the plant is worked out */
 	struct flow_plan plan;
@@ -76,17 +75,6 @@ add_usual_passings(
 	       add_list(all, finest, feed, error);
 }
 
-static bool
-read_limits(struct session *s, struct asked *all, const struct args *args,
-    const struct psd *feed, struct error *error)
-{
-	const struct fraction *fraction = &all->question->fraction;
-	return conditions_add_operands(
-		   args, fraction, feed, &all->list, error) &&
-	       conditions_add_option(
-		   s, args, fraction, feed, &all->list, &all->limits, error);
-}
-
 static void
 card_request_free(struct asked *all)
 {
@@ -96,7 +84,6 @@ card_request_free(struct asked *all)
 	free(all->line);
 	free(all->power);
 	free(all->q);
-	free(all->limits);
 	conditions_free(&all->list);
 	forecast_close(all->wanted.forecast);
 	forecast_close(all->forecast);
@@ -143,12 +130,13 @@ card_request_read(struct session *s, struct asked *all, const struct args *args,
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
 	const struct psd *feed = site_feed(entry->site, run);
-	bool ok = add_list(all, ANSWERS_SIZE_LIST, feed, error) &&
-		  (args_given(args, &args->of)
-			  ? add_list(all, args->of, feed, error)
-			  : add_usual_passings(all, feed, error)) &&
-		  read_limits(s, all, args, feed, error) &&
-		  read_flow(s, all, args, error);
+	bool ok =
+	    add_list(all, ANSWERS_SIZE_LIST, feed, error) &&
+	    (args_given(args, &args->of)
+		    ? add_list(all, args->of, feed, error)
+		    : add_usual_passings(all, feed, error)) &&
+	    conditions_add_call(s, args, all->question, &all->list, error) &&
+	    read_flow(s, all, args, error);
 	if (!ok)
 		return false;
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
@@ -562,8 +550,7 @@ note_limits(struct answer *r, const struct asked *all,
 		answer_note(r, "limits: %s", words);
 		note_unmet(r, row, n);
 	}
-	if (all->limits != NULL)
-		answer_say(r, ANSWER_REMARK, "%s", all->limits);
+	conditions_note_source(r, &all->list);
 }
 
 /* What the figures are, of which machine, found how, and who answers for

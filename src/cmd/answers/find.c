@@ -26,7 +26,6 @@ struct goal {
 	size_t n;
 	struct condition target; /* both limits the value */
 	struct condition_list others;
-	char *limits; /* where those of an envelope are from; or NULL */
 	const struct question *question;
 	struct wanted wanted; /* the others; then the target */
 };
@@ -143,8 +142,7 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 	for (size_t i = 0; i < goal->others.n; i++)
 		if (!conditions_check_covered(&goal->others.at[i], feed, error))
 			return false;
-	return conditions_add_option(
-	    s, args, fraction, feed, &goal->others, &goal->limits, error);
+	return conditions_add_option(s, args, q, &goal->others, error);
 }
 
 /* The target's, as people see it. */
@@ -429,8 +427,7 @@ note_finding(struct answer *r, const struct goal *goal,
 		note_extreme(r, goal, f, v);
 	if (found && goal->wanted.n > 0)
 		note_others(r, goal, f, v);
-	if (goal->limits != NULL)
-		answer_say(r, ANSWER_REMARK, "%s", goal->limits);
+	conditions_note_source(r, &goal->others);
 }
 
 static void
@@ -586,7 +583,6 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 		forecast_close(goal->wanted.forecast);
 	}
 	conditions_free(&goal->others);
-	free(goal->limits);
 	return ok;
 }
 

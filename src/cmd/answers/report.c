@@ -380,15 +380,8 @@ static bool
 read_report_request(struct session *s, const struct args *args, struct ask *ask,
     struct error *error)
 {
-	const struct entry *entry = ask->q->entry;
-	const struct site *site = entry->site;
-	const struct psd *feed = site_feed(site, ask->q->feed);
-	const struct fraction *fraction = &ask->q->fraction;
-	FREED char *remark = NULL;
 	take_words(args, ask);
-	if (!conditions_add_operands(args, fraction, feed, &ask->list, error) ||
-	    !conditions_add_option(
-		s, args, fraction, feed, &ask->list, &remark, error))
+	if (!conditions_add_call(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;
 	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))

@@ -19,7 +19,6 @@
 /* What was asked, and what was found. */
 struct asking {
 	struct condition_list list;
-	char *limits; /* where those of an envelope are from; or NULL */
 	const struct question *q;
 	struct wanted wanted;
 	struct speed_search *w;
@@ -45,11 +44,7 @@ static bool
 read_conditions(struct session *s, const struct args *args, struct asking *a,
     struct error *error)
 {
-	const struct fraction *fraction = &a->q->fraction;
-	const struct psd *feed = question_feed(a->q);
-	if (!conditions_add_operands(args, fraction, feed, &a->list, error) ||
-	    !conditions_add_option(
-		s, args, fraction, feed, &a->list, &a->limits, error) ||
+	if (!conditions_add_call(s, args, a->q, &a->list, error) ||
 	    !take_goal(s, a, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
@@ -273,8 +268,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_certain_speeds(r, s, &a);
 		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
-		if (a.limits != NULL)
-			answer_say(r, ANSWER_REMARK, "%s", a.limits);
+		conditions_note_source(r, &a.list);
 		answers_show_basis_at(s, r, q, a.w->best, false);
 		s->asked = a.w->best;
 		forecast_close(a.wanted.forecast);
@@ -282,6 +276,5 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		ok = session_show_answer(s, r);
 	}
 	conditions_free(&a.list);
-	free(a.limits);
 	return ok;
 }

@@ -29,6 +29,7 @@ void
 conditions_free(struct condition_list *list)
 {
 	free(list->at);
+	free(list->source);
 	*list = (struct condition_list){0};
 }
 
@@ -400,43 +401,46 @@ add_spec(struct condition_list *list, const struct spec *spec,
 
 bool
 conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
-    const struct psd *feed, struct condition_list *list, char **words,
-    struct error *error)
+    const struct psd *feed, struct condition_list *list, struct error *error)
 {
 	struct fraction f = *fraction;
-	*words = NULL;
 	if (!fraction_screens(&f)) {
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
 	size_t before = list->n;
 	FREED char *unknown = add_spec(list, spec, &f, feed);
-	bool any = list->n > before;
-	if (any)
-		*words = spec->source[0] != '\0'
-			     ? xasprintf(tr("limits of %s: %s"), spec->name,
-				   spec->source)
-			     : xasprintf(tr("limits of %s"), spec->name);
-	if (any && unknown[0] != '\0')
-		xlist(words, "; ", tr("not checked: %s"), unknown);
-	return any ||
-	       error_set(error, ERROR_DATA,
-		   "%s: none of its sieves is in the range of the feed's "
-		   "sieves",
-		   spec->name);
+	if (list->n == before)
+		return error_set(error, ERROR_DATA,
+		    "%s: none of its sieves is in the range of the feed's "
+		    "sieves",
+		    spec->name);
+	free(list->source);
+	list->source =
+	    spec->source[0] != '\0'
+		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
+		: xasprintf(tr("limits of %s"), spec->name);
+	if (unknown[0] != '\0')
+		xlist(&list->source, "; ", tr("not checked: %s"), unknown);
+	return true;
 }
 
 bool
 conditions_add_option(struct session *s, const struct args *args,
-    const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, char **words, struct error *error)
+    const struct question *q, struct condition_list *list, struct error *error)
 {
-	*words = NULL;
 	if (args->spec == NULL)
 		return true;
 	const struct spec *spec = grading_spec(s, args->spec, error);
-	return spec != NULL &&
-	       conditions_add_spec(spec, fraction, feed, list, words, error);
+	return spec != NULL && conditions_add_spec(spec, &q->fraction,
+				   question_feed(q), list, error);
+}
+
+void
+conditions_note_source(struct answer *r, const struct condition_list *list)
+{
+	if (list->source != NULL)
+		answer_say(r, ANSWER_REMARK, "%s", list->source);
 }
 
 bool
@@ -462,15 +466,15 @@ conditions_set_error_place(
 }
 
 bool
-conditions_add_operands(const struct args *args,
-    const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, struct error *error)
+conditions_add_call(struct session *s, const struct args *args,
+    const struct question *q, struct condition_list *list, struct error *error)
 {
+	const struct psd *feed = question_feed(q);
 	for (size_t i = 0; i < args->n_operand; i++) {
 		struct condition c;
-		bool ok =
-		    conditions_read(args->operand[i], fraction, &c, error) &&
-		    conditions_check_covered(&c, feed, error);
+		bool ok = conditions_read(
+			      args->operand[i], &q->fraction, &c, error) &&
+			  conditions_check_covered(&c, feed, error);
 		if (ok && c.least == c.most)
 			ok = error_set(error, ERROR_USAGE,
 			    "expected a range of values, got one: '%s'\n"
@@ -481,7 +485,7 @@ conditions_add_operands(const struct args *args,
 			return conditions_set_error_place(args, i, error);
 		conditions_add(list, c);
 	}
-	return true;
+	return conditions_add_option(s, args, q, list, error);
 }
 
 bool
