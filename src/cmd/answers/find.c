@@ -517,19 +517,6 @@ note_window(struct answer *r, const struct goal *goal, const struct grading *g,
 	answer_note(r, "%s", missed);
 }
 
-static void
-note_certain_range(struct answer *r, double level, const double range[2])
-{
-	if (isfinite(range[0]))
-		answer_note(r,
-		    "holds with %.0f %% probability from %.1f to %.1f m/s",
-		    level, range[0], range[1]);
-	else
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% probability", level);
-	answers_put_pair(answer_fields(r), "certain", range[0], range[1]);
-}
-
 static bool
 answer_spec(struct session *s, const struct args *args, const struct goal *goal,
     struct error *error)
@@ -550,8 +537,11 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	    answers_new(entry->site, "find", "the speeds for %s", words);
 	grading_rows(r, &g, v);
 	note_window(r, goal, &g, w);
-	if (forecast_draws(g.conditions.forecast, 0) != NULL)
-		note_certain_range(r, 100 * g.conditions.level, w->sure);
+	if (forecast_draws(g.conditions.forecast, 0) != NULL) {
+		conditions_note_certain(r, w, g.conditions.level);
+		answers_put_pair(
+		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
+	}
 	grading_notes(r, &g);
 	answers_show_basis_at(s, r, goal->question, v, false);
 	fields_put(answer_fields(r),

@@ -139,34 +139,13 @@ note_inside(struct answer *r, const struct asking *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
-static void
-note_none_sure(struct answer *r, const struct speed_search *w, double level)
-{
-	size_t most = 0;
-	for (size_t k = 0; k < w->n; k++)
-		if (w->certain[k] > w->certain[most])
-			most = k;
-	FREED char *highest = conditions_percent(w->certain[most]);
-	if (w->certain[most] <= 0)
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty: it is "
-		    "under 1 %% at all speeds",
-		    100 * level);
-	else
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; most at "
-		    "%.1f m/s, with %s",
-		    100 * level, w->speed[most], highest);
-}
-
 /* The best speed, and how sure it and those about it are. */
 static void
 note_certain_speeds(
     struct answer *r, const struct session *s, const struct asking *a)
 {
 	const struct speed_search *w = a->w;
-	double level = a->wanted.level;
-	bool drawn = !isnan(w->best_certain), sure = isfinite(w->sure[0]);
+	bool drawn = !isnan(w->best_certain);
 	FREED char *best = conditions_percent(w->best_certain);
 	if (w->n_inside > 0 && drawn)
 		answer_note(
@@ -180,12 +159,8 @@ note_certain_speeds(
 		note_margin(r, a);
 	if (!drawn)
 		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
-	else if (sure)
-		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
-		    100 * level, w->sure[0], w->sure[1]);
 	else
-		note_none_sure(r, w, level);
+		conditions_note_certain(r, w, a->wanted.level);
 }
 
 static void

@@ -706,6 +706,38 @@ conditions_note_farther(
 		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
 }
 
+static void
+note_none_certain(struct answer *r, const struct speed_search *w, double level)
+{
+	size_t most = 0;
+	for (size_t k = 0; k < w->n; k++)
+		if (w->certain[k] > w->certain[most])
+			most = k;
+	FREED char *highest = conditions_percent(w->certain[most]);
+	if (w->certain[most] <= 0)
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty: it is "
+		    "under 1 %% at all speeds",
+		    100 * level);
+	else
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty; most at "
+		    "%.1f m/s, with %s",
+		    100 * level, w->speed[most], highest);
+}
+
+void
+conditions_note_certain(
+    struct answer *r, const struct speed_search *found, double level)
+{
+	if (isfinite(found->sure[0]))
+		answer_note(r,
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
+		    100 * level, found->sure[0], found->sure[1]);
+	else
+		note_none_certain(r, found, level);
+}
+
 char *
 conditions_percent(double share)
 {

@@ -115,6 +115,12 @@ int conditions_digits(double points);
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
 
+/* Notes the speeds at which the conditions hold with the certainty of a band,
+ * or, without such speeds, where it is highest.  Call it only if there is a
+ * band. */
+void conditions_note_certain(
+    struct answer *r, const struct speed_search *found, double level);
+
 /* Notes which slower or faster speeds were not searched, and how to search
  * them. */
 void conditions_note_farther(
