@@ -136,7 +136,7 @@ width_of(const struct asked *a, size_t i, double limit)
 {
 	double over[POSTERIOR_DRAWS];
 	size_t cut = (size_t)floor(0.1 * POSTERIOR_DRAWS + 0.5);
-	forecast_overs(a->w.forecast, i, limit, over);
+	forecast_excess_draws(a->w.forecast, i, limit, over);
 	gsl_sort(over, 1, POSTERIOR_DRAWS);
 	return fmax(over[POSTERIOR_DRAWS - 1 - cut] - over[cut], 1e-3);
 }

@@ -23,7 +23,7 @@
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures;
  * limits, and tonnes. */
-struct asked {
+struct card_request {
 	const struct question *question;
 	size_t n;
 	struct quantity *q;
@@ -40,7 +40,7 @@ struct asked {
 
 /* Adds the quantities of a text to the list. */
 static bool
-add_list(struct asked *all, const char *text, const struct psd *feed,
+add_list(struct card_request *all, const char *text, const struct psd *feed,
     struct error *error)
 {
 	const struct fraction *fraction = &all->question->fraction;
@@ -58,7 +58,7 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
  * fines, or else what passes the finest. */
 static bool
 add_usual_passings(
-    struct asked *all, const struct psd *feed, struct error *error)
+    struct card_request *all, const struct psd *feed, struct error *error)
 {
 	size_t near = 0;
 	for (size_t i = 0; i < feed->n; i++)
@@ -76,7 +76,7 @@ add_usual_passings(
 }
 
 static void
-card_request_free(struct asked *all)
+card_request_free(struct card_request *all)
 {
 	if (all->flows)
 		plant_free(&all->plant);
@@ -91,7 +91,7 @@ card_request_free(struct asked *all)
 
 /* Tonnes are wanted where there is a feed or a circuit. */
 static bool
-read_flow(struct session *s, struct asked *all, const struct args *args,
+read_flow(struct session *s, struct card_request *all, const struct args *args,
     struct error *error)
 {
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
@@ -111,7 +111,7 @@ read_flow(struct session *s, struct asked *all, const struct args *args,
 /* What the products of the plant are called is known when it was worked out
  * once. */
 static bool
-find_lines(struct asked *all, double speed, struct error *error)
+find_lines(struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plan.circuit;
 	struct outcome o = plant_solve_at(&all->plant, speed);
@@ -124,8 +124,8 @@ find_lines(struct asked *all, double speed, struct error *error)
 }
 
 static bool
-card_request_read(struct session *s, struct asked *all, const struct args *args,
-    double slowest, struct error *error)
+card_request_read(struct session *s, struct card_request *all,
+    const struct args *args, double slowest, struct error *error)
 {
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
@@ -226,7 +226,7 @@ put_words(
 /* "<2 mm": as short as a page for a wall wants it.  What all figures are of is
  * said below. */
 static char *
-page_head(const struct asked *all, const struct quantity *q)
+page_head(const struct card_request *all, const struct quantity *q)
 {
 	struct quantity own = *q;
 	const struct fraction *cut = &all->question->fraction;
@@ -245,7 +245,7 @@ page_head(const struct asked *all, const struct quantity *q)
 /* The figure whose range a page has room for: the first that has a limit, or
  * the first behind the sizes. */
 static size_t
-ranged_figure(const struct asked *all)
+ranged_figure(const struct card_request *all)
 {
 	for (size_t c = 0; c < all->list.n; c++)
 		for (size_t i = 0; i < all->n; i++)
@@ -257,7 +257,7 @@ ranged_figure(const struct asked *all)
 
 /* Where the feed does not tell a size at this speed nothing stands. */
 static void
-put_figures(struct page *page, const struct asked *all)
+put_figures(struct page *page, const struct card_request *all)
 {
 	enum { P20, P50, P80, SIZES };
 	static const int SPARE[SIZES] = {
@@ -287,7 +287,7 @@ put_figures(struct page *page, const struct asked *all)
 
 /* Tonnes of the plant's lines, NAN where it does not become steady. */
 static void
-put_flow(struct page *page, const struct asked *all, double speed)
+put_flow(struct page *page, const struct card_request *all, double speed)
 {
 	struct outcome o = plant_solve_at(&all->plant, speed);
 	bool open = o.flow.open;
@@ -326,7 +326,7 @@ put_limits(struct page *page, const struct card_row *row)
 
 /* What one speed gives; people see "amber?" beyond the measured speeds. */
 static void
-put_row(struct page *page, struct session *s, const struct asked *all,
+put_row(struct page *page, struct session *s, const struct card_request *all,
     struct card_row *row, struct trust *worst)
 {
 	const struct entry *entry = all->question->entry;
@@ -422,7 +422,7 @@ add_page(struct answer *r, const struct page *page, bool people)
 }
 
 static void
-note_flow(struct answer *r, const struct asked *all)
+note_flow(struct answer *r, const struct card_request *all)
 {
 	if (!all->flows)
 		return;
@@ -460,7 +460,7 @@ note_unmet(struct answer *r, const struct card_row *row, size_t n)
 }
 
 static void
-note_limits(struct answer *r, const struct asked *all,
+note_limits(struct answer *r, const struct card_request *all,
     const struct card_row *row, size_t n)
 {
 	FREED char *words = conditions_list_words(&all->list);
@@ -474,8 +474,8 @@ note_limits(struct answer *r, const struct asked *all,
 /* What the figures are, of which machine, found how, and who answers for
  * them. */
 static void
-note_basis(struct answer *r, const struct session *s, const struct asked *all,
-    const char *dropped, bool range)
+note_basis(struct answer *r, const struct session *s,
+    const struct card_request *all, const char *dropped, bool range)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
@@ -543,7 +543,8 @@ note_light(struct answer *r, const struct session *s, const struct question *q,
 }
 
 static struct answer *
-card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
+card_answer(
+    struct session *s, struct card_request *all, const double *speed, size_t n)
 {
 	const struct entry *entry = all->question->entry;
 	FREED char *today = moment_today();
@@ -574,7 +575,7 @@ bool
 cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct asked all = {.question = q};
+	struct card_request all = {.question = q};
 	question_usual_speeds(s, q, true);
 	bool ok = card_request_read(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)

@@ -170,7 +170,7 @@ note_difference(struct answer *r, const struct session *s,
 	int digits = quantities_decimals(q);
 	const char *unit = quantities_difference_suffix(q);
 	FREED char *words = quantities_words(q);
-	FREED char *chance = predict_chance(side[0].q.level);
+	FREED char *chance = predict_chance_words(side[0].q.level);
 	double range[2], low = shown_difference(q, more.low);
 	double high = shown_difference(q, more.high);
 	if (low > 0 || high < 0)
@@ -368,7 +368,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 			  s, &s->entry[at], args, &side->q, error)))
 		return false;
 	side->entry = side->q.entry;
-	if (!screened_is_measured_alone(&side->q, error))
+	if (!screened_check_covered(&side->q, error))
 		return false;
 	side->p = forecast_product(s, &side->q, v);
 	return true;

@@ -21,7 +21,7 @@
 /* What is wanted: one value of a quantity, or the most or the least of it, and
  * the conditions that have to hold besides; on which feed, and between which
  * speeds.  n: how many goals were named. */
-struct goal {
+struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
 	struct condition target; /* both limits the value */
@@ -31,7 +31,7 @@ struct goal {
 };
 
 static void
-add_target(struct goal *goal, struct quantity q, double value)
+add_target(struct find_request *goal, struct quantity q, double value)
 {
 	goal->n++;
 	goal->target = (struct condition){q, value, value};
@@ -39,8 +39,8 @@ add_target(struct goal *goal, struct quantity q, double value)
 
 /* The goals of the options p20, p50, p80, passing and at. */
 static void
-read_options(
-    const struct args *args, const struct fraction *fraction, struct goal *goal)
+read_options(const struct args *args, const struct fraction *fraction,
+    struct find_request *goal)
 {
 	const double mm[PSD_SIZES] = {args->p20, args->p50, args->p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -60,7 +60,7 @@ read_options(
 
 static bool
 read_operand(const char *text, const struct fraction *fraction,
-    struct goal *goal, struct error *error)
+    struct find_request *goal, struct error *error)
 {
 	bool most;
 	struct condition c = {.least = NAN, .most = NAN};
@@ -82,7 +82,8 @@ read_operand(const char *text, const struct fraction *fraction,
 
 /* Conditions alone are a window's; or else something is to be most. */
 static bool
-no_goal(const struct args *args, const struct goal *goal, struct error *error)
+no_goal(const struct args *args, const struct find_request *goal,
+    struct error *error)
 {
 	FREED char *all = xstrdup("");
 	FREED char *first =
@@ -105,8 +106,8 @@ no_goal(const struct args *args, const struct goal *goal, struct error *error)
 
 /* Exactly one goal is given, with what belongs to it. */
 static bool
-check_goal(
-    const struct args *args, const struct goal *goal, struct error *error)
+check_goal(const struct args *args, const struct find_request *goal,
+    struct error *error)
 {
 	if (goal->n == 0 && goal->others.n > 0)
 		return no_goal(args, goal, error);
@@ -127,7 +128,7 @@ check_goal(
 }
 
 static bool
-read_goal(struct session *s, const struct args *args, struct goal *goal,
+read_goal(struct session *s, const struct args *args, struct find_request *goal,
     struct error *error)
 {
 	const struct question *q = goal->question;
@@ -147,13 +148,13 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 
 /* The target's, as people see it. */
 static double
-shown_value(const struct goal *goal, double value)
+shown_value(const struct find_request *goal, double value)
 {
 	return quantities_shown(&goal->target.quantity, value);
 }
 
 static double
-find_value_at(const struct goal *goal, double v)
+find_value_at(const struct find_request *goal, double v)
 {
 	struct forecast *f = goal->wanted.forecast;
 	forecast_at(f, v);
@@ -162,7 +163,7 @@ find_value_at(const struct goal *goal, double v)
 
 /* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
 static char *
-goal_words(const struct goal *goal)
+goal_words(const struct find_request *goal)
 {
 	const struct quantity *q = &goal->target.quantity;
 	char *name = quantities_words(q), *words;
@@ -186,7 +187,7 @@ find_within(double speed)
 }
 
 static void
-put_goal(struct fields *o, const struct goal *goal, double speed,
+put_goal(struct fields *o, const struct find_request *goal, double speed,
     const struct speed_search *f)
 {
 	const struct quantity *q = &goal->target.quantity;
@@ -216,7 +217,7 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 
 /* The speed of what was found, NAN: none. */
 static double
-speed_found(const struct goal *goal, const struct speed_search *f)
+speed_found(const struct find_request *goal, const struct speed_search *f)
 {
 	return goal->kind == GOAL_VALUE
 		   ? f->found
@@ -226,7 +227,7 @@ speed_found(const struct goal *goal, const struct speed_search *f)
 /* "66.2 to 68.9", an end of which may lie beyond the speeds searched; the
  * caller frees. */
 static char *
-range_words(const struct goal *goal, const double range[2])
+range_words(const struct find_request *goal, const double range[2])
 {
 	char low[40], high[40];
 	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : tr("below %g"),
@@ -240,7 +241,7 @@ range_words(const struct goal *goal, const double range[2])
 /* The speed found with its range, and that in which a belt cut may show the
  * value. */
 static void
-find_note_speed(struct answer *r, const struct goal *goal,
+find_note_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	if (isnan(f->range[0])) {
@@ -271,7 +272,7 @@ find_note_speed(struct answer *r, const struct goal *goal,
 /* "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed the forecast is at; the
  * caller frees. */
 static char *
-value_words(const struct goal *goal, size_t i)
+value_words(const struct find_request *goal, size_t i)
 {
 	const struct quantity *q = i < goal->wanted.n
 				       ? &goal->wanted.at[i].quantity
@@ -287,7 +288,7 @@ value_words(const struct goal *goal, size_t i)
 /* The largest value, and what keeps it from being larger: a limit that is
  * missed a tenth further on, or the end of what was searched. */
 static void
-note_extreme(struct answer *r, const struct goal *goal,
+note_extreme(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
 {
 	const double near = 1e-3;
@@ -319,8 +320,8 @@ note_extreme(struct answer *r, const struct goal *goal,
 /* The best with the probability of bands, which at a limit that binds is a half
  * only. */
 static void
-note_sure(
-    struct answer *r, const struct goal *goal, const struct speed_search *f)
+note_sure(struct answer *r, const struct find_request *goal,
+    const struct speed_search *f)
 {
 	double level = 100 * goal->wanted.level;
 	double v = speed_search_extreme(f, goal->kind == GOAL_MOST, true);
@@ -345,7 +346,8 @@ note_missed(
 }
 
 static void
-note_other_condition(struct answer *r, const struct goal *goal, size_t i)
+note_other_condition(
+    struct answer *r, const struct find_request *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
@@ -361,7 +363,7 @@ note_other_condition(struct answer *r, const struct goal *goal, size_t i)
 
 /* Each other condition at the speed found, and how sure all of them are. */
 static void
-note_others(struct answer *r, const struct goal *goal,
+note_others(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
 {
 	forecast_at(goal->wanted.forecast, v);
@@ -383,7 +385,8 @@ note_others(struct answer *r, const struct goal *goal,
 
 /* Why there is no such speed: what the two ends give. */
 static void
-note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
+note_out_of_reach(
+    struct answer *r, const struct find_request *goal, const char *words)
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
@@ -392,7 +395,7 @@ note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
 		     !fraction_screens(&q->fraction);
 	double high = find_value_at(goal, c->to),
 	       low = find_value_at(goal, c->from);
-	double over = forecast_over(c->forecast, c->n, goal->target.least);
+	double over = forecast_excess(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
 	if (falls)
 		answer_note(r,
@@ -412,7 +415,7 @@ note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
 }
 
 static void
-note_finding(struct answer *r, const struct goal *goal,
+note_finding(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	double v = speed_found(goal, f);
@@ -431,8 +434,8 @@ note_finding(struct answer *r, const struct goal *goal,
 }
 
 static void
-put_found(
-    struct fields *o, const struct goal *goal, const struct speed_search *f)
+put_found(struct fields *o, const struct find_request *goal,
+    const struct speed_search *f)
 {
 	double v = speed_found(goal, f);
 	put_goal(o, goal, v, f);
@@ -447,7 +450,7 @@ put_found(
 /* Whether a value is missed by less at the fast end of the speeds searched than
  * at the slow one. */
 static bool
-is_nearer_fast_end(const struct goal *goal)
+is_nearer_fast_end(const struct find_request *goal)
 {
 	double wanted =
 	    quantities_shown(&goal->target.quantity, goal->target.least);
@@ -457,7 +460,7 @@ is_nearer_fast_end(const struct goal *goal)
 
 /* The product at the speed found; without one those at the two ends. */
 static void
-answer_goal(struct session *s, struct goal *goal)
+answer_goal(struct session *s, struct find_request *goal)
 {
 	const struct question *q = goal->question;
 	const struct entry *entry = q->entry;
@@ -468,7 +471,7 @@ answer_goal(struct session *s, struct goal *goal)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = forecast_whole(s, entry, speed[i], q->feed);
+		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
 	session_forget(s);
 	FREED char *words = goal_words(goal);
 	struct answer *r =
@@ -497,8 +500,8 @@ answer_goal(struct session *s, struct goal *goal)
 
 /* Where none meets it: what is missed at the nearest speed. */
 static void
-note_window(struct answer *r, const struct goal *goal, const struct grading *g,
-    const struct speed_search *w)
+note_window(struct answer *r, const struct find_request *goal,
+    const struct grading *g, const struct speed_search *w)
 {
 	const struct speed_range *in = speed_search_around(w);
 	if (in != NULL) {
@@ -518,8 +521,8 @@ note_window(struct answer *r, const struct goal *goal, const struct grading *g,
 }
 
 static bool
-answer_spec(struct session *s, const struct args *args, const struct goal *goal,
-    struct error *error)
+answer_spec(struct session *s, const struct args *args,
+    const struct find_request *goal, struct error *error)
 {
 	const struct entry *entry = goal->question->entry;
 	const struct spec *spec = grading_spec(s, args->spec, error);
@@ -559,7 +562,7 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 }
 
 static bool
-find_goal(struct session *s, const struct args *args, struct goal *goal,
+find_goal(struct session *s, const struct args *args, struct find_request *goal,
     struct error *error)
 {
 	double from = goal->wanted.from, to = goal->wanted.to;
@@ -580,7 +583,7 @@ bool
 cmd_find(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct goal goal = {.kind = GOAL_VALUE, .question = q};
+	struct find_request goal = {.kind = GOAL_VALUE, .question = q};
 	if (!conditions_speeds(s, args, q->entry->site, &goal.wanted.from,
 		&goal.wanted.to, error))
 		return false;

@@ -288,7 +288,7 @@ is_correction_worth_saying(const struct session *s, const struct entry *entry)
 static const double FEEDS_TOLD = 0.0005;
 
 char *
-predict_chance(double level)
+predict_chance_words(double level)
 {
 	double tenths = 10 * level;
 	return fabs(tenths - round(tenths)) < 1e-9
@@ -323,7 +323,7 @@ predict_each_feed(const struct session *s, const struct question *q,
 }
 
 double
-predict_feeds_move(const struct session *s, const struct question *q,
+predict_change_by_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
 	FREED double *fed = xdoubles(q->entry->site->n_run);
@@ -335,7 +335,7 @@ predict_feeds_move(const struct session *s, const struct question *q,
 }
 
 char *
-predict_sure(const struct session *s, const struct question *q,
+predict_certainty_words(const struct session *s, const struct question *q,
     const struct prediction *p)
 {
 	size_t i = answers_usual_sieve(&p->product);
@@ -343,7 +343,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
 	if (p->low == NULL || fraction_screens(&p->fraction))
 		return NULL;
-	FREED char *chance = predict_chance(q->level);
+	FREED char *chance = predict_chance_words(q->level);
 	struct forecast *f = forecast_open(s, q, &passing, 1);
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
@@ -355,7 +355,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
 	double most = q->feed == SITE_MEAN_FEED
-			  ? predict_feeds_move(s, q, &passing, p->speed)
+			  ? predict_change_by_feeds(s, q, &passing, p->speed)
 			  : 0;
 	if (most >= FEEDS_TOLD) {
 		char *more = xasprintf(tr("%s; the feeds that were sampled "
@@ -372,7 +372,7 @@ static void
 note_sure(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	FREED char *words = predict_sure(s, q, p);
+	FREED char *words = predict_certainty_words(s, q, p);
 	if (words != NULL)
 		answer_note(r, "%s", words);
 }
@@ -518,7 +518,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct params params;
 	if (!take_params(s, entry, &params, error) ||
 	    !check_whole_product(args, &q->fraction, error) ||
-	    !screened_is_measured_alone(q, error))
+	    !screened_check_covered(q, error))
 		return false;
 	struct question at = *q;
 	at.params = &params;

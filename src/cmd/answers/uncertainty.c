@@ -102,7 +102,7 @@ add_figures(struct answer *r, const struct session *s,
 		    forecast_shown(sample, i));
 	forecast_close(answer);
 	forecast_close(sample);
-	FREED char *chance = predict_chance(question->level);
+	FREED char *chance = predict_chance_words(question->level);
 	answer_note(r,
 	    "low, high: the true value lies between them %s; cut low, cut "
 	    "high: the same for a new belt cut",
@@ -251,7 +251,7 @@ static void
 note_feeds(struct answer *r, const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
-	double most = predict_feeds_move(s, q, of, speed);
+	double most = predict_change_by_feeds(s, q, of, speed);
 	if (!(most > 0))
 		return;
 	FREED char *name = figure_name(of);
@@ -418,7 +418,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		return false;
 	question_as_last(s, args, q);
 	apply_settings(s, args);
-	if (!screened_is_measured_alone(q, error))
+	if (!screened_check_covered(q, error))
 		return false;
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {

@@ -17,7 +17,7 @@
 #include "cmd/lang/table.h"
 
 /* What was asked, and what was found. */
-struct asking {
+struct window_request {
 	struct condition_list list;
 	const struct question *q;
 	struct wanted wanted;
@@ -26,7 +26,7 @@ struct asking {
 
 /* Those of the goal that is set, where none are given. */
 static bool
-take_goal(struct session *s, struct asking *a, struct error *error)
+take_goal(struct session *s, struct window_request *a, struct error *error)
 {
 	size_t n_value = 0;
 	if (a->list.n > 0 || !goals_is_set(s))
@@ -41,8 +41,8 @@ take_goal(struct session *s, struct asking *a, struct error *error)
 }
 
 static bool
-read_conditions(struct session *s, const struct args *args, struct asking *a,
-    struct error *error)
+read_conditions(struct session *s, const struct args *args,
+    struct window_request *a, struct error *error)
 {
 	if (!conditions_add_call(s, args, a->q, &a->list, error) ||
 	    !take_goal(s, a, error))
@@ -55,7 +55,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 }
 
 static void
-window_look(struct session *s, struct asking *a, double from, double to)
+window_look(struct session *s, struct window_request *a, double from, double to)
 {
 	a->wanted = conditions_open(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
@@ -67,7 +67,7 @@ window_look(struct session *s, struct asking *a, double from, double to)
 /* "passing 0.5 mm sets the lower end, 71.5, passing 0.063 mm the upper, 76.2
  * m/s"; one quantity may do both. */
 static void
-note_binding(struct answer *r, const struct asking *a)
+note_binding(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
 	FREED char *words = xstrdup("");
@@ -100,7 +100,7 @@ note_binding(struct answer *r, const struct asking *a)
 
 /* "1.2 points, 0.9 times the width of its band". */
 static void
-note_margin(struct answer *r, const struct asking *a)
+note_margin(struct answer *r, const struct window_request *a)
 {
 	const struct margin *m = &a->w->margin;
 	double widths = conditions_widths(&a->wanted, *m);
@@ -118,7 +118,7 @@ note_margin(struct answer *r, const struct asking *a)
 }
 
 static void
-note_inside(struct answer *r, const struct asking *a)
+note_inside(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
 	FREED char *speeds = conditions_speeds_words(a->w);
@@ -142,7 +142,7 @@ note_inside(struct answer *r, const struct asking *a)
 /* The best speed, and how sure it and those about it are. */
 static void
 note_certain_speeds(
-    struct answer *r, const struct session *s, const struct asking *a)
+    struct answer *r, const struct session *s, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	bool drawn = !isnan(w->best_certain);
@@ -164,7 +164,7 @@ note_certain_speeds(
 }
 
 static void
-put_certain(struct fields *o, const struct asking *a)
+put_certain(struct fields *o, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	if (isfinite(w->sure[0]))
@@ -176,7 +176,7 @@ put_certain(struct fields *o, const struct asking *a)
 }
 
 static void
-put_limits(struct fields *o, const struct asking *a)
+put_limits(struct fields *o, const struct window_request *a)
 {
 	const struct wanted_limit limit[] = {a->w->low, a->w->high};
 	for (size_t k = 0; k < 2; k++) {
@@ -191,7 +191,7 @@ put_limits(struct fields *o, const struct asking *a)
 }
 
 static void
-put_window(struct fields *o, const struct asking *a, bool outside)
+put_window(struct fields *o, const struct window_request *a, bool outside)
 {
 	const struct speed_search *w = a->w;
 	struct fields *inside = fields_list(o, "inside");
@@ -223,7 +223,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
-	struct asking a = {.q = q};
+	struct window_request a = {.q = q};
 	double from, to;
 	bool ok = conditions_speeds(s, args, entry->site, &from, &to, error) &&
 		  read_conditions(s, args, &a, error);

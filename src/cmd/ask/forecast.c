@@ -107,13 +107,13 @@ forecast_draws(const struct forecast *f, size_t i)
 }
 
 double
-forecast_over(struct forecast *f, size_t i, double limit)
+forecast_excess(struct forecast *f, size_t i, double limit)
 {
 	return response_excess(f->response, i, limit);
 }
 
 void
-forecast_overs(struct forecast *f, size_t i, double limit,
+forecast_excess_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	response_excess_draws(f->response, i, limit, over);
@@ -148,8 +148,8 @@ forecast_product(
 }
 
 struct prediction
-forecast_whole(const struct session *s, const struct entry *entry, double speed,
-    size_t feed_run)
+forecast_whole_product(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
 {
 	const struct question q = question_of_whole_product(s, entry, feed_run);
 	return forecast_product(s, &q, speed);

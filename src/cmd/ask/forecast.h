@@ -46,11 +46,11 @@ double forecast_model(struct forecast *f, size_t i);
  * or NULL if the answer is the model alone or before the first move. */
 const double *forecast_draws(const struct forecast *f, size_t i);
 
-/* Compute how far quantity i is above a limit (quantity_over): forecast_over in
- * the answer, forecast_overs in each draw.  Call them before another forecast
- * moves. */
-double forecast_over(struct forecast *f, size_t i, double limit);
-void forecast_overs(struct forecast *f, size_t i, double limit,
+/* Compute how far quantity i is above a limit (quantity_excess):
+ * forecast_excess in the answer, forecast_excess_draws in each draw.  Call them
+ * before another forecast moves. */
+double forecast_excess(struct forecast *f, size_t i, double limit);
+void forecast_excess_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Returns quantity i of the second forecast minus that of the first, each at
@@ -67,7 +67,7 @@ struct prediction forecast_product(
 
 /* As forecast_product, but for the entry's whole product with the feed of a
  * run. */
-struct prediction forecast_whole(const struct session *s,
+struct prediction forecast_whole_product(const struct session *s,
     const struct entry *entry, double speed, size_t feed_run);
 
 #endif

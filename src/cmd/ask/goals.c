@@ -152,7 +152,7 @@ find_met_speeds(struct goal *g, const struct wanted *w)
 		double v = k == 0 ? w->from : w->to;
 		forecast_at(w->forecast, v);
 		double miss =
-		    fabs(forecast_over(w->forecast, w->n, w->target->least));
+		    fabs(forecast_excess(w->forecast, w->n, w->target->least));
 		if (!(miss >= least)) {
 			least = miss;
 			g->nearest = v;

@@ -339,12 +339,12 @@ excess_of_curve(struct response *r, size_t i, double limit, double value,
     const struct psd *curve)
 {
 	const struct quantity *q = &r->asked[i];
-	if (!quantity_over_reads_curve(q))
-		return quantity_over(q, limit, value, NULL);
+	if (!quantity_excess_reads_curve(q))
+		return quantity_excess(q, limit, value, NULL);
 	if (r->kept[i] == NULL)
-		return quantity_over(q, limit, value, curve);
+		return quantity_excess(q, limit, value, curve);
 	screening_part(curve, r->kept[i], &r->part);
-	return quantity_over(q, limit, value, &r->part);
+	return quantity_excess(q, limit, value, &r->part);
 }
 
 double
@@ -358,7 +358,7 @@ response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++) {
-		if (quantity_over_reads_curve(&r->asked[i]))
+		if (quantity_excess_reads_curve(&r->asked[i]))
 			draw_curve(r, d, &r->curve);
 		over[d] =
 		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);

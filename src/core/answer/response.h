@@ -51,7 +51,7 @@ bool response_breaks(struct response *r);
 const double *response_draws(const struct response *r, size_t i);
 
 /* Return how far quantity i is above a limit at the response's speed (see
- * quantity_over), for the answer and, in over, for each draw. */
+ * quantity_excess), for the answer and, in over, for each draw. */
 double response_excess(struct response *r, size_t i, double limit);
 void response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);

@@ -85,7 +85,7 @@ passing_missing_at(const struct psd *curve, double share, double size)
 }
 
 double
-quantity_over(const struct quantity *q, double limit, double value,
+quantity_excess(const struct quantity *q, double limit, double value,
     const struct psd *curve)
 {
 	switch (q->kind) {
@@ -108,7 +108,7 @@ quantity_over(const struct quantity *q, double limit, double value,
 }
 
 bool
-quantity_over_reads_curve(const struct quantity *q)
+quantity_excess_reads_curve(const struct quantity *q)
 {
 	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
 	       q->kind == QUANTITY_CURVATURE;
