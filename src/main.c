@@ -291,7 +291,7 @@ main(int argc, char **argv)
 		s->hooks.draw_screen = script_draw;
 		s->hooks.run_screen = in.linear ? repl_for_screen : tui_run;
 		signals_catch();
-		s->hooks.stop = signals_waited_for;
+		s->hooks.stop = signals_stop_wanted;
 		s->linear = in.linear;
 		if (in.help)
 			usage_print(stdout);

@@ -16,9 +16,9 @@
 #include "cli/signals.h"
 #include "cli/terminal.h"
 
-/* What ends the wait is let in only while there is nothing to read: one that
- * came just before would be noted, and the read would wait on.  ^Z keeps its
- * usual effect all the time. */
+/* Signals that end the wait are let in only while there is nothing to read: one
+ * that came just before would be recorded, and the read would still wait.  ^Z
+ * works all the time. */
 int
 ask_line(char **line)
 {
@@ -56,7 +56,7 @@ ask_confirm(struct session *s, const char *question)
 	return c == 'y' || c == 'Y';
 }
 
-/* What stands above the questions of a table. */
+/* Prints what stands above the questions about a table. */
 static void
 print_table_of_questions(const struct inquiry *q, int columns)
 {
@@ -77,7 +77,8 @@ print_table_of_questions(const struct inquiry *q, int columns)
 	    0, columns, stderr);
 }
 
-/* Past the notes of the session, which wait for the end of the command. */
+/* On standard error, because the notes of the session wait for the end of the
+ * command. */
 char *
 ask_with(
     struct session *s, const struct inquiry *q, char *(*read)(const char *text))

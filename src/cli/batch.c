@@ -53,7 +53,7 @@ print_error(void *of, const struct error *e, const char *line, const char *name)
 	error_print_hint(e, stderr);
 }
 
-/* At a prompt one sees that. */
+/* Not at a prompt, where that can be seen. */
 static void
 print_interrupted(const char *name, int number)
 {
@@ -79,8 +79,7 @@ batch_line(struct session *s, const char *line, int number, struct pager *pager)
 	return driver_line(&d, line, ERROR_TYPED, number);
 }
 
-/* What a line says is kept, and shown only where it does not come to its end:
- * before its error. */
+/* The output of a line, printed before its error and only if it fails. */
 struct quiet {
 	FILE *to;
 	char *said;
@@ -106,7 +105,7 @@ print_after_said(
 }
 
 int
-batch_quiet(struct session *s, const char *line, int number)
+batch_line_quietly(struct session *s, const char *line, int number)
 {
 	struct quiet q = {.shown = false};
 	struct driver d = plain_driver(s);
@@ -160,7 +159,7 @@ batch_file(struct session *s, const char *path)
 }
 
 void
-batch_attend(struct session *s)
+batch_user_types(struct session *s)
 {
 	FREED char *offer = autosave_begin(s);
 	if (offer != NULL)
@@ -171,8 +170,8 @@ batch_attend(struct session *s)
 	s->typed_at = s->scripts;
 }
 
-/* On standard error: standard output is no terminal here, else readline would
- * be asked. */
+/* On standard error, because standard output is no terminal here: otherwise
+ * readline would prompt. */
 static void
 print_prompt(struct session *s, bool goes_on)
 {
@@ -189,7 +188,7 @@ batch_typed(struct session *s)
 	FREED char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
 	struct error error = {0};
-	batch_attend(s);
+	batch_user_types(s);
 	for (int number = 1; !s->quit; signals_forget_interrupt()) {
 		print_prompt(s, from > 0);
 		enum text_line got = text_read_line(&line, &n, &room, stdin);

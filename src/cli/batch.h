@@ -16,7 +16,7 @@ int batch_file(struct session *s, const char *path);
 
 /* Tells the session that a user now types the lines: starts autosaving and
  * announces the last autosaved session. */
-void batch_attend(struct session *s);
+void batch_user_types(struct session *s);
 
 /* Reads and runs lines typed at a terminal while results go elsewhere.  After
  * an error, prints it and continues. */
@@ -29,6 +29,6 @@ int batch_line(
 
 /* As batch_line, but the output is shown only if the line fails or is
  * interrupted. */
-int batch_quiet(struct session *s, const char *line, int number);
+int batch_line_quietly(struct session *s, const char *line, int number);
 
 #endif

@@ -12,8 +12,8 @@
 #include "cmd/session/turn.h"
 #include "cli/signals.h"
 
-/* Ends what the line has under way after an error or an interruption; the
- * latter keeps the results so far. */
+/* Ends the commands that a line has started, after an error or an interruption;
+ * the latter keeps the results so far. */
 static void
 driver_give_up(
     const struct driver *d, int status, const char *line, const char *name)
@@ -24,7 +24,7 @@ driver_give_up(
 		d->fail(d->of, &error, line, name);
 }
 
-/* After a signal: what was found stays. */
+/* Stops the line after a signal, with the results so far. */
 static int
 driver_interrupt(
     const struct driver *d, const char *line, const char *name, int number)
@@ -38,7 +38,7 @@ driver_interrupt(
 	return signals_status();
 }
 
-/* A command did nothing: it could not, or a signal came before it was done. */
+/* Reports that a command did nothing: it failed, or a signal came first. */
 static int
 driver_fail(const struct driver *d, const struct error *e, const char *line,
     const char *name, int number)
@@ -50,7 +50,7 @@ driver_fail(const struct driver *d, const struct error *e, const char *line,
 	return signals_pending() != 0 ? signals_status() : (int)e->kind;
 }
 
-/* What the commands so far began. */
+/* Runs to its end what the commands so far have started. */
 static int
 driver_finish_work(const struct driver *d, size_t depth, const char *line,
     const char *name, int number)

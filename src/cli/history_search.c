@@ -21,7 +21,7 @@
 static struct {
 	char *wanted, *typed;
 	int place;
-} at;
+} search;
 
 static void
 replace_line(const char *line, int point)
@@ -37,89 +37,24 @@ replace_line(const char *line, int point)
 static void
 history_search_begin(void)
 {
-	free(at.wanted);
-	free(at.typed);
-	at.typed = xstrdup(rl_line_buffer);
-	at.wanted = xstrndup(rl_line_buffer, (size_t)rl_point);
-	at.place = where_history();
+	free(search.wanted);
+	free(search.typed);
+	search.typed = xstrdup(rl_line_buffer);
+	search.wanted = xstrndup(rl_line_buffer, (size_t)rl_point);
+	search.place = where_history();
 }
 
 /* Whether a line of the history is wanted; what stands there already is not. */
 static bool
 history_search_is_wanted(const char *line, bool anywhere)
 {
-	const char *found = strstr(line, at.wanted);
+	const char *found = strstr(line, search.wanted);
 	return found != NULL && (anywhere || found == line) &&
 	       strcmp(line, rl_line_buffer) != 0;
 }
 
-static int
-history_search_go(bool on, bool anywhere, bool goes_on)
-{
-	if (!goes_on)
-		history_search_begin();
-	int step = on ? 1 : -1, place = at.place + step;
-	for (; place >= 0 && place < history_length; place += step) {
-		const HIST_ENTRY *entry = history_get(history_base + place);
-		if (entry == NULL ||
-		    !history_search_is_wanted(entry->line, anywhere))
-			continue;
-		at.place = place;
-		replace_line(entry->line, (int)strlen(at.wanted));
-		return 0;
-	}
-	if (on && at.place < history_length) {
-		at.place = history_length;
-		replace_line(at.typed, (int)strlen(at.wanted));
-		return 0;
-	}
-	rl_ding();
-	return 0;
-}
-
-static int search_prefix_backward(int count, int key),
-    search_prefix_forward(int count, int key),
-    search_anywhere_backward(int count, int key),
-    search_anywhere_forward(int count, int key);
-
-static bool
-history_search_is_continued(void)
-{
-	return rl_last_func == search_prefix_backward ||
-	       rl_last_func == search_prefix_forward ||
-	       rl_last_func == search_anywhere_backward ||
-	       rl_last_func == search_anywhere_forward;
-}
-
-/* Lines that begin with what is wanted. */
-static int
-search_prefix_backward(int count, int key)
-{
-	(void)count, (void)key;
-	return history_search_go(false, false, history_search_is_continued());
-}
-
-static int
-search_prefix_forward(int count, int key)
-{
-	(void)count, (void)key;
-	return history_search_go(true, false, history_search_is_continued());
-}
-
-/* Lines that have it anywhere. */
-static int
-search_anywhere_backward(int count, int key)
-{
-	(void)count, (void)key;
-	return history_search_go(false, true, history_search_is_continued());
-}
-
-static int
-search_anywhere_forward(int count, int key)
-{
-	(void)count, (void)key;
-	return history_search_go(true, true, history_search_is_continued());
-}
+static rl_command_func_t search_prefix_backward, search_prefix_forward,
+    search_anywhere_backward, search_anywhere_forward;
 
 static const struct {
 	const char *name;
@@ -134,6 +69,69 @@ static const struct {
     {"history-substring-search-forward", rl_history_substr_search_forward,
 	search_anywhere_forward},
 };
+
+static bool
+history_search_is_continued(void)
+{
+	size_t i = 0;
+	while (i < ARRAY_LEN(SEARCHES) && SEARCHES[i].ours != rl_last_func)
+		i++;
+	return i < ARRAY_LEN(SEARCHES);
+}
+
+/* Goes to the next line that begins with what is wanted, or has it anywhere;
+ * on: to a newer one. */
+static int
+history_search_go(bool on, bool anywhere)
+{
+	if (!history_search_is_continued())
+		history_search_begin();
+	int step = on ? 1 : -1, place = search.place + step;
+	for (; place >= 0 && place < history_length; place += step) {
+		const HIST_ENTRY *entry = history_get(history_base + place);
+		if (entry == NULL ||
+		    !history_search_is_wanted(entry->line, anywhere))
+			continue;
+		search.place = place;
+		replace_line(entry->line, (int)strlen(search.wanted));
+		return 0;
+	}
+	if (on && search.place < history_length) {
+		search.place = history_length;
+		replace_line(search.typed, (int)strlen(search.wanted));
+		return 0;
+	}
+	rl_ding();
+	return 0;
+}
+
+static int
+search_prefix_backward(int count, int key)
+{
+	(void)count, (void)key;
+	return history_search_go(false, false);
+}
+
+static int
+search_prefix_forward(int count, int key)
+{
+	(void)count, (void)key;
+	return history_search_go(true, false);
+}
+
+static int
+search_anywhere_backward(int count, int key)
+{
+	(void)count, (void)key;
+	return history_search_go(false, true);
+}
+
+static int
+search_anywhere_forward(int count, int key)
+{
+	(void)count, (void)key;
+	return history_search_go(true, true);
+}
 
 void
 history_search_define(void)

@@ -9,9 +9,9 @@
 
 #include "base/xalloc.h"
 
-/* The page in the folder man beside the program or, as pages that are not made
- * stay in the source, beside its folder; NULL where there is none, or its path
- * is none to give to a shell.  The caller frees. */
+/* Returns the path of the page in the folder man beside the program or, for
+ * pages that are not generated, beside its folder; NULL if there is none or a
+ * shell could not be given its path.  The caller frees it. */
 static char *
 page_beside_program(const char *page)
 {
@@ -34,7 +34,7 @@ page_beside_program(const char *page)
 	return NULL;
 }
 
-/* True when the shell runs it and it succeeds. */
+/* Returns true if the shell runs the command and it succeeds. */
 static bool
 run_shell(char *command)
 {

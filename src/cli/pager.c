@@ -14,10 +14,10 @@
 #include "cli/signals.h"
 #include "cli/terminal.h"
 
-/* What a shell ends with when there is no such program. */
+/* The status of a shell that cannot find a program. */
 enum { NO_PROGRAM = 127 };
 
-/* Rows the text takes, long lines folded. */
+/* Returns the rows of a text with long lines folded. */
 static int
 count_rows(const char *text, int columns)
 {
@@ -33,8 +33,8 @@ count_rows(const char *text, int columns)
 	return rows;
 }
 
-/* Less says at its foot how to go on and to leave it, and writes no file and
- * runs no shell for a line that is typed into it.  The caller frees. */
+/* Returns the pager. less shows its keys in the last row, and may neither write
+ * files nor run commands.  The caller frees it. */
 static char *
 pager_command(void)
 {
@@ -46,14 +46,14 @@ pager_command(void)
 	    tr("the end, q leaves"), tr("space goes on, q leaves"));
 }
 
-/* A handler, as the pager would inherit SIG_IGN. */
+/* A handler, because the pager would inherit SIG_IGN. */
 static void
 on_signal_do_nothing(int signal)
 {
 	(void)signal;
 }
 
-/* The pager's own business: ^C, and to end before all is written. */
+/* Leaves to the pager ^C, and to end before all is written. */
 static void
 leave_signals_to_pager(struct sigaction was[2])
 {
@@ -108,7 +108,8 @@ pager_show(struct pager *pager)
 	pager->shown = pager->n;
 	terminal_size(&rows, &columns);
 	FREED char *command = pager_command();
-	/* What a script prints, or a session that is restored, goes by. */
+	/* The output of a script, or of a session being restored, is not
+	 * paged. */
 	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
 		     pager->session->scripts <= pager->session->typed_at &&
 		     command[0] != '\0' && !terminal_is_dumb();

@@ -4,8 +4,6 @@
 
 #include <poll.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -15,17 +13,16 @@
 #include "cli/signals.h"
 #include "cli/terminal.h"
 
-/* What a terminal shows while a calibration runs: one line, four times a
- * second; elsewhere a row at generation 1 and every ten, of what takes long or
- * is to be told in detail. */
+/* A terminal shows one line, four times a second.  Elsewhere, a row is printed
+ * for generation 1 and every tenth, if the search takes long or details are
+ * wanted. */
 struct progress {
 	bool terminal;
 	double shown;
 	size_t row;
 };
 
-/* Columns of the progress that is on the screen, and rows of what is watched
- * above it. */
+/* Columns of the line on the screen, and rows of the plot above it. */
 static int on_screen, rows_above;
 
 static void
@@ -84,17 +81,16 @@ progress_row(
 	    st->generation, st->best, st->median);
 }
 
-/* What can move its cursor up and clear below it. */
+/* The terminal must be able to move its cursor up and to clear below it. */
 static bool
 can_watch_search(const struct session *s, const struct progress *p)
 {
-	const char *term = getenv("TERM");
 	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
-	       term != NULL && term[0] != '\0' && strcmp(term, "dumb") != 0;
+	       !terminal_is_dumb();
 }
 
-/* All runs and what the best candidate makes of them, over the picture of the
- * generation before. */
+/* Draws all runs and what the best candidate predicts for them, over the plot
+ * of the last generation. */
 static void
 draw_watched(
     struct session *s, struct progress *p, const struct calibrate_status *st)
@@ -122,8 +118,8 @@ draw_watched(
 	p->shown = 0;
 }
 
-/* A search would be over before it is seen: its first generations take a
- * moment each. */
+/* Slows the first generations down, or the search would be over before it is
+ * seen. */
 static void
 slow_down_watched(const struct session *s)
 {
@@ -159,7 +155,7 @@ print_progress(struct session *s, struct progress *p)
 		progress_row(s, p, &st);
 }
 
-/* The answer to SIGUSR1. */
+/* Answers SIGUSR1. */
 static void
 progress_answer(const struct session *s)
 {
@@ -184,7 +180,7 @@ progress_run(struct session *s)
 	signals_take_report_wanted();
 	s->hooks.tidy = p.terminal ? clear_line : NULL;
 	while (session_busy(s) && signals_pending() == 0) {
-		session_rounds(s);
+		session_run_tasks(s);
 		if (session_busy(s) && signals_take_report_wanted())
 			progress_answer(s);
 		print_progress(s, &p);

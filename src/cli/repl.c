@@ -46,9 +46,9 @@ static struct {
 	bool declined;
 	const struct site *site;
 	const struct history *history;
-} at;
+} prompt;
 
-/* How many bytes all candidates begin with. */
+/* Returns how many bytes all candidates begin with. */
 static size_t
 shared_bytes(char **text, size_t n)
 {
@@ -60,8 +60,8 @@ shared_bytes(char **text, size_t n)
 	return shared;
 }
 
-/* The text to put instead of readline's word, which begins at start; NULL
- * where the two do not go together.  from: where the candidate's begins. */
+/* Returns the text that replaces the word of readline, which begins at start;
+ * NULL if the two do not match.  from: start of the word of the candidate. */
 static char *
 fit_candidate_to_word(
     const struct candidate *c, const char *line, long from, long start)
@@ -76,14 +76,15 @@ fit_candidate_to_word(
 	return xasprintf("%s%s", c->text + head, tail);
 }
 
-/* For readline: NULL, or what all candidates share and then each of them. */
+/* For readline: returns NULL, or what all candidates share followed by each. */
 static char **
 on_complete(const char *text, int start, int end)
 {
 	(void)text;
-	size_t before = strlen(at.before), n = 0;
-	FREED char *line = xasprintf("%s%s", at.before, rl_line_buffer);
-	struct completion *c = complete(at.session, line, before + (size_t)end);
+	size_t before = strlen(prompt.before), n = 0;
+	FREED char *line = xasprintf("%s%s", prompt.before, rl_line_buffer);
+	struct completion *c =
+	    complete(prompt.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
 		char *word = fit_candidate_to_word(&c->candidate[i], line,
@@ -107,11 +108,11 @@ on_complete(const char *text, int start, int end)
 	return NULL;
 }
 
-/* "tierp (fit)> ".  Keys are ASCII, whatever the site is called. */
+/* Returns "tierp (fit)> ".  Keys of sites are ASCII, whatever their names. */
 static char *
 prompt_text(const struct session *s)
 {
-	if (at.before[0] != '\0')
+	if (prompt.before[0] != '\0')
 		return xstrdup("> ");
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -131,20 +132,20 @@ prompt_text(const struct session *s)
  * cannot go up, so that a line is scrolled, it looks for it for ever if the
  * prompt with its invisible characters is as wide as the screen. */
 static void
-set_readline_size(const char *prompt)
+set_readline_size(const char *text)
 {
 	enum { ROWS = 2, COLUMNS = 20 };
 	int rows, columns, least = COLUMNS;
 	const char *up = rl_get_termcap("up");
 	terminal_size(&rows, &columns);
 	if (up == NULL || up[0] == '\0')
-		least += (int)strlen(prompt);
+		least += (int)strlen(text);
 	rl_set_screen_size(
 	    rows > ROWS ? rows : ROWS, columns > least ? columns : least);
 }
 
-/* Where the prompt is broken depends on the columns; a search has one of its
- * own meanwhile. */
+/* Breaks the prompt anew for the number of columns; a search has a prompt of
+ * its own. */
 static void
 fit_prompt(void)
 {
@@ -154,7 +155,7 @@ fit_prompt(void)
 	rl_set_prompt(text);
 }
 
-/* ^Z, and the terminal again when the program goes on; another size. */
+/* Handles ^Z, the return from it, and a change of size. */
 static void
 answer_signals(void)
 {
@@ -178,7 +179,7 @@ answer_signals(void)
 	}
 }
 
-/* Waits for a key; false at a signal that is not answered here. */
+/* Waits for a key.  Returns false on a signal that is not handled here. */
 static bool
 wait_for_key(void)
 {
@@ -205,7 +206,8 @@ key_at_end(void)
 {
 	static const char END[] = "\033[201~";
 	if (!RL_ISSTATE(RL_STATE_READCMD))
-		return at.given < sizeof END - 1 ? END[at.given++] : EOF;
+		return prompt.given < sizeof END - 1 ? END[prompt.given++]
+						     : EOF;
 	rl_point = rl_end;
 	rl_redisplay();
 	if (signals_pending() == SIGINT)
@@ -238,16 +240,16 @@ on_getc(FILE *in)
 	return key_at_end();
 }
 
-/* A line as typed, which the caller frees; NULL at the end of input or at a
- * signal.  Not by readline's callbacks: those of 8.2 jump to where they no
- * longer are when a sequence of keys that means nothing ends a search. */
+/* Returns a typed line, which the caller frees; NULL at the end of input or on
+ * a signal.  Not by the callbacks of readline: those of 8.2 jump to where they
+ * no longer are when an unknown sequence of keys ends a search. */
 static char *
 read_line(const char *text)
 {
 	struct sigaction was[3];
 	signals_hold();
 	signals_take_terminal(was);
-	at.given = 0;
+	prompt.given = 0;
 	set_readline_size(text);
 	restore_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
@@ -271,7 +273,7 @@ run_line(struct session *s, const char *line, int number)
 	pager_close(&pager);
 }
 
-/* What was typed up to Return: one line, or several that were pasted. */
+/* Runs what was typed up to Return: one line, or several that were pasted. */
 static void
 take_lines(struct session *s, char *typed, int *number)
 {
@@ -286,9 +288,9 @@ take_lines(struct session *s, char *typed, int *number)
 		if (end != NULL)
 			*end++ = '\0';
 		bool more = script_goes_on(line);
-		FREED char *joined = xasprintf("%s%s", at.before, line);
-		free(at.before);
-		at.before = xstrdup(more ? joined : "");
+		FREED char *joined = xasprintf("%s%s", prompt.before, line);
+		free(prompt.before);
+		prompt.before = xstrdup(more ? joined : "");
 		if (!more)
 			run_line(s, joined, (*number)++);
 		if (signals_pending() != 0)
@@ -296,9 +298,9 @@ take_lines(struct session *s, char *typed, int *number)
 	}
 }
 
-/* Names the next step when it has become one further on, and of another site
- * anew, but that answers can be had only once of several; it is offered for the
- * line that is typed next. */
+/* Prints the next step when it is further on than the last, or for another
+ * site; that answers can be had, only once for several sites.  The line typed
+ * next may accept it. */
 static void
 print_next_step(const struct session *s)
 {
@@ -307,27 +309,27 @@ print_next_step(const struct session *s)
 	const struct site *site = entry != NULL ? entry->site : NULL;
 	const struct history *history = entry != NULL ? entry->history : NULL;
 	struct next next = next_step(s);
-	bool same = (site == at.site && history == at.history) ||
+	bool same = (site == prompt.site && history == prompt.history) ||
 		    (s->n_entry > 1 && next.stage == NEXT_ANSWER);
-	at.offer = (struct next){.line = NULL};
-	if (same && (int)next.stage <= at.stage)
+	prompt.offer = (struct next){.line = NULL};
+	if (same && (int)next.stage <= prompt.stage)
 		return;
-	at.stage = (int)next.stage;
-	at.site = site;
-	at.history = history;
+	prompt.stage = (int)next.stage;
+	prompt.site = site;
+	prompt.history = history;
 	if (next.line != NULL)
 		session_note(s, "%s [Y/n, or a command]", tr(next.words));
 	else if (next.words != NULL)
 		session_note(s, "%s", tr(next.words));
-	at.offer = next;
+	prompt.offer = next;
 }
 
-/* The commands of what was offered one by one, each with what came of it. */
+/* Runs the offered commands one by one, each with its outcome. */
 static void
 run_offered_commands(struct session *s, int *number)
 {
-	const char *line = at.offer.line;
-	if (!at.offer.brief) {
+	const char *line = prompt.offer.line;
+	if (!prompt.offer.brief) {
 		run_line(s, line, (*number)++);
 		return;
 	}
@@ -337,7 +339,7 @@ run_offered_commands(struct session *s, int *number)
 	while (status == 0 && *line != '\0' && !signals_is_ending()) {
 		size_t n = strcspn(line, ";");
 		FREED char *command = xstrndup(line, n);
-		status = batch_quiet(s, command, *number);
+		status = batch_line_quietly(s, command, *number);
 		if (status == 0)
 			next_note_offered(s);
 		line += n + strspn(line + n, "; ");
@@ -345,7 +347,7 @@ run_offered_commands(struct session *s, int *number)
 	++*number;
 }
 
-/* Whether it answers what was offered, and not with a command. */
+/* Returns true if a line answers the offer instead of being a command. */
 static bool
 answers_offer(struct session *s, const char *typed, int *number)
 {
@@ -356,20 +358,20 @@ answers_offer(struct session *s, const char *typed, int *number)
 	bool empty = said[0] == '\0';
 	bool yes = empty || text_find_word(YES, said, &which);
 	bool no = text_find_word(NO, said, &which);
-	bool again = empty && at.declined && at.offer.line == NULL;
-	if (at.before[0] != '\0' ||
-	    !(again || (at.offer.line != NULL && (yes || no))))
+	bool again = empty && prompt.declined && prompt.offer.line == NULL;
+	if (prompt.before[0] != '\0' ||
+	    !(again || (prompt.offer.line != NULL && (yes || no))))
 		return false;
-	at.declined = no;
+	prompt.declined = no;
 	if (again)
-		at.stage = -1;
+		prompt.stage = -1;
 	else if (yes)
 		run_offered_commands(s, number);
 	return true;
 }
 
-/* --safe: no file of settings, and no function that reads one or the list of
- * users, by whatever key; nor, should readline get them, those of shells. */
+/* --safe: no settings file, and no key for a function that reads one, lists
+ * users or runs a shell. */
 static void
 confine_readline(void)
 {
@@ -388,9 +390,9 @@ confine_readline(void)
 static void
 set_up_readline(struct session *s)
 {
-	at.session = s;
-	at.before = xstrdup("");
-	at.stage = -1;
+	prompt.session = s;
+	prompt.before = xstrdup("");
+	prompt.stage = -1;
 	rl_readline_name = "tipspeed";
 	rl_catch_signals = 0;
 	rl_catch_sigwinch = 0;
@@ -427,11 +429,11 @@ repl_greet(struct session *s)
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_file(s, path);
 	signals_forget_interrupt();
-	/* Files of the command line are asked about, too. */
+	/* Questions about files on the command line are asked too. */
 	s->hooks.question = ask_question;
 }
 
-/* For readline: what is no command has no completion. */
+/* For readline: answers have no completion. */
 static char **
 complete_nothing(const char *text, int start, int end)
 {
@@ -463,10 +465,10 @@ repl_run(struct session *s)
 {
 	int number = 1;
 	set_up_readline(s);
-	batch_attend(s);
+	batch_user_types(s);
 	s->hooks.question = repl_question;
 	while (!s->quit && !signals_is_ending()) {
-		if (at.before[0] == '\0')
+		if (prompt.before[0] == '\0')
 			print_next_step(s);
 		FREED char *text = prompt_text(s);
 		char *typed = read_line(text);
@@ -479,11 +481,11 @@ repl_run(struct session *s)
 			break;
 		}
 		if (signals_pending() != 0)
-			at.before[0] = '\0';
+			prompt.before[0] = '\0';
 		signals_forget_interrupt();
 	}
 	typed_close();
-	free(at.before);
+	free(prompt.before);
 	return signals_status();
 }
 

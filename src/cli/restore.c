@@ -14,11 +14,12 @@
 
 #include "base/xalloc.h"
 
-/* What ends a program that does not catch it; TERM, HUP and INT are caught. */
+/* Signals that end a program that does not catch them; TERM, HUP and INT are
+ * caught. */
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT,
     SIGSYS, SIGTRAP, SIGXCPU, SIGALRM, SIGUSR2};
 
-/* Mouse off, keys as usual; the cursor and the screen follow. */
+/* Mouse off; the rest of the terminal follows. */
 #define MOUSE_OFF "\033[?1002l\033[?1000l\033[?1006l"
 
 static struct {
@@ -29,23 +30,24 @@ static struct {
 	size_t n;
 	struct sigaction was[ARRAY_LEN(FAULTS)];
 	char stack[16384]; /* for a fault by an overflow of the usual one */
-} at;
+} terminal;
 
 static void
 restore_terminal(void)
 {
-	if (!at.open)
+	if (!terminal.open)
 		return;
-	at.open = 0;
-	/* A background program would be stopped by setting the terminal. */
+	terminal.open = 0;
+	/* A program in the background would be stopped when it sets the
+	 * terminal. */
 	sigset_t out;
 	sigemptyset(&out);
 	sigaddset(&out, SIGTTOU);
 	sigprocmask(SIG_BLOCK, &out, NULL);
-	ssize_t written = write(STDOUT_FILENO, at.bytes, at.n);
+	ssize_t written = write(STDOUT_FILENO, terminal.bytes, terminal.n);
 	(void)written;
-	if (at.known)
-		tcsetattr(STDIN_FILENO, TCSADRAIN, &at.usual);
+	if (terminal.known)
+		tcsetattr(STDIN_FILENO, TCSADRAIN, &terminal.usual);
 }
 
 static void
@@ -57,24 +59,24 @@ on_fault(int signal)
 	raise(signal);
 }
 
-/* While the terminal is in use, only xalloc ends the program. */
+/* The program exits with the terminal in use only from xalloc. */
 static void
 on_exit_early(void)
 {
 	static const char say[] =
 	    "tipspeed: ended with its screen open: out of memory\n";
-	if (!at.open)
+	if (!terminal.open)
 		return;
 	restore_terminal();
 	ssize_t written =
-	    at.full ? write(STDERR_FILENO, say, sizeof say - 1) : 0;
+	    terminal.full ? write(STDERR_FILENO, say, sizeof say - 1) : 0;
 	(void)written;
 }
 
 void
 restore_keep_settings(void)
 {
-	at.known = tcgetattr(STDIN_FILENO, &at.usual) == 0;
+	terminal.known = tcgetattr(STDIN_FILENO, &terminal.usual) == 0;
 }
 
 /* Adds bytes without the pauses old terminals were given. */
@@ -83,13 +85,13 @@ add_restore_bytes(const char *text)
 {
 	if (text == NULL || text == (const char *)-1)
 		return;
-	while (*text != '\0' && at.n < sizeof at.bytes) {
+	while (*text != '\0' && terminal.n < sizeof terminal.bytes) {
 		const char *end =
 		    strncmp(text, "$<", 2) == 0 ? strchr(text, '>') : NULL;
 		if (end != NULL)
 			text = end + 1;
 		else
-			at.bytes[at.n++] = *text++;
+			terminal.bytes[terminal.n++] = *text++;
 	}
 }
 
@@ -97,27 +99,28 @@ static void
 catch_faults(void)
 {
 	static bool asked;
-	stack_t stack = {.ss_sp = at.stack, .ss_size = sizeof at.stack};
+	stack_t stack = {
+	    .ss_sp = terminal.stack, .ss_size = sizeof terminal.stack};
 	sigaltstack(&stack, NULL);
 	struct sigaction action = {
 	    .sa_handler = on_fault, .sa_flags = (int)SA_ONSTACK};
 	sigemptyset(&action.sa_mask);
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++) {
-		sigaction(FAULTS[i], &action, &at.was[i]);
-		if (at.was[i].sa_handler == SIG_IGN)
-			sigaction(FAULTS[i], &at.was[i], NULL);
+		sigaction(FAULTS[i], &action, &terminal.was[i]);
+		if (terminal.was[i].sa_handler == SIG_IGN)
+			sigaction(FAULTS[i], &terminal.was[i], NULL);
 	}
 	if (!asked)
 		atexit(on_exit_early);
 	asked = true;
-	at.open = 1;
+	terminal.open = 1;
 }
 
 void
 restore_screen(void)
 {
-	at.n = 0;
-	at.full = true;
+	terminal.n = 0;
+	terminal.full = true;
 	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
 		add_restore_bytes(MOUSE_OFF);
 	const char *cup = tigetstr("cup");
@@ -138,8 +141,8 @@ void
 restore_prompt(const char *bytes)
 {
 	restore_keep_settings();
-	at.n = 0;
-	at.full = false;
+	terminal.n = 0;
+	terminal.full = false;
 	add_restore_bytes(bytes);
 	catch_faults();
 }
@@ -147,9 +150,9 @@ restore_prompt(const char *bytes)
 void
 restore_done(void)
 {
-	at.open = 0;
+	terminal.open = 0;
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
-		sigaction(FAULTS[i], &at.was[i], NULL);
+		sigaction(FAULTS[i], &terminal.was[i], NULL);
 }
 
 void

@@ -41,8 +41,8 @@ signals_catch(void)
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
 	sigaction(SIGHUP, &action, NULL);
-	/* The write then fails, as on a full disk; shells that are started get
-	 * the usual end by it, which SIG_IGN would not give back. */
+	/* A write then fails as on a full disk.  Shells that are started get
+	 * the default action, which they would not with SIG_IGN. */
 	action.sa_handler = on_file_size;
 	sigaction(SIGXFSZ, &action, NULL);
 	action.sa_handler = on_report_wanted;
@@ -92,7 +92,7 @@ signals_wait_with(const sigset_t *mask, double seconds)
 		   mask) > 0;
 }
 
-/* What was let in before is not to wait for what comes next. */
+/* Signals that came earlier end the wait at once. */
 bool
 signals_wait(double seconds)
 {
@@ -197,7 +197,7 @@ signals_watch_keys(bool keys)
 }
 
 bool
-signals_waited_for(void)
+signals_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};

@@ -58,7 +58,7 @@ bool signals_take_report_wanted(void);
 
 /* For hooks.stop, from any thread: true if a signal has arrived or is blocked
  * or, after signals_watch_keys(true), a key was pressed. */
-bool signals_waited_for(void);
+bool signals_stop_wanted(void);
 void signals_watch_keys(bool keys);
 
 #endif

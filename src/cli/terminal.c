@@ -85,8 +85,8 @@ terminal_is_utf8(void)
 	return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
-/* The console's fonts, of 512 characters at most, have neither braille nor
- * quadrants, a serial terminal has nothing but ASCII. */
+/* The console has fonts of at most 512 characters, without braille or
+ * quadrants; a serial terminal has ASCII alone. */
 bool
 terminal_can_draw(void)
 {

@@ -17,10 +17,10 @@ struct axis_tick {
 
 /* An axis from low to high.  log: logarithmic scale.  straight: if positive,
  * the scale is logarithmic on both sides of 0 and linear within +-straight.
- * title: with the unit, "size, mm". */
+ * title: with the unit, "size, mm".  names: ticks are names, not numbers. */
 struct axis {
 	char *title;
-	bool log;
+	bool log, names;
 	double straight, low, high;
 	size_t n;
 	struct axis_tick *tick;

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -87,6 +88,15 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	return s;
 }
 
+void
+chart_move_to_back(struct chart *chart)
+{
+	struct chart_series *last = chart->series[chart->n - 1];
+	memmove(chart->series + 1, chart->series,
+	    (chart->n - 1) * sizeof(*chart->series));
+	chart->series[0] = last;
+}
+
 struct chart_series *
 chart_add_finer(struct chart_series *series, size_t n)
 {
@@ -108,6 +118,14 @@ chart_add_band(struct chart_series *series)
 {
 	series->low = xdoubles(series->n);
 	series->high = xdoubles(series->n);
+}
+
+void
+chart_drop_band(struct chart_series *series)
+{
+	free(series->low);
+	free(series->high);
+	series->low = series->high = NULL;
 }
 
 void
@@ -185,6 +203,29 @@ chart_x_at(
 		return by_log ? exp(at) : at;
 	}
 	return NAN;
+}
+
+static void
+extent_include(double extent[2], double low, double high)
+{
+	extent[0] = fmin(extent[0], low);
+	extent[1] = fmax(extent[1], high);
+}
+
+struct chart_extent
+chart_extent(const struct chart *chart)
+{
+	struct chart_extent e = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		for (size_t k = 0; k < s->n; k++) {
+			extent_include(e.x, s->x[k], s->x[k]);
+			extent_include(e.y, s->y[k], s->y[k]);
+			if (s->low != NULL)
+				extent_include(e.y, s->low[k], s->high[k]);
+		}
+	}
+	return e;
 }
 
 void

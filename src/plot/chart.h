@@ -43,14 +43,16 @@ struct chart_field {
  * draw it that many cells to the right of x.  lifted: marks are set off from
  * bars, in reverse, with a gap on either side.  named: show the labels of
  * points if there is room.  whose, field [n]: may be NULL.  finer: a closer set
- * of points of the same curve for chart_x_at to read, owned, or NULL. */
+ * of points of the same curve for chart_x_at to read, owned, or NULL.
+ * compared: its difference from the last series is drawn below.  psd: it is a
+ * size distribution, off which P20, P50 and P80 are read. */
 struct chart_series {
 	char *name;
 	enum series series;
 	enum chart_line line;
 	char ascii, mark;
 	bool fine;
-	bool bars, lifted, named;
+	bool bars, lifted, named, compared, psd;
 	int beside;
 	size_t n;
 	double *x, *y, *low, *high;
@@ -68,13 +70,15 @@ struct chart_rule {
 
 /* strip: the number of rows of a chart drawn without labels below another chart
  * with the same x axis; 0: a chart of its own.  Later series are drawn on top.
- * about: the source of the data, shown at the foot after "data: ".  note: lines
+ * mixed: its series are of different quantities, not to be compared.  about:
+ * the source of the data, shown at the foot after "data: ".  note: lines
  * below the legend.  below: another chart to draw below this one, with the same
  * x axis but other units, or NULL; chart_free also frees it. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
 	enum theme theme;
+	bool mixed;
 	int strip;
 	size_t n, n_rule, n_note;
 	struct chart_series **series;
@@ -94,12 +98,17 @@ void chart_free(struct chart *chart);
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
+/* Moves the last series to the front, so that all others are drawn on top. */
+void chart_move_to_back(struct chart *chart);
+
 /* Adds an array `whose` to a series, to be filled with strings that the series
  * will own. */
 void chart_add_point_sites(struct chart_series *series);
 
-/* Adds arrays low and high to a series, for its band. */
+/* chart_add_band adds arrays low and high to a series, for its band;
+ * chart_drop_band removes them. */
 void chart_add_band(struct chart_series *series);
+void chart_drop_band(struct chart_series *series);
 
 /* Adds n finer points to a series and returns them, with x and y to be filled
  * in. */
@@ -119,6 +128,13 @@ double chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x);
 double chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y);
+
+/* Returns the range of all series, and of y with their bands: from, to; from
+ * INFINITY to -INFINITY if there is no point. */
+struct chart_extent {
+	double x[2], y[2];
+};
+struct chart_extent chart_extent(const struct chart *chart);
 
 /* Sets *on and *off to the number of dots in each dash of a line and in each
  * gap; off is 0 for a solid line. */

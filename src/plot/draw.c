@@ -12,8 +12,9 @@
 #include "base/xalloc.h"
 #include "plot/marks.h"
 
-/* The data's cells begin at left, top and are width x height.  Each other part
- * has its first row, -1 where it was dropped.  words: of CHART_ALL. */
+/* The data's cells begin at left, top and are width x height; dots: those set
+ * so far in each.  Each other part has its first row, -1 where it was dropped.
+ * words: of CHART_ALL. */
 struct layout {
 	const struct chart *chart;
 	struct canvas *canvas;
@@ -21,6 +22,7 @@ struct layout {
 	unsigned words;
 	int left, top, width, height;
 	int title, y_title, axis, labels, label_rows, legend, foot;
+	unsigned char *dots;
 };
 
 /* Column of an x and row of a y among the data, in parts of a cell: 1 for
@@ -390,12 +392,6 @@ draw_titles_and_axes(struct layout *l)
 		flow_foot(l, l->foot);
 }
 
-/* The data's part of a canvas.  dots [width * height]: those set so far. */
-struct brush {
-	struct layout at;
-	unsigned char *dots;
-};
-
 /* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
  * and the character tells most. */
 static bool
@@ -411,69 +407,68 @@ is_inked(enum chart_line line, enum charset charset, int step)
 }
 
 static void
-draw_put(struct brush *p, int column, int row, uint32_t code,
+draw_put(struct layout *l, int column, int row, uint32_t code,
     enum series series, unsigned attribute)
 {
-	if (column < 0 || column >= p->at.width || row < 0 ||
-	    row >= p->at.height)
+	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
 		return;
 	struct canvas_cell *cell =
-	    canvas_at(p->at.canvas, p->at.left + column, p->at.top + row);
+	    canvas_at(l->canvas, l->left + column, l->top + row);
 	*cell = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)attribute};
-	p->dots[row * p->at.width + column] = 0;
+	l->dots[row * l->width + column] = 0;
 }
 
 /* Sets a dot; those of a cell share its colour, the last one's. */
 static void
-put_dot(struct brush *p, const struct chart_series *s, int x, int y)
+put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 {
-	int across = canvas_cell_dots_across(p->at.charset),
-	    down = canvas_cell_dots_down(p->at.charset);
+	int across = canvas_cell_dots_across(l->charset),
+	    down = canvas_cell_dots_down(l->charset);
 	int column = x / across, row = y / down;
-	if (x < 0 || column >= p->at.width || y < 0 || row >= p->at.height)
+	if (x < 0 || column >= l->width || y < 0 || row >= l->height)
 		return;
-	unsigned char *dots = &p->dots[row * p->at.width + column];
+	unsigned char *dots = &l->dots[row * l->width + column];
 	unsigned bit = 1u << (across * (y % down) + x % across);
 	unsigned all = *dots | bit;
-	uint32_t code = p->at.charset == CHARSET_ASCII
+	uint32_t code = l->charset == CHARSET_ASCII
 			    ? (uint32_t)s->ascii
-			    : canvas_dots_code(p->at.charset, all);
-	draw_put(p, column, row, code, s->series, 0);
+			    : canvas_dots_code(l->charset, all);
+	draw_put(l, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
 
 /* From point i to the next, dot by dot. */
 static void
-draw_segment(struct brush *p, const struct chart_series *s, size_t i)
+draw_segment(struct layout *l, const struct chart_series *s, size_t i)
 {
-	int across = canvas_cell_dots_across(p->at.charset),
-	    down = canvas_cell_dots_down(p->at.charset);
-	int x0 = column_of_x(&p->at, s->x[i], across);
-	int y0 = row_of_y(&p->at, s->y[i], down);
-	int dx = column_of_x(&p->at, s->x[i + 1], across) - x0;
-	int dy = row_of_y(&p->at, s->y[i + 1], down) - y0;
+	int across = canvas_cell_dots_across(l->charset),
+	    down = canvas_cell_dots_down(l->charset);
+	int x0 = column_of_x(l, s->x[i], across);
+	int y0 = row_of_y(l, s->y[i], down);
+	int dx = column_of_x(l, s->x[i + 1], across) - x0;
+	int dy = row_of_y(l, s->y[i + 1], down) - y0;
 	int n = abs(dx) > abs(dy) ? abs(dx) : abs(dy);
 	for (int k = 0; k <= n; k++) {
 		double t = n > 0 ? (double)k / n : 0;
 		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
-		if (is_inked(s->line, p->at.charset, step))
-			put_dot(p, s, x0 + (int)lround(t * dx),
+		if (is_inked(s->line, l->charset, step))
+			put_dot(l, s, x0 + (int)lround(t * dx),
 			    y0 + (int)lround(t * dy));
 	}
 }
 
 static void
-draw_chart_line(struct brush *p, const struct chart_series *s)
+draw_chart_line(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i + 1 < s->n; i++)
 		if (isfinite(s->y[i]) && isfinite(s->y[i + 1]))
-			draw_segment(p, s, i);
+			draw_segment(l, s, i);
 }
 
 /* The shade of a field by its value, and the label where it has room. */
 static void
-draw_chart_field(struct brush *p, const struct chart_series *s, size_t i)
+draw_chart_field(struct layout *l, const struct chart_series *s, size_t i)
 {
 	static const uint32_t SHADES[] = {' ', '.', ':', '#'},
 			      BLOCKS[] = {' ', 0x2591, 0x2592, 0x2593};
@@ -483,82 +478,81 @@ draw_chart_field(struct brush *p, const struct chart_series *s, size_t i)
 	size_t shade = 0;
 	while (shade + 1 < ARRAY_LEN(FROM) && value >= FROM[shade + 1])
 		shade++;
-	int left = column_of_x(&p->at, s->x[i] - 0.5, 1);
-	int right = column_of_x(&p->at, s->x[i] + 0.5, 1);
-	int top = row_of_y(&p->at, s->y[i] + 0.5, 1);
-	int foot = row_of_y(&p->at, s->y[i] - 0.5, 1);
+	int left = column_of_x(l, s->x[i] - 0.5, 1);
+	int right = column_of_x(l, s->x[i] + 0.5, 1);
+	int top = row_of_y(l, s->y[i] + 0.5, 1);
+	int foot = row_of_y(l, s->y[i] - 0.5, 1);
 	for (int row = top; row < foot || row == top; row++)
 		for (int column = left; column < right; column++)
-			draw_put(p, column, row,
-			    p->at.charset == CHARSET_ASCII ? SHADES[shade]
-							   : BLOCKS[shade],
+			draw_put(l, column, row,
+			    l->charset == CHARSET_ASCII ? SHADES[shade]
+							: BLOCKS[shade],
 			    s->series, 0);
 	int room = right - left - 2, wide = text_width(label);
 	if (wide <= room)
-		canvas_text(p->at.canvas,
-		    p->at.left + left + (right - left - wide) / 2,
-		    p->at.top + (top + foot) / 2, label, s->series,
+		canvas_text(l->canvas,
+		    l->left + left + (right - left - wide) / 2,
+		    l->top + (top + foot) / 2, label, s->series,
 		    shade == 3 ? CELL_BOLD : 0);
 }
 
 /* Of a point, with what it is drawn beside by. */
 static int
-draw_column_of(const struct brush *p, const struct chart_series *s, size_t i)
+draw_column_of(const struct layout *l, const struct chart_series *s, size_t i)
 {
-	int column = column_of_x(&p->at, s->x[i], 1) + s->beside;
-	int last = p->at.width - 1;
+	int column = column_of_x(l, s->x[i], 1) + s->beside;
+	int last = l->width - 1;
 	return column < 0 ? 0 : column > last ? last : column;
 }
 
 /* In one cell, as wide as it is and half as high, which says more of a strip's
  * few rows. */
 static void
-draw_small_mark(struct brush *p, const struct chart_series *s, size_t i)
+draw_small_mark(struct layout *l, const struct chart_series *s, size_t i)
 {
-	int down = canvas_cell_dots_down(p->at.charset), high = down / 2;
-	int row = row_of_y(&p->at, s->y[i], down);
-	int top = row % down - high / 2, x = 2 * draw_column_of(p, s, i);
+	int down = canvas_cell_dots_down(l->charset), high = down / 2;
+	int row = row_of_y(l, s->y[i], down);
+	int top = row % down - high / 2, x = 2 * draw_column_of(l, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
 	for (int k = 0; k < 2 * high; k++)
-		put_dot(p, s, x + k % 2, row - row % down + top + k / 2);
+		put_dot(l, s, x + k % 2, row - row % down + top + k / 2);
 }
 
 static void
-draw_chart_mark(struct brush *p, const struct chart_series *s, size_t i)
+draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 {
-	bool fine = s->fine && p->at.charset != CHARSET_ASCII;
+	bool fine = s->fine && l->charset != CHARSET_ASCII;
 	if (!isfinite(s->y[i]))
 		return;
-	if (fine && p->at.chart->strip > 0)
-		draw_small_mark(p, s, i);
+	if (fine && l->chart->strip > 0)
+		draw_small_mark(l, s, i);
 	else
-		draw_put(p, draw_column_of(p, s, i),
-		    row_of_y(&p->at, s->y[i], 1),
-		    draw_mark_code(s, p->at.charset), s->series,
+		draw_put(l, draw_column_of(l, s, i), row_of_y(l, s->y[i], 1),
+		    draw_mark_code(s, l->charset), s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted ? CELL_REVERSE : 0));
 }
 
 static bool
-has_dots(const struct brush *p, int column, int row)
+has_dots(const struct layout *l, int column, int row)
 {
-	return row >= 0 && row < p->at.height &&
-	       p->dots[row * p->at.width + column] != 0;
+	return row >= 0 && row < l->height &&
+	       l->dots[row * l->width + column] != 0;
 }
 
 /* Where there is no colour the gap in a bar shows where its mark is; one that
  * ends there anyway is not made shorter. */
 static void
-clear_around_marks(struct brush *p, const struct chart_series *s)
+clear_around_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->lifted; i++)
 		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
-			int column = draw_column_of(p, s, i);
-			int row = row_of_y(&p->at, s->y[i], 1);
-			if (has_dots(p, column, row) &&
-			    has_dots(p, column, row + 2 * by))
+			int column = draw_column_of(l, s, i);
+			int row = row_of_y(l, s->y[i], 1);
+			if (has_dots(l, column, row) &&
+			    has_dots(l, column, row + 2 * by))
 				draw_put(
-				    p, column, row + by, ' ', SERIES_TEXT, 0);
+				    l, column, row + by, ' ', SERIES_TEXT, 0);
 		}
 }
 
@@ -570,41 +564,41 @@ is_hollow(const struct chart_series *s)
 }
 
 static void
-draw_chart_marks(struct brush *p, const struct chart_series *s)
+draw_chart_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
-		draw_chart_field(p, s, i);
+		draw_chart_field(l, s, i);
 	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
-		draw_chart_mark(p, s, i);
+		draw_chart_mark(l, s, i);
 }
 
 /* A bar from low to high at each point, a dot wide or a cell. */
 static void
-draw_chart_bars(struct brush *p, const struct chart_series *s)
+draw_chart_bars(struct layout *l, const struct chart_series *s)
 {
 	enum { DOTTED = 2 };
-	int across = canvas_cell_dots_across(p->at.charset),
-	    down = canvas_cell_dots_down(p->at.charset);
+	int across = canvas_cell_dots_across(l->charset),
+	    down = canvas_cell_dots_down(l->charset);
 	int wide = s->line == CHART_LONG ? across : 1;
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
-		int column = draw_column_of(p, s, i);
-		int foot = row_of_y(&p->at, s->low[i], down);
-		int top = row_of_y(&p->at, s->high[i], down);
+		int column = draw_column_of(l, s, i);
+		int foot = row_of_y(l, s->low[i], down);
+		int top = row_of_y(l, s->high[i], down);
 		for (int y = top; y <= foot; y += step)
 			for (int x = 0; x < wide; x++)
-				put_dot(p, s, column * across + x, y);
+				put_dot(l, s, column * across + x, y);
 	}
 }
 
 /* y of the band's edge at x, straight between the points. */
 static double
 band_edge_at(
-    struct brush *p, const struct chart_series *s, double *edge, double x)
+    struct layout *l, const struct chart_series *s, double *edge, double x)
 {
 	struct chart_series copy = *s;
 	copy.y = edge;
-	return chart_y_at(p->at.chart, &copy, x);
+	return chart_y_at(l->chart, &copy, x);
 }
 
 /* The value in the middle of part i of n along an axis. */
@@ -618,68 +612,68 @@ draw_value_at(const struct axis *a, int i, int n)
 
 /* x in the middle of part i of n across. */
 static double
-x_of_part(const struct brush *p, int i, int n)
+x_of_part(const struct layout *l, int i, int n)
 {
-	return draw_value_at(&p->at.chart->x, i, n);
+	return draw_value_at(&l->chart->x, i, n);
 }
 
 /* Rows that the band fills from their foot to their top. */
 static void
 fill_band(
-    struct brush *p, int column, double low, double high, enum series tint)
+    struct layout *l, int column, double low, double high, enum series tint)
 {
-	double top = p->at.height * (1 - axis_share(&p->at.chart->y, high));
-	double foot = p->at.height * (1 - axis_share(&p->at.chart->y, low));
-	uint32_t shade = p->at.charset == CHARSET_ASCII ? ',' : 0x2591;
+	double top = l->height * (1 - axis_share(&l->chart->y, high));
+	double foot = l->height * (1 - axis_share(&l->chart->y, low));
+	uint32_t shade = l->charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int row = (int)ceil(top); row + 1 <= foot; row++)
-		draw_put(p, column, row, shade, tint, CELL_DIM);
+		draw_put(l, column, row, shade, tint, CELL_DIM);
 }
 
 /* Behind the lines, and never thicker than it is: its edges in every second
  * dot, and the cells between them. */
 static void
-draw_chart_band(struct brush *p, const struct chart_series *s)
+draw_chart_band(struct layout *l, const struct chart_series *s)
 {
 	enum { EVERY = 2 };
-	const struct chart_series edge = {.series = palette_tint(s->series)};
-	int across = canvas_cell_dots_across(p->at.charset),
-	    parts = p->at.width * across;
-	int down = canvas_cell_dots_down(p->at.charset);
+	const struct chart_series edge = {.series = s->series};
+	int across = canvas_cell_dots_across(l->charset),
+	    parts = l->width * across;
+	int down = canvas_cell_dots_down(l->charset);
 	for (int i = 0; i < parts && s->low != NULL; i++) {
-		double x = x_of_part(p, i, parts);
-		double low = band_edge_at(p, s, s->low, x);
-		double high = band_edge_at(p, s, s->high, x);
+		double x = x_of_part(l, i, parts);
+		double low = band_edge_at(l, s, s->low, x);
+		double high = band_edge_at(l, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
 		if (i % across == 0)
-			fill_band(p, i / across, low, high, edge.series);
+			fill_band(l, i / across, low, high, edge.series);
 		if (down == 1 || i % EVERY != 0)
 			continue;
-		put_dot(p, &edge, i, row_of_y(&p->at, high, down));
-		put_dot(p, &edge, i, row_of_y(&p->at, low, down));
+		put_dot(l, &edge, i, row_of_y(l, high, down));
+		put_dot(l, &edge, i, row_of_y(l, low, down));
 	}
 }
 
 /* Faint, and only where the plot is tall enough for them not to crowd it; in a
  * strip seldom: its marks stand on them and move. */
 static void
-draw_guides(struct brush *p)
+draw_guides(struct layout *l)
 {
 	enum { TALL = 12, EVERY = 4, SELDOM = 12 };
-	bool braille = p->at.charset == CHARSET_BRAILLE;
-	bool strip = p->at.chart->strip > 0;
+	bool braille = l->charset == CHARSET_BRAILLE;
+	bool strip = l->chart->strip > 0;
 	int every = strip ? SELDOM : EVERY;
-	for (size_t i = 0;
-	     i < p->at.chart->y.n && (strip || p->at.height >= TALL); i++) {
-		const struct axis_tick *t = &p->at.chart->y.tick[i];
-		int dot = row_of_y(&p->at, t->at, 4) % 4;
+	for (size_t i = 0; i < l->chart->y.n && (strip || l->height >= TALL);
+	     i++) {
+		const struct axis_tick *t = &l->chart->y.tick[i];
+		int dot = row_of_y(l, t->at, 4) % 4;
 		uint32_t code =
 		    braille ? canvas_dots_code(CHARSET_BRAILLE, 1U << (2 * dot))
-		    : p->at.charset == CHARSET_ASCII ? '-'
-						     : 0x00B7;
-		for (int column = every / 2; column < p->at.width && t->guide;
+		    : l->charset == CHARSET_ASCII ? '-'
+						  : 0x00B7;
+		for (int column = every / 2; column < l->width && t->guide;
 		     column += every)
-			draw_put(p, column, row_of_y(&p->at, t->at, 1), code,
+			draw_put(l, column, row_of_y(l, t->at, 1), code,
 			    SERIES_TEXT, CELL_DIM);
 	}
 }
@@ -687,97 +681,83 @@ draw_guides(struct brush *p)
 /* A break size moves with the slider: in every second row of a tall plot it is
  * seen as well, and half as much is written. */
 static void
-draw_rules(struct brush *p)
+draw_rules(struct layout *l)
 {
 	enum { TALL = 12 };
-	for (size_t i = 0; i < p->at.chart->n_rule; i++) {
-		const struct chart_rule *r = &p->at.chart->rule[i];
-		int column = column_of_x(&p->at, r->x, 1);
+	for (size_t i = 0; i < l->chart->n_rule; i++) {
+		const struct chart_rule *r = &l->chart->rule[i];
+		int column = column_of_x(l, r->x, 1);
 		bool thin = r->series != SERIES_CROSSHAIR;
-		for (int row = 0; row < p->at.height;
-		     row += thin && p->at.height >= TALL ? 2 : 1)
-			draw_put(p, column, row,
-			    rule_code(r->series, p->at.charset), r->series, 0);
+		for (int row = 0; row < l->height;
+		     row += thin && l->height >= TALL ? 2 : 1)
+			draw_put(l, column, row,
+			    rule_code(r->series, l->charset), r->series, 0);
 	}
 }
 
 /* Whether cells of a row, and one on either side, are among the data and hold
  * nothing yet. */
 static bool
-draw_is_blank(struct brush *p, int column, int row, int wide)
+draw_is_blank(struct layout *l, int column, int row, int wide)
 {
 	for (int c = column - 1; c <= column + wide; c++)
-		if (c < 0 || c >= p->at.width ||
-		    canvas_at(p->at.canvas, p->at.left + c, p->at.top + row)
-			    ->code != ' ')
+		if (c < 0 || c >= l->width ||
+		    canvas_at(l->canvas, l->left + c, l->top + row)->code !=
+			' ')
 			return false;
 	return true;
 }
 
 /* Right of the mark, or left of it, or not at all. */
 static void
-draw_chart_name(struct brush *p, const struct chart_series *s, size_t i)
+draw_chart_name(struct layout *l, const struct chart_series *s, size_t i)
 {
 	const char *label = s->whose[i].label;
 	if (label == NULL || !isfinite(s->y[i]))
 		return;
-	int wide = text_width(label), at = draw_column_of(p, s, i);
-	int row = row_of_y(&p->at, s->y[i], 1);
+	int wide = text_width(label), at = draw_column_of(l, s, i);
+	int row = row_of_y(l, s->y[i], 1);
 	int right = at + 2, left = at - 1 - wide;
-	if (draw_is_blank(p, right, row, wide))
-		canvas_text(p->at.canvas, p->at.left + right, p->at.top + row,
-		    label, s->series, 0);
-	else if (draw_is_blank(p, left, row, wide))
-		canvas_text(p->at.canvas, p->at.left + left, p->at.top + row,
-		    label, s->series, 0);
+	if (draw_is_blank(l, right, row, wide))
+		canvas_text(l->canvas, l->left + right, l->top + row, label,
+		    s->series, 0);
+	else if (draw_is_blank(l, left, row, wide))
+		canvas_text(l->canvas, l->left + left, l->top + row, label,
+		    s->series, 0);
 }
 
 static void
-draw_chart_names(struct brush *p)
+draw_chart_names(struct layout *l)
 {
-	for (size_t i = 0; i < p->at.chart->n; i++) {
-		const struct chart_series *s = p->at.chart->series[i];
+	for (size_t i = 0; i < l->chart->n; i++) {
+		const struct chart_series *s = l->chart->series[i];
 		for (size_t j = 0; j < s->n && s->named; j++)
-			draw_chart_name(p, s, j);
+			draw_chart_name(l, s, j);
 	}
 }
 
 static void
-draw_chart_data(struct brush *p)
+draw_chart_data(struct layout *l)
 {
-	const struct chart *c = p->at.chart;
+	const struct chart *c = l->chart;
 	for (size_t i = 0; i < c->n; i++)
 		if (!c->series[i]->bars)
-			draw_chart_band(p, c->series[i]);
-	draw_guides(p);
-	draw_rules(p);
+			draw_chart_band(l, c->series[i]);
+	draw_guides(l);
+	draw_rules(l);
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
-			draw_chart_bars(p, c->series[i]);
+			draw_chart_bars(l, c->series[i]);
 		else
-			draw_chart_line(p, c->series[i]);
+			draw_chart_line(l, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
-		clear_around_marks(p, c->series[i]);
+		clear_around_marks(l, c->series[i]);
 	/* In a cell that two marks share a hollow one is seen. */
 	for (int hollow = 0; hollow <= 1; hollow++)
 		for (size_t i = 0; i < c->n; i++)
 			if (is_hollow(c->series[i]) == hollow)
-				draw_chart_marks(p, c->series[i]);
-	draw_chart_names(p);
-}
-
-static struct canvas *
-draw_one_chart(const struct chart *chart, int columns, int rows, int left,
-    enum charset charset, unsigned words)
-{
-	struct canvas *canvas = canvas_new(columns, rows);
-	struct brush p = {
-	    .at = draw_layout_make(chart, canvas, left, charset, words)};
-	p.dots = xcalloc((size_t)(p.at.width * p.at.height), 1);
-	draw_titles_and_axes(&p.at);
-	draw_chart_data(&p);
-	free(p.dots);
-	return canvas;
+				draw_chart_marks(l, c->series[i]);
+	draw_chart_names(l);
 }
 
 /* The mark nearest to a cell of the data, among those next to it. */
@@ -861,6 +841,15 @@ draw_rows_of(const struct chart *chart, int left, int n)
 	return own > 0 ? own : 1;
 }
 
+/* The next chart's rows of a canvas, which share its cells. */
+static struct canvas
+next_rows(const struct canvas *all, const struct chart *chart, int top, int n)
+{
+	return (struct canvas){.columns = all->columns,
+	    .rows = draw_rows_of(chart, all->rows - top, n),
+	    .cell = all->cell + top * all->columns};
+}
+
 bool
 chart_find(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
@@ -870,17 +859,12 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
 	int left = y_label_columns(chart, canvas->columns, words);
 	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
 	     c = c->below) {
-		int own = draw_rows_of(c, canvas->rows - top, n--);
-		if (row >= top + own) {
-			top += own;
-			continue;
-		}
-		struct canvas *one = canvas_new(canvas->columns, own);
+		struct canvas rows = next_rows(canvas, c, top, n--);
 		struct layout l =
-		    draw_layout_make(c, one, left, charset, words);
-		bool in = draw_find_in(&l, column, row - top, found);
-		canvas_free(one);
-		return in;
+		    draw_layout_make(c, &rows, left, charset, words);
+		if (row < top + rows.rows)
+			return draw_find_in(&l, column, row - top, found);
+		top += rows.rows;
 	}
 	return false;
 }
@@ -896,13 +880,14 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		int own = draw_rows_of(c, rows - top, n--);
-		struct canvas *one =
-		    draw_one_chart(c, columns, own, left, charset, words);
-		memcpy(all->cell + top * columns, one->cell,
-		    (size_t)(one->rows * columns) * sizeof *one->cell);
-		top += one->rows;
-		canvas_free(one);
+		struct canvas own = next_rows(all, c, top, n--);
+		struct layout l =
+		    draw_layout_make(c, &own, left, charset, words);
+		draw_titles_and_axes(&l);
+		l.dots = xcalloc((size_t)(l.width * l.height), 1);
+		draw_chart_data(&l);
+		free(l.dots);
+		top += own.rows;
 	}
 	return all;
 }

@@ -33,7 +33,6 @@ palette_colour(enum series series, int depth, enum theme theme)
 	    [SERIES_KIND_4] = {-1, -1, {94, 136, 19}},
 	    [SERIES_PREDICTED] = {1, 9, {202, 214, 88}},
 	    [SERIES_OTHER] = {5, 13, {165, 206, 91}},
-	    [SERIES_BAND] = {1, 9, {202, 214, 88}},
 	    [SERIES_BREAK] = {3, 3, {143, 229, 94}},
 	    [SERIES_CROSSHAIR] = {-1, -1, {-1, -1, -1}},
 	    [SERIES_GREEN] = {2, 2, {34, 40, 28}},
@@ -45,12 +44,6 @@ palette_colour(enum series series, int depth, enum theme theme)
 	       : depth >= 256         ? COLOURS[series].of256[theme]
 	       : theme == THEME_LIGHT ? dark_colour(few)
 				      : few;
-}
-
-enum series
-palette_tint(enum series series)
-{
-	return series == SERIES_PREDICTED ? SERIES_BAND : series;
 }
 
 unsigned

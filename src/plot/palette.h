@@ -20,7 +20,6 @@ enum series {
 	SERIES_KIND_4,
 	SERIES_PREDICTED,
 	SERIES_OTHER, /* a second prediction */
-	SERIES_BAND,
 	SERIES_BREAK, /* a limit across the plot */
 	SERIES_CROSSHAIR,
 	SERIES_GREEN, /* lights, beside their words */
@@ -39,10 +38,6 @@ enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
  * is marked by colour alone.  Of 16 colours, those from 8 up are bright; with 8
  * colours, such a number means bold. */
 int palette_colour(enum series series, int depth, enum theme theme);
-
-/* Returns the series whose colour shades the band of a series: each has its
- * own. */
-enum series palette_tint(enum series series);
 
 /* Returns 0xRRGGBB for a colour number, as in xterm. */
 unsigned palette_rgb(int colour);

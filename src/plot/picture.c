@@ -233,8 +233,7 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 		y[back] = page_y(p, s->high[i]);
 	}
 	p->pen->path(p->pen, x, y, 2 * s->n,
-	    &(struct pen_stroke){
-		palette_tint(s->series), CHART_SOLID, 0, PEN_TINT});
+	    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
 	free(x);
 	free(y);
 }
@@ -658,7 +657,7 @@ picture_shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 	return n;
 }
 
-struct sheet {
+struct cells_page {
 	const struct canvas *canvas;
 	struct pen *pen;
 	int depth; /* of colour; with 256 what is dim is faint */
@@ -667,13 +666,13 @@ struct sheet {
 };
 
 static const struct canvas_cell *
-picture_cell_at(const struct sheet *s, int column, int row)
+picture_cell_at(const struct cells_page *s, int column, int row)
 {
 	return &s->canvas->cell[row * s->canvas->columns + column];
 }
 
 static bool
-is_faint(const struct sheet *s, const struct canvas_cell *cell)
+is_faint(const struct cells_page *s, const struct canvas_cell *cell)
 {
 	return canvas_is_faint(s->canvas, cell, s->depth);
 }
@@ -687,7 +686,8 @@ picture_is_same(double a, double b)
 
 /* A level one that begins where the last one ends makes that longer. */
 static void
-picture_extend_bar(struct sheet *s, int column, int row, const struct bar *bar)
+picture_extend_bar(
+    struct cells_page *s, int column, int row, const struct bar *bar)
 {
 	double left = MARGIN + CELL_WIDTH * column;
 	double top = MARGIN + CELL_HEIGHT * row;
@@ -710,7 +710,7 @@ picture_extend_bar(struct sheet *s, int column, int row, const struct bar *bar)
 /* All bars of a kind and colour at once: a screen has thousands. */
 static void
 picture_draw_bars(
-    struct sheet *s, enum kind kind, enum series series, bool faint)
+    struct cells_page *s, enum kind kind, enum series series, bool faint)
 {
 	static const struct bar whole = {0, 4, 8, 4};
 	s->n = 0;
@@ -758,7 +758,7 @@ is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
-picture_run_end(const struct sheet *s, int from, int row)
+picture_run_end(const struct cells_page *s, int from, int row)
 {
 	const struct canvas_cell *cell = picture_cell_at(s, 0, row);
 	int end = from + 1;
@@ -774,7 +774,7 @@ picture_run_end(const struct sheet *s, int from, int row)
 }
 
 static void
-draw_text(struct sheet *s, int row)
+draw_text(struct cells_page *s, int row)
 {
 	char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
 	for (int c = 0, end; c < s->canvas->columns; c = end) {
@@ -800,8 +800,9 @@ draw_text(struct sheet *s, int row)
 	free(text);
 }
 
-struct pen_paper
-picture_cells_paper(const struct canvas *canvas, int depth, double size[2])
+/* The paper for cells, and its size, points. */
+static struct pen_paper
+paper_of_cells(const struct canvas *canvas, int depth, double size[2])
 {
 	bool light = canvas->theme == THEME_LIGHT;
 	struct pen_paper paper = {.colour = light ? 0xFFFFFF : 0x161B22,
@@ -820,16 +821,16 @@ picture_cells_paper(const struct canvas *canvas, int depth, double size[2])
 	return paper;
 }
 
-void
-picture_cells_draw(const struct canvas *canvas, int depth, struct pen *pen)
+static void
+draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
 {
 	size_t n = (size_t)(canvas->columns * canvas->rows);
-	struct sheet s = {.canvas = canvas,
+	struct cells_page s = {.canvas = canvas,
 	    .pen = pen,
 	    .depth = depth,
 	    .x = xdoubles(2 * BARS * n),
 	    .y = xdoubles(2 * BARS * n)};
-	bool has[SERIES_COUNT] = {[SERIES_BAND] = true};
+	bool has[SERIES_COUNT] = {false};
 	for (size_t i = 0; i < n; i++)
 		has[canvas->cell[i].series] = true;
 	for (int kind = 0; kind < KINDS; kind++)
@@ -848,9 +849,9 @@ picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
     const char *title, const char *about, FILE *out)
 {
 	double size[2];
-	struct pen_paper paper = picture_cells_paper(canvas, depth, size);
+	struct pen_paper paper = paper_of_cells(canvas, depth, size);
 	struct pen *pen =
 	    pen_open(form, size[0], size[1], &paper, title, about, out);
-	picture_cells_draw(canvas, depth, pen);
+	draw_cells(canvas, depth, pen);
 	return pen->close(pen);
 }

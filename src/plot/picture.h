@@ -48,17 +48,4 @@ void picture_draw(
 bool picture_cells(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out);
 
-/* For callers that make the page.  picture_cells_paper returns the paper and
- * its size [2], points; picture_cells_draw draws the cells. */
-struct pen_paper picture_cells_paper(
-    const struct canvas *canvas, int depth, double size[2]);
-void picture_cells_draw(
-    const struct canvas *canvas, int depth, struct pen *pen);
-
-/* Cell positions, measured from the margin, are multiples of this, points. */
-#define PICTURE_GRID 0.75
-
-/* The width of a letter of size 1. */
-#define PICTURE_LETTER 0.6
-
 #endif

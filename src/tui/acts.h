@@ -31,7 +31,7 @@ enum {
 
 struct tui;
 struct key;
-typedef void key_way(struct tui *t, const struct key *key);
+typedef void key_action(struct tui *t, const struct key *key);
 
 /* code: as in ncurses; name: as shown, such as "Left, h" if h does the same.
  * act: the function, which uses the amount.  what: the effect in words; brief:
@@ -41,7 +41,7 @@ struct key {
 	int code;
 	const char *name;
 	unsigned where;
-	key_way *act;
+	key_action *act;
 	int amount;
 	const char *what, *brief, *hint;
 };
@@ -52,33 +52,33 @@ enum { TO_LEAST = -1, TO_MOST = 1 };
 
 /* Move within the page, or else the slider: by the amount, to an end; up and
  * down. */
-key_way act_move, act_ends, act_list;
+key_action act_move, act_ends, act_list;
 
 /* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
  * fastest); to the next limit of the goal or, without a goal, the next run, or
  * by an amount of 0 to the best speed of the goal.  The last waits until these
  * speeds are known. */
-key_way act_speed, act_run_speed, act_limit;
+key_action act_speed, act_run_speed, act_goal_speed;
 
-key_way act_page, act_back, act_choose, act_filter;
+key_action act_page, act_back, act_choose, act_filter;
 
 /* Lines: run the key's command or describe; open the command line, empty, with
  * `save` or with a command to export. */
-key_way act_command, act_describe, act_type, act_save, act_export;
+key_action act_command, act_describe, act_type, act_save, act_export;
 
 /* The calibration. */
-key_way act_fit, act_pause, act_stop, act_pace;
+key_action act_fit, act_pause, act_stop, act_pace;
 
 /* Change what is predicted and shown.  act_goal opens a field that starts with
- * the quantity above the track. */
-key_way act_correct, act_band, act_pin, act_cross, act_level, act_quantity,
-    act_goal;
+ * the quantity above the track, act_goal_view shows the goal at full height. */
+key_action act_correct, act_band, act_pin, act_crosshair, act_crosshair_passing,
+    act_quantity, act_goal, act_goal_view;
 
 /* For single pages. */
-key_way act_runs, act_numbers, act_picture, act_generation, act_bounds,
-    act_mend, act_doubt, act_sort;
+key_action act_runs, act_numbers, act_next_plot, act_next_generation,
+    act_bounds, act_mend, act_next_doubtful, act_sort;
 
-key_way act_files, act_again, act_help, act_mouse, act_redraw, act_suspend,
-    act_leave;
+key_action act_files, act_last_text, act_help, act_mouse, act_redraw,
+    act_suspend, act_leave;
 
 #endif

@@ -11,19 +11,19 @@
 #include "tui/screen.h"
 #include "tui/widgets/viewer.h"
 
-/* What is said next is for this screen, which has no use for escapes. */
+/* The next output is for this screen, without escape sequences. */
 void
 captured_clear(struct tui *t)
 {
 	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
 	screen_size(&screen.rows, &screen.columns);
 	t->session->screen = screen;
-	rewind(t->said);
-	fflush(t->said);
+	rewind(t->captured);
+	fflush(t->captured);
 }
 
 void
-captured_say_error(
+captured_show_error(
     void *t, const struct error *e, const char *line, const char *name)
 {
 	char place[sizeof e->file + 32] = "";
@@ -38,11 +38,11 @@ captured_say_error(
 void
 captured_show(struct tui *t)
 {
-	fflush(t->said);
-	size_t n = t->said_n;
-	while (n > 0 && t->said_text[n - 1] == '\n')
+	fflush(t->captured);
+	size_t n = t->captured_n;
+	while (n > 0 && t->captured_text[n - 1] == '\n')
 		n--;
-	char *text = xstrndup(t->said_text, n);
+	char *text = xstrndup(t->captured_text, n);
 	if (strchr(text, '\n') != NULL) {
 		viewer_text(t, text);
 		return;

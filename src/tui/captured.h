@@ -11,7 +11,7 @@ void captured_clear(struct tui *t);
 
 /* See `fail` in struct driver; of: a struct tui *.  The line itself is already
  * on the screen. */
-void captured_say_error(
+void captured_show_error(
     void *of, const struct error *e, const char *line, const char *name);
 
 /* Shows the output: a single line as a message, more on the whole screen. */

@@ -22,7 +22,7 @@
 #include "tui/widgets/viewer.h"
 #include "tui/watch.h"
 
-/* Stops no search, and the screen stays as it stands until it is drawn. */
+/* Draws a picture of the screen as it stands, without stopping a search. */
 static void
 draw_screen(struct tui *t, const char *line)
 {
@@ -38,10 +38,10 @@ draw_screen(struct tui *t, const char *line)
 	if (ok)
 		captured_show(t);
 	else
-		captured_say_error(t, &error, line, ERROR_TYPED);
+		captured_show_error(t, &error, line, ERROR_TYPED);
 }
 
-/* What a shell command wrote stays until it is read. */
+/* Waits for Return, so that the output of a shell command can be read. */
 static void
 await_return(void)
 {
@@ -56,7 +56,8 @@ await_return(void)
 	fputs("\n", stdout);
 }
 
-/* The feed that a line names, as it is typed, or NULL.  The caller frees. */
+/* Returns the feed that a line names, as typed, or NULL.  The caller frees
+ * it. */
 static char *
 feed_typed(const char *line)
 {
@@ -68,8 +69,8 @@ feed_typed(const char *line)
 					     : strcspn(feed, " ;>|"));
 }
 
-/* Whether the page Predict shows all that a line asks: the site's product at a
- * speed, with a feed and a machine of its own. */
+/* Returns true if page Predict shows all that a line asks: the product of the
+ * site at a speed, on the feed and the machine of the page. */
 static bool
 is_shown_by_page_predict(const char *line)
 {
@@ -85,30 +86,39 @@ is_shown_by_page_predict(const char *line)
 	return feed == NULL || value_number(feed, "m/s", &speed);
 }
 
-/* What a line does to a search that is under way. */
-enum meeting {
-	MEETS_NONE,   /* goes on beside it; what is no command does nothing */
-	MEETS_BOUNDS, /* has it go on within these */
-	MEETS_END     /* stops it */
-};
+/* What a line does to a running search: nothing, which is also the effect of
+ * what is no command; gives it other bounds; or stops it. */
+enum job_effect { JOB_GOES_ON, JOB_TAKES_BOUNDS, JOB_STOPS };
 
-static enum meeting
-conflict_with_job(const struct tui *t, const char *line)
+static enum job_effect
+effect_on_job(
+    const struct tui *t, const char *line, const struct command *command)
 {
-	const struct command *command = control_find_command(line);
 	if (!session_busy(t->session))
-		return MEETS_NONE;
+		return JOB_GOES_ON;
 	if (command == NULL)
-		return strchr(line, ';') == NULL ? MEETS_NONE : MEETS_END;
+		return strchr(line, ';') == NULL ? JOB_GOES_ON : JOB_STOPS;
 	bool bounds = command == command_find("bounds");
 	bool asks = strpbrk(line + strspn(line, " \t"), " \t") == NULL;
 	if (command->flags & COMMAND_BESIDE || (bounds && asks))
-		return MEETS_NONE;
-	return bounds ? MEETS_BOUNDS : MEETS_END;
+		return JOB_GOES_ON;
+	return bounds ? JOB_TAKES_BOUNDS : JOB_STOPS;
 }
 
-/* On within bounds that were edited in a search; where it was paused the user
- * says when. */
+/* Returns true for a question about the site that is being calibrated: its
+ * parameters are not found yet. */
+static bool
+asks_before_fit(const struct tui *t, const struct command *command)
+{
+	const struct entry *fitting = session_fitting(t->session);
+	return fitting != NULL && fitting == tui_current_entry(t) &&
+	       command != NULL && command->answer != NULL &&
+	       (command->flags & COMMAND_KNOWN) &&
+	       !(command->flags & COMMAND_CHANGES);
+}
+
+/* Continues a search within bounds that a line edited; one that was stopped
+ * says so. */
 static void
 continue_within_bounds(struct tui *t, bool edited)
 {
@@ -117,8 +127,8 @@ continue_within_bounds(struct tui *t, bool edited)
 		tui_say(t, false, "continues within the new bounds");
 }
 
-/* Says more behind what a line has said; where a text has opened, if nothing
- * else was said, to be read when it is closed. */
+/* Adds to the message of a line; if a text was opened, only if there is no
+ * message yet, to be read when it is closed. */
 static void
 append_to_message(struct tui *t, const char *more)
 {
@@ -128,7 +138,7 @@ append_to_message(struct tui *t, const char *more)
 		    more);
 }
 
-/* Below the answer on another sheet's feed the pages go on with their own. */
+/* Says that the pages keep their feed, below an answer for another. */
 static void
 tell_feed(struct tui *t, const char *line)
 {
@@ -141,17 +151,17 @@ tell_feed(struct tui *t, const char *line)
 		    feed);
 }
 
-/* What a line that was run has said; of a search that it began the page
- * tells. */
+/* Shows the output of a line that was run, except of a search that it started,
+ * which the page shows. */
 static void
 show_result_message(struct tui *t, const char *line, bool ok, bool began)
 {
 	bool moved_only = is_shown_by_page_predict(line);
-	fflush(t->said);
-	/* What a check found, the other faults of a sheet. */
-	if (!ok && t->said_n > 0)
-		text_wrap(t->message, 0, 78, t->said);
-	if (!began && (ok ? !moved_only : t->said_n > 0))
+	fflush(t->captured);
+	/* The faults that a check or a sheet has beside the error. */
+	if (!ok && t->captured_n > 0)
+		text_wrap(t->message, 0, 78, t->captured);
+	if (!began && (ok ? !moved_only : t->captured_n > 0))
 		captured_show(t);
 	if (ok && !moved_only &&
 	    control_find_command(line) == command_find("predict"))
@@ -168,47 +178,48 @@ run_typed(struct tui *t, const char *line)
 	const bool was_busy = session_busy(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
-	enum meeting meets = conflict_with_job(t, line);
-	if (control_find_command(line) == command_find("screen")) {
+	const struct command *command = control_find_command(line);
+	enum job_effect effect = effect_on_job(t, line, command);
+	if (command == command_find("screen")) {
 		draw_screen(t, line);
 		return;
 	}
-	if (meets != MEETS_NONE)
+	if (effect != JOB_GOES_ON)
 		stopped = watch_pause(t);
 	bool paused = s->job.paused;
-	if (control_find_command(line) == command_find("save"))
+	if (command == command_find("save"))
 		control_set_looks(t);
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
-		t->ways->leave();
+		t->callbacks->leave(t);
 	bool ok = control_run(t, line);
 	if (aside) {
 		await_return();
-		t->ways->come_back();
+		t->callbacks->come_back(t);
 	}
 	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
-	if (searching && (meets == MEETS_BOUNDS || edited) &&
+	if (searching && (effect == JOB_TAKES_BOUNDS || edited) &&
 	    !session_busy(s)) {
 		continue_within_bounds(t, edited);
 		return;
 	}
 	if (ok && edited)
 		tui_say(t, false, "f calibrates within these bounds");
-	bool beside = was_busy && meets == MEETS_NONE;
+	bool beside = was_busy && effect == JOB_GOES_ON;
 	show_result_message(t, line, ok, session_busy(s) && !beside);
-	/* Who has moved the slider may have meant that. */
-	if (ok && control_find_command(line) == command_find("undo"))
+	/* The slider may have been meant. */
+	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
 			  "undone)"));
-	else if (meets == MEETS_END && !session_busy(s) &&
+	else if (effect == JOB_STOPS && !session_busy(s) &&
 		 s->job.paused == paused)
 		append_to_message(t, stopped);
 }
 
-/* Whether a command answers for one speed; pictures, data that are shown and
- * changes are of what they say. */
+/* Returns true if a command answers for one speed; not if it draws, shows data
+ * or changes something. */
 static bool
 answers_for_one_speed(const struct command *command)
 {
@@ -218,7 +229,8 @@ answers_for_one_speed(const struct command *command)
 	       !(command->flags & COMMAND_CHANGES);
 }
 
-/* Whether a line has a speed among its operands, as in "compare pinned 72". */
+/* Returns true if a line has a speed among its operands, as in "compare pinned
+ * 72". */
 static bool
 names_speed(const struct command *asked, const char *rest)
 {
@@ -234,9 +246,8 @@ names_speed(const struct command *asked, const char *rest)
 	       strstr(asked->operands.usage, "SPEED") != NULL;
 }
 
-/* What a typed line means with the slider somewhere, see tui_options_at_slider.
- * A question about one speed is about that of the slider, where it is asked of
- * no other: "spec FILE" gets it.  The caller frees. */
+/* Returns a typed line with the slider's speed and feed (tui_options_at_slider)
+ * added, if it asks about one speed and names none.  The caller frees it. */
 static char *
 line_at_slider(const char *line, const char *where)
 {
@@ -270,14 +281,14 @@ cmdline_run(struct tui *t, const char *line)
 	FREED char *meant = line_at_slider(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_add(line);
-	run_typed(t, meant);
-	t->told = t->message[0] != '\0';
+	const struct command *command = control_find_command(meant);
+	if (asks_before_fit(t, command))
+		tui_say(t, false,
+		    "%s answers when the calibration ends; s stops it and "
+		    "keeps the best",
+		    command->name);
+	else
+		run_typed(t, meant);
+	t->keep_message = t->message[0] != '\0';
 	viewer_message(t);
-}
-
-void
-cmdline_show(struct tui *t, const char *line)
-{
-	if (control_run(t, line))
-		captured_show(t);
 }

@@ -6,9 +6,8 @@
 
 #include "tui/tui_state.h"
 
-/* Run a typed line.  cmdline_run shows its output, except a prediction that the
- * page shows anyway; cmdline_show shows that as well. */
+/* Runs a typed line and shows its output, except a prediction that the page
+ * shows anyway. */
 void cmdline_run(struct tui *t, const char *line);
-void cmdline_show(struct tui *t, const char *line);
 
 #endif

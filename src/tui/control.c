@@ -32,11 +32,11 @@
 #include "tui/script_progress.h"
 #include "tui/widgets/viewer.h"
 
-/* session->hooks.confirm and `screen` have no argument to pass it by. */
+/* The hooks of a session and `screen` have no argument for it. */
 static struct tui *open;
 
-/* No progress but what is drawn of it.  Signals are held on the screen, and are
- * let in between two steps. */
+/* Runs a job to its end and draws its progress.  Signals are held on the
+ * screen, and let in between two steps. */
 static bool
 control_work(struct session *s)
 {
@@ -48,15 +48,15 @@ control_work(struct session *s)
 	return signals_pending() == 0;
 }
 
-/* What reads much asks in the midst of a line, of which Esc is then heard; the
- * threads of a search ask too, and draw nothing.  A search that was begun here
- * asks when the screen has been left, too. */
+/* For hooks.stop: long commands ask during a line, and Esc is then looked
+ * for.  The threads of a search ask too, but draw nothing, and so does a search
+ * that goes on after the screen was closed. */
 static bool
 control_is_stop_wanted(void)
 {
 	if (open != NULL && !session_busy(open->session))
 		script_progress_draw(open);
-	return signals_waited_for();
+	return signals_stop_wanted();
 }
 
 const struct command *
@@ -76,7 +76,6 @@ control_find_command(const char *line)
 	return command;
 }
 
-/* What the session is like after any command. */
 void
 control_refresh(struct tui *t)
 {
@@ -86,12 +85,12 @@ control_refresh(struct tui *t)
 	tui_clear_hits(t);
 	if (t->ui.list[PAGE_SITES].at >= s->n_entry)
 		t->ui.list[PAGE_SITES].at = s->current;
-	if (t->ui.cross_at >= t->view.shown.product.n)
-		t->ui.cross_at = 0;
+	if (t->ui.crosshair_sieve >= t->view.shown.product.n)
+		t->ui.crosshair_sieve = 0;
 	tui_show_generation(t, t->ui.generation);
 }
 
-/* The page and the quantity that are set. */
+/* Takes the page and the quantity from the settings. */
 static void
 read_page_and_quantity(struct tui *t)
 {
@@ -104,7 +103,7 @@ read_page_and_quantity(struct tui *t)
 	tui_clear_hits(t);
 }
 
-/* The page as `set` would be given it; the caller frees. */
+/* Returns the page as a value of `set page`.  The caller frees it. */
 static char *
 page_text(enum page page)
 {
@@ -130,7 +129,7 @@ control_set_looks(struct tui *t)
 		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 }
 
-/* Whether a line has set others than there were; what is undone has not. */
+/* Returns true if the page or the quantity is another. */
 static bool
 differs_in_page_or_quantity(const struct choices *was, const struct choices *is)
 {
@@ -138,7 +137,7 @@ differs_in_page_or_quantity(const struct choices *was, const struct choices *is)
 	       strcmp(was->quantity, is->quantity) != 0;
 }
 
-/* The line has begun what takes long. */
+/* Shows the job that a line has started. */
 static void
 show_job_begun(struct tui *t, const char *line)
 {
@@ -150,13 +149,12 @@ show_job_begun(struct tui *t, const char *line)
 	t->due = t->started = t->clock;
 	if (calibration_status(job->calibration).generation == 0)
 		t->ran = 0;
-	if (job->fits && !job->rounds->alone) {
+	if (job->fits && !job->type->alone) {
 		t->ui.page = PAGE_SITES;
 		tui_clear_hits(t);
 	}
 }
 
-/* The slider to the speed that a line has answered for, if it can go there. */
 void
 control_say_off_slider(struct tui *t, double speed)
 {
@@ -198,7 +196,7 @@ control_run_line(struct tui *t, const char *line)
 	captured_clear(t);
 	const struct driver d = {.session = s,
 	    .of = t,
-	    .fail = captured_say_error,
+	    .fail = captured_show_error,
 	    .begins = script_progress_begins,
 	    .work = control_work,
 	    .watches = true};
@@ -246,13 +244,13 @@ control_screen(void)
 	return open;
 }
 
-/* All that a state owns. */
+/* Frees all that a state owns. */
 static void
 free_state(struct tui *t)
 {
-	if (t->said != NULL)
-		fclose(t->said);
-	free(t->said_text);
+	if (t->captured != NULL)
+		fclose(t->captured);
+	free(t->captured_text);
 	edit_end(&t->line);
 	viewer_close(t);
 	free(t->closed);
@@ -268,10 +266,10 @@ control_confirm(struct session *s, const char *question)
 {
 	int code = 0;
 	bool special = false;
-	if (open->ways->is_aside != NULL && open->ways->is_aside())
+	if (open->away)
 		return ask_confirm(s, question);
 	open->question = question;
-	bool got = open->ways->answer(open, &code, &special);
+	bool got = open->callbacks->answer(open, &code, &special);
 	open->question = NULL;
 	return got && !special && (code == 'y' || code == 'Y');
 }
@@ -279,49 +277,50 @@ control_confirm(struct session *s, const char *question)
 static char *
 control_question(struct session *s, const struct inquiry *q)
 {
-	bool away = open->ways->is_aside != NULL && open->ways->is_aside();
-	return away ? ask_question(s, q) : dialogue_ask(open, q);
+	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }
 
-/* At the end of a search, before there is a result to draw. */
+/* For hooks.begins: draws page Fit before the draws are computed with which a
+ * search ends. */
 static void
 control_draw_before_search(const char *what)
 {
-	if (open->ways->show == NULL || open->ui.page != PAGE_FIT ||
-	    !session_busy(open->session) || open->begun != NULL)
+	if (open->callbacks->show == NULL || open->ui.page != PAGE_FIT ||
+	    !session_busy(open->session) || open->computing != NULL)
 		return;
-	open->begun = what;
-	open->ways->show(open);
-	open->begun = NULL;
+	open->computing = what;
+	open->callbacks->show(open);
+	open->computing = NULL;
 }
 
-/* The speed last asked about, else the usual one of the site. */
+/* Returns the speed last asked about or, if the slider cannot show it, the
+ * usual speed of the site. */
 static int
-first_slider_tenths(const struct session *s)
+first_slider_tenths(const struct tui *t)
 {
-	double speed = s->asked > 0 ? s->asked : NAN;
-	const struct entry *e = s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	struct slider_range range = tui_range_of(s, e);
-	if (slider_has(range, speed))
-		return slider_tenths(range, speed);
+	const struct entry *e = tui_current_entry(t);
+	struct slider_range range = tui_range(t);
+	if (slider_has(range, t->session->asked))
+		return slider_tenths(range, t->session->asked);
 	return e != NULL ? slider_tenths(range, answers_usual_speed(e)) : 740;
 }
 
 void
-control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
+control_begin(
+    struct tui *t, struct session *s, const struct tui_callbacks *callbacks)
 {
 	*t = (struct tui){.session = s,
-	    .ways = ways,
-	    .aside = ways->leave == NULL,
-	    .ui = {.tenths = first_slider_tenths(s),
-		.list[PAGE_SITES].at = s->current,
+	    .callbacks = callbacks,
+	    .aside = callbacks->leave == NULL,
+	    .ui = {.list[PAGE_SITES].at = s->current,
 		.pace = PACE_AUTO,
 		.picture = PLOT_SEARCH,
-		.level = 50},
+		.crosshair_passing = 50},
 	    .mouse = screen_mouse(true),
-	    .view = {.strip = strip_new(), .holdout = NAN},
+	    .view.holdout = NAN,
 	    .before = {
 		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
+	t->ui.tenths = first_slider_tenths(t);
 	s->hooks.confirm = control_confirm;
 	s->hooks.question = control_question;
 	s->prompt = true;
@@ -331,8 +330,8 @@ control_begin(struct tui *t, struct session *s, const struct tui_ways *ways)
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
-	t->said = text_memory(&t->said_text, &t->said_n);
-	s->out = s->notes = t->said;
+	t->captured = text_memory(&t->captured_text, &t->captured_n);
+	s->out = s->notes = t->captured;
 	read_page_and_quantity(t);
 	control_refresh(t);
 	open = t;

@@ -10,7 +10,7 @@
  * pauses a running calibration, and restores the session's streams and
  * hooks. */
 void control_begin(
-    struct tui *t, struct session *s, const struct tui_ways *ways);
+    struct tui *t, struct session *s, const struct tui_callbacks *callbacks);
 void control_end(struct tui *t);
 
 /* Returns the open full screen, or NULL. */

@@ -25,8 +25,8 @@
 /* A longer list is no help, and a folder of a million files takes long. */
 enum { MOST_ITEMS = 2000 };
 
-/* Of a sheet that is read for a look: it is to be there at once.  Workbooks are
- * larger unpacked. */
+/* A sheet is read for a preview only if that is quick.  Workbooks are larger
+ * unpacked. */
 enum { MOST_BYTES = 300 * 1000, UNPACKED_TIMES = 10 };
 
 static bool
@@ -65,7 +65,8 @@ folder_add(struct folder *folder, enum folder_kind kind, const char *name)
 	    .path = xasprintf("%s%s", folder->path, name)};
 }
 
-/* A quote in a name could not be typed; a pipe is waited for. */
+/* Adds an entry of a folder.  A name with a quote could not be typed, and
+ * reading a pipe would wait. */
 static void
 add_entry(struct folder *folder, const char *name)
 {
@@ -110,7 +111,7 @@ folder_list(struct folder *folder, const char *path)
 	qsort(folder->item, folder->n, sizeof *folder->item, folder_compare);
 }
 
-/* "Granite, 11.2 mm, 69 74 79 m/s"; NULL where it is no site. */
+/* Returns "Granite, 11.2 mm, 69 74 79 m/s", or NULL if it is no site. */
 static char *
 about_site(const char *path)
 {
@@ -149,7 +150,7 @@ folder_keep_kind(struct folder *folder, enum folder_kind kind)
 	folder->n = n;
 }
 
-/* The same sites, made from the table that they were made from: without an
+/* Adds the shipped sites made from the table of the paper, because without an
  * installation there are no files of them. */
 static void
 add_synthetic_sites(struct folder *folder)
@@ -225,8 +226,8 @@ folder_path_of_item(const struct folder *folder, size_t item)
 	return xstrndup(path, n);
 }
 
-/* A name of its own that has = would be taken for an option, as one with @ for
- * a speed. */
+/* A name with = alone would be taken for an option, and one with @ for a
+ * speed. */
 char *
 folder_command(const struct folder_item *item, bool anew)
 {
@@ -325,7 +326,7 @@ print_sheet(const char *path, FILE *out)
 	site_free(site);
 }
 
-/* Bytes to read, unpacked where it is an archive. */
+/* Returns the bytes to read, unpacked if it is an archive. */
 static double
 unpacked_bytes(const char *path, double bytes)
 {

@@ -22,8 +22,8 @@
 #include "tui/widgets/panel.h"
 #include "tui/widgets/viewer.h"
 
-/* How a page is called in the heading: in full, by its key but for the one that
- * is open, or all by their keys. */
+/* Writes a page's key and name for the heading; on a narrow screen without the
+ * names of the pages that are not open, or without any. */
 static const char *
 tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
@@ -73,8 +73,8 @@ draw_header(struct tui *t)
 	hits_add_key(&t->hits, area_cells(area, 0, column, help), '?');
 }
 
-/* The cursor goes where the line is clicked on, item being its first byte that
- * is shown. */
+/* Moves the cursor to where the line is clicked. item: offset of the first byte
+ * shown. */
 static void
 touch_line(struct tui *t, const struct touched *touched)
 {
@@ -85,7 +85,8 @@ touch_line(struct tui *t, const struct touched *touched)
 	t->line.at = (size_t)(at - t->line.text);
 }
 
-/* Returns the column of the cursor in it. */
+/* Draws the line being typed, or the last command.  Returns the column of the
+ * cursor. */
 static int
 draw_command(struct tui *t, const struct area *area)
 {
@@ -108,8 +109,9 @@ draw_command(struct tui *t, const struct area *area)
 	return 0;
 }
 
-/* One too long for its row goes on in the row of hints, or begins in that of
- * the command where there are none.  Returns whether it takes the hints. */
+/* Draws the message.  If it is too long for its row, it continues in the row of
+ * hints or, without one, begins in the row of the command.  Returns true if it
+ * covers the hints. */
 static bool
 frame_draw_message(const struct tui *t, const struct area *row)
 {
@@ -126,13 +128,13 @@ frame_draw_message(const struct tui *t, const struct area *row)
 	return hints;
 }
 
-/* How a search, or another job, stands. */
+/* Draws the state of a search or another job. */
 static int
 draw_work(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	if (!s->job.fits) {
-		FREED char *at = s->job.rounds->at(s);
+		FREED char *at = s->job.type->task_words(s);
 		return screen_text(area, 0, 0, LOOK_BOLD,
 		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
 		    t->held ? tr("PAUSED") : tr("WORKING"), at);
@@ -147,7 +149,7 @@ draw_work(const struct tui *t, const struct area *area)
 	    s->job.options.generations);
 }
 
-/* What to do next; where there is little room without what is wrong. */
+/* Draws what to do next; if there is little room, without the reason. */
 static int
 draw_ready(const struct area *area, const char *words)
 {
@@ -158,8 +160,8 @@ draw_ready(const struct area *area, const char *words)
 	    room < 0 && act != NULL ? act + 2 : words);
 }
 
-/* What the site's parameters are worth, or what to do first; the caller
- * frees. */
+/* Returns how good the parameters of the site are, or what to do first.  The
+ * caller frees it. */
 static char *
 ready_words(struct tui *t, int columns)
 {
@@ -183,8 +185,8 @@ ready_words(struct tui *t, int columns)
 		   : xasprintf(tr("parameters %s"), origin_words(entry));
 }
 
-/* That, or how the search stands: what its parameters are worth would be worked
- * out with each frame. */
+/* Draws these words or, during a search, its state: the words would then be
+ * computed for each frame. */
 static void
 draw_state(struct tui *t, const struct area *area)
 {
@@ -209,7 +211,8 @@ take_touched_completion(struct tui *t, const struct touched *touched)
 	edit_take_offer(&t->line, touched->item);
 }
 
-/* What a word may become; ".." where there is more, which Tab shows. */
+/* Draws the completions of a word, and ".." if there are more, which Tab
+ * shows. */
 static void
 draw_offers(struct tui *t, const struct area *area)
 {
@@ -238,7 +241,8 @@ draw_offers(struct tui *t, const struct area *area)
 		screen_text(area, 0, area->columns - MORE, 0, " ..");
 }
 
-/* A word that rows must have, and how many of them do. */
+/* Draws the word by which rows are filtered, and the number of rows that
+ * contain it. */
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
@@ -257,7 +261,7 @@ is_filter_shown(const struct tui *t)
 	       pages_open(t)->list != NULL;
 }
 
-/* Of what is typed, or NULL. */
+/* Returns the hints for what is being typed, or NULL. */
 static const char *
 hints_of_typing(const struct tui *t)
 {
@@ -309,8 +313,9 @@ frame_draw_speed(struct tui *t, const struct area *note)
 	t->cursor = (struct cursor){note->row, at};
 }
 
-/* Whether the state takes the row of the command: it has none of its own, and
- * how good a fit is matters more; on the least screens while it changes. */
+/* Returns true if the state takes the row of the command, because it has no
+ * row of its own and matters more; on the smallest screens only while a job
+ * runs. */
 static bool
 is_state_shown(const struct tui *t)
 {
@@ -319,7 +324,8 @@ is_state_shown(const struct tui *t)
 	       (l->hints.rows > 0 || session_busy(t->session));
 }
 
-/* Where messages stand; returns whether one takes the hints. */
+/* Draws what belongs in the row of messages.  Returns true if it covers the
+ * hints. */
 static bool
 draw_note(struct tui *t, const struct area *note)
 {
@@ -350,7 +356,7 @@ draw_lower(struct tui *t)
 	bool typing = t->line.active;
 	bool taken = line == note &&
 		     (t->message[0] || t->speed.text[0] || is_state_shown(t));
-	/* Nothing else is touched by mistake while a line is typed. */
+	/* While a line is typed, a click elsewhere does nothing. */
 	if (typing)
 		hits_clear(&t->hits);
 	if (typing || (l->command.rows > 0 && !taken)) {
@@ -360,7 +366,8 @@ draw_lower(struct tui *t)
 		if (typing)
 			t->cursor = (struct cursor){line->row, at};
 	}
-	/* What is typed leaves the row of hints alone. */
+	/* Where the line takes the row of messages, its completions cover the
+	 * hints. */
 	bool offers = t->line.offers != NULL && l->hints.rows > 0;
 	if (note == line && typing && offers)
 		draw_offers(t, &l->hints);
@@ -368,7 +375,7 @@ draw_lower(struct tui *t)
 		frame_draw_hints(t);
 }
 
-/* Over the last rows of whatever the screen shows, at any size. */
+/* Draws the question over the last rows of the screen, at any size. */
 static void
 draw_question(struct tui *t, int rows, int columns)
 {
@@ -404,14 +411,15 @@ frame_draw_page(struct tui *t)
 	draw_lower(t);
 }
 
-/* Over the track, what is drawn about it, and the plot. */
+/* The wheel moves the slider over the track, the curve above it and the
+ * plot. */
 static void
 frame_touch_wheel(struct tui *t, const struct touched *touched)
 {
 	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths - touched->by);
 }
 
-/* Over text it scrolls. */
+/* The wheel scrolls text. */
 static void
 touch_text(struct tui *t, const struct touched *touched)
 {
@@ -428,14 +436,14 @@ side_columns(const struct page_ops *page, int columns)
 							  : page->side;
 }
 
-/* What is drawn later lies on top and may take it instead. */
+/* Adds the areas of the wheel; what is drawn later lies on top of them. */
 static void
 add_wheel(struct tui *t, bool viewing)
 {
 	const struct layout *l = &t->layout;
 	struct hits *hits = &t->hits;
 	const struct area over[] = {l->plot, l->legend, l->differences,
-	    l->numbers, l->caption, l->strip, l->track};
+	    l->numbers, l->caption, l->strip, l->certainty, l->track};
 	if (viewing)
 		hits_add(hits, HIT_WHEEL, l->body, touch_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
@@ -452,11 +460,12 @@ frame_draw(struct tui *t)
 	screen_begin(&rows, &columns);
 	const struct page_ops *page = pages_open(t);
 	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
-	t->layout = viewing || list
-			? layout_text(rows, columns)
-			: layout_make(rows, columns,
-			      (struct layout_ask){side_columns(page, columns),
-				  page->differences, page->strip});
+	int list_rows = page->list_rows != NULL ? page->list_rows(t) : 0;
+	bool beside = list_rows == 0;
+	const struct layout_ask ask = {beside ? side_columns(page, columns) : 0,
+	    beside && page->differences, page->strip, list_rows};
+	t->layout = viewing || list ? layout_text(rows, columns)
+				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
 	t->n_drawn = 0;
 	t->shows = page;
@@ -474,6 +483,6 @@ frame_draw(struct tui *t)
 	if (t->question != NULL && !viewing)
 		draw_question(t, rows, columns);
 	if (t->inquiry != NULL)
-		dialogue_draw(t, rows, columns);
+		dialog_draw(t, rows, columns);
 	screen_show(t->cursor.row, t->cursor.column);
 }

@@ -29,7 +29,7 @@ hits_add_area(struct hits *hits, struct hit touch)
 }
 
 void
-hits_add(struct hits *hits, unsigned kinds, struct area area, hit_way *way,
+hits_add(struct hits *hits, unsigned kinds, struct area area, mouse_action *way,
     size_t item)
 {
 	hits_add_area(hits, (struct hit){area, kinds, way, item, 0});
@@ -42,8 +42,8 @@ hits_add_key(struct hits *hits, struct area area, int code)
 }
 
 void
-hits_add_with_key(
-    struct hits *hits, struct area area, hit_way *way, size_t item, int code)
+hits_add_with_key(struct hits *hits, struct area area, mouse_action *way,
+    size_t item, int code)
 {
 	hits_add_area(hits, (struct hit){area, HIT_PRESS, way, item, code});
 }

@@ -33,12 +33,12 @@ struct touched {
 };
 
 /* Handles a mouse event. */
-typedef void hit_way(struct tui *t, const struct touched *touched);
+typedef void mouse_action(struct tui *t, const struct touched *touched);
 
 struct hit {
 	struct area area;
 	unsigned kinds;
-	hit_way *way; /* or NULL */
+	mouse_action *way; /* or NULL */
 	size_t item;
 	int code; /* a key to press then, or 0 */
 };
@@ -56,8 +56,8 @@ void hits_clear(struct hits *hits);
 void hits_free(struct hits *hits);
 
 /* Adds an area that handles these kinds, unless it has no cells. */
-void hits_add(struct hits *hits, unsigned kinds, struct area area, hit_way *way,
-    size_t item);
+void hits_add(struct hits *hits, unsigned kinds, struct area area,
+    mouse_action *way, size_t item);
 
 /* Adds an area in which a press acts as a key (above 255: a special key of
  * ncurses). */
@@ -65,8 +65,8 @@ void hits_add_key(struct hits *hits, struct area area, int code);
 
 /* Adds an area in which a press is handled by `way` and then acts as the
  * key. */
-void hits_add_with_key(
-    struct hits *hits, struct area area, hit_way *way, size_t item, int code);
+void hits_add_with_key(struct hits *hits, struct area area, mouse_action *way,
+    size_t item, int code);
 
 /* Passes a mouse action at a cell to the areas there, and a resulting key to
  * `key`.  Returns false if none handled it. */

@@ -25,7 +25,7 @@ input_add_pasted(struct tui *t, int code)
 	code = code == '\t' ? ' ' : code;
 	if (ends && p->taken > 0)
 		p->ended = true;
-	/* Controls, those beyond ASCII too. */
+	/* Control characters are ignored, also those beyond ASCII. */
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
 	if (p->taken == 0 && !p->ended && code != ' ')
@@ -68,8 +68,8 @@ input_paste(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Signals are let in meanwhile: ncurses waits for the end of what begins as a
- * click, and where that was cut off, for ever. */
+/* Reads a key with signals unblocked, because ncurses waits for the rest of
+ * what begins like a click, even if it never comes. */
 static int
 read_key(wint_t *code)
 {
@@ -79,8 +79,9 @@ read_key(wint_t *code)
 	return got;
 }
 
-/* The rest of a sequence that the terminal's description does not have would be
- * taken for keys. True where there was one: it came with its Escape at once. */
+/* Skips a sequence that is not in the description of the terminal, because its
+ * characters would be taken for keys.  Returns true if there was one: unlike a
+ * typed Esc, its Esc comes with other characters. */
 static bool
 pass_over_sequence(void)
 {
@@ -102,8 +103,8 @@ pass_over_sequence(void)
 	return false;
 }
 
-/* Whether there is more to read: bytes that are no character end get_wch, too.
- */
+/* Returns true if there is more to read, because get_wch also fails on bytes
+ * that are no character. */
 static bool
 is_more_to_read(void)
 {

@@ -32,8 +32,9 @@
 #include "tui/watch.h"
 #include "tui/word.h"
 
-/* Whether what the page has takes a key that moves; below the response strip
- * the slider of the speed does before a list. */
+/* Lets the page or its list handle a key that moves; on a page with a curve
+ * above the track, the slider comes before the list.  Returns false if neither
+ * did. */
 static bool
 page_moves(struct tui *t, const struct key *key)
 {
@@ -48,7 +49,7 @@ act_move(struct tui *t, const struct key *key)
 {
 	if (page_moves(t, key))
 		return;
-	t->wish = NULL;
+	t->pending_key = NULL;
 	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + key->amount);
 }
 
@@ -58,7 +59,7 @@ act_ends(struct tui *t, const struct key *key)
 	const struct slider_range range = tui_range(t);
 	if (page_moves(t, key))
 		return;
-	t->wish = NULL;
+	t->pending_key = NULL;
 	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
 }
 
@@ -72,7 +73,7 @@ void
 act_run_speed(struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_current_entry(t);
-	t->wish = NULL;
+	t->pending_key = NULL;
 	if (entry == NULL)
 		return;
 	const struct site *site = entry->site;
@@ -95,7 +96,8 @@ act_page(struct tui *t, const struct key *key)
 	pages_go(t, (enum page)key->amount);
 }
 
-/* Shows the field of a command with a name for a file proposed behind it. */
+/* Opens the command line with a command and the name of a file, which it frees,
+ * proposed after it. */
 static void
 keymap_propose(struct tui *t, const char *line, char *name)
 {
@@ -112,7 +114,8 @@ file_name_of_site(const struct tui *t)
 			     : "session");
 }
 
-/* The script that holds the session, or the first name that is free. */
+/* Proposes the script in which the session is saved, or else the first unused
+ * name. */
 void
 act_save(struct tui *t, const struct key *key)
 {
@@ -172,7 +175,7 @@ act_describe(struct tui *t, const struct key *key)
 	cmdline_run(t, line);
 }
 
-/* Goes on to the next choice, which changes the answer. */
+/* Sets the next choice of the runs that correct the answer. */
 void
 act_correct(struct tui *t, const struct key *key)
 {
@@ -194,7 +197,7 @@ act_correct(struct tui *t, const struct key *key)
 		tui_say(t, false, "%s", tr(SAID[t->session->set.correction]));
 }
 
-/* What was calibrated, set or recalled is replaced only by who wants it. */
+/* Asks before a calibration replaces parameters.  Returns true if it may. */
 static bool
 confirm_replace_params(struct tui *t)
 {
@@ -234,7 +237,7 @@ act_fit(struct tui *t, const struct key *key)
 	calibrate(t, "calibrate");
 }
 
-/* Pauses, goes on, or takes a stopped one up again. */
+/* Pauses or continues the calibration, also one that was stopped. */
 void
 act_pause(struct tui *t, const struct key *key)
 {
@@ -338,26 +341,28 @@ act_mouse(struct tui *t, const struct key *key)
 	    on         ? N_("mouse on: Shift and drag selects text")
 	    : t->mouse ? N_("mouse off: drag selects text, M turns it on")
 		       : N_("this terminal has no mouse"));
-	t->mouse = screen_mouse_on();
+	t->mouse = on;
 }
 
-/* Where Esc leads. */
+/* Esc: goes back one step. */
 void
 act_back(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool predict = t->ui.page == PAGE_PREDICT;
 	t->message[0] = '\0';
-	if (t->wish != NULL) {
-		t->wish = NULL;
+	if (t->pending_key != NULL) {
+		t->pending_key = NULL;
 		return;
 	}
 	if (rows_forget(t))
 		return;
 	if (session_busy(t->session) && !t->session->job.fits)
 		watch_pause(t);
-	else if (predict && t->ui.cross)
-		act_cross(t, key);
+	else if (goal_is_viewed(t))
+		t->ui.goal_view = false;
+	else if (predict && t->ui.crosshair)
+		act_crosshair(t, key);
 	else if (predict && t->ui.runs)
 		t->ui.runs = false;
 	else if (!predict)
@@ -380,7 +385,7 @@ act_redraw(struct tui *t, const struct key *key)
 	screen_resize();
 }
 
-/* The loop answers it. */
+/* The loop of the screen handles the signal. */
 void
 act_suspend(struct tui *t, const struct key *key)
 {
@@ -395,14 +400,14 @@ act_leave(struct tui *t, const struct key *key)
 	t->leave = true;
 }
 
-/* Does what a key is for; nothing for NULL. */
+/* Runs the action of a key; does nothing for NULL. */
 static void
 run_key_action(struct tui *t, const struct key *key)
 {
 	if (key == NULL)
 		return;
 	if (key->where & AT_SPEED)
-		track_wished(t, true);
+		track_run_pending_key(t, true);
 	key->act(t, key);
 }
 
@@ -428,7 +433,8 @@ line_key(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Of the list of keys the chosen one is run. */
+/* Passes a key to the text on the screen.  In the list of keys, Enter runs the
+ * chosen one. */
 static bool
 text_key(struct tui *t, int code, bool special)
 {
@@ -439,8 +445,8 @@ text_key(struct tui *t, int code, bool special)
 	return took;
 }
 
-/* Whether a key is a letter of the speed that was begun: behind "=" units too,
- * "72.5 m/s" or "1450 rpm". */
+/* Returns true if a key continues the typed speed; after "=" units do so as
+ * well: "72.5 m/s" or "1450 rpm". */
 static bool
 is_speed_letter(const struct edit *y, int code)
 {
@@ -478,8 +484,8 @@ go_to_typed_speed(struct tui *t, const char *text)
 		control_say_off_slider(t, speed);
 }
 
-/* A digit begins a speed unless it is a key, as those of the pages are: speeds
- * from 50 to 59 m/s take the =. */
+/* Returns true if a digit begins a speed: it does unless it opens a page, so
+ * that speeds from 50 to 59 m/s need the =. */
 static bool
 begins_speed(const struct tui *t, int code)
 {
@@ -487,7 +493,7 @@ begins_speed(const struct tui *t, int code)
 	       keys_find(code, t->ui.page) == NULL;
 }
 
-/* A speed, behind the = or the digit that began it. */
+/* Handles a key of a typed speed, which = or a digit begins. */
 static bool
 speed_key(struct tui *t, int code, bool special)
 {
@@ -508,8 +514,8 @@ speed_key(struct tui *t, int code, bool special)
 	return code == '\n' || code == '\r' || code == ESCAPE;
 }
 
-/* Over a line that is typed only what belongs to it was said to be touched; a
- * speed that was begun ends where another thing is, but for its own keys. */
+/* A click ends the typing of a speed, except on its own hints.  While a line is
+ * typed, only its own areas are there to be clicked. */
 static void
 handle_mouse_key(struct tui *t, enum hit_kind kind, int row, int column)
 {
@@ -520,7 +526,7 @@ handle_mouse_key(struct tui *t, enum hit_kind kind, int row, int column)
 	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
 }
 
-/* What an event of ncurses means. */
+/* Translates a mouse event of ncurses. */
 static void
 take_mouse(struct tui *t,
     void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))
@@ -540,27 +546,23 @@ take_mouse(struct tui *t,
 }
 
 static void
-remember_pointed_key(struct tui *t, int code, bool special)
+read_key_next(struct tui *t, int code, bool special)
 {
-	t->pointed.is = true;
-	t->pointed.code = code;
-	t->pointed.special = special;
+	t->again.is = true;
+	t->again.code = code;
+	t->again.special = special;
 }
 
 static void
 touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	hits_mouse(t, &t->hits, kind, row, column, remember_pointed_key);
+	hits_mouse(t, &t->hits, kind, row, column, read_key_next);
 }
 
-bool
-keymap_pointed(struct tui *t, int *code, bool *special)
+void
+keymap_pointed(struct tui *t)
 {
-	t->pointed.is = false;
 	take_mouse(t, touch_answer);
-	*code = t->pointed.code;
-	*special = t->pointed.special;
-	return t->pointed.is;
 }
 
 static bool
@@ -578,12 +580,12 @@ page_key(struct tui *t, int code, bool special)
 static bool
 answer_key(struct tui *t, int code, bool special)
 {
-	dialogue_key(t, code, special);
+	dialog_key(t, code, special);
 	return true;
 }
 
-/* Who takes the keys, the topmost first; one that leaves a key returns false.
- * A question of yes or no is asked elsewhere. */
+/* What takes keys, the topmost first; each returns false for a key that it
+ * leaves to the next.  Yes and no are read elsewhere. */
 enum mode { ANSWER, QUESTION, GOAL, LINE, TEXT, FILES, FILTER, SPEED, PAGE };
 static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [ANSWER] = answer_key,
@@ -650,10 +652,8 @@ keymap_key(struct tui *t, int code, bool special)
 {
 	if (word_opens_line(t, code, special))
 		return;
-	/* What the held key asks has this one for an answer. */
-	t->again.is = true;
-	t->again.code = code;
-	t->again.special = special;
+	/* If the held key asks a question, this one answers it. */
+	read_key_next(t, code, special);
 	keymap_held(t);
 	if (!t->again.is)
 		return;
@@ -662,7 +662,8 @@ keymap_key(struct tui *t, int code, bool special)
 		code = code == KEY_ENTER ? '\n' : DELETE;
 		special = false;
 	}
-	/* A character beyond ASCII is no key: its number may be one's. */
+	/* A character beyond ASCII is no key, though its code may equal that of
+	 * one. */
 	enum mode mode = next_mode(t, ANSWER);
 	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
 	    mode != LINE)

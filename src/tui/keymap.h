@@ -19,7 +19,7 @@ void keymap_open_line(struct tui *t);
 void keymap_held(struct tui *t);
 
 /* Handles the mouse event that ncurses holds while the program waits for an
- * answer.  Returns true if it acts as a key, which is the answer. */
-bool keymap_pointed(struct tui *t, int *code, bool *special);
+ * answer: a key that it acts as is read next. */
+void keymap_pointed(struct tui *t);
 
 #endif

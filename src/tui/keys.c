@@ -45,15 +45,18 @@ const struct key KEYS[] = {
     {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 0,
 	"to the middle of the runs", NULL, NULL},
     {'t', "t", ON_ALL, act_goal, 0,
-	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none", "goal",
-	NULL},
-    {'n', "n", ON_ALL | AT_SPEED, act_limit, 1,
+	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none",
+	"goal, its plot", "goal"},
+    {'T', "T", ON_PREDICT, act_goal_view, 0,
+	"the goal at full height, with its conditions; again: back", NULL,
+	"goal plot"},
+    {'n', "n", ON_ALL | AT_SPEED, act_goal_speed, 1,
 	"to the next speed at which the goal begins or ends, or the next run",
 	"its limits, or runs", "limits"},
-    {'p', "p", ON_ALL | AT_SPEED, act_limit, -1, "to the one before", NULL,
+    {'p', "p", ON_ALL | AT_SPEED, act_goal_speed, -1, "to the one before", NULL,
 	NULL},
-    {'N', "N", ON_ALL | AT_SPEED, act_limit, 0, "to the best speed of the goal",
-	"its best speed", "best"},
+    {'N', "N", ON_ALL | AT_SPEED, act_goal_speed, 0,
+	"to the best speed of the goal", "its best speed", "best"},
     {'y', "y", ON_PREDICT, act_quantity, 1,
 	"next quantity above the track: P80, P50 ..", "other quantity", NULL},
     {'Y', "Y", ON_PREDICT, act_quantity, -1, "the one before", NULL, NULL},
@@ -70,7 +73,7 @@ const struct key KEYS[] = {
     {'\n', "Enter", ON_FIT, act_bounds, 0,
 	"type bounds of the parameter Up and Down choose",
 	"bounds of the parameter", "bounds"},
-    {'.', ".", ON_FIT, act_generation, 0,
+    {'.', ".", ON_FIT, act_next_generation, 0,
 	"one step of the search, then wait; or the next one", "one generation",
 	NULL},
     {'\n', "Enter", ON_PREDICT, act_numbers, 0,
@@ -80,8 +83,9 @@ const struct key KEYS[] = {
 	"open the chosen row: use a site", "use the site", "use it"},
     {'\n', "Enter", ON_DATA, act_mend, 0,
 	"mend the doubtful cell; u takes it back", "mend the cell", "mends"},
-    {'!', "!", ON_DATA, act_doubt, 0, "to the next doubtful cell of the sheet",
-	"next doubtful cell", "next doubtful"},
+    {'!', "!", ON_DATA, act_next_doubtful, 0,
+	"to the next doubtful cell of the sheet", "next doubtful cell",
+	"next doubtful"},
     {'o', "o", ON_SITES, act_sort, 1,
 	"sort by the next column, or click a heading", "sort", NULL},
     {'O', "O", ON_SITES, act_sort, -1, "sort the other way round", NULL, NULL},
@@ -94,12 +98,13 @@ const struct key KEYS[] = {
     {'o', "o", ON_ALL & ~ON_SITES, act_files, 0,
 	"open a sheet: a list of files, with a preview of each", "open a sheet",
 	NULL},
-    {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_cross, 0,
+    {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_crosshair, 0,
 	"crosshair on or off: reads the curves at a sieve", "crosshair", NULL},
-    {'<', "<", ON_PREDICT, act_level, -5,
+    {'<', "<", ON_PREDICT, act_crosshair_passing, -5,
 	"sizes of the crosshair at a passing 5 % lower", "its passing",
 	"passing"},
-    {'>', ">", ON_PREDICT, act_level, 5, "at one 5 % higher", NULL, NULL},
+    {'>', ">", ON_PREDICT, act_crosshair_passing, 5, "at one 5 % higher", NULL,
+	NULL},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0,
 	"uncertainty band on or off, if known", "band", NULL},
     {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0,
@@ -108,7 +113,7 @@ const struct key KEYS[] = {
     {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_pin, 0,
 	"pin this prediction for comparison; again: unpin", "pin, unpin",
 	"pin"},
-    {'v', "v", ON_FIT, act_picture, 0,
+    {'v', "v", ON_FIT, act_next_plot, 0,
 	"the next plot: search, curves, convergence, spread", "next plot",
 	"plot"},
     {'r', "r", ON_PREDICT, act_runs, 0,
@@ -142,7 +147,7 @@ const struct key KEYS[] = {
     {'w', "w", ON_ALL | AT_SPEED, act_save, 0,
 	"save the session as a script, under the name that is proposed",
 	"save the session", NULL},
-    {'V', "V", ON_ALL, act_again, 0,
+    {'V', "V", ON_ALL, act_last_text, 0,
 	"show the last text again: an answer, a report", "last text again",
 	NULL},
     {KEY_F(1), "?, F1", ON_ALL, act_help, 0, "this list", "this list", "keys"},
@@ -154,7 +159,7 @@ const struct key KEYS[] = {
     {'q', "q", ON_ALL, act_leave, 0, "quit full-screen mode", "quit", NULL},
     {.code = 0}};
 
-/* Whether one of the names of a row, "Left, h", is this. */
+/* Returns true if the names of a row, "Left, h", include this one. */
 static bool
 has_name(const char *names, const char *name)
 {
@@ -217,8 +222,8 @@ keys_code_of_name(const char *name, int *code)
 	return false;
 }
 
-/* What the keys of a hint do, by the first of them that has words, "" where it
- * names something else, too: "Down Enter", "1-5 pages". */
+/* Returns what the keys of a hint do, in the words of the first key that has
+ * any; "" if the hint has more than keys: "Down Enter", "1-5 pages". */
 static const char *
 words_of_hint(const char *hint, enum page page)
 {
@@ -264,7 +269,7 @@ keys_bar(const char *hints, enum page page)
 	return bar;
 }
 
-/* The only page a key is there on, in words; "" where it is on all. */
+/* Returns in words the only page on which a key acts; "" if there are more. */
 static const char *
 only_on_page_words(const struct key *k)
 {
@@ -276,7 +281,8 @@ only_on_page_words(const struct key *k)
 				     : "";
 }
 
-/* Of the keys that are there on all pages those that do most on some. */
+/* Returns true if a key belongs to a page: it acts there but not on all pages,
+ * or that page lists it first. */
 static bool
 is_key_of_page(const struct key *k, enum page page)
 {
@@ -286,8 +292,8 @@ is_key_of_page(const struct key *k, enum page page)
 	return pages & (1U << page);
 }
 
-/* "  Up Down       a row": with the keys that go with it, as far as there is
- * room. */
+/* Returns "  Up Down       a row": a key, with those that go with it as far as
+ * there is room. */
 static char *
 brief_line(const struct key *k)
 {
@@ -316,15 +322,15 @@ keys_has_word(const struct key *k, const char *word)
 	return text_has(line, word);
 }
 
-/* In brief a key of other pages is left out. */
+/* Returns true if the brief list of a page has the key. */
 static bool
 keys_is_listed(const struct key *k, enum page page)
 {
 	return k->brief != NULL && k->where & (1U << page);
 }
 
-/* The keys of the list, the page's own first: all of the page in brief, or
- * those with a word.  Returns how many. */
+/* Lists keys, those of the page first: all of the page, or those whose line
+ * contains the word.  Returns their number. */
 static size_t
 keys_list_keys(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])
@@ -378,7 +384,7 @@ keys_manual(FILE *out)
 {
 	fputs(".Bl -tag -width Shift-Right\n", out);
 	for (const struct key *k = KEYS; k->code != 0; k++) {
-		/* The control characters of mdoc would be taken as such. */
+		/* A single character might be one that mdoc interprets. */
 		fprintf(out, ".It %s%s\n%s%s.\n",
 		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
 		    only_on_page_words(k));

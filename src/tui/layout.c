@@ -26,7 +26,7 @@ area_row(const struct area *area, int row)
 	return area_cells(area, row, 0, area->columns);
 }
 
-/* One row at the bottom of what is left. */
+/* Takes the last row of what is left. */
 static struct area
 take_bottom_row(struct area *left)
 {
@@ -43,6 +43,7 @@ enum {
 	FOR_HINTS = 7,
 	FOR_PLOT = 11,
 	FOR_STATUS = 15,
+	FOR_TALL_STRIP = 16,
 	FOR_SIDE = 18,
 	FOR_LEGEND = 20,
 	FOR_STRIP = 24,
@@ -54,8 +55,8 @@ enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
  * its text. */
 enum { FOR_GAP = 100 };
 
-/* So many rows at the bottom of what is left: with the rows of the screen they
- * become more. */
+/* Takes three rows from the bottom of what is left, and one more for each
+ * `every` rows that the screen has beyond `least`. */
 static struct area
 layout_take_rows(struct area *left, int rows, int least, int every)
 {
@@ -64,6 +65,18 @@ layout_take_rows(struct area *left, int rows, int least, int every)
 	left->rows -= area.rows;
 	area.row = left->row + left->rows;
 	return area;
+}
+
+/* Leaves a list and two more rows above the strip. */
+static void
+take_tall_strip(struct layout *l, int list_rows)
+{
+	int rows = list_rows < l->body.rows / 2 ? list_rows : l->body.rows / 2;
+	l->certainty = take_bottom_row(&l->body);
+	l->strip = l->body;
+	l->strip.row += rows + 2;
+	l->strip.rows -= rows + 2;
+	l->body.rows = rows + 2;
 }
 
 static void
@@ -106,7 +119,9 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		if (rows >= bottom[i].least)
 			*bottom[i].area = take_bottom_row(left);
 	enum { EVERY = 10 };
-	if (ask.strip && rows >= FOR_STRIP)
+	if (ask.strip && ask.list_rows > 0 && rows >= FOR_TALL_STRIP)
+		take_tall_strip(&l, ask.list_rows);
+	else if (ask.strip && rows >= FOR_STRIP)
 		l.strip = layout_take_rows(left, rows, FOR_STRIP, EVERY);
 	if (rows >= FOR_CAPTION)
 		l.caption = take_bottom_row(left);
@@ -114,7 +129,8 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		    columns - ask.side_columns > PLOT_COLUMNS;
 	if (rows >= FOR_NUMBERS && !side)
 		l.numbers = take_bottom_row(left);
-	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS)
+	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS &&
+	    ask.list_rows == 0)
 		l.legend = take_bottom_row(left);
 	split_body(&l, rows, ask.side_columns);
 	if (ask.differences && rows >= FOR_DIFFERENCES) {

@@ -6,10 +6,13 @@
 #include <stdbool.h>
 
 /* What a page needs besides its body: columns of a side panel, or 0; the strip
- * of differences below the plot; the response strip above the track. */
+ * of differences below the plot; the response strip above the track.
+ * list_rows: 0, or the rows of a list to which the body is reduced, for a strip
+ * at full height with a row of certainty. */
 struct layout_ask {
 	int side_columns;
 	bool differences, strip;
+	int list_rows;
 };
 
 /* An area of the screen, from its top left; not shown if it has no rows. */
@@ -23,7 +26,7 @@ struct area {
 struct layout {
 	int wall;
 	struct area header, body, plot, side, legend, differences, numbers,
-	    caption, strip, track, command, status, hints;
+	    caption, strip, certainty, track, command, status, hints;
 };
 
 /* Places everything on a screen of at least 1 x 1.  Parts without room are

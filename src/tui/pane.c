@@ -23,7 +23,7 @@ pane_list_area(const struct tui *t)
 	return area;
 }
 
-/* Says what is drawn there, and has the page do what it does with the place. */
+/* A click on a plot says what is drawn there, and may do more on its page. */
 static void
 touch_plot(struct tui *t, const struct touched *touched)
 {
@@ -70,8 +70,8 @@ pane_plot(
 	screen_words(area, row, 0, error.hint);
 }
 
-/* A curve's name after those to its left, where there is room for all of it.
- * Returns the column after. */
+/* Draws the name of a curve after those to its left, if there is room for all
+ * of it.  Returns the column after it. */
 static int
 pane_draw_name(const struct tui *t, int column, enum series series,
     unsigned look, const char *text)
@@ -83,7 +83,7 @@ pane_draw_name(const struct tui *t, int column, enum series series,
 	return screen_series(area, 0, from, series, look, text);
 }
 
-/* Of an envelope in use, and the fraction that it is for. */
+/* Names the limits of the envelope in use and its fraction. */
 static void
 pane_draw_limits(const struct tui *t, int column, bool ascii)
 {
@@ -97,8 +97,8 @@ pane_draw_limits(const struct tui *t, int column, bool ascii)
 	free(words);
 }
 
-/* What was measured: each run's mark, whether any is moved to the feed, and how
- * many have none. */
+/* Names the mark of each run, whether any is moved to the feed, and how many
+ * runs are not drawn. */
 static int
 pane_draw_runs(
     const struct tui *t, int column, const struct entry *entry, bool may)
@@ -112,7 +112,8 @@ pane_draw_runs(
 		    !site_run_is_near(
 			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
 			continue;
-		struct chart_series look = site_chart_run(site, r, held_out);
+		struct chart_series look =
+		    site_chart_run_style(site, r, held_out);
 		FREED char *sample = chart_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    site->run[r].speed, held_out ? tr(" held out") : "");
@@ -130,8 +131,8 @@ pane_draw_runs(
 	return column;
 }
 
-/* One row, where the plot's own legend would leave the plot little room; the
- * runs are those of plots_psd. */
+/* Draws a legend of one row, as that of the plot itself would leave it little
+ * room.  The runs are those of plots_psd. */
 static void
 pane_draw_legend(const struct tui *t, const struct plot_request *request)
 {
@@ -194,8 +195,8 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_plot(t, request, &plot);
 }
 
-/* The keys named at its start, "Up/Down": a click on one of them is that one,
- * and where there is one only the words after it are, too. */
+/* Adds the keys that a hint begins with, "Up/Down": a click on a key presses
+ * it, and if there is only one, so does a click on its words. */
 static void
 touch_hint(struct tui *t, int row, int column, const char *hint)
 {
@@ -222,8 +223,7 @@ pane_touch_hints(struct tui *t, int row, int column, const char *hints)
 	}
 }
 
-/* Where they are dim each key, the first word of its hint, stands out of what
- * it does. */
+/* In dim hints the key, their first word, is bold. */
 void
 pane_hints(struct tui *t, unsigned look, const char *hints)
 {

@@ -33,6 +33,10 @@ struct page_ops {
 	int side, middle_side, wide_side;
 	bool differences, strip; /* see struct layout_ask */
 
+	/* Returns the rows of the list to which the body is reduced now, or
+	 * 0. */
+	int (*list_rows)(const struct tui *t);
+
 	/* Computes anything drawn that is not part of the prediction. */
 	void (*update)(struct tui *t);
 

@@ -19,9 +19,9 @@
 #include "cli/restore.h"
 #include "cli/terminal.h"
 
-/* screen: NULL where nothing is shown, only drawn.  frame: the last one, or
- * NULL; shown: that which ncurses has, or NULL, when it is to have all anew.
- * ncurses keeps its state by itself, too. */
+/* screen: NULL if frames are only drawn, not shown.  frame: the last one, or
+ * NULL; shown: the one that ncurses has, or NULL if it is to get all of it
+ * anew. ncurses has state of its own beside this. */
 static struct display {
 	SCREEN *screen;
 	bool utf8, mouse, only_text;
@@ -30,13 +30,13 @@ static struct display {
 	enum theme theme;
 	short pair[SERIES_COUNT]; /* 0 without colours */
 	struct canvas *frame, *shown;
-} is;
+} display;
 
 static void
 forget_shown(void)
 {
-	canvas_free(is.shown);
-	is.shown = NULL;
+	canvas_free(display.shown);
+	display.shown = NULL;
 }
 
 /* Series of one colour share a pair: ncurses would write the colour again from
@@ -45,22 +45,24 @@ static void
 set_colours(bool colour)
 {
 	forget_shown();
-	is.depth = 0;
-	memset(is.pair, 0, sizeof is.pair);
+	display.depth = 0;
+	memset(display.pair, 0, sizeof display.pair);
 	if (!colour || !has_colors() || start_color() != OK)
 		return;
 	use_default_colors();
-	is.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
+	display.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
 	for (int i = 0; i < SERIES_COUNT; i++) {
-		int of = palette_colour((enum series)i, is.depth, is.theme);
+		int of = palette_colour(
+		    (enum series)i, display.depth, display.theme);
 		int j = 0;
-		while (palette_colour((enum series)j, is.depth, is.theme) != of)
+		while (palette_colour(
+			   (enum series)j, display.depth, display.theme) != of)
 			j++;
-		is.pair[i] = (short)(j + 1);
-		init_pair(is.pair[i], (short)(of % is.depth), -1);
+		display.pair[i] = (short)(j + 1);
+		init_pair(display.pair[i], (short)(of % display.depth), -1);
 	}
 	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
-	bkgdset(' ' | COLOR_PAIR(is.pair[SERIES_TEXT]));
+	bkgdset(' ' | COLOR_PAIR(display.pair[SERIES_TEXT]));
 }
 
 static void
@@ -86,7 +88,7 @@ set_modes(void)
 	define_key("\032", 0);
 }
 
-/* Has pasted text marked, where unknown modes of this kind are passed over. */
+/* Has the terminal mark pasted text, if it ignores unknown modes. */
 static void
 mark_pastes(bool on)
 {
@@ -100,9 +102,9 @@ mark_pastes(bool on)
 void
 screen_theme(enum theme theme)
 {
-	bool other = theme != is.theme;
-	is.theme = theme;
-	if (other && is.screen != NULL && is.depth > 0)
+	bool other = theme != display.theme;
+	display.theme = theme;
+	if (other && display.screen != NULL && display.depth > 0)
 		set_colours(true);
 }
 
@@ -111,25 +113,25 @@ screen_open(bool colour)
 {
 	if (terminal_is_dumb())
 		return false;
-	is.screen = newterm(NULL, stdout, stdin);
-	if (is.screen == NULL)
+	display.screen = newterm(NULL, stdout, stdin);
+	if (display.screen == NULL)
 		return false;
 	if (tigetstr("cup") == NULL) {
 		endwin();
-		delscreen(is.screen);
+		delscreen(display.screen);
 		return false;
 	}
 	restore_screen();
-	is.utf8 = terminal_is_utf8();
-	is.charset = terminal_can_draw() ? CHARSET_BRAILLE : CHARSET_ASCII;
+	display.utf8 = terminal_is_utf8();
+	display.charset = terminal_can_draw() ? CHARSET_BRAILLE : CHARSET_ASCII;
 	set_modes();
 	set_colours(colour);
 	mark_pastes(true);
 	return true;
 }
 
-/* Not every terminal has a second screen to leave: where the picture stays, the
- * shell goes on in a row of its own. */
+/* Where the terminal has no second screen, the picture stays, and the shell
+ * continues in a row below. */
 static void
 end_curses(void)
 {
@@ -145,18 +147,18 @@ void
 screen_close(void)
 {
 	end_curses();
-	delscreen(is.screen);
-	canvas_free(is.frame);
+	delscreen(display.screen);
+	canvas_free(display.frame);
 	forget_shown();
-	is = (struct display){0};
+	display = (struct display){0};
 }
 
 struct display *
 screen_begin_offscreen(int rows, int columns, enum charset charset, int depth)
 {
 	struct display *was = xcalloc(1, sizeof *was);
-	*was = is;
-	is = (struct display){.rows = rows,
+	*was = display;
+	display = (struct display){.rows = rows,
 	    .columns = columns,
 	    .charset = charset,
 	    .depth = depth,
@@ -167,8 +169,8 @@ screen_begin_offscreen(int rows, int columns, enum charset charset, int depth)
 struct canvas *
 screen_end_offscreen(struct display *was)
 {
-	struct canvas *frame = is.frame;
-	is = *was;
+	struct canvas *frame = display.frame;
+	display = *was;
 	free(was);
 	return frame;
 }
@@ -176,36 +178,36 @@ screen_end_offscreen(struct display *was)
 const struct canvas *
 screen_frame(void)
 {
-	return is.frame;
+	return display.frame;
 }
 
 void
 screen_only_text(bool on)
 {
-	is.only_text = on;
+	display.only_text = on;
 }
 
 void
 screen_size(int *rows, int *columns)
 {
-	*rows = is.rows;
-	*columns = is.columns;
+	*rows = display.rows;
+	*columns = display.columns;
 }
 
 enum charset
 screen_charset(void)
 {
-	return is.charset;
+	return display.charset;
 }
 
 int
 screen_depth(void)
 {
-	return is.depth;
+	return display.depth;
 }
 
-/* The Linux console says that it has a mouse; but it is gpm's, which tells
- * nobody of it in this way. */
+/* Returns true if the terminal reports the mouse.  The Linux console says so,
+ * but its mouse is that of gpm, which does not report in this way. */
 static bool
 has_mouse_keys(void)
 {
@@ -219,35 +221,29 @@ has_mouse_keys(void)
 bool
 screen_mouse(bool on)
 {
-	if (is.screen == NULL)
+	if (display.screen == NULL)
 		return true;
 	if (on && !has_mouse_keys())
 		return false;
 	if (on)
 		mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
-	if (on || is.mouse)
+	if (on || display.mouse)
 		putp(on ? "\033[?1002h" : "\033[?1002l");
 	if (!on)
 		mousemask(0, NULL);
 	mouseinterval(0);
 	fflush(stdout);
-	is.mouse = on;
+	display.mouse = on;
 	return true;
-}
-
-bool
-screen_mouse_on(void)
-{
-	return is.mouse;
 }
 
 void
 screen_suspend_curses(void)
 {
-	bool mouse = is.mouse;
+	bool mouse = display.mouse;
 	def_prog_mode();
 	end_curses();
-	is.mouse = mouse;
+	display.mouse = mouse;
 	fflush(stdout);
 }
 
@@ -255,7 +251,7 @@ void
 screen_resume_curses(void)
 {
 	reset_prog_mode();
-	bool mouse = is.mouse;
+	bool mouse = display.mouse;
 	screen_resize();
 	refresh();
 	mark_pastes(true);
@@ -267,7 +263,7 @@ void
 screen_resize(void)
 {
 	struct winsize size = {0};
-	if (is.screen == NULL)
+	if (display.screen == NULL)
 		return;
 	forget_shown();
 	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
@@ -280,14 +276,15 @@ screen_resize(void)
 void
 screen_begin(int *rows, int *columns)
 {
-	if (is.screen != NULL)
-		getmaxyx(stdscr, is.rows, is.columns);
-	if (is.shown != NULL &&
-	    (is.shown->rows != is.rows || is.shown->columns != is.columns))
+	if (display.screen != NULL)
+		getmaxyx(stdscr, display.rows, display.columns);
+	if (display.shown != NULL &&
+	    (display.shown->rows != display.rows ||
+		display.shown->columns != display.columns))
 		forget_shown();
-	canvas_free(is.frame);
-	is.frame = canvas_new(is.columns, is.rows);
-	is.frame->theme = is.theme;
+	canvas_free(display.frame);
+	display.frame = canvas_new(display.columns, display.rows);
+	display.frame->theme = display.theme;
 	screen_size(rows, columns);
 }
 
@@ -296,14 +293,15 @@ screen_put_cell(
     int row, int column, uint32_t code, unsigned look, enum series series)
 {
 	enum { LIGHT_SHADE = 0x2591, MIDDLE_DOT = 0xB7 };
-	if (row < 0 || row >= is.rows || column < 0 || column >= is.columns)
+	if (row < 0 || row >= display.rows || column < 0 ||
+	    column >= display.columns)
 		return;
-	/* With few colours nothing is dim: the shade outshone what lies on it.
-	 */
-	if (code == LIGHT_SHADE && series == SERIES_TEXT && is.depth > 0 &&
-	    is.depth < 256)
+	/* With few colours nothing is dim, and the shade would outshine the
+	 * text. */
+	if (code == LIGHT_SHADE && series == SERIES_TEXT && display.depth > 0 &&
+	    display.depth < 256)
 		code = MIDDLE_DOT;
-	*canvas_at(is.frame, column, row) = (struct canvas_cell){
+	*canvas_at(display.frame, column, row) = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)look};
 }
 
@@ -313,7 +311,7 @@ screen_part(const struct area *area, int row, int column, enum series series,
 {
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
-	return canvas_text_within(is.frame, area->column + column,
+	return canvas_text_within(display.frame, area->column + column,
 		   area->row + row, area->column + area->columns, text, series,
 		   look) -
 	       area->column;
@@ -378,9 +376,9 @@ screen_clear(const struct area *area)
 void
 screen_rule(const struct area *area)
 {
-	bool lines = is.charset != CHARSET_ASCII;
-	for (int c = 0; c < area->columns && area->rows > 0 && !is.only_text;
-	     c++)
+	bool lines = display.charset != CHARSET_ASCII;
+	for (int c = 0;
+	     c < area->columns && area->rows > 0 && !display.only_text; c++)
 		screen_put_cell(area->row, area->column + c,
 		    lines ? 0x2500 : '-', LOOK_DIM, SERIES_TEXT);
 }
@@ -388,8 +386,8 @@ screen_rule(const struct area *area)
 void
 screen_vertical_rule(int row, int column, int rows)
 {
-	bool lines = is.charset != CHARSET_ASCII;
-	for (int r = 0; r < rows && !is.only_text; r++)
+	bool lines = display.charset != CHARSET_ASCII;
+	for (int r = 0; r < rows && !display.only_text; r++)
 		screen_put_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
 		    SERIES_TEXT);
 }
@@ -397,7 +395,7 @@ screen_vertical_rule(int row, int column, int rows)
 void
 screen_canvas(const struct area *area, const struct canvas *canvas)
 {
-	if (is.only_text)
+	if (display.only_text)
 		return;
 	for (int r = 0; r < area->rows && r < canvas->rows; r++)
 		for (int c = 0; c < area->columns && c < canvas->columns; c++) {
@@ -410,20 +408,20 @@ screen_canvas(const struct area *area, const struct canvas *canvas)
 		}
 }
 
-/* Where there are eight colours, a bright one is a bold one. */
+/* With eight colours, bright ones are bold. */
 static attr_t
 curses_attributes(const struct canvas_cell *cell)
 {
 	unsigned look = cell->attribute;
 	enum series series = (enum series)cell->series;
-	bool faint = canvas_is_faint(is.frame, cell, is.depth);
-	bool bright =
-	    is.depth == 8 && palette_colour(series, is.depth, is.theme) >= 8;
+	bool faint = canvas_is_faint(display.frame, cell, display.depth);
+	bool bright = display.depth == 8 &&
+		      palette_colour(series, display.depth, display.theme) >= 8;
 	return ((look & LOOK_BOLD) || bright ? A_BOLD : 0) |
 	       (faint ? A_DIM : 0) | ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
 
-/* A letter without its accent, where there is nothing but ASCII. */
+/* Returns a letter without its accent, for a terminal with ASCII alone. */
 static wchar_t
 letter_without_accent(uint32_t code)
 {
@@ -438,9 +436,9 @@ static void
 show_cell(int row, int column, const struct canvas_cell *from)
 {
 	wchar_t text[2] = {(wchar_t)from->code, 0};
-	short pair = is.pair[from->series];
+	short pair = display.pair[from->series];
 	cchar_t cell;
-	if (!is.utf8 && from->code > 126)
+	if (!display.utf8 && from->code > 126)
 		text[0] = letter_without_accent(from->code);
 	setcchar(&cell, text, curses_attributes(from), pair, NULL);
 	mvadd_wch(row, column, &cell);
@@ -453,12 +451,13 @@ screen_is_same(const struct canvas_cell *a, const struct canvas_cell *b)
 	       a->attribute == b->attribute;
 }
 
-/* Hands over a cell; the right half of a wide letter comes with its left. */
+/* Passes a cell to ncurses; the right half of a wide letter comes with the
+ * left. */
 static void
 screen_put(int row, int column)
 {
 	static const struct canvas_cell BLANK = {' ', SERIES_TEXT, LOOK_PLAIN};
-	const struct canvas_cell *at = canvas_at(is.frame, column, row);
+	const struct canvas_cell *at = canvas_at(display.frame, column, row);
 	if (at->code == 0 && column > 0 && text_columns(at[-1].code) == 2)
 		return;
 	bool blank = at->code == 0 ||
@@ -466,27 +465,28 @@ screen_put(int row, int column)
 	show_cell(row, column, blank ? &BLANK : at);
 }
 
-/* What is as it was shown last ncurses has already. */
+/* Only the cells that have changed are passed to ncurses. */
 void
 screen_show(int row, int column)
 {
-	if (is.screen == NULL)
+	if (display.screen == NULL)
 		return;
-	const struct canvas *was = is.shown;
+	const struct canvas *was = display.shown;
 	if (was == NULL)
 		erase();
-	for (int r = 0; r < is.rows; r++)
-		for (int c = 0; c < is.columns; c++) {
-			int i = r * is.columns + c;
+	for (int r = 0; r < display.rows; r++)
+		for (int c = 0; c < display.columns; c++) {
+			int i = r * display.columns + c;
 			if (was == NULL ||
-			    !screen_is_same(&is.frame->cell[i], &was->cell[i]))
+			    !screen_is_same(
+				&display.frame->cell[i], &was->cell[i]))
 				screen_put(r, c);
 		}
-	move(row < is.rows ? row : is.rows - 1,
-	    column < is.columns ? column : is.columns - 1);
+	move(row < display.rows ? row : display.rows - 1,
+	    column < display.columns ? column : display.columns - 1);
 	wnoutrefresh(stdscr);
 	doupdate();
 	forget_shown();
-	is.shown = is.frame;
-	is.frame = NULL;
+	display.shown = display.frame;
+	display.frame = NULL;
 }

@@ -56,7 +56,6 @@ void screen_theme(enum theme theme);
 /* Turns mouse reports on or off.  Returns false if the terminal has no
  * mouse. */
 bool screen_mouse(bool on);
-bool screen_mouse_on(void);
 
 /* screen_suspend_curses leaves the terminal to another program;
  * screen_resume_curses takes it back. */

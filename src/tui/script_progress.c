@@ -14,14 +14,15 @@
 #include "tui/captured.h"
 #include "tui/widgets/viewer.h"
 
-/* "4 of 15: validate", and what a search of it is at; the caller frees. */
+/* Returns "4 of 15: validate", with the state of its search.  The caller frees
+ * it. */
 static char *
-under_way_words(const struct tui *t)
+running_words(const struct tui *t)
 {
 	const struct session *s = t->session;
-	char *words = xasprintf("%s  %s", tr("WORKING"), t->under_way);
+	char *words = xasprintf("%s  %s", tr("WORKING"), t->running_line);
 	if (session_busy(s) && !s->job.fits) {
-		FREED char *at = s->job.rounds->at(s);
+		FREED char *at = s->job.type->task_words(s);
 		xappend(&words, "\n%s", at);
 	}
 	if (session_busy(s)) {
@@ -32,23 +33,23 @@ under_way_words(const struct tui *t)
 	return words;
 }
 
-/* In the midst of a script no page can be drawn: what it would show changes
- * with every command. */
+/* During a script, no page can be drawn, because each command may change what
+ * it shows. */
 static void
 script_progress_draw_lines(struct tui *t, bool begins)
 {
 	/* s; what is over by then is not shown */
 	const double often = 0.1, patience = t->of_script ? often : 0.3;
 	double now = session_clock();
-	if (t->under_way == NULL || t->ways->stopped == NULL ||
+	if (t->running_line == NULL || t->callbacks->stopped == NULL ||
 	    now - t->ran_from < patience ||
-	    (!begins && now - t->drawn_at < often) || t->ways->is_aside())
+	    (!begins && now - t->drawn_at < often) || t->away)
 		return;
-	viewer_text(t, under_way_words(t));
-	t->ways->show(t);
+	viewer_text(t, running_words(t));
+	t->callbacks->show(t);
 	viewer_close(t);
 	t->drawn_at = now;
-	if (t->ways->stopped(t)) {
+	if (t->callbacks->stopped(t)) {
 		t->stopping = true;
 		raise(SIGINT);
 		signals_deliver();
@@ -59,8 +60,8 @@ void
 script_progress_typed(struct tui *t, const char *line)
 {
 	t->ran_from = session_clock();
-	free(t->under_way);
-	t->under_way = xstrdup(line);
+	free(t->running_line);
+	t->running_line = xstrdup(line);
 	t->of_script = t->stopping = false;
 }
 
@@ -72,10 +73,10 @@ script_progress_begins(void *of, const char *line)
 	if (!t->of_script)
 		t->ran_from = session_clock();
 	t->of_script = true;
-	free(t->under_way);
-	t->under_way = at.of > 0
-			   ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
-			   : xstrdup(line);
+	free(t->running_line);
+	t->running_line =
+	    at.of > 0 ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
+		      : xstrdup(line);
 	script_progress_draw_lines(t, true);
 }
 
@@ -88,8 +89,8 @@ script_progress_draw(struct tui *t)
 void
 script_progress_end(struct tui *t, bool restores, bool ok)
 {
-	bool told = t->of_script || t->drawn_at >= t->ran_from;
-	if (told)
+	bool drawn = t->of_script || t->drawn_at >= t->ran_from;
+	if (drawn)
 		viewer_close(t);
 	/* A signal from elsewhere ends the program, unless a script runs. */
 	if ((t->of_script || t->stopping) && signals_pending() == SIGINT) {
@@ -99,9 +100,9 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 			tui_say(t, false,
 			    "stopped at %s: what was done before stays, "
 			    "u undoes it",
-			    t->under_way);
+			    t->running_line);
 		else
-			tui_say(t, false, "stopped: %s", t->under_way);
+			tui_say(t, false, "stopped: %s", t->running_line);
 	} else if (ok && t->of_script) {
 		const struct entry *entry = tui_current_entry(t);
 		const size_t n = t->session->n_entry;
@@ -118,7 +119,7 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 		    restores ? tr("restored") : tr("the script has run"),
 		    words);
 	}
-	t->told = t->told || told;
-	free(t->under_way);
-	t->under_way = NULL;
+	t->keep_message = t->keep_message || drawn;
+	free(t->running_line);
+	t->running_line = NULL;
 }

@@ -18,13 +18,13 @@
 #include "tui/watch.h"
 #include "tui/view.h"
 
-/* Of the keys those that are not pressed yet, while there are any. */
+/* The keys that are not pressed yet, while there are any. */
 static char *keys_left;
 static char *letters; /* of one of them, typed into an answer */
 static bool asks;     /* a question stands on the picture */
 
-/* What the loop does between two keys; the clock goes on by a second, so that
- * the same keys give the same picture on any machine. */
+/* Does what the loop does between two keys.  The clock advances by a second, so
+ * that the same keys give the same picture on any machine. */
 static void
 press_key(struct tui *t, int code, bool special)
 {
@@ -36,7 +36,7 @@ press_key(struct tui *t, int code, bool special)
 		frame_draw(t);
 }
 
-/* The next of the keys answers; without one the picture is that of the
+/* Answers with the next key; without one, the picture is that of the
  * question. */
 static bool
 script_terminal_answer(struct tui *t, int *code, bool *special)
@@ -60,9 +60,10 @@ script_terminal_answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-const struct tui_ways SCRIPT_WAYS = {.answer = script_terminal_answer};
+const struct tui_callbacks SCRIPT_CALLBACKS = {
+    .answer = script_terminal_answer};
 
-/* A word that is typed: a speed, or into a line. */
+/* Returns true for a word that is typed: a speed, or into a line. */
 static bool
 is_typed_word(const struct tui *t, const char *word)
 {
@@ -70,7 +71,8 @@ is_typed_word(const struct tui *t, const char *word)
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 
-/* Takes "*5" off the end of a word: how often a key is pressed. */
+/* Removes "*5" from the end of a word and returns how often the key is
+ * pressed. */
 static long
 read_repeat_count(char *word)
 {
@@ -84,7 +86,7 @@ read_repeat_count(char *word)
 	return n;
 }
 
-/* Each key is a frame that is drawn, and may be a prediction. */
+/* Counts the keys, because each draws a frame and may need a prediction. */
 static bool
 count_keys(const char *word, long n, long *pressed, struct error *error)
 {
@@ -148,7 +150,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 	return ok;
 }
 
-/* What describe calls the plot of the page, where there is one. */
+/* Returns what `describe` calls the plot of the page, or NULL. */
 static char *
 plot_kind_words(const struct tui *t)
 {
@@ -158,9 +160,8 @@ plot_kind_words(const struct tui *t)
 			       : pane_curves_words(t);
 }
 
-/* The open one as it stands: what was chosen is as before, and where the parts
- * of its own frame are.  In the midst of a script what it showed may be gone.
- */
+/* Draws the open screen and leaves it as it was.  During a script, what it
+ * showed may be gone. */
 static bool
 draw_open(struct screen_request *request, struct error *error)
 {
@@ -172,12 +173,12 @@ draw_open(struct screen_request *request, struct error *error)
 	}
 	struct tui *t = control_screen();
 	const struct tui was = *t;
-	const bool stale = t->under_way != NULL;
+	const bool stale = t->running_line != NULL;
 	t->aside = true;
 	t->picker.on = false;
 	if (stale) {
 		control_refresh(t);
-		view_form(t);
+		view_predict_unrecorded(t);
 	}
 	if (request->page > 0)
 		pages_go(t, (enum page)(request->page - 1));
@@ -198,7 +199,7 @@ static bool
 draw_new(struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
-	control_begin(&t, s, &SCRIPT_WAYS);
+	control_begin(&t, s, &SCRIPT_CALLBACKS);
 	view_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
@@ -210,8 +211,8 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 	bool ok = press_all(&t, request->keys, error);
 	if (ok && request->words && t.viewer.text == NULL)
 		request->picture = plot_kind_words(&t);
-	/* Before the session has its streams again: what a search that ends
-	 * here says is not for the picture. */
+	/* While the output is still captured: what an ending search says is no
+	 * part of the picture. */
 	watch_pause(&t);
 	control_end(&t);
 	return ok;

@@ -8,7 +8,7 @@
 
 /* Callbacks for a screen drawn without a terminal; the next key of the script
  * answers questions. */
-extern const struct tui_ways SCRIPT_WAYS;
+extern const struct tui_callbacks SCRIPT_CALLBACKS;
 
 /* Draws the picture of a request, see struct screen_request.  If no screen is
  * open, opens one on the session, presses the keys, and closes it.  Returns

@@ -32,10 +32,8 @@
 /* What is pasted has ended where nothing more came for so long, s. */
 static const double PASTE_PAUSE = 2;
 
-static bool aside; /* somebody else has the terminal */
-
-/* How long to wait, s, for the next generation that is due, or for the end of
- * what is pasted; INFINITY: for ever. */
+/* Returns how long to wait, s, for the next generation that is due or the end
+ * of pasted text; INFINITY: until something happens. */
 static double
 seconds_to_wait(const struct tui *t)
 {
@@ -52,22 +50,22 @@ seconds_to_wait(const struct tui *t)
 
 /* A child process is stopped with us, as the shell waits for both. */
 static void
-leave_screen(void)
+leave_screen(struct tui *t)
 {
-	aside = true;
+	t->away = true;
 	screen_suspend_curses();
 	signals_note_stop(false);
 	signals_release();
 }
 
 static void
-return_to_screen(void)
+return_to_screen(struct tui *t)
 {
 	signals_hold();
 	signals_note_stop(true);
 	signals_forget_interrupt();
 	screen_resume_curses();
-	aside = false;
+	t->away = false;
 }
 
 static void
@@ -81,7 +79,8 @@ suspend_program(struct tui *t)
 	t->started += session_clock() - left;
 }
 
-/* Everything that was typed and dragged; only the newest speed is predicted. */
+/* Handles all that was typed and dragged, so that only the newest speed is
+ * predicted. */
 static void
 take_keys(struct tui *t)
 {
@@ -94,7 +93,7 @@ take_keys(struct tui *t)
 	}
 	if (word_wait(t) <= 0)
 		keymap_held(t);
-	/* Its end does not come: keys are keys again. */
+	/* The end of the paste never came: what is typed is keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);
 }
@@ -112,7 +111,7 @@ check_terminal_is_there(void)
 	signals_deliver();
 }
 
-/* One frame, until something happens. */
+/* Draws a frame and waits until something happens. */
 static void
 draw_and_wait(struct tui *t)
 {
@@ -129,13 +128,7 @@ draw_and_wait(struct tui *t)
 		screen_resize();
 }
 
-static bool
-is_aside(void)
-{
-	return aside;
-}
-
-/* False at a signal. */
+/* Returns false on a signal. */
 static bool
 wait_for_answer_key(struct tui *t, int *code, bool *special)
 {
@@ -144,7 +137,8 @@ wait_for_answer_key(struct tui *t, int *code, bool *special)
 		draw_and_wait(t);
 		done = input_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			done = keymap_pointed(t, code, special);
+			keymap_pointed(t);
+			done = false;
 		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
 			raise(SIGTSTP);
@@ -153,7 +147,8 @@ wait_for_answer_key(struct tui *t, int *code, bool *special)
 	return done;
 }
 
-/* Keys that come before their time are lost. */
+/* Returns true if Esc or ^C was pressed; other keys that were pressed meanwhile
+ * are lost. */
 static bool
 is_stop_key_pressed(struct tui *t)
 {
@@ -186,30 +181,22 @@ run_loop(struct tui *t)
 static bool
 show_page(const char *page)
 {
-	leave_screen();
+	leave_screen(control_screen());
 	bool shown = manpage_show(page);
-	return_to_screen();
+	return_to_screen(control_screen());
 	return shown;
-}
-
-/* What was kept of the last session. */
-static void
-offer_last_session(struct tui *t)
-{
-	FREED char *offer = autosave_begin(t->session);
-	if (offer != NULL)
-		tui_say(t, false, "%s", offer);
 }
 
 int
 tui_run(struct session *s)
 {
-	static const struct tui_ways WAYS = {wait_for_answer_key, frame_draw,
-	    leave_screen, return_to_screen, is_aside, is_stop_key_pressed};
+	static const struct tui_callbacks ON_TERMINAL = {wait_for_answer_key,
+	    frame_draw, leave_screen, return_to_screen, is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_is_open();
-	/* What it says of a history that cannot be kept is not for ncurses. */
+	/* If the history cannot be kept, that is printed before ncurses
+	 * starts. */
 	if (!history)
 		typed_history_open(!s->safe);
 	restore_keep_settings();
@@ -217,9 +204,11 @@ tui_run(struct session *s)
 	signals_take_terminal(was);
 	bool opened = screen_open(terminal_has_colour());
 	if (opened) {
-		control_begin(&t, s, &WAYS);
+		control_begin(&t, s, &ON_TERMINAL);
 		s->hooks.show_page = show_page;
-		offer_last_session(&t);
+		FREED char *offer = autosave_begin(s);
+		if (offer != NULL)
+			tui_say(&t, false, "%s", offer);
 		run_loop(&t);
 		control_end(&t);
 		screen_close();

@@ -15,6 +15,8 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/question.h"
 
+const double NUMBERS_SIEVE[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
+
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
 const struct entry *
@@ -40,23 +42,27 @@ tui_why_none(const struct tui *t)
 }
 
 struct slider_range
-tui_range_of(const struct session *s, const struct entry *entry)
-{
-	double from, to;
-	settings_reach(&s->set, entry != NULL ? entry->site : NULL, &from, &to);
-	return slider_range(from, to);
-}
-
-struct slider_range
 tui_range(const struct tui *t)
 {
-	return tui_range_of(t->session, tui_current_entry(t));
+	const struct entry *entry = tui_current_entry(t);
+	double from, to;
+	settings_reach(
+	    &t->session->set, entry != NULL ? entry->site : NULL, &from, &to);
+	return slider_range(from, to);
 }
 
 size_t
 tui_feed(const struct tui *t)
 {
-	return feed_sampled_at(tui_entry_asked_about(t)->site, t->ui.feed);
+	const struct entry *entry = tui_entry_asked_about(t);
+	return entry != NULL ? feed_sampled_at(entry->site, t->ui.feed)
+			     : SITE_MEAN_FEED;
+}
+
+const struct psd *
+tui_feed_curve(const struct tui *t)
+{
+	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 /* What measured products are moved by: the parameters of the prediction beside
@@ -129,18 +135,18 @@ tui_command_of_page(const struct tui *t)
 		   : xasprintf("predict %s", where);
 }
 
-struct plots_past
+struct search_shown
 tui_search_shown(const struct tui *t)
 {
 	return tui_current_entry(t) != NULL
-		   ? plots_past(t->session, tui_current_entry(t))
-		   : (struct plots_past){0};
+		   ? search_shown(t->session, tui_current_entry(t))
+		   : (struct search_shown){0};
 }
 
 size_t
 tui_count_generations(const struct tui *t)
 {
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	return past.n + (past.n > 0 && past.polished);
 }
 

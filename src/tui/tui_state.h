@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "cmd/ask/goals.h"
 #include "cmd/draw/plots.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 #include "cmd/fit/trials.h"
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"
@@ -24,12 +24,13 @@
 #include "tui/widgets/edit.h"
 
 /* The numbers of a prediction, for showing differences: P20, P50, P80 and the
- * break size, mm; passing at 0.063, 2 and 4 mm, %, NAN outside its sieves;
- * feed: m/s of the run in which it was sampled; 0: one for all. */
+ * break size, mm; passing at NUMBERS_SIEVE, %, NAN outside its sieves. */
 enum { NUMBERS_FRACTIONS = 3 };
+/* Sieves that sand is sold by, m. */
+extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS];
 struct numbers {
 	char site[64];
-	double speed, feed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
+	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
 /* Text on the whole screen, shown from line `top` and column `left`.  text
@@ -52,13 +53,13 @@ enum { VIEWER_WORD = 31, SPEED_LETTERS = 12 };
 
 /* A loaded site, an entry of the session, at the slider's speed.  p50: mm;
  * beyond: outside the training speeds; holdout: RMSE at held-out speeds,
- * points, or NAN; light: of its parameters, if lit; verdict: on the site's own
- * fit, or NULL. */
+ * points, or NAN; light: of its parameters, if has_light; verdict: on the
+ * site's own fit, or NULL. */
 struct site_row {
 	size_t entry;
 	const char *verdict;
 	double p50, holdout;
-	bool beyond, lit;
+	bool beyond, has_light;
 	enum light light;
 };
 
@@ -106,7 +107,6 @@ struct cursor {
 	int row, column;
 };
 
-struct strip;
 struct page_list;
 struct page_ops;
 /* Lists of files: all files in the working folder; its sheets, for a feed whose
@@ -136,7 +136,7 @@ struct envelope_check;
 struct tui;
 
 /* How a full screen is shown and gets its keys (callbacks). */
-struct tui_ways {
+struct tui_callbacks {
 	/* Gets the next key for t->question or t->inquiry; returns false if
 	 * there is none. */
 	bool (*answer)(struct tui *t, int *code, bool *special);
@@ -144,8 +144,7 @@ struct tui_ways {
 	void (*show)(struct tui *t);
 	/* leave hands the terminal and signals to another program; come_back
 	 * takes them back.  NULL without a terminal. */
-	void (*leave)(void), (*come_back)(void);
-	bool (*is_aside)(void); /* NULL: never */
+	void (*leave)(struct tui *t), (*come_back)(struct tui *t);
 	/* True if Esc or ^C was pressed during a step; NULL: never. */
 	bool (*stopped)(struct tui *t);
 };
@@ -157,9 +156,10 @@ struct ui {
 	int tenths;  /* slider position */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
-	bool cross, band, runs;   /* runs: page Predict has plot runs */
-	size_t cross_at;          /* a sieve of the prediction */
-	int level; /* passing, %, at which the crosshair reads sizes */
+	/* Page Predict has plot runs; the goal at full height. */
+	bool crosshair, band, runs, goal_view;
+	size_t crosshair_sieve; /* a sieve of the prediction */
+	int crosshair_passing;  /* %, at which the crosshair reads sizes */
 	enum plot_kind picture; /* on the page Fit */
 	int pace;               /* index of PACES */
 	size_t generation;      /* shown, 1..; 0: the latest */
@@ -193,6 +193,16 @@ struct view_key {
 	int tenths;
 };
 
+/* The quantity above the track at n speeds, m/s, from the slowest of the slider
+ * to the fastest: value and the ends of its band, as shown, NAN without a band.
+ * of, basis, feed: what it was computed for. */
+enum { STRIP_POINTS = 41 };
+struct strip {
+	struct quantity of;
+	size_t basis, feed, n;
+	double speed[STRIP_POINTS], value[STRIP_POINTS][3];
+};
+
 /* The content shown, computed from the session and the user's choices, see
  * view.h. */
 struct view {
@@ -202,14 +212,13 @@ struct view {
 	struct view_key of;
 	double moved;            /* when the slider was last moved */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	bool formed;             /* it is from a running search */
-	bool lit;                /* light is for it, see panel.c */
+	bool from_search;        /* it is of a search that still runs */
+	bool light_known;        /* light is for it, see panel.c */
 	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
-	struct prediction pinned_whole; /* the prediction in pinned, borrowed */
-	double holdout;      /* RMSE for the current site, points, or NAN */
-	struct strip *strip; /* the response strip */
-	struct goal goal;    /* from `set goal`, see goals.h */
+	double holdout;     /* RMSE for the current site, points, or NAN */
+	struct strip strip; /* the response strip */
+	struct goal goal;   /* from `set goal`, see goals.h */
 	struct envelope_check *envelope_check; /* owned, or NULL */
 	struct sheet sheet;                    /* for the page Data */
 	struct parity parity;                  /* for the page Parity */
@@ -230,20 +239,23 @@ struct word {
 
 struct tui {
 	struct session *session;
-	const struct tui_ways *ways;
+	const struct tui_callbacks *callbacks;
 	struct layout layout;
 	struct ui ui;
 	struct view view;
 	struct cursor cursor; /* on the focus */
 	bool aside;           /* drawn without a terminal */
+	bool away;            /* another program has the terminal */
 	double clock;         /* s; if aside, advances with every key */
 	double started;       /* start of the search or its last part, on that
 			  * clock */
 	double ran;           /* s spent in its earlier parts */
 	bool goal_field; /* the typed line is a goal; fresh: still unedited */
 	bool goal_fresh;
-	const struct key *wish; /* key pressed before its speeds are */
-	int wish_from;          /* known, and the slider's position then */
+	/* A key that waits for the goal's speeds, or NULL, and the slider's
+	 * position when it was pressed. */
+	const struct key *pending_key;
+	int pending_from;
 	bool mouse;
 	struct hits hits; /* in the frame shown */
 	struct {
@@ -252,15 +264,15 @@ struct tui {
 	} drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
 	const struct page_ops *shows; /* their page */
-	char *under_way;              /* running line, or NULL */
+	char *running_line;           /* running line, or NULL */
 	bool of_script;               /* the line is from a script */
 	bool stopping;                /* a key is stopping it */
 	double ran_from;              /* start of the line or its script, s */
-	double drawn_at;              /* when under_way was last drawn */
-	const char *begun; /* lengthy computation in progress, or NULL */
-	bool held;         /* the calibration is paused */
-	double due;        /* time of the next generation */
-	struct edit line;  /* a command, or a goal */
+	double drawn_at;              /* when running_line was last drawn */
+	const char *computing; /* lengthy computation in progress, or NULL */
+	bool held;             /* the calibration is paused */
+	double due;            /* time of the next generation */
+	struct edit line;      /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* filter for the rows of a list */
 	struct word word;
@@ -273,21 +285,22 @@ struct tui {
 	const char *job; /* command that started the job, or NULL */
 	bool failed;     /* that command failed */
 	char message[800];
-	bool bad;             /* the message is an error */
-	bool told;            /* it is from a command that moved the slider */
-	bool reason_shown;    /* the panel shows the light's reason */
-	const char *question; /* waiting for an answer, or NULL */
+	bool bad; /* the message is an error */
+	/* The next prediction leaves the message, which is of the command
+	 * that moved the slider. */
+	bool keep_message;
+	bool reason_shown;             /* the panel shows the light's reason */
+	const char *question;          /* waiting for an answer, or NULL */
 	const struct inquiry *inquiry; /* waiting for a line, or NULL */
 	struct edit answer;            /* that line */
 	int inquiry_up;                /* rows by which its table is scrolled */
 	struct {
 		bool is, special;
 		int code;
-	} pointed,  /* key pressed by the mouse, as an answer */
-	    again;  /* key to read next */
-	FILE *said; /* output of commands */
-	char *said_text;
-	size_t said_n;
+	} again;        /* key to read next */
+	FILE *captured; /* output of commands */
+	char *captured_text;
+	size_t captured_n;
 	bool leave;
 	/* Members of the session to restore at the end. */
 	struct {
@@ -308,8 +321,8 @@ enum {
 };
 extern const double PACES[PACE_COUNT];
 
-/* Returns the search for the current site's parameters, see plots_past.h. */
-struct plots_past tui_search_shown(const struct tui *t);
+/* Returns the search for the current site's parameters, see search_shown.h. */
+struct search_shown tui_search_shown(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a
  * better candidate.  tui_count_generations returns their number;
@@ -337,16 +350,15 @@ const struct entry *tui_entry_asked_about(const struct tui *t);
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
 const char *tui_why_none(const struct tui *t);
 
-/* Return the range of the slider for the site. */
+/* Returns the range of the slider for the site. */
 struct slider_range tui_range(const struct tui *t);
-struct slider_range tui_range_of(
-    const struct session *s, const struct entry *entry);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: that of the last
  * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
- * see tui_entry_asked_about. */
+ * see tui_entry_asked_about.  tui_feed_curve returns its curve. */
 size_t tui_feed(const struct tui *t);
+const struct psd *tui_feed_curve(const struct tui *t);
 void tui_keep_feed(struct tui *t);
 void tui_take_feed(struct tui *t); /* from `set feed` */
 

@@ -17,46 +17,37 @@
 #include "tui/captured.h"
 #include "tui/pages.h"
 #include "tui/widgets/envelope_check.h"
-#include "tui/widgets/response_strip.h"
 #include "tui/widgets/track.h"
 
 /* A slider that stood still for so long has paused, s. */
 static const double PAUSE = 0.7;
 
-/* Of the site with that key. */
+/* Returns the numbers of a prediction for the site with that key. */
 static struct numbers
-view_numbers_of(
-    const struct session *s, const char *key, const struct prediction *p)
+view_numbers_of(const char *key, const struct prediction *p)
 {
-	static const double sizes[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
 	struct numbers n = {.speed = p->speed};
 	if (p->product.n == 0)
 		return n;
 	snprintf(n.site, sizeof n.site, "%s", key);
-	for (size_t i = 0; i < s->n_entry; i++) {
-		const struct site *site = s->entry[i].site;
-		if (strcmp(s->entry[i].key, key) == 0 &&
-		    p->feed_run < site->n_run && site->individual_feeds)
-			n.feed = site->run[p->feed_run].speed;
-	}
 	for (size_t i = 0; i < 3; i++)
 		n.size[i] = answers_size(p, i);
 	n.break_mm = answers_size(p, ANSWERS_BREAK);
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n.passing[i] = psd_covers(&p->product, sizes[i])
-				   ? 100 * psd_passing(&p->product, sizes[i])
-				   : NAN;
+		n.passing[i] =
+		    psd_covers(&p->product, NUMBERS_SIEVE[i])
+			? 100 * psd_passing(&p->product, NUMBERS_SIEVE[i])
+			: NAN;
 	return n;
 }
 
-/* What the session has pinned. */
+/* Takes over the prediction that the session has pinned. */
 static void
 copy_pinned_numbers(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
-	t->view.pinned_whole = pin != NULL ? pin->p : (struct prediction){0};
-	t->view.pinned = view_numbers_of(
-	    t->session, pin != NULL ? pin->key : "", &t->view.pinned_whole);
+	t->view.pinned = pin != NULL ? view_numbers_of(pin->key, &pin->p)
+				     : (struct numbers){0};
 }
 
 static void
@@ -64,7 +55,7 @@ free_shown_prediction(struct tui *t)
 {
 	prediction_free(&t->view.shown);
 	t->view.shown = (struct prediction){0};
-	t->view.lit = false;
+	t->view.light_known = false;
 }
 
 static void
@@ -75,7 +66,8 @@ forget_prediction(struct tui *t)
 	t->view.of = (struct view_key){0};
 }
 
-/* What was worked out for another one is forgotten. */
+/* Notes the basis and, if it is another one, discards what was computed for the
+ * last. */
 static void
 update_basis(struct tui *t)
 {
@@ -100,7 +92,7 @@ update_basis(struct tui *t)
 		b->origin->holders++;
 	t->view.n_basis++;
 	goals_clear(&t->view.goal);
-	t->wish = NULL;
+	t->pending_key = NULL;
 }
 
 void
@@ -108,13 +100,13 @@ view_mark_changed(struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	t->view.revision++;
-	t->view.lit = false;
+	t->view.light_known = false;
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
 	tui_forget_parity(&t->view.parity);
 	update_basis(t);
 	if (entry != NULL && entry == session_fitting(t->session))
-		t->wish = NULL;
+		t->pending_key = NULL;
 	copy_pinned_numbers(t);
 	if (isnan(session_answer_number(t->session, "predict", "speed")))
 		forget_prediction(t);
@@ -141,9 +133,9 @@ view_predict(struct tui *t)
 {
 	struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
-	track_wished(t, false);
-	bool told = t->told;
-	t->told = false;
+	track_run_pending_key(t, false);
+	bool keep = t->keep_message;
+	t->keep_message = false;
 	if (entry == NULL)
 		return;
 	struct view_key was = t->view.of, key = view_key_now(t);
@@ -154,13 +146,13 @@ view_predict(struct tui *t)
 	if ((!entry->has_params && !forming) ||
 	    (!other && !moved && was.basis == key.basis))
 		return;
-	/* What a search had on its way is nothing to count from. */
-	if (!t->view.formed &&
+	/* Changes are not counted from what a search had on its way. */
+	if (!t->view.from_search &&
 	    (t->clock - t->view.moved > PAUSE ||
 		t->view.reference.site[0] == '\0' ||
 		strcmp(t->view.reference.site, entry->key) != 0))
 		t->view.reference = t->view.current;
-	t->view.formed = forming;
+	t->view.from_search = forming;
 	if (!first)
 		t->view.moved = t->clock;
 	FREED char *where = tui_options_at_slider(t);
@@ -169,22 +161,21 @@ view_predict(struct tui *t)
 	free_shown_prediction(t);
 	if (!predict_step(s, tui_entry_asked_about(t), t->ui.tenths / 10.0,
 		tui_feed(t), line, &t->view.shown, &error))
-		captured_say_error(t, &error, line, ERROR_TYPED);
-	if ((!first && !told) || t->command == NULL) {
+		captured_show_error(t, &error, line, ERROR_TYPED);
+	if ((!first && !keep) || t->command == NULL) {
 		free(t->command);
 		t->command = xstrdup(line);
 		t->failed = false;
 	}
-	if (!first && !told)
+	if (!first && !keep)
 		t->message[0] = '\0';
 	tui_keep_feed(t);
 	t->view.of = view_key_now(t);
-	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
+	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }
 
-/* The prediction at the slider, of which the session is not told. */
 void
-view_form(struct tui *t)
+view_predict_unrecorded(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
@@ -198,7 +189,7 @@ view_form(struct tui *t)
 	    question_of_whole_product(s, tui_entry_asked_about(t), tui_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
-	t->view.current = view_numbers_of(s, entry->key, &t->view.shown);
+	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }
 
 void
@@ -215,7 +206,6 @@ view_free(struct tui *t)
 	trust_free(&t->view.light);
 	origin_drop(t->view.basis.origin);
 	free(t->view.row);
-	strip_free(t->view.strip);
 	goals_clear(&t->view.goal);
 	tui_forget_sheet(&t->view.sheet);
 	tui_forget_parity(&t->view.parity);

@@ -18,7 +18,7 @@ void view_update(struct tui *t);
 void view_predict(struct tui *t);
 
 /* As view_predict, but without an answer for the session, until the next. */
-void view_form(struct tui *t);
+void view_predict_unrecorded(struct tui *t);
 
 void view_free(struct tui *t);
 

@@ -13,8 +13,8 @@
 #include "cli/signals.h"
 #include "tui/captured.h"
 
-/* What is said of one that was stopped, by what became of it: in full, and
- * behind what a line has said that stopped it. */
+/* What is said of a stopped calibration, by its outcome: by itself, and after
+ * the output of the line that stopped it. */
 static const struct {
 	const char *all, *behind;
 } STOPS[] = {
@@ -38,8 +38,8 @@ watch_pause(struct tui *t)
 	if (!session_busy(s))
 		return "";
 	struct error error = {0};
-	bool alone = s->job.rounds->alone;
-	const char *useless = s->job.rounds->useless;
+	bool alone = s->job.type->alone;
+	const char *useless = s->job.type->useless;
 	enum stopped stopped = session_pause(s);
 	session_end_finished_commands(s, true, &error);
 	t->ran = tui_search_seconds(t);
@@ -55,13 +55,13 @@ watch_pause(struct tui *t)
 	return useless == NULL && alone ? tr(STOPS[stopped].behind) : said;
 }
 
-/* The calibration, or the last of several, has come to its end. */
+/* Reports the end of a calibration, or of the last of several. */
 static void
 watch_finish(struct tui *t, bool alone)
 {
 	struct error error = {0};
 	if (!session_end_finished_commands(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
+		captured_show_error(t, &error, "", "");
 	t->held = false;
 	control_refresh(t);
 	const struct entry *entry = tui_current_entry(t);
@@ -82,20 +82,20 @@ watch_finish(struct tui *t, bool alone)
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
-/* The job of these is over. */
+/* Ends a job and shows its result. */
 static void
-finish_rounds(struct tui *t, const struct rounds *rounds)
+finish_tasks(struct tui *t, const struct job_type *type)
 {
 	struct error error = {0};
-	if (rounds->at == NULL) {
-		watch_finish(t, rounds->alone);
+	if (type->task_words == NULL) {
+		watch_finish(t, type->alone);
 		return;
 	}
 	t->held = false;
 	control_refresh(t);
 	captured_show(t);
 	if (!session_end_finished_commands(t->session, true, &error))
-		captured_say_error(t, &error, "", "");
+		captured_show_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
 		tui_say(t, false, "%s: done, V shows it again",
@@ -103,7 +103,7 @@ finish_rounds(struct tui *t, const struct rounds *rounds)
 	}
 }
 
-/* Whether the search is over and what is drawn of its end under way. */
+/* Returns true after a search, while the posterior is drawn from. */
 static bool
 is_sampling_posterior(const struct session *s)
 {
@@ -127,21 +127,21 @@ watch_step(struct tui *t)
 {
 	if (!session_busy(t->session))
 		return;
-	const struct rounds *rounds = t->session->job.rounds;
+	const struct job_type *type = t->session->job.type;
 	do
 		session_step(t->session);
 	while (session_busy(t->session) && is_sampling_posterior(t->session));
 	if (!session_busy(t->session))
-		finish_rounds(t, rounds);
+		finish_tasks(t, type);
 }
 
-/* Generations a second: fewer where the last one gained much. */
+/* Returns the generations per second: fewer after one that gained much. */
 static double
 generations_per_second(const struct tui *t)
 {
 	enum { QUICK = 40, USUAL = 12, SLOW = 4 };
 	const double much = 0.2, little = 0.02;
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	const struct calibrate_generation *g = past.generation;
 	if (t->ui.pace != PACE_AUTO)
 		return PACES[t->ui.pace];
@@ -159,27 +159,27 @@ watch_pump(struct tui *t)
 	if (!session_busy(s) || t->held)
 		return;
 	double began = session_clock();
-	/* Of several nobody watches the generations. */
-	const struct rounds *rounds = s->job.rounds;
+	/* The generations of several calibrations in turn are not watched. */
+	const struct job_type *type = s->job.type;
 	int pace =
-	    rounds->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
+	    type->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
 	size_t entry = s->job.entry;
 	if (pace < PACE_FULL && t->clock < t->due)
 		return;
 	do {
-		/* What each round says is not for a result. */
-		if (rounds->at != NULL)
+		/* The output of a task is no part of the result. */
+		if (type->task_words != NULL)
 			captured_clear(t);
 		session_step(s);
 	} while (session_busy(s) && signals_pending() == 0 &&
 		 entry == s->job.entry &&
 		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
-		 (t->aside || (!signals_waited_for() &&
+		 (t->aside || (!signals_stop_wanted() &&
 				  session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / generations_per_second(t);
 	if (!session_busy(s))
-		finish_rounds(t, rounds);
-	else if (rounds->at == NULL && entry != s->job.entry)
+		finish_tasks(t, type);
+	else if (type->task_words == NULL && entry != s->job.entry)
 		control_refresh(t);
 }

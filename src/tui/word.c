@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/lang/command.h"
 
-/* Letters of a word come within it, s; single keys seldom do. */
+/* The letters of a word come within this time, s; single keys seldom do. */
 static const double GAP = 0.25;
 
 static bool

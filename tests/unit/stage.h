@@ -31,7 +31,7 @@ stage_new(
 	if (line != NULL)
 		desk_expect(stage->desk, line);
 	stage->was = screen_begin_offscreen(rows, columns, charset, depth);
-	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 	return stage;
 }
 

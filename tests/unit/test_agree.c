@@ -359,7 +359,6 @@ ask_plots(struct desk *desk, const struct question *q, size_t i)
 	struct error error = {0};
 	struct plot_request request = plots_request(PLOT_PSD);
 	request.speed = q->v;
-	request.feed_speed = 0;
 	struct chart *chart = plots_chart(s, &request, &error);
 	const struct chart_series *line = predicted(chart);
 	for (size_t k = 0; k < line->n; k++)

@@ -487,7 +487,7 @@ banded(enum charset charset, double points, uint32_t code)
 	}
 	struct canvas *c = chart_draw(chart, 78, 24, charset, CHART_TITLE);
 	assert_true(count(c, SERIES_PREDICTED, 0) >= 70);
-	int n = count(c, SERIES_BAND, code);
+	int n = count(c, SERIES_PREDICTED, code);
 	canvas_free(c);
 	chart_free(chart);
 	return n;

@@ -115,12 +115,12 @@ words_of_others_are_words(void **state)
 {
 	(void)state;
 	struct document *d = with_table(3, 4, HOSTILE);
-	document_heading(d, HOSTILE);
+	document_say(d, DOCUMENT_HEADING, "%s", HOSTILE);
 	document_say(d, DOCUMENT_WORDS, "%s", HOSTILE);
 	document_say(d, DOCUMENT_WARNING, "%s", HOSTILE);
 	document_light(d, LIGHT_RED, HOSTILE);
 	document_picture(d, chart(HOSTILE));
-	fprintf(document_out(d), "%s\n", HOSTILE);
+	fprintf(d->out, "%s\n", HOSTILE);
 	struct found f = read_page(d);
 	assert_int_equal(f.tables, 1);
 	assert_int_equal(f.rows, 4);
@@ -136,10 +136,10 @@ parts_keep_their_order(void **state)
 {
 	(void)state;
 	struct document *d = document_new("tipspeed: test");
-	fputs("\n\none\n", document_out(d));
-	document_heading(d, "two");
-	fputs("three\n", document_out(d));
-	fputs("four\n\n", document_out(d));
+	fputs("\n\none\n", d->out);
+	document_say(d, DOCUMENT_HEADING, "%s", "two");
+	fputs("three\n", d->out);
+	fputs("four\n\n", d->out);
 	document_say(d, DOCUMENT_WORDS, "five");
 	assert_true(document_end(d));
 	assert_int_equal(d->n, 4);

@@ -78,6 +78,12 @@ panels_drop_in_their_order(void **state)
 	    24, 80, (struct layout_ask){.side_columns = 24, .strip = true});
 	assert_int_equal(l.strip.rows, 3);
 	assert_true(l.plot.rows >= 12);
+	l = layout_make(
+	    24, 80, (struct layout_ask){.strip = true, .list_rows = 4});
+	assert_int_equal(l.body.rows, 4);
+	assert_int_equal(l.certainty.row + 1, l.track.row);
+	assert_int_equal(l.strip.row + l.strip.rows, l.certainty.row);
+	assert_true(l.strip.rows >= 10 && l.legend.rows == 0);
 	l = layout_make(18, 80, (struct layout_ask){.side_columns = 24});
 	assert_int_equal(l.legend.rows, 0);
 	assert_true(l.side.rows > 0);

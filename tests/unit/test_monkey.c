@@ -121,7 +121,7 @@ answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-static const struct tui_ways WAYS = {.answer = answer};
+static const struct tui_callbacks WAYS = {.answer = answer};
 
 static void
 paste(struct tui *t)
@@ -245,7 +245,7 @@ walk(uint64_t seed)
 	for (int i = 0; i < 12; i++)
 		keymap_key(&t, 27, false);
 	go_on(&t);
-	assert_false(t.line.active || t.filter.active || t.ui.cross);
+	assert_false(t.line.active || t.filter.active || t.ui.crosshair);
 	assert_null(t.viewer.text);
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
 	keymap_key(&t, 'q', false);

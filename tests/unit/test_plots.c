@@ -12,7 +12,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/turn.h"
 
@@ -176,12 +176,12 @@ a_running_search_shows_its_best_so_far(void **state)
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_request(PLOT_PSD);
 	q.entry = session_entry(s);
-	assert_true(plots_past_params(s, &q, &p, &desk->error));
+	assert_true(search_shown_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_busy(s))
 		session_step(s);
 	assert_true(session_end_finished_commands(s, true, &desk->error));
-	assert_true(plots_past_params(s, &q, &p, &desk->error));
+	assert_true(search_shown_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &session_entry(s)->params, sizeof p);
 }
 
@@ -195,7 +195,7 @@ a_generation_shows_its_own_best(void **state)
 	struct params p = {0};
 	q.entry = session_entry(desk->session);
 	q.generation = 7;
-	assert_true(plots_past_params(desk->session, &q, &p, &desk->error));
+	assert_true(search_shown_params(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
 	q.kind = PLOT_CONVERGENCE;
 	struct chart *c = chart_of(desk, &q);

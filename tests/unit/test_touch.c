@@ -206,18 +206,18 @@ a_click_on_the_plot_reads_it(void **state)
 		t->message[0] = '\0';
 		bool took =
 		    mouse(stage, HIT_PRESS, plot->row + plot->rows / 2, column);
-		if (!took || !t->ui.cross)
+		if (!took || !t->ui.crosshair)
 			continue;
-		assert_true(t->ui.cross_at < p->n);
+		assert_true(t->ui.crosshair_sieve < p->n);
 		/* From the finest to the coarsest. */
-		assert_true(t->ui.cross_at <= before);
-		read += t->ui.cross_at != before;
-		before = t->ui.cross_at;
+		assert_true(t->ui.crosshair_sieve <= before);
+		read += t->ui.crosshair_sieve != before;
+		before = t->ui.crosshair_sieve;
 		runs += strstr(t->message, "measured") != NULL;
 	}
 	assert_in_range(read, 8, p->n);
 	assert_in_range(runs, 1, plot->columns);
-	assert_true(t->ui.cross);
+	assert_true(t->ui.crosshair);
 }
 
 static void
@@ -233,13 +233,13 @@ escape_goes_back_one_step_and_never_quits(void **state)
 	press(stage, "Esc");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	press(stage, "c ?");
-	assert_true(t->ui.cross && t->viewer.keys);
+	assert_true(t->ui.crosshair && t->viewer.keys);
 	press(stage, "/ by Esc");
 	assert_true(t->viewer.keys && t->viewer.word.n == 0);
 	press(stage, "Esc");
-	assert_true(t->ui.cross && t->viewer.text == NULL);
+	assert_true(t->ui.crosshair && t->viewer.text == NULL);
 	press(stage, "Esc");
-	assert_false(t->ui.cross);
+	assert_false(t->ui.crosshair);
 	press(stage, "2 Esc");
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	for (int i = 0; i < 3; i++) {
@@ -319,7 +319,7 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	assert_true(t->viewer.text == NULL && t->ui.page == PAGE_FIT);
 	press(stage, ": seed ; Space help Enter");
 	press(stage, "1 c");
-	assert_true(t->ui.cross);
+	assert_true(t->ui.crosshair);
 	press(stage, "? f");
 	assert_null(t->viewer.text);
 	assert_false(session_busy(t->session));
@@ -339,7 +339,7 @@ a_click_in_the_list_of_keys_runs_it(void **state)
 	struct tui *t = &stage->t;
 	press(stage, "?");
 	click(stage, "crosshair");
-	assert_true(t->ui.cross && t->viewer.text == NULL);
+	assert_true(t->ui.crosshair && t->viewer.text == NULL);
 }
 
 static void
@@ -366,25 +366,25 @@ static int asked_row, asked_column;
 static void
 note(struct tui *t, int code, bool special)
 {
-	t->pointed.is = true;
-	t->pointed.code = code;
-	t->pointed.special = special;
+	t->again.is = true;
+	t->again.code = code;
+	t->again.special = special;
 }
 
 static bool
 point(struct tui *t, int *code, bool *special)
 {
 	frame_draw(t);
-	t->pointed.is = false;
 	/* Of what lies below the question nothing answers. */
 	hits_mouse(t, &t->hits, HIT_PRESS, 0, 99, note);
-	assert_false(t->pointed.is);
+	assert_false(t->again.is);
 	const struct cursor *end = &t->cursor;
 	hits_mouse(t, &t->hits, HIT_PRESS, end->row + asked_row,
 	    end->column + asked_column, note);
-	assert_true(t->pointed.is);
-	*code = t->pointed.code;
-	*special = t->pointed.special;
+	assert_true(t->again.is);
+	t->again.is = false;
+	*code = t->again.code;
+	*special = t->again.special;
 	return true;
 }
 
@@ -392,9 +392,9 @@ static void
 a_question_is_answered_by_the_mouse(void **state)
 {
 	struct stage *stage = *state;
-	static const struct tui_ways WAYS = {.answer = point};
+	static const struct tui_callbacks BY_MOUSE = {.answer = point};
 	struct session *s = stage->t.session;
-	stage->t.ways = &WAYS;
+	stage->t.callbacks = &BY_MOUSE;
 	asked_row = 0;
 	asked_column = -3;
 	assert_true(s->hooks.confirm(s, "shall it?"));
@@ -423,7 +423,7 @@ little_is_typed(void **state)
 		if (stage->keys > ASKED[i].most)
 			fail_msg(
 			    "%s takes %zu keys", ASKED[i].what, stage->keys);
-		bool done = i == 0   ? t->ui.cross
+		bool done = i == 0   ? t->ui.crosshair
 			    : i == 1 ? strcmp(t->command, "use bro") == 0
 			    : i == 2 ? strcmp(t->command, "use ossjo") == 0
 			    : i == 3 ? strstr(t->line.text, ".xlsx") != NULL

@@ -31,7 +31,7 @@ stage_open(void **state)
 	stage->desk = desk;
 	desk_expect(stage->desk, TIERP_CALIBRATED "; predict speed=74");
 	struct display *was = screen_begin_offscreen(24, 80, CHARSET_ASCII, 0);
-	control_begin(&stage->t, stage->desk->session, &SCRIPT_WAYS);
+	control_begin(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 	canvas_free(screen_end_offscreen(was));
 	view_predict(&stage->t);
 	*state = stage;
@@ -217,16 +217,16 @@ rows_of_the_panel_can_be_touched(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	touch(t, "|   5.6");
-	assert_true(t->ui.cross);
+	assert_true(t->ui.crosshair);
 	assert_float_equal(
-	    t->view.shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
+	    t->view.shown.product.size[t->ui.crosshair_sieve], 5.6e-3, 1e-9);
 	touch(t, "| P80");
-	assert_int_equal(t->ui.level, 80);
+	assert_int_equal(t->ui.crosshair_passing, 80);
 	assert_float_equal(
-	    t->view.shown.product.size[t->ui.cross_at], 5.6e-3, 1e-9);
+	    t->view.shown.product.size[t->ui.crosshair_sieve], 5.6e-3, 1e-9);
 	touch(t, "| 0/2");
 	assert_float_equal(
-	    t->view.shown.product.size[t->ui.cross_at], 2e-3, 1e-9);
+	    t->view.shown.product.size[t->ui.crosshair_sieve], 2e-3, 1e-9);
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
 	touch(t, "| 0/4.75 ASTM C33");
 	assert_non_null(strstr(t->viewer.text, "ASTM C33 fine aggregate"));

@@ -21,24 +21,22 @@
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
-/* What is asked at every speed: P20, P50 and P80, then the user's figures;
- * limits, and tonnes. */
+/* What is asked at every speed: P20, P50 and P80, then the user's figures, of
+ * which the first is at `first`; limits, and tonnes. */
 struct card_request {
 	const struct question *question;
-	size_t n;
+	size_t n, first;
 	struct quantity *q;
 	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
 	struct wanted wanted;
-	bool flows; /* the plant is worked out */
-	struct flow_plan plan;
-	struct plant plant;
+	struct plant plant; /* circuit NULL: none is asked about */
 	size_t n_line;
 	struct plant_line *line;
 	char *power;
 };
 
-/* Adds the quantities of a text to the list. */
+/* Adds the quantities of a text that are not in the list yet. */
 static bool
 add_list(struct card_request *all, const char *text, const struct psd *feed,
     struct error *error)
@@ -48,6 +46,12 @@ add_list(struct card_request *all, const char *text, const struct psd *feed,
 	FREED struct quantity *q =
 	    quantities_asked(text, fraction, feed, true, &n, error);
 	for (size_t i = 0; q != NULL && i < n; i++) {
+		size_t at = 0;
+		while (at < all->n && !quantity_same(&all->q[at], &q[i]))
+			at++;
+		all->first = i == 0 ? at : all->first;
+		if (at < all->n)
+			continue;
 		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
 		all->q[all->n++] = q[i];
 	}
@@ -71,16 +75,14 @@ add_usual_passings(
 	    psd_covers(feed, 6.3e-5)
 		? xstrdup("fines")
 		: xasprintf("passing %.12g", units_mm(feed->size[feed->n - 1]));
-	return add_list(all, middle, feed, error) &&
-	       add_list(all, finest, feed, error);
+	FREED char *both = xasprintf("%s,%s", middle, finest);
+	return add_list(all, both, feed, error);
 }
 
 static void
 card_request_free(struct card_request *all)
 {
-	if (all->flows)
-		plant_free(&all->plant);
-	flow_plan_free(&all->plan);
+	plant_free(&all->plant);
 	free(all->line);
 	free(all->power);
 	free(all->q);
@@ -97,8 +99,7 @@ read_flow(struct session *s, struct card_request *all, const struct args *args,
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
 	    &args->power, &args->prices, &args->kwh};
 	if (args->tph > 0 || args->circuit != NULL)
-		return flow_plan_read(
-		    s, args, all->question, &all->plan, error);
+		return plant_read(s, args, all->question, &all->plant, error);
 	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
 		if (args_given(args, with_feed[i]))
 			return error_set(error, ERROR_USAGE,
@@ -113,8 +114,8 @@ read_flow(struct session *s, struct card_request *all, const struct args *args,
 static bool
 find_lines(struct card_request *all, double speed, struct error *error)
 {
-	const struct circuit *c = all->plan.circuit;
-	struct outcome o = plant_solve_at(&all->plant, speed);
+	const struct circuit *c = all->plant.circuit;
+	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
 	all->n_line = plant_lines(&all->plant, &o, all->line);
@@ -143,11 +144,7 @@ card_request_read(struct session *s, struct card_request *all,
 	if (all->list.n > 0)
 		all->wanted =
 		    conditions_open(s, all->question, &all->list, NULL);
-	all->flows = all->plan.circuit != NULL;
-	if (!all->flows)
-		return true;
-	all->plant = plant_new(s, &all->plan);
-	return find_lines(all, slowest, error);
+	return all->plant.circuit == NULL || find_lines(all, slowest, error);
 }
 
 /* What a row is judged by. */
@@ -243,7 +240,7 @@ page_head(const struct card_request *all, const struct quantity *q)
 }
 
 /* The figure whose range a page has room for: the first that has a limit, or
- * the first behind the sizes. */
+ * the first that was asked for. */
 static size_t
 ranged_figure(const struct card_request *all)
 {
@@ -252,7 +249,7 @@ ranged_figure(const struct card_request *all)
 			if (quantity_same(
 				&all->q[i], &all->list.at[c].quantity))
 				return i;
-	return PSD_SIZES < all->n ? PSD_SIZES : PSD_SIZES - 1;
+	return all->first;
 }
 
 /* Where the feed does not tell a size at this speed nothing stands. */
@@ -289,7 +286,7 @@ put_figures(struct page *page, const struct card_request *all)
 static void
 put_flow(struct page *page, const struct card_request *all, double speed)
 {
-	struct outcome o = plant_solve_at(&all->plant, speed);
+	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool open = o.flow.open;
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_line *line = &all->line[i];
@@ -303,8 +300,8 @@ put_flow(struct page *page, const struct card_request *all, double speed)
 		put_number(page, key, head, 1, NEEDED, open ? NAN : tph);
 	}
 	put_number(page, "kwh_per_t", "kWh/t", 2, FIGURE,
-	    open ? NAN : o.kw / all->plan.circuit->tph);
-	if (all->plan.priced)
+	    open ? NAN : o.kw / all->plant.circuit->tph);
+	if (all->plant.priced)
 		put_number(page, "earnings", tr("earned/h"), 0, NEEDED,
 		    open ? NAN : o.money);
 	flow_free(&o.flow);
@@ -332,12 +329,13 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 	const struct entry *entry = all->question->entry;
 	double v = row->speed, rotor = entry->site->rotor;
 	page->next = 0;
-	put_number(page, "speed", "m/s", AS_NEEDED, NEEDED, v);
+	put_number(page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
+	put_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
 	if (rotor > 0)
 		put_number(page, "rpm", "rpm", 0, NEEDED, units_rpm(v, rotor));
 	forecast_at(all->forecast, v);
 	put_figures(page, all);
-	if (all->flows)
+	if (all->plant.circuit != NULL)
 		put_flow(page, all, v);
 	if (all->list.n > 0) {
 		forecast_at(all->wanted.forecast, v);
@@ -424,16 +422,16 @@ add_page(struct answer *r, const struct page *page, bool people)
 static void
 note_flow(struct answer *r, const struct card_request *all)
 {
-	if (!all->flows)
+	if (all->plant.circuit == NULL)
 		return;
-	const char *back = all->plan.back;
+	const char *back = all->plant.back;
 	bool returns = back != NULL && back[0] != '\0';
 	if (returns)
 		answer_note(r, "%g t/h of new feed, %s back to the crusher; %s",
-		    all->plan.circuit->tph, back, all->power);
+		    all->plant.circuit->tph, back, all->power);
 	else
-		answer_note(r, "%g t/h of new feed; %s", all->plan.circuit->tph,
-		    all->power);
+		answer_note(r, "%g t/h of new feed; %s",
+		    all->plant.circuit->tph, all->power);
 	if (returns)
 		answer_say(r, ANSWER_REMARK,
 		    "sizes and passings are those of the new feed's product, "
@@ -487,7 +485,7 @@ note_basis(struct answer *r, const struct session *s,
 				     all->q[i].letter != 0);
 	answer_note(r, "P20, P50, P80 in mm, passing in %%%s%s",
 	    fines ? tr(", fines under 0.063 mm") : "",
-	    all->flows ? tr(", fractions in t/h") : "");
+	    all->plant.circuit != NULL ? tr(", fractions in t/h") : "");
 	if (fraction_screens(&q->fraction)) {
 		FREED char *cut = quantities_fraction_text(&q->fraction);
 		answer_note(r, "all of these of the fraction %s", cut);

@@ -472,8 +472,7 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	request.entry = one->entry;
 	request.speed = one->p.speed;
 	request.fraction = one->p.fraction;
-	double feed = feed_speed(one->entry->site, one->p.feed_run);
-	request.feed_speed = feed > 0 ? feed : 0;
+	request.feed = one->p.feed_run;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
 	if (are_two_sites(side))

@@ -452,8 +452,7 @@ draw_curves(struct session *s, const struct question *q,
 	request.entry = q->entry;
 	request.speed = p->speed;
 	request.fraction = p->fraction;
-	double feed = feed_speed(q->entry->site, p->feed_run);
-	request.feed_speed = feed > 0 ? feed : 0;
+	request.feed = p->feed_run;
 	request.band = plot_writes_image(s) && p->low != NULL;
 	if (!plot_writes_image(s))
 		request.strip = 0;

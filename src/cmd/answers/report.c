@@ -176,7 +176,8 @@ put_sections(struct session *s, const struct report_request *ask)
 		if (row->heading != NULL) {
 			FREED char *heading =
 			    fill_in_words(tr(row->heading), ask);
-			document_heading(s->document, heading);
+			document_say(
+			    s->document, DOCUMENT_HEADING, "%s", heading);
 		}
 		run_line(s, line);
 	}
@@ -295,13 +296,14 @@ report_put_script(struct session *s, const struct report_request *ask)
 {
 	struct error error = {0};
 	char number[32];
-	document_heading(s->document, tr("The script that makes this again"));
+	document_say(
+	    s->document, DOCUMENT_HEADING, "The script that makes this again");
 	if (!journal_can_be_saved(s, &error)) {
 		document_say(s->document, DOCUMENT_WORDS, "None: %s; %s.",
 		    error.text, error.hint);
 		return;
 	}
-	FILE *out = document_out(s->document);
+	FILE *out = s->document->out;
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
 	journal_put(s, out);

@@ -10,7 +10,7 @@
 	SPEED(speed), \
 	    "rotor tip speed; default: as last predicted, with its feed"
 
-/* A crusher with its screens, of flow and card, see flow_plan_read. */
+/* A crusher with its screens, of flow and card, see plant_read. */
 #define FLOW_PARTS                                                        \
 	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
 	    "fractions of the product, mm"},                              \
@@ -29,7 +29,7 @@
 
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
-	.others = {"sweep", "figures"},
+	.others = {"sweep", "figures", "card"},
 	.brief = "the product at a tip speed",
 	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
 		 COMMAND_BESIDE | COMMAND_DAILY | COMMAND_QUANTITIES,
@@ -107,12 +107,15 @@ const struct command TABLE_ANSWERS[] = {
 	.answer = cmd_sweep},
     {.name = "card",
 	.brief = "one page for the cabin: what each speed gives",
-	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CONDITIONS,
+	.operands = {"[SPEED...] [FIGURE... | CONDITION...]", {""}, 0,
+	    OPERANDS - 1},
+	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CONDITIONS |
+		 COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
-		"rotor tip speeds; default 65..85 by 1, extended or moved to "
-		"cover the runs"},
+		"rotor tip speeds; default 65..85 by 1 and the speed last "
+		"asked "
+		"about, extended or moved to cover the runs"},
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
@@ -132,7 +135,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "out, with a note; csv and json have all of them. 'card > "
 	    "card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
-		   "card of=\"passing 2,fines\" tph=120 fractions=0/2,2/5,5/8",
+		   "card 65..85:5 0/2 fines tph=120 fractions=0/2,2/5,5/8\n"
+		   "card 66..81:5 passing 2 >= 33",
 	.answer = cmd_card},
     {.name = "compare",
 	.brief = "two speeds or two sites side by side",

@@ -81,6 +81,18 @@ is_whole_quantity(const char *text)
 	    comma != NULL ? comma + 1 : text, &SHARP, &q, &none);
 }
 
+/* Whether a limit, "< 5" or "= 40..50", is among the words. */
+static bool
+has_limit(const struct words *words)
+{
+	for (size_t i = 1; i < words->n; i++)
+		if (strpbrk(words->text[i], "<>") != NULL ||
+		    words->text[i][0] == '=' ||
+		    strstr(words->text[i], " =") != NULL)
+			return true;
+	return false;
+}
+
 /* Makes "of=passing 2,P80" of the words that name quantities, where the command
  * or one that it stands for lists them. */
 static void
@@ -133,10 +145,11 @@ conditions_join(struct words *words, bool prompt)
 	const struct command *command =
 	    words->n > 0 ? command_find_typed(words->text[0], prompt) : NULL;
 	size_t from = conditions_first_word(command, words), n = words->n;
-	if (command != NULL)
+	if (command != NULL && (from == 0 || !has_limit(words)))
 		join_quantities(command, words);
 	if (from == 0)
 		return;
+	n = words->n;
 	for (size_t i = from; i + 1 < n; i++)
 		drop_comma(words->text[i]);
 	words->n = from;

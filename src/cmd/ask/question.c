@@ -395,10 +395,15 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 		return;
 	}
 	settings_reach(&s->set, site, &from, &to);
-	q->n_at = (size_t)floor(to - from) + 1;
-	q->at = q->named->usual = xdoubles(q->n_at);
-	for (size_t i = 0; i < q->n_at; i++)
-		q->named->usual[i] = from + (double)i;
+	size_t whole = (size_t)floor(to - from) + 1;
+	double *at = xdoubles(whole + 1);
+	for (size_t i = 0; i < whole; i++) {
+		double v = from + (double)i;
+		at[q->n_at++] = v;
+		if (s->asked > v && s->asked < v + 1 && i + 1 < whole)
+			at[q->n_at++] = s->asked;
+	}
+	q->at = q->named->usual = at;
 }
 
 void

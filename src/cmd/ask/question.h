@@ -50,8 +50,8 @@ const struct entry *question_of_feed_setting(struct session *s);
 void question_free_kept(struct session *s);
 
 /* If the call names no speeds, sets the question to the usual ones, 65 to 85
- * m/s, extended or moved to cover the runs: in steps of 1 m/s if each,
- * otherwise seven at most. */
+ * m/s, extended or moved to cover the runs: in steps of 1 m/s with the speed
+ * last asked about if each, otherwise seven at most. */
 void question_usual_speeds(
     const struct session *s, struct question *q, bool each);
 

@@ -42,12 +42,6 @@ document_free(struct document *d)
 	free(d);
 }
 
-FILE *
-document_out(struct document *d)
-{
-	return d->out;
-}
-
 static void
 document_append(struct document *d, struct document_part part)
 {
@@ -85,13 +79,6 @@ document_title(struct document *d, const char *title)
 {
 	free(d->title);
 	d->title = xstrdup(title);
-}
-
-void
-document_heading(struct document *d, const char *text)
-{
-	document_add(d, (struct document_part){
-			    .kind = DOCUMENT_HEADING, .text = xstrdup(text)});
 }
 
 void
@@ -199,19 +186,22 @@ column_width(const struct answer_view *v, size_t column)
 	return width < MOST ? width : MOST;
 }
 
-size_t
-document_block(const struct answer_view *v, size_t from)
+bool
+document_next_columns(
+    const struct answer_view *v, bool all, size_t *from, size_t *to)
 {
 	enum { WIDEST = 120, GAP = 2 };
+	bool first = *to == 0;
+	*from = first ? 1 : *to;
+	if (v->n_row == 0 || (!first && *from >= v->n_column))
+		return false;
 	int width = column_width(v, 0);
-	size_t to = from;
-	while (to < v->n_column) {
-		width += GAP + column_width(v, to);
-		if (width > WIDEST && to > from)
+	for (*to = *from; *to < v->n_column; ++*to) {
+		width += GAP + column_width(v, *to);
+		if (!all && width > WIDEST && *to > *from)
 			break;
-		to++;
 	}
-	return to;
+	return true;
 }
 
 bool

@@ -40,7 +40,7 @@ struct document {
 	bool one_page;
 	size_t n, titled_by;
 	struct document_part *part;
-	FILE *out;            /* see document_out */
+	FILE *out;            /* text printed to it becomes a part, as it is */
 	char *text;           /* the text printed to it */
 	size_t n_text, taken; /* its bytes, and how many are in parts */
 };
@@ -49,11 +49,7 @@ struct document {
 struct document *document_new(const char *made_by);
 void document_free(struct document *document); /* NULL is allowed */
 
-/* Returns a stream.  Text printed to it goes into the document unchanged. */
-FILE *document_out(struct document *document);
-
 void document_title(struct document *document, const char *title);
-void document_heading(struct document *document, const char *text);
 void document_say(struct document *document, enum document_kind kind,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 void document_light(
@@ -73,9 +69,11 @@ bool document_end(struct document *document);
  * The caller frees it. */
 char *document_extent_words(const struct document *document);
 
-/* For a table wider than a page, returns the column after the last of those
- * from `from` on that fit beside the first column. */
-size_t document_block(const struct answer_view *view, size_t from);
+/* Finds the next columns of a table that fit on a page beside the first one:
+ * from `to` on, which is 0 before the first call.  Returns false if none is
+ * left.  all: however wide they are. */
+bool document_next_columns(
+    const struct answer_view *view, bool all, size_t *from, size_t *to);
 
 /* True if a column contains only numbers, which are right-aligned. */
 bool document_is_number(const struct answer_view *view, size_t column);

@@ -111,13 +111,8 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 		html_put(
 		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
 	html_put_sentences(&v, true, out);
-	for (size_t from = 1; v.n_row > 0;) {
-		size_t to = document_block(&v, from);
+	for (size_t from, to = 0; document_next_columns(&v, false, &from, &to);)
 		put_block(&v, from, to, out);
-		from = to;
-		if (from >= v.n_column)
-			break;
-	}
 	html_put_sentences(&v, false, out);
 }
 

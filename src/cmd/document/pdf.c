@@ -348,17 +348,13 @@ put_table(struct press *p, const struct answer_view *v)
 	struct grid g = {.view = v,
 	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
 	    .width = xdoubles(v->n_column + 1)};
-	for (size_t from = 1; v->n_row > 0;) {
-		size_t to = p->document->one_page ? v->n_column
-						  : document_block(v, from);
+	bool all = p->document->one_page;
+	for (size_t from, to = 0; document_next_columns(v, all, &from, &to);) {
 		g.n = 0;
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
 			g.column[g.n++] = c;
 		put_grid(p, &g);
-		from = to;
-		if (from >= v->n_column)
-			break;
 	}
 	free(g.column);
 	free(g.width);

@@ -68,7 +68,7 @@ read_request(const struct session *s, const struct args *args,
 }
 
 /* What a call asks for: of its site, and of the one beside. */
-struct asked {
+struct plot_questions {
 	struct plot_request request;
 	struct question q, second;
 };
@@ -76,8 +76,8 @@ struct asked {
 /* plots_chart tells of what is not loaded.  The speed of a feed names one of
  * the first site alone. */
 static bool
-read_questions(struct session *s, const struct args *args, struct asked *a,
-    struct error *error)
+read_questions(struct session *s, const struct args *args,
+    struct plot_questions *a, struct error *error)
 {
 	struct plot_request *r = &a->request;
 	struct error none = {0};
@@ -87,9 +87,8 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
 		return true;
 	if (!question_read_for(s, &s->entry[at], args, &a->q, error))
 		return false;
-	double feed = feed_speed(a->q.entry->site, a->q.feed);
 	r->entry = a->q.entry;
-	r->feed_speed = feed > 0 ? feed : 0;
+	r->feed = a->q.feed;
 	r->fraction = a->q.fraction;
 	r->n_speed = a->q.n_at;
 	r->speeds = a->q.at;
@@ -109,10 +108,10 @@ read_questions(struct session *s, const struct args *args, struct asked *a,
  * describe have in common; see plots_chart.  plot_questions_free, also where it
  * is NULL. */
 static struct chart *
-asked_chart(struct session *s, const struct args *args, struct asked *a,
-    struct error *error)
+asked_chart(struct session *s, const struct args *args,
+    struct plot_questions *a, struct error *error)
 {
-	*a = (struct asked){0};
+	*a = (struct plot_questions){0};
 	return read_request(s, args, &a->request, error) &&
 		       read_questions(s, args, a, error)
 		   ? plots_chart(s, &a->request, error)
@@ -120,7 +119,7 @@ asked_chart(struct session *s, const struct args *args, struct asked *a,
 }
 
 static void
-plot_questions_free(struct session *s, struct asked *a)
+plot_questions_free(struct session *s, struct plot_questions *a)
 {
 	question_free(s, &a->q);
 	question_free(s, &a->second);
@@ -442,21 +441,19 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 }
 
 /* A chart being told. */
-struct tale {
+struct description {
 	const struct chart *chart;
-	enum plot_kind kind;
 	struct answer *answer;
 };
 
 static void
-say_axes(struct tale *t)
+say_axes(struct description *t)
 {
 	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
 	static const char *const ways[] = {N_("Across"), N_("Up")};
-	size_t named = t->kind == PLOT_SPREAD        ? 1
-		       : t->kind == PLOT_CORRELATION ? 2
-						     : 0; /* by parameters */
-	for (size_t i = 0; i < ARRAY_LEN(axes) - named; i++)
+	for (size_t i = 0; i < ARRAY_LEN(axes); i++) {
+		if (axes[i]->names)
+			continue;
 		answer_note(t->answer,
 		    axes[i]->log ? N_("%s: %s, from %.4g to %.4g on a log "
 				      "scale")
@@ -465,17 +462,16 @@ say_axes(struct tale *t)
 			     "scale")
 			: N_("%s: %s, from %.4g to %.4g"),
 		    tr(ways[i]), axes[i]->title, axes[i]->low, axes[i]->high);
+	}
 }
 
-/* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a product or a feed. */
+/* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a size distribution, or "". */
 static char *
-sizes_of(const struct tale *t, const struct chart_series *s)
+sizes_of(const struct description *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
-	bool psd = t->kind == PLOT_PSD || t->kind == PLOT_RUNS ||
-		   t->kind == PLOT_SWEEP;
-	for (size_t i = 0; psd && i < ARRAY_LEN(PASSING); i++) {
+	for (size_t i = 0; s->psd && i < ARRAY_LEN(PASSING); i++) {
 		double x = chart_x_at(t->chart, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
 		if (isnan(x))
@@ -488,7 +484,7 @@ sizes_of(const struct tale *t, const struct chart_series *s)
 
 /* Where a curve begins and ends, from the left; flat ends are left out. */
 static void
-say_curve(struct tale *t, const struct chart_series *s)
+say_curve(struct description *t, const struct chart_series *s)
 {
 	size_t n = s->n;
 	bool falls = n > 1 && s->x[0] > s->x[n - 1];
@@ -515,7 +511,7 @@ say_curve(struct tale *t, const struct chart_series *s)
 
 /* Points of a map or of a comparison; all of them where they are few. */
 static void
-say_points(struct tale *t, const struct chart_series *s)
+say_points(struct description *t, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
@@ -535,7 +531,7 @@ say_points(struct tale *t, const struct chart_series *s)
 
 /* The three points of a parameter in the spread: its ends, and the best. */
 static void
-say_spread(struct tale *t)
+say_spread(struct description *t)
 {
 	const struct chart_series *s = t->chart->series[0];
 	const struct chart_series *best = t->chart->series[1];
@@ -553,7 +549,7 @@ say_spread(struct tale *t)
 
 /* The pairs that stand out, each once. */
 static void
-say_fields(struct tale *t)
+say_fields(struct description *t)
 {
 	const double worth_saying = 0.5;
 	const struct chart *c = t->chart;
@@ -578,7 +574,7 @@ say_fields(struct tale *t)
 
 /* Where the last curve, which lies on top, is furthest from another. */
 static void
-say_difference(struct tale *t, const struct chart_series *other)
+say_difference(struct description *t, const struct chart_series *other)
 {
 	const struct chart_series *top = t->chart->series[t->chart->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
@@ -599,17 +595,17 @@ say_difference(struct tale *t, const struct chart_series *other)
 }
 
 static void
-say_series(struct tale *t)
+say_series(struct description *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
-		if (s->line == CHART_MARKS && t->kind != PLOT_PSD)
+		if (s->line == CHART_MARKS && !s->psd)
 			say_points(t, s);
 		else if (s->series != SERIES_TEXT)
 			say_curve(t, s);
 	}
-	for (size_t i = 0; i + 1 < c->n && t->kind != PLOT_RESPONSE; i++)
+	for (size_t i = 0; i + 1 < c->n && !c->mixed; i++)
 		if (c->series[c->n - 1]->line != CHART_MARKS &&
 		    c->series[i]->series != SERIES_TEXT)
 			say_difference(t, c->series[i]);
@@ -617,7 +613,7 @@ say_series(struct tale *t)
 
 /* Of each difference where it is largest. */
 static void
-say_strip(struct tale *t)
+say_strip(struct description *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
@@ -633,10 +629,19 @@ say_strip(struct tale *t)
 	}
 }
 
+static bool
+has_bars(const struct chart *chart)
+{
+	bool any = false;
+	for (size_t i = 0; i < chart->n; i++)
+		any = any || chart->series[i]->bars;
+	return any;
+}
+
 /* Of each run the sieve at which the candidates lie furthest apart, and that
  * which the best misses by most. */
 static void
-say_search(struct tale *t)
+say_bars(struct description *t)
 {
 	for (size_t i = 0; i + 1 < t->chart->n; i++) {
 		const struct chart_series *s = t->chart->series[i];
@@ -660,7 +665,7 @@ say_search(struct tale *t)
 }
 
 static void
-say_chart(struct tale *t)
+say_chart(struct description *t)
 {
 	const struct chart *chart = t->chart;
 	if (chart->strip > 0) {
@@ -668,12 +673,12 @@ say_chart(struct tale *t)
 		return;
 	}
 	say_axes(t);
-	if (t->kind == PLOT_SPREAD)
-		say_spread(t);
-	else if (t->kind == PLOT_CORRELATION)
+	if (chart->n > 0 && chart->series[0]->field != NULL)
 		say_fields(t);
-	else if (t->kind == PLOT_SEARCH)
-		say_search(t);
+	else if (chart->y.names)
+		say_spread(t);
+	else if (has_bars(chart))
+		say_bars(t);
 	else
 		say_series(t);
 	for (size_t i = 0; i < chart->n_rule; i++)
@@ -685,20 +690,20 @@ say_chart(struct tale *t)
 
 /* Where the goal that is set is met, on the feed that the curves have. */
 static void
-say_goal(struct tale *t, struct session *s, const struct plot_request *request)
+say_goal(struct description *t, struct session *s,
+    const struct plot_request *request)
 {
 	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
-	if (t->kind != PLOT_PSD || !goals_is_set(s) || session_busy(s) ||
+	if (request->kind != PLOT_PSD || !goals_is_set(s) || session_busy(s) ||
 	    request->site != NULL || !entry->has_params)
 		return;
 	const struct site *site = entry->site;
 	double speed =
 	    isnan(request->speed) ? site_middle(site) : request->speed;
-	size_t feed = feed_sampled_at(site, request->feed_speed);
-	while (goals_need_search(s, &goal, feed) &&
+	while (goals_need_search(s, &goal, request->feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
-		goals_step(s, entry, &goal, feed);
+		goals_step(s, entry, &goal, request->feed);
 	FREED char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);
 	fields_put(answer_fields(t->answer), "goal %s", words);
@@ -706,13 +711,13 @@ say_goal(struct tale *t, struct session *s, const struct plot_request *request)
 }
 
 static bool
-plot_describe(struct session *s, const struct args *args, struct asked *a,
-    struct error *error)
+plot_describe(struct session *s, const struct args *args,
+    struct plot_questions *a, struct error *error)
 {
 	struct chart *chart = asked_chart(s, args, a, error);
 	if (chart == NULL)
 		return false;
-	struct tale t = {chart, a->request.kind, answer_new("describe")};
+	struct description t = {chart, answer_new("describe")};
 	answer_title(t.answer, "%s", chart->title);
 	answer_sites(t.answer,
 	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);
@@ -728,7 +733,7 @@ plot_describe(struct session *s, const struct args *args, struct asked *a,
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
-	struct asked a;
+	struct plot_questions a;
 	bool ok = plot_describe(s, args, &a, error);
 	plot_questions_free(s, &a);
 	return ok;
@@ -737,7 +742,7 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
-	struct asked a;
+	struct plot_questions a;
 	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);

@@ -40,9 +40,9 @@ struct plot_request {
 	double speed;              /* psd, selection; NAN: the middle of the
 			      * site's speeds */
 	double other_speed;        /* of a second prediction, or NAN */
-	double other_feed;  /* psd: feed of the second, like feed_speed; 0: that
-			     * of the first or, at another site, that nearest to
-			     * its speed */
+	double other_feed;  /* psd: speed at which the feed of the second was
+			    * sampled; 0: the feed of the first or, at
+			    * another site, that nearest to its speed */
 	int strip;          /* psd: rows of a strip of differences, 0: none */
 	const char *beside; /* psd: loaded site of the second; NULL: the same
 			      * site */
@@ -69,9 +69,7 @@ struct plot_request {
 				  * none */
 	struct fraction fraction; /* psd, sweep, response: of the product;
 				   * zeros: all of it */
-	double feed_speed; /* psd, sweep: use the feed sampled at this speed; 0:
-			    * the mean, or the feed from another sheet in
-			    * entry */
+	size_t feed;              /* psd, sweep: as for site_feed */
 };
 
 /* Makes a chart, which the caller frees with chart_free.  Returns NULL with an

@@ -9,9 +9,9 @@
 struct plot_request plots_request(enum plot_kind kind);
 
 /* Kinds with a file of their own, plots_KIND.c; plots_draws.c has profile and
- * correlation. */
+ * correlation, plots_psd.c also sweep. */
 plot_make plots_draws_profile, plots_draws_correlation, plots_drift,
-    plots_energy, plots_map, plots_response, plots_runs;
+    plots_energy, plots_map, plots_psd, plots_response, plots_runs, plots_sweep;
 
 /* Makes the chart, which the caller frees with chart_free.  Returns NULL with
  * an error that says what is missing (site, parameters, history). */

@@ -46,8 +46,10 @@ static struct axis
 names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
 {
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
-	struct axis axis = {
-	    .title = xstrdup("parameter"), .low = 0.5, .high = (double)n + 0.5};
+	struct axis axis = {.title = xstrdup("parameter"),
+	    .names = true,
+	    .low = 0.5,
+	    .high = (double)n + 0.5};
 	for (size_t k = 0; k < n; k++)
 		axis_add(&axis, (double)(up ? n - k : k + 1),
 		    of->parameter[column[k]].name, 0);

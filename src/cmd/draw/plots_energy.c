@@ -31,16 +31,6 @@ energy_fill(struct chart_series *series, const struct spectrum *s,
 	}
 }
 
-static double
-highest_value(const struct chart *chart)
-{
-	double most = 0;
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t j = 0; j < chart->series[i]->n; j++)
-			most = fmax(most, chart->series[i]->y[j]);
-	return most;
-}
-
 static void
 energy_add(
     struct chart *chart, const struct energies *e, bool main, size_t place)
@@ -87,7 +77,7 @@ plots_energy(
 	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
 						"octave, -")
 					   : tr("impacts in half an octave, %"),
-	    0, highest_value(chart));
+	    0, chart_extent(chart).y[1]);
 	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
 	if (E > 0)
 		chart_add_rule(

@@ -55,6 +55,7 @@ limits_add_limits(struct chart *chart, const struct spec *spec, bool least)
 			series->x[i] = at[2 * i];
 			series->y[i] = at[2 * i + 1];
 		}
+		chart_move_to_back(chart);
 	}
 }
 
@@ -64,8 +65,8 @@ plots_limits_add(struct chart *chart, const struct session *s, bool notes)
 	const struct spec *spec = s->spec;
 	if (spec == NULL)
 		return;
-	limits_add_limits(chart, spec, false);
 	limits_add_limits(chart, spec, true);
+	limits_add_limits(chart, spec, false);
 	FREED char *cut = plots_limits_words(s);
 	const char *source =
 	    spec->source[0] != '\0' ? spec->source : spec->name;

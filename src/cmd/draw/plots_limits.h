@@ -10,7 +10,7 @@
 /* Styles of the upper and the lower limits. */
 extern const struct chart_series PLOTS_LIMITS[2];
 
-/* Adds the limits on sieves within the axis, behind anything added later.
+/* Adds the limits on sieves within the axis, behind all curves.
  * notes: describe them in words.  Adds nothing if no envelope is chosen. */
 void plots_limits_add(struct chart *chart, const struct session *s, bool notes);
 

@@ -133,19 +133,6 @@ sources_words(const struct session *s, size_t apart)
 	return about;
 }
 
-/* What the axes have to hold. */
-struct extent {
-	double f_mat, low, high;
-};
-
-static void
-extent_include(struct extent *e, const struct params *p)
-{
-	e->f_mat = fmax(e->f_mat, params_value(p, "f_mat"));
-	e->low = fmin(e->low, params_value(p, "e0_min"));
-	e->high = fmax(e->high, params_value(p, "e0_min"));
-}
-
 /* The paper's figure 10: f_mat and e0_min of the materials of the store and of
  * Table 3, by rock, and of all loaded sites that have parameters; of these a
  * fit that has one at its bound is marked. */
@@ -153,25 +140,21 @@ struct chart *
 plots_map(struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct stored_list list = {0};
-	struct extent e = {.low = INFINITY};
 	size_t apart;
 	(void)q;
 	if (!list_stored_sample(s, &list, &apart, error))
 		return NULL;
-	for (size_t i = 0; i < list.n; i++)
-		extent_include(&e, &list.item[i].params);
-	for (size_t i = 0; i < s->n_entry; i++)
-		if (s->entry[i].has_params)
-			extent_include(&e, &s->entry[i].params);
 	FREED char *about = sources_words(s, apart);
-	struct chart *chart = chart_new(tr("materials by rock"), about,
-	    axis_linear("f_mat, kg/(J m)", 0, e.f_mat),
-	    axis_linear("e0_min, J m/kg", e.low, e.high));
+	struct chart *chart = chart_new(
+	    tr("materials by rock"), about, (struct axis){0}, (struct axis){0});
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first_of_rock(&list, i))
 			map_add_rock(chart, &list, list.item[i].rock);
 	map_add_loaded_sites(chart, s, false);
 	map_add_loaded_sites(chart, s, true);
+	struct chart_extent e = chart_extent(chart);
+	chart->x = axis_linear("f_mat, kg/(J m)", 0, e.x[1]);
+	chart->y = axis_linear("e0_min, J m/kg", e.y[0], e.y[1]);
 	stored_list_free(&list);
 	return chart;
 }

@@ -23,9 +23,9 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* The quantities drawn [n] with the limits on them, and their values at speeds
- * [POINTS]: of the answer, and the ends of the band, NAN without.  moved: how
- * far any measured product, see moved_largest. */
+/* The quantities drawn [n] with the limits on them.  moved: how far any
+ * measured product, see moved_largest.  fraction: of quantities that name
+ * none. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct entry *entry;
@@ -33,8 +33,8 @@ struct drawn {
 	struct quantity q[MOST];
 	struct condition_list limits;
 	double from, to, moved;
-	struct fraction fraction; /* of quantities that name none */
-	double (*value)[3];       /* [n * POINTS] */
+	struct fraction fraction;
+	struct chart_series *line[MOST];
 };
 
 /* Sieves whose passings are well apart at a speed: those nearest to 80, 50 and
@@ -66,20 +66,13 @@ choose_response_sieves(struct session *s, struct drawn *d)
 	prediction_free(&p);
 }
 
-static bool
-same_quantity(const struct quantity *a, const struct quantity *b)
-{
-	FREED char *one = quantities_key(a), *two = quantities_key(b);
-	return strcmp(one, two) == 0;
-}
-
 /* One that is there already is not drawn twice.  False where there are too
  * many. */
 static bool
 response_take(struct drawn *d, const struct quantity *q)
 {
 	for (size_t i = 0; i < d->n; i++)
-		if (same_quantity(&d->q[i], q))
+		if (quantity_same(&d->q[i], q))
 			return true;
 	if (d->n == MOST)
 		return false;
@@ -126,33 +119,6 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 	return ok;
 }
 
-static double
-response_speed_at(const struct drawn *d, size_t k)
-{
-	return d->from + (d->to - d->from) * (double)k / (POINTS - 1);
-}
-
-/* Values as people see them. */
-static void
-response_set_values(struct session *s, struct drawn *d)
-{
-	const struct question q =
-	    question_of_whole_product(s, d->entry, d->feed);
-	struct forecast *f = forecast_open(s, &q, d->q, d->n);
-	d->value = xcalloc(d->n * POINTS, sizeof *d->value);
-	for (size_t k = 0; k < POINTS; k++) {
-		forecast_at(f, response_speed_at(d, k));
-		for (size_t i = 0; i < d->n; i++) {
-			double *value = d->value[i * POINTS + k];
-			struct figure at = forecast_shown(f, i);
-			value[0] = at.value;
-			value[1] = at.low;
-			value[2] = at.high;
-		}
-	}
-	forecast_close(f);
-}
-
 /* The looks of a quantity: colours in turn, which no run has; lines that
  * differ without colour. */
 static struct chart_series
@@ -164,26 +130,6 @@ line_style(size_t i)
 	look.line = LINES[i % ARRAY_LEN(LINES)];
 	look.mark = 0;
 	return look;
-}
-
-static void
-response_add_line(struct chart *chart, const struct drawn *d, size_t i)
-{
-	const double(*value)[3] = (const double(*)[3])(d->value + i * POINTS);
-	FREED char *name = quantities_words(&d->q[i]);
-	struct chart_series *line =
-	    chart_add(chart, line_style(i), POINTS, "%s", name);
-	bool band = isfinite(value[0][1]) || isfinite(value[POINTS - 1][1]);
-	if (band)
-		chart_add_band(line);
-	for (size_t k = 0; k < POINTS; k++) {
-		line->x[k] = response_speed_at(d, k);
-		line->y[k] = value[k][0];
-		if (!band)
-			continue;
-		line->low[k] = isnan(value[k][1]) ? value[k][0] : value[k][1];
-		line->high[k] = isnan(value[k][2]) ? value[k][0] : value[k][2];
-	}
 }
 
 static void
@@ -225,7 +171,7 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 	for (size_t k = 0; k < 2 * d->limits.n; k++) {
 		const struct condition *c = &d->limits.at[k / 2];
 		double limit = k % 2 == 0 ? c->least : c->most;
-		if (!same_quantity(&c->quantity, &d->q[i]) || isnan(limit))
+		if (!quantity_same(&c->quantity, &d->q[i]) || isnan(limit))
 			continue;
 		FREED char *words = conditions_limit(
 		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
@@ -239,20 +185,15 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 }
 
 /* A round axis that holds all of the chart. */
-static struct axis
-axis_around(const struct chart *chart, const char *title)
+static void
+set_y_axis(struct chart *chart)
 {
-	double low = INFINITY, high = -INFINITY;
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t k = 0; k < chart->series[i]->n; k++) {
-			const struct chart_series *s = chart->series[i];
-			if (isnan(s->y[k]))
-				continue;
-			low = fmin(low, s->low ? s->low[k] : s->y[k]);
-			high = fmax(high, s->low ? s->high[k] : s->y[k]);
-		}
-	return isfinite(low) ? axis_linear(title, low, high)
-			     : axis_linear(title, 0, 1);
+	struct chart_extent e = chart_extent(chart);
+	bool any = isfinite(e.y[0]);
+	struct axis axis =
+	    axis_linear(chart->y.title, any ? e.y[0] : 0, any ? e.y[1] : 1);
+	axis_free(&chart->y);
+	chart->y = axis;
 }
 
 /* The speeds that were measured. */
@@ -329,16 +270,31 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 		}
 	struct chart *chart =
 	    site_chart(site, axis_linear(tr("tip speed, m/s"), d->from, d->to),
-		(struct axis){0}, "%s against tip speed", about);
+		(struct axis){.title = xstrdup(title)}, "%s against tip speed",
+		about);
+	chart->mixed = true;
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
-			response_add_line(chart, d, i);
+			FREED char *name = quantities_words(&d->q[i]);
+			d->line[i] =
+			    chart_add(chart, line_style(i), POINTS, "%s", name);
 			add_measured(chart, s, d->entry, d, i);
 			response_add_limits(chart, d, i);
 		}
-	chart->y = axis_around(chart, title);
 	add_reach(chart, d->entry);
 	return chart;
+}
+
+static void
+fill_lines(struct session *s, struct drawn *d, struct chart *first)
+{
+	const struct question q =
+	    question_of_whole_product(s, d->entry, d->feed);
+	struct forecast *f = forecast_open(s, &q, d->q, d->n);
+	site_chart_over_speed(f, d->n, d->from, d->to, d->line);
+	forecast_close(f);
+	for (struct chart *c = first; c != NULL; c = c->below)
+		set_y_axis(c);
 }
 
 static struct chart *
@@ -354,6 +310,7 @@ make_charts(struct session *s, struct drawn *d)
 			next = &last->below;
 		}
 	}
+	fill_lines(s, d, first);
 	if (d->limits.n > 0) {
 		struct question q =
 		    question_of_whole_product(s, entry, d->feed);
@@ -371,7 +328,7 @@ make_charts(struct session *s, struct drawn *d)
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	free(feed);
-	site_chart_moved(last, d->moved);
+	site_chart_note_moved(last, d->moved);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_level(&s->set));
@@ -392,17 +349,14 @@ plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	struct drawn d = {.entry = entry, .fraction = q->fraction};
+	struct drawn d = {
+	    .entry = entry, .feed = q->feed, .fraction = q->fraction};
 	struct chart *chart = NULL;
 	if (!answers_check_params(s, entry, error))
 		return NULL;
-	d.feed = feed_sampled_at(entry->site, q->feed_speed);
 	settings_reach(&s->set, entry->site, &d.from, &d.to);
-	if (read_drawn(s, q->of, q->limits, &d, error)) {
-		response_set_values(s, &d);
+	if (read_drawn(s, q->of, q->limits, &d, error))
 		chart = make_charts(s, &d);
-	}
-	free(d.value);
 	conditions_free(&d.limits);
 	return chart;
 }

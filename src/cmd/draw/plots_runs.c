@@ -9,27 +9,13 @@
 #include "base/xalloc.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
-#include "io/sitefile/units.h"
 
 /* Without colour a further speed is told by its mark, which no run has. */
 static const char MARKS[] = "#@%$szNH";
 enum { FURTHER = sizeof MARKS - 1 };
-
-/* Takes the name. */
-static void
-runs_add_curve(struct chart *chart, const struct psd *psd,
-    struct chart_series look, char *name)
-{
-	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
-	for (size_t i = 0; i < psd->n; i++) {
-		s->x[i] = units_mm(psd->size[i]);
-		s->y[i] = units_pct(psd->passing[i]);
-	}
-	free(name);
-}
 
 /* Whether the run's feed is that of an earlier one. */
 static bool
@@ -54,10 +40,11 @@ add_feeds(struct chart *chart, const struct site *site)
 		if (has_drawn_feed(site, i))
 			continue;
 		const struct run *r = &site->run[i];
-		runs_add_curve(chart, &r->feed,
+		site_chart_add_psd(chart,
 		    (struct chart_series){.series = SERIES_FEED,
 			.line = LINES[kind],
 			.ascii = ASCII[kind]},
+		    &r->feed, NULL,
 		    site->individual_feeds && r->speed > 0
 			? xasprintf(tr("feed %g m/s%s"), r->speed, r->repeat)
 			: xstrdup(tr("feed")));
@@ -73,7 +60,7 @@ runs_add_predicted(struct chart *chart, const struct session *s,
 {
 	struct prediction p = predict(
 	    entry->site, params, outlook_settings(s, entry), speed, feed);
-	runs_add_curve(chart, &p.product, look,
+	site_chart_add_psd(chart, look, &p.product, NULL,
 	    xasprintf(tr("predicted %g m/s%s"), speed, repeat));
 	prediction_free(&p);
 }
@@ -88,13 +75,13 @@ runs_add_run(struct chart *chart, const struct session *s,
 	const struct site *site = entry->site;
 	const struct run *r = &site->run[run];
 	bool held_out = !entry->train[run];
-	struct chart_series look = site_chart_run(site, run, held_out);
+	struct chart_series look = site_chart_run_style(site, run, held_out);
 	struct chart_series dashed = {.series = look.series,
 	    .line = CHART_DASHED,
 	    .ascii = ASCII[run % (sizeof ASCII - 1)]};
 	look.line = CHART_SOLID;
 	look.ascii = '-';
-	runs_add_curve(chart, &r->product, look,
+	site_chart_add_psd(chart, look, &r->product, NULL,
 	    xasprintf(held_out ? tr("measured %g m/s%s (held out)")
 			       : tr("measured %g m/s%s"),
 		r->speed, r->repeat));
@@ -110,15 +97,14 @@ add_further(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct site *site = q->entry->site;
-	size_t feed = feed_sampled_at(site, q->feed_speed);
 	for (size_t i = 0; i < q->n_speed; i++) {
 		struct chart_series look = site_chart_style(i);
 		look.line = CHART_LONG;
 		look.mark = MARKS[i];
-		runs_add_predicted(
-		    chart, s, q->entry, params, q->speeds[i], feed, look, "");
+		runs_add_predicted(chart, s, q->entry, params, q->speeds[i],
+		    q->feed, look, "");
 	}
-	FREED char *words = feed_words(site, feed);
+	FREED char *words = feed_words(site, q->feed);
 	if (q->n_speed > 0 && words != NULL)
 		chart_note(
 		    chart, "feed at speeds that were not measured: %s", words);
@@ -150,19 +136,11 @@ runs_add_all(struct chart *chart, const struct session *s,
 	const struct entry *entry = entry_loaded(q->entry);
 	const struct site *site = entry->site;
 	double middle = site_middle(site);
-	bool hollow = false;
 	add_feeds(chart, site);
-	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS))
-			continue;
-		runs_add_run(chart, s, entry, params, i);
-		hollow = hollow || !entry->train[i];
-	}
-	if (hollow)
-		chart_note(chart, "hollow marks: held out from the fit");
-	if (site_chart_speeds_left_out(site) > 0)
-		chart_note(chart, "%zu measured runs are not drawn",
-		    site_chart_speeds_left_out(site));
+	for (size_t i = 0; i < site->n_run; i++)
+		if (site_run_is_near(site, i, middle, SITE_CHART_RUNS))
+			runs_add_run(chart, s, entry, params, i);
+	site_chart_note_runs(chart, site);
 	if (params == NULL)
 		return;
 	chart_note(chart,
@@ -182,7 +160,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	const struct site *site = entry_loaded(q->entry)->site;
 	struct params params;
 	struct error unknown = {0};
-	bool known = plots_past_params(s, q, &params, &unknown);
+	bool known = search_shown_params(s, q, &params, &unknown);
 	if (runs_refuse(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->n_speed > 0)) {
@@ -191,14 +169,11 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	}
 	size_t n;
 	FREED double *size = site_sieves(site, &n);
-	for (size_t i = 0; i < n; i++)
-		size[i] = units_mm(size[i]);
-	struct chart *chart =
-	    site_chart(site, axis_sieves(tr("size, mm"), size, n),
-		axis_percent(tr("passing, %")),
-		site_products(site) == 0 ? N_("feed")
-		: known                  ? N_("products measured and predicted")
-					 : N_("feed and products"));
+	struct chart *chart = site_chart(site, site_chart_sieves(size, n),
+	    axis_percent(tr("passing, %")),
+	    site_products(site) == 0 ? N_("feed")
+	    : known                  ? N_("products measured and predicted")
+				     : N_("feed and products"));
 	runs_add_all(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);

@@ -16,10 +16,10 @@
 
 static struct candidates
 candidates_at(
-    const struct session *s, const struct plots_past *past, size_t generation)
+    const struct session *s, const struct search_shown *past, size_t generation)
 {
 	size_t at = generation > 0 ? generation : past->n;
-	struct params best = plots_past_best(past, generation);
+	struct params best = search_shown_best(past, generation);
 	return candidates_of(past->site, past->train, past->settings, s->isa,
 	    &past->generation[at - 1], &best);
 }
@@ -64,10 +64,10 @@ cells_of_run(const struct candidates *c, size_t from)
 }
 
 struct chart_series
-plots_search_look(const struct site *site, size_t run, size_t nth)
+plots_search_style(const struct site *site, size_t run, size_t nth)
 {
 	struct chart_series look = site_chart_style(nth);
-	look.series = site_chart_run(site, run, false).series;
+	look.series = site_chart_run_style(site, run, false).series;
 	return look;
 }
 
@@ -82,7 +82,7 @@ search_add_run(struct chart *chart, const struct candidates *c,
 	size_t n = cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
 	const struct run *run = &site->run[c->cell[from].run];
 	struct chart_series look =
-	    plots_search_look(site, c->cell[from].run, nth);
+	    plots_search_style(site, c->cell[from].run, nth);
 	look.beside = (int)nth - (int)(runs - 1) / 2;
 	char mark = look.mark;
 	look.mark = 0;
@@ -117,8 +117,8 @@ sieves_of(const struct candidates *c)
 	const double margin = 1.1;
 	FREED double *size = xdoubles(c->n);
 	for (size_t k = 0; k < c->n; k++)
-		size[k] = units_mm(c->cell[k].size);
-	struct axis axis = axis_sieves(tr("size, mm"), size, c->n);
+		size[k] = c->cell[k].size;
+	struct axis axis = site_chart_sieves(size, c->n);
 	/* Room for what is drawn beside the last one. */
 	axis.low /= margin;
 	axis.high *= margin;
@@ -149,8 +149,8 @@ struct chart *
 plots_search(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct plots_past past = plots_past(s, q->entry);
-	size_t at = plots_past_at(q->entry, &past, q->generation, error),
+	struct search_shown past = search_shown(s, q->entry);
+	size_t at = search_shown_index(q->entry, &past, q->generation, error),
 	       runs = 0;
 	if (at == past.n)
 		return NULL;
@@ -174,15 +174,15 @@ plots_search(
 
 /* Fixed over the whole search, and over most searches. */
 static struct axis
-search_points_axis(const struct plots_past *past)
+search_points_axis(const struct search_shown *past)
 {
 	double low = 0.1, high = 30;
 	for (size_t i = 0; i < past->n; i++) {
 		const struct calibrate_generation *g = &past->generation[i];
-		low = fmin(low, plots_past_points(past, g->best));
-		high = fmax(high, plots_past_points(past, g->median));
+		low = fmin(low, search_shown_points(past, g->best));
+		high = fmax(high, search_shown_points(past, g->median));
 	}
-	low = fmin(low, plots_past_points(past, past->misfit));
+	low = fmin(low, search_shown_points(past, past->misfit));
 	return axis_log(tr("difference, points RMS"), low, high);
 }
 
@@ -190,8 +190,8 @@ struct chart *
 plots_search_convergence(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct plots_past past = plots_past(s, q->entry);
-	size_t at = plots_past_at(q->entry, &past, q->generation, error);
+	struct search_shown past = search_shown(s, q->entry);
+	size_t at = search_shown_index(q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	struct chart *chart = site_chart(past.site,
@@ -210,8 +210,8 @@ plots_search_convergence(
 	for (size_t i = 0; i < past.n; i++) {
 		const struct calibrate_generation *g = &past.generation[i];
 		median->x[i] = best->x[i] = (double)(i + 1);
-		median->y[i] = plots_past_points(&past, g->median);
-		best->y[i] = plots_past_points(&past, g->best);
+		median->y[i] = search_shown_points(&past, g->median);
+		best->y[i] = search_shown_points(&past, g->best);
 	}
 	if (past.polished) {
 		struct chart_series *end = chart_add(chart,
@@ -219,7 +219,7 @@ plots_search_convergence(
 			.series = SERIES_PREDICTED, .mark = '*'},
 		    1, N_("polished"));
 		end->x[0] = (double)past.n;
-		end->y[0] = plots_past_points(&past, past.misfit);
+		end->y[0] = search_shown_points(&past, past.misfit);
 	}
 	if (q->generation > 0)
 		chart_add_rule(chart, SERIES_CROSSHAIR, (double)q->generation,
@@ -230,7 +230,7 @@ plots_search_convergence(
 /* What the calibration that the parameters are from knows of it now, once it
  * is over. */
 static void
-add_drawn(struct session *s, const char *name, struct plots_strip *strip)
+add_drawn(struct session *s, const char *name, struct param_span *span)
 {
 	const struct entry *entry = session_entry(s);
 	bool over = !session_busy(s) && entry->has_fit &&
@@ -243,39 +243,39 @@ add_drawn(struct session *s, const char *name, struct plots_strip *strip)
 		return;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value(&p->draw[d].params, name);
-	ensemble_interval_with_answer(value, 0.8, NAN, strip->drawn);
+	ensemble_interval_with_answer(value, 0.8, NAN, span->drawn);
 }
 
-struct plots_strip
-plots_search_strip(struct session *s, const struct plots_past *past,
+struct param_span
+plots_search_span(struct session *s, const struct search_shown *past,
     size_t generation, size_t j)
 {
 	const double outer = 0.05;
 	size_t at = generation > 0 ? generation : past->n;
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	const struct breakage *of = breakage_of(&g->params);
-	struct params best = plots_past_best(past, generation);
-	struct plots_strip strip = {.lower = past->bounds->lower[j],
+	struct params best = search_shown_best(past, generation);
+	struct param_span span = {.lower = past->bounds->lower[j],
 	    .upper = past->bounds->upper[j],
 	    .p10 = g->p10[j],
 	    .p90 = g->p90[j],
 	    .drawn = {NAN, NAN},
 	    .at_bound = sensitivity_on_bound(past->bounds, &best, j)};
-	double range = strip.upper - strip.lower;
-	strip.fixed = !(range > 0);
+	double range = span.upper - span.lower;
+	span.fixed = !(range > 0);
 	params_scale_to_1(&best);
-	strip.best = best.at[j];
-	if (j < of->gauge && !strip.fixed) {
-		candidates_spread(g, j, &strip.p10, &strip.p90);
-		strip.lower = -1;
-		strip.upper = 1;
+	span.best = best.at[j];
+	if (j < of->gauge && !span.fixed) {
+		candidates_spread(g, j, &span.p10, &span.p90);
+		span.lower = -1;
+		span.upper = 1;
 	} else
-		strip.near = !strip.fixed &&
-			     (strip.best - strip.lower < outer * range ||
-				 strip.upper - strip.best < outer * range);
+		span.near =
+		    !span.fixed && (span.best - span.lower < outer * range ||
+				       span.upper - span.best < outer * range);
 	if (generation == 0)
-		add_drawn(s, of->parameter[j].name, &strip);
-	return strip;
+		add_drawn(s, of->parameter[j].name, &span);
+	return span;
 }
 
 /* One row for each parameter, the first on top, half a row within the ends; not
@@ -285,6 +285,7 @@ parameter_axis(const struct breakage *of)
 {
 	const double margin = 0.45;
 	struct axis axis = {.title = xstrdup("parameter"),
+	    .names = true,
 	    .low = margin,
 	    .high = (double)of->n + margin};
 	for (size_t j = 0; j < of->n; j++)
@@ -294,18 +295,18 @@ parameter_axis(const struct breakage *of)
 
 /* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
 static double
-share_of_bounds(const struct plots_strip *strip, double value)
+share_of_bounds(const struct param_span *span, double value)
 {
-	double range = strip->upper - strip->lower;
-	return strip->fixed ? NAN : 100 * (value - strip->lower) / range;
+	double range = span->upper - span->lower;
+	return span->fixed ? NAN : 100 * (value - span->lower) / range;
 }
 
 struct chart *
 plots_search_spread(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct plots_past past = plots_past(s, q->entry);
-	size_t at = plots_past_at(q->entry, &past, q->generation, error);
+	struct search_shown past = search_shown(s, q->entry);
+	size_t at = search_shown_index(q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	const struct breakage *of = breakage_of(&past.generation[at].params);
@@ -324,16 +325,16 @@ plots_search_spread(
 	struct chart_series *spread = chart->series[0];
 	struct chart_series *best = chart->series[1];
 	for (size_t j = 0; j < of->n; j++) {
-		struct plots_strip strip =
-		    plots_search_strip(s, &past, q->generation, j);
-		double row = strip.fixed ? NAN : (double)(of->n - j);
-		double end[3] = {share_of_bounds(&strip, strip.p10),
-		    share_of_bounds(&strip, strip.p90), NAN};
+		struct param_span span =
+		    plots_search_span(s, &past, q->generation, j);
+		double row = span.fixed ? NAN : (double)(of->n - j);
+		double end[3] = {share_of_bounds(&span, span.p10),
+		    share_of_bounds(&span, span.p90), NAN};
 		for (size_t k = 0; k < 3; k++) {
 			spread->x[3 * j + k] = k < 2 ? end[k] : 0;
 			spread->y[3 * j + k] = k < 2 ? row : NAN;
 		}
-		best->x[j] = share_of_bounds(&strip, strip.best);
+		best->x[j] = share_of_bounds(&span, span.best);
 		best->y[j] = row;
 	}
 	chart_note(chart, "of beta only the ratios matter: each is divided by "
@@ -345,7 +346,7 @@ plots_search_spread(
  * agree on the break size, that. */
 static char *
 search_words(
-    const struct session *s, const struct plots_past *past, size_t generation)
+    const struct session *s, const struct search_shown *past, size_t generation)
 {
 	const double agreed = 1.1;
 	bool assumed;
@@ -389,9 +390,9 @@ polish_words(const struct session *s, double points)
 
 char *
 plots_search_words(
-    struct session *s, const struct plots_past *past, size_t generation)
+    struct session *s, const struct search_shown *past, size_t generation)
 {
-	double points = plots_past_points(past, past->misfit);
+	double points = search_shown_points(past, past->misfit);
 	bool runs = generation == 0 && past->runs;
 	enum calibrate_state state =
 	    runs ? calibration_status(s->job.calibration).state

@@ -5,28 +5,28 @@
 #define TIPSPEED_CMD_DRAW_PLOTS_SEARCH_H
 
 #include "cmd/draw/plot_request.h"
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 
 plot_make plots_search, plots_search_convergence, plots_search_spread;
 
 /* Returns the style of the nth fitted run, which has a colour of its own. */
-struct chart_series plots_search_look(
+struct chart_series plots_search_style(
     const struct site *site, size_t run, size_t nth);
 
 /* Parameter j, as reported, between its bounds; those in the gauge are between
  * -1 and 1, whatever their bounds (D4).  p10, p90: of the candidates; drawn:
  * the middle 80 % of the draws, NAN without draws.  near: within 5 % of a
  * bound; at_bound: on a bound. */
-struct plots_strip {
+struct param_span {
 	double lower, upper, p10, p90, best, drawn[2];
 	bool fixed, near, at_bound;
 };
-struct plots_strip plots_search_strip(struct session *s,
-    const struct plots_past *past, size_t generation, size_t j);
+struct param_span plots_search_span(struct session *s,
+    const struct search_shown *past, size_t generation, size_t j);
 
 /* Returns a sentence on what happens at that generation, which must exist.  The
  * caller frees it. */
 char *plots_search_words(
-    struct session *s, const struct plots_past *past, size_t generation);
+    struct session *s, const struct search_shown *past, size_t generation);
 
 #endif

@@ -3,11 +3,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/site_chart.h"
 
+#include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/moved.h"
+#include "io/sitefile/units.h"
 #include "plot/marks.h"
 
 struct chart *
@@ -24,6 +27,94 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 	return chart_new(title, about, x, y);
 }
 
+struct axis
+site_chart_sieves(const double *size, size_t n)
+{
+	FREED double *mm = xdoubles(n);
+	for (size_t i = 0; i < n; i++)
+		mm[i] = units_mm(size[i]);
+	return axis_sieves(tr("size, mm"), mm, n);
+}
+
+static void
+put_points(struct chart_series *s, const struct psd *psd)
+{
+	for (size_t i = 0; i < psd->n; i++) {
+		s->x[i] = units_mm(psd->size[i]);
+		s->y[i] = units_pct(psd->passing[i]);
+	}
+}
+
+void
+site_chart_add_psd(struct chart *chart, struct chart_series look,
+    const struct psd *psd, const struct psd *finer, char *name)
+{
+	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
+	s->psd = true;
+	put_points(s, psd);
+	if (finer != NULL)
+		put_points(chart_add_finer(s, finer->n), finer);
+	free(name);
+}
+
+void
+site_chart_across_sieves(struct chart *chart)
+{
+	size_t n = 0;
+	FREED double *mm = NULL;
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		mm = xrealloc(mm, n + s->n + 1, sizeof *mm);
+		for (size_t j = 0; j < s->n; j++)
+			mm[n++] = s->x[j];
+	}
+	chart->x = axis_sieves(tr("size, mm"), mm, n);
+}
+
+void
+site_chart_figure(struct chart_series *s, size_t k, double x, struct figure at)
+{
+	if (s->low == NULL)
+		chart_add_band(s);
+	s->x[k] = x;
+	s->y[k] = at.value;
+	s->low[k] = at.low;
+	s->high[k] = at.high;
+}
+
+void
+site_chart_end_figures(struct chart_series *s)
+{
+	bool band = false;
+	for (size_t k = 0; k < s->n; k++) {
+		band = band || isfinite(s->low[k]);
+		s->low[k] = isnan(s->low[k]) ? s->y[k] : s->low[k];
+		s->high[k] = isnan(s->high[k]) ? s->y[k] : s->high[k];
+	}
+	if (!band)
+		chart_drop_band(s);
+}
+
+void
+site_chart_over_speed(struct forecast *f, size_t n, double from, double to,
+    struct chart_series *const *line)
+{
+	size_t points = line[0]->n;
+	for (size_t k = 0; k < points; k++) {
+		double speed =
+		    from + (to - from) * (double)k / (double)(points - 1);
+		forecast_at(f, speed);
+		for (size_t i = 0; i < n; i++)
+			site_chart_figure(
+			    line[i], k, speed, forecast_shown(f, i));
+	}
+	for (size_t i = 0; i < n; i++)
+		site_chart_end_figures(line[i]);
+}
+
+const struct chart_series SITE_CHART_FEED = {
+    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
+
 struct chart_series
 site_chart_style(size_t i)
 {
@@ -37,7 +128,7 @@ site_chart_style(size_t i)
 }
 
 struct chart_series
-site_chart_run(const struct site *site, size_t run, bool held_out)
+site_chart_run_style(const struct site *site, size_t run, bool held_out)
 {
 	enum { COLOURS = 4 };
 	unsigned i = 0, n = 0;
@@ -53,7 +144,22 @@ site_chart_run(const struct site *site, size_t run, bool held_out)
 }
 
 void
-site_chart_moved(struct chart *chart, double most)
+site_chart_note_runs(struct chart *chart, const struct site *site)
+{
+	size_t left_out = site_chart_speeds_left_out(site);
+	bool hollow = false;
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		hollow = hollow || (s->fine && mark_of(s->mark)->hollow);
+	}
+	if (hollow)
+		chart_note(chart, "hollow marks: held out from the fit");
+	if (left_out > 0)
+		chart_note(chart, "%zu measured runs are not drawn", left_out);
+}
+
+void
+site_chart_note_moved(struct chart *chart, double most)
 {
 	if (most > MOVED_TOLD)
 		chart_note(chart, "measured products moved to this feed");

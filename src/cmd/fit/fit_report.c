@@ -16,7 +16,7 @@
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
-/* The speeds that were trained on, or the others. */
+/* Puts the training speeds, or the other speeds. */
 static void
 put_speeds(
     struct fields *o, const char *key, const struct entry *entry, bool trained)
@@ -58,7 +58,7 @@ fit_put(struct fields *o, const struct entry *entry, const char *verdict,
 			       : 0);
 }
 
-/* Why nothing breaks, in terms of the break size and the feed. */
+/* Explains by the break size and the feed why nothing breaks. */
 static void
 explain_nothing_breaks(struct answer *r, const struct entry *entry)
 {
@@ -80,7 +80,8 @@ explain_nothing_breaks(struct answer *r, const struct entry *entry)
 	    fastest->speed, units_mm(x), 100 * coarser);
 }
 
-/* The range of a parameter: that of its bounds, of the gauge's scaled to 1. */
+/* Returns the range of a parameter: that of its bounds, or 2 in the gauge,
+ * which is scaled to 1. */
 static double
 fit_report_range_of(
     const struct fit *fit, const struct bounds *bounds, size_t j)
@@ -90,8 +91,8 @@ fit_report_range_of(
 		   : bounds->upper[j] - bounds->lower[j];
 }
 
-/* Whether all poorly determined parameters stay within their bounds with the
- * step as it is (sign 1) or reversed (-1). */
+/* True if all poorly determined parameters stay within their bounds after
+ * the step (sign 1) or its reverse (-1). */
 static bool
 step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 {
@@ -108,7 +109,7 @@ step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 	return fits;
 }
 
-/* both: to either side. */
+/* both: the step may be reversed. */
 static void
 say_flat(struct answer *r, const char *list, bool several, bool both)
 {
@@ -130,9 +131,9 @@ say_flat(struct answer *r, const char *list, bool several, bool both)
 	    list);
 }
 
-/* Names the parameters that can go far together for a tenth more misfit, each
- * with its step, in a direction that the bounds allow.  Steps beyond the bounds
- * either way say no more than that the data are silent. */
+/* Names the parameters that can move far together for a tenth more misfit,
+ * each with its step, in a direction that the bounds allow.  If the steps
+ * leave the bounds either way, the data say nothing about them. */
 static void
 add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
@@ -163,7 +164,7 @@ add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
 		say_flat(r, list, n > 1, ahead && back);
 }
 
-/* What speaks against the fit. */
+/* Warns of what speaks against the fit. */
 static void
 add_warnings(struct answer *r, const struct entry *entry)
 {
@@ -207,7 +208,7 @@ add_interval(struct answer *r, const struct session *s,
 	answer_cells(r, "%.4f %.4f", range[0], range[1]);
 }
 
-/* A row for each parameter, with its range where there are draws. */
+/* Adds a row for each parameter, with its range if there are draws. */
 static void
 add_params(struct answer *r, const struct session *s, const struct fit *fit,
     const struct posterior *u, const struct bounds *bounds)
@@ -232,7 +233,7 @@ add_params(struct answer *r, const struct session *s, const struct fit *fit,
 	}
 }
 
-/* What a search that was not to be polished leaves. */
+/* Notes how much lower a polished search would end. */
 static void
 note_lowest(struct answer *r, const struct fit *fit)
 {
@@ -265,7 +266,7 @@ note_edits(struct answer *r, const struct fit *fit)
 		    fit->edited_at);
 }
 
-/* What the search did and how far it determines the parameters. */
+/* Adds what the search did and how well it determines the parameters. */
 static void
 add_search(
     struct answer *r, const struct entry *entry, const struct bounds *bounds)
@@ -289,22 +290,19 @@ add_search(
 	add_flat(r, fit, bounds);
 }
 
-/* What would test a fit of which no speed was held out. */
+/* Notes what would test a fit without a held-out speed. */
 static void
 note_untested(struct answer *r, const struct entry *entry)
 {
-	const struct site *site = entry->site;
-	size_t speeds = 0;
-	for (size_t i = 0; i < site->n_run; i++)
-		speeds += entry->train[i] && !site_run_repeats(site, i);
-	answer_note(r,
-	    speeds > 2 ? N_("no speed was held out: 'validate holdout=each' "
-			    "tests the model")
-		       : N_("no speed was held out: measure a third speed to "
-			    "test the model"));
+	answer_note(
+	    r, site_count_speeds(entry->site, entry->train) > 2
+		   ? N_("no speed was held out: 'validate holdout=each' "
+			"tests the model")
+		   : N_("no speed was held out: measure a third speed to "
+			"test the model"));
 }
 
-/* How good the fit is, in a line, and what tests it. */
+/* Sums up the quality of the fit, and what tests it. */
 static void
 add_summary(
     struct answer *r, const struct session *s, const struct entry *entry)
@@ -330,43 +328,48 @@ add_summary(
 		note_untested(r, entry);
 }
 
+/* The parameters and the course of the search. */
 static struct answer *
-new_fit_answer(const struct entry *entry, const char *command, bool detail)
+detailed_answer(const struct session *s, const struct entry *entry,
+    const struct bounds *bounds, double seconds, const char *command)
 {
-	if (detail)
-		return answers_new(
-		    entry->site, command, "calibrated parameters");
-	FREED char *speeds =
-	    session_speeds(entry->site, ", ", entry->train, true);
-	return answers_new(
-	    entry->site, command, "calibrated on %s m/s", speeds);
+	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
+	struct answer *r =
+	    answers_new(entry->site, command, "calibrated parameters");
+	struct fields *o = answer_fields(r);
+	add_params(r, s, &entry->fit, u, bounds);
+	add_search(r, entry, bounds);
+	if (strcmp(command, "show") == 0)
+		fields_put(o, "what %s", "fit");
+	fit_put(o, entry, light_verdict(s, entry, NULL), seconds);
+	answers_show_basis_of_fit(s, r, entry, u != NULL);
+	fit_put_bands(o, s, u, &entry->fit.params);
+	return r;
 }
 
 struct answer *
 fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail)
 {
+	if (detail)
+		return detailed_answer(s, entry, bounds, seconds, "calibrate");
 	const struct fit *fit = &entry->fit;
 	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
-	struct answer *r = new_fit_answer(entry, "calibrate", detail);
-	if (detail) {
-		add_params(r, s, fit, u, bounds);
-		add_search(r, entry, bounds);
-	} else {
-		answer_fill_for_programs(r);
-		add_params(r, s, fit, u, bounds);
-		add_summary(r, s, entry);
-		note_lowest(r, fit);
-		note_edits(r, fit);
-		add_warnings(r, entry);
-	}
+	FREED char *speeds =
+	    session_speeds(entry->site, ", ", entry->train, true);
+	struct answer *r = answers_new(
+	    entry->site, "calibrate", "calibrated on %s m/s", speeds);
+	answer_fill_for_programs(r);
+	add_params(r, s, fit, u, bounds);
+	add_summary(r, s, entry);
+	note_lowest(r, fit);
+	note_edits(r, fit);
+	add_warnings(r, entry);
 	fit_put(
 	    answer_fields(r), entry, light_verdict(s, entry, NULL), seconds);
-	bool red = answers_show_basis_of_fit(
-		       s, r, entry, detail && u != NULL) == LIGHT_RED;
-	if (!detail && red)
+	if (answers_show_basis_of_fit(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
-	else if (!detail)
+	else
 		answer_note(r,
 		    "next: 'predict %g', or any speed; 'show fit' "
 		    "has the parameters",
@@ -385,23 +388,15 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 		    "%s has not been calibrated in this session\n"
 		    "run 'calibrate' first",
 		    entry->site->name);
-	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
-	const struct bounds *bounds = &entry->history->bounds;
-	struct answer *r = new_fit_answer(entry, "show", true);
-	add_params(r, s, &entry->fit, u, bounds);
-	add_search(r, entry, bounds);
-	fields_put(answer_fields(r), "what %s", "fit");
-	fit_put(answer_fields(r), entry, light_verdict(s, entry, NULL), NAN);
-	answers_show_basis_of_fit(s, r, entry, u != NULL);
-	fit_put_bands(answer_fields(r), s, u, &entry->fit.params);
-	return session_show_answer(s, r);
+	return session_show_answer(
+	    s, detailed_answer(s, entry, &entry->history->bounds, NAN, "show"));
 }
 
-/* Rows that fit a screen with their heading. */
+/* Rows of a table that fit a screen together with its heading. */
 enum { ROWS = 18 };
 
-/* The middle 80 % of the candidates in per cent of the bounds; 0 where a
- * parameter is held fixed. */
+/* Returns the range of the middle 80 % of the candidates in per cent of the
+ * bounds; 0 if the parameter is held fixed. */
 static double
 fit_report_spread(
     const struct history *h, const struct calibrate_generation *g, size_t j)

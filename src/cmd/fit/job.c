@@ -19,7 +19,7 @@
 #include "cmd/session/turn.h"
 #include "core/search/misfit.h"
 
-/* Says beside the results what the job is about to do. */
+/* Notes what the job is about to do. */
 static void
 note_job_begun(struct session *s)
 {
@@ -47,14 +47,14 @@ note_job_begun(struct session *s)
 		    o->threads);
 }
 
-/* What is to be paused after some step goes one after the other. */
+/* A job that pauses after a step runs its tasks one after the other. */
 static bool
 runs_together(const struct job *job)
 {
 	return job->apart && job->pause_at == 0;
 }
 
-/* Begins with the round that job.entry and job.train say. */
+/* Starts to calibrate job.entry on job.train. */
 static void
 job_begin(struct session *s)
 {
@@ -70,12 +70,12 @@ job_begin(struct session *s)
 	note_job_begun(s);
 }
 
-/* Frees what it owns, and leaves it empty. */
+/* Frees the job's members and clears it. */
 static void
 job_free(struct job *job)
 {
-	if (job->rounds != NULL)
-		job->rounds->drop(job->of);
+	if (job->type != NULL)
+		job->type->drop(job->of);
 	free(job->run_weight);
 	calibration_free(job->calibration);
 	calibration_free(job->lowest);
@@ -89,8 +89,8 @@ job_start(struct session *s, const struct job *job)
 	session_stop(s);
 	s->job = *job;
 	s->job.invocation = s->invocation;
-	s->job.fits = job->rounds->at == NULL;
-	bool any = job->rounds->next(s);
+	s->job.fits = job->type->task_words == NULL;
+	bool any = job->type->next(s);
 	if (any)
 		job_begin(s);
 	else
@@ -112,15 +112,9 @@ job_mark(const struct site *site, bool all, bool *train)
 size_t
 job_speeds(const struct site *site)
 {
-	size_t n = 0;
-	double last = 0;
-	for (size_t r = 0; r < site->n_run; r++) {
-		if (misfit_covered(&site->run[r]) == 0)
-			continue;
-		n += site->run[r].speed != last;
-		last = site->run[r].speed;
-	}
-	return n;
+	FREED bool *use = xcalloc(site->n_run + 1, sizeof *use);
+	job_mark(site, true, use);
+	return site_count_speeds(site, use);
 }
 
 bool
@@ -140,7 +134,7 @@ job_hold_out(const struct site *site, double *speed, bool *train)
 	return true;
 }
 
-/* Keeps the job's generations and its misfit in its site. */
+/* Keeps the job's generations and misfit with its site. */
 static void
 take_history(struct entry *entry, const struct job *job)
 {
@@ -159,8 +153,8 @@ take_history(struct entry *entry, const struct job *job)
 	entry->history = h;
 }
 
-/* The options of the job as one would type them, for whoever asks later how the
- * fit was found; bounds only where they are not the default ones. */
+/* Returns the job's options as typed, which later tell how the fit was
+ * found.  Bounds are named only if they are not the defaults. */
 static char *
 options_words(const struct session *s, const struct fit *fit)
 {
@@ -195,7 +189,7 @@ options_words(const struct session *s, const struct fit *fit)
 	return words;
 }
 
-/* Takes the job's result into its site. */
+/* Makes the job's result the fit of its site. */
 static void
 take_entry(struct session *s)
 {
@@ -209,6 +203,7 @@ take_entry(struct session *s)
 	take_history(entry, &s->job);
 	session_forget(s);
 	entry->has_fit = entry->has_params = true;
+	entry->remembered = false;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_drop(entry->origin);
@@ -216,14 +211,14 @@ take_entry(struct session *s)
 	s->job.taken = true;
 }
 
-/* A step of the polished search that a plain one is compared with; true when
- * that is at its end, or none is wanted. */
+/* Runs a step of the polished search with which a plain one is compared.
+ * Returns true if it is complete or not wanted. */
 static bool
 seek_lowest(struct session *s)
 {
 	struct job *job = &s->job;
 	struct calibrate_options options = job->options;
-	if (!options.plain || options.polish || !job->rounds->alone)
+	if (!options.plain || options.polish || !job->type->alone)
 		return true;
 	if (job->lowest == NULL) {
 		const struct calibrate_options usual =
@@ -240,7 +235,8 @@ seek_lowest(struct session *s)
 	return calibration_step(job->lowest) >= CALIBRATE_TOLERANCE;
 }
 
-/* The draws that tell its light take longer than many generations. */
+/* Drawing the posterior, which the light needs, takes longer than many
+ * generations. */
 static bool
 draw_fit(struct session *s)
 {
@@ -251,14 +247,15 @@ draw_fit(struct session *s)
 	return outlook_draw(s, &s->entry[s->job.entry]);
 }
 
-/* draw: with what its draws tell. */
+/* draw: judge the fit by its draws, too. */
 static void
 job_take_fit(struct session *s, bool draw)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
 		take_entry(s);
-	/* That of `all` is a table of sites, and tells of none alone. */
+	/* `calibrate all` answers with a table of sites, which has none of
+	 * these fields. */
 	struct answer *answer = answer_new("calibrate");
 	fit_put(answer_fields(answer), entry,
 	    draw ? light_verdict(s, entry, NULL)
@@ -311,7 +308,7 @@ add_summary_row(struct session *s, struct answer *r, const struct entry *entry)
 			100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
 }
 
-/* A job of one calibration has its site and its runs from the start. */
+/* A job with one calibration has its site and its runs from the start. */
 static bool
 next_fit_of_one(struct session *s)
 {
@@ -333,11 +330,11 @@ end_fit_of_one(struct session *s, void *of)
 	(void)of;
 }
 
-static const struct rounds ALONE = {next_fit_of_one, draw_fit, take_fit_of_one,
-    end_fit_of_one, free, true, NULL, NULL, NULL};
+static const struct job_type ONE_SITE = {next_fit_of_one, draw_fit,
+    take_fit_of_one, end_fit_of_one, free, true, NULL, NULL, NULL};
 
-/* What `calibrate all` adds up. */
-struct every {
+/* The results of `calibrate all`. */
+struct all_fits {
 	bool train_all;
 	struct part part;
 	size_t n, *index; /* sites of the part so far */
@@ -346,50 +343,50 @@ struct every {
 };
 
 static void *
-every_new(const struct session *s, bool train_all, struct part part,
+all_fits_new(const struct session *s, bool train_all, struct part part,
     const struct calibrate_options *options)
 {
-	struct every *every = xcalloc(1, sizeof *every);
-	*every = (struct every){.train_all = train_all,
+	struct all_fits *fits = xcalloc(1, sizeof *fits);
+	*fits = (struct all_fits){.train_all = train_all,
 	    .part = part,
 	    .options = part_options(s, options, train_all ? "all" : "ends"),
 	    .summary = part_answer()};
-	return every;
+	return fits;
 }
 
 static void
-free_every_fit(void *of)
+all_fits_free(void *of)
 {
-	struct every *every = of;
-	if (every == NULL)
+	struct all_fits *fits = of;
+	if (fits == NULL)
 		return;
-	answer_free(every->summary);
-	free(every->index);
-	free(every->options);
-	free(every);
+	answer_free(fits->summary);
+	free(fits->index);
+	free(fits->options);
+	free(fits);
 }
 
-/* The next of the sites that can be calibrated. */
+/* Finds the next site that can be calibrated. */
 static bool
-next_every(struct session *s)
+next_site_to_fit(struct session *s)
 {
 	struct job *job = &s->job;
-	const struct every *every = job->of;
+	const struct all_fits *fits = job->of;
 	size_t i = job->calibration == NULL ? 0 : job->entry + 1;
 	for (; i < s->n_entry; i++) {
 		const struct site *site = s->entry[i].site;
 		free(job->train);
 		job->train = xcalloc(site->n_run, sizeof *job->train);
 		job->entry = i;
-		if (part_has_site(&every->part, i) &&
+		if (part_has_site(&fits->part, i) &&
 		    job_mark(site, true, job->train) > 0 &&
-		    job_mark(site, every->train_all, job->train) > 0)
+		    job_mark(site, fits->train_all, job->train) > 0)
 			return true;
 	}
 	return false;
 }
 
-/* One line for each site as it ends. */
+/* Notes the fit of each site as it is found. */
 static void
 note_fit_ended(const struct session *s)
 {
@@ -399,53 +396,53 @@ note_fit_ended(const struct session *s)
 }
 
 static void
-take_fit_of_every(struct session *s)
+take_one_of_all_fits(struct session *s)
 {
-	struct every *every = s->job.of;
+	struct all_fits *fits = s->job.of;
 	job_take_fit(s, false);
 	note_fit_ended(s);
-	every->index =
-	    xrealloc(every->index, every->n + 1, sizeof *every->index);
-	every->index[every->n++] = s->job.entry;
-	add_summary_row(s, every->summary, &s->entry[s->job.entry]);
+	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
+	fits->index[fits->n++] = s->job.entry;
+	add_summary_row(s, fits->summary, &s->entry[s->job.entry]);
 }
 
 static void
-show_fits_of_every(struct session *s, void *of)
+show_all_fits(struct session *s, void *of)
 {
-	struct every *every = of;
-	if (every->part.of > 0) {
-		part_put_digest(every->summary, s, &every->part, every->index,
-		    every->n, every->options);
-		answer_put_rows(every->summary, "rows");
+	struct all_fits *fits = of;
+	if (fits->part.of > 0) {
+		part_put_digest(fits->summary, s, &fits->part, fits->index,
+		    fits->n, fits->options);
+		answer_put_rows(fits->summary, "rows");
 	}
-	session_show_answer(s, every->summary);
-	every->summary = NULL;
-	free_every_fit(every);
+	session_show_answer(s, fits->summary);
+	fits->summary = NULL;
+	all_fits_free(fits);
 }
 
-static const struct rounds EVERY = {next_every, draw_fit, take_fit_of_every,
-    show_fits_of_every, free_every_fit, false, NULL, NULL, NULL};
+static const struct job_type ALL_SITES = {next_site_to_fit, draw_fit,
+    take_one_of_all_fits, show_all_fits, all_fits_free, false, NULL, NULL,
+    NULL};
 
 static void
-end_rounds(struct session *s)
+end_job(struct session *s)
 {
-	const struct rounds *rounds = s->job.rounds;
+	const struct job_type *type = s->job.type;
 	void *of = s->job.of;
-	s->job.rounds = NULL;
+	s->job.type = NULL;
 	job_free(&s->job);
-	rounds->end(s, of);
+	type->end(s, of);
 }
 
-/* The calibration is done: on to the next round, or to the end. */
+/* Goes on to the next task, or ends the job. */
 static void
 next_or_end(struct session *s)
 {
-	s->job.rounds->take(s);
-	if (s->job.rounds->next(s))
+	s->job.type->take(s);
+	if (s->job.type->next(s))
 		job_begin(s);
 	else
-		end_rounds(s);
+		end_job(s);
 }
 
 void
@@ -457,59 +454,55 @@ session_step(struct session *s)
 		s->job.taken = false;
 	bool over = calibration_step(c) >= CALIBRATE_TOLERANCE;
 	s->job.step += calibration_status(c).step - before.step;
-	if (over && s->job.rounds->draw != NULL && !s->job.rounds->draw(s))
+	if (over && s->job.type->draw != NULL && !s->job.type->draw(s))
 		return;
-	if (over && s->job.rounds->follow != NULL)
-		s->job.found = s->job.rounds->follow(
-		    s, &(struct round){s->job.entry, s->job.train, c, NULL});
+	if (over && s->job.type->follow != NULL)
+		s->job.found = s->job.type->follow(
+		    s, &(struct job_task){s->job.entry, s->job.train, c, NULL});
 	if (over)
 		next_or_end(s);
 	if (session_busy(s) && s->job.step == s->job.pause_at)
 		session_pause(s);
 }
 
-/* A round that is calibrated beside others.  found: what followed. */
-struct ahead {
+/* A task that runs in parallel with others. found: see job_type.follow. */
+struct running_task {
 	const struct session *s;
-	struct round round;
-	bool *train;
-	struct calibration *calibration;
+	struct job_task task;
 	bool over;
 	void *found;
 };
 
-/* To its end, or until somebody waits. */
+/* Runs a task until it is complete or the user waits. */
 static void
 run_ahead(void *data, size_t piece, unsigned thread)
 {
-	struct ahead *a = &((struct ahead *)data)[piece];
-	const struct rounds *rounds = a->s->job.rounds;
-	bool (*stop)(void) = a->round.stop;
+	struct running_task *a = &((struct running_task *)data)[piece];
+	const struct job_type *type = a->s->job.type;
+	bool (*stop)(void) = a->task.stop;
 	(void)thread;
 	do
-		a->over =
-		    calibration_step(a->calibration) >= CALIBRATE_TOLERANCE;
+		a->over = calibration_step(a->task.calibration) >=
+			  CALIBRATE_TOLERANCE;
 	while (!a->over && (stop == NULL || !stop()));
-	if (a->over && rounds->follow != NULL) {
-		a->found = rounds->follow(a->s, &a->round);
+	if (a->over && type->follow != NULL) {
+		a->found = type->follow(a->s, &a->task);
 		a->over = a->found != NULL;
 	}
 }
 
-/* The present round and those after it, `most` at most. */
+/* Lists the present task and those after it, at most `most`. */
 static size_t
-list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
+list_tasks(struct session *s, struct running_task *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
 	do {
-		ahead[n++] = (struct ahead){.s = s,
-		    .round = {job->entry, job->train, job->calibration,
-			job->options.stop},
-		    .train = job->train,
-		    .calibration = job->calibration};
+		ahead[n++] = (struct running_task){.s = s,
+		    .task = {job->entry, job->train, job->calibration,
+			job->options.stop}};
 		job->train = NULL;
-		if (n == most || !job->rounds->next(s))
+		if (n == most || !job->type->next(s))
 			break;
 		job->calibration = NULL;
 		job_begin(s);
@@ -518,24 +511,25 @@ list_rounds_ahead(struct session *s, struct ahead *ahead, size_t most)
 	return n;
 }
 
-/* Takes the results in the order of the rounds.  One that was stopped is the
- * present one then, and those after it begin anew. */
+/* Takes the results in the order of the tasks.  If one was stopped, it
+ * becomes the present task, and those after it start again. */
 static void
-take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
+take_results_ahead(
+    struct session *s, const struct running_task *ahead, size_t n)
 {
 	struct job *job = &s->job;
 	bool over = true;
 	for (size_t i = 0; i < n; i++) {
 		if (!over) {
 			if (ahead[i].found != NULL)
-				job->rounds->drop(ahead[i].found);
-			calibration_free(ahead[i].calibration);
-			free(ahead[i].train);
+				job->type->drop(ahead[i].found);
+			calibration_free(ahead[i].task.calibration);
+			free(ahead[i].task.train);
 			continue;
 		}
-		job->entry = ahead[i].round.entry;
-		job->train = ahead[i].train;
-		job->calibration = ahead[i].calibration;
+		job->entry = ahead[i].task.entry;
+		job->train = ahead[i].task.train;
+		job->calibration = ahead[i].task.calibration;
 		job->found = ahead[i].found;
 		struct calibrate_status st =
 		    calibration_status(job->calibration);
@@ -544,7 +538,7 @@ take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
 		job->step += over ? st.step : 0;
 		if (!over || i + 1 == n)
 			continue;
-		job->rounds->take(s);
+		job->type->take(s);
 		calibration_free(job->calibration);
 		free(job->train);
 	}
@@ -553,7 +547,7 @@ take_results_ahead(struct session *s, const struct ahead *ahead, size_t n)
 }
 
 void
-session_rounds(struct session *s)
+session_run_tasks(struct session *s)
 {
 	enum { EACH_THREAD = 2 };
 	if (!runs_together(&s->job)) {
@@ -562,17 +556,17 @@ session_rounds(struct session *s)
 	}
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
-	FREED struct ahead *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = list_rounds_ahead(s, ahead, most);
+	FREED struct running_task *ahead = xcalloc(most, sizeof *ahead);
+	size_t n = list_tasks(s, ahead, most);
 	struct pool *pool = pool_new(threads);
 	pool_run(pool, n, run_ahead, ahead);
 	pool_free(pool);
 	take_results_ahead(s, ahead, n);
 }
 
-/* What the parameters of the job's site come to by all that the job goes by:
- * its runs, weights and settings; INFINITY where it has none, or these cannot
- * have that breakage model. */
+/* Returns the misfit of the site's own parameters with the job's runs,
+ * weights and settings; INFINITY if it has none or the settings do not allow
+ * their breakage model. */
 static double
 present_misfit(const struct session *s)
 {
@@ -592,9 +586,9 @@ present_misfit(const struct session *s)
 	return misfit;
 }
 
-/* Whether the best of a search that is stopped becomes its site's: a better fit
- * is not given up for one that is half done.  What has come to its end, and
- * only wants its draws, is no such. */
+/* True if the best of a stopped search replaces the site's parameters.  A
+ * better fit is not given up for a search that is half done; one that is
+ * complete and lacks only its draws always counts. */
 static bool
 is_worth_taking(const struct job *job, double best, double present)
 {
@@ -607,12 +601,12 @@ static void
 note_stop(const struct session *s, double best, double present, bool taken)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (taken && s->job.rounds->alone)
+	if (taken && s->job.type->alone)
 		session_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g kept: "
 		    "continue, accept, undo or calibrate again",
 		    st.generation, s->job.options.generations, best);
-	else if (s->job.rounds->alone)
+	else if (s->job.type->alone)
 		session_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g; the "
 		    "site's parameters fit better (misfit %.4g) and stay: "
@@ -627,9 +621,10 @@ note_stop(const struct session *s, double best, double present, bool taken)
 		    s->job.options.generations, best, present);
 }
 
-/* Before its first generation there is nothing to keep.  What it gave its site
- * when it was stopped before is half done, too, and may be outside bounds that
- * were edited since: it is compared with what was there before that. */
+/* Before the first generation there is nothing to keep.  What the site got
+ * when the job was stopped earlier is half done, too, and may be outside
+ * bounds that were edited since; so the best is compared with the parameters
+ * before that. */
 static enum stopped
 keep_best(struct session *s)
 {
@@ -642,7 +637,7 @@ keep_best(struct session *s)
 		job->before = present_misfit(s);
 	bool taken = is_worth_taking(job, best, job->before);
 	if (taken) {
-		job->rounds->take(s);
+		job->type->take(s);
 		job->given = *params;
 		job->gave = true;
 	}
@@ -655,7 +650,7 @@ session_pause(struct session *s)
 {
 	if (!session_busy(s))
 		return STOPPED_EMPTY;
-	const char *useless = s->job.rounds->useless;
+	const char *useless = s->job.type->useless;
 	if (useless != NULL) {
 		session_stop(s);
 		session_note(s, "%s", useless);
@@ -663,8 +658,8 @@ session_pause(struct session *s)
 	}
 	enum stopped stopped = keep_best(s);
 	invocation_stopped(s, s->job.step);
-	if (!s->job.rounds->alone || stopped == STOPPED_EMPTY) {
-		end_rounds(s);
+	if (!s->job.type->alone || stopped == STOPPED_EMPTY) {
+		end_job(s);
 		return stopped;
 	}
 	s->job.paused = true;
@@ -691,8 +686,8 @@ session_discard_job(struct session *s)
 	    s, "discarded the stopped calibration; it cannot be continued");
 }
 
-/* Marks the runs with a product at the speeds given, with all repeats; each
- * must have one. */
+/* Marks the runs with a product at the given speeds, including all repeats.
+ * Each speed must have one. */
 static bool
 mark_training(const struct site *site, const struct args *args, bool *train,
     struct error *error)
@@ -720,7 +715,7 @@ mark_training(const struct site *site, const struct args *args, bool *train,
 	return true;
 }
 
-/* Every training run must have something to compare. */
+/* True if each training run has a sieve to compare. */
 static bool
 check_training(const struct site *site, const bool *train, struct error *error)
 {
@@ -738,8 +733,8 @@ check_training(const struct site *site, const bool *train, struct error *error)
 	return true;
 }
 
-/* Weights by standard deviation need one for every training run; a run without
- * would count next to nothing beside the others. */
+/* True if each training run has standard deviations.  A run without them
+ * would count for almost nothing beside the others. */
 static bool
 check_weights(const struct site *site, const bool *train, struct error *error)
 {
@@ -755,7 +750,7 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 	return true;
 }
 
-/* The weights in the order of the training runs, as one for each run. */
+/* Turns weights in the order of the training runs into one for each run. */
 static bool
 spread_weights(const struct site *site, const bool *train,
     const struct number_list *given, double **run_weight, struct error *error)
@@ -791,12 +786,12 @@ job_options(const struct session *s)
 	return o;
 }
 
-/* Of many sites nobody watches a search: the starts that its polish needs are
- * found by fewer candidates; doc/decisions/search-and-polish.md has the
+/* The population of `calibrate all`: fewer candidates are enough to find the
+ * starts that the polish needs; doc/decisions/search-and-polish.md has the
  * count. */
 enum { POPULATION_OF_MANY = 2500 };
 
-/* Of calibrate's options. */
+/* Values of calibrate's options. */
 enum { PRESET_PAPER = 1, WEIGHTS_SD = 1 };
 
 static struct calibrate_options
@@ -834,7 +829,7 @@ check_all(const struct args *args, struct error *error)
 	    "but train=all; each site uses its own");
 }
 
-/* The runs to train on, and what each counts. */
+/* Chooses the training runs and their weights. */
 static bool
 job_choose_runs(const struct site *site, const struct args *args,
     struct job *job, struct error *error)
@@ -854,7 +849,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_entry(s)->site;
 	bool all = args->n_operand > 0;
 	struct part part = {0};
-	struct job job = {.rounds = all ? &EVERY : &ALONE,
+	struct job job = {.type = all ? &ALL_SITES : &ONE_SITE,
 	    .options = chosen_options(s, args, all),
 	    .detail = args->detail,
 	    .watch = args->watch,
@@ -871,17 +866,17 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return false;
 	}
 	bool train_all = all && args_given(args, &args->train);
-	/* Side by side there is none to watch. */
+	/* Sites that are calibrated in parallel cannot be watched. */
 	job.apart = all && !job.watch;
 	if (all)
-		job.of = every_new(s, train_all, part, &job.options);
+		job.of = all_fits_new(s, train_all, part, &job.options);
 	if (job_start(s, &job))
 		return true;
 	if (part.of == 0)
 		return error_set(error, ERROR_DATA,
 		    "no loaded site has a product to calibrate on");
-	/* More parts than sites: an empty one is a part, too. */
-	show_fits_of_every(s, every_new(s, train_all, part, &job.options));
+	/* With more parts than sites, a part may be empty. */
+	show_all_fits(s, all_fits_new(s, train_all, part, &job.options));
 	return true;
 }
 
@@ -896,7 +891,7 @@ need_paused(const struct session *s, const char *name, struct error *error)
 	    name);
 }
 
-/* On within the session's bounds, where these are others than it began with. */
+/* Continues within the session's bounds if they were edited. */
 static void
 take_bounds(struct session *s)
 {
@@ -913,7 +908,7 @@ take_bounds(struct session *s)
 	if (job->options.plain || memcmp(&s->set.bounds, &job->options.bounds,
 				      sizeof s->set.bounds) == 0)
 		return;
-	/* Only its draws are missing. */
+	/* Only the draws are missing. */
 	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {
 		session_note(s,
 		    "  the search has ended; 'calibrate' begins within the "
@@ -937,7 +932,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		    "pause: expected a generation after %zu, which is done",
 		    s->job.step);
 	take_bounds(s);
-	/* One fit is one step of undo, however often it was stopped. */
+	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
 		invocation_join_undo(s);
 	s->job.pause_at = (size_t)args->pause;
@@ -954,7 +949,7 @@ cmd_accept(struct session *s, const struct args *args, struct error *error)
 	if (!need_paused(s, "accept", error))
 		return false;
 	if (s->job.held_back)
-		s->job.rounds->take(s);
+		s->job.type->take(s);
 	job_free(&s->job);
 	return true;
 }

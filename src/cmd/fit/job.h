@@ -5,51 +5,51 @@
 
 #include "cmd/session/session.h"
 
-/* A round: a site, its training runs, its calibration.  stop: returns true if
+/* A task: a site, its training runs, its calibration.  stop: returns true if
  * the user is waiting; may be NULL. */
-struct round {
+struct job_task {
 	size_t entry;
-	const bool *train;
+	bool *train;
 	struct calibration *calibration;
 	bool (*stop)(void);
 };
 
-/* What a job calibrates, round by round. */
-struct rounds {
-	/* Prepares the first or the next round: job.entry, and job.train for
+/* What a job calibrates, task by task. */
+struct job_type {
+	/* Prepares the first or the next task: job.entry, and job.train for
 	 * that site.  Returns false if none is left. */
 	bool (*next)(struct session *s);
-	/* Called after the round's calibration, to compute further results in
+	/* Called after the task's calibration, to compute further results in
 	 * steps; returns true when done.  NULL: there are none. */
 	bool (*draw)(struct session *s);
-	/* Keeps the round's result: called when `draw` is done or the job was
+	/* Keeps the task's result: called when `draw` is done or the job was
 	 * stopped. */
 	void (*take)(struct session *s);
-	/* Called after the last round or ^C: answers, and takes ownership of
+	/* Called after the last task or ^C: answers, and takes ownership of
 	 * `of`. */
 	void (*end)(struct session *s, void *of);
 	void (*drop)(void *of); /* frees `of`, or NULL, without an answer */
 	bool alone;             /* a single calibration, which can be resumed */
-	/* Returns the name of the current round, "tierp without 74 m/s", which
-	 * the caller frees.  NULL: each round fits its own site and can be
+	/* Returns the name of the current task, "tierp without 74 m/s", which
+	 * the caller frees.  NULL: each task fits its own site and can be
 	 * watched. */
-	char *(*at)(const struct session *s);
+	char *(*task_words)(const struct session *s);
 	/* The message if a stopped job's results are useless; NULL: they are
 	 * useful. */
 	const char *useless;
-	/* Returns further results of a round's finished calibration, or NULL if
+	/* Returns further results of a task's finished calibration, or NULL if
 	 * stopped.  `take` finds them in job.found, which owns them; `drop`
-	 * frees them.  Parallel rounds call this in their threads, so it must
+	 * frees them.  Parallel tasks call this in their threads, so it must
 	 * not change the session.  NULL: there are none. */
-	void *(*follow)(const struct session *s, const struct round *round);
+	void *(*follow)(const struct session *s, const struct job_task *task);
 };
 
 /* Returns the options of a plain `calibrate` in this session. */
 struct calibrate_options job_options(const struct session *s);
 
-/* Starts a job in which rounds, of, options, pause_at and, for a single round,
+/* Starts a job in which type, of, options, pause_at and, for a single task,
  * train and run_weight are set.  Takes ownership of the members.  Returns false
- * if there is no round. */
+ * if there is no task. */
 bool job_start(struct session *s, const struct job *job);
 
 /* Marks in train [n_run] the runs with a product that their feed covers: all,
@@ -70,8 +70,8 @@ bool job_hold_out(const struct site *site, double *speed, bool *train);
 void session_step(struct session *s);
 
 /* As session_step, for drivers that need not respond meanwhile: runs several
- * independent rounds to their ends in parallel. */
-void session_rounds(struct session *s);
+ * independent tasks to their ends in parallel. */
+void session_run_tasks(struct session *s);
 
 /* Discards a stopped calibration and says so. */
 void session_discard_job(struct session *s);

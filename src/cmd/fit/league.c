@@ -14,7 +14,6 @@
 #include "cmd/lang/table.h"
 #include "core/posterior/discrepancy.h"
 #include "core/check/league.h"
-#include "core/search/misfit.h"
 #include "core/check/validate.h"
 
 /* The rows of a league: every breakage model and, where collision energies are
@@ -32,34 +31,31 @@ name_of_row(size_t row)
 				      : "grunditz+energies";
 }
 
-/* A model at a site.  fit: of the site's training runs; last: of the present
- * round, where a larger model begins. */
-struct tried {
+/* A model at a site.  fit, parameters, aicc: of the site's training runs; last:
+ * of the present task, where a larger model begins; runs: those held out. */
+struct tried_model {
 	struct fit fit, last;
 	size_t parameters;
-	size_t n;
-	double *predicted; /* [n] of the cells */
+	double aicc;
+	struct trials runs;
 };
 
-/* A site with the cells of the runs that were held out, [n]. */
-struct ground {
+/* A site with its models; each: each speed was held out in turn. */
+struct site_models {
 	const struct site *site;
 	size_t entry;
-	bool each; /* each speed in turn */
+	bool each;
 	size_t n_model;
-	struct tried *model; /* [n_model] */
-	size_t n;
-	struct league_cell *cell;
-	double *null[VALIDATE_WAYS];
+	struct tried_model *model; /* [n_model] */
 };
 
 /* at, end: the site that is worked on and the one to stop before; speed: held
- * out in turn, 0: none yet; model: of the present round. */
+ * out in turn, 0: none yet; model: of the present task. */
 struct league {
 	bool all;
-	size_t n, at, end, model, n_model, runs;
+	size_t n, at, end, model, n_model;
 	double speed;
-	struct ground *ground;
+	struct site_models *sites;
 };
 
 static void
@@ -67,20 +63,18 @@ league_drop(void *of)
 {
 	struct league *l = of;
 	for (size_t i = 0; l != NULL && i < l->n; i++) {
-		struct ground *g = &l->ground[i];
+		struct site_models *g = &l->sites[i];
 		for (size_t m = 0; m < g->n_model; m++)
-			free(g->model[m].predicted);
-		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-			free(g->null[way]);
+			trials_clear(&g->model[m].runs);
 		free(g->model);
-		free(g->cell);
 	}
 	if (l != NULL)
-		free(l->ground);
+		free(l->sites);
 	free(l);
 }
 
-/* Default bounds, and those that were set of parameters with the same name. */
+/* Returns the default bounds, with those that were set for parameters of the
+ * same name. */
 static struct bounds
 league_bounds_of(const struct session *s, size_t model)
 {
@@ -97,12 +91,13 @@ league_bounds_of(const struct session *s, size_t model)
 	return b;
 }
 
-/* The round's model, which begins with the best of those that it extends. */
+/* Sets up the task's model, which starts from the best of the models that it
+ * extends. */
 static bool
 begin_model(struct session *s)
 {
 	const struct league *l = s->job.of;
-	const struct tried *tried = l->ground[l->n - 1].model;
+	const struct tried_model *tried = l->sites[l->n - 1].model;
 	struct calibrate_options *o = &s->job.options;
 	const struct fit *from = NULL;
 	bool energies = l->model >= breakage_count();
@@ -118,7 +113,7 @@ begin_model(struct session *s)
 	return true;
 }
 
-/* The site's own training runs. */
+/* Begins a site, with its own training runs. */
 static bool
 begin_site(struct session *s)
 {
@@ -135,27 +130,28 @@ begin_site(struct session *s)
 		    site->n_run * sizeof *entry->train);
 	else
 		job_mark(site, false, s->job.train);
-	l->ground = xrealloc(l->ground, l->n + 1, sizeof *l->ground);
-	l->ground[l->n++] = (struct ground){.site = site,
+	l->sites = xrealloc(l->sites, l->n + 1, sizeof *l->sites);
+	l->sites[l->n++] = (struct site_models){.site = site,
 	    .entry = l->at,
 	    .n_model = l->n_model,
-	    .model = xcalloc(l->n_model, sizeof(struct tried))};
+	    .model = xcalloc(l->n_model, sizeof(struct tried_model))};
 	return true;
 }
 
-/* The next model; or the next speed to hold out, where no run was held out
- * anyway; or the next site. */
+/* Goes on to the next model; then to the next speed to hold out, if no run
+ * was held out anyway; then to the next site. */
 static bool
-next_round(struct session *s)
+next_task(struct session *s)
 {
 	struct league *l = s->job.of;
 	bool first = s->job.calibration == NULL;
 	if (!first && ++l->model < l->n_model)
 		return begin_model(s);
 	l->model = 0;
-	struct ground *g = first ? NULL : &l->ground[l->n - 1];
+	struct site_models *g = first ? NULL : &l->sites[l->n - 1];
 	if (!first && l->speed == 0)
-		g->each = g->n == 0 && job_speeds(g->site) >= JOB_FOR_EACH;
+		g->each = g->model[0].runs.n == 0 &&
+			  job_speeds(g->site) >= JOB_FOR_EACH;
 	if (!first && g->each && job_hold_out(g->site, &l->speed, s->job.train))
 		return begin_model(s);
 	l->speed = 0;
@@ -165,77 +161,46 @@ next_round(struct session *s)
 	return false;
 }
 
-/* The cells of a run that was held out, and what predicts them without a
- * model. */
 static void
-add_cells(struct league *l, size_t run, const bool *train, size_t from)
-{
-	struct ground *g = &l->ground[l->n - 1];
-	const struct psd *product = &g->site->run[run].product;
-	g->n = from + misfit_covered(&g->site->run[run]);
-	g->cell = xrealloc(g->cell, g->n, sizeof *g->cell);
-	for (size_t i = from; i < g->n; i++)
-		g->cell[i] = (struct league_cell){.run = l->runs,
-		    .log_size = log(product->size[i - from]),
-		    .measured = product->passing[i - from]};
-	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
-	     way++) {
-		g->null[way] =
-		    xrealloc(g->null[way], g->n, sizeof *g->null[way]);
-		validate_passing(g->site, run, train, NULL,
-		    model_settings_default(), way, g->null[way] + from);
-	}
-	l->runs++;
-}
-
-static void
-take_round(struct session *s)
+take_task(struct session *s)
 {
 	struct league *l = s->job.of;
 	const struct job *job = &s->job;
-	struct ground *g = &l->ground[l->n - 1];
-	struct tried *t = &g->model[l->model];
+	struct site_models *g = &l->sites[l->n - 1];
+	struct tried_model *t = &g->model[l->model];
 	t->last = calibration_fit(job->calibration);
 	if (l->speed == 0) {
 		t->fit = t->last;
 		t->parameters = league_count_fitted(
 		    &t->fit, calibration_bounds(job->calibration));
+		t->aicc =
+		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 	}
-	for (size_t r = 0; r < g->site->n_run; r++) {
-		size_t n = misfit_covered(&g->site->run[r]), from = t->n;
-		if (job->train[r] || n == 0)
-			continue;
-		if (l->model == 0)
-			add_cells(l, r, job->train, from);
-		t->n += n;
-		t->predicted =
-		    xrealloc(t->predicted, t->n, sizeof *t->predicted);
-		validate_passing(g->site, r, job->train, &t->last.params,
-		    t->last.settings, VALIDATE_MODEL, t->predicted + from);
-	}
+	trials_add(&t->runs, &(struct predicted_by){.entry = g->entry,
+				 .key = s->entry[g->entry].key,
+				 .site = g->site,
+				 .train = job->train,
+				 .params = t->last.params,
+				 .settings = t->last.settings,
+				 .rmse = t->last.rmse});
 }
 
-/* The sampling error of the cells: as large as the model that explains the
- * training runs best leaves it, 0.1 points at least, 0.5 where none can say;
- * more in the middle of a curve than at its ends, as h is (D13). */
-static void
-find_noise(struct ground *g)
+/* The sampling error of a passing at a site: as large as the model that
+ * explains the training runs best leaves it, 0.1 points at least, 0.5 where
+ * none can say. */
+static double
+sampling_error(const struct site_models *g)
 {
 	const double least = 0.001, unknown = 0.005;
-	double variance = INFINITY, h = 0;
+	double variance = INFINITY;
 	for (size_t m = 0; m < g->n_model; m++) {
-		const struct tried *t = &g->model[m];
+		const struct tried_model *t = &g->model[m];
 		if (t->fit.cells > t->parameters)
 			variance = fmin(variance,
 			    t->fit.misfit /
 				(double)(t->fit.cells - t->parameters));
 	}
-	double sd = isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
-	for (size_t i = 0; i < g->n; i++)
-		h += pow(discrepancy_h(g->cell[i].measured), 2) / (double)g->n;
-	for (size_t i = 0; i < g->n && h > 0; i++)
-		g->cell[i].noise =
-		    sd * discrepancy_h(g->cell[i].measured) / sqrt(h);
+	return isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
 }
 
 /* What is said of one site, or of several together: models
@@ -245,7 +210,7 @@ find_noise(struct ground *g)
  * null model that errs least where that is less than the best model errs, by
  * more than sampling explains; else VALIDATE_MODEL. */
 struct verdict {
-	size_t n, n_model, cells, best, simplest, *parameters;
+	size_t n, n_run, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
 	struct league_model *model;
 	double *misfit, **predicted, *null[VALIDATE_WAYS];
@@ -272,47 +237,67 @@ verdict_free(struct verdict *v)
 	free(v->misfit);
 }
 
-/* Adds b [more] to a [n]. */
+/* Adds the cells of a site's runs that were held out.  Their sampling error is
+ * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-append_doubles(double **a, size_t n, const double *b, size_t more)
+add_cells(struct verdict *v, const struct site_models *g)
 {
-	*a = xrealloc(*a, n + more + 1, sizeof **a);
-	if (more > 0)
-		memcpy(*a + n, b, more * sizeof *b);
+	const struct trials *runs = &g->model[0].runs;
+	double sd = sampling_error(g), h = 0;
+	size_t from = v->n;
+	for (size_t r = 0; r < runs->n; r++, v->n_run++) {
+		const struct psd *product = &runs->item[r].run->product;
+		size_t n = runs->item[r].v.n_sieve;
+		v->cell = xrealloc(v->cell, v->n + n, sizeof *v->cell);
+		for (size_t i = 0; i < n; i++)
+			v->cell[v->n++] = (struct league_cell){.run = v->n_run,
+			    .log_size = log(product->size[i]),
+			    .measured = product->passing[i]};
+	}
+	for (size_t i = from; i < v->n; i++)
+		h += pow(discrepancy_h(v->cell[i].measured), 2) /
+		     (double)(v->n - from);
+	for (size_t i = from; i < v->n && h > 0; i++)
+		v->cell[i].noise =
+		    sd * discrepancy_h(v->cell[i].measured) / sqrt(h);
+}
+
+/* Adds what a way predicts at the cells of runs to passing [n]. */
+static void
+add_passings(double **passing, size_t n, const struct trials *runs,
+    enum validate_way way)
+{
+	for (size_t r = 0; r < runs->n; r++) {
+		size_t more = runs->item[r].v.n_sieve;
+		*passing = xrealloc(*passing, n + more, sizeof **passing);
+		memcpy(*passing + n, trials_passing(&runs->item[r], way),
+		    more * sizeof **passing);
+		n += more;
+	}
 }
 
 /* Adds a site.  Its AICc count where all models have one. */
 static void
-add_ground(struct verdict *v, const struct ground *g, bool alone)
+add_site(struct verdict *v, const struct site_models *g, bool alone)
 {
 	bool counts = true;
-	size_t size = sizeof *v->cell;
+	for (size_t m = 0; m < v->n_model; m++)
+		counts = counts && (alone || isfinite(g->model[m].aicc));
 	for (size_t m = 0; m < v->n_model; m++) {
-		const struct tried *t = &g->model[m];
-		double aicc =
-		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
-		counts = counts && (alone || isfinite(aicc));
-	}
-	for (size_t m = 0; m < v->n_model; m++) {
-		const struct tried *t = &g->model[m];
-		double aicc =
-		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
+		const struct tried_model *t = &g->model[m];
 		v->misfit[m] += t->fit.misfit;
 		v->parameters[m] += t->parameters;
-		v->model[m].aicc += counts ? aicc : 0;
-		append_doubles(&v->predicted[m], v->n, t->predicted, g->n);
+		v->model[m].aicc += counts ? t->aicc : 0;
+		add_passings(&v->predicted[m], v->n, &t->runs, VALIDATE_MODEL);
 	}
-	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		append_doubles(&v->null[way], v->n, g->null[way], g->n);
-	v->cell = xrealloc(v->cell, v->n + g->n + 1, size);
-	if (g->n > 0)
-		memcpy(v->cell + v->n, g->cell, g->n * size);
-	v->n += g->n;
+	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
+		add_passings(&v->null[way], v->n, &g->model[0].runs, way);
+	add_cells(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
 static struct verdict
-verdict_of(const struct ground *g, size_t n)
+verdict_of(const struct site_models *g, size_t n)
 {
 	size_t models = g->n_model;
 	struct verdict v = {.n_model = models,
@@ -321,7 +306,7 @@ verdict_of(const struct ground *g, size_t n)
 	    .parameters = xcalloc(models, sizeof *v.parameters),
 	    .predicted = xcalloc(models, sizeof *v.predicted)};
 	for (size_t i = 0; i < n; i++)
-		add_ground(&v, &g[i], n == 1);
+		add_site(&v, &g[i], n == 1);
 	for (size_t m = 0; m < models; m++) {
 		v.model[m].model = breakage_of_row(m);
 		v.model[m].energies = m >= breakage_count();
@@ -355,8 +340,8 @@ static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
     [LEAGUE_OUT_AICC] = N_("out: AICc"),
     [LEAGUE_OUT_ERROR] = N_("out: hold-out")};
 
-/* Those who need no model and err least, where that is less than the best model
- * errs; else VALIDATE_MODEL. */
+/* Returns the null model with the smallest error, if that is smaller than
+ * the best model's; else VALIDATE_MODEL. */
 static enum validate_way
 baseline_ahead(const struct verdict *v)
 {
@@ -372,9 +357,9 @@ baseline_ahead(const struct verdict *v)
 	return ahead;
 }
 
-/* Where it stands.  Without AICc and error none is the best, nor is one that
- * errs more than those who need no model: beaten, where sampling does not
- * explain it. */
+/* Returns the standing of a model in words.  No model is the best without
+ * AICc and hold-out error, nor is one that errs more than a null model; it
+ * is beaten if sampling errors do not explain that. */
 static const char *
 verdict_word(const struct verdict *v, size_t m)
 {
@@ -386,7 +371,8 @@ verdict_word(const struct verdict *v, size_t m)
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
 }
 
-/* What the answer between measured speeds has of a model, per cent. */
+/* Returns the share of a model in the answer between measured speeds, per
+ * cent. */
 static double
 weight_of(const struct verdict *v, size_t m)
 {
@@ -418,9 +404,8 @@ put_verdict(struct fields *o, const struct verdict *v)
 		fields_put(o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
-/* The models, then those who need none; csv has the site in each row.
- * programs: with how far AICc is above the best's, for which people have no
- * room. */
+/* Adds the models, then the null models. programs: with how far AICc is
+ * above the best's, for which people have no room. */
 static void
 league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 {
@@ -501,7 +486,7 @@ say_verdict(struct answer *r, const struct verdict *v)
 		    100 * v->rmse[v->winner], 100 * v->model[v->best].rmse);
 }
 
-/* How to read it. */
+/* Adds how to read the table. */
 static void
 note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
 {
@@ -545,9 +530,10 @@ is_one_speed(const struct site *site)
 	return true;
 }
 
-/* What answers with now, and how to change that. */
+/* Notes the model in use, and how to change it. */
 static void
-note_in_use(struct answer *r, const struct session *s, const struct ground *g)
+note_in_use(
+    struct answer *r, const struct session *s, const struct site_models *g)
 {
 	const struct entry *entry = &s->entry[g->entry];
 	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
@@ -559,7 +545,7 @@ note_in_use(struct answer *r, const struct session *s, const struct ground *g)
 	    name);
 }
 
-/* What the site's answers have of the models. */
+/* Finds the shares of the models in the site's answers. */
 static void
 find_weights(
     struct verdict *v, const struct session *s, const struct entry *entry)
@@ -588,7 +574,7 @@ note_weights(struct answer *r, const struct verdict *v)
 }
 
 static struct answer *
-answer_one_site(const struct session *s, const struct ground *g)
+answer_one_site(const struct session *s, const struct site_models *g)
 {
 	struct verdict v = verdict_of(g, 1);
 	find_weights(&v, s, &s->entry[g->entry]);
@@ -613,7 +599,7 @@ answer_one_site(const struct session *s, const struct ground *g)
 	return r;
 }
 
-/* A row a site, and all of them together. */
+/* Adds a row for each site and one for all of them. */
 static struct answer *
 answer_all(const struct session *s, const struct league *l)
 {
@@ -628,9 +614,9 @@ answer_all(const struct session *s, const struct league *l)
 			  "interpolation_pct: interpolation, "
 			  "can_tell: can tell, possible: also possible");
 	for (size_t i = 0; i <= l->n; i++) {
-		const struct ground *g = i < l->n ? &l->ground[i] : NULL;
+		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
 		struct verdict v =
-		    g != NULL ? verdict_of(g, 1) : verdict_of(l->ground, l->n);
+		    g != NULL ? verdict_of(g, 1) : verdict_of(l->sites, l->n);
 		FREED char *open =
 		    league_names_of(&v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
@@ -663,10 +649,8 @@ static void
 end_league(struct session *s, void *of)
 {
 	struct league *l = of;
-	for (size_t i = 0; i < l->n; i++)
-		find_noise(&l->ground[i]);
 	session_show_answer(
-	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->ground[0]));
+	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->sites[0]));
 	league_drop(l);
 }
 
@@ -682,7 +666,7 @@ job_words_at_model(const struct session *s)
 			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
-static const struct rounds LEAGUE = {next_round, NULL, take_round, end_league,
+static const struct job_type LEAGUE = {next_task, NULL, take_task, end_league,
     league_drop, false, job_words_at_model,
     N_("stopped before all models were calibrated"), NULL};
 
@@ -704,7 +688,7 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 	    .end = all ? s->n_entry : s->current + 1};
 	session_discard_job(s);
 	const struct job job = {
-	    .rounds = &LEAGUE, .of = l, .options = job_options(s)};
+	    .type = &LEAGUE, .of = l, .options = job_options(s)};
 	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
 		   all ? N_("no loaded site has a product to calibrate on")

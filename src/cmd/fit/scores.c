@@ -35,7 +35,7 @@ scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 	}
 }
 
-/* Root mean square over the runs of what each way errs. */
+/* Computes the root mean square over the runs of the RMSE of each way. */
 static void
 run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 {
@@ -45,13 +45,6 @@ run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 			sum += pow(c->item[i].v.rmse[way], 2);
 		rmse[way] = sqrt(sum / (double)c->n);
 	}
-}
-
-/* What a way predicts at the sieves compared, [v.n_sieve]. */
-static const double *
-passing_of_way(const struct trial *item, enum validate_way way)
-{
-	return item->passing + way * item->v.n_sieve;
 }
 
 /* "null", "winner". */
@@ -88,7 +81,7 @@ put_sieves(struct fields *o, const struct trial *item)
 	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
-		fields_numbers(o, key, passing_of_way(item, way), n, units_pct);
+		fields_numbers(o, key, trials_passing(item, way), n, units_pct);
 	}
 }
 
@@ -130,7 +123,7 @@ put_all(struct fields *o, const struct trials *c)
 	put_null(o, rmse);
 }
 
-/* The run, for programs behind its speed. */
+/* Begins a row with the run; exact: with its speed before it. */
 static void
 scores_begin_row(struct answer *r, const struct trial *item, bool exact)
 {
@@ -153,7 +146,7 @@ scores_add_sieves(struct answer *r, const struct trial *item, bool exact)
 		answer_cells(r, "%.1f", units_pct(product->passing[i]));
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 			answer_cells(
-			    r, "%.1f", units_pct(passing_of_way(item, way)[i]));
+			    r, "%.1f", units_pct(trials_passing(item, way)[i]));
 	}
 }
 
@@ -183,8 +176,8 @@ add_sizes(struct answer *r, const struct trial *item, bool exact)
 	}
 }
 
-/* A table of sieves or of sizes for programs; people have both, and RMSE, below
- * each other. */
+/* Adds a table of sieves or sizes for programs (exact); for people, one with
+ * both and the RMSE. */
 static void
 add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 {
@@ -207,10 +200,10 @@ add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 	}
 }
 
-/* A difference of RMSE, passing 0..1, that sampling could tell. */
+/* A difference of RMSE, passing 0..1, that exceeds sampling errors. */
 static const double CLEARLY = 0.001;
 
-/* RMSE of the other sieves than the worst, passing 0..1. */
+/* RMSE of all sieves but the worst, passing 0..1. */
 static double
 rmse_of_others(const struct validation *v)
 {
@@ -219,8 +212,8 @@ rmse_of_others(const struct validation *v)
 	return sqrt(fmax(square, 0) / (n - 1));
 }
 
-/* The worst sieve is far beyond the others and beyond sampling: rather a slip
- * of the pen than a fault of the model, which errs on several sieves. */
+/* True if the worst sieve is far beyond the others and beyond sampling errors.
+ * That suggests a slip of the pen; the model errs on several sieves. */
 static bool
 is_worst_far_off(const struct validation *v)
 {
@@ -230,8 +223,8 @@ is_worst_far_off(const struct validation *v)
 	       worst > times * rmse_of_others(v);
 }
 
-/* Who predicts best.  worse: that is neither the model nor the corrected
- * answer; clearly: and sampling could tell. */
+/* The way that predicts best. worse: it is neither the model nor the
+ * corrected answer; clearly: by more than sampling errors. */
 struct winner {
 	enum validate_way best;
 	bool worse, clearly;
@@ -251,7 +244,7 @@ winner_of(const double rmse[static VALIDATE_WAYS])
 		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
 }
 
-/* A run that something else clearly predicts better. */
+/* Warns if a null model predicts a run clearly better. */
 static void
 warn_worse(struct answer *r, const struct validation *v, const char *run)
 {
@@ -272,7 +265,7 @@ warn_worse(struct answer *r, const struct validation *v, const char *run)
 	    run, who);
 }
 
-/* One way for all runs, of which each is warned of by itself. */
+/* Notes which way predicts best over all runs. */
 static void
 note_winner(struct answer *r, const struct trials *c)
 {
@@ -421,7 +414,7 @@ add_scores(struct answer *r, const struct trials *c)
 	}
 }
 
-/* At how many runs each way is the best. */
+/* Notes at how many runs each way is the best. */
 static void
 add_wins(struct answer *r, const struct trials *c)
 {
@@ -474,7 +467,7 @@ scores_answer(const struct trials *c)
 	return r;
 }
 
-/* What a score needs of a run, in one order. */
+/* Points to the numbers of a run that a score needs, in a fixed order. */
 static void
 scores_map_numbers(struct validation *v, double *number[static PART_NUMBERS])
 {

@@ -55,6 +55,12 @@ trials_sources(const struct trials *c, size_t *sites)
 	return list;
 }
 
+const double *
+trials_passing(const struct trial *trial, enum validate_way way)
+{
+	return trial->passing + way * trial->v.n_sieve;
+}
+
 struct validate_score
 trials_score(const struct trials *c, enum validate_way way, size_t i)
 {
@@ -91,19 +97,6 @@ trials_corrected(const struct run *run, const struct posterior *posterior,
 	return passing;
 }
 
-/* Speeds of the training runs. */
-static size_t
-count_trained(const struct site *site, const bool *train)
-{
-	size_t n = 0;
-	double last = 0;
-	for (size_t r = 0; r < site->n_run; r++) {
-		n += train[r] && site->run[r].speed != last;
-		last = train[r] ? site->run[r].speed : last;
-	}
-	return n;
-}
-
 static void
 trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
 {
@@ -114,8 +107,8 @@ trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
 	    .source = site_source(site, "provenance not stated"),
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
 	    .run = run,
-	    .open =
-		trust_without_band(by->rmse, count_trained(site, by->train))};
+	    .open = trust_without_band(
+		by->rmse, site_count_speeds(site, by->train))};
 	size_t within;
 	FREED double *corrected =
 	    trials_corrected(run, by->posterior, c->level, &within);

@@ -62,6 +62,9 @@ void trials_append(struct trials *c, struct trials *from);
  * sites.  The caller frees the text. */
 char *trials_sources(const struct trials *c, size_t *sites);
 
+/* Returns what a way predicts at the sieves of a run, [v.n_sieve]. */
+const double *trials_passing(const struct trial *trial, enum validate_way way);
+
 /* Returns the score of a way at size i of PSD_PASSING over all runs. */
 struct validate_score trials_score(
     const struct trials *c, enum validate_way way, size_t i);

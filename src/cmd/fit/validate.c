@@ -38,7 +38,7 @@ validate_drop(void *of)
 	free(c);
 }
 
-/* Compares the held-out runs of an entry, or counts that it has none. */
+/* Compares the held-out runs of an entry, or counts the entry as left out. */
 static void
 compare_entry(const struct session *s, size_t index,
     const struct posterior *posterior, struct trials *c)
@@ -48,7 +48,7 @@ compare_entry(const struct session *s, size_t index,
 	c->left_out += c->n == before;
 }
 
-/* A line for each run of a site of many as it ends. */
+/* Notes the result of each run of a site. */
 static void
 tell_compared(const struct session *s, const struct trials *found)
 {
@@ -84,14 +84,14 @@ give_all(struct session *s, const struct validating *c)
 	session_show_answer(s, r);
 }
 
-/* Sites that `validate all` cannot compare though they are calibrated. */
+/* Calibrated sites that `validate all` could not compare. */
 struct failed {
 	size_t n;
 	char *keys;
 	struct error first;
 };
 
-/* The answer is of the others, and stays. */
+/* Fails after the answer, which is about the other sites. */
 static void
 fail_late(struct session *s, struct failed *failed, size_t n)
 {
@@ -107,7 +107,7 @@ fail_late(struct session *s, struct failed *failed, size_t n)
 	free(failed->keys);
 }
 
-/* Sites that are compared side by side. */
+/* A site that is compared in parallel with others. */
 struct beside {
 	const struct session *s;
 	size_t entry;
@@ -129,7 +129,7 @@ compare_beside(void *data, size_t piece, unsigned thread)
 	posterior_free(p);
 }
 
-/* Compares sites [n], some at a time.  False where somebody stopped it. */
+/* Compares sites [n] in parallel.  Returns false if the user stopped it. */
 static bool
 compare_sites(
     struct session *s, struct trials *c, const size_t *index, size_t n)
@@ -155,7 +155,7 @@ compare_sites(
 	return all;
 }
 
-/* The calibrated sites of the part, index [n_entry]. */
+/* Lists the calibrated sites of the part in index [n_entry]. */
 static size_t
 find_calibrated(const struct session *s, struct validating *c, size_t *index,
     struct failed *failed)
@@ -178,16 +178,15 @@ find_calibrated(const struct session *s, struct validating *c, size_t *index,
 	return n;
 }
 
-/* Whether a site has speeds enough to hold one out. */
+/* True if the site has enough speeds to hold one out. */
 static bool
 has_speeds(const struct entry *entry)
 {
 	return job_speeds(entry->site) >= JOB_FOR_EACH;
 }
 
-/* Whether nothing to compare is what a part may come to: none of its sites was
- * forgotten that could have been calibrated, and others' are not all like
- * them. */
+/* True if a part may be empty: all of its sites that could be calibrated
+ * are, and other parts have sites to compare. */
 static bool
 may_be_empty(const struct session *s, const struct part *part)
 {
@@ -202,8 +201,8 @@ may_be_empty(const struct session *s, const struct part *part)
 	return part->of > 0 && others && !forgotten;
 }
 
-/* What the fits are of that parts made elsewhere must have too: seeds and
- * options, each once. */
+/* Returns the seeds and options of the fits, each once: other parts must
+ * have the same. */
 static char *
 fits_words(const struct session *s, const size_t *index, size_t n)
 {
@@ -266,7 +265,7 @@ validate_one(struct session *s, struct validating *c, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* The next speed to hold out, of a site that has enough. */
+/* Finds the next speed to hold out, at a site that has enough. */
 static bool
 validate_next_speed(struct session *s)
 {
@@ -288,22 +287,23 @@ validate_next_speed(struct session *s)
 	return false;
 }
 
-/* Compares the runs at the speed held out with what the others have found. */
+/* Compares the runs at the speed held out with their predictions by a
+ * calibration on the other speeds. */
 static void *
-validate_follow_speed(const struct session *s, const struct round *round)
+validate_follow_speed(const struct session *s, const struct job_task *task)
 {
 	const struct validating *c = s->job.of;
-	const struct site *site = s->entry[round->entry].site;
-	struct fit fit = calibration_fit(round->calibration);
+	const struct site *site = s->entry[task->entry].site;
+	struct fit fit = calibration_fit(task->calibration);
 	bool few = fit.cells <= fit.parameters;
-	struct posterior_options o = {.use = round->train,
+	struct posterior_options o = {.use = task->train,
 	    .settings = fit.settings,
-	    .bounds = *calibration_bounds(round->calibration),
+	    .bounds = *calibration_bounds(task->calibration),
 	    .seed = fit.seed,
 	    .threads = c->all ? 1 : s->set.threads,
 	    .isa = s->isa,
 	    .noise = s->set.noise / 100,
-	    .stop = round->stop};
+	    .stop = task->stop};
 	struct posterior *posterior =
 	    few ? NULL : posterior_new(site, &fit.params, &o);
 	if (posterior == NULL && !few)
@@ -311,10 +311,9 @@ validate_follow_speed(const struct session *s, const struct round *round)
 	struct validating *found = xcalloc(1, sizeof *found);
 	found->runs.one = c->runs.one;
 	found->runs.level = c->runs.level;
-	trials_add(
-	    &found->runs, &(struct predicted_by){round->entry,
-			      s->entry[round->entry].key, site, round->train,
-			      fit.params, fit.settings, posterior, fit.rmse});
+	trials_add(&found->runs,
+	    &(struct predicted_by){task->entry, s->entry[task->entry].key, site,
+		task->train, fit.params, fit.settings, posterior, fit.rmse});
 	posterior_free(posterior);
 	return found;
 }
@@ -350,12 +349,12 @@ end_speeds(struct session *s, void *of)
 	validate_drop(c);
 }
 
-static const struct rounds EACH = {validate_next_speed, NULL,
+static const struct job_type EACH = {validate_next_speed, NULL,
     validate_take_speed, end_speeds, validate_drop, false, at_speed,
     N_("stopped before all speeds were predicted"), validate_follow_speed};
 
-/* Sites of the part without enough speeds, where there are no others in it
- * though other parts have them: that is a part, too. */
+/* True if no site of the part has enough speeds but sites of other parts
+ * have.  *left_out: those of the part. */
 static bool
 holds_none(const struct session *s, const struct part *part, size_t *left_out)
 {
@@ -370,17 +369,15 @@ holds_none(const struct session *s, const struct part *part, size_t *left_out)
 	return part->of > 0 && n == 0 && all > 0;
 }
 
-/* Calibrates without each speed in turn; c is the job's. */
+/* Calibrates without each speed in turn.  The job owns c. */
 static bool
 validate_each(struct session *s, struct validating *c, struct error *error)
 {
 	c->at = c->all ? 0 : s->current;
 	c->end = c->all ? s->n_entry : s->current + 1;
 	session_discard_job(s);
-	const struct job job = {.rounds = &EACH,
-	    .of = c,
-	    .apart = c->all,
-	    .options = job_options(s)};
+	const struct job job = {
+	    .type = &EACH, .of = c, .apart = c->all, .options = job_options(s)};
 	c->options = part_options(s, &job.options, "each");
 	size_t left_out;
 	if (holds_none(s, &c->part, &left_out)) {

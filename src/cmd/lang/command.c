@@ -83,17 +83,21 @@ const struct command *
 command_find_two_words(
     const struct command *command, char *const *word, size_t n)
 {
+	const struct command *found = command;
+	size_t most = 0;
 	for (size_t k = 0; k < ARRAY_LEN(command->others); k++) {
 		const struct command *other =
 		    command->others[k] != NULL
 			? command_find(command->others[k])
 			: NULL;
+		size_t taken = 0;
 		for (size_t i = 0; i < n && other != NULL; i++)
-			if (!takes_option_word(command, word[i]) &&
-			    takes_option_word(other, word[i]))
-				return other;
+			taken += !takes_option_word(command, word[i]) &&
+				 takes_option_word(other, word[i]);
+		found = taken > most ? other : found;
+		most = taken > most ? taken : most;
 	}
-	return command;
+	return found;
 }
 
 const struct command *

@@ -164,7 +164,7 @@ struct command_operands {
  * example: lines of a script that runs in a folder with the project's data/. */
 struct command {
 	const char *name, *alias, *brief;
-	const char *others[2];
+	const char *others[3];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
 	const char *bare;

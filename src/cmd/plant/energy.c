@@ -18,7 +18,7 @@
 
 /* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of
  * the energies to it. */
-struct question {
+struct energy_question {
 	const struct energies *e;
 	const struct spectrum *spectrum;
 	double cut, speed, E, scale;
@@ -29,7 +29,7 @@ struct question {
  * strength f_mat x^alpha; without parameters the cut and 0. */
 static double
 selection_of_entry(
-    const struct question *q, const struct spectrum_size *of, double x)
+    const struct energy_question *q, const struct spectrum_size *of, double x)
 {
 	double e0 = q->cut * q->scale, f = 0;
 	if (!(q->E > 0))
@@ -44,7 +44,8 @@ selection_of_entry(
 }
 
 static double
-share_of_first_impacts(const struct question *q, const struct spectrum_size *of)
+share_of_first_impacts(
+    const struct energy_question *q, const struct spectrum_size *of)
 {
 	double all = spectrum_above(of, q->cut, false).energy;
 	if (!q->spectrum->ordered || !(all > 0))
@@ -55,7 +56,7 @@ share_of_first_impacts(const struct question *q, const struct spectrum_size *of)
 /* Their energy above the cut on average, over v^2/2. */
 static double
 mean_energy_ratio(
-    const struct question *q, const struct spectrum_size *of, bool first)
+    const struct energy_question *q, const struct spectrum_size *of, bool first)
 {
 	struct spectrum_bin above = spectrum_above(of, q->cut, first);
 	return above.mass > 0 && q->E > 0
@@ -64,14 +65,14 @@ mean_energy_ratio(
 }
 
 static double
-share_below(const struct question *q, const struct spectrum_size *of)
+share_below(const struct energy_question *q, const struct spectrum_size *of)
 {
 	double all = spectrum_above(of, 0, false).mass;
 	return 1 - spectrum_above(of, q->cut, false).mass / all;
 }
 
 static void
-energy_add_row(struct answer *r, const struct question *q,
+energy_add_row(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
 	struct spectrum_bin above = spectrum_above(of, q->cut, false);
@@ -89,7 +90,7 @@ energy_add_row(struct answer *r, const struct question *q,
 }
 
 static void
-energy_add_rows(struct answer *r, const struct question *q,
+energy_add_rows(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	answer_columns(r,
@@ -105,7 +106,7 @@ energy_add_rows(struct answer *r, const struct question *q,
 /* The bins in use, for programs: energies at their middle, shares of the
  * impacts by mass. */
 static void
-energy_put_fields(struct answer *r, const struct question *q,
+energy_put_fields(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	FREED double *e = xdoubles(SPECTRUM_BINS),
@@ -148,7 +149,8 @@ count_independent(const struct energies *e)
 
 /* The other spectra beside this one, each scaled to its speed. */
 static void
-note_others(struct answer *r, const struct session *s, const struct question *q)
+note_others(
+    struct answer *r, const struct session *s, const struct energy_question *q)
 {
 	for (size_t i = 0; i < s->n_energies; i++) {
 		const struct energies *o = s->energies[i];
@@ -177,7 +179,7 @@ note_others(struct answer *r, const struct session *s, const struct question *q)
  * within a quarter: k about 1, most energy in the first impact, and that near
  * v^2/2. */
 static void
-energy_judge(struct answer *r, const struct question *q,
+energy_judge(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	const double within = 0.8;
@@ -210,7 +212,7 @@ energy_judge(struct answer *r, const struct question *q,
 
 /* How the rock of a site, whose parameters Eq 3 takes, sees the impacts. */
 static void
-note_site(struct answer *r, const struct question *q)
+note_site(struct answer *r, const struct energy_question *q)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
@@ -233,7 +235,7 @@ note_site(struct answer *r, const struct question *q)
 }
 
 static void
-note_basis(struct answer *r, const struct question *q)
+note_basis(struct answer *r, const struct energy_question *q)
 {
 	if (q->entry != NULL)
 		answer_say(r, ANSWER_REMARK,
@@ -267,7 +269,7 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	if (energies_loaded(s, error) == NULL)
 		return false;
 	const struct spectrum *spectrum = s->energy->c.spectrum;
-	struct question q = {.e = s->energy,
+	struct energy_question q = {.e = s->energy,
 	    .spectrum = spectrum,
 	    .cut = args_given(args, &args->energy_cut) ? args->energy_cut
 						       : s->energy->cut,

@@ -24,17 +24,18 @@ enum { DRAWS = POSTERIOR_DRAWS };
 /* The middle of values of draws, widened to hold the answer; NAN of a model
  * alone. */
 static void
-flow_range_of(const struct plant *p, const struct outcome *o,
+flow_range_of(const struct plant *p, const struct plant_result *o,
     const double *draw, double answer, double range[static 2])
 {
 	range[0] = range[1] = NAN;
 	if (o->flow.draws == DRAWS)
-		ensemble_interval_with_answer(draw, p->level, answer, range);
+		ensemble_interval_with_answer(
+		    draw, p->question->level, answer, range);
 }
 
 /* Of what goes into a unit, or for NULL in a stream. */
 static void
-range_tph(const struct plant *p, const struct outcome *o,
+range_tph(const struct plant *p, const struct plant_result *o,
     const struct unit *unit, size_t stream, double range[static 2])
 {
 	double draw[DRAWS];
@@ -48,7 +49,8 @@ range_tph(const struct plant *p, const struct outcome *o,
 }
 
 static void
-show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
+show_lines(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
@@ -57,7 +59,7 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 	size_t n = plant_lines(p, o, line);
 	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
 	answer_columns(r, "name: %s, tph: t/h",
-	    p->plan->from_file ? "product" : tr("fraction mm"));
+	    p->from_file ? "product" : tr("fraction mm"));
 	if (band)
 		answer_columns(r, "low_tph: low, high_tph: high");
 	answer_columns(r, "share_pct: share %%");
@@ -89,7 +91,8 @@ show_lines(const struct plant *p, const struct outcome *o, struct answer *r)
 
 /* All streams, for programs. */
 static void
-put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
+put_streams(
+    const struct plant *p, const struct plant_result *o, struct fields *all)
 {
 	struct fields *list = fields_list(all, "streams");
 	for (size_t i = 0; i < p->circuit->n_stream; i++) {
@@ -104,7 +107,8 @@ put_streams(const struct plant *p, const struct outcome *o, struct fields *all)
 
 /* The circulating load and the mass balance. */
 static void
-note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
+note_balance(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2], tph = p->circuit->tph;
 	struct fields *f = answer_fields(r);
@@ -124,7 +128,8 @@ note_balance(const struct plant *p, const struct outcome *o, struct answer *r)
 
 /* Rotor and cascade of each crusher. */
 static void
-note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
+note_crushers(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	struct fields *list = fields_list(answer_fields(r), "crushers");
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
@@ -159,7 +164,7 @@ note_crushers(const struct plant *p, const struct outcome *o, struct answer *r)
 static void
 warn_power(const struct plant *p, struct answer *r)
 {
-	if (power_falls_with_speed(p->plan->reading, p->plan->n_reading))
+	if (power_falls_with_speed(p->reading, p->n_reading))
 		answer_say(r, ANSWER_WARNING,
 		    "the readings contradict the estimate of power: power "
 		    "cannot fall while the speed rises and the t/h do not "
@@ -172,14 +177,15 @@ warn_power(const struct plant *p, struct answer *r)
 }
 
 static void
-note_power(const struct plant *p, const struct outcome *o, struct answer *r)
+note_power(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2] = {NAN, NAN}, idle[2], factor = 0, t = p->circuit->tph;
 	FREED char *words = plant_power_words(p, o);
 	struct fields *f = answer_fields(r);
 	if (!p->power.least)
 		ensemble_interval_with_answer(
-		    o->kw_draw, p->level, o->kw, range);
+		    o->kw_draw, p->question->level, o->kw, range);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		factor += p->power.draw[d].factor / POWER_DRAWS;
 	if (isfinite(range[0]))
@@ -200,10 +206,11 @@ note_power(const struct plant *p, const struct outcome *o, struct answer *r)
 
 /* Earnings, which a product without a price adds nothing to. */
 static void
-note_money(const struct plant *p, const struct outcome *o, struct answer *r)
+note_money(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2];
-	if (!p->plan->priced)
+	if (!p->priced)
 		return;
 	FREED char *none = xstrdup("");
 	flow_range_of(p, o, o->money_draw, o->money, range);
@@ -214,7 +221,7 @@ note_money(const struct plant *p, const struct outcome *o, struct answer *r)
 	}
 	FREED char *band = quantities_band(range[0], range[1], 2);
 	answer_note(r,
-	    !(p->plan->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
+	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
 		? N_("earnings %.2f an hour%s at %.4g m/s, less the power")
 		: N_("earnings %.2f an hour%s at %.4g m/s, less the lowest "
@@ -241,7 +248,7 @@ struct search {
 static void
 flow_search_try(struct search *search, const struct plant *p, double speed)
 {
-	struct outcome o = plant_solve_at(p, speed);
+	struct plant_result o = plant_solve_at(p, speed);
 	size_t i = search->n++;
 	search->speed[i] = speed;
 	search->money[i] = o.flow.open ? NAN : o.money;
@@ -289,14 +296,15 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_interval_with_answer(best, p->level, s->speed[s->best], range);
+	ensemble_interval_with_answer(
+	    best, p->question->level, s->speed[s->best], range);
 }
 
 /* What the best speed gains over the usual one, and whether that is more than
  * what is not known. */
 static void
-note_gain(const struct plant *p, const struct outcome *best,
-    const struct outcome *usual, struct answer *r)
+note_gain(const struct plant *p, const struct plant_result *best,
+    const struct plant_result *usual, struct answer *r)
 {
 	double draw[DRAWS], gain = best->money - usual->money, range[2];
 	for (size_t d = 0; d < best->flow.draws; d++)
@@ -328,7 +336,7 @@ note_gain(const struct plant *p, const struct outcome *best,
 
 static void
 flow_note_best(const struct plant *p, const struct search *s,
-    const struct outcome *best, struct answer *r)
+    const struct plant_result *best, struct answer *r)
 {
 	double range[2], v = s->speed[s->best];
 	size_t open = 0;
@@ -362,10 +370,10 @@ flow_note_best(const struct plant *p, const struct search *s,
 /* How far what goes into a crusher differs from the feed of the site, passing
  * 0..1. */
 static double
-feed_difference(
-    const struct plant *p, const struct outcome *o, const struct unit *unit)
+feed_difference(const struct plant *p, const struct plant_result *o,
+    const struct unit *unit)
 {
-	size_t n = p->plan->n;
+	size_t n = p->n;
 	double most = 0, in = 0, feed = 0, all = flow_into_unit(&o->flow, unit);
 	for (size_t i = n; i-- > 0 && all > 0;) {
 		for (size_t k = 0; k < unit->n_in; k++)
@@ -379,17 +387,17 @@ feed_difference(
 /* The light of each crusher's speed; a feed that what comes back has changed is
  * judged as another feed would be. */
 static struct trust
-flow_trust(const struct plant *p, const struct outcome *o)
+flow_trust(const struct plant *p, const struct plant_result *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
-	const struct entry *entry = p->plan->question->entry;
+	const struct entry *entry = p->question->entry;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
 		struct trust t = light_at(p->s, entry,
-		    plant_speed(unit, o->speed), p->plan->question->feed);
+		    plant_speed(unit, o->speed), p->question->feed);
 		double off = feed_difference(p, o, unit);
 		if (off > other)
 			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
@@ -405,20 +413,20 @@ flow_trust(const struct plant *p, const struct outcome *o)
 }
 
 static struct answer *
-answer_flow(const struct plant *p, const struct outcome *o)
+answer_flow(const struct plant *p, const struct plant_result *o)
 {
-	const struct entry *entry = p->plan->question->entry;
-	const char *back = p->plan->back != NULL ? p->plan->back : "";
+	const struct entry *entry = p->question->entry;
+	const char *back = p->back != NULL ? p->back : "";
 	FREED char *what =
-	    p->plan->from_file
+	    p->from_file
 		? xstrdup(p->circuit->name[0] != '\0' ? p->circuit->name
 						      : "circuit of a file")
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
 	struct answer *r = answers_new(entry->site, "flow",
 	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
-	    p->plan->from_file || back[0] != '\0' ? ", " : "",
-	    p->plan->from_file || back[0] != '\0' ? what : "");
+	    p->from_file || back[0] != '\0' ? ", " : "",
+	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put(answer_fields(r),
 	    "speed %g extrapolated %d feed_tph %g "
 	    "circuit %s",
@@ -435,9 +443,10 @@ answer_flow(const struct plant *p, const struct outcome *o)
 
 /* The rest of the answer, which it gives. */
 static bool
-flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
+flow_finish(
+    const struct plant *p, const struct plant_result *o, struct answer *r)
 {
-	const struct entry *entry = p->plan->question->entry;
+	const struct entry *entry = p->question->entry;
 	put_streams(p, o, answer_fields(r));
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
@@ -447,9 +456,8 @@ flow_finish(const struct plant *p, const struct outcome *o, struct answer *r)
 		answer_say(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
-	fields_put(answer_fields(r), "level %g", 100 * p->level);
-	answers_show_basis(
-	    p->s, r, p->plan->question, 0, band, flow_trust(p, o));
+	fields_put(answer_fields(r), "level %g", 100 * p->question->level);
+	answers_show_basis(p->s, r, p->question, 0, band, flow_trust(p, o));
 	if (!plot_writes_image(p->s) || p->s->document != NULL)
 		return session_show_answer(p->s, r);
 	session_keep_answer(p->s, r);
@@ -460,17 +468,17 @@ static bool
 flow_show_best(
     const struct plant *p, const struct args *args, struct error *error)
 {
-	const struct entry *entry = p->plan->question->entry;
+	const struct entry *entry = p->question->entry;
 	double from, to;
-	if (!p->plan->priced)
+	if (!p->priced)
 		return error_set(error, ERROR_USAGE,
 		    "best=on needs prices\n"
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
 	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
 		return false;
 	struct search search = flow_search_best(p, from, to);
-	struct outcome usual = plant_solve_at(p, p->plan->question->speed),
-		       best = plant_solve_at(p, search.speed[search.best]);
+	struct plant_result usual = plant_solve_at(p, p->question->speed),
+			    best = plant_solve_at(p, search.speed[search.best]);
 	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
 	if (ok) {
 		struct answer *r = answer_flow(p, &best);
@@ -488,7 +496,7 @@ flow_show_best(
 static bool
 flow_show_at(const struct plant *p, double speed, struct error *error)
 {
-	struct outcome o = plant_solve_at(p, speed);
+	struct plant_result o = plant_solve_at(p, speed);
 	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
 	if (ok)
 		flow_finish(p, &o, answer_flow(p, &o));
@@ -503,7 +511,7 @@ enum { POINTS = 21 };
  * speeds.  Returns how many. */
 static size_t
 add_products(struct chart *chart, const struct plant *p,
-    const struct outcome *o, const struct unit **unit)
+    const struct plant_result *o, const struct unit **unit)
 {
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
@@ -514,32 +522,22 @@ add_products(struct chart *chart, const struct plant *p,
 			continue;
 		struct chart_series look = site_chart_style(products);
 		look.line = CHART_SOLID;
-		struct chart_series *s =
-		    chart_add(chart, look, POINTS, "%s", line[i].name);
-		if (o->flow.draws == DRAWS)
-			chart_add_band(s);
+		chart_add(chart, look, POINTS, "%s", line[i].name);
 		unit[products++] = line[i].unit;
 	}
 	return products;
 }
 
-static void
-add_draws_of_point(const struct plant *p, const struct outcome *o,
-    const struct unit *unit, struct chart_series *s, size_t k)
+static struct figure
+tph_of_product(const struct plant *p, const struct plant_result *o,
+    const struct unit *unit)
 {
-	double draw[DRAWS], range[2];
-	s->x[k] = o->speed;
-	s->y[k] = o->flow.open ? NAN : flow_into_unit(&o->flow, unit);
-	if (s->low == NULL)
-		return;
-	s->low[k] = s->high[k] = s->y[k];
-	if (o->flow.draws < DRAWS || o->flow.open)
-		return;
-	for (size_t d = 0; d < DRAWS; d++)
-		draw[d] = flow_draw_into_unit(&o->flow, unit, d);
-	ensemble_interval_with_answer(draw, p->level, s->y[k], range);
-	s->low[k] = range[0];
-	s->high[k] = range[1];
+	double range[2];
+	if (o->flow.open)
+		return (struct figure){NAN, NAN, NAN};
+	range_tph(p, o, unit, 0, range);
+	return (struct figure){
+	    flow_into_unit(&o->flow, unit), range[0], range[1]};
 }
 
 /* A line with its band for each product, t/h, at speeds from..to, m/s; a gap
@@ -548,7 +546,7 @@ static struct chart *
 flow_chart(const struct plant *p, double from, double to)
 {
 	const struct circuit *c = p->circuit;
-	struct chart *chart = site_chart(p->plan->question->entry->site,
+	struct chart *chart = site_chart(p->question->entry->site,
 	    axis_linear(tr("tip speed, m/s"), from, to),
 	    axis_linear("t/h", 0, c->tph), "products of %g t/h against speed",
 	    c->tph);
@@ -557,18 +555,22 @@ flow_chart(const struct plant *p, double from, double to)
 	size_t n = 0;
 	for (size_t k = 0; k < POINTS; k++) {
 		double v = from + (to - from) * (double)k / (POINTS - 1);
-		struct outcome o = plant_solve_at(p, v);
+		struct plant_result o = plant_solve_at(p, v);
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			add_draws_of_point(p, &o, unit[i], chart->series[i], k);
+			site_chart_figure(chart->series[i], k, o.speed,
+			    tph_of_product(p, &o, unit[i]));
 		flow_free(&o.flow);
 	}
+	for (size_t i = 0; i < n; i++)
+		site_chart_end_figures(chart->series[i]);
 	if (n > 0 && chart->series[0]->low != NULL)
-		chart_note(chart, "band: %.0f %% uncertainty", 100 * p->level);
+		chart_note(chart, "band: %.0f %% uncertainty",
+		    100 * p->question->level);
 	/* That of the middle speed: further out it is as good at most. */
-	FREED char *light = light_words_at(p->s, p->plan->question->entry,
-	    (from + to) / 2, p->plan->question->feed);
+	FREED char *light = light_words_at(
+	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);
 	return chart;
 }
@@ -577,11 +579,10 @@ bool
 cmd_flow(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct flow_plan plan;
+	struct plant p;
 	question_as_last(s, args, q);
-	if (!flow_plan_read(s, args, q, &plan, error))
+	if (!plant_read(s, args, q, &p, error))
 		return false;
-	struct plant p = plant_new(s, &plan);
 	bool ok = args->best ? flow_show_best(&p, args, error)
 			     : flow_show_at(&p, q->speed, error);
 	if (ok && plot_writes_image(s) && s->document == NULL) {
@@ -591,6 +592,5 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 		     plot_write_image(s, flow_chart(&p, from, to), error);
 	}
 	plant_free(&p);
-	flow_plan_free(&plan);
 	return ok;
 }

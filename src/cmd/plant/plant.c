@@ -165,10 +165,10 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 /* The crusher and a deck of screens, whose oversize each is a fraction that
  * goes back or to a stockpile. */
 static bool
-build_circuit(const struct args *args, const struct cuts *cuts,
-    struct flow_plan *plan, struct error *error)
+build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
+    struct error *error)
 {
-	struct circuit *c = plan->circuit;
+	struct circuit *c = p->circuit;
 	size_t taken = 0, now;
 	struct unit *crusher = add_crusher(c, args, &now);
 	for (size_t i = 0; i <= cuts->n_edge; i++) {
@@ -178,55 +178,53 @@ build_circuit(const struct args *args, const struct cuts *cuts,
 		size_t over = pan ? now
 				  : add_screen(c, args, cuts->edge[i], name,
 					i + 1 == cuts->n_edge, &now);
-		if (plant_is_listed(plan->back, name, &taken) &&
+		if (plant_is_listed(p->back, name, &taken) &&
 		    crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
 			add_unit_with_inlet(c, UNIT_STOCKPILE, name, over);
 	}
-	if (taken == count_parts(plan->back) && taken < UNIT_STREAMS)
+	if (taken == count_parts(p->back) && taken < UNIT_STREAMS)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected fractions of the list in recycle=, got '%s'\n"
 	    "write them as in fractions=, or +%g for what is coarser than all",
-	    plan->back, units_mm(cuts->edge[0]));
+	    p->back, units_mm(cuts->edge[0]));
 }
 
 static bool
-read_options(
-    const struct args *args, struct flow_plan *plan, struct error *error)
+read_options(const struct args *args, struct plant *p, struct error *error)
 {
 	struct cuts cuts = {0};
 	if (!(args->tph > 0))
 		return error_set(error, ERROR_USAGE,
 		    "flow: expected tph, the new feed in t/h, got none\n"
 		    "write: flow tph=120 fractions=0/2,2/5,5/8,8/11.2");
-	plan->circuit = circuit_new();
-	plan->back = xstrdup(args->recycle != NULL ? args->recycle : "");
+	p->circuit = circuit_new();
+	p->back = xstrdup(args->recycle != NULL ? args->recycle : "");
 	return read_fractions(args->fractions, &cuts, error) &&
-	       build_circuit(args, &cuts, plan, error);
+	       build_circuit(args, &cuts, p, error);
 }
 
 static bool
-plant_read_file(struct session *s, const struct args *args,
-    struct flow_plan *plan, struct error *error)
+read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 {
 	const void *const of_file[] = {&args->fractions, &args->recycle,
 	    &args->cascade, &args->sharpness, &args->cut_size};
 	const char *path = args->circuit;
-	struct error_list errors = {.stop = s->hooks.stop};
+	struct error_list errors = {.stop = p->s->hooks.stop};
 	for (size_t i = 0; i < ARRAY_LEN(of_file); i++)
 		if (args_given(args, of_file[i]))
 			return error_set(error, ERROR_USAGE,
 			    "%s= is given, but the circuit is that of a file\n"
 			    "say it in %s, see tipspeed-circuit(5)",
 			    args_name(args, of_file[i]), path);
-	files_note_read(s, path);
-	plan->from_file = true;
-	plan->circuit = circuit_file_read(path, &errors);
-	if (plan->circuit == NULL)
-		return session_tell_faults(s, path, &errors, error);
-	if (plan->circuit->tph > 0 || args->tph > 0)
+	files_note_read(p->s, path);
+	p->from_file = true;
+	p->circuit = circuit_file_read(path, &errors);
+	if (p->circuit == NULL)
+		return session_tell_faults(p->s, path, &errors, error);
+	if (p->circuit->tph > 0 || args->tph > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "neither tph= nor the feed of %s says how much new feed there is\n"
@@ -251,25 +249,25 @@ plant_drop_twins(double *size, size_t n)
  * with very many sieves only some of these, because the work grows with the
  * third power of their number. */
 static void
-choose_class_sizes(const struct site *site, struct flow_plan *plan)
+choose_class_sizes(const struct site *site, struct plant *p)
 {
 	enum { MOST = 120 };
-	const struct psd *feed = site_feed(site, plan->question->feed);
+	const struct psd *feed = site_feed(site, p->question->feed);
 	struct psd sieves = predict_sizes(site, feed);
 	struct psd all = psd_refined(sieves.size, sieves.n);
-	struct circuit *c = plan->circuit;
+	struct circuit *c = p->circuit;
 	const struct psd *from = all.n <= MOST ? &all : feed;
 	size_t step = (from->n + MOST - 1) / MOST;
-	plan->size = xdoubles(from->n + c->n_unit + 2);
+	p->size = xdoubles(from->n + c->n_unit + 2);
 	for (size_t i = 0; i < from->n; i += step)
-		plan->size[plan->n++] = from->size[i];
-	plan->size[plan->n++] = all.size[0];
-	plan->size[plan->n++] = from->size[from->n - 1];
+		p->size[p->n++] = from->size[i];
+	p->size[p->n++] = all.size[0];
+	p->size[p->n++] = from->size[from->n - 1];
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_SCREEN)
-			plan->size[plan->n++] =
+			p->size[p->n++] =
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
-	plan->n = plant_drop_twins(plan->size, plan->n);
+	p->n = plant_drop_twins(p->size, p->n);
 	psd_free(&all);
 	psd_free(&sieves);
 }
@@ -277,11 +275,11 @@ choose_class_sizes(const struct site *site, struct flow_plan *plan)
 /* Screens finer than what is known of the feed. */
 static bool
 check_screens(
-    const struct site *site, const struct flow_plan *plan, struct error *error)
+    const struct site *site, const struct plant *p, struct error *error)
 {
-	const struct psd *feed = site_feed(site, plan->question->feed);
-	for (size_t u = 0; u < plan->circuit->n_unit; u++) {
-		const struct unit *unit = &plan->circuit->unit[u];
+	const struct psd *feed = site_feed(site, p->question->feed);
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
 		double cut = unit->opening * unit->partition.cut_size;
 		if (unit->kind == UNIT_SCREEN && !psd_covers(feed, cut))
 			return error_set(error, ERROR_USAGE,
@@ -341,34 +339,31 @@ read_price(
 }
 
 static bool
-read_prices(
-    const struct args *args, struct flow_plan *plan, struct error *error)
+read_prices(const struct args *args, struct plant *p, struct error *error)
 {
-	FREED bool *priced = xcalloc(plan->circuit->n_unit + 1, sizeof *priced);
+	FREED bool *priced = xcalloc(p->circuit->n_unit + 1, sizeof *priced);
 	char *part;
 	bool ok = true;
 	if (args->prices != NULL)
 		for (const char *at = args->prices;
 		     ok && (part = next_part(&at)) != NULL; free(part))
-			ok = read_price(plan->circuit, part, priced, error);
-	for (size_t u = 0; u < plan->circuit->n_unit; u++)
-		plan->priced =
-		    plan->priced || isfinite(plan->circuit->unit[u].price);
-	plan->kwh = args->kwh;
+			ok = read_price(p->circuit, part, priced, error);
+	for (size_t u = 0; u < p->circuit->n_unit; u++)
+		p->priced = p->priced || isfinite(p->circuit->unit[u].price);
+	p->kwh = args->kwh;
 	return ok;
 }
 
 static void
-add_reading(struct flow_plan *plan, struct reading reading)
+add_reading(struct plant *p, struct reading reading)
 {
-	plan->reading =
-	    xrealloc(plan->reading, plan->n_reading + 1, sizeof *plan->reading);
-	plan->reading[plan->n_reading++] = reading;
+	p->reading = xrealloc(p->reading, p->n_reading + 1, sizeof *p->reading);
+	p->reading[p->n_reading++] = reading;
 }
 
 /* "72:187:121", or "66:52:0" of an empty crusher. */
 static bool
-read_reading(struct flow_plan *plan, const char *part, struct error *error)
+read_reading(struct plant *p, const char *part, struct error *error)
 {
 	double value[3];
 	char *copy = xstrdup(part), *at = copy;
@@ -387,13 +382,13 @@ read_reading(struct flow_plan *plan, const char *part, struct error *error)
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",
 		    part);
-	add_reading(plan, (struct reading){value[0], value[1], value[2]});
+	add_reading(p, (struct reading){value[0], value[1], value[2]});
 	return true;
 }
 
 /* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", as add writes it. */
 static void
-read_note(struct flow_plan *plan, const char *note)
+read_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
@@ -408,93 +403,84 @@ read_note(struct flow_plan *plan, const char *note)
 				value[i] = v;
 		}
 	if (isfinite(value[0] + value[1] + value[2]))
-		add_reading(
-		    plan, (struct reading){value[0], value[1], value[2]});
+		add_reading(p, (struct reading){value[0], value[1], value[2]});
 }
 
 static bool
-read_power(const struct args *args, const struct site *site,
-    struct flow_plan *plan, struct error *error)
+read_power(const struct args *args, const struct site *site, struct plant *p,
+    struct error *error)
 {
 	char *part;
 	bool ok = true;
 	if (args->power != NULL) {
 		for (const char *at = args->power;
 		     ok && (part = next_part(&at)) != NULL; free(part))
-			ok = read_reading(plan, part, error);
+			ok = read_reading(p, part, error);
 		return ok;
 	}
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, "cut") == 0)
-			read_note(plan, site->note[i].value);
-	plan->of_cuts = plan->n_reading > 0;
+			read_note(p, site->note[i].value);
+	p->of_cuts = p->n_reading > 0;
 	return true;
 }
 
+static void
+make_crushers(struct plant *p)
+{
+	const struct entry *entry = p->question->entry;
+	const struct breakage *of = breakage_of(&entry->params);
+	const struct psd *feed = site_feed(entry->site, p->question->feed);
+	struct psd sieves = predict_sizes(entry->site, feed);
+	p->crusher = outlook_crusher(p->s, entry, p->size, p->n);
+	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
+	p->power = power_fit(p->reading, p->n_reading);
+	p->bypass = of->bypass ? entry->params.at[of->n - 1] : 0;
+	p->feed = xdoubles(p->n);
+	crusher_classes(p->crusher, feed, p->feed);
+	crusher_set_feed(p->crusher, feed, sieves.size, sieves.n);
+	psd_free(&sieves);
+	for (size_t u = 0; u < p->circuit->n_unit; u++)
+		if (p->circuit->unit[u].speed > 0)
+			p->own[u] =
+			    crusher_at(p->crusher, p->circuit->unit[u].speed);
+}
+
 bool
-flow_plan_read(struct session *s, const struct args *args,
-    const struct question *q, struct flow_plan *plan, struct error *error)
+plant_read(struct session *s, const struct args *args, const struct question *q,
+    struct plant *plant, struct error *error)
 {
 	const struct site *site = q->entry->site;
-	*plan = (struct flow_plan){.question = q};
-	bool ok = args->circuit != NULL ? plant_read_file(s, args, plan, error)
-					: read_options(args, plan, error);
+	*plant = (struct plant){.s = s, .question = q};
+	bool ok = args->circuit != NULL ? read_circuit_file(args, plant, error)
+					: read_options(args, plant, error);
 	if (ok && args->tph > 0)
-		plan->circuit->tph = args->tph;
-	ok = ok && check_screens(site, plan, error) &&
-	     read_prices(args, plan, error) &&
-	     read_power(args, site, plan, error);
-	if (ok)
-		choose_class_sizes(site, plan);
-	else
-		flow_plan_free(plan);
-	return ok;
-}
-
-void
-flow_plan_free(struct flow_plan *plan)
-{
-	circuit_free(plan->circuit);
-	free(plan->back);
-	free(plan->size);
-	free(plan->reading);
-	*plan = (struct flow_plan){0};
-}
-
-struct plant
-plant_new(struct session *s, const struct flow_plan *plan)
-{
-	const struct entry *entry = plan->question->entry;
-	const struct breakage *of = breakage_of(&entry->params);
-	struct plant p = {.s = s,
-	    .plan = plan,
-	    .circuit = plan->circuit,
-	    .crusher = outlook_crusher(s, entry, plan->size, plan->n),
-	    .own = xcalloc(plan->circuit->n_unit, sizeof(*p.own)),
-	    .power = power_fit(plan->reading, plan->n_reading),
-	    .bypass = of->bypass ? entry->params.at[of->n - 1] : 0,
-	    .level = plan->question->level};
-	p.feed = xdoubles(plan->n);
-	const struct psd *feed = site_feed(entry->site, plan->question->feed);
-	crusher_classes(p.crusher, feed, p.feed);
-	struct psd sieves = predict_sizes(entry->site, feed);
-	crusher_set_feed(p.crusher, feed, sieves.size, sieves.n);
-	psd_free(&sieves);
-	for (size_t u = 0; u < p.circuit->n_unit; u++)
-		if (p.circuit->unit[u].speed > 0)
-			p.own[u] =
-			    crusher_at(p.crusher, p.circuit->unit[u].speed);
-	return p;
+		plant->circuit->tph = args->tph;
+	ok = ok && check_screens(site, plant, error) &&
+	     read_prices(args, plant, error) &&
+	     read_power(args, site, plant, error);
+	if (!ok) {
+		plant_free(plant);
+		return false;
+	}
+	choose_class_sizes(site, plant);
+	make_crushers(plant);
+	return true;
 }
 
 void
 plant_free(struct plant *p)
 {
-	for (size_t u = 0; u < p->circuit->n_unit; u++)
+	for (size_t u = 0; p->own != NULL && u < p->circuit->n_unit; u++)
 		transfer_free(p->own[u]);
+	crusher_free(p->crusher);
+	circuit_free(p->circuit);
 	free(p->own);
 	free(p->feed);
-	crusher_free(p->crusher);
+	free(p->back);
+	free(p->size);
+	free(p->reading);
+	*p = (struct plant){0};
 }
 
 double
@@ -512,7 +498,7 @@ plant_speed(const struct unit *unit, double speed)
 /* Power and earnings of a draw; a model alone has one product for all draws of
  * the power. */
 static void
-count_draw(const struct plant *p, struct outcome *o, size_t d)
+count_draw(const struct plant *p, struct plant_result *o, size_t d)
 {
 	double kw = 0, money = 0;
 	size_t of = d % o->flow.draws;
@@ -527,21 +513,20 @@ count_draw(const struct plant *p, struct outcome *o, size_t d)
 			money += tph * unit->price;
 	}
 	o->kw_draw[d] = kw;
-	o->money_draw[d] = money - kw * p->plan->kwh;
+	o->money_draw[d] = money - kw * p->kwh;
 	o->kw += kw / POWER_DRAWS;
 	o->money += o->money_draw[d] / POWER_DRAWS;
 }
 
-struct outcome
+struct plant_result
 plant_solve_at(const struct plant *p, double speed)
 {
-	struct outcome o = {.speed = speed};
+	struct plant_result o = {.speed = speed};
 	struct transfer *t = crusher_at(p->crusher, speed);
 	FREED struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
-	o.flow =
-	    circuit_flow(p->circuit, p->feed, p->plan->size, p->plan->n, of);
+	o.flow = circuit_flow(p->circuit, p->feed, p->size, p->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		count_draw(p, &o, d);
 	transfer_free(t);
@@ -549,8 +534,8 @@ plant_solve_at(const struct plant *p, double speed)
 }
 
 size_t
-plant_lines(
-    const struct plant *p, const struct outcome *o, struct plant_line *line)
+plant_lines(const struct plant *p, const struct plant_result *o,
+    struct plant_line *line)
 {
 	const struct circuit *c = p->circuit;
 	size_t n = 0;
@@ -562,7 +547,7 @@ plant_lines(
 		if (o->flow.back[i])
 			line[n++] = (struct plant_line){c->stream[i], NULL, i};
 	/* Streams of the deck were made from coarse to fine. */
-	for (size_t i = 1; i < n && !p->plan->from_file; i++)
+	for (size_t i = 1; i < n && !p->from_file; i++)
 		for (size_t k = i; k > 0 && line[k - 1].stream < line[k].stream;
 		     k--) {
 			struct plant_line other = line[k];
@@ -575,7 +560,7 @@ plant_lines(
 /* "7.3e+03 t/h circulate after 1000 passes". */
 bool
 plant_not_steady(
-    const struct plant *p, const struct outcome *o, struct error *error)
+    const struct plant *p, const struct plant_result *o, struct error *error)
 {
 	return error_set(error, ERROR_NUMERIC,
 	    "the circuit does not reach a steady state at %g m/s: after %d "
@@ -594,12 +579,12 @@ plant_idle(const struct plant *p, double speed, double range[static 2])
 		draw[d] = power_idle(&p->power, d, speed);
 		mean += draw[d] / POWER_DRAWS;
 	}
-	ensemble_interval_with_answer(draw, p->level, mean, range);
+	ensemble_interval_with_answer(draw, p->question->level, mean, range);
 	return mean;
 }
 
 char *
-plant_power_words(const struct plant *p, const struct outcome *o)
+plant_power_words(const struct plant *p, const struct plant_result *o)
 {
 	const struct power *w = &p->power;
 	double range[2], idle = plant_idle(p, o->speed, range);
@@ -613,8 +598,8 @@ plant_power_words(const struct plant *p, const struct outcome *o)
 			  "engineering estimate from %zu readings %s, idle "
 			  "%.0f kW (%.0f to %.0f) at %g m/s",
 			  w->n),
-		w->n, p->plan->of_cuts ? tr("of the belt cuts") : tr("given"),
-		idle, range[0], range[1], o->speed);
+		w->n, p->of_cuts ? tr("of the belt cuts") : tr("given"), idle,
+		range[0], range[1], o->speed);
 	if (w->n > 3)
 		xlist(&words, "; ",
 		    tr("the readings differ from it by %.1f kW (RMS)"), w->rms);

@@ -10,50 +10,41 @@
 #include "core/answer/crusher.h"
 #include "core/answer/power.h"
 
-/* The task of flow: a circuit with its prices and its power.  question:
- * borrowed.  size [n]: the classes.  back: the stream that returns to the
- * crusher, in words; NULL for a circuit from a file.  priced: there are prices;
- * kwh: price per kWh, 0 if not given. */
-struct flow_plan {
-	struct circuit *circuit;
-	char *back;
-	bool from_file, priced;
-	const struct question *question;
-	size_t n;
-	double *size, kwh;
-	size_t n_reading;
-	struct reading *reading;
-	bool of_cuts; /* the readings are from belt cuts */
-};
-
-/* Reads the options and the file of the call. */
-bool flow_plan_read(struct session *s, const struct args *args,
-    const struct question *q, struct flow_plan *plan, struct error *error);
-void flow_plan_free(struct flow_plan *plan);
-
-/* A circuit with the data for computing its crushers.  feed [plan->n]: masses
- * of the new feed.  own [n_unit]: for crushers with their own speed.  bypass:
- * the fitted share that bypasses the rotor; level: of bands. */
+/* A circuit with its prices and its power, and what its crushers are computed
+ * from.  question: borrowed.  back: the stream that returns to the crusher, in
+ * words; NULL for a circuit from a file.  priced: there are prices; kwh: price
+ * per kWh, 0 if not given.  of_cuts: the readings are from belt cuts.  size,
+ * feed [n]: the classes, and the masses of the new feed in them.  own [n_unit]:
+ * for crushers with their own speed.  bypass: the fitted share that bypasses
+ * the rotor. */
 struct plant {
 	struct session *s;
-	const struct flow_plan *plan;
-	const struct circuit *circuit;
+	const struct question *question;
+	struct circuit *circuit;
+	char *back;
+	bool from_file, priced, of_cuts;
+	double kwh;
+	size_t n, n_reading;
+	double *size, *feed;
+	struct reading *reading;
 	struct crusher *crusher;
-	double *feed;
 	struct transfer **own;
 	struct power power;
-	double bypass, level;
+	double bypass;
 };
 
+/* Reads the options and the file of the call.  If that fails, there is nothing
+ * to free. */
+bool plant_read(struct session *s, const struct args *args,
+    const struct question *q, struct plant *plant, struct error *error);
+void plant_free(struct plant *plant);
+
 /* Results at a speed: for the answer, then for each draw. */
-struct outcome {
+struct plant_result {
 	double speed;
 	struct flow flow;
 	double kw, money, kw_draw[POSTERIOR_DRAWS], money_draw[POSTERIOR_DRAWS];
 };
-
-struct plant plant_new(struct session *s, const struct flow_plan *plan);
-void plant_free(struct plant *p);
 
 /* plant_rotor_share returns the share of a crusher's feed that meets the rotor;
  * plant_speed its speed. */
@@ -61,7 +52,7 @@ double plant_rotor_share(const struct plant *p, const struct unit *unit);
 double plant_speed(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
-struct outcome plant_solve_at(const struct plant *p, double speed);
+struct plant_result plant_solve_at(const struct plant *p, double speed);
 
 /* A row of the table: a product (unit), or a returned stream (unit NULL). */
 struct plant_line {
@@ -72,18 +63,18 @@ struct plant_line {
 
 /* Lists products and returned streams, [n_stream + n_unit] out, from fine to
  * coarse, or for a circuit from a file in its order.  Returns their number. */
-size_t plant_lines(
-    const struct plant *p, const struct outcome *o, struct plant_line *line);
+size_t plant_lines(const struct plant *p, const struct plant_result *o,
+    struct plant_line *line);
 
 /* Sets the error for an outcome that did not become steady.  Returns false. */
 bool plant_not_steady(
-    const struct plant *p, const struct outcome *o, struct error *error);
+    const struct plant *p, const struct plant_result *o, struct error *error);
 
 /* Returns the power of the empty crusher at a speed, kW, estimated from the
  * readings, and its band. */
 double plant_idle(const struct plant *p, double speed, double range[static 2]);
 
 /* Returns the basis of the power estimate, in words.  The caller frees it. */
-char *plant_power_words(const struct plant *p, const struct outcome *o);
+char *plant_power_words(const struct plant *p, const struct plant_result *o);
 
 #endif

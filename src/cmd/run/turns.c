@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/turns.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -155,17 +156,18 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 	return true;
 }
 
-/* Whether a word is a speed as it is typed, or a list of three or more: "69,74"
- * may be 69.74. */
+/* Whether a word is a speed as it is typed, a range of them, "66..81:5", or a
+ * list of three or more: "69,74" may be 69.74. */
 static bool
 is_typed_speed(const char *word, bool *list)
 {
-	size_t n = strspn(word, "0123456789.,");
+	const char *dots = strstr(word, "..");
+	size_t n = strspn(word, dots != NULL ? "0123456789.:" : "0123456789.,");
 	size_t commas = 0;
 	for (size_t i = 0; i < n; i++)
 		commas += word[i] == ',';
-	*list = commas > 1;
-	return n > 0 && word[0] != '.' && strstr(word, "..") == NULL &&
+	*list = commas > 1 || dots != NULL;
+	return n > 0 && isdigit((unsigned char)word[0]) &&
 	       (word[n] == '\0' || strcmp(word + n, RPM) == 0 ||
 		   strcmp(word + n, "m/s") == 0);
 }

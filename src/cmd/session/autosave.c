@@ -145,6 +145,32 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 		write_autosave(s);
 }
 
+/* Says how calibrations are kept that are in no file and not in the store. */
+static void
+note_not_remembered(struct session *s)
+{
+	const char *key = NULL;
+	size_t n = 0;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *entry = &s->entry[i];
+		if (entry->has_fit && !entry->remembered &&
+		    !origin_is_stored(entry->origin)) {
+			key = entry->key;
+			n++;
+		}
+	}
+	if (n == 1)
+		session_note(s,
+		    "the calibration of %s was not remembered; next time, "
+		    "'restore last' brings it back and 'remember %s' keeps it",
+		    key, key);
+	else if (n > 1)
+		session_note(s,
+		    "%zu calibrations were not remembered; next time, 'restore "
+		    "last' brings them back and 'remember all' keeps them",
+		    n);
+}
+
 void
 autosave_end(struct session *s)
 {
@@ -153,9 +179,10 @@ autosave_end(struct session *s)
 		return;
 	if (is_missed(s)) {
 		write_autosave(s);
-		if (k->error.kind == ERROR_NONE)
+		if (k->error.kind == ERROR_NONE) {
 			remove_restored(k);
-		else
+			note_not_remembered(s);
+		} else
 			session_note(s, "could not keep this session: %s%s%s",
 			    k->error.file, k->error.file[0] != '\0' ? ": " : "",
 			    k->error.text);

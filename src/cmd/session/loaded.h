@@ -95,13 +95,14 @@ struct mark_of {
 };
 
 /* A loaded site with its answers.  key: its name in the session, "gavle/4".
- * train [site->n_run]: true for training runs. */
+ * train [site->n_run]: true for training runs.  remembered: its fit was put
+ * into the store. */
 struct entry {
 	struct mark_of mark;
 	struct site *site;
 	char *key;
 	bool *train;
-	bool has_params, has_fit;
+	bool has_params, has_fit, remembered;
 	struct params params;    /* set by hand or found */
 	struct origin *origin;   /* of params; NULL: no params */
 	struct fit fit;          /* that found the parameters */

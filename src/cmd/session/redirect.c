@@ -216,7 +216,7 @@ redirect_open(struct session *s, const struct command *command,
 	s->screen = (struct screen){0};
 	r->outer_file = s->file;
 	s->file = r->to == TO_PIPE ? NULL : r->target;
-	s->out = r->document != NULL ? document_out(r->document) : r->memory;
+	s->out = r->document != NULL ? r->document->out : r->memory;
 	s->set.format = r->form;
 	session_language(s);
 	return r;

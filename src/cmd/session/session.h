@@ -13,7 +13,7 @@
 
 struct canvas;
 struct inquiry;
-struct rounds;
+struct job_type;
 struct screen_request;
 struct session;
 
@@ -44,9 +44,9 @@ without a terminal */
 /* A calibration in progress, or several in succession.  The driver calls
  * session_step until session_busy is false. */
 struct job {
-	const struct rounds *rounds; /* see job.h */
+	const struct job_type *type; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
-	void *found;                 /* returned by rounds->follow; owned */
+	void *found;                 /* returned by type->follow; owned */
 	struct calibration *calibration;
 	struct calibration *lowest; /* reference for a plain search, or NULL */
 	size_t entry;
@@ -55,7 +55,7 @@ struct job {
 	double stopped;                /* on the same clock, if paused */
 	struct calibrate_options options;
 	bool *train;
-	bool fits;          /* each round fits its own site */
+	bool fits;          /* each task fits its own site */
 	bool detail;        /* reports the search and the whole fit */
 	bool watch;         /* its curves are drawn while it runs */
 	bool paused;        /* stopped by ^C; `continue` resumes it */
@@ -64,8 +64,8 @@ struct job {
 	bool gave;          /* gave the site `given` when last stopped */
 	bool taken;         /* its fit is in the site; draws follow */
 	bool newest;        /* paused, and undo would start with it */
-	bool apart;         /* rounds can be calibrated in parallel */
-	size_t step;        /* counted over all rounds */
+	bool apart;         /* tasks can be calibrated in parallel */
+	size_t step;        /* counted over all tasks */
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
 	struct params given;

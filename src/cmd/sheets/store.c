@@ -445,7 +445,7 @@ ask_replace(struct session *s, const struct stored_list *list, bool *replace,
 bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	struct entry *entry = session_entry(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
 	bool replace = args->replace;
@@ -454,6 +454,8 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 		      : add_material(s, entry, name, args, &list, error);
 	ok = ok && ask_replace(s, &list, &replace, error) &&
 	     store_put(s->store, list.item, list.n, replace, error);
+	for (size_t i = 0; ok && i < s->n_entry; i++)
+		s->entry[i].remembered |= all || &s->entry[i] == entry;
 	if (ok)
 		give_remembered(s, list.item, list.n);
 	stored_list_free(&list);

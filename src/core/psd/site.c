@@ -374,6 +374,20 @@ site_run_at(const struct site *site, double speed)
 	return r;
 }
 
+size_t
+site_count_speeds(const struct site *site, const bool *use)
+{
+	size_t n = 0;
+	double last = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!use[r])
+			continue;
+		n += site->run[r].speed != last;
+		last = site->run[r].speed;
+	}
+	return n;
+}
+
 bool
 site_run_repeats(const struct site *site, size_t run)
 {

@@ -122,6 +122,9 @@ size_t site_products(const struct site *site);
  * repeats, or n_run if there is none. */
 size_t site_run_at(const struct site *site, double speed);
 
+/* Returns the number of different speeds of the runs in use [n_run]. */
+size_t site_count_speeds(const struct site *site, const bool *use);
+
 /* True if the run repeats the speed of the run before it. */
 bool site_run_repeats(const struct site *site, size_t run);
 

@@ -22,8 +22,8 @@ enum { SIEVES = 9, PREDICTED = 9 };
 
 /* ---- The sheet ---- */
 
-/* A feed that serves for all runs is one column; else each stands before its
- * product. */
+/* Lists the columns: a feed of all runs is one column; otherwise each feed
+ * stands before its product. */
 static void
 data_take_columns(struct sheet *h, const struct site *site)
 {
@@ -45,7 +45,7 @@ data_curve_of(const struct sheet *h, size_t column)
 	return h->column[column].feed ? &run->feed : &run->product;
 }
 
-/* The passing as the sheet has it, %; NAN where it has none. */
+/* Returns the passing as the sheet has it, %; NAN if it has none. */
 static double
 data_cell_of(const struct sheet *h, size_t column, size_t row)
 {
@@ -56,7 +56,8 @@ data_cell_of(const struct sheet *h, size_t column, size_t row)
 	return NAN;
 }
 
-/* "74 (2)*": one trained on; "feed@74" where there are several. */
+/* Writes the heading of a column: "74 (2)*" for a training run, "feed@74" if
+ * there are several feeds. */
 static void
 data_head_text(const struct tui *t, size_t column, char text[static 48])
 {
@@ -73,7 +74,7 @@ data_head_text(const struct tui *t, size_t column, char text[static 48])
 			: "");
 }
 
-/* How many digits after the point all cells want. */
+/* Returns the digits after the point that all cells need. */
 static int
 data_digits_of(const struct sheet *h)
 {
@@ -110,7 +111,8 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 	t->ui.cell.at = t->ui.cell.at < h->n_column ? t->ui.cell.at : 0;
 }
 
-/* Whether the page has cells; then these are those of the sheet in use. */
+/* Returns true if the page has cells, and then makes them those of the sheet in
+ * use. */
 static bool
 has_cells(struct tui *t)
 {
@@ -121,8 +123,8 @@ has_cells(struct tui *t)
 	return has;
 }
 
-/* Looks for doubtful cells once for a sheet and a calibration, which may take a
- * while: the page stands there meanwhile. */
+/* Looks for doubtful cells, once for a sheet and a calibration.  That may take
+ * a while, during which the page is already shown. */
 static void
 data_update(struct tui *t)
 {
@@ -154,7 +156,7 @@ is_cell(const struct mend *m)
 	return m->kind == MEND_READ || m->kind == MEND_OUT;
 }
 
-/* Whether a finding is of that column. */
+/* Returns true if a finding is about a column. */
 static bool
 data_is_of(const struct mend *m, const struct sheet_column *column)
 {
@@ -163,8 +165,7 @@ data_is_of(const struct mend *m, const struct sheet_column *column)
 		   !column->feed);
 }
 
-/* What is wrong with a cell, or with the whole of its column; NULL: nothing.
- */
+/* Returns what is wrong with a cell or with its whole column; NULL: nothing. */
 static const struct finding *
 finding_of_cell(const struct sheet *h, size_t column, size_t row)
 {
@@ -177,7 +178,7 @@ finding_of_cell(const struct sheet *h, size_t column, size_t row)
 	return NULL;
 }
 
-/* The cursor to the next finding after where it is, by columns. */
+/* Moves the cursor to the next finding, column by column. */
 static void
 move_to_next_finding(struct tui *t)
 {
@@ -187,7 +188,7 @@ move_to_next_finding(struct tui *t)
 		size_t k = (t->ui.cell.at * h->n + t->ui.cell.row + i) % cells;
 		const struct finding *f =
 		    finding_of_cell(h, k / h->n, k % h->n);
-		/* Of a column its first cell. */
+		/* A finding about a column is at its first cell. */
 		if (f == NULL || (!is_cell(&f->mend) && k % h->n > 0))
 			continue;
 		t->ui.cell.at = k / h->n;
@@ -223,12 +224,13 @@ mend_cell_at_cursor(struct tui *t)
 
 /* ---- On the screen ---- */
 
-/* Rows and columns of cells that there is room for. */
+/* The number of rows and columns of cells that fit. */
 struct room {
 	size_t rows, columns;
 };
 
-/* Beside a column of the sheet at least. */
+/* Returns true if the prediction fits beside at least one column of the
+ * sheet. */
 static bool
 has_prediction(const struct tui *t, const struct area *area)
 {
@@ -236,8 +238,8 @@ has_prediction(const struct tui *t, const struct area *area)
 	       area->columns >= SIEVES + t->view.sheet.width + PREDICTED;
 }
 
-/* Rows below the cells: what is said of the one under the cursor, and on a tall
- * screen where the data are from. */
+/* Rows below the cells: for the words about the cell under the cursor, and on a
+ * tall screen for the source of the data. */
 enum { SAID = 3, SOURCE = 7 };
 
 static struct room
@@ -252,7 +254,7 @@ cells_that_fit(const struct tui *t, const struct area *area)
 	    rows < 1 ? 1 : (size_t)rows, columns < 1 ? 1 : (size_t)columns};
 }
 
-/* The first of n to show, so that `at` is among them. */
+/* Returns the first of n to show, so that `at` is among them. */
 static size_t
 first_to_show(size_t first, size_t at, size_t n, size_t room)
 {
@@ -303,7 +305,8 @@ data_draw_cell(
 		    line->row, line->column + from + h->width - 2};
 }
 
-/* A sieve with its cells and what is predicted, or for SIZE_MAX the heads. */
+/* Draws the cells of a sieve with the prediction, or for SIZE_MAX the
+ * headings. */
 static void
 data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 {
@@ -338,8 +341,8 @@ data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 	screen_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
 }
 
-/* With marks where there is more than what is shown.  Returns the column after
- * the table. */
+/* Draws the table, with marks where it continues.  Returns the column after
+ * it. */
 static int
 draw_cells(struct tui *t, const struct area *area, struct room room)
 {
@@ -369,7 +372,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 	return end + (has_prediction(t, area) ? PREDICTED : 0);
 }
 
-/* How the sheet is doing as a whole. */
+/* Returns the state of the sheet as a whole, in words. */
 static char *
 state_words(const struct tui *t)
 {
@@ -390,7 +393,7 @@ state_words(const struct tui *t)
 	    h->doctor.n);
 }
 
-/* What is said of the cell under the cursor. */
+/* Returns what there is to say about the cell under the cursor. */
 static char *
 cell_words(const struct tui *t)
 {
@@ -427,8 +430,8 @@ draw_cell_words(const struct tui *t, const struct area *area, int row)
 	return row;
 }
 
-/* Where the data are from, and what the reader took them for, as far as there
- * is room. */
+/* Draws the source of the data and how the reader took it, as far as there is
+ * room. */
 static void
 draw_source(const struct tui *t, const struct area *area, int row)
 {
@@ -453,8 +456,7 @@ draw_source(const struct tui *t, const struct area *area, int row)
 		    site->left_out[i].key, site->left_out[i].value);
 }
 
-/* What is left between measured and predicted, where the table leaves room;
- * returns whether it does. */
+/* Draws the residuals if the table leaves room.  Returns true if it does. */
 static bool
 draw_residuals(struct tui *t, int behind)
 {
@@ -478,7 +480,7 @@ data_draw(struct tui *t)
 {
 	const struct area area = pane_list_area(t);
 	struct sheet *h = &t->view.sheet;
-	/* It may be another one in the midst of a command. */
+	/* A command that is running may have changed the site. */
 	if (!has_cells(t)) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
@@ -495,14 +497,14 @@ data_draw(struct tui *t)
 	if (area.rows <= 2 * SAID)
 		return;
 	row = plot && foot > row ? foot : row;
-	/* A blank row where that takes none away. */
+	/* With a blank row, if that takes none away. */
 	row = draw_cell_words(t, &area, row + (row + SAID < area.rows));
 	draw_source(t, &area, row + (row + SAID < area.rows));
 }
 
 /* ---- Keys ---- */
 
-/* A column, some of them, or a page of rows. */
+/* Moves by a column, by some, or by a page of rows. */
 static void
 move_sideways(struct tui *t, int amount)
 {
@@ -519,7 +521,7 @@ move_sideways(struct tui *t, int amount)
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
-/* What is seen to be chosen is mended. */
+/* A first Enter shows the cursor, the next one mends the cell. */
 void
 act_mend(struct tui *t, const struct key *key)
 {
@@ -532,7 +534,7 @@ act_mend(struct tui *t, const struct key *key)
 }
 
 void
-act_doubt(struct tui *t, const struct key *key)
+act_next_doubtful(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!has_cells(t))
@@ -547,7 +549,7 @@ data_move(struct tui *t, const struct key *key)
 	struct sheet *h = &t->view.sheet;
 	if (!has_cells(t))
 		return false;
-	/* The first key shows where the cursor is. */
+	/* A first key shows the cursor. */
 	bool here = t->ui.cell.on;
 	t->ui.cell.on = true;
 	if (!here)

@@ -27,7 +27,7 @@ touch_scrubber(struct tui *t, const struct touched *touched)
 	tui_show_generation(t, 1 + (size_t)at * (n - 1) / (size_t)last);
 }
 
-/* The slider of the generations, instead of the usual caption. */
+/* Draws the slider of the generations instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {
@@ -56,14 +56,15 @@ caption(struct tui *t, const struct area *area)
 	return true;
 }
 
-/* One row, where the plot's own would leave the plot little room. */
+/* Draws a legend of one row, as that of the plot itself would leave it little
+ * room. */
 static void
 fit_draw_legend(const struct tui *t)
 {
 	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
 				 *const ASCII[] = {"#", "|", ":"};
 	const struct area *area = &t->layout.legend;
-	const struct plots_past past = tui_search_shown(t);
+	const struct search_shown past = tui_search_shown(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int column = 0;
 	size_t nth = 0;
@@ -72,7 +73,8 @@ fit_draw_legend(const struct tui *t)
 		const struct run *run = &past.site->run[r];
 		if (!past.train[r] || misfit_covered(run) == 0)
 			continue;
-		struct chart_series look = plots_search_look(past.site, r, nth);
+		struct chart_series look =
+		    plots_search_style(past.site, r, nth);
 		size_t kind = nth++ % ARRAY_LEN(BARS);
 		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
 		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);
@@ -95,7 +97,8 @@ fit_draw(struct tui *t)
 	enum { TALL = 20, LOW = 9 };
 	bool any = tui_search_shown(t).n > 0;
 	struct layout *l = &t->layout;
-	/* What there are no rows for to draw is said. */
+	/* Without rows for a plot, the state of the search is shown in
+	 * words. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
 	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
@@ -106,7 +109,7 @@ fit_draw(struct tui *t)
 	    plots_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
 	request.speed = t->ui.tenths / 10.0;
-	request.feed_speed = t->ui.feed;
+	request.feed = tui_feed(t);
 	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->layout.plot.rows < TALL;
 	if (own)
@@ -140,9 +143,10 @@ move_by_generations(struct tui *t, int by)
 	    t, (size_t)pane_clamp_row(at, by, tui_count_generations(t)) + 1);
 }
 
-/* Of a search that runs the next one is made, of one that is over shown. */
+/* Runs the next generation of a running search; of one that is over, shows
+ * it. */
 void
-act_generation(struct tui *t, const struct key *key)
+act_next_generation(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!session_busy(t->session)) {
@@ -155,7 +159,7 @@ act_generation(struct tui *t, const struct key *key)
 }
 
 void
-act_picture(struct tui *t, const struct key *key)
+act_next_plot(struct tui *t, const struct key *key)
 {
 	static const enum plot_kind NEXT[] = {[PLOT_SEARCH] = PLOT_PSD,
 	    [PLOT_PSD] = PLOT_CONVERGENCE,
@@ -165,7 +169,7 @@ act_picture(struct tui *t, const struct key *key)
 	t->ui.picture = NEXT[t->ui.picture];
 }
 
-/* Arrows to the sides go through the generations, up and down through the
+/* Left and Right move through the generations, Up and Down through the
  * parameters. */
 static bool
 fit_move(struct tui *t, const struct key *key)

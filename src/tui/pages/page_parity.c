@@ -21,7 +21,7 @@
 
 /* ---- What is compared ---- */
 
-/* The held-out runs of a site. */
+/* Returns the held-out runs of a site. */
 static struct trials
 parity_compare(const struct session *s, size_t index)
 {
@@ -34,7 +34,7 @@ parity_compare(const struct session *s, size_t index)
 	return found;
 }
 
-/* The sizes of the chosen run, over all others by the same marks. */
+/* Moves the marks of the chosen run, which lie over all others. */
 static void
 choose_points_of_run(struct tui *t)
 {
@@ -50,8 +50,8 @@ choose_points_of_run(struct tui *t)
 	}
 }
 
-/* In reverse, as is the run's row beside the plot; a single run needs no
- * choice. */
+/* Adds the marks of the chosen run, in reverse like its row beside the plot; a
+ * single run needs none. */
 static void
 add_chosen(struct chart *chart)
 {
@@ -80,8 +80,8 @@ parity_finish(struct tui *t)
 	choose_points_of_run(t);
 }
 
-/* Site by site, as a first comparison draws what is known of each from its
- * training runs alone; a key comes between. */
+/* Compares site by site, because a first comparison draws from the posterior of
+ * the training runs of each; a key interrupts it. */
 static void
 parity_update(struct tui *t)
 {
@@ -93,7 +93,7 @@ parity_update(struct tui *t)
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
 		struct trials found = parity_compare(s, y->next);
-		if (!t->aside && signals_waited_for()) {
+		if (!t->aside && signals_stop_wanted()) {
 			trials_clear(&found);
 			return;
 		}
@@ -103,7 +103,7 @@ parity_update(struct tui *t)
 	parity_finish(t);
 }
 
-/* The newest comparison with each speed held out in turn, or NULL. */
+/* Returns the newest comparison with each speed held out in turn, or NULL. */
 static const struct answer *
 find_answer_of_each(const struct session *s)
 {
@@ -167,7 +167,7 @@ draw_each(const struct tui *t, const struct area *area, int row)
 	return row;
 }
 
-/* Difference of a size, % of the measured one. */
+/* Returns the difference of a size, % of the measured one. */
 static double
 size_error(const struct validation *v, size_t i)
 {
@@ -227,7 +227,7 @@ static const struct page_list POINTS = {.n = parity_count,
     .update = parity_update,
     .table = &TABLE};
 
-/* Statistics and points beside the plot. */
+/* Draws statistics and runs beside the plot. */
 static void
 draw_panel(struct tui *t, const struct area *area)
 {
@@ -253,7 +253,7 @@ draw_panel(struct tui *t, const struct area *area)
 	table_draw(t, &points, &TABLE, wanted);
 }
 
-/* Where there is no room for a panel. */
+/* Draws one line of statistics if there is no room for the panel. */
 static void
 parity_draw_line(const struct tui *t, const struct area *area)
 {
@@ -279,7 +279,7 @@ draw_chart(const struct tui *t, const struct area *area)
 	canvas_free(canvas);
 }
 
-/* Why there is no plot, or not yet. */
+/* Says why there is no plot, or not yet. */
 static void
 parity_draw_none(const struct tui *t, const struct area *area)
 {

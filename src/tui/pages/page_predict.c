@@ -13,9 +13,13 @@
 #include "io/sitefile/units.h"
 #include "tui/acts.h"
 #include "tui/pages/start_page.h"
+#include "cmd/ask/quantity_words.h"
 #include "tui/widgets/envelope_check.h"
+#include "tui/widgets/goal.h"
+#include "tui/widgets/goal_view.h"
 #include "tui/pages.h"
-#include "tui/cmdline.h"
+#include "tui/captured.h"
+#include "tui/control.h"
 #include "tui/widgets/panel.h"
 
 static void
@@ -35,6 +39,10 @@ predict_draw(struct tui *t)
 		start_draw(t);
 		return;
 	}
+	if (goal_is_viewed(t)) {
+		goal_view_draw(t);
+		return;
+	}
 	if (t->ui.runs) {
 		predict_draw_runs(t);
 		panel_draw(t);
@@ -42,31 +50,31 @@ predict_draw(struct tui *t)
 	}
 	request.words = 0;
 	request.speed = t->ui.tenths / 10.0;
-	request.feed_speed = t->ui.feed;
+	request.feed = tui_feed(t);
 	request.band = t->ui.band;
 	if (p->product.n > 0 && t->view.of.tenths == t->ui.tenths)
 		request.made = p;
-	request.level = t->ui.level;
+	request.level = t->ui.crosshair_passing;
 	if (t->view.pinned.site[0] != '\0') {
 		request.beside = t->view.pinned.site;
 		request.kept = &t->session->pin->p;
 	}
-	if (t->ui.cross && t->ui.cross_at < p->product.n)
+	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		request.crosshair_mm =
-		    units_mm(p->product.size[t->ui.cross_at]);
+		    units_mm(p->product.size[t->ui.crosshair_sieve]);
 	pane_curves(t, &request, t->layout.side.rows == 0);
 	panel_draw(t);
 }
 
 void
-act_level(struct tui *t, const struct key *key)
+act_crosshair_passing(struct tui *t, const struct key *key)
 {
 	enum { LEAST = 5, MOST = 95 };
-	int to = t->ui.level + key->amount;
-	t->ui.level = to < LEAST ? LEAST : to > MOST ? MOST : to;
+	int to = t->ui.crosshair_passing + key->amount;
+	t->ui.crosshair_passing = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
-/* What the panel has no room for; before a calibration it is that. */
+/* Shows all numbers; before a calibration, starts that. */
 void
 act_numbers(struct tui *t, const struct key *key)
 {
@@ -83,8 +91,8 @@ act_numbers(struct tui *t, const struct key *key)
 	FREED char *line = tui_command_of_page(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
-	else
-		cmdline_show(t, line);
+	else if (control_run(t, line))
+		captured_show(t);
 }
 
 void
@@ -92,38 +100,41 @@ act_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->ui.runs = tui_current_entry(t) != NULL && !t->ui.runs;
+	t->ui.goal_view = false;
 }
 
 static bool
 predict_move(struct tui *t, const struct key *key)
 {
-	/* Sieves stand coarsest first, the plot finest first. */
+	/* Both the sieves and the key go from coarse to fine. */
 	size_t n = t->view.shown.product.n;
-	if (!t->ui.cross || key->act != act_list)
+	if (!t->ui.crosshair || goal_is_viewed(t) || key->act != act_list)
 		return false;
-	t->ui.cross_at =
-	    (size_t)pane_clamp_row((int)t->ui.cross_at, key->amount, n);
+	t->ui.crosshair_sieve =
+	    (size_t)pane_clamp_row((int)t->ui.crosshair_sieve, key->amount, n);
 	return true;
 }
 
-/* Opens the page. */
+/* Turns the crosshair on, which opens the page, or off. */
 void
-act_cross(struct tui *t, const struct key *key)
+act_crosshair(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->ui.cross = !t->ui.cross && t->view.shown.product.n > 0;
-	t->ui.runs = t->ui.runs && !t->ui.cross;
-	if (t->ui.cross && t->ui.cross_at == 0)
-		t->ui.cross_at = t->view.shown.product.n / 3;
-	if (t->ui.cross)
+	t->ui.crosshair = !t->ui.crosshair && t->view.shown.product.n > 0;
+	t->ui.runs = t->ui.runs && !t->ui.crosshair;
+	t->ui.goal_view = t->ui.goal_view && !t->ui.crosshair;
+	if (t->ui.crosshair && t->ui.crosshair_sieve == 0)
+		t->ui.crosshair_sieve = t->view.shown.product.n / 3;
+	if (t->ui.crosshair)
 		pages_go(t, PAGE_PREDICT);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_none(t));
-	else if (t->ui.cross)
+	else if (t->ui.crosshair)
 		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
 
-/* The nearest sieve by the ratio of sizes, as the axis has them. */
+/* Moves the crosshair to the nearest sieve, by the ratio of sizes, as on the
+ * axis. */
 static void
 move_crosshair_to(struct tui *t, double size)
 {
@@ -133,7 +144,7 @@ move_crosshair_to(struct tui *t, double size)
 		if (fabs(log(psd->size[i] / size)) <
 		    fabs(log(psd->size[best] / size)))
 			best = i;
-	t->ui.cross_at = best;
+	t->ui.crosshair_sieve = best;
 }
 
 static void
@@ -142,9 +153,9 @@ point_crosshair(struct tui *t, enum plot_kind kind, double x, double y)
 	(void)y;
 	if (kind != PLOT_PSD)
 		return;
-	if (!t->ui.cross)
-		act_cross(t, NULL);
-	if (!t->ui.cross)
+	if (!t->ui.crosshair)
+		act_crosshair(t, NULL);
+	if (!t->ui.crosshair)
 		return;
 	pages_go(t, PAGE_PREDICT);
 	move_crosshair_to(t, x / 1000);
@@ -154,6 +165,10 @@ static char *
 predict_words(const struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
+	if (goal_is_viewed(t)) {
+		FREED char *of = quantities_as_typed(&t->ui.quantity);
+		return xasprintf("response of=\"%s\"", of);
+	}
 	if (t->ui.runs)
 		return xstrdup("runs");
 	char *words = pane_curves_words(t);
@@ -161,9 +176,10 @@ predict_words(const struct tui *t)
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");
-	if (t->ui.cross && t->ui.cross_at < p->product.n)
+	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		xappend(&words, " at=%g level=%d",
-		    units_mm(p->product.size[t->ui.cross_at]), t->ui.level);
+		    units_mm(p->product.size[t->ui.crosshair_sieve]),
+		    t->ui.crosshair_passing);
 	return words;
 }
 
@@ -173,9 +189,12 @@ predict_hints(const struct tui *t)
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	if (tui_current_entry(t) == NULL)
 		return START_HINTS;
+	if (goal_is_viewed(t))
+		return N_("<-/->  n p  N  Up/Down condition  T back  t  ?  q  "
+			  "e  :");
 	if (t->ui.runs)
 		return N_("r this speed  <-/->  ?  q  :  d");
-	if (t->ui.cross)
+	if (t->ui.crosshair)
 		return N_("<-/->  Up/Down  < >  c no crosshair  ?  q  :");
 	if (undone)
 		return "<-/->  U  ?  q  f  :  t  x  e  u";
@@ -185,13 +204,31 @@ predict_hints(const struct tui *t)
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')
 		return goals_is_set(t->session)
-			   ? N_("<-/->  n p  N  ?  Enter  q  e  x unpin  :  t")
+			   ? N_("<-/->  n p  N  T  ?  Enter  q  e  x unpin  :  "
+				"t")
 			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
 				"u");
 	return goals_is_set(t->session)
-		   ? "<-/->  n p  N  ?  Enter  q  x  e  :  t"
+		   ? "<-/->  n p  N  T  ?  Enter  q  x  e  :  t"
 		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
 }
+
+/* Its rows are the ways to open a site, or the conditions of the goal. */
+static size_t
+predict_rows(const struct tui *t)
+{
+	return goal_is_viewed(t) ? t->view.goal.list.n : START_LIST.n(t);
+}
+
+static void
+predict_open_row(struct tui *t)
+{
+	if (tui_current_entry(t) == NULL)
+		START_LIST.open(t);
+}
+
+static const struct page_list LIST = {
+    .n = predict_rows, .chosen = goal_show_chosen, .open = predict_open_row};
 
 const struct page_ops page_predict = {.name = N_("Predict"),
     .hints_now = predict_hints,
@@ -202,7 +239,8 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .strip = true,
     .update = envelope_check_update,
     .draw = predict_draw,
-    .list = &START_LIST,
+    .list = &LIST,
+    .list_rows = goal_view_rows,
     .move = predict_move,
     .point = point_crosshair,
     .words = predict_words};

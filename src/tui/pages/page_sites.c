@@ -40,8 +40,8 @@ enum column {
 	COLUMNS
 };
 
-/* The light of a site under way is in other words, so that its width is
- * fixed. */
+/* For a site that is being calibrated, the column of the light has other words:
+ * its width is fixed. */
 static const struct list_column COLUMN[COLUMNS] = {
     [LIGHT] = {N_("light"), 7, 1, .fixed = true},
     [NAME] = {N_("site"), 1, 0, .indent = 2},
@@ -58,8 +58,8 @@ static const struct list_column COLUMN[COLUMNS] = {
 
 /* ---- What is known of each ---- */
 
-/* The P50 at a speed: of the site in use as on its page, of the others on the
- * feed that serves for all speeds. */
+/* Computes the P50 at a speed: for the site in use on the feed of its page, for
+ * others on that of all speeds. */
 static void
 sites_row_at(struct site_row *row, const struct tui *t)
 {
@@ -80,18 +80,18 @@ sites_row_at(struct site_row *row, const struct tui *t)
 	prediction_free(&p);
 }
 
-/* What does not depend on the speed. */
+/* Returns what does not depend on the speed. */
 static struct site_row
 sites_row_of(const struct session *s, size_t i)
 {
 	const struct entry *e = &s->entry[i];
 	struct site_row row = {.entry = i,
 	    .p50 = NAN,
-	    .lit = e->has_params,
+	    .has_light = e->has_params,
 	    .holdout = e->has_fit ? 100 * fit_holdout_rmse(e) : NAN};
-	/* That of a site under way is not known yet. */
-	row.lit = row.lit && session_fitting(s) != e;
-	if (row.lit) {
+	/* The light of a site that is being calibrated is not known yet. */
+	row.has_light = row.has_light && session_fitting(s) != e;
+	if (row.has_light) {
 		struct trust t = light_of_prediction(s, e, NULL);
 		row.light = t.light;
 		row.verdict = e->has_fit ? light_verdict(s, e, NULL) : NULL;
@@ -100,8 +100,8 @@ sites_row_of(const struct session *s, size_t i)
 	return row;
 }
 
-/* "69 o74 79": o is held out, as on the slider's track; "8 runs" where these
- * are many. */
+/* Writes "69 o74 79", with o at held-out speeds like the signs of the track; "8
+ * runs" if there are many. */
 static void
 runs_text(const struct entry *e, char *text, size_t n)
 {
@@ -133,8 +133,8 @@ origin_text(const struct session *s, const struct site_row *row)
 					     : origin_words(e);
 }
 
-/* Of several calibrations one after the other: of which this is one, and how
- * far it is; false: they have nothing to do with it, or are over. */
+/* Writes the progress of a site, also if several are calibrated in turn.
+ * Returns false if it is not concerned or its calibration is over. */
 static bool
 progress_text(const struct tui *t, size_t i, char *text, size_t n)
 {
@@ -142,7 +142,7 @@ progress_text(const struct tui *t, size_t i, char *text, size_t n)
 	const struct job *job = &s->job;
 	if (session_fitting(s) == NULL || i < job->entry ||
 	    (i > job->entry &&
-		(job->rounds->alone || site_products(s->entry[i].site) == 0)))
+		(job->type->alone || site_products(s->entry[i].site) == 0)))
 		return false;
 	struct calibrate_status st = calibration_status(job->calibration);
 	if (i > job->entry)
@@ -163,11 +163,11 @@ light_text(
     const struct tui *t, const struct site_row *row, char *text, size_t n)
 {
 	if (!progress_text(t, row->entry, text, n))
-		snprintf(
-		    text, n, "%s", row->lit ? tr(LIGHT_NAME[row->light]) : "-");
+		snprintf(text, n, "%s",
+		    row->has_light ? tr(LIGHT_NAME[row->light]) : "-");
 }
 
-/* The number of a column; NAN where there is none, or it has words. */
+/* Returns the number in a column; NAN if there is none or it has words. */
 static double
 sites_number_of(
     const struct session *s, const struct site_row *row, enum column column)
@@ -175,7 +175,7 @@ sites_number_of(
 	const struct entry *e = &s->entry[row->entry];
 	switch (column) {
 	case LIGHT:
-		return row->lit ? (double)row->light : NAN;
+		return row->has_light ? (double)row->light : NAN;
 	case TOP:
 		return e->site->top_size > 0 ? units_mm(e->site->top_size)
 					     : NAN;
@@ -196,7 +196,7 @@ sites_number_of(
 	}
 }
 
-/* "-" where there is no such number. */
+/* Writes the number, or "-". */
 static void
 number_text(const struct tui *t, const struct site_row *row, enum column column,
     char *text, size_t n)
@@ -257,8 +257,8 @@ sort_word_of(
 				      : e->key;
 }
 
-/* Whether row a stands behind b: what has no number or word is last either
- * way. */
+/* Returns true if row a stands after b; what has no number or word is last in
+ * either direction. */
 static bool
 is_sorted_after(
     const struct tui *t, const struct site_row *a, const struct site_row *b)
@@ -282,7 +282,7 @@ is_sorted_after(
 	return t->ui.sort_down ? by < 0 : by > 0;
 }
 
-/* They are in order but for a few. */
+/* Sorts by insertion, because few rows are out of order. */
 static void
 sites_sort_rows(struct tui *t)
 {
@@ -296,8 +296,8 @@ sites_sort_rows(struct tui *t)
 	}
 }
 
-/* By another column from the least on, by the same one the other way round; -1:
- * as they were loaded. */
+/* Sorts by a column, ascending at first and then in the other direction; -1: as
+ * loaded. */
 static void
 sort_by_column(struct tui *t, int column)
 {
@@ -316,15 +316,15 @@ light_series(const struct tui *t, size_t i, int column, const char *text,
 	    [LIGHT_RED] = SERIES_RED};
 	const struct site_row *row = &t->view.row[i];
 	*series = LIGHT_LOOK[row->light];
-	return column == LIGHT && row->lit &&
+	return column == LIGHT && row->has_light &&
 	       strcmp(text, LIGHT_NAME[row->light]) == 0;
 }
 
 static const struct list_table TABLE = {
     COLUMN, COLUMNS, sites_cell, light_series, sort_by_column};
 
-/* What does not depend on the speed is worked out when the session has changed
- * only (rows_at 0). */
+/* Computes the rows; what does not depend on the speed only if the session has
+ * changed (rows_at 0). */
 static void
 sites_update(struct tui *t)
 {
@@ -350,9 +350,9 @@ sites_update(struct tui *t)
 
 /* ---- On the screen ---- */
 
-/* More of the site under the cursor: what the mark of its P50 means, its
- * parameters, what it is, where its data are from; the last is left out first.
- */
+/* Describes the site under the cursor: what the mark of its P50 means, its
+ * parameters, what it is, and the source of its data, which is left out
+ * first. */
 enum { ABOUT = 4 };
 static void
 describe_site(const struct tui *t, char *text[static ABOUT])
@@ -378,8 +378,8 @@ describe_site(const struct tui *t, char *text[static ABOUT])
 						: tr("provenance not stated"));
 }
 
-/* The curves of the site under the cursor, between its row and what is told of
- * it. */
+/* Draws the curves of the site under the cursor between its row and the words
+ * about it. */
 static void
 draw_preview(struct tui *t, struct area area)
 {
@@ -397,8 +397,8 @@ draw_preview(struct tui *t, struct area area)
 	pane_plot(t, &request, &area);
 }
 
-/* In the rows at the foot of the page from `first` on; returns how many it
- * leaves. */
+/* Draws these words at the foot of the page, below row `first`.  Returns how
+ * many rows they leave. */
 static int
 draw_site(const struct tui *t, const struct area *area, int first)
 {
@@ -466,12 +466,12 @@ static void
 sites_choose(struct tui *t)
 {
 	const struct session *s = t->session;
-	if (session_fitting(s) != NULL && !s->job.rounds->alone) {
+	if (session_fitting(s) != NULL && !s->job.type->alone) {
 		tui_say(t, false,
 		    "calibrating all sites: s stops, then Enter opens one");
 		return;
 	}
-	/* The site in use is only looked at, and what runs goes on. */
+	/* The site in use is only shown, without stopping a job. */
 	if (session_busy(s) && t->ui.list[PAGE_SITES].at == s->current) {
 		pages_go(t, PAGE_PREDICT);
 		return;
@@ -486,7 +486,7 @@ sites_choose(struct tui *t)
 		pages_go(t, PAGE_PREDICT);
 }
 
-/* Columns that are drawn come in turn. */
+/* Sorts by the next of the columns that are drawn. */
 static void
 sort_by_next_column(struct tui *t)
 {

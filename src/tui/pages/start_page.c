@@ -10,7 +10,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/list.h"
 
-/* Each with the list that it opens. */
+/* The ways to open a site, each with the list of files that it opens. */
 static const struct {
 	const char *name, *what;
 	enum picker_list list;
@@ -44,7 +44,9 @@ ways_count(const struct tui *t)
 static void
 ways_open(struct tui *t)
 {
-	picker_open(t, WAYS[t->ui.list[PAGE_PREDICT].at].list);
+	size_t at = t->ui.list[PAGE_PREDICT].at;
+	if (at < ARRAY_LEN(WAYS))
+		picker_open(t, WAYS[at].list);
 }
 
 const struct page_list START_LIST = {.n = ways_count, .open = ways_open};
@@ -57,7 +59,7 @@ draw_way(struct tui *t, const struct area *line, size_t i, unsigned look,
 	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
 }
 
-/* In the middle, with what the chosen one is for where there is room. */
+/* In the middle, with a description of the chosen way if there is room. */
 void
 start_draw(struct tui *t)
 {

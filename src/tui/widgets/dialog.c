@@ -15,7 +15,7 @@
 #include "tui/screen.h"
 
 enum edit_result
-dialogue_key(struct tui *t, int code, bool special)
+dialog_key(struct tui *t, int code, bool special)
 {
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
@@ -25,14 +25,15 @@ dialogue_key(struct tui *t, int code, bool special)
 	}
 	if (special && code == KEY_ENTER)
 		return EDIT_DONE;
-	/* In an empty line Backspace would give up; Tab completes commands. */
+	/* Backspace in an empty line would give up, and Tab complete
+	 * commands. */
 	if ((back && t->answer.n == 0) || (!special && code == '\t'))
 		return EDIT_ON;
 	return edit_key(&t->answer, t->session, code, special);
 }
 
 char *
-dialogue_ask(struct tui *t, const struct inquiry *q)
+dialog_ask(struct tui *t, const struct inquiry *q)
 {
 	int code;
 	bool special;
@@ -40,14 +41,14 @@ dialogue_ask(struct tui *t, const struct inquiry *q)
 	t->inquiry = q;
 	t->inquiry_up = 0;
 	edit_begin(&t->answer, "");
-	while (result == EDIT_ON && t->ways->answer(t, &code, &special))
-		result = dialogue_key(t, code, special);
+	while (result == EDIT_ON && t->callbacks->answer(t, &code, &special))
+		result = dialog_key(t, code, special);
 	t->inquiry = NULL;
 	edit_end(&t->answer);
 	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
 }
 
-/* How many rows each part has; gap: blank ones around the table. */
+/* The rows of each part; gap: blank ones around the table. */
 struct parts {
 	int about, table, gap, text, line, hint;
 };
@@ -107,15 +108,15 @@ draw_frame(struct tui *t, const struct area *box, const char *keys)
 	pane_touch_hints(t, edge.row, edge.column + 3, keys);
 }
 
-/* The wheel goes through the table. */
+/* The wheel scrolls the table. */
 static void
 touch_table(struct tui *t, const struct touched *touched)
 {
 	t->inquiry_up -= touched->by;
 }
 
-/* The heads, and as many rows as there is room for, with the one asked about
- * unless it was moved away. */
+/* Draws the headings and as many rows as fit, with the one asked about unless
+ * the table was scrolled. */
 static void
 draw_table(struct tui *t, const struct area *area)
 {
@@ -146,7 +147,7 @@ dialog_draw_line(struct tui *t, const struct area *area)
 	t->cursor = (struct cursor){area->row, area->column + at};
 }
 
-/* The parts one below the other. */
+/* Draws the parts from the top down. */
 static void
 draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
     const char *asks)
@@ -173,7 +174,7 @@ draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
 }
 
 void
-dialogue_draw(struct tui *t, int rows, int columns)
+dialog_draw(struct tui *t, int rows, int columns)
 {
 	enum { MOST_COLUMNS = 100, FRAME_ROWS = 9, FRAME_COLUMNS = 32 };
 	const struct inquiry *q = t->inquiry;

@@ -8,13 +8,13 @@
 #include "tui/tui_state.h"
 
 /* See session->hooks.question. */
-char *dialogue_ask(struct tui *t, const struct inquiry *q);
+char *dialog_ask(struct tui *t, const struct inquiry *q);
 
 /* Handles a key of the open dialogue. */
-enum edit_result dialogue_key(struct tui *t, int code, bool special);
+enum edit_result dialog_key(struct tui *t, int code, bool special);
 
 /* Draws the dialogue over the screen's content, at any size, with the cursor in
  * its line. */
-void dialogue_draw(struct tui *t, int rows, int columns);
+void dialog_draw(struct tui *t, int rows, int columns);
 
 #endif

@@ -24,7 +24,7 @@ edit_put_text(struct edit *t, const char *text)
 	t->n = t->at = strlen(t->text);
 }
 
-/* Puts text instead of the bytes from start to the cursor. */
+/* Replaces the bytes from start to the cursor. */
 static void
 replace_before_cursor(struct edit *t, size_t start, const char *text, size_t n)
 {
@@ -70,7 +70,7 @@ insert(struct edit *t, unsigned code)
 	replace_before_cursor(t, t->at, letter, strlen(letter));
 }
 
-/* The offset of the character before, and after, an offset. */
+/* Return the offset of the character before, and after, an offset. */
 static size_t
 edit_before(const struct edit *t, size_t at)
 {
@@ -111,7 +111,7 @@ go_back_in_history(struct edit *t, int by)
 		   : history_get(history_base + history_length - back)->line);
 }
 
-/* How many bytes all candidates begin with. */
+/* Returns how many bytes all candidates begin with. */
 static size_t
 shared_candidate_bytes(const struct completion *c)
 {
@@ -150,7 +150,7 @@ complete_word(struct edit *t, const struct session *s)
 	completion_free(c);
 }
 
-/* Keys with a name. */
+/* Handles keys that have a name. */
 static void
 edit(struct edit *t, int code)
 {
@@ -172,7 +172,7 @@ edit(struct edit *t, int code)
 		replace_before_cursor(t, edit_before(t, t->at), "", 0);
 }
 
-/* What the control keys are short for. */
+/* Returns the key that a control key stands for, or 0. */
 static int
 key_of_control(int code)
 {

@@ -52,8 +52,8 @@ close_list(struct tui *t)
 	t->picker = (struct picker){0};
 }
 
-/* The line for guess, to be completed with what the sheet does not say: the
- * cursor is where that goes. */
+/* Types the line of guess, with the cursor where the sheet leaves something
+ * open. */
 static void
 type_guess(struct tui *t)
 {
@@ -73,7 +73,7 @@ type_guess(struct tui *t)
 	}
 }
 
-/* Runs the command as if a key had composed it, and says what is next. */
+/* Runs the command like that of a key, and says what is next. */
 static bool
 file_picker_run(struct tui *t, const char *line, bool estimates)
 {
@@ -127,7 +127,7 @@ file_picker_text(const struct tui *t, size_t i)
 	    "%s\n%s", item->name, item->about != NULL ? item->about : "");
 }
 
-/* Reads the file that is chosen, where it was not. */
+/* Reads the chosen file for its preview, once. */
 static void
 file_picker_update(struct tui *t)
 {
@@ -162,7 +162,7 @@ picker_open(struct tui *t, enum picker_list what)
 	list_all(&t->picker, "");
 }
 
-/* To the folder above. */
+/* Goes to the folder above. */
 static void
 go_up(struct tui *t)
 {
@@ -177,8 +177,8 @@ go_up(struct tui *t)
 		}
 }
 
-/* Letters of names, and keys that take them back; false for others.  One that
- * nothing has is not taken. */
+/* Filters by letters of names, or deletes them.  Returns false for other keys.
+ * A letter that no name has is not taken. */
 static bool
 narrow_by_letter(struct tui *t, int code, bool special)
 {
@@ -207,7 +207,7 @@ picker_key(struct tui *t, int code, bool special)
 	if (narrow_by_letter(t, code, special))
 		return true;
 	const struct key *key = keys_find(code, t->ui.page);
-	key_way *act = key != NULL ? key->act : NULL;
+	key_action *act = key != NULL ? key->act : NULL;
 	bool aside = act == act_move && abs(key->amount) == STEP;
 	bool moves =
 	    !aside && (act == act_move || act == act_ends || act == act_list);
@@ -267,7 +267,7 @@ draw_title(const struct tui *t, const struct area *area)
 		screen_text(area, 0, column, 0, ": the first %zu", c->folder.n);
 }
 
-/* In the row of hints and the one above it, as on a page. */
+/* Draws the message over the hints and, if needed, the row above. */
 static void
 file_picker_draw_message(const struct tui *t)
 {
@@ -281,7 +281,7 @@ file_picker_draw_message(const struct tui *t)
 	screen_words(&area, 0, LOOK_BOLD, text);
 }
 
-/* The preview stands beside the list, or below it where that is narrow. */
+/* Draws the list with the preview beside it, or below it on a narrow screen. */
 void
 picker_draw(struct tui *t)
 {

@@ -24,7 +24,7 @@
 /* Screens separate sharply. */
 static const struct partition SHARP = {0, 1};
 
-/* A list of more conditions is an envelope's. */
+/* A list of more conditions is that of an envelope. */
 enum { MANY = 4 };
 
 bool
@@ -50,12 +50,6 @@ goal_words(const struct tui *t, enum goals_length length)
 {
 	return goals_words(t->session, tui_entry_asked_about(t), &t->view.goal,
 	    t->ui.tenths / 10.0, length);
-}
-
-static const struct psd *
-goal_feed_of(const struct tui *t)
-{
-	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 size_t
@@ -94,12 +88,66 @@ goal_holds(const struct tui *t, double from, double to, bool *certain)
 	return holds;
 }
 
+double
+goal_certain_at(const struct tui *t, double speed)
+{
+	const struct speed_search *found = t->view.goal.found;
+	size_t k = 0;
+	if (!goal_known(t))
+		return NAN;
+	while (k + 1 < found->n && found->speed[k] < speed - 0.05)
+		k++;
+	return found->certain[k];
+}
+
+bool
+goal_is_viewed(const struct tui *t)
+{
+	const struct entry *entry = tui_current_entry(t);
+	return t->ui.goal_view && t->ui.page == PAGE_PREDICT &&
+	       goals_is_set(t->session) && entry != NULL && entry->has_params;
+}
+
+void
+goal_show_chosen(struct tui *t)
+{
+	const struct condition_list *list = &t->view.goal.list;
+	size_t at = t->ui.list[PAGE_PREDICT].at;
+	if (!goal_is_viewed(t) || list->n == 0)
+		return;
+	const struct quantity *q =
+	    &list->at[at < list->n ? at : list->n - 1].quantity;
+	/* A list of sieves is freed with the goal. */
+	if (q->sieve == NULL)
+		t->ui.quantity = *q;
+}
+
+void
+act_goal_view(struct tui *t, const struct key *key)
+{
+	(void)key;
+	bool opens = !goal_is_viewed(t);
+	t->message[0] = '\0';
+	t->ui.goal_view = opens;
+	t->ui.goal_view = goal_is_viewed(t);
+	/* The first step reads the conditions. */
+	if (t->ui.goal_view && goal_pending(t))
+		goal_step(t);
+	if (t->ui.goal_view && goal_known(t))
+		t->ui.list[PAGE_PREDICT].at = t->view.goal.binds;
+	goal_show_chosen(t);
+	if (opens && !goals_is_set(t->session))
+		tui_say(t, false, "no goal yet: t sets one");
+	else if (opens && !t->ui.goal_view)
+		tui_say(t, true, "%s", tui_why_none(t));
+}
+
 void
 act_goal(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
-	/* What a search has found so far is shown, too. */
+	/* During a search its best so far is shown, too. */
 	if (entry == NULL ||
 	    (!entry->has_params && t->view.shown.product.n == 0)) {
 		tui_say(t, true, "%s", tui_why_none(t));
@@ -118,8 +166,8 @@ act_goal(struct tui *t, const struct key *key)
 	edit_begin(&t->line, line);
 }
 
-/* What the words before a comma may become: quantities, and the envelopes that
- * come with the program. */
+/* Completes the last condition: quantities, and the envelopes that come with
+ * the program. */
 static void
 complete_goal(struct edit *y)
 {
@@ -166,8 +214,8 @@ close_goal_field(struct tui *t)
 	t->goal_field = false;
 }
 
-/* The line that sets one, or takes it away; NULL where that changes nothing.
- * An envelope alone is also the one in use, so that its limits are drawn. */
+/* Returns the line that sets the goal, or clears it; NULL if nothing changes.
+ * An envelope alone is also put to use, so that its limits are drawn. */
 static char *
 goal_command_line(struct tui *t, const char *text)
 {
@@ -186,7 +234,8 @@ goal_command_line(struct tui *t, const char *text)
 	return NULL;
 }
 
-/* "p80" and "p80=" alone are to be looked at, and nothing is wanted of them. */
+/* A quantity alone, "p80" or "p80=", is only shown above the track.  Returns
+ * false if the text is no quantity. */
 static bool
 take_quantity(struct tui *t, const char *text)
 {
@@ -197,7 +246,7 @@ take_quantity(struct tui *t, const char *text)
 	if (n > 0 && copy[n - 1] == '=')
 		copy[n - 1] = '\0';
 	bool ok = quantities_read(copy, &SHARP, &q, &error);
-	if (ok && quantities_covered(&q, goal_feed_of(t), &error)) {
+	if (ok && quantities_covered(&q, tui_feed_curve(t), &error)) {
 		t->ui.quantity = q;
 		close_goal_field(t);
 		if (goals_is_set(t->session))
@@ -211,8 +260,8 @@ take_quantity(struct tui *t, const char *text)
 	return ok;
 }
 
-/* What is to be seen of conditions: that of the last, of an envelope's that of
- * a sieve in the middle until it is known which one binds. */
+/* Returns the quantity to show for conditions: that of the last; for an
+ * envelope, that of a sieve in the middle until it is known which one binds. */
 static struct quantity
 quantity_to_show(const struct condition_list *list)
 {
@@ -230,12 +279,12 @@ goal_step(struct tui *t)
 		return;
 	struct quantity first = quantity_to_show(&g->list);
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
-	/* Not that of a list of sieves, which goes with the goal. */
+	/* A list of sieves is freed with the goal. */
 	if (quantity_same(&t->ui.quantity, &first) && binds->sieve == NULL)
 		t->ui.quantity = *binds;
 }
 
-/* Enter: what cannot be read stays to be mended. */
+/* Reads the field on Enter.  What cannot be read stays, to be corrected. */
 static char *
 read_goal_field(struct tui *t)
 {
@@ -249,7 +298,7 @@ read_goal_field(struct tui *t)
 		line = goal_command_line(t, "");
 	} else if (take_quantity(t, text)) {
 		/* said already */
-	} else if (goals_read(t->session, text, goal_feed_of(t), &list,
+	} else if (goals_read(t->session, text, tui_feed_curve(t), &list,
 		       &n_value, &error)) {
 		if (list.n > 0)
 			t->ui.quantity = quantity_to_show(&list);
@@ -263,8 +312,8 @@ read_goal_field(struct tui *t)
 	return line;
 }
 
-/* What stands there was only offered: a letter begins another quantity, a sign
- * stands for its own, a number is a value of it; a comma adds to it. */
+/* Replaces the proposed text: a letter begins another quantity, a sign its own
+ * condition, a number a value; a comma adds a condition. */
 static void
 begins_new_goal(struct tui *t, int code)
 {
@@ -276,7 +325,8 @@ begins_new_goal(struct tui *t, int code)
 	edit_begin(&t->line, isalpha(code) ? "" : words);
 }
 
-/* The number that stood for a value begins a fraction: "p80=0", then a /. */
+/* Turns a number typed for a value, "p80=0", into the beginning of a fraction,
+ * "0/". */
 static void
 begin_fraction(struct edit *y)
 {

@@ -20,6 +20,15 @@ void goal_step(struct tui *t);
  * caller frees, or NULL. */
 char *goal_key(struct tui *t, int code, bool special);
 
+/* True if page Predict shows the goal at full height.  goal_show_chosen then
+ * makes the quantity above the track that of the condition chosen there. */
+bool goal_is_viewed(const struct tui *t);
+void goal_show_chosen(struct tui *t);
+
+/* Returns the share of draws in which all conditions hold at a speed; NAN: not
+ * known. */
+double goal_certain_at(const struct tui *t, double speed);
+
 /* Returns the goal in words, see goals_words. */
 char *goal_words(const struct tui *t, enum goals_length length);
 

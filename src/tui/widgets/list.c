@@ -43,7 +43,7 @@ list_id(const struct tui *t, size_t i)
 	return list_of(t)->id != NULL ? list_of(t)->id(t, i) : i;
 }
 
-/* The row under the cursor, in a list that has rows. */
+/* Returns the row under the cursor of a list that has rows. */
 static size_t
 list_at(const struct tui *t)
 {
@@ -71,7 +71,7 @@ list_has_words(const struct page_list *of)
 	return of != NULL && (of->text != NULL || of->table != NULL);
 }
 
-/* All columns, whether there is room for them or not. */
+/* Looks through all columns, also those that are not shown. */
 static bool
 list_row_matches(const struct tui *t, size_t i)
 {
@@ -88,7 +88,7 @@ list_row_matches(const struct tui *t, size_t i)
 	return text_has(text, word->text);
 }
 
-/* The nearest row before or after i that has the word, else i. */
+/* Returns the nearest row before or after i that matches, else i. */
 static size_t
 list_next(const struct tui *t, size_t i, int by)
 {
@@ -108,8 +108,8 @@ rows_count(const struct tui *t)
 	return n;
 }
 
-/* The cursor onto a row that has the word: there, after it, or before it;
- * false: there is none. */
+/* Moves the cursor to a matching row, there, after or before.  Returns false if
+ * there is none. */
 static bool
 list_settle(struct tui *t)
 {
@@ -139,8 +139,8 @@ list_move(struct tui *t, int by)
 	list_go(t, at);
 }
 
-/* The first row to draw, so that the one under the cursor is among `room` of
- * them, and at the end of the list none is left blank. */
+/* Returns the first row to draw, so that the one under the cursor is among
+ * `room` of them and none is left blank at the end. */
 static size_t
 list_first(struct tui *t, int room)
 {
@@ -189,7 +189,8 @@ list_touch_wheel(struct tui *t, const struct touched *touched)
 }
 
 int
-rows_draw(struct tui *t, const struct area *area, row_way *draw, const void *of)
+rows_draw(
+    struct tui *t, const struct area *area, row_drawer *draw, const void *of)
 {
 	int row = 0;
 	bool any = list_settle(t);
@@ -242,7 +243,7 @@ table_ranked(const struct list_table *table, int rank)
 	return c;
 }
 
-/* The first in rank gives way last, but leaves the second one room. */
+/* The first in rank gives way last, but leaves room for the second. */
 void
 table_share(const struct list_table *table, int columns,
     const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS])
@@ -252,7 +253,7 @@ table_share(const struct list_table *table, int columns,
 	for (int rank = 0; rank < table->n; rank++) {
 		int c = table_ranked(table, rank);
 		int least = table->column[c].least;
-		/* Of a number all of it, with a blank before it. */
+		/* A number needs all of its width, and a space before it. */
 		if (table->column[c].right)
 			least = wanted[c] - GAP + 1;
 		if (wanted[c] < least)
@@ -281,7 +282,8 @@ table_touch_head(struct tui *t, const struct touched *touched)
 		list->table->sort(t, (int)touched->item);
 }
 
-/* That of the column sorted by is marked, with its direction. */
+/* Draws the heading of a column; that of the column sorted by is marked with
+ * its direction. */
 static void
 table_draw_head(struct tui *t, const struct list_table *table,
     const struct area *cell, int column)
@@ -302,7 +304,7 @@ table_draw_head(struct tui *t, const struct list_table *table,
 		    table_touch_head, (size_t)column);
 }
 
-/* Each cell is drawn by itself, as texts may have wide letters. */
+/* Draws a cell by itself, because texts may have wide letters. */
 static void
 table_draw_cell(const struct tui *t, const struct list_table *table,
     const struct area *cell, size_t i, int column, unsigned look)
@@ -319,7 +321,8 @@ table_draw_cell(const struct tui *t, const struct list_table *table,
 		screen_text(cell, 0, 0, look, "%s", text);
 }
 
-/* i: SIZE_MAX of the headings.  A gap stands before a text, but at the edge. */
+/* Draws a row, or for SIZE_MAX the headings.  A text has a gap before it,
+ * except at the edge. */
 static void
 table_draw_row(struct tui *t, const struct area *line, size_t i, unsigned look,
     const void *of)
@@ -361,7 +364,7 @@ rows_wheel(struct tui *t, struct area area)
 	hits_add(&t->hits, HIT_WHEEL, area, list_touch_wheel, 0);
 }
 
-/* Several keys may come before the next frame. */
+/* Updates the rows, because several keys may come before the next frame. */
 static void
 list_update(struct tui *t)
 {

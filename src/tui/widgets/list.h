@@ -12,14 +12,14 @@ bool list_has_rows(const struct tui *t);
 size_t rows_count(const struct tui *t);
 
 /* Draws row i of a list.  look: of its text; of: as passed to rows_draw. */
-typedef void row_way(struct tui *t, const struct area *line, size_t i,
+typedef void row_drawer(struct tui *t, const struct area *line, size_t i,
     unsigned look, const void *of);
 
 /* Draws as many rows as fit, including the one under the cursor.  A click
  * selects a row; a click on the selected row opens it.  Returns the number
  * drawn. */
 int rows_draw(
-    struct tui *t, const struct area *area, row_way *draw, const void *of);
+    struct tui *t, const struct area *area, row_drawer *draw, const void *of);
 
 /* A column of a list.  least: minimum width, if its texts need that much; with
  * less it is not shown.  rank: columns with a low rank get room first; indent:

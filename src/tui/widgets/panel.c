@@ -23,23 +23,11 @@
 #include "tui/cmdline.h"
 #include "tui/folder.h"
 
-/* A row of numbers: its name, then these columns; where the panel is wide a
- * band stands between value and change. */
+/* Columns of a row of numbers: after its name its value, unit and change, and
+ * on a wide panel the band. */
 enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
 
-/* What blocks are drawn from.  was: what changes are counted from, or NULL;
- * reason: the one that is shown, or NULL; tph: what is fed, t/h, NAN where that
- * is not known; back: what of it goes round, t/h. */
-struct panel {
-	struct tui *t;
-	const struct numbers *was;
-	const struct trust *light;
-	const struct trust_reason *reason;
-	double tph, back;
-};
-
-/* How many rows a block takes: at least, or it is left out, and where there is
- * room. */
+/* The rows that a block takes: at least, or it is left out, and at most. */
 struct wish {
 	int least, most;
 };
@@ -50,14 +38,23 @@ is_pinned(const struct tui *t)
 	return t->view.pinned.site[0] != '\0';
 }
 
-/* Not 0 as shown. */
+/* Returns the numbers from which changes are counted, or NULL. */
+static const struct numbers *
+numbers_before(const struct tui *t)
+{
+	return is_pinned(t)                        ? &t->view.pinned
+	       : t->view.reference.site[0] != '\0' ? &t->view.reference
+						   : NULL;
+}
+
+/* Returns true if a change is not shown as 0. */
 static bool
 is_change_visible(double change, int digits)
 {
 	return fabs(change) >= 0.5 * pow(10, -digits);
 }
 
-/* "-0.03", what is now less what was; nothing where that is 0 as shown. */
+/* Draws "-0.03", the change since then; nothing if it is shown as 0. */
 static void
 draw_change(
     const struct area *area, int row, double now, double was, int digits)
@@ -68,8 +65,8 @@ draw_change(
 		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
 }
 
-/* "5.29..5.44" where the panel is wide, else half of that behind the number,
- * "5.36\u00b10.08", with that unit; nothing without a band. */
+/* Draws a band: "5.29..5.44" on a wide panel, else half its width after the
+ * number, "5.36\u00b10.08", with that unit; nothing without a band. */
 static void
 draw_range(const struct area *area, int row, double low, double high,
     int digits, const char *unit)
@@ -100,93 +97,89 @@ draw_size(const struct area *area, int row, unsigned look, double mm)
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
 
-/* The speed, and what changes are counted from. */
+/* The speed, and that from which changes are counted. */
 static struct wish
-speed_wish(const struct panel *p)
+speed_wish(struct tui *t)
 {
-	const struct tui *t = p->t;
 	bool other = is_pinned(t) &&
 		     strcmp(t->view.pinned.site, t->view.current.site) != 0;
 	return (struct wish){1, other ? 2 : 1};
 }
 
-/* At the same speed: by another calibration, say. */
+/* Returns true if the sizes have changed, by another calibration, say. */
 static bool
-is_changed(const struct panel *p)
+is_changed(const struct numbers *now, const struct numbers *was)
 {
 	bool changed = false;
-	for (int i = 0; i < PSD_SIZES && p->was != NULL; i++)
-		changed |= isfinite(p->was->size[i]) &&
-			   is_change_visible(
-			       p->t->view.current.size[i] - p->was->size[i], 2);
+	for (int i = 0; i < PSD_SIZES; i++)
+		changed |= isfinite(was->size[i]) &&
+			   is_change_visible(now->size[i] - was->size[i], 2);
 	return changed;
 }
 
 static void
-panel_draw_speed(struct panel *p, const struct area *area)
+panel_draw_speed(struct tui *t, const struct area *area)
 {
-	const struct tui *t = p->t;
-	const bool since =
-	    p->was != NULL && p->was->speed != t->view.current.speed;
+	const struct numbers *now = &t->view.current, *was = numbers_before(t);
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", t->view.current.speed);
+	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", now->speed);
 	if (is_pinned(t))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.1f",
 		    t->view.pinned.speed);
-	else if (since)
-		screen_text(
-		    area, 0, FROM, LOOK_DIM, "since %.1f", p->was->speed);
-	else if (is_changed(p))
+	else if (was != NULL && was->speed != now->speed)
+		screen_text(area, 0, FROM, LOOK_DIM, "since %.1f", was->speed);
+	else if (was != NULL && is_changed(now, was))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
 		screen_text(
 		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
-/* The crosshair where the curve passes so much. */
+/* Puts the crosshair where the curve passes so much. */
 static void
 touch_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
-	t->ui.level = (int)lround(100 * PSD_PASSING[touched->item]);
+	t->ui.crosshair_passing = (int)lround(100 * PSD_PASSING[touched->item]);
 	double mm = t->view.shown.size[touched->item];
-	t->ui.cross = true;
-	t->ui.cross_at = 0;
-	while (isfinite(mm) && t->ui.cross_at + 1 < product->n &&
-	       product->size[t->ui.cross_at + 1] >= mm)
-		t->ui.cross_at++;
+	t->ui.crosshair = true;
+	t->ui.crosshair_sieve = 0;
+	while (isfinite(mm) && t->ui.crosshair_sieve + 1 < product->n &&
+	       product->size[t->ui.crosshair_sieve + 1] >= mm)
+		t->ui.crosshair_sieve++;
 }
 
 static void
-draw_p_sizes(struct panel *p, const struct area *area)
+draw_p_sizes(struct tui *t, const struct area *area)
 {
-	struct tui *t = p->t;
+	const struct numbers *was = numbers_before(t);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
 		screen_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
-		if (p->was != NULL)
-			draw_change(area, i, t->view.current.size[i],
-			    p->was->size[i], 2);
+		if (was != NULL)
+			draw_change(
+			    area, i, t->view.current.size[i], was->size[i], 2);
 		hits_add(&t->hits, HIT_PRESS, area_row(area, i), touch_size,
 		    (size_t)i);
 	}
 }
 
 static void
-draw_break(struct panel *p, const struct area *area)
+draw_break(struct tui *t, const struct area *area)
 {
-	const struct tui *t = p->t;
+	const struct numbers *was = numbers_before(t);
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
-	/* The draws' range need not hold the fit's value. */
+	/* The band is of the draws, and may not include the value of the
+	 * fit. */
 	if (area->columns >= WIDE)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
-	if (p->was != NULL)
+	if (was != NULL)
 		draw_change(
-		    area, 0, t->view.current.break_mm, p->was->break_mm, 2);
+		    area, 0, t->view.current.break_mm, was->break_mm, 2);
 	if (area->rows > 1)
 		screen_text(area, 1, 0, 0,
 		    area->columns < WIDE
@@ -195,45 +188,37 @@ draw_break(struct panel *p, const struct area *area)
 		    t->view.shown.energy, 100 * t->view.shown.selected);
 }
 
-/* Sizes that sand is sold by, mm. */
-static const double FRACTION_MM[NUMBERS_FRACTIONS] = {0.063, 2, 4};
-
-static int
-count_fractions(const struct panel *p)
+static struct wish
+fractions_wish(struct tui *t)
 {
 	int n = 0;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
-		n += !isnan(p->t->view.current.passing[i]);
-	return n;
-}
-
-static struct wish
-fractions_wish(const struct panel *p)
-{
-	int n = count_fractions(p);
+		n += !isnan(t->view.current.passing[i]);
 	return (struct wish){n, n};
 }
 
-/* The crosshair on the sieve, or the coarsest that is finer. */
+/* Puts the crosshair on the sieve of a fraction, or on the next finer one. */
 static void
 touch_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
-	t->ui.cross = true;
-	t->ui.cross_at = 0;
-	while (t->ui.cross_at + 1 < product->n &&
-	       1000 * product->size[t->ui.cross_at] >
-		   near * FRACTION_MM[touched->item])
-		t->ui.cross_at++;
+	t->ui.crosshair = true;
+	t->ui.crosshair_sieve = 0;
+	while (t->ui.crosshair_sieve + 1 < product->n &&
+	       product->size[t->ui.crosshair_sieve] >
+		   near * NUMBERS_SIEVE[touched->item])
+		t->ui.crosshair_sieve++;
 }
 
-/* A row for each of them in a unit that 100 % is `all` of. */
-static int
-draw_passings(struct panel *p, const struct area *area, int row,
-    const char *const name[NUMBERS_FRACTIONS], double all, const char *unit)
+/* Draws a row for each of them from `row` on, in a unit of which 100 % is
+ * `all`. */
+static void
+draw_passings(struct tui *t, const struct area *area, int row, double all,
+    const char *unit)
 {
-	struct tui *t = p->t;
+	static const char *const NAME[] = {"fines", "0/2", "0/4"};
+	const struct numbers *was = numbers_before(t);
 	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
 	low.passing = shown->low;
@@ -242,66 +227,82 @@ draw_passings(struct panel *p, const struct area *area, int row,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		screen_text(area, row, 0, 0, "%s", name[i]);
+		screen_text(area, row, 0, 0, "%s", NAME[i]);
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
 			draw_range(area, row,
-			    all * psd_passing(&low, FRACTION_MM[i] / 1000),
-			    all * psd_passing(&high, FRACTION_MM[i] / 1000), 1,
+			    all * psd_passing(&low, NUMBERS_SIEVE[i]),
+			    all * psd_passing(&high, NUMBERS_SIEVE[i]), 1,
 			    unit[0] == '%' ? " %" : "    ");
-		if (p->was != NULL)
-			draw_change(area, row, now * part,
-			    p->was->passing[i] * part, 1);
+		if (was != NULL)
+			draw_change(
+			    area, row, now * part, was->passing[i] * part, 1);
 		hits_add(&t->hits, HIT_PRESS, area_row(area, row),
 		    touch_fraction, i);
 		row++;
 	}
-	return row;
 }
 
 static void
-draw_fractions(struct panel *p, const struct area *area)
+draw_fractions(struct tui *t, const struct area *area)
 {
-	static const char *const NAME[] = {"fines", "0/2", "0/4"};
-	draw_passings(p, area, 0, NAME, 100, "%");
+	draw_passings(t, area, 0, 100, "%");
 }
 
-/* What the last flow was fed with: a share of that is a product's where all of
- * it goes through the crusher once. */
-static struct wish
-tonnes_wish(const struct panel *p)
+/* Returns the feed of the newest flow, t/h, or NAN if that was of another site.
+ * back: out, t/h that return to the crusher or pass it by, neither of which is
+ * a share of the product. */
+static double
+flow_tph(const struct tui *t, double *back)
 {
-	int n = isnan(p->tph) ? 0 : p->back > 0 ? 2 : 1 + count_fractions(p);
+	const struct session *s = t->session;
+	const struct answer *flow = NULL;
+	for (size_t i = s->n_answer; i-- > 0 && flow == NULL;)
+		if (strcmp(answer_command(s->answer[i]), "flow") == 0)
+			flow = s->answer[i];
+	*back = NAN;
+	if (flow == NULL || strcmp(answer_view(flow).site,
+				tui_current_entry(t)->site->name) != 0)
+		return NAN;
+	*back = answer_number(flow, "circulating_tph") +
+		fmax(answer_number(flow, "crushers.cascade_tph"), 0);
+	return answer_number(flow, "feed_tph");
+}
+
+static struct wish
+tonnes_wish(struct tui *t)
+{
+	double back, tph = flow_tph(t, &back);
+	int n = isnan(tph) ? 0 : back > 0 ? 2 : 1 + fractions_wish(t).most;
 	return (struct wish){n, n};
 }
 
 static void
-draw_tonnes(struct panel *p, const struct area *area)
+draw_tonnes(struct tui *t, const struct area *area)
 {
-	static const char *const NAME[] = {"fines", "0/2", "0/4"};
-	if (p->back > 0) {
-		screen_text(
-		    area, 0, 0, 0, "%.6g t/h, %.1f go back", p->tph, p->back);
+	double back, tph = flow_tph(t, &back);
+	if (back > 0) {
+		screen_text(area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
 		screen_text(area, 1, 0, LOOK_DIM, "at this speed: :flow");
 		return;
 	}
-	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", p->tph);
-	draw_passings(p, area, 1, NAME, p->tph, "t/h");
+	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", tph);
+	draw_passings(t, area, 1, tph, "t/h");
 }
 
-/* The heading says the verdict; a row each, or as many of the worst as there is
- * room for. */
+/* A heading with the verdict and a row for each limit, or for as many of the
+ * worst as there is room for. */
 static struct wish
-limits_wish(const struct panel *p)
+limits_wish(struct tui *t)
 {
-	const struct grading *g = envelope_check_now(p->t);
-	if (p->t->session->spec == NULL)
+	const struct grading *g = envelope_check_now(t);
+	if (t->session->spec == NULL)
 		return (struct wish){0, 0};
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
 }
 
-/* What a limit is of, as short as there is room for. */
+/* Writes what a limit is of, in few letters. */
 static void
 panel_name_quantity(const struct quantity *q, char *name, size_t size)
 {
@@ -313,7 +314,8 @@ panel_name_quantity(const struct quantity *q, char *name, size_t size)
 		    q->kind == QUANTITY_MODULUS ? "FM" : typed);
 }
 
-/* Limit i at the slider's speed: in, or by how much it is missed. */
+/* Draws limit i with its value at the slider's speed, and whether that meets
+ * it. */
 static void
 panel_draw_limit(
     const struct area *area, int row, const struct grading *g, size_t i)
@@ -340,7 +342,7 @@ panel_draw_limit(
 	    in ? N_(" in") : N_("OUT"));
 }
 
-/* Where limit i stands among margins [n], the least first. */
+/* Returns the place of limit i among margins [n], the smallest first. */
 static size_t
 rank_of_limit(const double *margin, size_t n, size_t i)
 {
@@ -351,7 +353,7 @@ rank_of_limit(const double *margin, size_t n, size_t i)
 	return place;
 }
 
-/* What says more of the light, and of the limits. */
+/* A click on the light or the limits explains them. */
 static void
 touch_verdict(struct tui *t, const struct touched *touched)
 {
@@ -359,14 +361,13 @@ touch_verdict(struct tui *t, const struct touched *touched)
 }
 
 static void
-panel_draw_limits(struct panel *p, const struct area *area)
+panel_draw_limits(struct tui *t, const struct area *area)
 {
-	struct tui *t = p->t;
 	const struct grading *g = envelope_check_now(t);
 	struct area name = *area;
 	name.columns -= 4;
 	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 1);
-	/* The fraction, where the name has room behind it. */
+	/* With the fraction, if there is room for it. */
 	FREED char *words = plots_limits_words(t->session);
 	xlist(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width(words) <= name.columns;
@@ -392,44 +393,60 @@ panel_draw_limits(struct panel *p, const struct area *area)
 }
 
 static struct wish
-readings_wish(const struct panel *p)
+readings_wish(struct tui *t)
 {
 	enum { LEAST = 3 };
-	int n = readout_rows(p->t);
+	int n = readout_rows(t);
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
-static void
-draw_readings(struct panel *p, const struct area *area)
-{
-	readout_draw(p->t, area);
-}
-
-/* Of a few sieves nobody sees a curve. */
+/* A few sieves do not show a curve. */
 static struct wish
-sieves_wish(const struct panel *p)
+sieves_wish(struct tui *t)
 {
 	enum { LEAST = 5 };
-	int n = sieve_table_rows(p->t);
+	int n = sieve_table_rows(t);
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
-static void
-draw_sieves(struct panel *p, const struct area *area)
+/* Returns the first reason, but that of a speed beyond the measured ones before
+ * all others; NULL: none. */
+static const struct trust_reason *
+panel_reason(const struct trust *light)
 {
-	sieve_table_draw(p->t, area);
+	size_t first = 0;
+	for (size_t i = light->n; i-- > 0;)
+		if (light->reason[i].cause == TRUST_BEYOND)
+			first = i;
+	return light->n > 0 ? &light->reason[first] : NULL;
 }
 
-/* As many rows whether there is a doubt or not, or the numbers below would move
- * with the speed; what is red says all of its reason. */
+/* Returns the light of what is shown, computed once. */
+static const struct trust *
+light_shown(struct tui *t)
+{
+	struct view *v = &t->view;
+	if (!v->light_known) {
+		trust_free(&v->light);
+		v->light = light_of_prediction(
+		    t->session, tui_entry_asked_about(t), &v->shown);
+		v->light_known = true;
+	}
+	return &v->light;
+}
+
+/* Takes as many rows with a reason as without, because the numbers below would
+ * move with the speed; only a red light shows all of its reason. */
 static struct wish
-light_wish(const struct panel *p)
+light_wish(struct tui *t)
 {
 	enum { TALL = 30, MANY = 4, FEW = 2 };
-	const struct area *side = &p->t->layout.side;
-	if (p->light->light == LIGHT_RED && p->reason != NULL)
+	const struct area *side = &t->layout.side;
+	const struct trust *light = light_shown(t);
+	const struct trust_reason *reason = panel_reason(light);
+	if (light->light == LIGHT_RED && reason != NULL)
 		return (struct wish){
-		    MANY, 1 + text_count_rows(p->reason->text, side->columns)};
+		    MANY, 1 + text_count_rows(reason->text, side->columns)};
 	return (struct wish){1, side->rows > TALL ? MANY : FEW};
 }
 
@@ -446,8 +463,8 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_MACHINE] = N_("another machine"),
     [TRUST_ORIGIN] = N_("not calibrated here")};
 
-/* What stands before its colon, or a few words, where there is no room for all
- * of it. */
+/* Draws a reason, or what stands before its colon, or what it is about, as far
+ * as there is room. */
 static void
 draw_reason(const struct area *area, const struct trust_reason *reason)
 {
@@ -472,14 +489,14 @@ draw_fit_quality(const struct tui *t, const struct area *area)
 	    fit, held);
 }
 
-/* In reverse, as what comes out is read by it; below it the first reason, or
- * how well the fit holds. */
+/* Draws the light in reverse, because all else is read by it; below it the
+ * first reason, or else how good the fit is. */
 static void
-draw_light(struct panel *p, const struct area *area)
+draw_light(struct tui *t, const struct area *area)
 {
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
-	const struct trust *light = p->light;
+	const struct trust *light = light_shown(t);
 	FREED char *words =
 	    xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
@@ -493,44 +510,44 @@ draw_light(struct panel *p, const struct area *area)
 	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
 	screen_series(
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
-	hits_add(&p->t->hits, HIT_PRESS, *area, touch_verdict, 0);
-	if (p->reason != NULL)
-		draw_reason(area, p->reason);
-	else if (tui_current_entry(p->t)->has_fit)
-		draw_fit_quality(p->t, area);
+	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 0);
+	if (light->n > 0)
+		draw_reason(area, panel_reason(light));
+	else if (tui_current_entry(t)->has_fit)
+		draw_fit_quality(t, area);
 }
 
 /* From the top down.  rank: in this order they get the least rows they need,
  * and then what they may have more; apart: a blank row above it where there is
- * one left; always: what it takes whatever there is to show. */
+ * one left; wish: the rows it takes, or NULL if these are always the same. */
 enum { BLOCKS = 9 };
 static const struct block {
 	int rank;
 	bool apart;
-	struct wish (*wish)(const struct panel *p);
+	void (*draw)(struct tui *t, const struct area *area);
+	struct wish (*wish)(struct tui *t);
 	struct wish always;
-	void (*draw)(struct panel *p, const struct area *area);
 } BLOCK[BLOCKS] = {
-    {1, false, light_wish, {0, 0}, draw_light},
-    {2, true, speed_wish, {0, 0}, panel_draw_speed},
-    {0, false, NULL, {PSD_SIZES, PSD_SIZES}, draw_p_sizes},
-    {5, false, NULL, {1, 2}, draw_break},
-    {6, false, fractions_wish, {0, 0}, draw_fractions},
-    {4, true, limits_wish, {0, 0}, panel_draw_limits},
-    {8, true, tonnes_wish, {0, 0}, draw_tonnes},
-    {3, true, readings_wish, {0, 0}, draw_readings},
-    {7, true, sieves_wish, {0, 0}, draw_sieves},
+    {1, false, draw_light, .wish = light_wish},
+    {2, true, panel_draw_speed, .wish = speed_wish},
+    {0, false, draw_p_sizes, .always = {PSD_SIZES, PSD_SIZES}},
+    {5, false, draw_break, .always = {1, 2}},
+    {6, false, draw_fractions, .wish = fractions_wish},
+    {4, true, panel_draw_limits, .wish = limits_wish},
+    {8, true, draw_tonnes, .wish = tonnes_wish},
+    {3, true, readout_draw, .wish = readings_wish},
+    {7, true, sieve_table_draw, .wish = sieves_wish},
 };
 
-/* Rows [BLOCKS] out for a panel of so many. */
+/* Shares the rows of the panel among the blocks: rows [BLOCKS], out. */
 static void
-panel_share_rows(const struct panel *p, int left, int rows[BLOCKS])
+panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
 {
 	struct wish wish[BLOCKS];
 	size_t at[BLOCKS];
 	for (size_t i = 0; i < BLOCKS; i++) {
 		wish[i] =
-		    BLOCK[i].wish != NULL ? BLOCK[i].wish(p) : BLOCK[i].always;
+		    BLOCK[i].wish != NULL ? BLOCK[i].wish(t) : BLOCK[i].always;
 		at[BLOCK[i].rank] = i;
 	}
 	for (size_t r = 0; r < BLOCKS; r++) {
@@ -548,17 +565,18 @@ panel_share_rows(const struct panel *p, int left, int rows[BLOCKS])
 	}
 }
 
-/* A blank row above those that stand apart, where there are some left. */
+/* Draws the blocks, with a blank row above those that stand apart while some
+ * are left. */
 static void
-draw_blocks(struct panel *p)
+draw_blocks(struct tui *t)
 {
-	const struct area *side = &p->t->layout.side;
+	const struct area *side = &t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
-	panel_share_rows(p, side->rows, rows);
+	panel_share_rows(t, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
 		if (BLOCK[i].draw == draw_light)
-			p->t->reason_shown = rows[i] > 1;
+			t->reason_shown = rows[i] > 1;
 	}
 	for (size_t i = 0; i < BLOCKS; i++) {
 		if (rows[i] == 0)
@@ -567,75 +585,21 @@ draw_blocks(struct panel *p)
 			left--;
 			row++;
 		}
-		BLOCK[i].draw(p, &(struct area){side->row + row, side->column,
+		BLOCK[i].draw(t, &(struct area){side->row + row, side->column,
 				     rows[i], side->columns});
 		row += rows[i];
 	}
 }
 
-/* What the newest flow was fed with, where that was of this site; what goes
- * past the rotor counts as what goes back: neither is a share of the
- * product. */
-static void
-take_tonnes(struct panel *p)
-{
-	const struct session *s = p->t->session;
-	p->tph = p->back = NAN;
-	for (size_t i = s->n_answer; i-- > 0;) {
-		const struct answer *a = s->answer[i];
-		if (strcmp(answer_command(a), "flow") != 0)
-			continue;
-		if (strcmp(answer_view(a).site,
-			tui_current_entry(p->t)->site->name) != 0)
-			return;
-		p->tph = answer_number(a, "feed_tph");
-		p->back = answer_number(a, "circulating_tph") +
-			  fmax(answer_number(a, "crushers.cascade_tph"), 0);
-		return;
-	}
-}
-
-/* The first reason, but one that came with the slider's speed before those of
- * all speeds; NULL: none. */
-static const struct trust_reason *
-panel_reason(const struct trust *light)
-{
-	size_t first = 0;
-	for (size_t i = light->n; i-- > 0;)
-		if (light->reason[i].cause == TRUST_BEYOND)
-			first = i;
-	return light->n > 0 ? &light->reason[first] : NULL;
-}
-
-/* The light of what is shown, once for all that tells of it. */
-static const struct trust *
-light_shown(struct tui *t)
-{
-	struct view *v = &t->view;
-	if (!v->lit) {
-		trust_free(&v->light);
-		v->light = light_of_prediction(
-		    t->session, tui_entry_asked_about(t), &v->shown);
-		v->lit = true;
-	}
-	return &v->light;
-}
-
-static void
-take_light(struct panel *p)
-{
-	p->light = light_shown(p->t);
-	p->reason = panel_reason(p->light);
-}
-
-/* Without a prediction there is what to do, and what is pinned or was read. */
+/* Says what to do while there is no prediction, and what is pinned or was
+ * read. */
 static void
 draw_nothing(const struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	const struct site *site = tui_current_entry(t)->site;
 	int row = 0;
-	/* The row of numbers has said it already. */
+	/* The row of numbers already says it. */
 	if (t->layout.numbers.rows == 0)
 		screen_text(side, row++, 0, 0, "nothing predicted yet");
 	screen_text(side, row++, 0, 0,
@@ -663,22 +627,15 @@ panel_draw(struct tui *t)
 	if (side->rows == 0)
 		return;
 	screen_vertical_rule(side->row, t->layout.wall, side->rows);
-	if (t->view.current.site[0] == '\0') {
+	if (t->view.current.site[0] == '\0')
 		draw_nothing(t);
-		return;
-	}
-	struct panel p = {.t = t,
-	    .was = is_pinned(t)                        ? &t->view.pinned
-		   : t->view.reference.site[0] != '\0' ? &t->view.reference
-						       : NULL};
-	take_tonnes(&p);
-	take_light(&p);
-	draw_blocks(&p);
+	else
+		draw_blocks(t);
 }
 
-/* The light in so many columns, or in `most` in the shortest words, with its
- * first reason: what stands before its last colon, or its first, else a few
- * words on what it is about, as far as there is room. */
+/* Returns the light in at most `columns`, or `most` in its shortest form, with
+ * its first reason: up to its last or first colon, or what it is about, as far
+ * as there is room. */
 static char *
 light_words(const struct trust *light, int columns, int most)
 {
@@ -729,8 +686,8 @@ panel_words(struct tui *t, int columns, int most)
 	return words;
 }
 
-/* The same in four characters at most, where there is little room: a number cut
- * by its end would be another. */
+/* Writes a size in at most four characters, because a number that is cut would
+ * be another. */
 static const char *
 short_size(double mm, char text[static 24])
 {
@@ -753,7 +710,7 @@ panel_row(struct tui *t)
 	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->view.shown;
 	char a[24], b[24], c[24], d[24];
-	/* The list of sites tells of the marked one, which may be another. */
+	/* The list of sites shows the marked site, which may be another. */
 	if (area->rows == 0 ||
 	    (t->ui.page == PAGE_SITES &&
 		t->ui.list[PAGE_SITES].at != t->session->current))
@@ -762,15 +719,17 @@ panel_row(struct tui *t)
 		screen_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
-	else if (t->ui.cross && t->ui.cross_at < p->product.n) {
+	else if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n) {
 		bool narrow = area->columns < 34, least = area->columns < 24;
-		double mm = 1000 * psd_size(&p->curve, t->ui.level / 100.0);
+		double mm =
+		    1000 * psd_size(&p->curve, t->ui.crosshair_passing / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    least    ? "%g %.1f%% P%d %s"
 		    : narrow ? N_("%g %.1f %% P%d %s mm")
 			     : N_("%g mm %.1f %%  %d %% %s"),
-		    units_mm(p->product.size[t->ui.cross_at]),
-		    100 * p->product.passing[t->ui.cross_at], t->ui.level,
+		    units_mm(p->product.size[t->ui.crosshair_sieve]),
+		    100 * p->product.passing[t->ui.crosshair_sieve],
+		    t->ui.crosshair_passing,
 		    narrow ? short_size(mm, a) : readout_size(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",

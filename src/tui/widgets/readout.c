@@ -10,6 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/asked.h"
+#include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -28,16 +29,16 @@ readout_size(double mm, char text[static 24])
 	return text;
 }
 
-/* A row of the crosshair: what a curve passes there, and its size at the
+/* Draws a row: the passing of a curve at the crosshair, and its size at the
  * level, read from `finer`. */
 static void
 draw_reading(const struct tui *t, const struct area *area, int row,
     unsigned look, const char *name, const struct psd *psd,
     const struct psd *finer)
 {
-	double x = t->view.shown.product.size[t->ui.cross_at];
+	double x = t->view.shown.product.size[t->ui.crosshair_sieve];
 	char size[24] = "-";
-	double mm = 1000 * psd_size(finer, t->ui.level / 100.0);
+	double mm = 1000 * psd_size(finer, t->ui.crosshair_passing / 100.0);
 	if (isfinite(mm))
 		readout_size(mm, size);
 	screen_text(area, row, 0, look, "%-8.8s", name);
@@ -47,8 +48,8 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 	screen_text(area, row, 15, look, "%9s", size);
 }
 
-/* One row, or two where there is room: the passing there, and the size at the
- * level. */
+/* Draws the band of the passing and, if there is room, of the size.  Returns
+ * the row after it. */
 static int
 readout_draw_band(const struct tui *t, const struct area *area, int row)
 {
@@ -56,9 +57,10 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	if (!t->ui.band || p->low == NULL)
 		return row;
 	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
-	    100 * p->low[t->ui.cross_at], 100 * p->high[t->ui.cross_at]);
+	    100 * p->low[t->ui.crosshair_sieve],
+	    100 * p->high[t->ui.crosshair_sieve]);
 	const struct quantity size = {
-	    .kind = QUANTITY_SIZE, .x = t->ui.level / 100.0};
+	    .kind = QUANTITY_SIZE, .x = t->ui.crosshair_passing / 100.0};
 	const struct question q = question_of_whole_product(
 	    t->session, tui_entry_asked_about(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
@@ -75,7 +77,8 @@ int
 readout_rows(const struct tui *t)
 {
 	enum { OTHERS = 3, BAND = 2 };
-	if (!t->ui.cross || t->ui.cross_at >= t->view.shown.product.n)
+	if (!t->ui.crosshair ||
+	    t->ui.crosshair_sieve >= t->view.shown.product.n)
 		return 0;
 	return OTHERS + (int)site_products(tui_current_entry(t)->site) +
 	       (t->ui.band && t->view.shown.low != NULL ? BAND : 0) +
@@ -91,9 +94,9 @@ readout_draw(struct tui *t, const struct area *area)
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
-	    units_mm(p->product.size[t->ui.cross_at]));
-	screen_text(
-	    area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name, t->ui.level);
+	    units_mm(p->product.size[t->ui.crosshair_sieve]));
+	screen_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
+	    t->ui.crosshair_passing);
 	draw_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -107,6 +110,6 @@ readout_draw(struct tui *t, const struct area *area)
 	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
 		draw_reading(t, area, row++, 0, "pinned",
-		    &t->view.pinned_whole.product, &t->view.pinned_whole.curve);
+		    &t->session->pin->p.product, &t->session->pin->p.curve);
 	readout_draw_band(t, area, row);
 }

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -23,27 +22,8 @@
 
 /* Speeds worked out in one go, and how long the slider stands still before
  * that, s. */
-enum { POINTS = 41, IN_ONE_GO = 8 };
+enum { IN_ONE_GO = 8 };
 static const double PAUSE = 0.05;
-
-/* value [n]: as people see it, with the ends of its band, NAN without one. */
-struct strip {
-	struct quantity of;
-	size_t basis, feed, n;
-	double value[POINTS][3];
-};
-
-struct strip *
-strip_new(void)
-{
-	return xcalloc(1, sizeof(struct strip));
-}
-
-void
-strip_free(struct strip *a)
-{
-	free(a);
-}
 
 static struct quantity
 make_strip_quantity(enum quantity_kind kind, double x, double coarse)
@@ -57,12 +37,6 @@ struct quantity
 strip_default_quantity(void)
 {
 	return make_strip_quantity(QUANTITY_SIZE, 0.8, 0);
-}
-
-static const struct psd *
-response_strip_feed_of(const struct tui *t)
-{
-	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
 }
 
 void
@@ -86,13 +60,13 @@ act_quantity(struct tui *t, const struct key *key)
 			at = i;
 	do
 		at = (at + by + n) % n;
-	while (
-	    !quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
-	    !quantities_covered(&all[at], response_strip_feed_of(t), &error));
+	while (!quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
+	       !quantities_covered(&all[at], tui_feed_curve(t), &error));
 	t->ui.quantity = all[at];
 }
 
-/* What a search is still at would be another curve with each generation. */
+/* Returns true if there is a curve to compute; a running search would have
+ * another with each generation. */
 static bool
 has_curve(const struct tui *t)
 {
@@ -102,11 +76,11 @@ has_curve(const struct tui *t)
 	       session_fitting(s) != entry;
 }
 
-/* Whether its points are those that are to be shown. */
+/* Returns true if the points are of what is to be shown. */
 static bool
 response_strip_is_of(const struct tui *t)
 {
-	const struct strip *a = t->view.strip;
+	const struct strip *a = &t->view.strip;
 	return a->basis == t->view.n_basis && a->feed == tui_feed(t) &&
 	       quantity_same(&a->of, &t->ui.quantity);
 }
@@ -114,23 +88,17 @@ response_strip_is_of(const struct tui *t)
 static bool
 is_strip_current(const struct tui *t)
 {
-	const struct strip *a = t->view.strip;
-	return a->n == POINTS && response_strip_is_of(t);
+	const struct strip *a = &t->view.strip;
+	return a->n == STRIP_POINTS && response_strip_is_of(t);
 }
 
-static double
-response_strip_speed_at(const struct tui *t, double share)
-{
-	struct slider_range range = tui_range(t);
-	return (range.least + share * (range.most - range.least)) / 10;
-}
-
-/* The forecast is made anew for each part: what it is made of may be gone
- * between two of them. */
+/* Computes some points.  The forecast is opened for each part, because what it
+ * borrows may be gone before the next. */
 static void
 response_strip_work_out(struct tui *t)
 {
-	struct strip *a = t->view.strip;
+	struct strip *a = &t->view.strip;
+	const struct slider_range range = tui_range(t);
 	if (!response_strip_is_of(t))
 		a->n = 0;
 	a->basis = t->view.n_basis;
@@ -139,10 +107,12 @@ response_strip_work_out(struct tui *t)
 	const struct question q = question_of_whole_product(
 	    t->session, tui_entry_asked_about(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
-	for (int i = 0; i < IN_ONE_GO && a->n < POINTS; i++, a->n++) {
+	for (int i = 0; i < IN_ONE_GO && a->n < STRIP_POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
-		forecast_at(
-		    f, response_strip_speed_at(t, (double)a->n / (POINTS - 1)));
+		double share = (double)a->n / (STRIP_POINTS - 1);
+		a->speed[a->n] =
+		    (range.least + share * (range.most - range.least)) / 10;
+		forecast_at(f, a->speed[a->n]);
 		struct figure at = forecast_shown(f, 0);
 		value[0] = at.value;
 		value[1] = at.low;
@@ -151,28 +121,18 @@ response_strip_work_out(struct tui *t)
 	forecast_close(f);
 }
 
-bool
-strip_point(
-    const struct tui *t, size_t i, double *speed, double value[static 3])
-{
-	if (!is_strip_current(t) || i >= POINTS)
-		return false;
-	*speed = response_strip_speed_at(t, (double)i / (POINTS - 1));
-	memcpy(value, t->view.strip->value[i], 3 * sizeof *value);
-	return true;
-}
-
 double
 strip_seconds_to_wait(const struct tui *t)
 {
 	if (!has_curve(t))
 		return INFINITY;
 	if (is_strip_current(t) && !goal_pending(t))
-		return t->wish != NULL ? 0 : INFINITY;
+		return t->pending_key != NULL ? 0 : INFINITY;
 	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 
-/* What the heading has no room for on a narrow screen. */
+/* Computes a part of the goal; at its end, a goal that is missed is explained
+ * in the message, for which a narrow heading has no room. */
 static void
 step_goal_for_heading(struct tui *t)
 {
@@ -191,25 +151,25 @@ strip_update(struct tui *t)
 	if (!has_curve(t))
 		return;
 	bool now = t->aside || strip_seconds_to_wait(t) <= 0;
-	do
+	do {
+		goal_show_chosen(t);
 		if (now && !is_strip_current(t))
 			response_strip_work_out(t);
 		else if (now)
 			step_goal_for_heading(t);
-	while (t->aside && (!is_strip_current(t) || goal_pending(t)));
+	} while (t->aside && (!is_strip_current(t) || goal_pending(t)));
 }
 
 static double
 response_strip_value_at(const struct strip *a, double share)
 {
-	double at = share * (POINTS - 1);
-	size_t i = at < POINTS - 2 ? (size_t)at : POINTS - 2;
+	double at = share * (STRIP_POINTS - 1);
+	size_t i = at < STRIP_POINTS - 2 ? (size_t)at : STRIP_POINTS - 2;
 	double part = at - (double)i;
 	return (1 - part) * a->value[i][0] + part * a->value[i + 1][0];
 }
 
-/* The limits of the goal on the quantity shown, as people see them: what each
- * is called.  Returns how many. */
+/* The limits of the goal on the quantity shown, as shown, with their names. */
 struct limit {
 	double value;
 	const char *name;
@@ -246,8 +206,8 @@ response_strip_measured_at(const struct tui *t, size_t run)
 			      : NAN;
 }
 
-/* Moves the ends of an axis to the middle of the first and the last of n parts,
- * as those of the track are. */
+/* Moves the ends of an axis so that the first and the last of n parts have
+ * their middles there, like the ends of the track. */
 static void
 axis_end_in_cell_middles(struct axis *axis, int n)
 {
@@ -265,8 +225,8 @@ axis_include(struct axis *axis, double value)
 	axis->high = fmax(axis->high, value);
 }
 
-/* From the least to the most of all that is drawn; of limits those that are not
- * farther off than the curve is high.  False where there is nothing. */
+/* Fits an axis to all that is drawn, and to limits that are not farther away
+ * than the curve is high.  Returns false if there is nothing. */
 static bool
 response_strip_scale(const struct tui *t, struct axis *axis)
 {
@@ -274,9 +234,9 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 	size_t n = take_limits(t, limit);
 	axis->low = INFINITY;
 	axis->high = -INFINITY;
-	for (size_t i = 0; i < POINTS; i++)
+	for (size_t i = 0; i < STRIP_POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			axis_include(axis, t->view.strip->value[i][k]);
+			axis_include(axis, t->view.strip.value[i][k]);
 	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
 		axis_include(axis, response_strip_measured_at(t, r));
 	if (!(axis->low <= axis->high))
@@ -293,21 +253,21 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 	return true;
 }
 
-/* A series at the speeds of the curve. */
+/* Adds a series at the speeds of the curve. */
 static struct chart_series *
 add_series(const struct tui *t, struct chart *chart, enum chart_line line)
 {
 	const struct chart_series look = {
 	    .series = SERIES_PREDICTED, .line = line, .ascii = '#'};
-	struct chart_series *s = chart_add(chart, look, POINTS, "%s", "");
-	for (size_t i = 0; i < POINTS; i++) {
-		s->x[i] = response_strip_speed_at(t, (double)i / (POINTS - 1));
+	struct chart_series *s = chart_add(chart, look, STRIP_POINTS, "%s", "");
+	for (size_t i = 0; i < STRIP_POINTS; i++) {
+		s->x[i] = t->view.strip.speed[i];
 		s->y[i] = NAN;
 	}
 	return s;
 }
 
-/* Where it is thicker than the line of the curve, among so many dots. */
+/* Adds the band where it is thicker than the line of the curve. */
 static void
 add_band(const struct tui *t, struct chart *chart, int dots)
 {
@@ -315,23 +275,23 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 	double least = THICK * (chart->y.high - chart->y.low) / dots;
 	struct chart_series *s = add_series(t, chart, CHART_MARKS);
 	chart_add_band(s);
-	for (size_t i = 0; i < POINTS; i++) {
-		const double *value = t->view.strip->value[i];
+	for (size_t i = 0; i < STRIP_POINTS; i++) {
+		const double *value = t->view.strip.value[i];
 		bool thick = value[2] - value[1] > least;
 		s->low[i] = thick ? value[1] : NAN;
 		s->high[i] = thick ? value[2] : NAN;
 	}
 }
 
-/* Whole at the speeds that were trained on, dashed from these to all others. */
+/* Adds the curve: solid within the training speeds, dashed beyond. */
 static void
 response_strip_add_curve(const struct tui *t, struct chart *chart)
 {
 	struct chart_series *beyond = add_series(t, chart, CHART_DASHED),
 			    *within = add_series(t, chart, CHART_SOLID);
 	bool was = false;
-	for (size_t i = 0; i < POINTS; i++) {
-		double value = t->view.strip->value[i][0];
+	for (size_t i = 0; i < STRIP_POINTS; i++) {
+		double value = t->view.strip.value[i][0];
 		bool is =
 		    answers_extrapolates(tui_current_entry(t), within->x[i]);
 		if (!is)
@@ -339,7 +299,7 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 		if (is || was)
 			beyond->y[i] = value;
 		if (is && i > 0)
-			beyond->y[i - 1] = t->view.strip->value[i - 1][0];
+			beyond->y[i - 1] = t->view.strip.value[i - 1][0];
 		was = is;
 	}
 }
@@ -374,7 +334,8 @@ response_strip_row_of(
 	return axis_place_of(1 - axis_share(axis, value), area->rows);
 }
 
-/* In four columns, or not at all: a number cut at its end would be another. */
+/* Draws a number of at most four characters, because one that is cut would be
+ * another.  Returns true if it was drawn. */
 static bool
 draw_label(const struct tui *t, int row, unsigned look, double value)
 {
@@ -386,8 +347,8 @@ draw_label(const struct tui *t, int row, unsigned look, double value)
 	return width <= 4;
 }
 
-/* The least of 1, 2, 5 times a power of ten that leaves nearly each value a
- * row. */
+/* Returns the smallest step of 1, 2 or 5 times a power of ten at which each
+ * value has a row, or nearly. */
 static double
 response_strip_round_step(const struct axis *axis, int rows)
 {
@@ -400,7 +361,8 @@ response_strip_round_step(const struct axis *axis, int rows)
 	return ROUND[i] * ten;
 }
 
-/* A limit off the scale stands at the edge that is nearest to it. */
+/* Draws the name of a limit; one that is off the scale stands at the edge
+ * nearest to it. */
 static void
 response_strip_draw_limit(
     struct tui *t, const struct axis *axis, const struct limit *limit)
@@ -424,8 +386,8 @@ response_strip_draw_limit(
 	    &t->hits, area_cells(area, row, area->columns - wide, wide), 't');
 }
 
-/* Limits, then round values, in rows of their own.  One off the scale gives way
- * to others. */
+/* Labels limits, then round values, each in a row of its own; of limits off the
+ * scale only the nearest on either side, which gives way to others. */
 static void
 response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
@@ -433,14 +395,27 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 	const struct area *area = &t->layout.strip;
 	size_t n = take_limits(t, limit);
 	FREED bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
-	for (size_t i = 0; i < 2 * n; i++) {
-		const struct limit *l = &limit[i % n];
-		bool on = is_on_axis(axis, l->value);
+	const struct limit *below = NULL, *above = NULL;
+	for (size_t i = 0; i < n; i++) {
+		const struct limit *l = &limit[i];
 		int row = response_strip_row_of(axis, area, l->value);
-		if (on == (i < n) && !taken[row])
+		if (l->value < axis->low) {
+			below = below == NULL || l->value > below->value
+				    ? l
+				    : below;
+		} else if (l->value > axis->high) {
+			above = above == NULL || l->value < above->value
+				    ? l
+				    : above;
+		} else if (!taken[row]) {
 			response_strip_draw_limit(t, axis, l);
-		taken[row] = taken[row] || on;
+			taken[row] = true;
+		}
 	}
+	if (below != NULL && !taken[area->rows - 1])
+		response_strip_draw_limit(t, axis, below);
+	if (above != NULL && !taken[0])
+		response_strip_draw_limit(t, axis, above);
 	double step = response_strip_round_step(axis, area->rows);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
@@ -471,7 +446,7 @@ response_strip_draw_marks(
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_trained(entry, r) ? signs.trained : signs.held_out);
 	}
-	double value = response_strip_value_at(t->view.strip, share);
+	double value = response_strip_value_at(&t->view.strip, share);
 	if (isfinite(value))
 		screen_series(area, response_strip_row_of(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),
@@ -479,7 +454,7 @@ response_strip_draw_marks(
 		    screen_charset() == CHARSET_ASCII ? "O" : "\u25CE");
 }
 
-/* In words why there is no curve; nothing while it is being worked out. */
+/* Says why there is no curve; nothing while it is being computed. */
 static void
 response_strip_draw_none(const struct tui *t)
 {
@@ -497,12 +472,41 @@ response_strip_draw_none(const struct tui *t)
 	screen_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
 }
 
+/* Draws the certainty of the goal at each speed, in eighths of a cell or, where
+ * these are not drawn, in tenths: 9 is 90 % or more. */
+static void
+draw_certainty(struct tui *t, const struct area *track)
+{
+	static const char *const EIGHTH[] = {"\u2581", "\u2582", "\u2583",
+	    "\u2584", "\u2585", "\u2586", "\u2587", "\u2588"};
+	struct area area = t->layout.certainty;
+	const struct goal *g = &t->view.goal;
+	if (area.rows == 0 || !goal_known(t) || g->n_value > 0 ||
+	    isnan(g->found->best_certain))
+		return;
+	hits_add(&t->hits, HIT_SLIDE, area, track_touch, 0);
+	screen_text(&area, 0, 0, LOOK_DIM, "sure");
+	area.column = track->column;
+	area.columns = track->columns;
+	for (int c = 0; c < area.columns; c++) {
+		double speed = slider_at(tui_range(t), c, area.columns) / 10.0,
+		       certain = goal_certain_at(t, speed);
+		bool blocks = screen_charset() == CHARSET_BRAILLE;
+		if (!(certain > 0))
+			continue;
+		int parts = blocks ? 8 : 10, part = (int)(certain * parts);
+		char digit[2] = {(char)('0' + (part < 10 ? part : 9))};
+		screen_series(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
+		    blocks ? EIGHTH[part < 8 ? part : 7] : digit);
+	}
+}
+
 void
 strip_draw(struct tui *t)
 {
 	struct area area = t->layout.strip, track = layout_track(&t->layout);
-	struct axis x = {.low = response_strip_speed_at(t, 0),
-			.high = response_strip_speed_at(t, 1)},
+	const double *speed = t->view.strip.speed;
+	struct axis x = {.low = speed[0], .high = speed[STRIP_POINTS - 1]},
 		    y = x;
 	if (area.rows == 0)
 		return;
@@ -514,6 +518,7 @@ strip_draw(struct tui *t)
 		response_strip_draw_none(t);
 		return;
 	}
+	draw_certainty(t, &track);
 	int dots = area.rows * canvas_cell_dots_down(screen_charset());
 	axis_end_in_cell_middles(&x, area.columns);
 	axis_end_in_cell_middles(&y, dots);
@@ -526,9 +531,9 @@ strip_draw(struct tui *t)
 	struct canvas *canvas = chart_draw(
 	    chart, area.columns, area.rows, screen_charset(), CHART_BARE);
 	screen_canvas(&area, canvas);
+	response_strip_draw_marks(t, &area, &chart->y);
 	if (area.column > 0)
 		response_strip_draw_labels(t, &chart->y);
-	response_strip_draw_marks(t, &area, &chart->y);
 	canvas_free(canvas);
 	chart_free(chart);
 }

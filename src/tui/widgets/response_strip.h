@@ -6,23 +6,12 @@
 
 #include "tui/tui_state.h"
 
-/* The computed curve; opaque. */
-struct strip;
-
-struct strip *strip_new(void);
-void strip_free(struct strip *strip);
-
 /* Returns the default quantity, P80. */
 struct quantity strip_default_quantity(void);
 
 /* Computes a part of the curve, or else of the goal, for some 10 ms, unless the
  * slider has just been moved.  Without a terminal, computes all of it. */
 void strip_update(struct tui *t);
-
-/* Returns point i of the curve, slowest first: value, low and high, as shown.
- * Returns false if it is not known or there are no more. */
-bool strip_point(
-    const struct tui *t, size_t i, double *speed, double value[static 3]);
 
 /* Returns the time until such a part can be computed, s, or INFINITY if none is
  * left. */

@@ -16,14 +16,14 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-/* Columns of a parameter's row: name, lower bound, bar, upper bound, value; of
- * a wide panel a remark as well. */
+/* Columns of the row of a parameter: name, lower bound, bar, upper bound and
+ * value; on a wide panel, a remark. */
 enum { NAME = 7, BOUND = 6, VALUE = 8, SIGN = 1, REMARK = 12, WIDE = 48 };
 
 /* The least rows of the convergence. */
 enum { CONVERGENCE = 3 };
 
-/* What a row of the panel is drawn from. */
+/* Where and how a row of the panel is drawn. */
 struct row {
 	const struct area *side;
 	int row, width;
@@ -31,7 +31,7 @@ struct row {
 };
 
 static size_t
-count_parameters(const struct plots_past *past)
+count_parameters(const struct search_shown *past)
 {
 	return breakage_of(&past->best)->n;
 }
@@ -39,7 +39,7 @@ count_parameters(const struct plots_past *past)
 void
 search_side_choose(struct tui *t, int by)
 {
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	if (past.n == 0)
 		return;
 	/* The first key shows which one it is. */
@@ -52,13 +52,14 @@ void
 act_bounds(struct tui *t, const struct key *key)
 {
 	(void)key;
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	if (past.n == 0)
 		return;
 	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
 	const struct breakage *of = breakage_of(&past.best);
 	const struct session *s = t->session;
-	/* Those of the next search; of another model the last one's. */
+	/* The bounds of the next search; of another model, those of the
+	 * last. */
 	const struct bounds *now = s->set.model.breakage == past.best.breakage
 				       ? &s->set.bounds
 				       : past.bounds;
@@ -80,29 +81,29 @@ touch_parameter(struct tui *t, const struct touched *touched)
 	act_bounds(t, NULL);
 }
 
-/* Where a value stands within its bounds, as a cell of a bar. */
+/* Returns the cell of a bar at which a value stands between its bounds. */
 static int
-search_side_cell_of(const struct plots_strip *strip, double value, int width)
+search_side_cell_of(const struct param_span *span, double value, int width)
 {
-	double range = strip->upper - strip->lower;
-	double share = range > 0 ? (value - strip->lower) / range : 0.5;
+	double range = span->upper - span->lower;
+	double share = range > 0 ? (value - span->lower) / range : 0.5;
 	share = share < 0 ? 0 : share > 1 ? 1 : share;
 	return (int)lround(share * (width - 1));
 }
 
-/* From one value to another by the same sign. */
+/* Draws a sign from one value to another. */
 static void
-draw_span(const struct row *r, const struct plots_strip *strip,
-    const double *end, enum series series, const char *sign)
+draw_span(const struct row *r, const struct param_span *span, const double *end,
+    enum series series, const char *sign)
 {
-	int from = search_side_cell_of(strip, end[0], r->width);
-	int to = search_side_cell_of(strip, end[1], r->width);
+	int from = search_side_cell_of(span, end[0], r->width);
+	int to = search_side_cell_of(span, end[1], r->width);
 	for (int c = from; c <= to; c++)
 		screen_series(
 		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
 }
 
-/* In few letters: "0.001", "2746". */
+/* Writes a number in few letters: "0.001", "2746". */
 static const char *
 shown_number(double value, bool scaled, char text[static 24])
 {
@@ -114,60 +115,60 @@ shown_number(double value, bool scaled, char text[static 24])
 	return text;
 }
 
-/* What lies between the bounds: the middle 80 % of the draws and of the
+/* Draws the bar between the bounds: the middle 80 % of the draws and of the
  * candidates, and the best. */
 static void
-search_side_draw_bar(const struct row *r, const struct plots_strip *strip)
+search_side_draw_bar(const struct row *r, const struct param_span *span)
 {
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int end = NAME + BOUND + 1 + r->width;
 	char text[24];
 	screen_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
-	    shown_number(strip->lower, false, text));
+	    shown_number(span->lower, false, text));
 	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
-	    shown_number(strip->upper, false, text));
-	if (isfinite(strip->drawn[0]))
-		draw_span(r, strip, strip->drawn, SERIES_BAND,
+	    shown_number(span->upper, false, text));
+	if (isfinite(span->drawn[0]))
+		draw_span(r, span, span->drawn, SERIES_PREDICTED,
 		    ascii ? "-" : "\u2500");
-	draw_span(r, strip, (double[]){strip->p10, strip->p90}, SERIES_FEED,
+	draw_span(r, span, (double[]){span->p10, span->p90}, SERIES_FEED,
 	    ascii ? "=" : "\u2501");
 	screen_series(r->side, r->row,
-	    NAME + BOUND + 1 +
-		search_side_cell_of(strip, strip->best, r->width),
+	    NAME + BOUND + 1 + search_side_cell_of(span, span->best, r->width),
 	    SERIES_PREDICTED, LOOK_BOLD, "*");
 }
 
-/* "f_mat  0.01|  ==*=    |10    2.18"; of one held fixed the value alone. */
+/* Draws "f_mat  0.01|  ==*=    |10    2.18"; for a fixed parameter only the
+ * value. */
 static void
 draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
-    const struct plots_strip *strip)
+    const struct param_span *span)
 {
 	int at = NAME + 2 * (BOUND + 1) + r->width;
 	/* Without room for the remark a sign tells of the bound itself. */
-	bool marked = strip->at_bound || (r->wide && strip->near);
-	const char *remark = strip->at_bound ? "AT BOUND"
-			     : strip->near   ? "NEAR BOUND"
-					     : "";
+	bool marked = span->at_bound || (r->wide && span->near);
+	const char *remark = span->at_bound ? "AT BOUND"
+			     : span->near   ? "NEAR BOUND"
+					    : "";
 	char text[24];
 	screen_text(
 	    r->side, r->row, 0, chosen ? LOOK_REVERSE : LOOK_PLAIN, "%s", name);
-	/* Where a name in reverse is not seen. */
+	/* For terminals without reverse. */
 	if (chosen)
 		screen_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
-	if (strip->fixed)
+	if (span->fixed)
 		screen_text(
 		    r->side, r->row, NAME + BOUND + 1, LOOK_DIM, "held fixed");
 	else
-		search_side_draw_bar(r, strip);
+		search_side_draw_bar(r, span);
 	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
-	    "%*s", VALUE - 1, shown_number(strip->best, scaled, text));
+	    "%*s", VALUE - 1, shown_number(span->best, scaled, text));
 	if (marked)
 		screen_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
 		    r->wide ? " " : "", r->wide ? remark : "");
 }
 
 static int
-draw_parameters(struct tui *t, const struct plots_past *past, int row)
+draw_parameters(struct tui *t, const struct search_shown *past, int row)
 {
 	const struct area *side = &t->layout.side;
 	const struct breakage *of = breakage_of(&past->best);
@@ -184,11 +185,11 @@ draw_parameters(struct tui *t, const struct plots_past *past, int row)
 	    wide ? "" : tr("  ! bound"));
 	r.width = r.width < 3 ? 3 : r.width;
 	for (size_t j = 0; j < of->n && r.row + 1 < side->rows; j++) {
-		struct plots_strip strip =
-		    plots_search_strip(t->session, past, t->ui.generation, j);
+		struct param_span span =
+		    plots_search_span(t->session, past, t->ui.generation, j);
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
-		    t->ui.param_at == j + 1, &strip);
+		    t->ui.param_at == j + 1, &span);
 		hits_add(&t->hits, HIT_PRESS, area_row(side, r.row),
 		    touch_parameter, j + 1);
 	}
@@ -204,8 +205,8 @@ stop_words(enum calibrate_state stop)
 					       : tr("stopped");
 }
 
-/* "1.2 s, 350000 candidates a second, pace auto".  How much longer nobody
- * knows: the polish ends when it finds nothing better. */
+/* Draws "1.2 s  350000 candidates  pace auto".  The time left is not known,
+ * because the polish ends when it finds nothing better. */
 static int
 draw_pace(const struct tui *t, int row)
 {
@@ -222,8 +223,8 @@ draw_pace(const struct tui *t, int row)
 	return row + 1;
 }
 
-/* "converged; seed 1; doubtful: ..", with the first reason; where the search
- * that is shown has not replaced it, that. */
+/* Returns "converged; seed 1; doubtful: ..", with the first reason; if the
+ * search shown has not replaced the fit, that is said first. */
 static char *
 verdict_words(const struct tui *t, const struct entry *entry)
 {
@@ -233,7 +234,7 @@ verdict_words(const struct tui *t, const struct entry *entry)
 	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	if (!plots_past_is_running(t->session, tui_current_entry(t)) ||
+	if (!search_shown_is_running(t->session, tui_current_entry(t)) ||
 	    !t->session->job.held_back)
 		return words;
 	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
@@ -249,7 +250,7 @@ draws_words(const struct evidence *e)
 	    POSTERIOR_DRAWS);
 }
 
-/* Of what was found, only beside the end, in rows that parameters and
+/* Draws the verdict beside the end of a search, in rows that parameters and
  * convergence leave free. */
 static int
 draw_found(const struct tui *t, int row)
@@ -276,15 +277,15 @@ draw_found(const struct tui *t, int row)
 	return row;
 }
 
-/* Where the search stood at the generation looked at, and what happened. */
+/* Draws the state of the search at the generation shown. */
 static int
-draw_words(const struct tui *t, const struct plots_past *past)
+draw_words(const struct tui *t, const struct search_shown *past)
 {
 	const struct area *side = &t->layout.side;
 	size_t at = tui_generation(t);
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	bool end = t->ui.generation == 0 && past->polished;
-	double best = plots_past_points(past, end ? past->misfit : g->best);
+	double best = search_shown_points(past, end ? past->misfit : g->best);
 	int row = 0;
 	screen_text(side, row++, 0, LOOK_BOLD,
 	    end ? N_("%sgeneration %zu of %zu, polished")
@@ -292,10 +293,11 @@ draw_words(const struct tui *t, const struct plots_past *past)
 	    session_busy(t->session) && t->held ? tr("PAUSED ") : "", at,
 	    past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
-	    best, plots_past_points(past, g->median));
-	FREED char *words = t->begun != NULL ? xstrdup(t->begun)
-					     : plots_search_words(t->session,
-						   past, t->ui.generation);
+	    best, search_shown_points(past, g->median));
+	FREED char *words =
+	    t->computing != NULL
+		? xstrdup(t->computing)
+		: plots_search_words(t->session, past, t->ui.generation);
 	row = screen_words(side, row, LOOK_BOLD, words);
 	return session_fitting(t->session) ? draw_pace(t, row)
 					   : draw_found(t, row);
@@ -318,24 +320,24 @@ draw_convergence(struct tui *t, int row)
 
 /* "beta1=-0.000  .. alpha=1!" */
 static char *
-parameters_words(const struct tui *t, const struct plots_past *past)
+parameters_words(const struct tui *t, const struct search_shown *past)
 {
 	const struct breakage *of = breakage_of(&past->best);
 	char *words = xstrdup(""), text[24];
 	for (size_t j = 0; j < of->n; j++) {
-		struct plots_strip strip =
-		    plots_search_strip(t->session, past, t->ui.generation, j);
+		struct param_span span =
+		    plots_search_span(t->session, past, t->ui.generation, j);
 		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
 		    of->parameter[j].name,
-		    shown_number(strip.best, j < of->gauge, text),
-		    strip.at_bound ? "!" : "");
+		    shown_number(span.best, j < of->gauge, text),
+		    span.at_bound ? "!" : "");
 	}
 	return words;
 }
 
-/* Where there are no rows for strips: the same in words, and what happens. */
+/* Draws the parameters in words if there are no rows for bars. */
 static void
-draw_params_in_words(const struct tui *t, const struct plots_past *past)
+draw_params_in_words(const struct tui *t, const struct search_shown *past)
 {
 	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_current_entry(t);
@@ -345,7 +347,7 @@ draw_params_in_words(const struct tui *t, const struct plots_past *past)
 	double points = t->ui.generation == 0 ? past->misfit
 					      : past->generation[at - 1].best;
 	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
-	    at, plots_past_points(past, points));
+	    at, search_shown_points(past, points));
 	char *words = parameters_words(t, past);
 	int row = screen_words_within(side, 1, side->rows - 1, 0, words, " ..");
 	free(words);
@@ -361,7 +363,7 @@ search_side_draw(struct tui *t)
 {
 	enum { LOW = 12 };
 	const struct area *side = &t->layout.side;
-	struct plots_past past = tui_search_shown(t);
+	struct search_shown past = tui_search_shown(t);
 	if (side->rows == 0)
 		return;
 	screen_vertical_rule(side->row, t->layout.wall, side->rows);

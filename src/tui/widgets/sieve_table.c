@@ -12,15 +12,17 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/draw/site_chart.h"
+#include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-/* Where the differences stand, and bars where there is room for a few cells. */
+/* Columns of the differences and, if there is room for a few cells, of bars. */
 enum { COMPARED = 18, BAR = 25, BAR_CELLS = 4 };
 
-/* What the product is compared with, and its colour: what is pinned, else the
- * run measured at the nearest speed; NULL without either. */
+/* Returns what the product is compared with: what is pinned, else the run
+ * measured at the nearest speed; NULL without either. series: out, its
+ * colour. */
 static const struct psd *
 find_compared_product(
     const struct tui *t, char name[static 40], enum series *series)
@@ -30,7 +32,7 @@ find_compared_product(
 	if (t->view.pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));
 		*series = SERIES_OTHER;
-		return &t->view.pinned_whole.product;
+		return &t->session->pin->p.product;
 	}
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -48,11 +50,11 @@ find_compared_product(
 		: tr("vs %g m/s"),
 	    nearest->speed);
 	size_t run = (size_t)(nearest - site->run);
-	*series = site_chart_run(site, run, false).series;
+	*series = site_chart_run_style(site, run, false).series;
 	return tui_measured_product(t, run);
 }
 
-/* How far the product lies above what it is compared with, points. */
+/* Returns how far the product lies above that at a sieve, points. */
 static double
 difference_from_compared(const struct tui *t, const struct psd *other, size_t i)
 {
@@ -61,12 +63,12 @@ difference_from_compared(const struct tui *t, const struct psd *other, size_t i)
 		return NAN;
 	double off =
 	    100 * (t->view.shown.product.passing[i] - psd_passing(other, x));
-	/* Nothing is neither more nor less. */
+	/* No sign for 0. */
 	return fabs(off) < 0.05 ? 0 : off;
 }
 
-/* What a full bar is, points: it changes seldom, and not where the scale of the
- * strip does, or both would be written in one step. */
+/* Returns the points of a full bar.  They change seldom, and not where the
+ * scale of the strip does, or both would be written in one step. */
 static double
 full_bar_points(const struct tui *t, const struct psd *other)
 {
@@ -80,7 +82,7 @@ full_bar_points(const struct tui *t, const struct psd *other)
 	return FULL[at];
 }
 
-/* In eighths of a cell, or halves, or whole ones, as the characters allow. */
+/* Draws a bar in eighths, halves or whole cells, as the characters allow. */
 static void
 sieve_table_draw_bar(const struct area *area, int row, double share)
 {
@@ -99,12 +101,12 @@ sieve_table_draw_bar(const struct area *area, int row, double share)
 	    area, row, BAR + n / parts, 0, "%s", EIGHTH[n % parts * 8 / parts]);
 }
 
-/* The crosshair on that sieve. */
+/* Puts the crosshair on that sieve. */
 static void
 touch_sieve(struct tui *t, const struct touched *touched)
 {
-	t->ui.cross = touched->item < t->view.shown.product.n;
-	t->ui.cross_at = touched->item;
+	t->ui.crosshair = touched->item < t->view.shown.product.n;
+	t->ui.crosshair_sieve = touched->item;
 }
 
 static void
@@ -112,8 +114,9 @@ draw_sieve(
     struct tui *t, const struct area *area, int row, size_t i, double off)
 {
 	const struct prediction *p = &t->view.shown;
-	unsigned look =
-	    t->ui.cross && t->ui.cross_at == i ? LOOK_BOLD : LOOK_PLAIN;
+	unsigned look = t->ui.crosshair && t->ui.crosshair_sieve == i
+			    ? LOOK_BOLD
+			    : LOOK_PLAIN;
 	char sieve[24];
 	/* A longer name takes a blank of the next number. */
 	int n =
@@ -126,9 +129,9 @@ draw_sieve(
 	hits_add(&t->hits, HIT_PRESS, area_row(area, row), touch_sieve, i);
 }
 
-/* Of row r of so many.  Where there are fewer rows than sieves these are from
- * the coarsest that the feed does not pass to the finest: which ones does not
- * change with the speed. */
+/* Returns the sieve of row r.  If there are fewer rows than sieves, they are
+ * spread from the coarsest that retains feed to the finest, and do not change
+ * with the speed. */
 static size_t
 sieve_table_sieve_of(const struct tui *t, size_t r, size_t rows)
 {
@@ -142,8 +145,8 @@ sieve_table_sieve_of(const struct tui *t, size_t r, size_t rows)
 	return first + (r * (feed->n - 1 - first) + gaps / 2) / gaps;
 }
 
-/* The row whose sieve gives way to that of the quantity over all speeds, where
- * no row has it; else SIZE_MAX. */
+/* Returns the row that shows the sieve of the quantity above the track instead
+ * of its own, if no row has it; else SIZE_MAX. */
 static size_t
 row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
 {
@@ -180,7 +183,7 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	enum series series = SERIES_TEXT;
 	const struct psd *other = find_compared_product(t, name, &series);
 	double full = full_bar_points(t, other);
-	/* "vs 74" of a name longer than its column, or "73.5". */
+	/* The name is shortened to "vs 74" or "73.5" if it is too long. */
 	const int room = area->columns - COMPARED;
 	char *vs = name, *last = strrchr(name, ' ');
 	if (text_width(name) > room && last != NULL &&

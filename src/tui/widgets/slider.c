@@ -53,7 +53,7 @@ slider_at(struct slider_range range, int column, int width)
 	    range.least + (int)lround(share * (range.most - range.least)));
 }
 
-/* Lies beyond all speeds trained on. */
+/* Returns true if a value is outside the training speeds. */
 static bool
 is_outside_training(int tenths, const struct slider_mark *mark, size_t n)
 {
@@ -81,7 +81,7 @@ slider_write(struct slider_cell *cell, const char *text)
 		*cell++ = (struct slider_cell){*text, true, true};
 }
 
-/* "69", or where words is set "69 m/s 2381 J/kg". */
+/* Writes "69" or, with words, "69 m/s 2381 J/kg".  Returns its length. */
 static int
 mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 {
@@ -91,7 +91,7 @@ mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 		     : snprintf(label, 32, "%g", v);
 }
 
-/* Whether the track is long enough for labels with units, and to be seen
+/* Returns true if the track is long enough for labels with units and some track
  * between them. */
 static bool
 slider_has_room(const struct slider_cell *cell, int width,
@@ -108,8 +108,8 @@ slider_has_room(const struct slider_cell *cell, int width,
 	return true;
 }
 
-/* The speed behind a mark, where nothing else stands there; handle: the cell
- * behind the slider's handle. */
+/* Writes the speed after a mark, if nothing else stands there. handle: the cell
+ * after the handle of the slider. */
 static void
 draw_label(struct slider_cell *cell, int width, int column,
     const struct slider_mark *mark, bool words, int handle)
@@ -121,12 +121,12 @@ draw_label(struct slider_cell *cell, int width, int column,
 	if (from == handle || !are_cells_free(cell, width, from, wanted + 1))
 		return;
 	slider_write(cell + from, label);
-	/* A label that ran into the dashes would not be read. */
+	/* A space, because dashes right after a label would be hard to read. */
 	if (cell[from + wanted].sign == 'x')
 		slider_write(cell + from + wanted, " ");
 }
 
-/* The word in the middle of each part that is beyond the speeds trained on. */
+/* Writes the word in the middle of each part beyond the training speeds. */
 static void
 draw_beyond(struct slider_cell *cell, int width, const char *word)
 {

@@ -40,8 +40,8 @@ track_trained(const struct entry *entry, size_t run)
 	return false;
 }
 
-/* The speeds that were measured and those that the parameters were trained at,
- * also where that was on another site.  Returns how many. */
+/* Lists the measured speeds, and those at which the parameters were trained,
+ * even on another site.  Returns their number. */
 static size_t
 take_marks(const struct entry *entry, struct slider_range range,
     struct slider_mark mark[static MOST_MARKS])
@@ -71,7 +71,7 @@ track_touch(struct tui *t, const struct touched *touched)
 	    track.columns);
 }
 
-/* Whether all that is wanted holds somewhere in a cell of the track. */
+/* Returns true if the goal is met somewhere in a cell of the track. */
 static bool
 is_goal_met_in_cell(
     const struct tui *t, const struct area *track, int column, bool *certain)
@@ -83,7 +83,8 @@ is_goal_met_in_cell(
 	return goal_holds(t, speed - half, speed + half, certain);
 }
 
-/* Where a window begins and ends, and where it does so for sure. */
+/* Marks the cells in which a window begins or ends, and those in which its
+ * certainty does.  The caller frees them. */
 static bool *
 window_ends(const struct tui *t, const struct area *track)
 {
@@ -105,8 +106,8 @@ window_ends(const struct tui *t, const struct area *track)
 	return end;
 }
 
-/* A cell of slider_draw, and a heavy line at the speeds at which all that is
- * wanted holds, with gaps where that is not sure. */
+/* Draws a cell: a heavy line where the goal is met, with gaps where that is not
+ * certain. */
 static void
 track_draw_cell(const struct tui *t, const struct area *track, int column,
     const struct slider_cell *cell)
@@ -173,7 +174,7 @@ track_draw(struct tui *t)
 		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
 		    "%d", range.most / 10);
 	}
-	/* On its bracket: a block would stand out of the number. */
+	/* On its bracket, because a cursor on the number would hide a digit. */
 	t->cursor.column = track.column + at;
 }
 
@@ -220,7 +221,7 @@ say_goal(const struct tui *t, struct part *part)
 	part->look = LOOK_BOLD;
 }
 
-/* The rim of the rotor goes round at the tip speed. */
+/* The rotor tip speed, as energy and rotor speed too. */
 static void
 say_speed(const struct tui *t, struct part *part)
 {
@@ -239,7 +240,7 @@ say_speed(const struct tui *t, struct part *part)
 	track_say(part, xasprintf("%.1f", v));
 }
 
-/* A speed beyond those measured is not to be read without that. */
+/* What the signs mean.  Beyond the measured speeds, that is not left out. */
 static void
 say_signs(const struct tui *t, struct part *part)
 {
@@ -249,7 +250,7 @@ say_signs(const struct tui *t, struct part *part)
 		return;
 	}
 	enum { REASONS = 34 };
-	/* Where the panel is wide its light says so. */
+	/* A wide panel says so in its light. */
 	bool beyond =
 	    t->layout.side.columns < REASONS && t->view.shown.product.n > 0 &&
 	    answers_extrapolates(tui_current_entry(t), t->view.shown.speed);
@@ -264,7 +265,7 @@ say_signs(const struct tui *t, struct part *part)
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
 }
 
-/* With a rule before it. */
+/* Returns the width of a part and of the rule before it. */
 static int
 width_of_part(const struct part *part)
 {
@@ -272,7 +273,8 @@ width_of_part(const struct part *part)
 	return width > 0 ? width + 4 : 0;
 }
 
-/* Each is as short as can be, then grows in turn while there is room. */
+/* Gives each part its shortest text, then lengthens them in turn while there is
+ * room. */
 static void
 fit_heading_parts(struct part part[static PARTS], int columns)
 {
@@ -331,7 +333,8 @@ track_draw_heading(struct tui *t)
 	}
 }
 
-/* Where keys go to, in no order: the goal's limits, or what was measured. */
+/* Lists the speeds to which keys move, in no order: the limits of the goal, or
+ * the measured speeds.  Returns their number. */
 static size_t
 track_stops(const struct tui *t, int tenths[static MOST_MARKS])
 {
@@ -374,6 +377,34 @@ move_to_limit(struct tui *t, int by)
 	t->ui.tenths = best;
 }
 
+/* Moves the slider to the best speed of the goal, and says how well that is met
+ * there. */
+static void
+move_to_best(struct tui *t)
+{
+	const struct goal *g = &t->view.goal;
+	double best = goal_best(t);
+	if (!isfinite(best)) {
+		tui_say(t, false,
+		    goals_is_set(t->session) ? N_("no best speed is known")
+					     : N_("no goal yet: t sets one"));
+		return;
+	}
+	t->ui.tenths = slider_tenths(tui_range(t), best);
+	t->keep_message = true;
+	FREED char *chance =
+	    conditions_chance(g->found->best_certain, g->missed == NULL);
+	if (g->missed != NULL)
+		tui_say(t, false,
+		    "no speed meets the goal, %.1f m/s is nearest: %s", best,
+		    g->missed);
+	else if (g->n_value > 0)
+		tui_say(t, false, "the goal is met at %.1f m/s", best);
+	else
+		tui_say(t, false, "best speed of the goal: %.1f m/s (%s)", best,
+		    chance);
+}
+
 static bool
 is_goal_pending(const struct tui *t)
 {
@@ -382,7 +413,7 @@ is_goal_pending(const struct tui *t)
 }
 
 void
-act_limit(struct tui *t, const struct key *key)
+act_goal_speed(struct tui *t, const struct key *key)
 {
 	if (is_goal_pending(t) &&
 	    session_fitting(t->session) == tui_current_entry(t)) {
@@ -390,36 +421,31 @@ act_limit(struct tui *t, const struct key *key)
 		    "the goal's speeds are known when the calibration ends");
 		return;
 	}
-	t->wish = key;
-	t->wish_from = t->ui.tenths;
-	track_wished(t, t->aside);
-	if (t->wish != NULL)
+	t->pending_key = key;
+	t->pending_from = t->ui.tenths;
+	track_run_pending_key(t, t->aside);
+	if (t->pending_key != NULL)
 		tui_say(t, false,
 		    "the goal's speeds are being worked out: the slider then "
 		    "goes there; Esc: it stays");
 }
 
 void
-track_wished(struct tui *t, bool now)
+track_run_pending_key(struct tui *t, bool now)
 {
-	const struct key *key = t->wish;
-	if (key == NULL || t->ui.tenths != t->wish_from) {
-		t->wish = NULL;
+	const struct key *key = t->pending_key;
+	if (key == NULL || t->ui.tenths != t->pending_from) {
+		t->pending_key = NULL;
 		return;
 	}
 	while (now && is_goal_pending(t))
 		goal_step(t);
 	if (is_goal_pending(t))
 		return;
-	t->wish = NULL;
+	t->pending_key = NULL;
 	t->message[0] = '\0';
-	double best = key->amount == 0 ? goal_best(t) : NAN;
 	if (key->amount != 0)
 		move_to_limit(t, key->amount);
-	else if (isfinite(best))
-		t->ui.tenths = slider_tenths(tui_range(t), best);
 	else
-		tui_say(t, false,
-		    goals_is_set(t->session) ? N_("no best speed is known")
-					     : N_("no goal yet: t sets one"));
+		move_to_best(t);
 }

@@ -12,12 +12,12 @@ void track_draw(struct tui *t);
  * the signs. */
 void track_draw_heading(struct tui *t);
 
-/* Moves the slider to where the mouse is pressed or dragged; see hit_way. */
+/* A mouse_action: moves the slider to where the mouse is pressed or dragged. */
 void track_touch(struct tui *t, const struct touched *touched);
 
 /* Runs the waiting key if its speeds are known, or computes them at once if
  * `now`.  Drops the key if the slider has been moved since. */
-void track_wished(struct tui *t, bool now);
+void track_run_pending_key(struct tui *t, bool now);
 
 /* Signs on the track for training speeds, for held-out speeds, and beyond all
  * these; UTF-8. */

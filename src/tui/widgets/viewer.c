@@ -15,7 +15,7 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-/* Finds the lines and the columns of the widest one. */
+/* Splits the text into lines, and finds the width of the widest. */
 static void
 viewer_split(struct viewer *v)
 {
@@ -57,7 +57,7 @@ viewer_text(struct tui *t, char *text)
 }
 
 void
-act_again(struct tui *t, const struct key *key)
+act_last_text(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (t->closed != NULL)
@@ -66,7 +66,7 @@ act_again(struct tui *t, const struct key *key)
 		tui_say(t, false, "no text has been shown yet");
 }
 
-/* The keys whose line has the word searched for. */
+/* Lists the keys whose line contains the word. */
 static void
 list_keys(struct tui *t)
 {
@@ -90,7 +90,7 @@ act_help(struct tui *t, const struct key *key)
 	list_keys(t);
 }
 
-/* The last frame may have been of other text there. */
+/* The last frame may have had another layout. */
 void
 viewer_message(struct tui *t)
 {
@@ -111,7 +111,7 @@ viewer_has_word(const struct viewer *v, int line)
 	return text_has(v->line[line], v->word.text);
 }
 
-/* How many lines before one have the word. */
+/* Returns how many lines before that one contain the word. */
 static int
 count_matches_before(const struct viewer *v, int before)
 {
@@ -127,8 +127,8 @@ clamp(int x, int least, int most)
 	return x < least || most < least ? least : x > most ? most : x;
 }
 
-/* Rows of the list of keys: half of its lines stand beside the others where all
- * have room so. */
+/* Returns the rows of the text; the list of keys takes two columns if all of it
+ * then has room. */
 static int
 key_rows(const struct tui *t)
 {
@@ -140,7 +140,7 @@ key_rows(const struct tui *t)
 	return two ? (v->lines + 1) / 2 : v->lines;
 }
 
-/* Scrolls as far as the body of the frame wants: the size may be another. */
+/* Keeps the position within the text; the size may have changed. */
 static void
 scroll_to_fit(struct tui *t)
 {
@@ -154,7 +154,8 @@ scroll_to_fit(struct tui *t)
 	v->left = clamp(v->left, 0, v->columns - t->layout.body.columns);
 }
 
-/* To a line with the word, in the middle where it was not to be seen. */
+/* Goes to a line with the word, which it puts in the middle if it was not
+ * visible. */
 static void
 viewer_go_to(struct tui *t, int line)
 {
@@ -166,8 +167,8 @@ viewer_go_to(struct tui *t, int line)
 	scroll_to_fit(t);
 }
 
-/* The first line with the word from a line on, round the end, or by -1 back;
- * -1: none. */
+/* Returns the first line with the word from a line on, in steps of `by`, past
+ * the end too; -1: none. */
 static int
 find_from(const struct viewer *v, int from, int by)
 {
@@ -179,7 +180,7 @@ find_from(const struct viewer *v, int from, int by)
 	return -1;
 }
 
-/* A character of the word after '/'; false where it is none. */
+/* Handles a key of the word after /.  Returns false for other keys. */
 static bool
 viewer_find(struct tui *t, int code, bool special)
 {
@@ -208,7 +209,7 @@ viewer_find(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Of the list of keys the chosen one. */
+/* In the list of keys, moves the choice. */
 void
 viewer_scroll(struct tui *t, int by)
 {
@@ -223,7 +224,7 @@ viewer_scroll(struct tui *t, int by)
 	scroll_to_fit(t);
 }
 
-/* Back from the word that was looked for; false: there is none. */
+/* Clears the word searched for.  Returns false if there is none. */
 static bool
 forget_searched_word(struct tui *t)
 {
@@ -238,13 +239,13 @@ forget_searched_word(struct tui *t)
 	return true;
 }
 
-/* What only goes through the text. */
+/* Handles keys that move through the text. */
 static bool
 scrolls_by_key(struct tui *t, const struct key *key, int code)
 {
 	struct viewer *v = &t->viewer;
 	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
-	key_way *act = key != NULL ? key->act : NULL;
+	key_action *act = key != NULL ? key->act : NULL;
 	int steps = act == act_move ? abs(key->amount) : 0;
 	if (act == act_list)
 		viewer_scroll(t, key->amount);
@@ -268,9 +269,8 @@ scrolls_by_key(struct tui *t, const struct key *key, int code)
 	return true;
 }
 
-/* Whether it changes what is calculated: that is not done by a key which was
- * pressed to be rid of a text.  A first calibration takes the place of nothing.
- */
+/* Returns true if a key changes what is computed, which a key pressed to close
+ * a text must not do.  A first calibration replaces nothing. */
 static bool
 is_changing_key(const struct tui *t, const struct key *key)
 {
@@ -280,8 +280,7 @@ is_changing_key(const struct tui *t, const struct key *key)
 	return key->where & CHANGES && !(key->act == act_fit && first);
 }
 
-/* A key that is none of the text's has closed it: true where that is all that
- * it does. */
+/* Returns true if a key that has closed the text does nothing else. */
 static bool
 is_only_closed(struct tui *t, const struct key *key, int code, bool keys)
 {
@@ -312,14 +311,15 @@ viewer_key(struct tui *t, int code, bool special, const struct key **run)
 			viewer_close(t);
 		return true;
 	}
-	/* How it is found again is read after it has gone. */
-	t->told = t->told || v->report;
+	/* The message says how the report is found again, and stays when it
+	 * closes. */
+	t->keep_message = t->keep_message || v->report;
 	viewer_close(t);
 	return is_only_closed(t, key, code, keys);
 }
 
-/* The list of keys has one space between a key and what it does where it is
- * narrow. */
+/* On a narrow screen, the list of keys has one space between a key and what it
+ * does. */
 static void
 squeeze_spaces(char *line)
 {
@@ -337,8 +337,8 @@ touch_key(struct tui *t, const struct touched *touched)
 	t->viewer.at = (int)touched->item;
 }
 
-/* One line of the text; of a key what there is no room for is cut, with a
- * mark.  Returns that. */
+/* Draws a line of the text.  In the list of keys, one that is too long is cut;
+ * returns the rest of the chosen one, or NULL. */
 static char *
 viewer_draw_line(struct tui *t, int n)
 {
@@ -375,7 +375,7 @@ viewer_draw_line(struct tui *t, int n)
 	return NULL;
 }
 
-/* The word that is looked for, and how many lines have it. */
+/* Draws the word searched for and the number of lines with it. */
 static int
 draw_word(struct tui *t)
 {
@@ -400,7 +400,7 @@ draw_word(struct tui *t)
 	return at;
 }
 
-/* What Enter does in the list of keys, where there is room for all of it. */
+/* Draws what Enter does in the list of keys, if there is room for all of it. */
 static bool
 draw_what_enter_does(struct tui *t)
 {
@@ -430,7 +430,7 @@ viewer_draw_hints(struct tui *t)
 		v->keys ? tr("Esc back  / find a word  Enter run it")
 			: tr("Esc back  / search"));
 	pane_hints(
-	    t, LOOK_REVERSE, t->under_way != NULL ? tr("Esc stops") : hints);
+	    t, LOOK_REVERSE, t->running_line != NULL ? tr("Esc stops") : hints);
 }
 
 void

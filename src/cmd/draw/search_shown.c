@@ -1,7 +1,7 @@
 /* Takes generations, bounds and the best candidate from the running
  * calibration, or from the history of the last.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/draw/plots_past.h"
+#include "cmd/draw/search_shown.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,15 +9,15 @@
 #include "cmd/ask/answers.h"
 
 bool
-plots_past_is_running(const struct session *s, const struct entry *entry)
+search_shown_is_running(const struct session *s, const struct entry *entry)
 {
 	return s->job.calibration != NULL && s->job.fits &&
 	       &s->entry[s->job.entry] == entry_loaded(entry);
 }
 
 static void
-take_running(
-    struct plots_past *past, const struct session *s, const struct entry *entry)
+take_running(struct search_shown *past, const struct session *s,
+    const struct entry *entry)
 {
 	const struct job *job = &s->job;
 	struct calibrate_status st = calibration_status(job->calibration);
@@ -33,15 +33,15 @@ take_running(
 	past->runs = true;
 }
 
-struct plots_past
-plots_past(const struct session *s, const struct entry *entry)
+struct search_shown
+search_shown(const struct session *s, const struct entry *entry)
 {
-	struct plots_past past = {0};
+	struct search_shown past = {0};
 	const struct history *h = entry->history;
-	if (plots_past_is_running(s, entry)) {
+	if (search_shown_is_running(s, entry)) {
 		take_running(&past, s, entry);
 	} else if (h != NULL) {
-		past = (struct plots_past){h->n, h->generation, &h->bounds,
+		past = (struct search_shown){h->n, h->generation, &h->bounds,
 		    h->site, h->train, h->fit.settings, h->weight,
 		    h->fit.misfit, h->fit.params, true, false};
 	}
@@ -54,7 +54,7 @@ plots_past(const struct session *s, const struct entry *entry)
 }
 
 size_t
-plots_past_at(const struct entry *entry, const struct plots_past *past,
+search_shown_index(const struct entry *entry, const struct search_shown *past,
     size_t generation, struct error *error)
 {
 	if (past->n == 0)
@@ -72,32 +72,32 @@ plots_past_at(const struct entry *entry, const struct plots_past *past,
 }
 
 struct params
-plots_past_best(const struct plots_past *past, size_t generation)
+search_shown_best(const struct search_shown *past, size_t generation)
 {
 	return generation > 0 ? past->generation[generation - 1].params
 			      : past->best;
 }
 
 double
-plots_past_points(const struct plots_past *past, double misfit)
+search_shown_points(const struct search_shown *past, double misfit)
 {
 	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
 	return good ? 100 * sqrt(misfit / past->weight) : NAN;
 }
 
 bool
-plots_past_params(const struct session *s, const struct plot_request *request,
+search_shown_params(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error)
 {
 	const struct entry *entry = request->entry;
-	struct plots_past past = plots_past(s, entry);
+	struct search_shown past = search_shown(s, entry);
 	bool search =
-	    request->generation > 0 || plots_past_is_running(s, entry);
+	    request->generation > 0 || search_shown_is_running(s, entry);
 	if (search && past.n > 0) {
-		if (plots_past_at(entry, &past, request->generation, error) ==
-		    past.n)
+		if (search_shown_index(
+			entry, &past, request->generation, error) == past.n)
 			return false;
-		*params = plots_past_best(&past, request->generation);
+		*params = search_shown_best(&past, request->generation);
 		return true;
 	}
 	if (!answers_check_params(s, entry, error))

@@ -1,7 +1,7 @@
 /* The search for a site's parameters, as far as it has run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_DRAW_PLOTS_PAST_H
-#define TIPSPEED_CMD_DRAW_PLOTS_PAST_H
+#ifndef TIPSPEED_CMD_DRAW_SEARCH_SHOWN_H
+#define TIPSPEED_CMD_DRAW_SEARCH_SHOWN_H
 
 #include "cmd/draw/plot_request.h"
 
@@ -9,7 +9,7 @@
  * neither.  site, train: the data fitted; weight: see calibration_weight; runs:
  * it is in progress; best, misfit: the best so far; polished: the polish has
  * improved the best since the last generation.  Borrowed. */
-struct plots_past {
+struct search_shown {
 	size_t n;
 	const struct calibrate_generation *generation;
 	const struct bounds *bounds;
@@ -20,27 +20,29 @@ struct plots_past {
 	struct params best;
 	bool polished, runs;
 };
-struct plots_past plots_past(
+struct search_shown search_shown(
     const struct session *s, const struct entry *entry);
 
 /* True if the calibration in progress is for the site. */
-bool plots_past_is_running(const struct session *s, const struct entry *entry);
+bool search_shown_is_running(
+    const struct session *s, const struct entry *entry);
 
 /* Returns the index of generation 1..n, or of the last for 0.  Returns n with
  * an error if there is none. */
-size_t plots_past_at(const struct entry *entry, const struct plots_past *past,
-    size_t generation, struct error *error);
+size_t search_shown_index(const struct entry *entry,
+    const struct search_shown *past, size_t generation, struct error *error);
 
 /* Returns the best candidate of generation 1..n, or for 0 the final result. */
-struct params plots_past_best(const struct plots_past *past, size_t generation);
+struct params search_shown_best(
+    const struct search_shown *past, size_t generation);
 
 /* Returns a misfit as RMSE, points, or NAN if it is not finite and positive. */
-double plots_past_points(const struct plots_past *past, double misfit);
+double search_shown_points(const struct search_shown *past, double misfit);
 
 /* Finds the parameters for drawing the request's entry: those of the requested
  * generation, the best so far of a calibration in progress, or the site's.
  * Returns false with an error if there are none. */
-bool plots_past_params(const struct session *s,
+bool search_shown_params(const struct session *s,
     const struct plot_request *request, struct params *params,
     struct error *error);
 

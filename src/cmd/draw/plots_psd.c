@@ -1,0 +1,596 @@
+/* Plots size distributions at one speed (psd), with what was measured, a second
+ * prediction and a strip of differences below; and at several speeds (sweep).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/draw/plots.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/asked.h"
+#include "cmd/ask/feed.h"
+#include "cmd/ask/forecast.h"
+#include "cmd/ask/moved.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/pin.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
+#include "cmd/draw/plots_limits.h"
+#include "cmd/draw/search_shown.h"
+#include "cmd/draw/site_chart.h"
+#include "cmd/session/sites.h"
+#include "core/answer/predict.h"
+#include "io/sitefile/units.h"
+
+static const struct chart_series PREDICTED = {
+    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
+static const struct chart_series OTHER = {.series = SERIES_OTHER,
+    .line = CHART_DASHED,
+    .ascii = '%',
+    .compared = true};
+static const struct chart_series PART = {
+    .series = SERIES_PREDICTED, .line = CHART_LONG, .ascii = '@'};
+
+/* The least limit that holds a value: a few, so that the scale stands still
+ * while the slider moves. */
+static double
+axis_limit(double value)
+{
+	static const double LIMITS[] = {1, 2, 5, 10, 20, 50};
+	for (size_t i = 0; i < ARRAY_LEN(LIMITS); i++)
+		if (value <= LIMITS[i])
+			return LIMITS[i];
+	return 100;
+}
+
+static void
+add_tick(struct axis *axis, double at)
+{
+	char label[24];
+	snprintf(label, sizeof label, at == 0 ? "%g" : "%+g", at);
+	axis_add(axis, at, label, 0);
+	axis->tick[axis->n - 1].guide = at == 0;
+}
+
+/* As far below 0 as above, so that 0 stays where it is. */
+static struct axis
+difference_points_axis(const struct chart *chart)
+{
+	struct axis axis = {.title = xstrdup(tr("difference, points"))};
+	struct chart_extent e = chart_extent(chart);
+	axis.high = axis_limit(fmax(-e.y[0], e.y[1]));
+	axis.low = -axis.high;
+	add_tick(&axis, axis.low);
+	add_tick(&axis, 0);
+	add_tick(&axis, axis.high);
+	return axis;
+}
+
+/* At the points of a curve what it is more than another, where both are. */
+static void
+add_difference_of_curves(struct chart *strip, const struct chart *chart,
+    const struct chart_series *a, const struct chart_series *b,
+    struct chart_series look)
+{
+	struct chart_series *s =
+	    chart_add(strip, look, a->n, "%s less %s", a->name, b->name);
+	for (size_t i = 0; i < a->n; i++) {
+		s->x[i] = a->x[i];
+		s->y[i] = a->y[i] - chart_y_at(chart, b, a->x[i]);
+	}
+}
+
+static struct axis
+axis_copy(const struct axis *from)
+{
+	struct axis axis = *from;
+	axis.title = xstrdup(from->title);
+	axis.tick = xcalloc(from->n, sizeof *axis.tick);
+	for (size_t i = 0; i < from->n; i++)
+		axis.tick[i] = from->tick[i];
+	return axis;
+}
+
+/* "measured 74 m/s" of "measured 74 m/s (2)". */
+static int
+short_name_length(const struct chart_series *s)
+{
+	return (int)strcspn(s->name, ",(") -
+	       (s->name[strcspn(s->name, ",(")] == '(');
+}
+
+/* What is shown, whatever the numbers: "points; line: this less pin; marks:
+ * measured 74 m/s less this", the prediction, which may be of another speed. */
+static char *
+title_of(const struct chart_series *other, const struct chart_series *measured)
+{
+	char *title = xstrdup(tr("points"));
+	if (other != NULL)
+		xlist(&title, "; ", tr("line: this less %s"),
+		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
+							: tr("the other"));
+	if (measured != NULL)
+		xlist(&title, "; ", tr("marks: %.*s less this"),
+		    short_name_length(measured), measured->name);
+	return title;
+}
+
+/* Adds a strip of differences below a chart whose last series is the
+ * prediction: the prediction minus the second one, and minus what was measured
+ * nearest to its speed.  Adds nothing where there is neither. */
+static void
+add_strip(struct chart *chart, int rows)
+{
+	const struct chart_series *last = chart->series[chart->n - 1];
+	const struct chart_series *other = NULL, *measured = NULL;
+	struct chart *strip =
+	    chart_new("", chart->about, axis_copy(&chart->x), (struct axis){0});
+	for (size_t i = 0; i + 1 < chart->n; i++) {
+		const struct chart_series *s = chart->series[i];
+		if (s->compared && s->series == SERIES_OTHER) {
+			other = s;
+			add_difference_of_curves(strip, chart, last, s, *last);
+		} else if (s->compared) {
+			measured = s;
+			add_difference_of_curves(strip, chart, s, last, *s);
+		}
+	}
+	free(strip->title);
+	strip->title = title_of(other, measured);
+	strip->strip = rows;
+	strip->y = difference_points_axis(strip);
+	if (strip->n > 0)
+		chart->below = strip;
+	else
+		chart_free(strip);
+}
+
+/* What is read at a place: chart_y_at at a size, chart_x_at at a passing. */
+typedef double reading(
+    const struct chart *, const struct chart_series *, double);
+
+/* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
+ * has a band there, or " feed -". */
+static void
+add_reading(char **note, const struct chart *chart,
+    const struct chart_series *s, reading *read, double at,
+    const struct figure *band)
+{
+	int digits = read == chart_y_at ? 1 : 2;
+	double own = read(chart, s, at);
+	if (isnan(own)) {
+		xappend(note, " %s -", s->name);
+		return;
+	}
+	xappend(note, " %s %.*f %s", s->name, digits, own,
+	    read == chart_y_at ? "%" : "mm");
+	if (s->low != NULL && isfinite(band->low) && isfinite(band->high))
+		xappend(note, tr(" (%.*f to %.*f)"), digits, band->low, digits,
+		    band->high);
+}
+
+/* What is pinned has bands at its sieves and of its sizes, and no others. */
+static void
+read_pinned(const struct plot_request *q, const struct prediction *p,
+    struct figure band[static 2])
+{
+	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
+		if (fabs(units_mm(p->product.size[i]) - q->crosshair_mm) < 1e-9)
+			band[0] = (struct figure){
+			    NAN, units_pct(p->low[i]), units_pct(p->high[i])};
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		if (fabs(q->level - 100 * PSD_PASSING[k]) < 1e-9)
+			band[1] = (struct figure){
+			    NAN, 1000 * p->range[k][0], 1000 * p->range[k][1]};
+}
+
+/* The band of a passing, %, and of a size, mm. */
+static void
+read_crosshair_bands(const struct session *s, const struct plot_request *q,
+    const struct params *params, const struct prediction *p,
+    struct figure band[static 2])
+{
+	struct question question =
+	    question_of_whole_product(s, q->entry, p->feed_run);
+	question.params = params;
+	const struct quantity asked[] = {{.kind = QUANTITY_PASSING,
+					     .x = q->crosshair_mm / 1000,
+					     .fraction = q->fraction},
+	    {.kind = QUANTITY_SIZE,
+		.x = q->level / 100,
+		.fraction = q->fraction}};
+	struct forecast *f = forecast_open(s, &question, asked, 2);
+	forecast_at(f, p->speed);
+	for (size_t i = 0; i < 2; i++)
+		band[i] = forecast_shown(f, i);
+	forecast_close(f);
+}
+
+/* A rule, and where there are notes "at 2 mm: feed 16.0 %, measured 69 m/s
+ * 29.0 %", and of each curve the size that the level passes; p: the prediction
+ * that has a band, of these parameters, or NULL. */
+static void
+note_crosshair(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct params *params,
+    const struct prediction *p)
+{
+	double x = q->crosshair_mm, level = q->level;
+	struct figure band[2] = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
+	if (!(q->words & CHART_NOTES))
+		return;
+	if (p != NULL && p == q->made)
+		read_pinned(q, p, band);
+	else if (p != NULL)
+		read_crosshair_bands(s, q, params, p, band);
+	FREED char *at = xasprintf(tr("at %g mm:"), x);
+	FREED char *sizes = xasprintf(tr("%g %% pass:"), level);
+	for (size_t i = 0; i < chart->n; i++) {
+		const struct chart_series *of = chart->series[i];
+		const char *comma = i + 1 < chart->n ? "," : "";
+		add_reading(&at, chart, of, chart_y_at, x, &band[0]);
+		add_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
+		xappend(&at, "%s", comma);
+		xappend(&sizes, "%s", comma);
+	}
+	chart_note(chart, "%s", at);
+	chart_note(chart, "%s", sizes);
+}
+
+/* A rule at the break size and a note; whose: the site it is of, or NULL where
+ * that is no longer loaded.  The name of a rule tells no numbers where there
+ * are no notes. */
+static void
+note_prediction(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct entry *whose,
+    const struct prediction *p, const char *name, enum series series)
+{
+	double mm = 1000 * p->break_size;
+	if (!(q->words & CHART_NOTES))
+		chart_add_rule(chart, series, mm, "%sbreak size",
+		    series == SERIES_OTHER ? tr("pin ") : "");
+	else if (series == SERIES_OTHER && q->beside != NULL)
+		chart_add_rule(
+		    chart, series, mm, "%s: break size %.2f mm", q->beside, mm);
+	else
+		chart_add_rule(chart, series, mm,
+		    "break size %.2f mm at %g m/s", mm, p->speed);
+	char p20[32], p50[32], p80[32];
+	char *const words[] = {p20, p50, p80};
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		snprintf(words[i], sizeof p20,
+		    isnan(p->size[i]) ? tr("outside") : "%.2f mm",
+		    1000 * p->size[i]);
+	FREED char *text =
+	    xasprintf("%s: P20 %s, P50 %s, P80 %s", name, p20, p50, p80);
+	if (whose != NULL && answers_extrapolates(whose, p->speed))
+		xlist(&text, "; ", "%s", tr("extrapolated"));
+	if (whose != NULL && p->low != NULL)
+		xlist(&text, "; ", "%s", outlook_words(s, whose));
+	chart_note(chart, "%s", text);
+	if (whose == NULL || origin_key(whose) == whose->key)
+		return;
+	FREED char *from = origin_sentence(whose);
+	chart_note(
+	    chart, "%s%s", origin_is_other(whose) ? tr("warning: ") : "", from);
+}
+
+/* The shade of a prediction with the site's own parameters, whose series is the
+ * chart's last. */
+static void
+shade_prediction(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct prediction *p)
+{
+	if (p->low == NULL) {
+		chart_note(chart, "%s", outlook_why_none(s, entry));
+		return;
+	}
+	struct chart_series *series = chart->series[chart->n - 1];
+	chart_add_band(series);
+	for (size_t i = 0; i < series->n; i++) {
+		series->low[i] = units_pct(p->low[i]);
+		series->high[i] = units_pct(p->high[i]);
+	}
+	const double *range = p->range[1];
+	if (isfinite(range[0]) && isfinite(range[1]))
+		chart_note(chart,
+		    "shaded: %.0f %% uncertainty band; P50 %.2f to %.2f mm",
+		    100 * settings_level(&s->set), 1000 * range[0],
+		    1000 * range[1]);
+	else
+		chart_note(chart, "shaded: %.0f %% uncertainty band",
+		    100 * settings_level(&s->set));
+}
+
+/* The passings of a product that is read off its prediction's curve. */
+static void
+add_product(struct chart *chart, const struct prediction *p, char *name,
+    struct chart_series look)
+{
+	site_chart_add_psd(
+	    chart, look, &p->product, p->curve.n > 0 ? &p->curve : NULL, name);
+}
+
+static struct prediction
+make_prediction(const struct session *s, const struct plot_request *q,
+    const struct entry *entry, const struct params *params, double speed,
+    size_t feed)
+{
+	struct question question = question_of_whole_product(s, entry, feed);
+	question.fraction = q->fraction;
+	question.params = params;
+	return forecast_product(s, &question, speed);
+}
+
+/* A second prediction beside the first, and the site it is of; p NULL: there is
+ * none; made: where it is none that was kept. */
+struct second {
+	const struct prediction *p;
+	const struct entry *whose; /* NULL: no longer loaded */
+	struct prediction made;
+};
+
+/* own: parameters of the site in use, or NULL; speed: that of the first.  False
+ * with an error where the site beside has no prediction. */
+static bool
+find_second(struct session *s, const struct plot_request *q,
+    const struct params *own, double speed, struct second *second,
+    struct error *error)
+{
+	size_t i, feed = q->feed;
+	struct error gone = {0};
+	bool beside = q->beside != NULL, kept = q->kept != NULL;
+	*second = (struct second){.p = q->kept};
+	if (beside && session_find(s, q->beside, &i, kept ? &gone : error))
+		second->whose = q->second != NULL ? q->second : &s->entry[i];
+	else if (beside && !kept)
+		return false;
+	else if (!beside)
+		second->whose = q->entry;
+	if (kept)
+		return true;
+	if (entry_loaded(second->whose) != entry_loaded(q->entry)) {
+		if (!answers_check_params(s, second->whose, error))
+			return false;
+		own = &second->whose->params;
+		feed = SITE_MEAN_FEED;
+	}
+	if (own == NULL || (!beside && isnan(q->other_speed)))
+		return true;
+	if (q->other_feed != 0 && !feed_find_sampled(second->whose->site,
+				      q->other_feed, &feed, error))
+		return false;
+	second->made = make_prediction(s, q, second->whose, own,
+	    isnan(q->other_speed) ? speed : q->other_speed, feed);
+	second->p = &second->made;
+	return true;
+}
+
+static void
+add_second(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct second *second)
+{
+	bool beside = q->beside != NULL;
+	if (second->p != NULL)
+		add_product(chart, second->p,
+		    xasprintf("%s %s%s%g m/s",
+			s->pin != NULL && q->kept == &s->pin->p
+			    ? tr("pin")
+			    : tr("predicted"),
+			beside ? q->beside : "", beside ? " " : "",
+			second->p->speed),
+		    OTHER);
+}
+
+/* What is to be said of the two, whose curves are the chart's last. */
+static void
+note_curves(struct chart *chart, struct session *s,
+    const struct plot_request *q, const struct prediction *one,
+    const struct second *two, bool shade)
+{
+	const struct entry *entry = q->entry;
+	struct chart_series **last = &chart->series[chart->n - 1];
+	if (one != NULL)
+		note_prediction(
+		    chart, s, q, entry, one, (*last)->name, SERIES_BREAK);
+	if (one != NULL && shade)
+		shade_prediction(chart, s, entry, one);
+	if (two->p != NULL)
+		note_prediction(chart, s, q, two->whose, two->p,
+		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
+}
+
+/* Named by its run where it is that of one of several. */
+static void
+add_feed(struct chart *chart, const struct site *site, size_t run)
+{
+	bool one = run < site->n_run && site->individual_feeds;
+	site_chart_add_psd(chart, SITE_CHART_FEED, site_feed(site, run), NULL,
+	    one ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
+		      site->run[run].repeat)
+		: xstrdup(tr("feed")));
+}
+
+/* What was measured, or the fraction of it that is drawn.  Nothing where
+ * another feed or machine is asked about.  Returns how far any of it is moved,
+ * see moved_largest. */
+static double
+add_measured(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct params *params, double speed)
+{
+	const struct site *site = q->entry->site;
+	double moved = 0;
+	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
+		if (!site_run_is_near(site, i, speed, SITE_CHART_RUNS))
+			continue;
+		struct chart_series look =
+		    site_chart_run_style(site, i, !q->entry->train[i]);
+		look.compared = site_run_is_near(site, i, speed, 1);
+		const struct psd *product =
+		    moved_product(s, q->entry, params, i, q->feed);
+		struct psd part = fraction_screens(&q->fraction)
+				      ? screened_measured(product, &q->fraction)
+				      : psd_copy(product);
+		site_chart_add_psd(chart, look, &part, NULL,
+		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
+			site->run[i].repeat));
+		psd_free(&part);
+		moved =
+		    fmax(moved, moved_largest(s, q->entry, params, i, q->feed));
+	}
+	return moved;
+}
+
+/* The fraction that an envelope in use is for, with its limits. */
+static void
+add_part(struct chart *chart, const struct session *s,
+    const struct entry *entry, const struct prediction *whole)
+{
+	struct prediction part;
+	if (!plots_limits_fraction(s, entry, whole, &part))
+		return;
+	FREED char *words = plots_limits_words(s);
+	add_product(chart, &part, xasprintf(tr("fraction %s"), words), PART);
+	prediction_free(&part);
+}
+
+/* Dashed where it is extrapolated. */
+static void
+add_first(struct chart *chart, const struct session *s,
+    const struct plot_request *q, const struct prediction *p)
+{
+	struct chart_series look = PREDICTED;
+	if (answers_extrapolates(q->entry, p->speed))
+		look.line = CHART_LONG;
+	add_product(chart, p,
+	    q->words & CHART_NOTES ? xasprintf(tr("predicted %g m/s"), p->speed)
+				   : xasprintf(tr("predicted%s"),
+					 outlook_short_words(s, q->entry, p)),
+	    look);
+}
+
+/* A plot of one speed.  one: the first prediction, with these parameters, or
+ * NULL, where `unknown` says what is missing; made: where it is none that was
+ * made before. */
+struct psd_plot {
+	double speed;
+	struct params params;
+	struct error unknown;
+	const struct prediction *one;
+	struct prediction made;
+	struct second two;
+};
+
+/* What was measured is worth a look before there are parameters. */
+static bool
+find_predictions(struct session *s, const struct plot_request *q,
+    struct psd_plot *p, struct error *error)
+{
+	const struct entry *entry = q->entry;
+	*p = (struct psd_plot){
+	    .speed = isnan(q->speed) ? site_middle(entry->site) : q->speed};
+	bool known = search_shown_params(s, q, &p->params, &p->unknown);
+	if (!known && q->generation > 0) {
+		*error = p->unknown;
+		return false;
+	}
+	if (!find_second(
+		s, q, known ? &p->params : NULL, p->speed, &p->two, error))
+		return false;
+	p->one = q->made;
+	if (known && p->one == NULL) {
+		p->made =
+		    make_prediction(s, q, entry, &p->params, p->speed, q->feed);
+		p->one = &p->made;
+	}
+	return true;
+}
+
+/* All curves, and what is said of them. */
+static void
+fill_psd_chart(struct chart *chart, struct session *s,
+    const struct plot_request *q, const struct psd_plot *p)
+{
+	const struct entry *entry = q->entry;
+	const struct prediction *one = p->one;
+	add_feed(chart, entry->site, q->feed);
+	double moved = add_measured(
+	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
+	if (one != NULL && !fraction_screens(&q->fraction))
+		add_part(chart, s, entry, one);
+	add_second(chart, s, q, &p->two);
+	if (one != NULL)
+		add_first(chart, s, q, one);
+	site_chart_across_sieves(chart);
+	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
+	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
+	note_curves(chart, s, q, one, &p->two, q->band && own);
+	if (one == NULL)
+		chart_note(chart, "no prediction: %s", p->unknown.text);
+	else if (q->strip > 0)
+		add_strip(chart, q->strip);
+	site_chart_note_runs(chart, entry->site);
+	site_chart_note_moved(chart, moved);
+	if (!isnan(q->crosshair_mm))
+		note_crosshair(chart, s, q, &p->params, one);
+}
+
+struct chart *
+plots_psd(struct session *s, const struct plot_request *q, struct error *error)
+{
+	const struct site *site = q->entry->site;
+	struct psd_plot p;
+	if (!find_predictions(s, q, &p, error))
+		return NULL;
+	FREED char *fraction = screened_title(&q->fraction);
+	struct chart *chart =
+	    site_chart(site, (struct axis){0}, axis_percent(tr("passing, %")),
+		p.one != NULL             ? N_("product at %.*f m/s%s")
+		: site_products(site) > 0 ? N_("feed and products")
+					  : N_("feed"),
+		units_speed_digits(p.speed), p.speed, fraction);
+	fill_psd_chart(chart, s, q, &p);
+	prediction_free(&p.made);
+	prediction_free(&p.two.made);
+	return chart;
+}
+
+struct chart *
+plots_sweep(
+    struct session *s, const struct plot_request *q, struct error *error)
+{
+	enum { MOST = 8 };
+	const struct site *site = q->entry->site;
+	size_t n = q->n_speed;
+	struct params params;
+	if (!search_shown_params(s, q, &params, error))
+		return NULL;
+	if (n > MOST) {
+		error_set(error, ERROR_USAGE,
+		    "%zu speeds are too many to draw\n"
+		    "use at most %zu, so that the curves can be distinguished",
+		    n, (size_t)MOST);
+		return NULL;
+	}
+	FREED double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
+	const double *speed = usual != NULL ? usual : q->speeds;
+	FREED char *fraction = screened_title(&q->fraction);
+	struct chart *chart =
+	    site_chart(site, (struct axis){0}, axis_percent(tr("passing, %")),
+		"products at %zu speeds%s", n, fraction);
+	site_chart_add_psd(chart, SITE_CHART_FEED, site_feed(site, q->feed),
+	    NULL, xstrdup(tr("feed")));
+	for (size_t i = 0; i < n; i++) {
+		struct prediction p =
+		    make_prediction(s, q, q->entry, &params, speed[i], q->feed);
+		add_product(chart, &p,
+		    xasprintf(tr("predicted %g m/s"), speed[i]),
+		    site_chart_style(i));
+		prediction_free(&p);
+	}
+	site_chart_across_sieves(chart);
+	return chart;
+}

@@ -1,0 +1,142 @@
+/* Draws a row for each condition, with its value at the slider's speed and the
+ * speeds at which it holds by itself.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tui/widgets/goal_view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
+#include "tui/screen.h"
+#include "tui/widgets/goal.h"
+#include "tui/widgets/list.h"
+
+enum column { CONDITION, NOW, HOLDS, SPEEDS, COLUMNS };
+
+static const struct list_column COLUMN[COLUMNS] = {
+    [CONDITION] = {N_("condition"), 12, 0},
+    [NOW] = {N_("now"), 6, 1, .right = true},
+    [HOLDS] = {N_("met"), 5, 2},
+    [SPEEDS] = {N_("by itself at"), 12, 3}};
+
+/* Returns the value of a condition at the slider's speed, in its own unit. */
+static double
+value_now(const struct tui *t, const struct condition *c)
+{
+	const struct psd *product = &t->view.shown.product;
+	return product->n > 0 ? screened_value(product, &c->quantity) : NAN;
+}
+
+static bool
+holds_now(const struct tui *t, const struct condition *c)
+{
+	double value = value_now(t, c);
+	return !(value < c->least) && !(value > c->most) && !isnan(value);
+}
+
+/* Returns true if the speeds of the goal are known, and of the parameters by
+ * which the values are predicted: not those of a running search. */
+static bool
+are_speeds_known(const struct tui *t)
+{
+	return goal_known(t) &&
+	       session_fitting(t->session) != tui_current_entry(t);
+}
+
+/* Writes the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
+ * for a single value, which is last, those that give it. */
+static void
+speeds_text(const struct tui *t, size_t i, char *text, size_t n)
+{
+	const struct goal *g = &t->view.goal;
+	bool known = are_speeds_known(t);
+	if (!known || i >= g->list.n - g->n_value) {
+		FREED char *met = xstrdup("");
+		for (size_t k = 0; known && k < g->n_met; k++)
+			xlist(&met, ", ", tr("%.1f m/s"), g->met[k]);
+		snprintf(text, n, "%s", met[0] != '\0' ? met : "-");
+		return;
+	}
+	const double *alone = g->found->alone[i];
+	if (isfinite(alone[0]) && isfinite(alone[1]))
+		snprintf(text, n, tr("%.1f to %.1f m/s"), alone[0], alone[1]);
+	else if (isfinite(alone[0]))
+		snprintf(text, n, tr("from %.1f m/s"), alone[0]);
+	else if (isfinite(alone[1]))
+		snprintf(text, n, tr("up to %.1f m/s"), alone[1]);
+	else
+		snprintf(text, n,
+		    holds_now(t, &g->list.at[i]) ? tr("all speeds")
+						 : tr("no speed"));
+}
+
+static void
+goal_view_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
+{
+	const struct condition *c = &t->view.goal.list.at[i];
+	double value = quantities_shown(&c->quantity, value_now(t, c));
+	if (column == CONDITION) {
+		FREED char *words = conditions_words(c);
+		snprintf(text, n, "%s", words);
+	} else if (column == SPEEDS) {
+		speeds_text(t, i, text, n);
+	} else if (column == HOLDS) {
+		bool range = c->least != c->most;
+		snprintf(text, n, "%s",
+		    !range            ? ""
+		    : holds_now(t, c) ? tr(" in")
+				      : tr("OUT"));
+	} else if (isnan(value)) {
+		snprintf(text, n, "-");
+	} else {
+		snprintf(
+		    text, n, "%.*f", quantities_decimals(&c->quantity), value);
+	}
+}
+
+static const struct list_table TABLE = {
+    .column = COLUMN, .n = COLUMNS, .cell = goal_view_cell};
+
+int
+goal_view_rows(const struct tui *t)
+{
+	enum { HEAD = 1, FOOT = 1, MOST = 9 };
+	int rows = HEAD + (int)t->view.goal.list.n + FOOT;
+	return !goal_is_viewed(t) ? 0 : rows < MOST ? rows : MOST;
+}
+
+/* Says how well the goal is met at the slider's speed. */
+static void
+draw_chance(const struct tui *t, const struct area *area)
+{
+	const struct goal *g = &t->view.goal;
+	double speed = t->ui.tenths / 10.0;
+	bool all = true;
+	for (size_t i = 0; i < g->list.n; i++)
+		all = all && holds_now(t, &g->list.at[i]);
+	if (!are_speeds_known(t) || g->n_value > 0)
+		return;
+	FREED char *chance = conditions_chance(goal_certain_at(t, speed), all);
+	screen_text(area, 0, 0, LOOK_BOLD,
+	    g->list.n > 1 ? N_("all conditions at %.1f m/s: %s")
+			  : N_("the condition at %.1f m/s: %s"),
+	    speed, chance);
+}
+
+void
+goal_view_draw(struct tui *t)
+{
+	struct area list = t->layout.body,
+		    foot = area_row(&list, list.rows - 1);
+	int wanted[LIST_COLUMNS];
+	if (list.rows > 2) {
+		draw_chance(t, &foot);
+		list.rows--;
+	}
+	table_measure(t, &TABLE, t->view.goal.list.n, wanted);
+	table_draw(t, &list, &TABLE, wanted);
+}
