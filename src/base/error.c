@@ -25,9 +25,8 @@ void
 error_prefix_place(struct error *e, const char *file, int line, int column)
 {
 	if (e->file[0] != '\0') {
-		char *text = xasprintf("%s: %s", e->file, e->text);
+		FREED char *text = xasprintf("%s: %s", e->file, e->text);
 		snprintf(e->text, sizeof e->text, "%s", text);
-		free(text);
 	}
 	error_set_place(e, file, line, column);
 }
@@ -49,17 +48,15 @@ error_say(struct error *e, enum error_kind kind, const char *file, int line,
 	va_list again;
 	va_copy(again, ap);
 	format = tr(format);
-	char *first, *text = xvasprintf(first_line(format, &first), ap);
-	char *all = xvasprintf(format, again);
+	FREED char *first = NULL,
+		   *text = xvasprintf(first_line(format, &first), ap);
+	FREED char *all = xvasprintf(format, again);
 	const char *rest = all + strlen(text);
 	va_end(again);
 	e->kind = kind;
 	error_set_place(e, file, line, column);
 	snprintf(e->text, sizeof e->text, "%s", text);
 	snprintf(e->hint, sizeof e->hint, "%s", *rest == '\n' ? rest + 1 : "");
-	free(first);
-	free(text);
-	free(all);
 	return false;
 }
 
@@ -137,12 +134,10 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 static void
 place_text(const struct error *e, char place[static 32])
 {
-	enum { LETTERS = 26 };
-	char name[8] = "", *first = name + sizeof name - 1;
-	for (int c = e->column; c > 0 && first > name; c = (c - 1) / LETTERS)
-		*--first = (char)('A' + (c - 1) % LETTERS);
+	char letters[8];
 	if (e->line > 0 && e->in_grid)
-		snprintf(place, 32, " %s%d:", first, e->line);
+		snprintf(place, 32,
+		    " %s%d:", text_column_letters(e->column, letters), e->line);
 	else if (e->line > 0)
 		snprintf(place, 32, "%d:%d:", e->line, e->column);
 }

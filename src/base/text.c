@@ -73,11 +73,9 @@ text_typed_number(const char *s, double *value)
 	const char *comma = strchr(s, ',');
 	if (comma == NULL || !text_is_decimal_comma(s, comma))
 		return text_number(s, value);
-	char *copy = xstrdup(s);
+	FREED char *copy = xstrdup(s);
 	copy[comma - s] = '.';
-	bool ok = text_number(copy, value);
-	free(copy);
-	return ok;
+	return text_number(copy, value);
 }
 
 bool
@@ -255,6 +253,17 @@ text_quoted(const char *s)
 	return quoted;
 }
 
+const char *
+text_column_letters(int column, char buf[static 8])
+{
+	enum { LETTERS = 26 };
+	char *first = buf + 7;
+	*first = '\0';
+	for (; column > 0 && first > buf; column = (column - 1) / LETTERS)
+		*--first = (char)('A' + (column - 1) % LETTERS);
+	return first;
+}
+
 bool
 text_ends(const char *s, const char *end)
 {
@@ -265,21 +274,15 @@ text_ends(const char *s, const char *end)
 bool
 text_same(const char *a, const char *b)
 {
-	char *fold_a = text_fold(a), *fold_b = text_fold(b);
-	bool same = strcmp(fold_a, fold_b) == 0;
-	free(fold_a);
-	free(fold_b);
-	return same;
+	FREED char *fold_a = text_fold(a), *fold_b = text_fold(b);
+	return strcmp(fold_a, fold_b) == 0;
 }
 
 bool
 text_has(const char *text, const char *word)
 {
-	char *folded = text_fold(text), *wanted = text_fold(word);
-	bool has = strstr(folded, wanted) != NULL;
-	free(folded);
-	free(wanted);
-	return has;
+	FREED char *folded = text_fold(text), *wanted = text_fold(word);
+	return strstr(folded, wanted) != NULL;
 }
 
 bool
@@ -475,7 +478,7 @@ text_put(const char *s, FILE *out)
 void
 text_put_xml(const char *s, FILE *out)
 {
-	char *shown = text_escaped(s);
+	FREED char *shown = text_escaped(s);
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"
 				     : *p == '>' ? "&gt;"
@@ -486,7 +489,6 @@ text_put_xml(const char *s, FILE *out)
 		else
 			fputc(*p, out);
 	}
-	free(shown);
 }
 
 int
@@ -536,10 +538,8 @@ text_fitted(const char *s, int columns)
 bool
 text_is_plain(const char *s)
 {
-	char *shown = text_escaped(s);
-	bool plain = strcmp(shown, s) == 0;
-	free(shown);
-	return plain;
+	FREED char *shown = text_escaped(s);
+	return strcmp(shown, s) == 0;
 }
 
 void
@@ -547,7 +547,8 @@ text_print_hanging(
     const char *text, int first, int margin, int width, FILE *out)
 {
 	int column = 0;
-	char *copy = text_escaped(text), *save = NULL;
+	FREED char *copy = text_escaped(text);
+	char *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
 		int wide = text_width(word);
@@ -564,7 +565,6 @@ text_print_hanging(
 		column += wide;
 	}
 	fputc('\n', out);
-	free(copy);
 }
 
 void
@@ -588,10 +588,9 @@ text_wrapped(const char *text, int width)
 int
 text_count_rows(const char *text, int width)
 {
-	char *lines = text_wrapped(text, width);
+	FREED char *lines = text_wrapped(text, width);
 	int n = 0;
 	for (const char *p = lines; *p != '\0'; p++)
 		n += *p == '\n';
-	free(lines);
 	return text[0] != '\0' ? n : 0;
 }

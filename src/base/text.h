@@ -59,6 +59,9 @@ char *text_quoted(const char *s);
  * apostrophes before such a character gets one more. */
 bool text_is_formula(const char *s);
 
+/* Writes the letters of a spreadsheet's column, counted from 1: "AB". */
+const char *text_column_letters(int column, char buf[static 8]);
+
 /* True if s ends with `end` and has something before it. */
 bool text_ends(const char *s, const char *end);
 

@@ -342,21 +342,21 @@ dates_are_read_in_one_way_or_not_at_all(void **state)
 	    "2026-05-03 10:15 and so on", "13/13/2026", "1,250", "12-2026"};
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(CASE); i++) {
-		struct moment m;
-		if (!moment_read(CASE[i].text, &m))
+		struct datetime m;
+		if (!datetime_read(CASE[i].text, &m))
 			fail_msg("%s is not read", CASE[i].text);
-		char *a = moment_text(moment_seconds(&m, MOMENT_DAY_FIRST));
-		char *b = moment_text(moment_seconds(&m, MOMENT_MONTH_FIRST));
+		FREED char *a =
+		    datetime_text(datetime_seconds(&m, DATETIME_DAY_FIRST));
+		FREED char *b =
+		    datetime_text(datetime_seconds(&m, DATETIME_MONTH_FIRST));
 		assert_string_equal(a, CASE[i].day_first);
 		assert_string_equal(b, CASE[i].month_first);
 		bool open = strcmp(a, b) != 0;
-		assert_true(open == isnan(moment_seconds(&m, MOMENT_OPEN)));
-		free(a);
-		free(b);
+		assert_true(open == isnan(datetime_seconds(&m, DATETIME_OPEN)));
 	}
 	for (size_t i = 0; i < ARRAY_LEN(NONE); i++) {
-		struct moment m;
-		if (moment_read(NONE[i], &m))
+		struct datetime m;
+		if (datetime_read(NONE[i], &m))
 			fail_msg("%s is read", NONE[i]);
 	}
 }
@@ -364,7 +364,7 @@ dates_are_read_in_one_way_or_not_at_all(void **state)
 /* Reads a text as a log; NULL with the first fault in *error. */
 static struct plant_log *
 read_log(const char *text, const char *columns, char decimal,
-    enum moment_order order, struct error *error)
+    enum datetime_order order, struct error *error)
 {
 	char *path = file("log.csv", text);
 	const char *const paths[] = {path};
@@ -382,39 +382,39 @@ read_log(const char *text, const char *columns, char decimal,
 static const struct {
 	const char *text, *columns;
 	char decimal;
-	enum moment_order order;
+	enum datetime_order order;
 } LOGS[] = {{"time,rpm,kW,t/h\n2026-05-03T10:00,1350,180,120\n"
 	     "2026-05-03T10:01,1360,187.5,121\n"
 	     "2026-05-03T10:02,1370,190,122\n",
-		NULL, 0, MOMENT_OPEN},
+		NULL, 0, DATETIME_OPEN},
     {"Zeit;Drehzahl;Leistung [kW];Durchsatz t/h\n"
      "03.05.2026 10:00:00;1.350;180,0;120\n"
      "03.05.2026 10:01:00;1.360;187,5;121\n"
      "03.05.2026 10:02:00;1.370;190,0;122\n",
-	NULL, 0, MOMENT_OPEN},
+	NULL, 0, DATETIME_OPEN},
     {"Datum;Tid;Effekt kW;Varvtal;Kapacitet\n"
      "2026-05-03;10:02;190;1370;122\n2026-05-03;10:01;187,5;1360;121\n"
      "2026-05-03;10:00;180;1350;120\n",
-	NULL, 0, MOMENT_OPEN},
+	NULL, 0, DATETIME_OPEN},
     {"Exported 2026-05-04 08:00\nDate\tRotor speed\tMotor power\t"
      "Feed rate\tFeeder speed\n\trpm\tkW\tt/h\t%\n"
      "5/3/2026 10:00 AM\t1350\t180\t120\t40\n"
      "5/3/2026 10:01 AM\t1360\t187.5\t121\t41\n"
      "No Data\tBad\tBad\tBad\tBad\n"
      "5/3/2026 10:02 AM\t1370\t190\t122\t42\n",
-	NULL, 0, MOMENT_MONTH_FIRST},
+	NULL, 0, DATETIME_MONTH_FIRST},
     {"Timestamp,A,B,C\n03-May-26 10:00:00,1350,180,120\n"
      "03-May-26 10:01:00,1360,187.5,121\n"
      "03-May-26 10:02:00,1370,190,122\n",
-	"1=time, 2=rpm, 3=kW, 4=t/h", 0, MOMENT_OPEN}};
+	"1=time, 2=rpm, 3=kW, 4=t/h", 0, DATETIME_OPEN}};
 
 static void
 logs_of_several_programs_say_the_same(void **state)
 {
 	(void)state;
-	struct moment m;
-	assert_true(moment_read("2026-05-03 10:01", &m));
-	double at = moment_seconds(&m, MOMENT_OPEN);
+	struct datetime m;
+	assert_true(datetime_read("2026-05-03 10:01", &m));
+	double at = datetime_seconds(&m, DATETIME_OPEN);
 	for (size_t i = 0; i < ARRAY_LEN(LOGS); i++) {
 		struct error e;
 		struct plant_log *log = read_log(LOGS[i].text, LOGS[i].columns,
@@ -460,7 +460,7 @@ logs_that_are_open_are_refused(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(CASE); i++) {
 		struct error e;
 		struct plant_log *log =
-		    read_log(CASE[i].text, NULL, 0, MOMENT_OPEN, &e);
+		    read_log(CASE[i].text, NULL, 0, DATETIME_OPEN, &e);
 		if (log != NULL || strstr(e.text, CASE[i].error) == NULL ||
 		    strstr(e.hint, CASE[i].hint) == NULL)
 			fail_msg("%s: %s (%s)", CASE[i].text, e.text, e.hint);
@@ -472,13 +472,13 @@ dates_of_one_order_settle_the_others(void **state)
 {
 	(void)state;
 	struct error e;
-	struct moment m;
+	struct datetime m;
 	struct plant_log *log = read_log(
 	    "time,kW 1,kW 2\n12/3/2026 23:59,90,95\n13/3/2026 0:00,91,96\n",
-	    "1=time,2=kW,3=kW", 0, MOMENT_OPEN, &e);
+	    "1=time,2=kW,3=kW", 0, DATETIME_OPEN, &e);
 	assert_non_null(log);
-	assert_true(moment_read("2026-03-12 23:59", &m));
-	assert_near(log->time[0], moment_seconds(&m, MOMENT_OPEN), 1e-6);
+	assert_true(datetime_read("2026-03-12 23:59", &m));
+	assert_near(log->time[0], datetime_seconds(&m, DATETIME_OPEN), 1e-6);
 	/* Two motors of one rotor add up. */
 	assert_near(log->value[LOG_POWER][0], 185, 1e-9);
 	plant_log_free(log);

@@ -168,12 +168,12 @@ the_slider_costs_no_writing(void **state)
 	assert_true(say(desk, "predict 78"));
 	/* But the last one is there in the end. */
 	leave(desk);
-	struct kept_file *file = kept_files(&n);
+	struct autosave_left *file = autosave_left(&n);
 	assert_int_equal(n, 1);
 	char *text = xasprintf("grep -q '^predict 78$' %s", file[0].path);
 	assert_int_equal(system(text), 0);
 	free(text);
-	kept_files_free(file, n);
+	autosave_left_free(file, n);
 	*state = sit_down(NULL);
 }
 
@@ -293,14 +293,14 @@ two_at_a_time_keep_what_each_has(void **state)
 	free(offer);
 	leave(three);
 	leave(one);
-	struct kept_file *file = kept_files(&n);
+	struct autosave_left *file = autosave_left(&n);
 	assert_int_equal(n, 2);
 	*state = one = sit_down(NULL);
 	assert_true(say(one, "set format csv; restore"));
 	assert_non_null(strstr(one->out, "\"1 command, Bro\""));
 	assert_non_null(strstr(one->out, "\"1 command, Tierp\""));
 	assert_non_null(strstr(one->out, file[0].path));
-	kept_files_free(file, n);
+	autosave_left_free(file, n);
 }
 
 static void

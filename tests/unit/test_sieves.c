@@ -26,7 +26,7 @@ a_sieve_has_its_name_in_many_spellings(void **state)
 	    {"#4/0", 0}, {"#0", 0}, {"#3", NAN}, {"#9", NAN}, {"#1000", NAN},
 	    {"0.9 in", NAN}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
-		double mm = sieve_names_mm(NAMES[i].name, SIEVE_NONE);
+		double mm = sieve_name_mm(NAMES[i].name, SIEVE_NONE);
 		if (mm != NAMES[i].mm && !(isnan(mm) && isnan(NAMES[i].mm)))
 			fail_msg("%s is %g mm", NAMES[i].name, mm);
 	}
@@ -36,7 +36,7 @@ a_sieve_has_its_name_in_many_spellings(void **state)
 	    {"#1000", "No. 635 (0.02 mm)"}, {"9 in", "5 in (125 mm)"},
 	    {"0.1 in", "1/4 in (6.3 mm) and No. 3 1/2 (5.6 mm)"}};
 	for (size_t i = 0; i < ARRAY_LEN(NEAREST); i++) {
-		char *nearest = sieve_names_nearest(NEAREST[i][0]);
+		char *nearest = sieve_nearest_names(NEAREST[i][0]);
 		assert_string_equal(nearest, NEAREST[i][1]);
 		free(nearest);
 	}

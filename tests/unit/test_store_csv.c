@@ -139,9 +139,9 @@ dates_are_days_of_the_calendar(void **state)
 	    "1900-02-29", "2026-00-10", "2026-13-01", "2026-1-01", "26-11-21",
 	    "2026-11-21 ", "2026/11/21", "2026-11-00", "+026-11-21"};
 	for (size_t i = 0; i < ARRAY_LEN(good); i++)
-		assert_true(moment_is_day(good[i]));
+		assert_true(datetime_is_day(good[i]));
 	for (size_t i = 0; i < ARRAY_LEN(bad); i++)
-		assert_false(moment_is_day(bad[i]));
+		assert_false(datetime_is_day(bad[i]));
 }
 
 int

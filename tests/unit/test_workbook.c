@@ -169,22 +169,23 @@ formats_are_told_apart(void **state)
 	(void)state;
 	static const struct {
 		const char *code;
-		enum shown_kind kind;
+		enum cell_format_kind kind;
 		const char *unit;
-	} codes[] = {{"General", SHOWN_NUMBER, ""},
-	    {"Standard", SHOWN_NUMBER, ""}, {"0.00E+00", SHOWN_NUMBER, ""},
-	    {"#,##0.0;[Red]\\-d", SHOWN_NUMBER, ""},
-	    {"#\\ ##0", SHOWN_NUMBER, ""}, {"0%", SHOWN_NUMBER, "%"},
-	    {"0.0\" mm\"", SHOWN_NUMBER, "mm"},
-	    {"0.0\\ \\m\\m", SHOWN_NUMBER, "mm"},
-	    {"[Red]0.0", SHOWN_NUMBER, ""}, {"_-* #,##0_d", SHOWN_NUMBER, ""},
-	    {"0\" of a long remark\"", SHOWN_NUMBER, ""},
-	    {"d/m/yyyy", SHOWN_DATE, ""}, {"mmm-yy", SHOWN_DATE, ""},
-	    {"[$-41D]d mmmm yyyy;@", SHOWN_DATE, ""}, {"h:mm", SHOWN_TIME, ""},
-	    {"mm:ss", SHOWN_TIME, ""}, {"[h]:mm:ss", SHOWN_SPAN, ""},
-	    {"\"day\" 0", SHOWN_NUMBER, "day"}};
+	} codes[] = {{"General", FORMAT_NUMBER, ""},
+	    {"Standard", FORMAT_NUMBER, ""}, {"0.00E+00", FORMAT_NUMBER, ""},
+	    {"#,##0.0;[Red]\\-d", FORMAT_NUMBER, ""},
+	    {"#\\ ##0", FORMAT_NUMBER, ""}, {"0%", FORMAT_NUMBER, "%"},
+	    {"0.0\" mm\"", FORMAT_NUMBER, "mm"},
+	    {"0.0\\ \\m\\m", FORMAT_NUMBER, "mm"},
+	    {"[Red]0.0", FORMAT_NUMBER, ""}, {"_-* #,##0_d", FORMAT_NUMBER, ""},
+	    {"0\" of a long remark\"", FORMAT_NUMBER, ""},
+	    {"d/m/yyyy", FORMAT_DATE, ""}, {"mmm-yy", FORMAT_DATE, ""},
+	    {"[$-41D]d mmmm yyyy;@", FORMAT_DATE, ""},
+	    {"h:mm", FORMAT_TIME, ""}, {"mm:ss", FORMAT_TIME, ""},
+	    {"[h]:mm:ss", FORMAT_SPAN, ""},
+	    {"\"day\" 0", FORMAT_NUMBER, "day"}};
 	for (size_t i = 0; i < ARRAY_LEN(codes); i++) {
-		struct shown shown = shown_parse_code(codes[i].code);
+		struct cell_format shown = cell_format_of_code(codes[i].code);
 		if (shown.kind != codes[i].kind ||
 		    strcmp(shown.unit, codes[i].unit) != 0)
 			fail_msg("%s: %d '%s'", codes[i].code, shown.kind,
@@ -193,27 +194,26 @@ formats_are_told_apart(void **state)
 	static const struct {
 		double serial;
 		bool from_1904;
-		enum shown_kind kind;
+		enum cell_format_kind kind;
 		const char *text;
-	} dates[] = {{1, false, SHOWN_DATE, "1900-01-01"},
-	    {59, false, SHOWN_DATE, "1900-02-28"},
-	    {61, false, SHOWN_DATE, "1900-03-01"},
-	    {0, true, SHOWN_DATE, "1904-01-01"},
-	    {36585, false, SHOWN_DATE, "2000-02-29"},
-	    {2958465, false, SHOWN_DATE, "9999-12-31"},
-	    {46145.99999999, false, SHOWN_DATE, "2026-05-04"},
-	    {46145.5004, false, SHOWN_DATE, "2026-05-03T12:00:35"},
-	    {0.25, false, SHOWN_TIME, "06:00"},
-	    {1.5, false, SHOWN_SPAN, "36:00"}};
+	} dates[] = {{1, false, FORMAT_DATE, "1900-01-01"},
+	    {59, false, FORMAT_DATE, "1900-02-28"},
+	    {61, false, FORMAT_DATE, "1900-03-01"},
+	    {0, true, FORMAT_DATE, "1904-01-01"},
+	    {36585, false, FORMAT_DATE, "2000-02-29"},
+	    {2958465, false, FORMAT_DATE, "9999-12-31"},
+	    {46145.99999999, false, FORMAT_DATE, "2026-05-04"},
+	    {46145.5004, false, FORMAT_DATE, "2026-05-03T12:00:35"},
+	    {0.25, false, FORMAT_TIME, "06:00"},
+	    {1.5, false, FORMAT_SPAN, "36:00"}};
+	char text[32];
 	for (size_t i = 0; i < ARRAY_LEN(dates); i++) {
-		char text[32];
-		assert_true(shown_serial_date(
+		assert_true(cell_format_date(
 		    dates[i].serial, dates[i].from_1904, dates[i].kind, text));
 		assert_string_equal(text, dates[i].text);
 	}
-	char text[32];
-	assert_false(shown_serial_date(-1, false, SHOWN_DATE, text));
-	assert_false(shown_serial_date(2958466, false, SHOWN_DATE, text));
+	assert_false(cell_format_date(-1, false, FORMAT_DATE, text));
+	assert_false(cell_format_date(2958466, false, FORMAT_DATE, text));
 }
 
 static void

@@ -545,7 +545,7 @@ card_answer(
     struct session *s, struct card_request *all, const double *speed, size_t n)
 {
 	const struct entry *entry = all->question->entry;
-	FREED char *today = moment_today();
+	FREED char *today = datetime_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
 	struct trust light = light_of_prediction(s, entry, NULL);

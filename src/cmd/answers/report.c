@@ -318,7 +318,7 @@ write_report(struct session *s, const struct report_request *ask)
 {
 	const struct site *site = ask->q->entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *today = moment_today();
+	FREED char *today = datetime_today();
 	FREED char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_title(s->document, title);
 	report_put_answer(s, ask);

@@ -29,7 +29,7 @@ static bool
 read_size(const char *text, double *m)
 {
 	FREED char *word = xstrdup(text);
-	double mm = sieve_names_mm(text, SIEVE_NONE);
+	double mm = sieve_name_mm(text, SIEVE_NONE);
 	if (text_ends(word, "mm"))
 		word[strlen(word) - 2] = '\0';
 	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&

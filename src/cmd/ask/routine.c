@@ -27,13 +27,13 @@ const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
 static void
 put_date(struct routine_cut *c, const char *note)
 {
-	struct moment m;
+	struct datetime m;
 	const char *at = note != NULL ? strstr(note, ", ") : NULL;
 	size_t n = at != NULL ? strcspn(at + 2, ",") : 0;
 	FREED char *text = xstrndup(at != NULL ? at + 2 : "", n);
 	c->time = NAN;
-	if (moment_read(text, &m) && m.has_date)
-		c->time = moment_seconds(&m, MOMENT_OPEN);
+	if (datetime_read(text, &m) && m.has_date)
+		c->time = datetime_seconds(&m, DATETIME_OPEN);
 	c->when = xstrdup(isnan(c->time) ? "" : text);
 }
 

@@ -151,7 +151,8 @@ offer_materials(struct work *w)
 	enum { MOST = 200 };
 	struct stored_list paper = {0};
 	struct error error = {0};
-	store_begin(w->session->store, w->typed, MOST, put_material, w, &error);
+	store_names_beginning(
+	    w->session->store, w->typed, MOST, put_material, w, &error);
 	stored_table3(&paper);
 	FREED char *folded = text_fold(w->typed);
 	for (size_t i = 0; i < paper.n; i++)

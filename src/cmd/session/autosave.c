@@ -16,7 +16,7 @@
 #include "io/fs/autosave_file.h"
 
 struct keep {
-	struct kept *kept;
+	struct autosave_file *kept;
 	size_t saved;        /* state of the journal that counts as saved */
 	struct mark written; /* what is in the file */
 	char *restoring, *restored; /* file that is; that has been, or NULL */
@@ -55,7 +55,7 @@ autosave_begin(struct session *s)
 	    strcmp(store_path(s->store), ":memory:") == 0)
 		return NULL;
 	s->keep = xcalloc(1, sizeof *s->keep);
-	s->keep->kept = kept_new();
+	s->keep->kept = autosave_file_new();
 	s->keep->written = journal_place(s);
 	s->keep->saved = s->keep->written.state;
 	size_t n;
@@ -64,7 +64,7 @@ autosave_begin(struct session *s)
 	    N_("August"), N_("September"), N_("October"), N_("November"),
 	    N_("December")};
 	char *offer = NULL, day[8];
-	struct kept_file *file = kept_files(&n);
+	struct autosave_left *file = autosave_left(&n);
 	if (n > 0) {
 		const struct tm *tm = localtime(&file[0].when);
 		strftime(day, sizeof day, " %H:%M", tm);
@@ -76,7 +76,7 @@ autosave_begin(struct session *s)
 			       "of %d %s%s (%s)"),
 		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, file[0].about);
 	}
-	kept_files_free(file, n);
+	autosave_left_free(file, n);
 	return offer;
 }
 
@@ -88,13 +88,14 @@ write_autosave(struct session *s)
 	/* What reset or restore has put aside is still there for who did not
 	 * mean it. */
 	if (now.start != k->written.start)
-		kept_close_file(k->kept);
+		autosave_file_close(k->kept);
 	if (now.state == k->saved)
-		kept_remove(k->kept);
+		autosave_file_remove(k->kept);
 	else if (is_missed(s)) {
 		k->error = (struct error){0};
 		if (!journal_can_be_saved(s, &k->error) ||
-		    !kept_write(k->kept, autosave_put_script, s, &k->error))
+		    !autosave_file_write(
+			k->kept, autosave_put_script, s, &k->error))
 			return;
 	}
 	k->written = now;
@@ -187,7 +188,7 @@ autosave_end(struct session *s)
 			    k->error.file, k->error.file[0] != '\0' ? ": " : "",
 			    k->error.text);
 	}
-	kept_free(k->kept);
+	autosave_file_free(k->kept);
 	free(k->restored);
 	free(k->restoring);
 	s->keep = NULL;
@@ -198,9 +199,9 @@ char *
 autosave_last(struct session *s, struct error *error)
 {
 	size_t n;
-	struct kept_file *file = kept_files(&n);
+	struct autosave_left *file = autosave_left(&n);
 	char *path = n > 0 ? xstrdup(file[0].path) : NULL;
-	kept_files_free(file, n);
+	autosave_left_free(file, n);
 	if (path == NULL)
 		error_set(error, ERROR_USAGE,
 		    "there is no unsaved session\n"
@@ -214,7 +215,7 @@ bool
 autosave_list(struct session *s)
 {
 	size_t n;
-	struct kept_file *file = kept_files(&n);
+	struct autosave_left *file = autosave_left(&n);
 	struct answer *r = answer_new("restore");
 	answer_title(r, "unsaved sessions");
 	answer_columns(r, "time, what, file");
@@ -227,6 +228,6 @@ autosave_list(struct session *s)
 	answer_note(r, n > 0 ? N_("run 'restore last' for the first, 'restore "
 				  "FILE' for any of them")
 			     : N_("there is none"));
-	kept_files_free(file, n);
+	autosave_left_free(file, n);
 	return session_show_answer(s, r);
 }

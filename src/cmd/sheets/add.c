@@ -43,12 +43,13 @@ origins_clear(struct origins *o)
 static bool
 add_read_date(const char *date, double *day, struct error *error)
 {
-	struct moment m;
+	struct datetime m;
 	*day = NAN;
 	if (date == NULL)
 		return true;
-	bool good = moment_read(date, &m) && m.has_date;
-	*day = good ? moment_seconds(&m, MOMENT_OPEN) - m.seconds : (double)NAN;
+	bool good = datetime_read(date, &m) && m.has_date;
+	*day = good ? datetime_seconds(&m, DATETIME_OPEN) - m.seconds
+		    : (double)NAN;
 	if (!good || isnan(*day))
 		return error_set(error, ERROR_USAGE,
 		    good
@@ -65,8 +66,8 @@ add_read_date(const char *date, double *day, struct error *error)
 static bool
 add_read_time(const char *text, double day, double *time, struct error *error)
 {
-	struct moment m;
-	if (!moment_read(text, &m) || !m.has_time)
+	struct datetime m;
+	if (!datetime_read(text, &m) || !m.has_time)
 		return error_set(error, ERROR_USAGE,
 		    "expected a tip speed or a time after @, got '%s'\n"
 		    "for instance: add cut.csv@72, add "
@@ -77,7 +78,8 @@ add_read_time(const char *text, double day, double *time, struct error *error)
 		    "expected a day for the time %s, got none\n"
 		    "write: date=2026-05-03, or @2026-05-03T%s",
 		    text, text);
-	*time = m.has_date ? moment_seconds(&m, MOMENT_OPEN) : day + m.seconds;
+	*time =
+	    m.has_date ? datetime_seconds(&m, DATETIME_OPEN) : day + m.seconds;
 	if (isnan(*time))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date that can be read in one way, got '%s'\n"
@@ -94,10 +96,10 @@ add_read_time(const char *text, double day, double *time, struct error *error)
 static const char *
 add_speed_at(const char *word)
 {
-	struct moment m;
+	struct datetime m;
 	const char *at = strrchr(word, '@');
 	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
-		    (strchr(at, '/') != NULL && !moment_read(at + 1, &m));
+		    (strchr(at, '/') != NULL && !datetime_read(at + 1, &m));
 	return name ? NULL : at;
 }
 
@@ -113,7 +115,7 @@ add_look_up(struct session *s, const struct args *args, const char *word,
 		from--;
 	o->file = xstrndup(word + from, n - from);
 	o->word = xstrdup(word);
-	o->when = isnan(day) ? xstrdup("") : moment_text(day);
+	o->when = isnan(day) ? xstrdup("") : datetime_text(day);
 	if (!isnan(day))
 		o->when[strcspn(o->when, " ")] = '\0';
 	o->logged = (struct logged){NAN, NAN, NAN};
@@ -126,7 +128,7 @@ add_look_up(struct session *s, const struct args *args, const char *word,
 	free(o->word);
 	free(o->when);
 	o->word = xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed);
-	o->when = moment_text(time);
+	o->when = datetime_text(time);
 	return true;
 }
 

@@ -241,7 +241,7 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
 	struct head head = head_read(said);
-	uint64_t means = head.means | vocabulary_text(said, NULL);
+	uint64_t means = head.means | lexicon_meanings(said, NULL);
 	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
 			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
 			 WORD_GRAMS | WORD_MASS;

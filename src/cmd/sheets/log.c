@@ -33,10 +33,10 @@ range_text(double least, double most)
 static char *
 span_text(double from, double to)
 {
-	FREED char *a = moment_text(from);
+	FREED char *a = datetime_text(from);
 	FREED char *b = floor(from / 86400) == floor(to / 86400)
-			    ? moment_clock(to)
-			    : moment_text(to);
+			    ? datetime_clock(to)
+			    : datetime_text(to);
 	return xasprintf(tr("%s to %s"), a, b);
 }
 
@@ -98,9 +98,10 @@ log_write_journal(struct session *s, const struct args *args,
 	if (q->decimal != '\0')
 		xappend(&line, " decimal=%s",
 		    q->decimal == ',' ? "comma" : "point");
-	if (q->order != MOMENT_OPEN)
+	if (q->order != DATETIME_OPEN)
 		xappend(&line, " dates=%s",
-		    q->order == MOMENT_DAY_FIRST ? "day-first" : "month-first");
+		    q->order == DATETIME_DAY_FIRST ? "day-first"
+						   : "month-first");
 	journal_add(s, NULL, "%s", line);
 	(void)args;
 }
@@ -108,14 +109,14 @@ log_write_journal(struct session *s, const struct args *args,
 /* Asks whether the day comes first; false where nobody answers. */
 static bool
 ask_order(struct session *s, const struct error_list *errors,
-    enum moment_order *order)
+    enum datetime_order *order)
 {
 	static const char *const EITHER[] = {"day", "month"};
 	bool month;
 	if (!ask_either(s, &errors->item[0], "is it day or month first", EITHER,
 		&month))
 		return false;
-	*order = month ? MOMENT_MONTH_FIRST : MOMENT_DAY_FIRST;
+	*order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
 	return true;
 }
 
@@ -128,7 +129,7 @@ read_log(struct session *s, struct log_request *q, struct error *error)
 		struct plant_log *log = plant_log_read(q, &errors, &open);
 		if (log != NULL)
 			return log;
-		if (open && q->order == MOMENT_OPEN &&
+		if (open && q->order == DATETIME_OPEN &&
 		    ask_order(s, &errors, &q->order))
 			continue;
 		session_tell_faults(s, q->path[0], &errors, error);
@@ -160,8 +161,8 @@ log_load(struct session *s, const struct args *args, struct error *error)
 	if (args_given(args, &args->decimal))
 		q.decimal = args->decimal == 1 ? ',' : '.';
 	if (args_given(args, &args->dates))
-		q.order =
-		    args->dates == 0 ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
+		q.order = args->dates == 0 ? DATETIME_DAY_FIRST
+					   : DATETIME_MONTH_FIRST;
 	for (size_t i = 0; i < q.n; i++)
 		files_note_read(s, q.path[i]);
 	struct plant_log *log = read_log(s, &q, error);
@@ -197,7 +198,7 @@ log_note_speed(struct session *s, const struct plant_log *log, double time,
 {
 	const double steady = 0.02;
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
-	FREED char *at = moment_text(time);
+	FREED char *at = datetime_text(time);
 	FREED char *span = span_text(time - within, time + within);
 	FREED char *range = range_text(w->least[k], w->most[k]),
 		   *more = xstrdup("");
@@ -225,7 +226,7 @@ error_nothing_at(const struct plant_log *log, double time, double within,
     struct error *error)
 {
 	double near = log->time[plant_log_nearest(log, time)];
-	FREED char *at = moment_text(time), *nearest = moment_text(near);
+	FREED char *at = datetime_text(time), *nearest = datetime_text(near);
 	FREED char *span = span_text(log->time[0], log->time[log->n - 1]);
 	error_set(error, ERROR_USAGE,
 	    "the log has no row within %g minutes of %s; the nearest is of "
@@ -262,7 +263,7 @@ log_at(struct session *s, double time, double within, double rotor,
 		return error_nothing_at(log, time, within, error);
 	double v = tip_speed_of_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
-		FREED char *at = moment_text(time);
+		FREED char *at = datetime_text(time);
 		error_set(error, ERROR_USAGE,
 		    "expected a running rotor at %s, got %s %.4g\n"
 		    "check the time, or give the speed: add FILE@SPEED",
@@ -287,8 +288,8 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	struct log_window all =
 	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
-	FREED char *from = moment_text(log->time[0]);
-	FREED char *to = moment_text(log->time[log->n - 1]);
+	FREED char *from = datetime_text(log->time[0]);
+	FREED char *to = datetime_text(log->time[log->n - 1]);
 	answer_title(r, "the plant's log");
 	answer_columns(r, "what, value");
 	answer_pair(r, "file", "%s", log->path);

@@ -328,7 +328,7 @@ check_can_be_remembered(
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
 		    entry->site->name, entry->origin->whose);
-	if (args->date != NULL && !moment_is_day(args->date))
+	if (args->date != NULL && !datetime_is_day(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
 	return args->note == NULL || stored_is_one_line(args->note) ||
@@ -379,8 +379,8 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 		return false;
 	struct stored m = store_material_of(s, entry);
 	set_copy(&m.name, name);
-	replace_trimmed(
-	    &m.date, args->date != NULL ? xstrdup(args->date) : moment_today());
+	replace_trimmed(&m.date,
+	    args->date != NULL ? xstrdup(args->date) : datetime_today());
 	if (args->note != NULL)
 		set_copy(&m.note, args->note);
 	stored_list_add(list, m);

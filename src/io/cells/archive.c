@@ -67,7 +67,7 @@ archive_unpacked(const struct archive *archive)
 	return bytes;
 }
 
-/* What stands in the entry, however much it says it has. */
+/* Returns the contents of an entry, whatever size it states. */
 static char *
 unpack(struct archive *archive, zip_file_t *file, size_t *n)
 {

@@ -27,7 +27,7 @@ add_unit(struct said *said, char c)
 		said->unit[said->n++] = c;
 }
 
-/* "text", [Red], [h]; returns where it ends. */
+/* Reads "text", [Red] or [h].  Returns the text after it. */
 static const char *
 read_enclosed(const char *p, struct said *said)
 {
@@ -46,7 +46,7 @@ read_enclosed(const char *p, struct said *said)
 	return *p != '\0' ? p + 1 : p;
 }
 
-/* A sign by itself; returns where it ends. */
+/* Reads a sign by itself.  Returns the text after it. */
 static const char *
 read_format_sign(const char *p, struct said *said)
 {
@@ -79,7 +79,7 @@ read_format_sign(const char *p, struct said *said)
 	return p + 1;
 }
 
-/* m:ss has minutes. */
+/* True if m means minutes, as in m:ss. */
 static bool
 is_minutes(const char *code)
 {
@@ -87,8 +87,8 @@ is_minutes(const char *code)
 	       strncasecmp(code, "mm:s", 4) == 0;
 }
 
-struct shown
-shown_parse_code(const char *code)
+struct cell_format
+cell_format_of_code(const char *code)
 {
 	struct said said = {.time = is_minutes(code)};
 	static const char *const PLAIN[] = {"General", "Standard"};
@@ -104,11 +104,11 @@ shown_parse_code(const char *code)
 		else
 			p = read_format_sign(p, &said);
 	}
-	struct shown shown = {.kind = said.span   ? SHOWN_SPAN
-				      : said.day  ? SHOWN_DATE
-				      : said.time ? SHOWN_TIME
-						  : SHOWN_NUMBER};
-	if (shown.kind != SHOWN_NUMBER)
+	struct cell_format shown = {.kind = said.span   ? FORMAT_SPAN
+					    : said.day  ? FORMAT_DATE
+					    : said.time ? FORMAT_TIME
+							: FORMAT_NUMBER};
+	if (shown.kind != FORMAT_NUMBER)
 		return shown;
 	const char *unit = said.unit + strspn(said.unit, " ");
 	size_t n = strlen(unit);
@@ -123,24 +123,24 @@ shown_parse_code(const char *code)
 	return shown;
 }
 
-struct shown
-shown_builtin(unsigned id)
+struct cell_format
+cell_format_builtin(unsigned id)
 {
 	bool day = (id >= 14 && id <= 17) || id == 22 ||
 		   (id >= 27 && id <= 36) || (id >= 50 && id <= 58);
 	bool time = (id >= 18 && id <= 21) || id == 45 || id == 47;
-	struct shown shown = {.kind = day        ? SHOWN_DATE
-				      : time     ? SHOWN_TIME
-				      : id == 46 ? SHOWN_SPAN
-						 : SHOWN_NUMBER};
+	struct cell_format shown = {.kind = day        ? FORMAT_DATE
+					    : time     ? FORMAT_TIME
+					    : id == 46 ? FORMAT_SPAN
+						       : FORMAT_NUMBER};
 	if (id == 9 || id == 10)
 		shown.unit[0] = '%';
 	return shown;
 }
 
 bool
-shown_serial_date(
-    double serial, bool from_1904, enum shown_kind kind, char text[static 32])
+cell_format_date(double serial, bool from_1904, enum cell_format_kind kind,
+    char text[static 32])
 {
 	enum { DAY = 86400, TO_1899 = -25569, TO_1904 = -24107 };
 	if (!(serial >= 0 && serial < 2958466))
@@ -148,13 +148,13 @@ shown_serial_date(
 	double seconds = round(serial * DAY);
 	long day = (long)floor(seconds / DAY);
 	long s = (long)(seconds - (double)day * DAY);
-	long hours = s / 3600 + (kind == SHOWN_SPAN ? 24 * day : 0);
+	long hours = s / 3600 + (kind == FORMAT_SPAN ? 24 * day : 0);
 	char *date = NULL, time[16] = "", second[8] = "";
 	/* Before 1900-03-01 the calendar of 1900 is a day behind: it has a
 	 * leap day that never was. */
 	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
-	if (kind == SHOWN_DATE || (kind == SHOWN_TIME && day > 0))
-		date = moment_day(day + epoch);
+	if (kind == FORMAT_DATE || (kind == FORMAT_TIME && day > 0))
+		date = datetime_day(day + epoch);
 	if (s % 60 != 0)
 		snprintf(second, sizeof second, ":%02d", (int)(s % 60));
 	if (date == NULL || s != 0)

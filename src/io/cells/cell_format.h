@@ -6,27 +6,27 @@
 #include <stdbool.h>
 
 /* unit: for a number, "%", the text that its format adds ("m/s"), or "".
- * SHOWN_SPAN: a duration, which may exceed 24 hours. */
-enum shown_kind { SHOWN_NUMBER, SHOWN_DATE, SHOWN_TIME, SHOWN_SPAN };
-struct shown {
-	enum shown_kind kind;
+ * FORMAT_SPAN: a duration, which may exceed 24 hours. */
+enum cell_format_kind { FORMAT_NUMBER, FORMAT_DATE, FORMAT_TIME, FORMAT_SPAN };
+struct cell_format {
+	enum cell_format_kind kind;
 	char unit[16];
 };
 
 /* Returns the meaning of a format code, which is the same in files of any
  * language: "0.0%", "yyyy\-mm\-dd", "0\" m/s\"".  Only the part before the
  * first ";" counts. */
-struct shown shown_parse_code(const char *code);
+struct cell_format cell_format_of_code(const char *code);
 
-/* As shown_parse_code, but for a format given only by its number.
+/* As cell_format_of_code, but for a format given only by its number.
  * Source: ECMA-376 part 1, 18.8.30, numFmt; 27 to 36 and 50 to 58 are East
  * Asian date formats. */
-struct shown shown_builtin(unsigned id);
+struct cell_format cell_format_builtin(unsigned id);
 
 /* Writes "2026-05-03", "2026-05-03T10:15" or, for a time, "10:15", with seconds
  * if they are not zero.  serial: days since 1899-12-30, or since 1904-01-01.
  * Returns false before that day and from the year 10000 on. */
-bool shown_serial_date(
-    double serial, bool from_1904, enum shown_kind kind, char text[static 32]);
+bool cell_format_date(double serial, bool from_1904, enum cell_format_kind kind,
+    char text[static 32]);
 
 #endif

@@ -37,7 +37,7 @@ is_date(int year, int month, int day)
 	       day >= 1 && day <= days_in(year, month);
 }
 
-/* Days from the beginning of 1970. */
+/* Returns the days since the beginning of 1970. */
 static int
 days_to(int year, int month, int day)
 {
@@ -49,7 +49,8 @@ days_to(int year, int month, int day)
 	return days;
 }
 
-/* A number of at most `most` digits at *p, which moves after it; -1: none. */
+/* Reads a number of at most `most` digits at *p and moves *p after it; -1 if
+ * there is none. */
 static int
 read_digits(const char **p, size_t most, size_t *n)
 {
@@ -70,9 +71,9 @@ month_of(const char *word)
 	return 0;
 }
 
-/* "May-2026" after the day. */
+/* Reads "May-2026", after the day. */
 static bool
-read_named(const char **p, int day, struct moment *m)
+read_named(const char **p, int day, struct datetime *m)
 {
 	size_t n;
 	m->day = day;
@@ -87,9 +88,9 @@ read_named(const char **p, int day, struct moment *m)
 	return (n == 2 || n == 4) && is_date(m->year, m->month, m->day);
 }
 
-/* The last two numbers after a day or month and a sign. */
+/* Reads the last two numbers of a date, after a day or month and a sign. */
 static bool
-read_local(const char **p, int first, char sign, struct moment *m)
+read_local(const char **p, int first, char sign, struct datetime *m)
 {
 	size_t n;
 	int second = read_digits(p, 2, &n);
@@ -102,15 +103,16 @@ read_local(const char **p, int first, char sign, struct moment *m)
 	bool day_first = is_date(m->year, second, first);
 	bool month_first = is_date(m->year, first, second) && !m->plain;
 	if (day_first && month_first)
-		m->order = MOMENT_OPEN;
+		m->order = DATETIME_OPEN;
 	else
-		m->order = day_first ? MOMENT_DAY_FIRST : MOMENT_MONTH_FIRST;
+		m->order =
+		    day_first ? DATETIME_DAY_FIRST : DATETIME_MONTH_FIRST;
 	return n == 4 && (day_first || month_first);
 }
 
-/* A date at *p, which moves after it. */
+/* Reads a date at *p and moves *p after it. */
 static bool
-datetime_read_date(const char **p, struct moment *m)
+datetime_read_date(const char **p, struct datetime *m)
 {
 	size_t n;
 	int first = read_digits(p, 4, &n);
@@ -136,7 +138,7 @@ datetime_read_date(const char **p, struct moment *m)
 	return is_date(m->year, m->month, m->day);
 }
 
-/* "AM", "p.m." */
+/* Reads "AM" or "p.m.". */
 static bool
 read_half(const char **p, int *hour)
 {
@@ -152,9 +154,9 @@ read_half(const char **p, int *hour)
 	return true;
 }
 
-/* "Z", "+02:00"; nothing else may follow. */
+/* Reads "Z" or "+02:00", which nothing may follow. */
 static bool
-read_zone(const char *p, struct moment *m)
+read_zone(const char *p, struct datetime *m)
 {
 	size_t n;
 	p += strspn(p, " ");
@@ -177,9 +179,9 @@ read_zone(const char *p, struct moment *m)
 	return *p == '\0';
 }
 
-/* A time of day, to the end of the text; point: "10.15" is one, too. */
+/* Reads a time of day, to the end of the text.  point: "10.15" is one too. */
 static bool
-datetime_read_time(const char *p, bool point, struct moment *m)
+datetime_read_time(const char *p, bool point, struct datetime *m)
 {
 	size_t n;
 	int hour = read_digits(&p, 2, &n), minute, second = 0;
@@ -210,45 +212,41 @@ datetime_read_time(const char *p, bool point, struct moment *m)
 }
 
 bool
-moment_read(const char *text, struct moment *m)
+datetime_read(const char *text, struct datetime *m)
 {
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	const char *all = text_trim(folded), *p = all;
-	struct moment none = {.plain = false};
+	struct datetime none = {.plain = false};
 	*m = none;
 	m->has_date = datetime_read_date(&p, m);
-	bool good = m->has_date;
-	if (good && *p != '\0') {
-		size_t gap = strspn(p, "t, ");
-		p += gap;
-		good =
-		    gap > 0 && (*p == '\0' || datetime_read_time(p, true, m));
-	} else if (!good) {
+	if (!m->has_date) {
 		*m = none;
-		good = datetime_read_time(all, false, m);
+		return datetime_read_time(all, false, m);
 	}
-	free(folded);
-	return good;
+	size_t gap = strspn(p, "t, ");
+	return *p == '\0' ||
+	       (gap > 0 &&
+		   (p[gap] == '\0' || datetime_read_time(p + gap, true, m)));
 }
 
 double
-moment_seconds(const struct moment *m, enum moment_order order)
+datetime_seconds(const struct datetime *m, enum datetime_order order)
 {
 	if (!m->has_date)
 		return NAN;
-	if (m->order != MOMENT_OPEN)
+	if (m->order != DATETIME_OPEN)
 		order = m->order;
-	bool turned = !m->plain && order == MOMENT_MONTH_FIRST;
+	bool turned = !m->plain && order == DATETIME_MONTH_FIRST;
 	int month = turned ? m->day : m->month,
 	    day = turned ? m->month : m->day;
-	if ((!m->plain && order == MOMENT_OPEN) ||
+	if ((!m->plain && order == DATETIME_OPEN) ||
 	    !is_date(m->year, month, day))
 		return NAN;
 	return (double)days_to(m->year, month, day) * DAY + m->seconds;
 }
 
 char *
-moment_clock(double seconds)
+datetime_clock(double seconds)
 {
 	double day = floor(seconds / DAY), left = seconds - day * DAY;
 	int of_day = (int)left, s = of_day % 60;
@@ -259,7 +257,7 @@ moment_clock(double seconds)
 }
 
 bool
-moment_is_day(const char *text)
+datetime_is_day(const char *text)
 {
 	size_t n[3];
 	const char *p = text;
@@ -278,7 +276,7 @@ moment_is_day(const char *text)
 /* Source: H. Hinnant, chrono-Compatible Low-Level Date Algorithms,
  * civil_from_days. */
 char *
-moment_day(long days)
+datetime_day(long days)
 {
 	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
 	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
@@ -291,18 +289,15 @@ moment_day(long days)
 }
 
 char *
-moment_text(double seconds)
+datetime_text(double seconds)
 {
-	char *day = moment_day((long)floor(seconds / DAY));
-	char *clock = moment_clock(seconds);
-	char *text = xasprintf("%s %s", day, clock);
-	free(day);
-	free(clock);
-	return text;
+	FREED char *day = datetime_day((long)floor(seconds / DAY));
+	FREED char *clock = datetime_clock(seconds);
+	return xasprintf("%s %s", day, clock);
 }
 
 char *
-moment_today(void)
+datetime_today(void)
 {
 	uint64_t whole;
 	const char *epoch = getenv("SOURCE_DATE_EPOCH");

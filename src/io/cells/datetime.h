@@ -5,17 +5,17 @@
 
 #include <stdbool.h>
 
-/* Which of two numbers in a date is the day.  MOMENT_OPEN: the text does not
+/* Which of two numbers in a date is the day.  DATETIME_OPEN: the text does not
  * show it. */
-enum moment_order { MOMENT_OPEN, MOMENT_DAY_FIRST, MOMENT_MONTH_FIRST };
+enum datetime_order { DATETIME_OPEN, DATETIME_DAY_FIRST, DATETIME_MONTH_FIRST };
 
-/* A date, a time of day, or both.  order: MOMENT_OPEN if day and month could be
- * swapped, as in 5/3/2026; another value if the date has this form but is valid
- * in only one order (25/3/2026).  plain: the form allows only one order.
+/* A date, a time of day, or both.  order: DATETIME_OPEN if day and month could
+ * be swapped, as in 5/3/2026; another value if the date has this form but is
+ * valid in only one order (25/3/2026).  plain: the form allows only one order.
  * seconds: since midnight. */
-struct moment {
+struct datetime {
 	bool has_date, has_time, has_zone, plain;
-	enum moment_order order;
+	enum datetime_order order;
 	int year, month, day;
 	double seconds;
 };
@@ -23,28 +23,28 @@ struct moment {
 /* Reads a whole text, such as "2026-05-03T10:15", "03.05.2026 10:15:00",
  * "5/3/2026 10:15 AM", "3 May 2026", "10:15".  Returns false for any other form
  * and for an invalid date (31.4.2026, two-digit years). */
-bool moment_read(const char *text, struct moment *m);
+bool datetime_read(const char *text, struct datetime *m);
 
 /* Returns the seconds since the beginning of 1970, in local time without time
  * zones, or NAN if the date is invalid.  A moment whose order is open is read
  * in the given order. */
-double moment_seconds(const struct moment *m, enum moment_order order);
+double datetime_seconds(const struct datetime *m, enum datetime_order order);
 
-/* moment_text returns "2026-05-03 10:15", moment_clock "10:15"; both add the
- * seconds if not zero.  The caller frees the result. */
-char *moment_text(double seconds);
-char *moment_clock(double seconds);
+/* datetime_text returns "2026-05-03 10:15", datetime_clock "10:15"; both add
+ * the seconds if not zero.  The caller frees the result. */
+char *datetime_text(double seconds);
+char *datetime_clock(double seconds);
 
 /* True if a text is a date of the form "2026-05-03". */
-bool moment_is_day(const char *text);
+bool datetime_is_day(const char *text);
 
 /* Returns the date that many days after 1970-01-01, "2026-05-03", up to the
  * year 9999. */
-char *moment_day(long days);
+char *datetime_day(long days);
 
 /* Returns today's date in local time, "2026-05-03", or the date of
  * SOURCE_DATE_EPOCH if that is set, for reproducible output.  The caller frees
  * it. */
-char *moment_today(void);
+char *datetime_today(void);
 
 #endif

@@ -28,7 +28,7 @@ from_1252(char byte)
 	return c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
 }
 
-/* Bytes of the character at i, or 0 where there is none. */
+/* Returns the bytes of the character at i, or 0 if it is not UTF-8. */
 static size_t
 utf8_length(const char *bytes, size_t n, size_t i)
 {
@@ -65,7 +65,7 @@ decode_1252(const char *bytes, size_t n)
 	return d;
 }
 
-/* A byte that is not UTF-8 among such that are means a damaged file: its
+/* A byte that is not UTF-8 among others that are means a damaged file: its
  * letters cannot all be right in Windows-1252. */
 static struct decoded
 decode_bytes(const char *bytes, size_t n)
@@ -95,7 +95,8 @@ unit_16(const char *bytes, bool big)
 	return a << 8 | b;
 }
 
-/* The character at i, which moves after it; UINT32_MAX for half a pair. */
+/* Returns the character at i and moves i after it; UINT32_MAX for half a
+ * pair. */
 static uint32_t
 next_16(const char *bytes, size_t n, bool big, size_t *i)
 {
@@ -146,8 +147,8 @@ encoding_decode(const char *bytes, size_t n)
 	return decode_bytes(bytes, n);
 }
 
-/* utf8proc sorts the accents of a letter by exchanging neighbours: with a
- * million of them that would never end. */
+/* False for a letter with very many accents: utf8proc sorts them by exchanging
+ * neighbours, which for a million of them would take too long. */
 static bool
 is_composable(const char *text)
 {

@@ -44,14 +44,13 @@ grid_note(struct grid *g, const char *format, ...)
 		return;
 	va_list ap;
 	va_start(ap, format);
-	char *text = xvasprintf(tr(format), ap);
+	FREED char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
 	size_t n = strlen(text);
 	for (n = n > MOST_NOTE ? MOST_NOTE : n; (text[n] & 0xC0) == 0x80; n--)
 		;
 	xlist(&g->note, "; ", "%.*s%s", (int)n, text,
 	    text[n] != '\0' ? "..." : "");
-	free(text);
 }
 
 void
@@ -104,7 +103,7 @@ grid_end(struct grid *g)
 	g->sheet[g->n++] = sheet;
 }
 
-/* Takes the text of the cell; false where it is empty. */
+/* Takes ownership of the cell's text.  False if it is empty. */
 static bool
 grid_put(struct grid *g, struct cell cell)
 {
@@ -132,7 +131,8 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 		g->too_big = tr("more than 100 kB of text in a cell");
 	if (g->too_big != NULL) /* the rest is not worth looking at */
 		return true;
-	char *line = encoding_compose(text), *to = line;
+	FREED char *line = encoding_compose(text);
+	char *to = line;
 	for (const char *p = line; *p != '\0'; p++) {
 		bool blank = *p == '\n' || *p == '\r' || *p == '\t';
 		if (blank && to > line && to[-1] == ' ')
@@ -144,11 +144,10 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 	said += said[0] == '\'' && text_is_formula(said);
 	where.text = xstrdup(said);
 	where.kind = CELL_TEXT;
-	free(line);
 	return grid_put(g, where);
 }
 
-/* A hundred times 0.975 is 97.5, and not what the last bit makes of it. */
+/* Returns 97.5 for 0.975, without the error in the last bit. */
 static double
 grid_percent(double value)
 {
@@ -182,11 +181,9 @@ grid_put_date(struct grid *g, struct cell where, const char *text)
 bool
 grid_put_formula(struct grid *g, struct cell where, const char *formula)
 {
-	char *text = xasprintf("=%s", formula + (formula[0] == '='));
+	FREED char *text = xasprintf("=%s", formula + (formula[0] == '='));
 	g->unsolved = true;
-	bool filled = grid_put_text(g, where, text);
-	free(text);
-	return filled;
+	return grid_put_text(g, where, text);
 }
 
 void

@@ -14,13 +14,19 @@
 
 enum { LONGEST = 64 };
 
-/* What may stand between thousands whatever the decimal sign: blanks, also
- * those that do not break, and apostrophes. */
-static const char *const GROUPS[] = {" ", "\xC2\xA0", "\xE2\x80\xAF",
-    "\xE2\x80\x89", "'", "\xE2\x80\x99", "\xCA\xBC"};
+size_t
+number_separator_bytes(const char *s)
+{
+	static const char *const GROUPS[] = {" ", "\xC2\xA0", "\xE2\x80\xAF",
+	    "\xE2\x80\x89", "'", "\xE2\x80\x99", "\xCA\xBC"};
+	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
+		if (strncmp(s, GROUPS[i], strlen(GROUPS[i])) == 0)
+			return strlen(GROUPS[i]);
+	return 0;
+}
 
-/* A copy without them; 1 010,5 becomes 1010,5.  False for what is too long to
- * be a number. */
+/* Copies a text without separators of thousands: 1 010,5 becomes 1010,5. False
+ * for a text too long to be a number. */
 static bool
 join_thousands(const char *s, char copy[static LONGEST])
 {
@@ -28,10 +34,7 @@ join_thousands(const char *s, char copy[static LONGEST])
 	if (strlen(s) >= LONGEST)
 		return false;
 	for (const char *p = s; *p != '\0';) {
-		size_t n = 0;
-		for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
-			if (strncmp(p, GROUPS[g], strlen(GROUPS[g])) == 0)
-				n = strlen(GROUPS[g]);
+		size_t n = number_separator_bytes(p);
 		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
 		    strspn(p + n, "0123456789") == 3)
 			p += n;
@@ -42,8 +45,8 @@ join_thousands(const char *s, char copy[static LONGEST])
 	return true;
 }
 
-/* The one sign that must be decimal in a number; '?' where it may stand between
- * thousands as well (1,250); '\0' where there is none, or no number. */
+/* Returns the only sign that must be decimal in a number; '?' if it may
+ * separate thousands as well (1,250); NUL if there is none, or no number. */
 static char
 decimal_of(const char *s)
 {
@@ -85,8 +88,8 @@ number_is_open(const struct sheet *sheet, struct cell cell)
 	       decimal_of(cell.text) == '?';
 }
 
-/* Takes the other sign out where it stands between thousands; false where it
- * stands elsewhere. */
+/* Removes the other sign where it separates thousands.  False if it stands
+ * elsewhere. */
 static bool
 drop_groups(char *s, char sign)
 {
@@ -104,7 +107,7 @@ drop_groups(char *s, char sign)
 	return true;
 }
 
-/* A text as a number; false where it is none. */
+/* Reads a text as a number.  False if it is none. */
 static bool
 number_read_text(const struct sheet *sheet, const char *text, double *value)
 {
@@ -122,7 +125,7 @@ number_read_text(const struct sheet *sheet, const char *text, double *value)
 	return text_number(copy, value);
 }
 
-/* "97,5 %" of a share, "42 g" of a mass; AS_NONE where it is neither. */
+/* Reads "97,5 %", a share, or "42 g", a mass; AS_NONE if it is neither. */
 static enum cell_value
 read_unit(const struct sheet *sheet, const char *text, double *value)
 {
@@ -246,7 +249,7 @@ number_of(struct cell cell, double *value)
 	return cell.value == AS_NUMBER;
 }
 
-/* What to do about a cell that is no number. */
+/* Returns what to do about a cell that is not a number. */
 static const char *
 number_hint(const char *s)
 {

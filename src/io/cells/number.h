@@ -29,6 +29,11 @@ bool number_read(
 /* As number_read, but adds no fault. */
 bool number_of(struct cell cell, double *value);
 
+/* Returns the bytes of what may stand between thousands at s, whatever the
+ * decimal sign: blanks, also those that do not break, and apostrophes; 0 if
+ * something else is there. */
+size_t number_separator_bytes(const char *s);
+
 /* True if a sign in the cell could be decimal or separate thousands, and the
  * sheet does not show which. */
 bool number_is_open(const struct sheet *sheet, struct cell cell);

@@ -141,8 +141,8 @@ ods_begin_cell(struct reading *r, const char *const *attribute)
 	r->cells = xml_whole(attribute, "table:1.0 number-columns-repeated", 1);
 }
 
-/* What goes on in a cell: paragraphs, of which notes, shapes and readings are
- * no part. */
+/* Begins an element within a cell.  Only paragraphs belong to its text, not
+ * notes, shapes and readings. */
 static void
 begin_in_cell(struct reading *r, const char *name, const char *const *attribute)
 {
@@ -205,7 +205,7 @@ ods_on_text(void *data, const char *text, size_t n)
 		xml_text_add(&r->content.said, text, n);
 }
 
-/* "PT10H15M00S" as 10:15. */
+/* Puts "PT10H15M00S" as 10:15. */
 static bool
 put_time(struct grid *grid, struct cell at, const char *value)
 {
@@ -219,7 +219,8 @@ put_time(struct grid *grid, struct cell at, const char *value)
 	return grid_put_date(grid, at, text);
 }
 
-/* Without seconds where there are none, as from a workbook of Excel. */
+/* Puts a date, without seconds if they are zero, as Excel's workbooks have
+ * it. */
 static bool
 put_date(struct grid *grid, struct cell at, const char *value)
 {
@@ -234,7 +235,7 @@ put_date(struct grid *grid, struct cell at, const char *value)
 	return grid_put_date(grid, at, text);
 }
 
-/* "m/s" of a cell that shows "69 m/s", or nothing. */
+/* Returns "m/s" for a cell that shows "69 m/s"; "" if there is no unit. */
 static void
 unit_of(const char *said, char unit[static 16])
 {
@@ -247,7 +248,7 @@ unit_of(const char *said, char unit[static 16])
 	    unit, 16, "%s", n > 0 && word && strlen(rest) < 16 ? rest : "");
 }
 
-/* Puts a cell; false where it has nothing in it. */
+/* Puts a cell.  False if it is empty. */
 static bool
 put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 {
@@ -282,7 +283,7 @@ put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 	return grid_put_text(grid, at, said);
 }
 
-/* Keeps the cell for its row; most are empty. */
+/* Keeps the cell until its row ends; most cells are empty. */
 static void
 end_cell(struct reading *r)
 {
@@ -298,8 +299,7 @@ end_cell(struct reading *r)
 		r->at.column += (int)r->cells;
 }
 
-/* Puts a cell of a row as often as it stands in a line; false where it has
- * nothing in it. */
+/* Puts a cell as often as it is repeated in a line.  False if it is empty. */
 static bool
 put_repeated_cell(const struct reading *r, const struct kept *kept, int line)
 {
@@ -365,15 +365,13 @@ ods_read(struct archive *archive, struct grid *grid)
 	    ods_on_begin, ods_on_end, ods_on_text};
 	size_t n;
 	char *wrong = NULL;
-	char *bytes = archive_part(archive, "content.xml", &n, &wrong);
+	FREED char *bytes = archive_part(archive, "content.xml", &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
 	struct reading r = {.grid = grid};
-	char *fault = xml_read(bytes, n, &EVENTS, &r, grid->errors);
-	free(bytes);
+	FREED char *fault = xml_read(bytes, n, &EVENTS, &r, grid->errors);
 	if (fault != NULL)
 		wrong = xasprintf("content.xml: %s", fault);
-	free(fault);
 	clear_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
 		clear_content(&r.kept[i].content);

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/sheet.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -30,7 +31,7 @@ is_later_in_file(const struct error *a, const struct error *b)
 	       (a->line == b->line && a->column > b->column);
 }
 
-/* Where the next fault goes, among those of the same file. */
+/* Returns the place of a new fault, in order among those of the same file. */
 static struct error *
 insert_fault(struct sheet *sheet, const struct error *e)
 {
@@ -51,12 +52,12 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	struct error e;
 	va_list ap;
 	va_start(ap, format);
-	char *file = sheet->name[0] != '\0' ? xasprintf(tr("%s, sheet %s"),
-						  sheet->path, sheet->name)
-					    : xstrdup(sheet->path);
+	FREED char *file =
+	    sheet->name[0] != '\0'
+		? xasprintf(tr("%s, sheet %s"), sheet->path, sheet->name)
+		: xstrdup(sheet->path);
 	error_say(&e, ERROR_DATA, file, where.line, where.column, format, ap);
 	e.in_grid = sheet->name[0] != '\0';
-	free(file);
 	va_end(ap);
 	*insert_fault(sheet, &e) = e;
 	return false;
@@ -77,7 +78,8 @@ sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
 {
 	va_list ap;
 	va_start(ap, hint);
-	char *step = hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
+	FREED char *step =
+	    hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
 	va_end(ap);
 	int n = sheet_cut_length(found.text);
 	bool cut = found.text[n] != '\0';
@@ -91,7 +93,6 @@ sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
 		    "expected %s, got '%.*s%s'\n"
 		    "%s",
 		    tr(wanted), n, found.text, cut ? "..." : "", step);
-	free(step);
 	return false;
 }
 
@@ -130,7 +131,8 @@ sheet_skip_blanks(struct cursor *c, char separator)
 		step_character(c);
 }
 
-/* From the opening quote to after the closing one; false when it is open. */
+/* Moves from the opening quote to after the closing one.  False if it is
+ * missing. */
 static bool
 skip_quoted(struct cursor *c)
 {
@@ -146,8 +148,8 @@ skip_quoted(struct cursor *c)
 	return true;
 }
 
-/* To the separator or the end of the line, told as a fault when a quote stands
- * in the way. */
+/* Moves to the separator or the end of the line.  A misplaced quote is a
+ * fault. */
 static bool
 skip_cell(struct sheet *sheet, struct cursor *c, int line)
 {
@@ -174,22 +176,21 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 	return true;
 }
 
-/* The cell from its first character to before end. */
+/* Adds the cell from its first character to before `end`. */
 static void
 sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 {
-	char *text = text_unquoted(from->p, (size_t)(end - from->p));
+	FREED char *text = text_unquoted(from->p, (size_t)(end - from->p));
 	const char *said = text_trim(text);
 	said += said[0] == '\'' && text_is_formula(said);
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
 	row->cell[row->n_all++] = (struct cell){
 	    .text = xstrdup(said), .line = row->line, .column = from->column};
-	free(text);
 	if (row->cell[row->n_all - 1].text[0] != '\0')
 		row->n = row->n_all;
 }
 
-/* False after a fault. */
+/* Splits a line into cells.  False after a fault. */
 static bool
 split_line(struct sheet *sheet, const char *text, struct row *row)
 {
@@ -220,7 +221,7 @@ free_row(struct row *row)
 	free(row->cell);
 }
 
-/* For one more row. */
+/* Makes room for one more row. */
 static void
 sheet_make_room(struct sheet *sheet)
 {
@@ -237,7 +238,7 @@ most_cells(const struct sheet *sheet)
 				     : sheet->most.rows * MOST_CELLS;
 }
 
-/* Rows without a word are left out.  False: the limits say that this is no
+/* Adds a row, unless it is empty.  False if the limits show that this is no
  * sheet. */
 static bool
 sheet_add_row(struct sheet *sheet, const char *line, int number)
@@ -273,8 +274,8 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 	return false;
 }
 
-/* Comments wait for the reader of the sheet; "sep=;", which some spreadsheets
- * put first, is left out. */
+/* Adds a line: comments are kept apart for the reader of the sheet; "sep=;",
+ * which some spreadsheets put first, is skipped. */
 static bool
 sheet_add_line(struct sheet *sheet, const char *line, int number)
 {
@@ -290,6 +291,17 @@ sheet_add_line(struct sheet *sheet, const char *line, int number)
 		    xrealloc(sheet->comment, 2 * n + 1, sizeof *sheet->comment);
 	sheet->comment[n] = (struct comment){.line = number, .text = line};
 	return true;
+}
+
+const char *
+sheet_read_place(const char *p, int *column, int *line)
+{
+	*column = *line = 0;
+	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
+		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
+	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
+		*line = 10 * *line + (*p - '0');
+	return *column > 0 && *line > 0 ? p : NULL;
 }
 
 void
@@ -314,8 +326,9 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	sheet->row[last] = row;
 }
 
-/* To the end of the line, over line ends within quotes: these become blanks.  A
- * quote that is not closed soon ends with its line, to be told. */
+/* Returns the length of a line.  Line ends within quotes become spaces; a quote
+ * that is not closed within some lines ends with its own line and is reported
+ * later. */
 static size_t
 line_length(char *text, int *ends)
 {
@@ -340,7 +353,7 @@ line_length(char *text, int *ends)
 	return n;
 }
 
-/* Ends each line in place with a NUL on its way. */
+/* Splits a text into lines in place, each ended with a NUL. */
 static void
 split_text(struct sheet *sheet, char *text)
 {
@@ -358,8 +371,8 @@ split_text(struct sheet *sheet, char *text)
 	}
 }
 
-/* Whether the line has two cells or more, the first of them a number or the
- * name of a sieve, the second a number or empty. */
+/* True if the line has at least two cells, the first a number or the name of a
+ * sieve, the second a number or empty. */
 static bool
 is_numbers(const char *line, char separator)
 {
@@ -374,7 +387,7 @@ is_numbers(const char *line, char separator)
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
-/* Whether a line has the sign outside quotes. */
+/* True if a line has the sign outside quotes. */
 static bool
 has_sign(const char *line, char sign)
 {
@@ -388,9 +401,9 @@ has_sign(const char *line, char sign)
 	return false;
 }
 
-/* What stands between the numbers in most lines; where there are none, what is
- * in most lines, as decimal commas may be more than the semicolons between
- * them. */
+/* Returns the sign that separates the numbers in most lines; if there are no
+ * such lines, the sign that most lines contain, because decimal commas may
+ * outnumber the semicolons between cells. */
 static char
 find_separator(const char *text, struct error_list *errors)
 {
@@ -467,7 +480,7 @@ sheet_begin(const char *path, const char *name, struct sheet_limits most,
 	return sheet;
 }
 
-/* How many rows stand before that of a line, or are it. */
+/* Returns the number of rows up to and including that of a line. */
 static size_t
 count_rows_to_line(const struct sheet *sheet, int line)
 {
@@ -495,7 +508,7 @@ sheet_has_room(const struct sheet *sheet, struct cell cell)
 	       rows <= most_cells(sheet) / wide;
 }
 
-/* The row of a line, a new one in its place where there is none yet. */
+/* Returns the row of a line, inserting a new one if there is none. */
 static struct row *
 sheet_row_at(struct sheet *sheet, int line)
 {
@@ -526,7 +539,7 @@ sheet_put(struct sheet *sheet, struct cell cell)
 		row->n = at + 1;
 }
 
-/* "#DIV/0!" and "#N/A" are what a formula came to. */
+/* True if a row is a remark; "#DIV/0!" and "#N/A" are results of formulas. */
 static bool
 is_remark(const struct row *row)
 {
@@ -537,7 +550,7 @@ is_remark(const struct row *row)
 	return text[0] == '#' && !failed;
 }
 
-/* A key whose value was left empty has the cell all the same. */
+/* Adds the cell of a key whose value was left empty. */
 static void
 add_empty_cell(struct row *row)
 {
@@ -586,9 +599,8 @@ void
 sheet_write_cell(const char *text, char separator, FILE *out)
 {
 	const char marks[] = {separator, '"', '\n', '\r', '\0'};
-	char *cell = xasprintf("%s%s", text_is_formula(text) ? "'" : "", text);
-	char *quoted = text_quoted(cell);
+	FREED char *cell =
+	    xasprintf("%s%s", text_is_formula(text) ? "'" : "", text);
+	FREED char *quoted = text_quoted(cell);
 	fputs(strpbrk(text, marks) != NULL ? quoted : cell, out);
-	free(quoted);
-	free(cell);
 }

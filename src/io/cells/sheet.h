@@ -110,6 +110,10 @@ void sheet_end(struct sheet *sheet);
 /* True if adding the cell would not exceed the limits. */
 bool sheet_has_room(const struct sheet *sheet, struct cell cell);
 
+/* Reads the name of a cell, "BC12".  Returns the text after it, or NULL if it
+ * is none. */
+const char *sheet_read_place(const char *text, int *column, int *line);
+
 /* Turns comment i into a row, in the order of the lines.  The row includes the
  * #. */
 void sheet_uncomment(struct sheet *sheet, size_t i);

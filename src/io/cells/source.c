@@ -1,21 +1,149 @@
-/* Reads a text file or a workbook as sheets of cells.
+/* Reads a text file or a workbook as sheets of cells: recognises the kind of
+ * file and rejects others.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/source.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/cells/textfile.h"
-#include "io/cells/workbook.h"
+#include "io/cells/archive.h"
+#include "io/cells/grid.h"
 #include "io/cells/number.h"
+#include "io/cells/ods.h"
+#include "io/cells/textfile.h"
+#include "io/cells/xlsx.h"
 
 /* A sieve sheet has some dozen lines, a long table some for each of its
  * samples, a log one for each minute of months. */
 static const struct sheet_limits SITE = {20000, SOURCE_MOST_CELLS},
 				 LOG = {.rows = 200000};
 
-/* Takes the sheets and the note. */
+static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
+
+static bool
+workbook_begins(const char *bytes, size_t n, const char *with)
+{
+	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
+}
+
+/* True for workbooks, including old ones and those with a password.  An empty
+ * archive begins with its end, a split one with PK78. */
+static bool
+is_workbook(const char *bytes, size_t n)
+{
+	return workbook_begins(bytes, n, "PK\3\4") ||
+	       workbook_begins(bytes, n, "PK\5\6") ||
+	       workbook_begins(bytes, n, "PK\7\x8") ||
+	       workbook_begins(bytes, n, OLE);
+}
+
+static bool
+workbook_refuse(const struct grid *grid, const char *what, const char *step)
+{
+	return error_at(error_add(grid->errors), ERROR_DATA, grid->path, 0, 0,
+	    "%s\n"
+	    "%s",
+	    what, step);
+}
+
+/* True if an OpenDocument workbook has a password: its parts are there but
+ * cannot be read. */
+static bool
+is_locked(struct archive *archive)
+{
+	size_t n;
+	FREED char *wrong = NULL;
+	if (archive_has(archive, "encrypted-package"))
+		return true;
+	FREED char *list =
+	    archive_part(archive, "META-INF/manifest.xml", &n, &wrong);
+	return list != NULL && strstr(list, "encryption-data") != NULL;
+}
+
+static bool
+refuse_other(struct archive *archive, const struct grid *grid)
+{
+	static const char *const NAMES[][2] = {
+	    {"xl/workbook.bin", N_("expected .xlsx, .ods or text, got .xlsb")},
+	    {"Index/Document.iwa",
+		N_("expected .xlsx, .ods or text, got a file "
+		   "of Apple's programs")},
+	    {"word/document.xml", N_("expected a workbook or text, got a "
+				     "document of Word")}};
+	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
+		if (archive_has(archive, NAMES[i][0]))
+			return workbook_refuse(grid, NAMES[i][1],
+			    tr("save the spreadsheet as .xlsx, or as CSV"));
+	return workbook_refuse(grid,
+	    tr("expected a workbook or text, got a zip archive"),
+	    tr("unpack it, or save the spreadsheet as .xlsx, .ods or CSV"));
+}
+
+static bool
+refuse_damaged(const struct grid *grid, const char *wrong)
+{
+	FREED char *what =
+	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
+	workbook_refuse(
+	    grid, what, tr("open and save it in a spreadsheet program"));
+	return false;
+}
+
+static bool
+is_ods(struct archive *archive)
+{
+	return archive_has(archive, "content.xml") ||
+	       archive_has(archive, "encrypted-package");
+}
+
+static bool
+read_archive(struct archive *archive, struct grid *grid)
+{
+	bool xlsx = archive_has(archive, "xl/workbook.xml");
+	if (!xlsx && !is_ods(archive))
+		return refuse_other(archive, grid);
+	if (!xlsx && is_locked(archive))
+		return workbook_refuse(grid,
+		    tr("expected a workbook without a password, got one with "
+		       "it"),
+		    tr("save it without a password"));
+	FREED char *wrong =
+	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
+	grid_end_notes(grid);
+	if (wrong != NULL)
+		refuse_damaged(grid, wrong);
+	else if (grid->n == 0 && grid->note[0] != '\0')
+		workbook_refuse(grid,
+		    tr("expected a sheet with sieves, got none"), grid->note);
+	else if (grid->n == 0)
+		workbook_refuse(grid,
+		    tr("expected a site file, got an empty workbook"),
+		    tr("see tipspeed-site(5) for what a site file contains"));
+	return wrong == NULL && grid->n > 0;
+}
+
+/* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  False with
+ * one fault if it is of another kind, damaged, encrypted or without content. */
+static bool
+workbook_read(const char *bytes, size_t n, struct grid *grid)
+{
+	FREED char *wrong = NULL;
+	if (workbook_begins(bytes, n, OLE))
+		return workbook_refuse(grid,
+		    tr("expected .xlsx, .ods or text, got an old .xls or a "
+		       "workbook with a password"),
+		    tr("save it as .xlsx without a password"));
+	struct archive *archive = archive_open(bytes, n, &wrong);
+	bool good = archive != NULL && read_archive(archive, grid);
+	if (archive == NULL)
+		refuse_damaged(grid, wrong);
+	archive_close(archive);
+	return good;
+}
+
+/* Moves the sheets and the note to the source. */
 static bool
 read_workbook(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)
@@ -59,15 +187,12 @@ source_read_rows(const char *path, struct sheet_limits most,
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
-	char *bytes = textfile_bytes(path, &n, errors);
+	FREED char *bytes = textfile_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	bool good =
-	    workbook_is(bytes, n)
-		? read_workbook(path, bytes, n, most, errors, source)
-		: source_read_plain(path, bytes, n, most, errors, source);
-	free(bytes);
-	return good;
+	return is_workbook(bytes, n)
+		   ? read_workbook(path, bytes, n, most, errors, source)
+		   : source_read_plain(path, bytes, n, most, errors, source);
 }
 
 bool

@@ -20,7 +20,7 @@
 static const size_t MOST_BYTES = 10 * 1000 * 1000,
 		    MOST_OWN = 1000 * 1000 * 1000;
 
-/* Offset of the first control character, NUL among them, or n. */
+/* Returns the offset of the first control character, NUL among them, or n. */
 static size_t
 first_control(const char *text, size_t n)
 {
@@ -113,8 +113,8 @@ textfile_text(const char *path, const char *bytes, size_t n, const char **note,
 	return text;
 }
 
-/* Reads to the end, or until it is too much, in growing pieces, because a pipe
- * does not know its size.  NULL with errno set when the system refuses. */
+/* Reads to the end, or to more than `most` bytes, in growing pieces, because a
+ * pipe does not know its size.  NULL with errno set if the system refuses. */
 static char *
 textfile_load(FILE *file, size_t most, size_t *n)
 {
@@ -156,7 +156,7 @@ is_null_device(const struct stat *about)
 	       about->st_rdev == null.st_rdev;
 }
 
-/* Whether there is something to read, or an end. */
+/* True if there is something to read, or the end of the file. */
 static bool
 is_written(int fd, const char **why)
 {
@@ -229,11 +229,9 @@ read_whole(const char *path, size_t most, struct error_list *errors)
 {
 	size_t n;
 	const char *note;
-	char *bytes = read_bytes(path, most, &n, errors), *text = NULL;
-	if (bytes != NULL)
-		text = textfile_text(path, bytes, n, &note, errors);
-	free(bytes);
-	return text;
+	FREED char *bytes = read_bytes(path, most, &n, errors);
+	return bytes != NULL ? textfile_text(path, bytes, n, &note, errors)
+			     : NULL;
 }
 
 char *

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xlsx.h"
 
-#include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +23,7 @@ struct tab {
 };
 struct code {
 	unsigned id;
-	struct shown shown;
+	struct cell_format shown;
 };
 
 struct book {
@@ -38,26 +37,24 @@ struct book {
 	size_t n_start, *start;
 	size_t n_code, n_style;
 	struct code *code;
-	struct shown *style; /* of a cell, by its index */
+	struct cell_format *style; /* of a cell, by its index */
 	bool in_styles, in_text;
 	int phonetic;
 };
 
-/* Goes through a part of the archive. */
+/* Parses a part of the archive. */
 static char *
 xlsx_read_part(struct book *b, const char *name,
     const struct xml_events *events, void *data)
 {
 	size_t n;
 	char *wrong = NULL;
-	char *bytes = archive_part(b->archive, name, &n, &wrong);
+	FREED char *bytes = archive_part(b->archive, name, &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
-	char *fault = xml_read(bytes, n, events, data, b->grid->errors);
-	free(bytes);
+	FREED char *fault = xml_read(bytes, n, events, data, b->grid->errors);
 	if (fault != NULL)
 		wrong = xasprintf("%s: %s", name, fault);
-	free(fault);
 	return wrong;
 }
 
@@ -101,8 +98,8 @@ begin_workbook(void *data, const char *name, const char *const *attribute)
 	    .hidden = state != NULL && strcmp(state, "visible") != 0};
 }
 
-/* xl/_rels/workbook.xml.rels: which part a sheet is in.  Sheets that are charts
- * and macros are of other types. */
+/* xl/_rels/workbook.xml.rels: the part in which a sheet is.  Sheets that are
+ * charts or macros have other types. */
 static void
 begin_relations(void *data, const char *name, const char *const *attribute)
 {
@@ -121,7 +118,7 @@ begin_relations(void *data, const char *name, const char *const *attribute)
 }
 
 /* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts;
- * <rPh> says how Japanese is spoken. */
+ * <rPh> has the pronunciation of Japanese. */
 static void
 begin_string(void *data, const char *name, const char *const *attribute)
 {
@@ -157,13 +154,13 @@ append_string_text(void *data, const char *text, size_t n)
 }
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
-static struct shown
+static struct cell_format
 shown_of(const struct book *b, unsigned id)
 {
 	for (size_t i = 0; i < b->n_code; i++)
 		if (b->code[i].id == id)
 			return b->code[i].shown;
-	return shown_builtin(id);
+	return cell_format_builtin(id);
 }
 
 static void
@@ -176,7 +173,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	if (strcmp(name, "numFmt") == 0 && code != NULL && b->n_code < 1000) {
 		b->code = xrealloc(b->code, b->n_code + 1, sizeof *b->code);
 		b->code[b->n_code++] =
-		    (struct code){id, shown_parse_code(code)};
+		    (struct code){id, cell_format_of_code(code)};
 	}
 	if (!b->in_styles || strcmp(name, "xf") != 0 ||
 	    b->n_style == MOST_FORMATS)
@@ -208,30 +205,18 @@ struct reading {
 	char *wrong;
 };
 
-/* "BC12": false for what is no place. */
-static bool
-read_place(const char *ref, struct cell *at)
-{
-	int column = 0;
-	uint64_t line;
-	for (; isalpha((unsigned char)*ref) && column < 20000; ref++)
-		column = 26 * column + toupper((unsigned char)*ref) - 'A' + 1;
-	if (column == 0 || !text_whole(ref, &line) || line == 0 ||
-	    line > 2000000)
-		return false;
-	at->line = (int)line;
-	at->column = column;
-	return true;
-}
-
 static void
 xlsx_begin_cell(struct reading *r, const char *const *attribute)
 {
 	const char *place = xml_attribute(attribute, "r");
 	const char *type = xml_attribute(attribute, "t");
+	struct cell at = r->at;
+	const char *end = place != NULL
+			      ? sheet_read_place(place, &at.column, &at.line)
+			      : NULL;
 	r->at.column++;
-	if (place != NULL)
-		read_place(place, &r->at);
+	if (end != NULL && *end == '\0')
+		r->at = at;
 	snprintf(r->type, sizeof r->type, "%s", type != NULL ? type : "n");
 	r->style = xml_whole(attribute, "s", 0);
 	r->in_cell = true;
@@ -287,11 +272,13 @@ text_in_sheet(void *data, const char *text, size_t n)
 		xml_text_add(&r->formula, text, n);
 }
 
-/* Excel writes a carriage return as _x000D_, and _ before an x as _x005F_. */
+/* Puts a text in which Excel writes a carriage return as _x000D_, and _ before
+ * an x as _x005F_. */
 static void
 xlsx_put_text(struct reading *r, const char *text)
 {
-	char *copy = xstrdup(text), *to = copy;
+	FREED char *copy = xstrdup(text);
+	char *to = copy;
 	for (const char *p = text; *p != '\0';) {
 		unsigned code = 0;
 		int n = 0;
@@ -306,7 +293,6 @@ xlsx_put_text(struct reading *r, const char *text)
 	}
 	*to = '\0';
 	grid_put_text(r->book->grid, r->at, copy);
-	free(copy);
 }
 
 static void
@@ -315,12 +301,12 @@ xlsx_put_number(struct reading *r)
 	const struct book *b = r->book;
 	double value;
 	char date[32];
-	struct shown shown =
-	    r->style < b->n_style ? b->style[r->style] : shown_builtin(0);
+	struct cell_format shown =
+	    r->style < b->n_style ? b->style[r->style] : cell_format_builtin(0);
 	if (!text_number(r->value.text, &value))
 		xlsx_put_text(r, r->value.text);
-	else if (shown.kind != SHOWN_NUMBER &&
-		 shown_serial_date(value, b->from_1904, shown.kind, date))
+	else if (shown.kind != FORMAT_NUMBER &&
+		 cell_format_date(value, b->from_1904, shown.kind, date))
 		grid_put_date(b->grid, r->at, date);
 	else
 		grid_put_number(b->grid, r->at, value, shown.unit);
@@ -338,7 +324,7 @@ put_shared(struct reading *r)
 		    "row %d has a text that is not there", r->at.line);
 }
 
-/* An ISO date as strict workbooks have it; midnight is a date alone. */
+/* Puts an ISO date of a strict workbook; one at midnight is a date alone. */
 static void
 put_iso(struct reading *r)
 {
@@ -417,7 +403,7 @@ read_sheets(struct book *b)
 	return wrong;
 }
 
-/* Parts that a workbook may do without. */
+/* Reads a part that a workbook may lack. */
 static char *
 read_if_there(struct book *b, const char *name, const struct xml_events *events)
 {

@@ -45,8 +45,9 @@ check_for_stop(struct reading *r)
 		xml_give_up(r, tr("interrupted"));
 }
 
-/* A namespace is copied into each name that is in it, which for a million of
- * long ones would take for ever.  Attributes here are as they are written. */
+/* Refuses elements with many or long namespaces.  A namespace is copied into
+ * each name within it, which would take too long for a million of long ones.
+ * Here attributes are as written. */
 static void XMLCALL
 on_begin_without_namespaces(
     void *data, const XML_Char *name, const XML_Char **attribute)
@@ -116,7 +117,7 @@ on_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	xml_give_up(data, tr("it has a document type"));
 }
 
-/* In words what is wrong, or NULL. */
+/* Returns a description of the fault, or NULL. */
 static char *
 parse(struct reading *r, XML_Parser parser, XML_StartElementHandler begin,
     const char *bytes, size_t n)

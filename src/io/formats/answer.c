@@ -25,23 +25,6 @@ struct table {
 	struct answer_cell *cell; /* row by row */
 };
 
-enum kind { NUMBER, WHOLE, BOOL, TEXT, OBJECT, LIST };
-
-struct field {
-	char *key;   /* NULL in a list */
-	bool hidden; /* from json */
-	enum kind kind;
-	double number;
-	long long whole;
-	char *text;
-	struct fields *inner;
-};
-
-struct fields {
-	size_t n;
-	struct field *item;
-};
-
 /* table: what people see; what programs do, if it has columns. */
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
@@ -49,7 +32,7 @@ struct answer {
 	int room;         /* columns for a table */
 	bool across;      /* a table with more rows than columns is turned */
 	struct table table[2], *filled;
-	struct fields fields;
+	json_t *fields; /* an object */
 	size_t n_sentence;
 	struct answer_sentence *sentence;
 };
@@ -60,6 +43,7 @@ answer_new(const char *command)
 	struct answer *a = xcalloc(1, sizeof *a);
 	a->command = xstrdup(command);
 	a->missing = xstrdup("-");
+	a->fields = json_object();
 	a->filled = a->table;
 	a->room = SCREEN;
 	return a;
@@ -75,20 +59,6 @@ void
 answer_set_across(struct answer *answer)
 {
 	answer->across = true;
-}
-
-static void
-free_fields(struct fields *fields)
-{
-	for (size_t i = 0; i < fields->n; i++) {
-		struct field *f = &fields->item[i];
-		free(f->key);
-		free(f->text);
-		if (f->inner != NULL)
-			free_fields(f->inner);
-		free(f->inner);
-	}
-	free(fields->item);
 }
 
 static void
@@ -114,7 +84,7 @@ answer_free(struct answer *a)
 		return;
 	free_table(&a->table[0]);
 	free_table(&a->table[1]);
-	free_fields(&a->fields);
+	json_decref(a->fields);
 	for (size_t i = 0; i < a->n_sentence; i++)
 		free(a->sentence[i].text);
 	free(a->sentence);
@@ -208,7 +178,7 @@ add_text(struct answer *a, char *text)
 	answer_add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
-/* decimals -1: as many digits as needed; sign: + too. */
+/* decimals -1: as many digits as needed; sign: with + too. */
 static void
 answer_add_number(struct answer *a, double value, int decimals, bool sign)
 {
@@ -293,7 +263,7 @@ answer_rows(const struct answer *a)
 	return answer_rows_of(a->filled);
 }
 
-/* Takes the text. */
+/* Takes ownership of the text. */
 static void
 add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
@@ -323,52 +293,55 @@ answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
 struct fields *
 answer_fields(struct answer *a)
 {
-	return &a->fields;
+	return (struct fields *)(void *)a->fields;
 }
 
-/* key: NULL in a list. */
-static struct field *
-answer_add_field(struct fields *fields, const char *key, enum kind kind)
+/* Takes ownership of the value.  key: NULL in a list. */
+static struct fields *
+put_value(struct fields *fields, const char *key, json_t *value)
 {
-	fields->item =
-	    xrealloc(fields->item, fields->n + 1, sizeof *fields->item);
-	struct field *f = &fields->item[fields->n++];
-	bool hidden = key != NULL && key[0] == '.';
-	*f = (struct field){.key = key != NULL ? xstrdup(key + hidden) : NULL,
-	    .hidden = hidden,
-	    .kind = kind,
-	    .number = NAN};
-	if (kind == OBJECT || kind == LIST)
-		f->inner = xcalloc(1, sizeof *f->inner);
-	return f;
+	json_t *in = (json_t *)(void *)fields;
+	if (key == NULL)
+		json_array_append_new(in, value);
+	else
+		json_object_set_new(in, key, value);
+	return (struct fields *)(void *)value;
 }
 
-/* The value that a conversion of fields_put stands for. */
-static void
-add_value(
-    struct fields *fields, const char *key, const char *conversion, va_list *ap)
+/* Returns a text in UTF-8; the name of a file that is not UTF-8 as it is
+ * shown. */
+static json_t *
+text_json(const char *text)
 {
-	struct field *f = answer_add_field(fields, key, NUMBER);
+	if (text_is_utf8(text, strlen(text)))
+		return json_string(text);
+	FREED char *shown = text_escaped(text);
+	return json_string(shown);
+}
+
+static json_t *
+number_json(double value)
+{
+	return isfinite(value) ? json_real(value) : json_null();
+}
+
+/* Returns the next value of fields_put, according to its conversion. */
+static json_t *
+converted_json(const char *conversion, va_list *ap)
+{
 	switch (conversion[1]) {
 	case 's':
-		f->kind = TEXT;
-		f->text = xstrdup(va_arg(*ap, char *));
-		return;
+		return text_json(va_arg(*ap, char *));
 	case 'd':
-		f->kind = BOOL;
-		f->number = va_arg(*ap, int) != 0;
-		return;
+		return json_boolean(va_arg(*ap, int) != 0);
 	case 'z':
+		return json_integer((json_int_t)va_arg(*ap, size_t));
 	case 'l':
-		f->kind = WHOLE;
-		f->whole = (long long)(conversion[1] == 'z'
-					   ? va_arg(*ap, size_t)
-					   : va_arg(*ap, unsigned long long));
-		f->number = (double)f->whole;
-		return;
+		return json_integer(
+		    (json_int_t)va_arg(*ap, unsigned long long));
 	default:
 		assert(conversion[1] == 'g');
-		f->number = va_arg(*ap, double);
+		return number_json(va_arg(*ap, double));
 	}
 }
 
@@ -381,8 +354,8 @@ fields_put(struct fields *fields, const char *format, ...)
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
 		const char *key = word[0] != '%' ? word : NULL;
-		add_value(fields, key,
-		    key != NULL ? strtok_r(NULL, " ", &save) : word, &ap);
+		word = key != NULL ? strtok_r(NULL, " ", &save) : word;
+		put_value(fields, key, converted_json(word, &ap));
 	}
 	free(copy);
 	va_end(ap);
@@ -391,19 +364,19 @@ fields_put(struct fields *fields, const char *format, ...)
 void
 fields_number(struct fields *fields, const char *key, double value)
 {
-	answer_add_field(fields, key, NUMBER)->number = value;
+	put_value(fields, key, number_json(value));
 }
 
 struct fields *
 fields_object(struct fields *fields, const char *key)
 {
-	return answer_add_field(fields, key, OBJECT)->inner;
+	return put_value(fields, key, json_object());
 }
 
 struct fields *
 fields_list(struct fields *fields, const char *key)
 {
-	return answer_add_field(fields, key, LIST)->inner;
+	return put_value(fields, key, json_array());
 }
 
 void
@@ -416,16 +389,14 @@ fields_numbers(struct fields *fields, const char *key, const double *value,
 		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
 }
 
-/* A cell of the table as a field. */
+/* Adds a cell of the table as a field. */
 static void
 add_cell_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
 {
-	if (cell->is_text)
-		answer_add_field(fields, key, TEXT)->text =
-		    xstrdup(cell->key != NULL ? cell->key : cell->text);
-	else
-		fields_number(fields, key, cell->number);
+	const char *text = cell->key != NULL ? cell->key : cell->text;
+	put_value(fields, key,
+	    cell->is_text ? text_json(text) : number_json(cell->number));
 }
 
 static void
@@ -443,7 +414,7 @@ answer_add_rows(struct fields *fields, const char *key, const struct table *t)
 void
 answer_put_rows(struct answer *a, const char *key)
 {
-	answer_add_rows(&a->fields, key, a->filled);
+	answer_add_rows(answer_fields(a), key, a->filled);
 }
 
 void
@@ -454,7 +425,7 @@ answer_put_columns(struct answer *a, const char *keys)
 	for (size_t c = 0; c < t->n_column; c++) {
 		if (!text_find_word(keys, t->key[c], &which))
 			continue;
-		struct fields *list = fields_list(&a->fields, t->key[c]);
+		struct fields *list = fields_list(answer_fields(a), t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
 			add_cell_field(list, NULL, &t->cell[i]);
 	}
@@ -463,26 +434,27 @@ answer_put_columns(struct answer *a, const char *keys)
 bool
 answer_has_fields(const struct answer *a)
 {
-	return a->fields.n > 0;
+	return json_object_size(a->fields) > 0;
 }
 
-/* What a list has counts under the list's own name. */
+/* Finds the number at a path; the contents of a list count under its own
+ * name. */
 static void
-answer_look_up(const struct fields *fields, const char *path, double *value)
+answer_look_up(const json_t *in, const char *path, double *value)
 {
 	size_t n = strcspn(path, ".");
-	for (size_t i = 0; i < fields->n; i++) {
-		const struct field *f = &fields->item[i];
-		const char *rest = path;
-		if (f->key != NULL &&
-		    (strncmp(f->key, path, n) != 0 || f->key[n] != '\0'))
-			continue;
-		if (f->key != NULL)
-			rest += n + (path[n] == '.');
-		if (f->inner != NULL)
-			answer_look_up(f->inner, rest, value);
-		else if (*rest == '\0')
-			*value = fmax(*value, f->number);
+	for (size_t i = 0; i < json_array_size(in); i++)
+		answer_look_up(json_array_get(in, i), path, value);
+	if (json_is_object(in)) {
+		FREED char *key = xstrndup(path, n),
+			   *hidden = xasprintf(".%s", key);
+		const json_t *item = json_object_get(in, key);
+		item = item != NULL ? item : json_object_get(in, hidden);
+		answer_look_up(item, path + n + (path[n] == '.'), value);
+	} else if (*path == '\0' && json_is_boolean(in)) {
+		*value = fmax(*value, json_is_true(in));
+	} else if (*path == '\0' && json_is_number(in)) {
+		*value = fmax(*value, json_number_value(in));
 	}
 }
 
@@ -494,7 +466,7 @@ answer_number(const struct answer *a, const char *path)
 		value = 0;
 	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
 		value += a->sentence[i].grade == ANSWER_WARNING;
-	answer_look_up(&a->fields, path, &value);
+	answer_look_up(a->fields, path, &value);
 	return value;
 }
 
@@ -520,23 +492,23 @@ answer_view(const struct answer *a)
 	    .sentence = a->sentence};
 }
 
-/* Where there is no table the sentences are the answer. */
+/* True if there is no table: the sentences are the answer. */
 static bool
 is_sentences_only(const struct answer *a)
 {
 	return table_for_programs(a)->n_column == 0 && a->n_sentence > 0;
 }
 
-/* Length of the provenance's first clause, which says what the data are; the
- * rest says how they were made. */
+/* Returns the length of the provenance's first clause, which states the kind of
+ * data; the rest says how they were made. */
 static size_t
 first_clause(const char *provenance)
 {
 	return strcspn(provenance, ";");
 }
 
-/* Commas and points, or semicolons and decimal commas.  A sieve of 22.4 mm is
- * 22.4: people look things up by it. */
+/* Prints a number with a decimal point, or with a decimal comma between
+ * semicolons.  A sieve of 22.4 mm stays 22.4, as people look it up. */
 static void
 print_csv_number(double value, char separator, FILE *out)
 {
@@ -548,7 +520,7 @@ print_csv_number(double value, char separator, FILE *out)
 	fputs(text, out);
 }
 
-/* The columns that stand before those of the answer. */
+/* Prints the columns before those of the answer. */
 static void
 print_csv_origin(const struct answer *a, char separator, FILE *out)
 {
@@ -558,9 +530,8 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 	fputc(separator, out);
 	sheet_write_cell(a->site, separator, out);
 	fputc(separator, out);
-	char *kind = xstrndup(a->provenance, first_clause(a->provenance));
+	FREED char *kind = xstrndup(a->provenance, first_clause(a->provenance));
 	sheet_write_cell(kind, separator, out);
-	free(kind);
 }
 
 static void
@@ -606,51 +577,29 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	return rows;
 }
 
-/* JSON is UTF-8: a name that is not, a file's, is there as it is shown. */
+/* Returns a copy without values whose keys begin with a dot. */
 static json_t *
-text_json(const char *text)
+json_without_hidden(json_t *in)
 {
-	if (text_is_utf8(text, strlen(text)))
-		return json_string(text);
-	char *shown = text_escaped(text);
-	json_t *string = json_string(shown);
-	free(shown);
-	return string;
-}
-
-static void answer_put_fields(json_t *o, const struct fields *fields);
-
-static json_t *
-field_json(const struct field *f)
-{
-	json_t *inner;
-	switch (f->kind) {
-	case WHOLE:
-		return json_integer(f->whole);
-	case BOOL:
-		return json_boolean(f->number != 0);
-	case TEXT:
-		return text_json(f->text);
-	case OBJECT:
-	case LIST:
-		inner = f->kind == LIST ? json_array() : json_object();
-		answer_put_fields(inner, f->inner);
-		return inner;
-	default:
-		return isfinite(f->number) ? json_real(f->number) : json_null();
+	const char *key;
+	json_t *value, *copy;
+	if (json_is_array(in)) {
+		copy = json_array();
+		for (size_t i = 0; i < json_array_size(in); i++)
+			json_array_append_new(
+			    copy, json_without_hidden(json_array_get(in, i)));
+		return copy;
 	}
-}
-
-static void
-answer_put_fields(json_t *o, const struct fields *fields)
-{
-	for (size_t i = 0; i < fields->n; i++) {
-		const struct field *f = &fields->item[i];
-		if (f->key == NULL)
-			json_array_append_new(o, field_json(f));
-		else if (!f->hidden)
-			json_object_set_new(o, f->key, field_json(f));
+	if (!json_is_object(in))
+		return json_incref(in);
+	copy = json_object();
+	json_object_foreach(in, key, value)
+	{
+		if (key[0] != '.')
+			json_object_set_new(
+			    copy, key, json_without_hidden(value));
 	}
+	return copy;
 }
 
 static size_t
@@ -658,26 +607,25 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	const struct table *t = table_for_programs(a);
-	struct fields more = {0};
-	json_t *o = json_object();
-	json_object_set_new(o, "command", json_string(a->command));
+	json_t *o = json_object(), *own = json_without_hidden(a->fields);
+	struct fields *all = (struct fields *)(void *)o;
+	fields_put(all, "command %s", a->command);
 	if (a->site != NULL && !a->names_sites)
-		json_object_set_new(o, "site", text_json(a->site));
-	answer_put_fields(o, &a->fields);
+		fields_put(all, "site %s", a->site);
+	json_object_update(o, own);
+	json_decref(own);
 	if (is_sentences_only(a)) {
-		struct fields *list = fields_list(&more, "sentences");
+		struct fields *list = fields_list(all, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
 			fields_put(list, "%s", a->sentence[i].text);
-	} else if (a->fields.n == 0) {
-		answer_add_rows(&more, "rows", t);
+	} else if (!answer_has_fields(a)) {
+		answer_add_rows(all, "rows", t);
 	}
 	if (a->provenance != NULL)
-		fields_put(&more, "provenance %s", a->provenance);
-	answer_put_fields(o, &more);
+		fields_put(all, "provenance %s", a->provenance);
 	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
 	json_decref(o);
-	free_fields(&more);
 	return answer_rows_of(t);
 }
 
@@ -690,7 +638,7 @@ struct form {
 	bool *number, wraps, even;
 };
 
-/* A column of numbers is set flush right. */
+/* True for a column of numbers, which is set flush right. */
 static bool
 is_number_column(const struct table *t, size_t column)
 {
@@ -719,8 +667,8 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
 	    right || last ? 0 : pad, "");
 }
 
-/* Where the last column holds sentences that would not fit a screen after the
- * columns before it, it is wrapped. One column alone is something to be
+/* Wraps the last column if it holds sentences that would not fit the screen
+ * after the other columns.  A single column is not wrapped, as it may be
  * copied. */
 static struct form
 table_form(const struct table *t, int room)
@@ -746,18 +694,17 @@ form_free(struct form *f)
 	free(f->number);
 }
 
-/* The last cell of a row, wrapped under itself. */
+/* Prints the last cell of a row, wrapped under itself. */
 static void
 print_sentence(const char *text, int indent, int room, FILE *out)
 {
-	char *lines = NULL;
+	FREED char *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&lines, &n);
 	text_wrap(text, indent, room, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
 		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
-	free(lines);
 }
 
 /* Columns of a table that stand side by side: the first one and those from
@@ -766,8 +713,8 @@ struct block {
 	size_t from, to;
 };
 
-/* As many columns as fit a screen.  A table that ends in sentences wraps them
- * instead. */
+/* Returns as many columns as fit the screen.  A table that ends in sentences
+ * wraps them instead. */
 static struct block
 columns_that_fit(const struct table *t, const struct form *f, size_t from)
 {
@@ -788,7 +735,8 @@ columns_that_fit(const struct table *t, const struct form *f, size_t from)
 	return b;
 }
 
-/* Where the last column is wrapped in a block that ends in it; 0: it is not. */
+/* Returns the column where the last cell is wrapped in a block that ends with
+ * it; 0 if it is not. */
 static int
 wrap_column(const struct table *t, const struct form *f, struct block b)
 {
@@ -822,12 +770,12 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 	}
 }
 
-/* A row of a table (0: the heads) without spaces at its end. */
+/* Prints a row of a table (0: the headings) without trailing spaces. */
 static void
 print_trimmed(const struct table *t, const struct form *f, size_t row,
     struct block block, FILE *out)
 {
-	char *line = NULL;
+	FREED char *line = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&line, &n);
 	answer_print_row(
@@ -836,10 +784,9 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	while (n > 0 && line[n - 1] == ' ')
 		n--;
 	fprintf(out, "  %.*s\n", (int)n, line);
-	free(line);
 }
 
-/* The sentences that are warnings, or those that are none. */
+/* Adds the sentences that are warnings, or the others. */
 static void
 answer_put_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)
@@ -848,18 +795,17 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 		const struct answer_sentence *said = &a->sentence[i];
 		if ((said->grade == ANSWER_WARNING) != warnings)
 			continue;
-		char *text = xasprintf("%s%s%s",
+		FREED char *text = xasprintf("%s%s%s",
 		    !warnings              ? ""
 		    : is_sentences_only(a) ? tr("Warning: ")
 					   : tr("warning: "),
 		    said->text, is_sentences_only(a) ? "." : "");
 		add_sentence(copy, said->grade, way(text));
-		free(text);
 	}
 }
 
-/* What people see, with all its words put in a way: as shown, or as markdown.
- * Of the provenance the first clause only. */
+/* Returns what people see, with all texts converted: as shown, or as markdown.
+ * Only the first clause of the provenance is included. */
 static struct answer *
 copy_with_words(char *(*way)(const char *), const struct answer *a)
 {
@@ -867,15 +813,13 @@ copy_with_words(char *(*way)(const char *), const struct answer *a)
 	const struct table *from = &a->table[0];
 	copy->title = a->title != NULL ? way(a->title) : NULL;
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
-		char *first =
+		FREED char *first =
 		    xstrndup(a->provenance, first_clause(a->provenance));
 		copy->provenance = way(first);
-		free(first);
 	}
 	for (size_t c = 0; c < from->n_column; c++) {
-		char *head = way(from->head[c]);
+		FREED char *head = way(from->head[c]);
 		answer_column(copy, from->key[c], head);
-		free(head);
 	}
 	for (size_t i = 0; i < from->n_cell; i++)
 		answer_add_cell(
@@ -895,7 +839,7 @@ answer_escaped(const struct answer *a)
 	return copy_with_words(text_escaped, a);
 }
 
-/* Makes the first column the heads, and the heads the first column. */
+/* Exchanges the headings and the first column. */
 static void
 answer_transpose(struct answer *a)
 {
@@ -951,8 +895,8 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	return rows;
 }
 
-/* Whether markdown or HTML could take the character for markup.  Within a word
- * like f_mat a low line is none. */
+/* True if markdown or HTML could take the character for markup.  An underscore
+ * within a word such as f_mat is none. */
 static bool
 is_markup(const char *text, const char *p)
 {
@@ -969,12 +913,12 @@ is_markup(const char *text, const char *p)
 	return strchr(p == text ? "|*[]`\\~$#" : "|*[]`\\~$", *p) != NULL;
 }
 
-/* Words that markdown shows as they are: signs after backslashes, and as
- * entities those of HTML, which knows no backslash. */
+/* Escapes a text for markdown: signs with backslashes, those of HTML as
+ * entities. */
 static char *
 as_markdown(const char *text)
 {
-	char *shown = text_escaped(text);
+	FREED char *shown = text_escaped(text);
 	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"
@@ -989,7 +933,6 @@ as_markdown(const char *text)
 			*end++ = '\\';
 		*end++ = *p;
 	}
-	free(shown);
 	return copy;
 }
 

@@ -30,8 +30,8 @@ extern const struct answer_form {
 	size_t (*print)(const struct answer *, bool semicolon, FILE *out);
 } ANSWER_FORMATS[4];
 
-/* Named values in order; the values of a list have no names.  Units are part of
- * the names: "p50_mm". */
+/* Named values in order, an object or a list of jansson; the values of a list
+ * have no names.  Units are part of the names: "p50_mm". */
 struct fields;
 
 /* Makes an empty answer.  command: the name of its command; copied. */

@@ -30,17 +30,16 @@ struct book {
 	char **about; /* keys and values */
 };
 
-/* A file that nobody can find; -1 where there is none. */
+/* Opens a file without a name; -1 on failure. */
 static int
 open_temporary_file(void)
 {
 	const char *folder = getenv("TMPDIR");
-	char *path = xasprintf("%s/tipspeed-XXXXXX",
+	FREED char *path = xasprintf("%s/tipspeed-XXXXXX",
 	    folder != NULL && folder[0] != '\0' ? folder : "/tmp");
 	int fd = mkstemp(path);
 	if (fd >= 0)
 		unlink(path);
-	free(path);
 	return fd;
 }
 
@@ -93,8 +92,8 @@ book_new(struct error *error)
 	}
 	struct book *b = xcalloc(1, sizeof *b);
 	const char *folder = getenv("TMPDIR");
-	char *path = xasprintf("/dev/fd/%d", fd);
-	char *parts = xstrdup(folder != NULL ? folder : "");
+	FREED char *path = xasprintf("/dev/fd/%d", fd);
+	FREED char *parts = xstrdup(folder != NULL ? folder : "");
 	lxw_workbook_options options = {
 	    .tmpdir = parts[0] != '\0' ? parts : NULL};
 	/* 2000-01-01, in place of the hour at which it is written. */
@@ -103,8 +102,6 @@ book_new(struct error *error)
 	b->workbook = workbook_new_opt(path, &options);
 	workbook_set_properties(b->workbook, &properties);
 	add_formats(b);
-	free(path);
-	free(parts);
 	return b;
 }
 
@@ -134,7 +131,7 @@ struct page {
 	lxw_row_t row;
 };
 
-/* Names of sheets are different from each other, and short. */
+/* Adds a sheet with a short and unique name. */
 static struct page
 add_page(struct book *b, const char *name)
 {
@@ -147,13 +144,13 @@ add_page(struct book *b, const char *name)
 	return page;
 }
 
-/* As text in any case, also where it begins with =. */
+/* Writes a text, even if it begins with =. */
 static void
 book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
-	char *shown = text_escaped(text);
+	FREED char *shown = text_escaped(text);
 	if (strlen(shown) > MOST) {
 		size_t n = MOST;
 		while ((shown[n] & 0xC0) == 0x80)
@@ -162,10 +159,10 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 	}
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
-	free(shown);
 }
 
-/* Text of a column of sieves: there are also rows such as "P80 mm" in it. */
+/* True if the text in a column of sieves is a sieve: there are also rows such
+ * as "P80 mm". */
 static bool
 book_is_sieve(const char *head, const struct answer_cell *cell, double *value)
 {
@@ -191,7 +188,8 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 		book_put_text(p, column, cell->text, NULL);
 }
 
-/* As wide as its numbers; text of the last column may go on to the right. */
+/* Makes a column as wide as its numbers; text of the last column may extend to
+ * the right. */
 static void
 set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 {
@@ -205,7 +203,7 @@ set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 	worksheet_set_column(p->sheet, column, column, (double)width + 2, NULL);
 }
 
-/* Rows of the table from its first on whose first cell is a sieve. */
+/* Returns the number of rows, from the first, that begin with a sieve. */
 static size_t
 sieve_rows(const struct answer_view *v)
 {
@@ -223,7 +221,8 @@ sieve_rows(const struct answer_view *v)
 	return n;
 }
 
-/* Whether a column is a curve: numbers from 0 to 100 that are no difference. */
+/* True if a column is a curve: numbers from 0 to 100 that are not
+ * differences. */
 static bool
 book_is_curve(const struct answer_view *v, size_t rows, size_t column)
 {
@@ -242,7 +241,7 @@ book_is_curve(const struct answer_view *v, size_t rows, size_t column)
 	return n > 1;
 }
 
-/* The power of ten at or below, at or above the sieves. */
+/* Extends the axis to the powers of ten around the sieves. */
 static void
 set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 {
@@ -263,7 +262,8 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 	chart_axis_set_crossing(chart->x_axis, from);
 }
 
-/* Passings over the sieves, beside the table that begins at the page's row. */
+/* Draws passing over sieve size, beside the table that begins at the page's
+ * row. */
 static void
 add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 {
@@ -279,12 +279,11 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 		if (!book_is_curve(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
-		char *name = text_escaped(v->head[c]);
+		FREED char *name = text_escaped(v->head[c]);
 		chart_series_set_categories(series, p->name, from, 0, to, 0);
 		chart_series_set_values(
 		    series, p->name, from, (lxw_col_t)c, to, (lxw_col_t)c);
 		chart_series_set_name(series, name);
-		free(name);
 	}
 	chart_axis_set_name(chart->x_axis, "sieve, mm");
 	chart_axis_set_name(chart->y_axis, "passing, %");
@@ -314,7 +313,7 @@ put_table(struct book *b, struct page *p, const struct answer_view *v)
 	p->row++;
 }
 
-/* "trust: amber: .." in its colour. */
+/* Returns the format of "trust: amber: ..", in its colour, or NULL. */
 static lxw_format *
 light_format(const struct book *b, const char *text)
 {
@@ -335,7 +334,7 @@ book_put_sentences(
 		bool warning = said->grade == ANSWER_WARNING;
 		if (warning != warnings)
 			continue;
-		char *text =
+		FREED char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
 		lxw_format *light = light_format(b, said->text);
 		book_put_text(p, 0, text,
@@ -343,7 +342,6 @@ book_put_sentences(
 		    : warning     ? b->warning
 				  : NULL);
 		p->row++;
-		free(text);
 	}
 }
 
@@ -357,10 +355,9 @@ book_add(struct book *b, const struct answer *answer)
 		p.row++;
 	}
 	if (v.provenance != NULL && v.provenance[0] != '\0') {
-		char *data = xasprintf("data: %.*s",
+		FREED char *data = xasprintf("data: %.*s",
 		    (int)strcspn(v.provenance, ";"), v.provenance);
 		book_put_text(&p, 0, data, b->remark);
-		free(data);
 		p.row++;
 	}
 	p.row += p.row > 0;
@@ -372,7 +369,7 @@ book_add(struct book *b, const struct answer *answer)
 	return v.n_column > 0 ? v.n_row : v.n_sentence;
 }
 
-/* A row of a text; heads of columns, which are more than a key and a value, are
+/* Writes a row of a text.  Headings, which are more than a key and a value, are
  * bold. */
 static void
 book_put_row(struct book *b, struct page *p, const struct row *row)
@@ -399,7 +396,7 @@ book_add_text(struct book *b, const char *name, const char *text)
 {
 	enum { MOST_ROWS = 2000 };
 	struct error_list errors = {0};
-	char *copy = xstrdup(text);
+	FREED char *copy = xstrdup(text);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new("", copy, most, &errors);
 	number_find(sheet);
@@ -408,13 +405,11 @@ book_add_text(struct book *b, const char *name, const char *text)
 		book_put_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
 		const char *said = sheet->comment[i].text;
-		char *plain = text_unquoted(said, strlen(said));
+		FREED char *plain = text_unquoted(said, strlen(said));
 		p.row = (lxw_row_t)sheet->comment[i].line - 1;
 		book_put_text(&p, 0, plain, b->remark);
-		free(plain);
 	}
 	sheet_free(sheet);
-	free(copy);
 }
 
 void
@@ -456,7 +451,7 @@ put_about(struct book *b)
 	worksheet_set_column(p.sheet, 1, 1, 80, NULL);
 }
 
-/* All of the file. */
+/* Returns the contents of the file. */
 static char *
 read_whole_file(int fd, size_t *n)
 {

@@ -28,10 +28,9 @@ struct reading_circuit {
 	struct cell *made, *used, row[CIRCUIT_UNITS];
 };
 
-/* A part of a cell; text is of the cell's, which it may shorten. */
+/* Returns a part of a cell, whose text it may shorten. */
 static struct cell
-circuit_file_part_of(
-    const struct reading_circuit *r, struct cell cell, char *from)
+part_of_cell(const struct reading_circuit *r, struct cell cell, char *from)
 {
 	while (*from == ' ' || *from == '\t')
 		from++;
@@ -48,7 +47,7 @@ stream_name(struct reading_circuit *r, struct cell cell)
 	    "name streams as you like, without + and =");
 }
 
-/* A stream that a unit makes. */
+/* Adds a stream that a unit makes. */
 static void
 add_out(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -84,7 +83,7 @@ add_in(struct reading_circuit *r, struct unit *unit, struct cell cell)
 	}
 }
 
-/* "new + back" */
+/* Adds the streams of "new + back". */
 static void
 add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -102,13 +101,13 @@ add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_in(r, unit, circuit_file_part_of(r, cell, at));
+		add_in(r, unit, part_of_cell(r, cell, at));
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
 
 static bool
-circuit_file_read_number(struct reading_circuit *r, struct cell cell,
+read_number_between(struct reading_circuit *r, struct cell cell,
     const char *wanted, double least, double most, double *value)
 {
 	if (!number_read(r->sheet, cell, wanted, value))
@@ -149,10 +148,9 @@ static const char *const HINTS[UNIT_KINDS] = {
     [UNIT_STOCKPILE] = N_(
 	"write: stockpile,FROM + FROM,NAME, optionally followed by price=12")};
 
-/* One cell key=value. */
+/* Reads one cell key=value. */
 static void
-circuit_file_read_key(
-    struct reading_circuit *r, struct unit *unit, struct cell cell)
+read_unit_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
 	for (size_t k = 0; sign != NULL && k < ARRAY_LEN(KEYS); k++) {
@@ -163,8 +161,8 @@ circuit_file_read_key(
 		    strncmp(cell.text, key->word, n) != 0 ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
-		struct cell number = circuit_file_part_of(r, cell, sign + 1);
-		if (circuit_file_read_number(r, number, key->wanted, key->least,
+		struct cell number = part_of_cell(r, cell, sign + 1);
+		if (read_number_between(r, number, key->wanted, key->least,
 			key->most, &value)) {
 			void *to = (char *)unit + key->offset;
 			*(double *)to = value / key->scale;
@@ -181,7 +179,7 @@ read_keys(struct reading_circuit *r, struct unit *unit, const struct row *row,
 {
 	for (size_t i = from; i < row->n; i++)
 		if (row->cell[i].text[0] != '\0')
-			circuit_file_read_key(r, unit, row->cell[i]);
+			read_unit_key(r, unit, row->cell[i]);
 }
 
 static void
@@ -191,7 +189,7 @@ read_feed(struct reading_circuit *r, struct unit *unit, const struct row *row)
 	double value;
 	add_out(r, unit, sheet_cell(row, 1));
 	if (tph.text[0] != '\0' &&
-	    circuit_file_read_number(
+	    read_number_between(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
 		r->circuit->tph = value;
 	read_keys(r, unit, row, 3);
@@ -211,7 +209,7 @@ read_screen(struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	double mm = 1;
 	add_ins(r, unit, sheet_cell(row, 1));
-	circuit_file_read_number(r, sheet_cell(row, 2), tr("an opening in mm"),
+	read_number_between(r, sheet_cell(row, 2), tr("an opening in mm"),
 	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
 	unit->opening = mm / 1000;
 	add_out(r, unit, sheet_cell(row, 3));
@@ -219,7 +217,8 @@ read_screen(struct reading_circuit *r, struct unit *unit, const struct row *row)
 	read_keys(r, unit, row, 5);
 }
 
-/* "a=60" or "a", which takes what is left.  Returns its share, NAN for that. */
+/* Reads "a=60", or "a", which takes the rest.  Returns its share; NAN for the
+ * rest. */
 static double
 read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
@@ -227,14 +226,14 @@ read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 	double share = NAN;
 	if (sign != NULL) {
 		*sign = '\0';
-		struct cell number = circuit_file_part_of(r, cell, sign + 1);
-		if (circuit_file_read_number(r, number,
+		struct cell number = part_of_cell(r, cell, sign + 1);
+		if (read_number_between(r, number,
 			tr("a share from 0 to 100 %"), 0, 100, &share))
 			share /= 100;
 		else
 			share = 0;
 	}
-	add_out(r, unit, circuit_file_part_of(r, cell, cell.text));
+	add_out(r, unit, part_of_cell(r, cell, cell.text));
 	return share;
 }
 
@@ -288,7 +287,7 @@ read_stockpile(
 }
 
 static void
-circuit_file_read_row(struct reading_circuit *r, const struct row *row)
+read_unit_row(struct reading_circuit *r, const struct row *row)
 {
 	static void (*const READ[UNIT_KINDS])(
 	    struct reading_circuit *, struct unit *, const struct row *) = {
@@ -320,7 +319,7 @@ circuit_file_read_row(struct reading_circuit *r, const struct row *row)
 	    "each line begins with what it is; see tipspeed-circuit(5)");
 }
 
-/* Streams that come from nowhere or lead nowhere. */
+/* Reports streams without a source or a destination. */
 static void
 check_streams(struct reading_circuit *r)
 {
@@ -360,7 +359,7 @@ check_feeds(struct reading_circuit *r)
 		    "out");
 }
 
-/* Only of streams that all have a source and a use. */
+/* Checks the paths, if all streams have a source and a destination. */
 static void
 check_ways(struct reading_circuit *r)
 {
@@ -381,10 +380,10 @@ check_ways(struct reading_circuit *r)
 }
 
 static void
-circuit_file_read_sheet(struct reading_circuit *r)
+read_circuit_sheet(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->sheet->n_row; i++)
-		circuit_file_read_row(r, &r->sheet->row[i]);
+		read_unit_row(r, &r->sheet->row[i]);
 	check_feeds(r);
 	if (r->sheet->n_fault == 0)
 		check_streams(r);
@@ -402,7 +401,7 @@ circuit_file_read(const char *path, struct error_list *errors)
 		    .circuit = circuit_new(),
 		    .made = xcalloc(STREAMS, sizeof *r.made),
 		    .used = xcalloc(STREAMS, sizeof *r.used)};
-		circuit_file_read_sheet(&r);
+		read_circuit_sheet(&r);
 		free(r.made);
 		free(r.used);
 		circuit = r.circuit;

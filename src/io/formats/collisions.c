@@ -94,7 +94,7 @@ fault(
 	    tr(what), tr(hint));
 }
 
-/* The next line without its end; false at the end of the file. */
+/* Reads the next line, without its end.  False at the end of the file. */
 static bool
 next_line(struct reading *r)
 {
@@ -109,8 +109,8 @@ next_line(struct reading *r)
 	return true;
 }
 
-/* The field at *s, which moves behind it, ended by a NUL; NULL after the
- * last. */
+/* Returns the field at *s, ended by a NUL, and moves *s after it; NULL after
+ * the last. */
 static char *
 next_field(const struct reading *r, char **s)
 {
@@ -138,7 +138,7 @@ next_field(const struct reading *r, char **s)
 	return begin;
 }
 
-/* "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
+/* Returns "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
 static char *
 plain_head(const char *head)
 {
@@ -166,11 +166,11 @@ find_head(const char *plain)
 	return COL_NONE;
 }
 
-/* What a column is by its head; *scale: to SI. */
+/* Returns what a column has according to its heading.  *scale: to SI. */
 static enum column
 collisions_column_of(const char *head, double *scale)
 {
-	char *plain = plain_head(head);
+	FREED char *plain = plain_head(head);
 	enum column column = find_head(plain);
 	const char *unit = "";
 	*scale = column == COL_SIZE ? 1e-3 : 1;
@@ -193,7 +193,6 @@ collisions_column_of(const char *head, double *scale)
 		column = COL_PARTICLES_KG;
 	if (strcmp(plain, "energy") == 0 && strcmp(unit, "m/s") == 0)
 		column = COL_NONE;
-	free(plain);
 	return column;
 }
 
@@ -212,16 +211,16 @@ take_column(struct reading *r, const char *head)
 }
 
 static void
-collisions_take_columns(struct reading *r, const char *heads, char separator)
+take_column_names(struct reading *r, const char *heads, char separator)
 {
-	char *copy = xstrdup(heads), *rest = copy, *head, was = r->separator;
+	FREED char *copy = xstrdup(heads);
+	char *rest = copy, *head, was = r->separator;
 	r->separator = separator;
 	r->n = 0;
 	memset(r->has, 0, sizeof r->has);
 	while ((head = next_field(r, &rest)) != NULL)
 		take_column(r, head);
 	r->separator = was;
-	free(copy);
 }
 
 static bool
@@ -232,8 +231,8 @@ has_energy(const struct reading *r)
 	       (r->has[COL_LOW] && r->has[COL_HIGH] && r->has[COL_WEIGHT]);
 }
 
-/* Whether the columns make energies; else what is missing, and how to name
- * them. */
+/* True if the columns yield energies; otherwise reports what is missing, and
+ * how to name them. */
 static bool
 columns_do(struct reading *r)
 {
@@ -250,9 +249,9 @@ columns_do(struct reading *r)
 	       "columns=-,velocity_m_s,mass_kg"));
 }
 
-/* The numbers of a row; false with a fault where a field is none. */
+/* Reads the numbers of a row.  False with a fault if a field is none. */
 static bool
-collisions_take_row(struct reading *r)
+take_numbers_of_row(struct reading *r)
 {
 	char *rest = r->line;
 	for (size_t i = 0; i < r->n; i++) {
@@ -277,7 +276,7 @@ collisions_take_row(struct reading *r)
 }
 
 static bool
-report_progress_going(struct reading *r)
+may_go_on(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -288,7 +287,7 @@ report_progress_going(struct reading *r)
 	    (unsigned long long)r->to->rows);
 }
 
-/* A row of a table as energy, J/kg. */
+/* Returns the energy of a row, J/kg. */
 static double
 row_energy(const struct reading *r)
 {
@@ -332,32 +331,28 @@ take_impact(struct reading *r)
 	return true;
 }
 
-/* A line "speed_m_s,69" or "provenance,.." above the heads; false where it is
- * none. */
+/* Reads a line "speed_m_s,69" or "provenance,.." above the headings.  False if
+ * it is none. */
 static bool
-collisions_take_note(struct reading *r)
+take_note(struct reading *r)
 {
-	char *copy = xstrdup(r->line), *rest = copy;
+	FREED char *copy = xstrdup(r->line);
+	char *rest = copy;
 	const char *key = next_field(r, &rest), *value = next_field(r, &rest);
 	double v;
-	bool ok = false;
-	if (key != NULL && value != NULL && strcmp(key, "speed_m_s") == 0 &&
-	    text_number(value, &v) && v > 0) {
+	if (key == NULL || value == NULL)
+		return key != NULL && strcmp(key, "spectrum") == 0;
+	if (strcmp(key, "speed_m_s") == 0 && text_number(value, &v) && v > 0) {
 		r->to->spectrum->speed = v;
-		ok = true;
-	} else if (key != NULL && value != NULL &&
-		   strcmp(key, "provenance") == 0) {
+		return true;
+	}
+	if (strcmp(key, "provenance") == 0) {
 		free(r->to->about);
 		r->to->about = xstrdup(value);
-		ok = true;
-	} else if (key != NULL && value != NULL &&
-		   strcmp(key, "impacts") == 0 && text_whole(value, &r->told)) {
-		ok = true;
-	} else if (key != NULL && strcmp(key, "spectrum") == 0) {
-		ok = true;
+		return true;
 	}
-	free(copy);
-	return ok;
+	return strcmp(key, "spectrum") == 0 ||
+	       (strcmp(key, "impacts") == 0 && text_whole(value, &r->told));
 }
 
 static char
@@ -369,26 +364,26 @@ separator_of(const char *line)
 				   : ' ';
 }
 
-/* The heads of a table, or what a list without them has. */
+/* Reads the headings of a table, or what a list without them has. */
 static bool
 table_columns(struct reading *r, bool *is_row)
 {
-	char *copy = xstrdup(r->line), *rest = copy;
+	FREED char *copy = xstrdup(r->line);
+	char *rest = copy;
 	double v;
 	const char *first = next_field(r, &rest);
 	*is_row = first != NULL && text_number(first, &v);
 	bool two = next_field(r, &rest) != NULL;
-	free(copy);
 	if (r->way->columns != NULL)
-		collisions_take_columns(r, r->way->columns, ',');
+		take_column_names(r, r->way->columns, ',');
 	else if (!*is_row)
-		collisions_take_columns(r, r->line, r->separator);
+		take_column_names(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
 		    "expected headings above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
-		collisions_take_columns(r,
+		take_column_names(r,
 		    strcmp(r->way->unit, "m/s") == 0
 			? two ? "velocity,weight" : "velocity"
 		    : two ? "specific_energy,weight"
@@ -402,17 +397,16 @@ collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
 	r->separator = separator_of(r->line);
-	while (collisions_take_note(r))
+	while (take_note(r))
 		if (!next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file whole?");
 	ok = table_columns(r, &is_row);
 	if (ok && is_row)
-		ok = collisions_take_row(r) && take_impact(r);
+		ok = take_numbers_of_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (collisions_take_row(r) && take_impact(r) &&
-			 report_progress_going(r));
+		     (take_numbers_of_row(r) && take_impact(r) && may_go_on(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];

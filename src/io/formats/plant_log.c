@@ -53,37 +53,35 @@ struct reading {
 	size_t n_column, first, date, clock, room;
 	unsigned kind[MOST_COLUMNS];
 	struct head head[MOST_COLUMNS];
-	enum moment_order order;
+	enum datetime_order order;
 	bool told, zone;
 };
 
 static bool
 list_has(const char *words, const char *word, size_t n)
 {
-	char *wanted = xasprintf(" %.*s ", (int)n, word);
-	bool found = strstr(words, wanted) != NULL;
-	free(wanted);
-	return found;
+	FREED char *wanted = xasprintf(" %.*s ", (int)n, word);
+	return strstr(words, wanted) != NULL;
 }
 
-/* Whether a text has one of these words. */
+/* True if a text contains one of the words. */
 static bool
 plant_log_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
-	char *folded = text_fold(text);
-	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
-	for (const char *p = folded; *p != '\0' && !found;) {
+	FREED char *folded = text_fold(text);
+	if (strstr(folded, "feed rate") != NULL && words == RATE)
+		return true;
+	for (const char *p = folded; *p != '\0'; p += strspn(p, BREAKS)) {
 		size_t n = strcspn(p, BREAKS);
-		found = n > 0 && list_has(words, p, n);
+		if (n > 0 && list_has(words, p, n))
+			return true;
 		p += n;
-		p += strspn(p, BREAKS);
 	}
-	free(folded);
-	return found;
+	return false;
 }
 
-/* What a head says its column is. */
+/* Returns what a column has according to its heading. */
 static unsigned
 plant_log_kind_of(const char *text, const struct head *head)
 {
@@ -101,20 +99,21 @@ plant_log_kind_of(const char *text, const struct head *head)
 }
 
 static bool
-moment_at(const struct reading *r, size_t row, size_t column, struct moment *m)
+moment_at(
+    const struct reading *r, size_t row, size_t column, struct datetime *m)
 {
 	struct cell cell = sheet_cell(&r->sheet->row[row], column);
-	return cell.text[0] != '\0' && moment_read(cell.text, m);
+	return cell.text[0] != '\0' && datetime_read(cell.text, m);
 }
 
-/* The column with the most dates, the one with the most times of day without
- * one, and the first row of data. */
+/* Finds the column with the most dates, the one with the most times of day
+ * without a date, and the first row of data. */
 static bool
 find_times(struct reading *r)
 {
 	size_t dates[MOST_COLUMNS] = {0}, clocks[MOST_COLUMNS] = {0}, full = 0;
 	size_t n = r->sheet->n_row;
-	struct moment m;
+	struct datetime m;
 	n = n < LOOKED_AT ? n : LOOKED_AT;
 	for (size_t i = 0; i < n; i++)
 		for (size_t c = 0; c < r->sheet->row[i].n; c++)
@@ -154,7 +153,7 @@ find_times(struct reading *r)
 	return true;
 }
 
-/* The words above a column: lines of one cell are titles. */
+/* Returns the words above a column.  Lines with one cell are titles. */
 static char *
 plant_log_head_text(const struct reading *r, size_t c)
 {
@@ -172,7 +171,7 @@ plant_log_head_text(const struct reading *r, size_t c)
 	return text;
 }
 
-/* "1=time, 3=rpm, 4=kW" */
+/* Reads "1=time, 3=rpm, 4=kW". */
 static bool
 plant_log_take_columns(struct reading *r, const char *columns)
 {
@@ -202,8 +201,8 @@ plant_log_take_columns(struct reading *r, const char *columns)
 	return good;
 }
 
-/* The only column of that kind, or of those that name the rotor; of several
- * that cannot be told apart none. */
+/* Keeps the only column of a kind, or of those that name the rotor; several
+ * that cannot be told apart are a fault. */
 static bool
 choose_column_of_kind(struct reading *r, unsigned kind)
 {
@@ -234,8 +233,8 @@ choose_column_of_kind(struct reading *r, unsigned kind)
 	    LOG_UNITS[kind]);
 }
 
-/* A speed without a unit is told by its size: no rotor of a crusher has less
- * than 400 rpm, or more than 150 m/s at its tip. */
+/* Finds the unit of a speed by its size: no rotor of a crusher has less than
+ * 400 rpm, or more than 150 m/s at its tip. */
 static bool
 choose_speed_unit(struct reading *r, size_t c)
 {
@@ -265,11 +264,10 @@ static bool
 plant_log_find_columns(struct reading *r)
 {
 	for (size_t c = 0; c < r->n_column; c++) {
-		char *text = plant_log_head_text(r, c);
+		FREED char *text = plant_log_head_text(r, c);
 		r->head[c] = head_read(text);
 		bool time = c == r->date || c == r->clock;
 		r->kind[c] = time ? TIME : plant_log_kind_of(text, &r->head[c]);
-		free(text);
 	}
 	const char *columns = r->request->columns;
 	if (columns != NULL && !plant_log_take_columns(r, columns))
@@ -293,20 +291,21 @@ plant_log_find_columns(struct reading *r)
 	return good;
 }
 
-/* Whether 5/3/2026 is of May or of March, by dates that have one order only. */
+/* Decides whether 5/3/2026 is in May or in March, by dates that are valid in
+ * one order only. */
 static bool
 find_order(struct reading *r, bool *open)
 {
-	struct moment m;
+	struct datetime m;
 	struct cell other = {.text = NULL}, undecided = {.text = NULL};
 	r->order = r->request->order;
 	for (size_t i = r->first;
 	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
 		if (!moment_at(r, i, r->date, &m) || m.plain)
 			continue;
-		if (m.order == MOMENT_OPEN)
+		if (m.order == DATETIME_OPEN)
 			undecided = sheet_cell(&r->sheet->row[i], r->date);
-		else if (r->order == MOMENT_OPEN)
+		else if (r->order == DATETIME_OPEN)
 			r->order = m.order;
 		else if (m.order != r->order)
 			other = sheet_cell(&r->sheet->row[i], r->date);
@@ -315,9 +314,9 @@ find_order(struct reading *r, bool *open)
 		return sheet_fault(r->sheet, other,
 		    "expected dates with the %s first, got %s\n"
 		    "write dates as 2026-05-03",
-		    r->order == MOMENT_DAY_FIRST ? tr("day") : tr("month"),
+		    r->order == DATETIME_DAY_FIRST ? tr("day") : tr("month"),
 		    other.text);
-	if (undecided.text == NULL || r->order != MOMENT_OPEN)
+	if (undecided.text == NULL || r->order != DATETIME_OPEN)
 		return true;
 	*open = true;
 	return sheet_fault(r->sheet, undecided,
@@ -327,7 +326,7 @@ find_order(struct reading *r, bool *open)
 	    undecided.text, r->sheet->path);
 }
 
-/* Room for one more row, all of its numbers unknown. */
+/* Makes room for one more row. */
 static void
 plant_log_grow(struct reading *r)
 {
@@ -365,10 +364,10 @@ plant_log_read_rows(struct reading *r)
 {
 	for (size_t i = r->first;
 	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
-		struct moment day, clock = {.has_time = false};
+		struct datetime day, clock = {.has_time = false};
 		bool good = moment_at(r, i, r->date, &day) && day.has_date;
 		double time =
-		    good ? moment_seconds(&day, r->order) : (double)NAN;
+		    good ? datetime_seconds(&day, r->order) : (double)NAN;
 		if (good && r->clock != r->date) {
 			good = moment_at(r, i, r->clock, &clock);
 			time += clock.seconds;
@@ -387,7 +386,8 @@ plant_log_read_rows(struct reading *r)
 	}
 }
 
-/* Numbers such as 1,250, where the sheet does not tell what the comma is. */
+/* Reports numbers such as 1,250 if the sheet does not show what the comma
+ * is. */
 static bool
 check_numbers(struct reading *r)
 {
@@ -411,7 +411,7 @@ check_numbers(struct reading *r)
 static void
 write_columns_text(struct reading *r)
 {
-	char *text = xasprintf(tr("time in column %zu"), r->date + 1);
+	FREED char *text = xasprintf(tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
 		xappend(&text, tr(" and %zu"), r->clock + 1);
 	for (size_t k = 0; k < LOG_COLUMNS; k++)
@@ -421,10 +421,9 @@ write_columns_text(struct reading *r)
 				    LOG_UNITS[k], c + 1);
 	if (r->log->read_as[0] == '\0')
 		xappend(&r->log->read_as, "%s", text);
-	free(text);
 }
 
-/* A sheet without times at all is none of a log, where others have some. */
+/* Reads a sheet.  One without times is a fault. */
 static bool
 plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 {
@@ -486,8 +485,8 @@ compare_by_time(const void *a, const void *b)
 static void
 plant_log_sort_rows(struct plant_log *log)
 {
-	struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
-	double *old = xdoubles(log->n);
+	FREED struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
+	FREED double *old = xdoubles(log->n);
 	for (size_t i = 0; i < log->n; i++)
 		stamp[i] = (struct stamp){log->time[i], i};
 	qsort(stamp, log->n, sizeof *stamp, compare_by_time);
@@ -498,11 +497,9 @@ plant_log_sort_rows(struct plant_log *log)
 		for (size_t i = 0; i < log->n; i++)
 			log->value[k][i] = old[stamp[i].row];
 	}
-	free(old);
-	free(stamp);
 }
 
-/* NAN of none. */
+/* Returns the median, or NAN of none; sorts the values. */
 static double
 plant_log_median(double *value, size_t n)
 {
@@ -512,13 +509,13 @@ plant_log_median(double *value, size_t n)
 	return (value[(n - 1) / 2] + value[n / 2]) / 2;
 }
 
-/* What is told of the rows as a whole; columns without numbers go. */
+/* Computes what concerns all rows, and drops columns without numbers. */
 static void
 plant_log_finish(struct reading *r)
 {
 	struct plant_log *log = r->log;
 	plant_log_sort_rows(log);
-	double *apart = xdoubles(log->n);
+	FREED double *apart = xdoubles(log->n);
 	for (size_t i = 1; i < log->n; i++) {
 		apart[i - 1] = log->time[i] - log->time[i - 1];
 		if (apart[i - 1] > log->gap) {
@@ -527,7 +524,6 @@ plant_log_finish(struct reading *r)
 		}
 	}
 	log->apart = log->n > 1 ? plant_log_median(apart, log->n - 1) : 0;
-	free(apart);
 	log->digest = text_digest(
 	    TEXT_DIGEST_START, log->time, log->n * sizeof *log->time);
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
@@ -602,7 +598,7 @@ plant_log_window(const struct plant_log *log, double from, double to)
 		end++;
 	w.n = end - first;
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
-		double *value = xdoubles(w.n);
+		FREED double *value = xdoubles(w.n);
 		size_t n = 0;
 		for (size_t i = first; i < end && log->value[k] != NULL; i++)
 			if (!isnan(log->value[k][i]))
@@ -610,7 +606,6 @@ plant_log_window(const struct plant_log *log, double from, double to)
 		w.median[k] = plant_log_median(value, n);
 		w.least[k] = n > 0 ? value[0] : NAN;
 		w.most[k] = n > 0 ? value[n - 1] : NAN;
-		free(value);
 	}
 	return w;
 }

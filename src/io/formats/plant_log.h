@@ -15,11 +15,11 @@ enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 
 extern const char *const LOG_UNITS[LOG_COLUMNS];
 
-/* Rows [n] in order of time, see moment_seconds.  value [n]: NAN if the log has
- * no number there; NULL: no such column.  apart: usual interval between rows,
- * s.  gap: longest interval, s; gap_from: its start.  passed: number of rows
- * skipped because their time could not be read.  read_as: "time in column 1,
- * rpm in 3"; assumed: the parts of read_as that the log does not state, or
+/* Rows [n] in order of time, see datetime_seconds.  value [n]: NAN if the log
+ * has no number there; NULL: no such column.  apart: usual interval between
+ * rows, s.  gap: longest interval, s; gap_from: its start.  passed: number of
+ * rows skipped because their time could not be read.  read_as: "time in column
+ * 1, rpm in 3"; assumed: the parts of read_as that the log does not state, or
  * "". */
 struct plant_log {
 	char *path;
@@ -38,7 +38,7 @@ struct log_request {
 	const char *const *path;
 	const char *columns, *sheet;
 	char decimal;
-	enum moment_order order;
+	enum datetime_order order;
 };
 
 /* Reads a log.  Returns NULL and faults if that fails; *open is set if only the

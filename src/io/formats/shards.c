@@ -29,24 +29,8 @@ shards_refuse(const char *path, struct error *error)
 	    "write parts with: calibrate all part=I/N > FILE.json");
 }
 
-static bool
-shards_take_text(const json_t *o, const char *key, char **text)
-{
-	const char *value = json_string_value(json_object_get(o, key));
-	*text = xstrdup(value != NULL ? value : "");
-	return value != NULL;
-}
-
-static bool
-take_whole(const json_t *value, size_t *whole)
-{
-	json_int_t n = json_integer_value(value);
-	*whole = n >= 0 ? (size_t)n : 0;
-	return json_is_integer(value) && n >= 0;
-}
-
-/* Number i of a row, which has a list of them or has it by its key; *there: it
- * must be. */
+/* Returns number i of a row, from its list of numbers or by key.  *there: it
+ * must be present. */
 static const json_t *
 shards_number_of(
     const json_t *row, const struct kind *kind, size_t i, bool *there)
@@ -60,12 +44,17 @@ shards_number_of(
 }
 
 static bool
-shards_take_site(const json_t *row, const json_t *index,
-    const struct kind *kind, struct part_site *site)
+shards_take_site(json_t *row, const json_t *index, const struct kind *kind,
+    struct part_site *site)
 {
-	bool good = take_whole(index, &site->index), there;
-	good = shards_take_text(row, "site", &site->text[0]) && good;
-	good = shards_take_text(row, kind->text, &site->text[1]) && good;
+	const char *name, *text;
+	if (!json_is_integer(index) || json_unpack(row, "{s:s, s:s}", "site",
+					   &name, kind->text, &text) != 0)
+		return false;
+	bool good = true, there;
+	site->index = (size_t)json_integer_value(index);
+	site->text[0] = xstrdup(name);
+	site->text[1] = xstrdup(text);
 	for (size_t i = 0; i < PART_NUMBERS; i++) {
 		const json_t *value = shards_number_of(row, kind, i, &there);
 		site->number[i] =
@@ -85,37 +74,44 @@ shards_kind_of(const char *command)
 	return NULL;
 }
 
-/* All that is taken is there to be freed, also where it is refused. */
 static bool
-take_part(const json_t *o, const char *path, struct part_file *part)
+take_part(json_t *o, const char *path, struct part_file *part)
 {
-	const json_t *about = json_object_get(o, "part");
-	const json_t *rows = json_object_get(o, "rows");
-	const json_t *index = json_object_get(about, "index");
+	const char *command, *sites, *version, *options;
+	json_int_t number, of, loaded, left_out = 0, each = 0;
+	json_t *index, *rows;
 	*part = (struct part_file){.path = xstrdup(path)};
-	bool good = shards_take_text(o, "command", &part->command);
-	const struct kind *kind = shards_kind_of(part->command);
-	good = shards_take_text(about, "sites", &part->sites) && kind != NULL;
-	good = shards_take_text(about, "version", &part->version) && good;
-	good = shards_take_text(about, "options", &part->options) && good;
-	good = good &&
-	       take_whole(json_object_get(about, "number"), &part->number) &&
-	       take_whole(json_object_get(about, "of"), &part->of) &&
-	       take_whole(json_object_get(about, "loaded"), &part->loaded) &&
-	       json_array_size(index) == json_array_size(rows);
-	take_whole(json_object_get(o, "left_out"), &part->left_out);
-	take_whole(json_object_get(o, "each"), &part->each);
-	size_t n = good ? json_array_size(rows) : 0;
-	part->site = xcalloc(n + 1, sizeof *part->site);
-	for (size_t i = 0; i < n; i++, part->n++)
-		good = shards_take_site(json_array_get(rows, i),
-			   json_array_get(index, i), kind, &part->site[i]) &&
-		       good;
-	for (size_t i = 0; i < n; i++)
-		good = good && part->of > 0 &&
-		       part->site[i].index < part->loaded &&
-		       part->site[i].index % part->of == part->number - 1;
-	return good;
+	if (json_unpack(o,
+		"{s:s, s:{s:s, s:s, s:s, s:I, s:I, s:I, s:o}, s:o,"
+		"s?I, s?I}",
+		"command", &command, "part", "sites", &sites, "version",
+		&version, "options", &options, "number", &number, "of", &of,
+		"loaded", &loaded, "index", &index, "rows", &rows, "left_out",
+		&left_out, "each", &each) != 0)
+		return false;
+	const struct kind *kind = shards_kind_of(command);
+	if (kind == NULL || number < 0 || of < 1 || loaded < 0 ||
+	    json_array_size(index) != json_array_size(rows))
+		return false;
+	part->command = xstrdup(command);
+	part->sites = xstrdup(sites);
+	part->version = xstrdup(version);
+	part->options = xstrdup(options);
+	part->number = (size_t)number;
+	part->of = (size_t)of;
+	part->loaded = (size_t)loaded;
+	part->left_out = (size_t)left_out;
+	part->each = (size_t)each;
+	part->site = xcalloc(json_array_size(rows) + 1, sizeof *part->site);
+	for (size_t i = 0; i < json_array_size(rows); i++) {
+		struct part_site *site = &part->site[part->n++];
+		if (!shards_take_site(json_array_get(rows, i),
+			json_array_get(index, i), kind, site) ||
+		    site->index >= part->loaded ||
+		    site->index % part->of != part->number - 1)
+			return false;
+	}
+	return true;
 }
 
 bool
@@ -163,7 +159,7 @@ parts_free(struct parts *parts)
 	free(parts->part);
 }
 
-/* What must be the same in all. */
+/* Checks what must be the same in all parts. */
 static bool
 check_same(const struct part_file *a, const struct part_file *b,
     const char *what, const char *in_a, const char *in_b, struct error *error)
@@ -195,25 +191,23 @@ static bool
 check_each_once(const struct parts *parts, struct error *error)
 {
 	size_t of = parts->part[0].of;
-	const char **path = xcalloc(of + 1, sizeof(*path));
-	bool good = true;
-	for (size_t k = 0; good && k < parts->n; k++) {
+	FREED const char **path = xcalloc(of + 1, sizeof(*path));
+	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		const char **at = &path[part->number];
-		good = *at == NULL ||
-		       error_at(error, ERROR_DATA, part->path, 0, 0,
-			   "part %zu of %zu is in %s already\nleave one out",
-			   part->number, of, *at);
+		if (*at != NULL)
+			return error_at(error, ERROR_DATA, part->path, 0, 0,
+			    "part %zu of %zu is in %s already\nleave one out",
+			    part->number, of, *at);
 		*at = part->path;
 	}
-	for (size_t i = 1; good && i <= of; i++)
-		good = path[i] != NULL ||
-		       error_set(error, ERROR_DATA,
-			   "part %zu of %zu is missing\n"
-			   "make it with: %s all part=%zu/%zu > FILE.json",
-			   i, of, parts->part[0].command, i, of);
-	free(path);
-	return good;
+	for (size_t i = 1; i <= of; i++)
+		if (path[i] == NULL)
+			return error_set(error, ERROR_DATA,
+			    "part %zu of %zu is missing\n"
+			    "make it with: %s all part=%zu/%zu > FILE.json",
+			    i, of, parts->part[0].command, i, of);
+	return true;
 }
 
 bool

@@ -22,11 +22,11 @@ spec_read_cut(const char *text, double cut[static 2])
 {
 	double mm[2];
 	const char *slash = strchr(text, '/');
-	char *fine = slash != NULL ? xstrndup(text, (size_t)(slash - text))
-				   : xstrdup("");
+	FREED char *fine = slash != NULL
+			       ? xstrndup(text, (size_t)(slash - text))
+			       : xstrdup("");
 	bool ok = text_number(fine, &mm[0]) && text_number(slash + 1, &mm[1]) &&
 		  mm[0] >= 0 && mm[1] > mm[0];
-	free(fine);
 	for (size_t i = 0; ok && i < 2; i++)
 		cut[i] = mm[i] / 1000;
 	return ok;
@@ -41,7 +41,7 @@ read_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 		    "leave the line out for limits on the whole product");
 }
 
-/* False for a key that is none: a remark. */
+/* Reads a key with its value.  False if it is unknown, as in a remark. */
 static bool
 spec_read_key(
     struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
@@ -74,8 +74,9 @@ read_heading(
 	}
 }
 
-/* Lines right above the table, which a value with numbers, "cut,0/4", makes
- * look like heads of it.  False with a fault at one that is none of ours. */
+/* Reads the lines immediately above the table, which a value with numbers,
+ * "cut,0/4", makes look like its headings.  False with a fault if one is
+ * unknown. */
 static bool
 read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
 {
@@ -115,7 +116,8 @@ spec_read_heads(const struct table *t, size_t at[static 2])
 		    "write this line as size_mm,min_pct,max_pct");
 }
 
-/* The limit of a row as passing, NAN where the cell is empty or at fault. */
+/* Returns the limit of a row as passing; NAN if the cell is empty or has a
+ * fault. */
 static double
 spec_read_limit(const struct table *t, size_t row, size_t at)
 {
@@ -131,7 +133,8 @@ spec_read_limit(const struct table *t, size_t row, size_t at)
 	return NAN;
 }
 
-/* Neither limit rises from a sieve to the next finer one that has it. */
+/* Checks that a limit does not rise from a sieve to the next finer one with a
+ * limit. */
 static void
 check_limits_fall(
     const struct table *t, const double *limit, size_t at, size_t at_most)

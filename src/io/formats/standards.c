@@ -45,8 +45,7 @@ spec_of(const struct standards *all, const char *name)
 	return NULL;
 }
 
-/* Puts a row where it belongs, coarsest first; one on the same sieve is
- * replaced. */
+/* Inserts a row, coarsest first; one on the same sieve is replaced. */
 static void
 standards_put_row(struct spec *spec, double size, double least, double most)
 {
@@ -68,17 +67,15 @@ standards_put_row(struct spec *spec, double size, double least, double most)
 	spec->n += !there;
 }
 
-/* The envelope that a name in brackets goes on from, or NULL. */
+/* Returns the envelope that one with a name in brackets continues, or NULL. */
 static const struct spec *
 base_envelope(const struct standards *all, const char *name)
 {
 	const char *bracket = strstr(name, " (");
 	if (bracket == NULL)
 		return NULL;
-	char *base = xstrndup(name, (size_t)(bracket - name));
-	const struct spec *spec = spec_of(all, base);
-	free(base);
-	return spec;
+	FREED char *base = xstrndup(name, (size_t)(bracket - name));
+	return spec_of(all, base);
 }
 
 static struct spec *
@@ -104,7 +101,7 @@ add_spec(struct standards *all, const char *standard, const char *name,
 	return spec;
 }
 
-/* What a row's source says beyond that of the envelope's first row goes with
+/* Adds what a row's source says beyond that of the envelope's first row, with
  * its sieve: "0.15 mm: crushed stone sand: up to 20". */
 static void
 add_remark(struct spec *spec, const char *source, double mm)
@@ -124,7 +121,8 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	enum { STANDARD, NAME, CUT, SIZE, LEAST, MOST, SOURCE };
 	const char *standard = sheet_cell(row, STANDARD).text;
 	const char *source = sheet_cell(row, SOURCE).text;
-	char *name = xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
+	FREED char *name =
+	    xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
 	double mm = read_limit_cell(sheet, row, SIZE);
 	struct spec *spec = spec_of(all, name);
 	if (spec == NULL)
@@ -134,7 +132,6 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	    read_limit_cell(sheet, row, LEAST) / 100,
 	    read_limit_cell(sheet, row, MOST) / 100);
 	add_remark(spec, source, mm);
-	free(name);
 }
 
 static void
@@ -152,14 +149,14 @@ standards_read_limit(
 	    .most = read_limit_cell(sheet, row, MOST)};
 }
 
-/* Row by row, the heading left out. */
+/* Reads a built-in table row by row, without its heading. */
 static void
 standards_read_text(struct standards *all, const char *name,
     const char *const *line,
     void (*read)(struct standards *, struct sheet *, const struct row *))
 {
 	struct error_list errors = {0};
-	char *text = textfile_lines(line);
+	FREED char *text = textfile_lines(line);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new(name, text, most, &errors);
 	number_decide(sheet);
@@ -168,7 +165,6 @@ standards_read_text(struct standards *all, const char *name,
 	/* They are part of the program: the tests read all of them. */
 	assert(sheet->n_fault == 0);
 	sheet_free(sheet);
-	free(text);
 }
 
 struct standards *
@@ -203,8 +199,8 @@ standards_free(struct standards *all)
 
 static const char BETWEEN[] = " :;,()";
 
-/* The n letters of a word in a folded name: 0 it is not there, 1 a word of the
- * name begins so, 2 it is one. */
+/* Looks for a word of n letters in a folded name: 0 if it is not there, 1 if a
+ * word of the name begins with it, 2 if it is one. */
 static int
 match_word(const char *name, const char *word, size_t n)
 {
@@ -219,11 +215,11 @@ match_word(const char *name, const char *word, size_t n)
 	return best;
 }
 
-/* The least of that over all words. */
+/* Returns the least result of match_word over all words. */
 static int
 match_words(const char *name, const char *words)
 {
-	char *folded = text_fold(name), *all = text_fold(words);
+	FREED char *folded = text_fold(name), *all = text_fold(words);
 	int least = 2;
 	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
 		size_t n = strcspn(p, BETWEEN);
@@ -232,14 +228,12 @@ match_words(const char *name, const char *words)
 		p += n;
 		p += strspn(p, BETWEEN);
 	}
-	free(all);
-	free(folded);
 	return least;
 }
 
-/* Whether words say enough to mean the plain one of an envelope's variants: a
- * number of its standard, "C33", or all of its own name, "zone II"; "ASTM"
- * alone does not. */
+/* True if the words are enough to mean the plain one of an envelope's variants:
+ * a number of its standard, "C33", or all of its own name, "zone II"; but not
+ * "ASTM" alone. */
 static bool
 names_plain(const struct spec *spec, const char *folded)
 {
@@ -247,7 +241,7 @@ names_plain(const struct spec *spec, const char *folded)
 	       match_words(folded, spec->name + strlen(spec->standard)) == 2;
 }
 
-/* Whether a name is that other one of so many letters, or goes on after it. */
+/* True if a name is another one, of `length` letters, or continues it. */
 static bool
 standards_begins_with_name(const char *name, const char *other, size_t length)
 {
@@ -255,8 +249,8 @@ standards_begins_with_name(const char *name, const char *other, size_t length)
 	       (name[length] == '\0' || name[length] == ' ');
 }
 
-/* Leaves of those marked the one whose name all the others begin with, if there
- * is one and the words mean it.  Returns how many are left. */
+/* If the names of all those marked begin with the name of one of them, and the
+ * words mean that one, keeps it alone.  Returns how many are left. */
 static size_t
 keep_base_envelope(
     const struct standards *all, const char *folded, bool *match, size_t n)
@@ -281,9 +275,9 @@ keep_base_envelope(
 size_t
 standards_match(const struct standards *all, const char *words, bool *match)
 {
-	char *folded = text_fold(words);
+	FREED char *folded = text_fold(words);
 	size_t n = 0, full = 0;
-	int *in = xcalloc(all->n + 1, sizeof *in);
+	FREED int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
 		in[i] = match_words(all->spec[i]->name, folded);
 		full += in[i] == 2;
@@ -291,20 +285,18 @@ standards_match(const struct standards *all, const char *words, bool *match)
 	for (size_t i = 0; i < all->n; i++)
 		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
 	n = n > 1 ? keep_base_envelope(all, folded, match, n) : n;
-	free(in);
-	free(folded);
 	return n;
 }
 
-/* The envelope whose name is most like the words. */
+/* Returns the envelope whose name is most like the words. */
 static const char *
 nearest_name(const struct standards *all, const char *words)
 {
 	const char *best = all->spec[0]->name;
 	size_t least = SIZE_MAX;
-	char *folded = text_fold(words);
+	FREED char *folded = text_fold(words);
 	for (size_t i = 0; i < all->n; i++) {
-		char *name = text_fold(all->spec[i]->name);
+		FREED char *name = text_fold(all->spec[i]->name);
 		/* What was left out at its end is no mistake. */
 		if (strlen(name) > strlen(folded))
 			name[strlen(folded)] = '\0';
@@ -313,9 +305,7 @@ nearest_name(const struct standards *all, const char *words)
 			least = d;
 			best = all->spec[i]->name;
 		}
-		free(name);
 	}
-	free(folded);
 	return best;
 }
 
@@ -323,15 +313,14 @@ const struct spec *
 standards_find(
     const struct standards *all, const char *words, struct error *error)
 {
-	bool *match = xcalloc(all->n, sizeof *match);
+	FREED bool *match = xcalloc(all->n, sizeof *match);
 	size_t n = standards_match(all, words, match), at = 0;
 	while (at < all->n && !match[at])
 		at++;
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < all->n && n > 1; i++)
 		if (match[i])
 			xlist(&list, ", ", "%s", all->spec[i]->name);
-	free(match);
 	if (n == 0)
 		error_set(error, ERROR_USAGE,
 		    "there is no envelope '%s', and no such file\n"
@@ -341,7 +330,6 @@ standards_find(
 		error_set(error, ERROR_USAGE,
 		    "'%s' matches %zu envelopes\ngive more of the name: %s",
 		    words, n, list);
-	free(list);
 	return n == 1 ? all->spec[at] : NULL;
 }
 

@@ -21,7 +21,7 @@
 /* How many of other programs are left. */
 enum { MOST = 5 };
 
-struct kept {
+struct autosave_file {
 	char *path; /* NULL: no file yet */
 	int fd;     /* open on it, with the lock; -1 */
 };
@@ -32,16 +32,16 @@ state_path(const char *name)
 	return xdg_path("XDG_STATE_HOME", ".local/state", name);
 }
 
-struct kept *
-kept_new(void)
+struct autosave_file *
+autosave_file_new(void)
 {
-	struct kept *kept = xcalloc(1, sizeof *kept);
+	struct autosave_file *kept = xcalloc(1, sizeof *kept);
 	kept->fd = -1;
 	return kept;
 }
 
 void
-kept_close_file(struct kept *kept)
+autosave_file_close(struct autosave_file *kept)
 {
 	if (kept->fd >= 0)
 		close(kept->fd);
@@ -51,25 +51,26 @@ kept_close_file(struct kept *kept)
 }
 
 void
-kept_free(struct kept *kept)
+autosave_file_free(struct autosave_file *kept)
 {
 	if (kept == NULL)
 		return;
-	kept_close_file(kept);
+	autosave_file_close(kept);
 	free(kept);
 }
 
 void
-kept_remove(struct kept *kept)
+autosave_file_remove(struct autosave_file *kept)
 {
 	if (kept->path != NULL)
 		unlink(kept->path);
-	kept_close_file(kept);
+	autosave_file_close(kept);
 }
 
-/* False for the file of a program that runs, and for none. */
+/* Reads about a file.  False for that of a running program, and for an empty
+ * one. */
 static bool
-autosave_file_look_at(struct kept_file *file)
+autosave_file_look_at(struct autosave_left *file)
 {
 	struct stat info;
 	char head[200] = "";
@@ -92,27 +93,27 @@ autosave_file_look_at(struct kept_file *file)
 	return true;
 }
 
-/* Of two in one second the later name is the newer one. */
+/* Of two files from the same second, the later name is the newer one. */
 static int
 newer_first(const void *a, const void *b)
 {
-	const struct kept_file *x = a, *y = b;
+	const struct autosave_left *x = a, *y = b;
 	return x->when != y->when ? (x->when < y->when) - (x->when > y->when)
 				  : strcmp(y->path, x->path);
 }
 
-struct kept_file *
-kept_files(size_t *n)
+struct autosave_left *
+autosave_left(size_t *n)
 {
-	struct kept_file *file = NULL;
-	char *folder = state_path("");
+	struct autosave_left *file = NULL;
+	FREED char *folder = state_path("");
 	DIR *dir = folder != NULL ? opendir(folder) : NULL;
 	*n = 0;
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
 		if (strncmp(e->d_name, "session-", 8) != 0 ||
 		    !text_ends(e->d_name, ".tip"))
 			continue;
-		struct kept_file one = {
+		struct autosave_left one = {
 		    .path = xasprintf("%s%s", folder, e->d_name)};
 		if (autosave_file_look_at(&one)) {
 			file = xrealloc(file, *n + 1, sizeof *file);
@@ -123,14 +124,13 @@ kept_files(size_t *n)
 	}
 	if (dir != NULL)
 		closedir(dir);
-	free(folder);
 	if (*n > 0)
 		qsort(file, *n, sizeof *file, newer_first);
 	return file;
 }
 
 void
-kept_files_free(struct kept_file *file, size_t n)
+autosave_left_free(struct autosave_left *file, size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
 		free(file[i].path);
@@ -143,10 +143,10 @@ static void
 remove_oldest(void)
 {
 	size_t n;
-	struct kept_file *file = kept_files(&n);
+	struct autosave_left *file = autosave_left(&n);
 	for (size_t i = MOST; i < n; i++)
 		unlink(file[i].path);
-	kept_files_free(file, n);
+	autosave_left_free(file, n);
 }
 
 static bool
@@ -156,10 +156,10 @@ cannot_make(const char *what, int reason, struct error *error)
 	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
 }
 
-/* An empty file of a name that nobody has, for the user alone: its rights stay
- * when it is replaced. */
+/* Makes an empty file with a new name, for the user alone; it keeps its
+ * permissions when it is replaced. */
 static bool
-make_file(struct kept *kept, struct error *error)
+make_file(struct autosave_file *kept, struct error *error)
 {
 	time_t now = time(NULL);
 	int fd = -1;
@@ -173,9 +173,8 @@ make_file(struct kept *kept, struct error *error)
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
-		char *closed = xdg_make_folders(kept->path);
+		FREED char *closed = xdg_make_folders(kept->path);
 		bool made = closed == NULL || cannot_make(closed, errno, error);
-		free(closed);
 		if (made)
 			fd = open(kept->path,
 			    O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
@@ -189,17 +188,18 @@ make_file(struct kept *kept, struct error *error)
 }
 
 bool
-kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
-    const void *data, struct error *error)
+autosave_file_write(struct autosave_file *kept,
+    void (*write)(const void *data, FILE *out), const void *data,
+    struct error *error)
 {
 	bool first = kept->fd < 0;
 	if (first && !make_file(kept, error)) {
-		kept_close_file(kept);
+		autosave_file_close(kept);
 		return false;
 	}
 	if (!file_replace_by(kept->path, FILE_PRIVATE, write, data, error)) {
 		if (first)
-			kept_remove(kept);
+			autosave_file_remove(kept);
 		return false;
 	}
 	int fd = open(kept->path, O_RDONLY | O_CLOEXEC);

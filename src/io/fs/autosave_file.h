@@ -12,38 +12,39 @@
 #include "base/error.h"
 
 /* The file of this program run. */
-struct kept;
+struct autosave_file;
 
 /* Makes no file yet, and cannot fail. */
-struct kept *kept_new(void);
+struct autosave_file *autosave_file_new(void);
 
 /* Closes the file and keeps it; the next write makes another file. */
-void kept_close_file(struct kept *kept);
+void autosave_file_close(struct autosave_file *kept);
 
-/* As kept_close_file, and frees kept, which may be NULL. */
-void kept_free(struct kept *kept);
+/* As autosave_file_close, and frees kept, which may be NULL. */
+void autosave_file_free(struct autosave_file *kept);
 
 /* Replaces the content of the file with what `write` prints, entirely or not at
  * all.  The first call makes the file and removes all but the newest few left
  * by other runs.  On failure, returns false with an error of kind
  * ERROR_SYSTEM. */
-bool kept_write(struct kept *kept, void (*write)(const void *data, FILE *out),
-    const void *data, struct error *error);
+bool autosave_file_write(struct autosave_file *kept,
+    void (*write)(const void *data, FILE *out), const void *data,
+    struct error *error);
 
 /* Removes the file, if there is one. */
-void kept_remove(struct kept *kept);
+void autosave_file_remove(struct autosave_file *kept);
 
 /* A file left by a program run.  about: its first line, without "# "; when: the
  * time it was written. */
-struct kept_file {
+struct autosave_left {
 	char *path, *about;
 	time_t when;
 };
 
 /* Returns the files of runs that have ended, newest first: [n].  Free with
- * kept_files_free.  Removes empty files, left by programs killed at the wrong
- * moment. */
-struct kept_file *kept_files(size_t *n);
-void kept_files_free(struct kept_file *file, size_t n);
+ * autosave_left_free.  Removes empty files, left by programs killed at the
+ * wrong moment. */
+struct autosave_left *autosave_left(size_t *n);
+void autosave_left_free(struct autosave_left *file, size_t n);
 
 #endif

@@ -33,7 +33,7 @@ cannot_write(const char *path, int reason, struct error *error)
 	    path, strerror(reason));
 }
 
-/* The folder of a path with its slash, "" for a name alone. */
+/* Returns the folder of a path with its slash; "" for a name alone. */
 static char *
 folder_of(const char *path)
 {
@@ -41,8 +41,8 @@ folder_of(const char *path)
 	return xstrndup(path, slash != NULL ? (size_t)(slash - path) + 1 : 0);
 }
 
-/* Where a symbolic link leads, from the folder that it stands in; NULL where
- * path is none. */
+/* Returns where a symbolic link leads, relative to its own folder; NULL if path
+ * is none. */
 static char *
 link_target(const char *path)
 {
@@ -53,13 +53,11 @@ link_target(const char *path)
 	to[n] = '\0';
 	if (to[0] == '/')
 		return xstrdup(to);
-	char *folder = folder_of(path);
-	char *target = xasprintf("%s%s", folder, to);
-	free(folder);
-	return target;
+	FREED char *folder = folder_of(path);
+	return xasprintf("%s%s", folder, to);
 }
 
-/* The file after links, which need not be there yet. */
+/* Returns the file after all links; it need not exist. */
 static char *
 behind_links(const char *path)
 {
@@ -97,8 +95,8 @@ sync_file(int fd)
 	return !failed;
 }
 
-/* A name is on the disk when its folder is.  Some file systems have nothing to
- * sync there, and say EINVAL. */
+/* Syncs a folder, without which the name of a file is not on the disk.  Some
+ * file systems have nothing to sync there, and say EINVAL. */
 static bool
 sync_folder(const char *folder)
 {
@@ -120,7 +118,7 @@ is_left_over(const char *name)
 	       text_ends(name, SUFFIX);
 }
 
-/* Removes what writers that were killed have left in the folder. */
+/* Removes files left in the folder by writers that were killed. */
 static void
 remove_left_over_files(const char *folder)
 {
@@ -141,8 +139,8 @@ remove_left_over_files(const char *folder)
 		closedir(dir);
 }
 
-/* A new file with a name of its own, locked; -1 with errno.  Between being made
- * and being locked another program's sweep may take it: then once more. */
+/* Opens a new file with a name of its own, locked; -1 with errno.  Before it is
+ * locked, another program may remove it as left over; then another is made. */
 static int
 open_new(const char *folder, mode_t rights, char **name)
 {
@@ -173,8 +171,8 @@ open_new(const char *folder, mode_t rights, char **name)
 	}
 }
 
-/* Owner and permissions of the file that is to be replaced; the umask has taken
- * some.  Whose it is only root can say. */
+/* Gives a file the owner and permissions of the one it replaces, as the umask
+ * has changed them.  Only root can change the owner. */
 static bool
 copy_owner_and_mode(int fd, const struct stat *old)
 {
@@ -187,7 +185,7 @@ copy_owner_and_mode(int fd, const struct stat *old)
 	return fchmod(fd, old->st_mode & 0777) == 0;
 }
 
-/* old: of the file that is there, or NULL.  False with errno. */
+/* old: of the existing file, or NULL.  False with errno. */
 static bool
 file_put_file(const char *path, const struct stat *old, enum file_rights rights,
     const char *bytes, size_t n)
@@ -216,7 +214,7 @@ file_put_file(const char *path, const struct stat *old, enum file_rights rights,
 	return good && renamed;
 }
 
-/* False, with errno, for what can be no file. */
+/* False, with errno, if the path cannot be a file. */
 static bool
 file_look(const char *path, struct stat *about, bool *there)
 {
@@ -239,7 +237,7 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 	/* A rename asks the folder only. */
 	if (there && access(path, W_OK) != 0)
 		return cannot_write(path, errno, error);
-	char *target = behind_links(path);
+	FREED char *target = behind_links(path);
 	sigset_t all, before;
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
@@ -247,7 +245,6 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 	    file_put_file(target, there ? &about : NULL, rights, bytes, n);
 	int reason = errno;
 	sigprocmask(SIG_SETMASK, &before, NULL);
-	free(target);
 	return good || cannot_write(path, reason, error);
 }
 
@@ -256,19 +253,16 @@ file_replace_by(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
 	write(data, memory);
-	bool good = fclose(memory) == 0
-			? file_replace(path, rights, text, n, error)
-			: cannot_write(path, ENOMEM, error);
-	free(text);
-	return good;
+	return fclose(memory) == 0 ? file_replace(path, rights, text, n, error)
+				   : cannot_write(path, ENOMEM, error);
 }
 
-/* To the end of the open file; what a full disk took is cut off again, unless
- * somebody else has added to it. */
+/* Appends to the open file.  What was written before a full disk is cut off
+ * again, unless somebody else has appended meanwhile. */
 static bool
 append_bytes(int fd, const char *bytes, size_t n)
 {
@@ -313,12 +307,10 @@ file_may_write(const char *path, struct error *error)
 	bool there;
 	if (!file_look(path, &about, &there))
 		return cannot_write(path, errno, error);
-	char *target = behind_links(path), *folder = folder_of(target);
+	FREED char *target = behind_links(path), *folder = folder_of(target);
 	bool ok =
 	    there ? access(path, W_OK) == 0
 		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;
 	int reason = errno;
-	free(folder);
-	free(target);
 	return ok || cannot_write(path, reason, error);
 }

@@ -12,8 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* A folder of the one that holds the folder of the program; NULL where it is
- * not there. */
+/* Returns a folder beside that of the program, or NULL if it does not exist. */
 static char *
 shipped_beside(const char *folder)
 {
@@ -45,16 +44,14 @@ shipped_folder(void)
 	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
 }
 
-/* A file of a folder beside that of the sites. */
+/* Returns a file in a folder relative to that of the sites. */
 static char *
 shipped_path_in(const char *name, const char *from)
 {
 	if (strchr(name, '/') != NULL)
 		return NULL;
-	char *slug = text_slug(name), *folder = shipped_folder();
+	FREED char *slug = text_slug(name), *folder = shipped_folder();
 	char *path = xasprintf("%s%s%s.csv", folder, from, slug);
-	free(folder);
-	free(slug);
 	if (access(path, R_OK) == 0)
 		return path;
 	free(path);

@@ -25,18 +25,16 @@ assume(struct column *c, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(tr(format), ap);
+	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	if (c->assumed == NULL)
-		c->assumed = what;
-	else {
-		xlist(&c->assumed, "\n", "%s", what);
-		free(what);
-	}
+		c->assumed = xstrdup("");
+	xlist(&c->assumed, "\n", "%s", what);
 }
 
-/* The head of column c in row r: its own cell, or the one that spreads from its
- * left, as merged cells do (own: false). */
+/* Returns the heading of column c in row r: its own cell, or the one to the
+ * left that spreads over it, as merged cells do (own: false); NULL if there is
+ * none. */
 static const struct cell *
 head_cell(const struct table *t, size_t r, size_t c, bool *own)
 {
@@ -50,23 +48,21 @@ head_cell(const struct table *t, size_t r, size_t c, bool *own)
 	return k > 0 && t->n_head > 1 ? &row->cell[k] : NULL;
 }
 
-/* Fills in what `said` lacks from a cell above. */
+/* Adds what the heading lacks from a cell above it. */
 static void
-classify_merge(
+merge_cell_above(
     struct head *said, const struct head *more, bool own, bool titles)
 {
-	static const uint64_t GROUPS[3] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
-	    WORD_PASSES | WORD_STAYS | WORD_SUMS,
-	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE | WORD_MASS};
-	uint64_t rest = ~(GROUPS[0] | GROUPS[1] | GROUPS[2]);
+	const uint64_t group[] = {ROLE_WORDS, KIND_WORDS, SCALE_WORDS};
+	uint64_t rest = ~(ROLE_WORDS | KIND_WORDS | SCALE_WORDS);
 	/* Of "Feed" above the next column, where this one has a speed of its
 	 * own, only the feed is meant. */
 	bool mean = !own && (said->means & WORD_MEAN) != 0;
 	bool feed = !own && (more->means & WORD_FEED) != 0 &&
 		    (said->speed > 0 || said->rpm > 0);
-	for (size_t i = feed ? 1 : 0; i < 3; i++)
-		if ((said->means & GROUPS[i]) == 0)
-			said->means |= more->means & GROUPS[i];
+	for (size_t i = feed ? 1 : 0; i < ARRAY_LEN(group); i++)
+		if ((said->means & group[i]) == 0)
+			said->means |= more->means & group[i];
 	if (own)
 		said->means |= more->means & rest;
 	if (own && !titles)
@@ -88,7 +84,19 @@ classify_merge(
 	said->range = said->range || more->range;
 }
 
-/* Of a row that its first cell labels: "Speed (m/s)", "Sample", "Date". */
+/* Makes the number in a heading a speed, in a unit stated elsewhere. */
+static void
+take_number_for_speed(struct head *head, enum speed_unit unit)
+{
+	if (unit == SPEED_RPM)
+		head->rpm = head->number[0];
+	else
+		head->speed = head_mps(head->number[0], unit, 0);
+	head->n_number = 0;
+}
+
+/* Applies the label in the first cell of a row of headings: "Speed (m/s)",
+ * "Sample", "Date". */
 static void
 apply_row_label(const struct cell *label, struct head *head)
 {
@@ -124,19 +132,15 @@ apply_row_label(const struct cell *label, struct head *head)
 			return;
 		}
 		head->unit = unit;
-		if (unit == SPEED_RPM)
-			head->rpm = head->number[0];
-		else
-			head->speed = head_mps(head->number[0], unit, 0);
-		head->n_number = 0;
+		take_number_for_speed(head, unit);
 	} else if ((row.means & WORD_SAMPLE) != 0 && !speed) {
 		head->n_number = 0;
 	}
 }
 
-/* Everything that the heads of a column say. */
+/* Combines all headings of a column. */
 static struct head
-classify_read_heads(const struct table *t, size_t c)
+read_heads(const struct table *t, size_t c)
 {
 	struct head said = {0};
 	for (size_t r = t->n_head; r-- > 0;) {
@@ -148,22 +152,14 @@ classify_read_heads(const struct table *t, size_t c)
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
 			apply_row_label(&t->head[r].cell[0], &one);
-		classify_merge(&said, &one, own, r < t->titles);
+		merge_cell_above(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
-	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
-	    said.unit != SPEED_NO_UNIT) {
-		if (said.unit == SPEED_RPM)
-			said.rpm = said.number[0];
-		else
-			said.speed = head_mps(said.number[0], said.unit, 0);
-		said.n_number = 0;
-	}
-	if (said.speed == 0 && said.rpm == 0 && said.n_number == 1 &&
-	    (said.means & WORD_RPM) != 0 && said.number[0] > 200) {
-		said.rpm = said.number[0];
-		said.n_number = 0;
-	}
+	bool number = said.speed == 0 && said.rpm == 0 && said.n_number == 1;
+	if (number && said.unit != SPEED_NO_UNIT)
+		take_number_for_speed(&said, said.unit);
+	else if (number && (said.means & WORD_RPM) != 0 && said.number[0] > 200)
+		take_number_for_speed(&said, SPEED_RPM);
 	return said;
 }
 
@@ -176,7 +172,7 @@ struct shape {
 };
 
 static struct shape
-classify_shape_of(const struct column *c)
+shape_of_column(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
@@ -202,19 +198,21 @@ classify_shape_of(const struct column *c)
 }
 
 static bool
-classify_near(double value, double whole, double percent)
+is_near(double value, double whole, double percent)
 {
 	return fabs(value - whole) <= percent / 100 * whole;
 }
 
-/* The sum that a line below the table has, in the column's own unit; NAN. */
+/* Returns the sum stated in a line below the table, in the column's own unit,
+ * or NAN. */
 static double
 stated_total(const struct column *c)
 {
 	const struct table *t = c->table;
 	double v;
 	for (size_t i = 0; i < t->n_foot; i++) {
-		uint64_t means = vocabulary_text(t->foot[i].cell[0].text, NULL);
+		uint64_t means =
+		    lexicon_meanings(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
 		    number_of(t->foot[i].cell[c->at], &v))
 			return v;
@@ -222,28 +220,28 @@ stated_total(const struct column *c)
 	return NAN;
 }
 
-/* Of numbers that rise and fall, or of parts: what they are parts of. */
+/* Finds the whole of which the numbers are parts.  False if it is unclear. */
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
-	bool percent = classify_near(s->sum, 100, 5) && s->most <= 100.5;
+	bool percent = is_near(s->sum, 100, 5) && s->most <= 100.5;
 	*scale = OF_100;
-	if (classify_near(s->sum, 100, 1.05) && s->most <= 100.5)
+	if (is_near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
-	else if (classify_near(s->sum, 1, 1.05) && s->most <= 1.005)
+	else if (is_near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
 	else if (!percent && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
 	else { /* nearly 100, and neither 100 nor some mass */
-		bool mass = s->most > 100.5 && !classify_near(s->first, 100, 1);
+		bool mass = s->most > 100.5 && !is_near(s->first, 100, 1);
 		*scale = mass ? OF_MASS : *scale;
 		return false;
 	}
 	return true;
 }
 
-/* What the numbers alone look like; false where they could be several
- * things. */
+/* Guesses the quantity from the numbers alone.  False if several are
+ * possible. */
 static bool
 guess_kind(const struct shape *s, double total, enum unit_kind *kind,
     enum unit_scale *scale)
@@ -252,7 +250,7 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 	bool peak = s->first >= s->most && s->rises <= 1;
 	*scale = s->most <= 1 + 1e-9 ? OF_1 : OF_100;
 	if (hill && peak &&
-	    (classify_near(s->most, 100, 1) || classify_near(s->most, 1, 1))) {
+	    (is_near(s->most, 100, 1) || is_near(s->most, 1, 1))) {
 		*kind = PASSING; /* and one cell is wrong */
 		return true;
 	}
@@ -270,8 +268,7 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		if (end > 101)
 			*scale = OF_MASS;
 		return s->n > 2 && *scale != OF_MASS &&
-		       (classify_near(end, 100, 10) ||
-			   classify_near(end, 1, 10)) &&
+		       (is_near(end, 100, 10) || is_near(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
 	if (s->has_pan && s->pan > 0.015 * s->most) {
@@ -285,13 +282,12 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		return s->has_pan && s->n > 2 && s->pan > 0;
 	}
 	if (*scale == OF_1)
-		return classify_near(s->first, 1, 0.1) && s->n > 2 &&
-		       s->falls > 1;
-	return classify_near(s->first, 100, 0.6) ||
-	       (!classify_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
+		return is_near(s->first, 1, 0.1) && s->n > 2 && s->falls > 1;
+	return is_near(s->first, 100, 0.6) ||
+	       (!is_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
 }
 
-/* Whether numbers can be what the head says. */
+/* True if the numbers can be the quantity that the heading states. */
 static bool
 is_possible_kind(const struct shape *s, enum unit_kind kind)
 {
@@ -302,12 +298,12 @@ is_possible_kind(const struct shape *s, enum unit_kind kind)
 		return !rises && !(hill && s->first < 0.9 * s->most);
 	if (kind == CUMULATIVE)
 		return !falls && !(hill && s->last < 0.9 * s->most);
-	return !(falls && s->n > 2 && classify_near(s->first, 100, 1)) &&
-	       !(falls && s->n > 2 && classify_near(s->first, 1, 0.1));
+	return !(falls && s->n > 2 && is_near(s->first, 100, 1)) &&
+	       !(falls && s->n > 2 && is_near(s->first, 1, 0.1));
 }
 
-/* Of a column that says "retained", and rises throughout: each sieve's, or
- * cumulative?  False where both are possible. */
+/* For a column headed "retained" whose numbers rise throughout: decides between
+ * each sieve's mass and cumulative.  False if both are possible. */
 static bool
 choose_kind_of_rising(
     struct column *c, const struct shape *s, double total, enum unit_kind *kind)
@@ -317,21 +313,20 @@ choose_kind_of_rising(
 	*kind = CUMULATIVE;
 	if (s->has_pan && s->pan < s->last)
 		*kind = RETAINED;
-	else if (share && classify_near(s->sum, whole, 1.05))
+	else if (share && is_near(s->sum, whole, 1.05))
 		*kind = RETAINED;
-	else if (share && s->sum > 1.05 * whole &&
-		 classify_near(s->most, whole, 25))
+	else if (share && s->sum > 1.05 * whole && is_near(s->most, whole, 25))
 		assume(c, "cumulative, as the parts would sum to %.3g", s->sum);
-	else if (!isnan(total) && classify_near(s->sum, total, 1))
+	else if (!isnan(total) && is_near(s->sum, total, 1))
 		*kind = RETAINED;
-	else if (!(s->has_pan && !isnan(total) &&
-		     classify_near(s->pan, total, 0.1) &&
+	else if (!(s->has_pan && !isnan(total) && is_near(s->pan, total, 0.1) &&
 		     s->sum > 1.05 * total))
 		return false;
 	return true;
 }
 
-/* The scale that the head states, checked against the numbers. */
+/* Finds the scale, as the heading states it and the numbers allow.  False if it
+ * remains unclear. */
 static bool
 choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
@@ -360,8 +355,7 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		/* 1.002 is a fraction, and refused as one. */
 		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
-		return one ||
-		       (kind == PASSING && classify_near(s->first, 100, 0.6));
+		return one || (kind == PASSING && is_near(s->first, 100, 0.6));
 	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
@@ -376,14 +370,15 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return kind == CUMULATIVE && s->has_pan;
 	}
 	if (one && s->most > 0)
-		return classify_near(whole, 1, 1.05) && s->n > 2;
-	return kind == PASSING || classify_near(whole, 100, 25) ||
+		return is_near(whole, 1, 1.05) && s->n > 2;
+	return kind == PASSING || is_near(whole, 100, 25) ||
 	       (means & WORD_PERCENT) != 0;
 }
 
-/* Whether a head in the form of tipspeed-site(5) defines the unit: product@69
- * is per cent passing, unless its numbers rise and fall; or one given by hand,
- * told, in words that leave nothing open.  Then *unit is it. */
+/* True if a heading defines the unit, which is then *unit: in the form of
+ * tipspeed-site(5), in which product@69 is per cent passing unless its numbers
+ * rise and fall; or given by the user (told) in words that leave nothing
+ * open. */
 static bool
 is_defined(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
@@ -407,14 +402,13 @@ is_defined(
 			*unit = DEFINED[i].unit;
 			return words != 0 ||
 			       ((s->rises == 0 || s->falls == 0 ||
-				    classify_near(s->first, 100, 0.6)) &&
+				    is_near(s->first, 100, 0.6)) &&
 				   s->most > 1);
 		}
 	return false;
 }
 
-/* Whether the sieves are classes between two of them, as retained masses
- * have. */
+/* True if the sieves are classes between two sieves, as for retained masses. */
 static bool
 has_classes(const struct table *t)
 {
@@ -426,13 +420,13 @@ has_classes(const struct table *t)
 	return false;
 }
 
-/* What was said to be per cent, and is no more than 1 where all passes. */
+/* Refuses a column said to be per cent whose numbers do not exceed 1. */
 static void
 refuse_small(struct column *c, const struct shape *s)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (unit->scale != OF_100 || s->n < 3 || s->most > 1 ||
-	    !classify_near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
+	    !is_near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
 		return;
 	sheet_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\n"
@@ -441,9 +435,9 @@ refuse_small(struct column *c, const struct shape *s)
 }
 
 static void
-classify_find_unit(struct column *c, bool told)
+find_unit(struct column *c, bool told)
 {
-	struct shape s = classify_shape_of(c);
+	struct shape s = shape_of_column(c);
 	uint64_t kinds = c->said.means & KIND_WORDS;
 	uint64_t scales = c->said.means & SCALE_WORDS;
 	double total = stated_total(c);
@@ -493,9 +487,9 @@ classify_find_unit(struct column *c, bool told)
 	c->open = c->open || !sure || (classes && kind != RETAINED);
 }
 
-/* The one number without a unit that can be a tip speed in m/s: 63.6, not the 1
- * of "Prov 1".  0 where there is none, or several.  A whole number from 40 to
- * 99 counts unless it may be the sample's. */
+/* Returns the only number without a unit that can be a tip speed in m/s: 63.6,
+ * but not the 1 of "Prov 1"; 0 if there is none, or several.  A whole number
+ * from 40 to 99 counts unless it may number the sample. */
 static double
 bare_speed(const struct head *said)
 {
@@ -516,8 +510,8 @@ bare_speed(const struct head *said)
 	return found;
 }
 
-/* Whether a head is a number alone that is no tip speed: then those beside it,
- * such as minutes, are none either. */
+/* True if a heading is only a number that cannot be a tip speed: then its
+ * neighbours, such as minutes, are not speeds either. */
 static bool
 is_other_number(const struct head *said)
 {
@@ -585,25 +579,18 @@ find_role(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 }
 
-/* "column 5", or the line of a sheet that lies on its side. */
-static char *
-column_words(const struct table *t, size_t at)
-{
-	return xasprintf(
-	    t->across ? tr("line %zu") : tr("column %zu"), t->number[at]);
-}
-
-/* Takes where. */
 static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, char *where, const char *format, ...)
+leave_out(struct site *site, const struct column *c, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(tr(format), ap);
+	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
+	/* "column 5", or the line of a sheet that lies on its side. */
+	FREED char *where =
+	    xasprintf(c->table->across ? tr("line %zu") : tr("column %zu"),
+		c->table->number[c->at]);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
-	free(where);
-	free(what);
 }
 
 static bool
@@ -618,7 +605,8 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 	return *filled > 0 && *numbers * 2 < *filled;
 }
 
-/* 1, 2, 3 and so on, up or down, or one number throughout: no curve. */
+/* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
+ * is no curve. */
 static bool
 is_count(const struct column *c)
 {
@@ -641,44 +629,42 @@ is_count(const struct column *c)
 	       ((steps == pairs && small) || same == pairs);
 }
 
-/* Whether a column is no sample, told to the site. */
+/* True if a column is no sample, which is then noted for the user. */
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
-	const struct table *t = c->table;
 	size_t filled, numbers;
 	bool words = has_words(c, &filled, &numbers);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	if (is_count(c)) {
-		leave_out(site, column_words(t, c->at),
+		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
 	} else if (filled == 0) {
-		leave_out(site, column_words(t, c->at), "it is empty");
+		leave_out(site, c, "it is empty");
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(
-		    site, column_words(t, c->at), "%s: it has words", head);
+		leave_out(site, c, "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
-		leave_out(site, column_words(t, c->at),
-		    "%s: a limit, or calculated, or rejected", head);
+		leave_out(
+		    site, c, "%s: a limit, or calculated, or rejected", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
-		leave_out(site, column_words(t, c->at), "%s: no sample", head);
+		leave_out(site, c, "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
 		   (means & (sample | SCALE_WORDS)) == 0 &&
 		   c->said.speed == 0 && !c->said.range) {
-		leave_out(
-		    site, column_words(t, c->at), "%s: the sieves again", head);
+		leave_out(site, c, "%s: the sieves again", head);
 	} else {
 		return false;
 	}
 	return true;
 }
 
-/* A column that has one speed for all rows: of a long table with one sample. */
+/* Takes the speed of all samples from a column that repeats it in each row, as
+ * in a long table with one sample. */
 static void
-classify_note_speed(const struct column *c, struct surroundings *near)
+note_constant_speed(const struct column *c, struct surroundings *near)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
@@ -699,10 +685,10 @@ classify_note_speed(const struct column *c, struct surroundings *near)
 		near->speed = head_mps(v, c->said.unit, near->rotor);
 }
 
-/* The numbers of a column from their least to their most; the least is -1 where
- * one is missing. */
+/* Finds the least and the largest number of a column; the least is -1 if one is
+ * missing. */
 static void
-classify_bounds_of(const struct column *c, double *least, double *most)
+column_bounds(const struct column *c, double *least, double *most)
 {
 	*least = INFINITY;
 	*most = 0;
@@ -713,8 +699,9 @@ classify_bounds_of(const struct column *c, double *least, double *most)
 	}
 }
 
-/* Refuses the mass of empty sieves, the same throughout, beside that of full
- * ones, of which nothing is said: what was retained is their difference. */
+/* Refuses a column with the same mass throughout, that of empty sieves, beside
+ * one of full sieves, if no heading explains them: the mass retained is their
+ * difference. */
 static void
 refuse_tare(const struct column *column, size_t n)
 {
@@ -722,7 +709,7 @@ refuse_tare(const struct column *column, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct column *c = &column[i];
 		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		classify_bounds_of(c, &least, &most);
+		column_bounds(c, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
 			sheet_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
@@ -736,7 +723,7 @@ refuse_tare(const struct column *column, size_t n)
 	}
 }
 
-/* A column of the table as its heads have it. */
+/* Returns the column with what its headings state. */
 static struct column
 column_from_heads(struct table *t, size_t at)
 {
@@ -747,21 +734,21 @@ column_from_heads(struct table *t, size_t at)
 		const struct cell *cell = head_cell(t, r, at, &own);
 		c.head = cell != NULL ? *cell : c.head;
 	}
-	c.said = classify_read_heads(t, at);
+	c.said = read_heads(t, at);
 	return c;
 }
 
 void
-recognise_columns(struct table *t, const struct surroundings *near,
+classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
 {
 	struct surroundings around = *near;
 	struct error_list *errors = t->sheet->errors;
-	struct column *column = xcalloc(t->n_col, sizeof *column);
+	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
 		column[n] = column_from_heads(t, n + 1);
-		classify_note_speed(&column[n], &around);
+		note_constant_speed(&column[n], &around);
 		around.counted =
 		    around.counted || is_other_number(&column[n].said);
 	}
@@ -781,13 +768,12 @@ recognise_columns(struct table *t, const struct surroundings *near,
 		/* Below a speed an empty cell may be the same, or forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		classify_find_unit(&c, around.told);
+		find_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
-	free(column);
 }
 
-/* Nobody waits for the columns any more. */
+/* True if the user has interrupted the reading. */
 static bool
 is_stopped(const struct columns *all)
 {
@@ -803,9 +789,10 @@ drop_column(struct columns *all, size_t i)
 	    (all->n - i) * sizeof *all->column);
 }
 
-/* Masses are exact and have a pan; then what needs least done to it. */
+/* Ranks the quantities of one sample: masses first, because they are exact and
+ * include the pan, then those that need the least conversion. */
 static int
-classify_rank(const struct column *c)
+column_rank(const struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (c->open)
@@ -815,35 +802,35 @@ classify_rank(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
-/* Whether the words that nobody knows, or that have digits, are the same in the
- * heads of two columns: the name of one sample. */
+/* Returns the unknown words in the headings of a column and those with digits.
+ * The caller frees the text. */
+static char *
+name_in_head(const struct column *c)
+{
+	FREED char *head = layout_head_text(c->table, c->at);
+	char *rest = head, *name = xstrdup("");
+	for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
+		size_t unknown, n = strlen(word);
+		lexicon_meanings(word, &unknown);
+		if ((unknown > 0 && n > 1) ||
+		    strpbrk(word, "0123456789") != NULL)
+			xlist(&name, " ", "%s", word);
+	}
+	return name;
+}
+
+/* True if two columns have the same sample name in their headings. */
 static bool
 is_called_alike(const struct column *a, const struct column *b)
 {
-	const struct column *both[] = {a, b};
-	char *name[] = {xstrdup(""), xstrdup("")};
-	for (size_t i = 0; i < 2; i++) {
-		char *head = layout_head_text(both[i]->table, both[i]->at);
-		char *rest = head;
-		for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
-			size_t unknown, n = strlen(word);
-			vocabulary_text(word, &unknown);
-			if ((unknown > 0 && n > 1) ||
-			    strpbrk(word, "0123456789") != NULL)
-				xlist(&name[i], " ", "%s", word);
-		}
-		free(head);
-	}
-	bool same = text_same(name[0], name[1]);
-	free(name[0]);
-	free(name[1]);
-	return same;
+	FREED char *one = name_in_head(a), *other = name_in_head(b);
+	return text_same(one, other);
 }
 
-/* Whether two columns are one sample in two quantities, of which one at least
+/* True if two columns are one sample in two quantities, at least one of which
  * is stated. */
 static bool
-classify_is_same_sample(const struct column *a, const struct column *b)
+is_same_sample(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
@@ -860,7 +847,7 @@ classify_is_same_sample(const struct column *a, const struct column *b)
 	       (a->role != NO_ROLE || (stated && is_called_alike(a, b)));
 }
 
-/* It is compared with the other one, and not used. */
+/* Makes the column one that is only compared with the other. */
 static void
 mark_twin(struct column *c, const struct column *other)
 {
@@ -869,39 +856,37 @@ mark_twin(struct column *c, const struct column *other)
 	c->open = c->no_role = false;
 }
 
-/* The words of the heads of a column that nobody knows, and ranges such as 0/4:
- * what makes it another sample than its neighbours.  Signs of samples, of two
- * letters at most, are left out.  The caller frees. */
+/* Returns the unknown words in the headings of a column and ranges such as 0/4,
+ * which distinguish its sample from others; signs of samples, at most two
+ * letters, are omitted.  The caller frees the text. */
 static char *
 own_words(const struct column *c)
 {
-	char *head = layout_head_text(c->table, c->at), *words = xstrdup("");
-	char *folded = text_fold(head);
+	FREED char *head = layout_head_text(c->table, c->at);
+	FREED char *folded = text_fold(head);
+	char *words = xstrdup("");
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
-		char *word = xstrndup(p, n);
+		FREED char *word = xstrndup(p, n);
 		bool range = strchr(word, '/') != NULL &&
 			     strspn(word, "0123456789/.") == n && n > 2;
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
 			       strcmp(word, "iii") != 0;
 		size_t unknown;
-		vocabulary_text(word, &unknown);
+		lexicon_meanings(word, &unknown);
 		char *end = word + strcspn(word, "0123456789");
-		bool machine = *end != '\0' &&
-			       (vocabulary_word(word, (size_t)(end - word)) &
-				   WORD_MACHINE) != 0;
+		bool machine = *end != '\0' && (lexicon_word_meanings(word,
+						    (size_t)(end - word)) &
+						   WORD_MACHINE) != 0;
 		if (range || machine || (letters && unknown > 0))
 			xlist(&words, " ", "%s", word);
-		free(word);
 		p += n + (p[n] != '\0');
 	}
-	free(folded);
-	free(head);
 	return words;
 }
 
-/* Samples at one speed that are called by other words (own_words of each), or
- * come from machines with other numbers, are perhaps no repeats. */
+/* True if two samples at one speed may be repeats: they have the same words
+ * (own_words of each) and do not come from machines with different numbers. */
 static bool
 is_repeat(const struct column *a, const char *x, const struct column *b,
     const char *y)
@@ -915,7 +900,7 @@ is_repeat(const struct column *a, const char *x, const struct column *b,
 static void
 ask_repeats(struct columns *all)
 {
-	char **words = xcalloc(all->n, sizeof(*words));
+	FREED char **words = xcalloc(all->n, sizeof(*words));
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *a = &all->column[i];
 		if (a->role != PRODUCT || !(a->speed > 0))
@@ -933,10 +918,9 @@ ask_repeats(struct columns *all)
 	}
 	for (size_t i = 0; i < all->n; i++)
 		free(words[i]);
-	free(words);
 }
 
-/* The mean of samples that are there themselves is no sample. */
+/* Drops the means of samples that are in the sheet themselves. */
 static void
 drop_means(struct columns *all, struct site *site)
 {
@@ -955,25 +939,25 @@ drop_means(struct columns *all, struct site *site)
 		if (!mean || (others < 2 && c->speed > 0) ||
 		    (others == 0 && all->n < 3))
 			continue;
-		leave_out(site, column_words(c->table, c->at),
-		    "%s: the mean of samples that are read", c->head.text);
+		leave_out(site, c, "%s: the mean of samples that are read",
+		    c->head.text);
 		drop_column(all, i--);
 	}
 }
 
 static void
-classify_drop_twins(struct columns *all, struct site *site)
+drop_twins(struct columns *all, struct site *site)
 {
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
 			const struct column *a = &all->column[i];
 			const struct column *b = &all->column[k];
 			if (i == k || a->twin > 0 || b->twin > 0 ||
-			    !classify_is_same_sample(a, b) ||
-			    classify_rank(a) < classify_rank(b) ||
-			    (classify_rank(a) == classify_rank(b) && i < k))
+			    !is_same_sample(a, b) ||
+			    column_rank(a) < column_rank(b) ||
+			    (column_rank(a) == column_rank(b) && i < k))
 				continue;
-			leave_out(site, column_words(a->table, a->at),
+			leave_out(site, a,
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
@@ -982,18 +966,19 @@ classify_drop_twins(struct columns *all, struct site *site)
 		}
 }
 
-/* A column that no head explains is left out where it looks like no curve. */
+/* True if the numbers look like a curve; others are dropped if no heading
+ * explains them. */
 static bool
-classify_is_curve(const struct column *c)
+looks_like_curve(const struct column *c)
 {
-	struct shape s = classify_shape_of(c);
+	struct shape s = shape_of_column(c);
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
 }
 
-/* The one feed is that of all runs, though the speed at its left spreads over
- * it. */
+/* Makes an only feed that of all runs, even if the speed to its left spreads
+ * over it. */
 static void
 set_feed_for_all_runs(struct columns *all)
 {
@@ -1008,7 +993,7 @@ set_feed_for_all_runs(struct columns *all)
 		only->speed = only->rpm = 0;
 }
 
-/* Feed, product, feed, product ..: each feed is that of the product at its
+/* Feed, product, feed, product ..: makes each feed that of the product to its
  * right. */
 static void
 pair_feeds_with_products(struct columns *all)
@@ -1030,7 +1015,7 @@ pair_feeds_with_products(struct columns *all)
 	}
 }
 
-/* Where nothing is called feed, the one column without a role may be it. */
+/* If no column is called feed, takes the only one without a role for it. */
 static void
 guess_feed(struct columns *all, size_t feeds)
 {
@@ -1061,7 +1046,7 @@ guess_feed(struct columns *all, size_t feeds)
 }
 
 void
-recognise_roles(
+classify_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
 	size_t feeds = 0, products = 0;
@@ -1077,18 +1062,18 @@ recognise_roles(
 		if (c->role != NO_ROLE)
 			continue;
 		bool unknown =
-		    c->said.unknown > 0 && !classify_is_curve(c) &&
+		    c->said.unknown > 0 && !looks_like_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
-			leave_out(site, column_words(c->table, c->at),
-			    "%s: neither feed nor product", c->head.text);
+			leave_out(site, c, "%s: neither feed nor product",
+			    c->head.text);
 			drop_column(all, i--);
 			continue;
 		}
 		c->no_role = true;
 	}
 	drop_means(all, site);
-	classify_drop_twins(all, site);
+	drop_twins(all, site);
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
@@ -1109,7 +1094,7 @@ recognise_roles(
 }
 
 char *
-recognise_column_text(const struct column *c)
+classify_column_text(const struct column *c)
 {
 	char speed[32];
 	const char *role = c->role == NO_ROLE ? "product" : SITE_ROLES[c->role];

@@ -26,18 +26,18 @@ struct surroundings {
 /* Adds the columns of a table that contain samples, with all that follows from
  * their headings and numbers; lists other columns in site->left_out.  An
  * ambiguous column is open. */
-void recognise_columns(struct table *t, const struct surroundings *near,
+void classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site);
 
 /* Settles what depends on all columns together: which of two quantities of a
  * sample to use, the role of a column that states none, the order of repeats.
  * told: the headings were given by the user.  wants_rotor: out, true if a speed
  * is in rpm and the rotor's diameter is not stated. */
-void recognise_roles(
+void classify_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor);
 
 /* Returns the description of a column as used in columns=, "product@69
  * retained_g".  The caller frees it. */
-char *recognise_column_text(const struct column *c);
+char *classify_column_text(const struct column *c);
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/cells/number.h"
 #include "io/sitefile/units.h"
 #include "io/sitefile/lexicon.h"
 
@@ -33,20 +34,20 @@ static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "cm", "micron", "inch", "in.", "\"", "g", "kg", "%", "t/h", "tph", "ton",
     "t", "kw", "h", "hz", "a", "s", "v", "bar", "min", "pct", "\xC2\xB0"};
 
-static bool
-column_header_is_letter(char c)
+bool
+head_is_letter(char c)
 {
 	return isalpha((unsigned char)c) || (c & 0x80) != 0;
 }
 
-/* The unit at text, and its length. */
+/* Returns the unit at the start of the text, and its length. */
 static enum speed_unit
 unit_at(const char *text, size_t *n)
 {
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*n = strlen(UNITS[i].text);
 		if (strncmp(text, UNITS[i].text, *n) == 0 &&
-		    !column_header_is_letter(text[*n]))
+		    !head_is_letter(text[*n]))
 			return UNITS[i].unit;
 	}
 	*n = 0;
@@ -59,7 +60,7 @@ other_unit_at(const char *text)
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_UNITS); i++) {
 		size_t n = strlen(OTHER_UNITS[i]);
 		if (strncmp(text, OTHER_UNITS[i], n) == 0 &&
-		    !column_header_is_letter(text[n]))
+		    !head_is_letter(text[n]))
 			return true;
 	}
 	return false;
@@ -83,14 +84,14 @@ head_mps(double number, enum speed_unit unit, double rotor)
 	}
 }
 
-/* Whether speeds in a unit have four digits and more. */
+/* True if speeds in a unit have four digits or more. */
 static bool
 has_thousands(enum speed_unit unit)
 {
 	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
 }
 
-/* Blanks that do not break become others. */
+/* Replaces blanks that do not break with spaces. */
 static void
 plain_blanks(char *s)
 {
@@ -108,23 +109,11 @@ plain_blanks(char *s)
 	*to = '\0';
 }
 
-/* Bytes of what may stand between thousands at p; 0: nothing that may. */
-static size_t
-group_separator_bytes(const char *p)
-{
-	static const char *const GROUPS[] = {
-	    " ", "'", "\xE2\x80\x99", "\xCA\xBC"};
-	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		if (strncmp(p, GROUPS[i], strlen(GROUPS[i])) == 0)
-			return strlen(GROUPS[i]);
-	return 0;
-}
-
-/* A number at *text, which moves after it: 63,6 or 63.6, 1 350 or 1,350 where
- * rpm follow.  False for dates, times and ranges (0/8, 2026-05-03), which are
- * moved over. */
+/* Reads a number at *text and moves *text after it: 63,6 or 63.6, or, before
+ * rpm, 1 350 or 1,350.  False for dates, times and ranges (0/8, 2026-05-03),
+ * after which *text moves too. */
 static bool
-column_header_number_at(const char **text, double *value)
+read_number_at(const char **text, double *value)
 {
 	static const char DIGITS[] = "0123456789";
 	const char *p = *text;
@@ -146,7 +135,7 @@ column_header_number_at(const char **text, double *value)
 	}
 	*text = p;
 	const char *blank = *p == ' ' ? p + 1 : p;
-	size_t group = group_separator_bytes(p);
+	size_t group = number_separator_bytes(p);
 	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
 	    strspn(p + group, DIGITS) == 3) {
 		const char *end = p + group + 3;
@@ -160,17 +149,18 @@ column_header_number_at(const char **text, double *value)
 	return parts == 1 && text_number(copy, value);
 }
 
-/* Behind the unit of mass at text, or text where there is none. */
+/* Returns the text after a unit of mass, or the text itself if it does not
+ * begin with one. */
 static const char *
 skip_unit_of_mass(const char *text)
 {
 	size_t n = strspn(text, "k") + 1;
-	bool grams =
-	    n <= 2 && text[n - 1] == 'g' && !column_header_is_letter(text[n]);
+	bool grams = n <= 2 && text[n - 1] == 'g' && !head_is_letter(text[n]);
 	return grams ? text + n : text;
 }
 
-/* Notes what a number says, with the unit after it, which *text moves over. */
+/* Adds a number to the heading, with the unit after it; moves *text after the
+ * unit. */
 static void
 head_read_number(struct head *head, const char **text, double value, bool at)
 {
@@ -208,7 +198,8 @@ struct before {
 	bool at, unit;
 };
 
-/* Whether n bytes say "or", "to", "..": that two numbers are one thing.  */
+/* True if n bytes are "or", "to", ".." or the like, which make two numbers one
+ * quantity. */
 static bool
 is_link_between_numbers(const char *text, size_t n)
 {
@@ -221,9 +212,9 @@ is_link_between_numbers(const char *text, size_t n)
 	return false;
 }
 
-/* Whether a number without a unit of speed, at `text`, may be meant for the one
- * before it, which is a speed already: @74 approx 75, 74 m/s or 75.  Words that
- * say what it is instead, as in @74 sample 3, are those of the vocabulary. */
+/* True if a number without a unit of speed, at `text`, may be a second value
+ * for the speed before it: @74 approx 75, 74 m/s or 75.  In @74 sample 3, a
+ * known word shows what it is instead. */
 static bool
 is_second_speed(const struct before *before, const char *text, double value)
 {
@@ -231,16 +222,16 @@ is_second_speed(const struct before *before, const char *text, double value)
 	if (before->end == NULL || !(before->at || (before->unit && near)))
 		return false;
 	size_t unknown;
-	char *gap = xasprintf("%.*s", (int)(text - before->end), before->end);
-	uint64_t means = vocabulary_text(gap, &unknown);
-	free(gap);
+	FREED char *gap =
+	    xasprintf("%.*s", (int)(text - before->end), before->end);
+	uint64_t means = lexicon_meanings(gap, &unknown);
 	return unknown > 0 ||
 	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
 
-/* Whether a number that begins at `text` is no more than a part of a speed,
- * together with the one before: @6 9, @69..70, 74 or 75 m/s.  In "Cut 3 - 69
- * m/s" it is not.  unit: it has one of speed. */
+/* True if the number at `text` and the one before it are parts of one speed: @6
+ * 9, @69..70, 74 or 75 m/s; but not in "Cut 3 - 69 m/s".  unit: it has a unit
+ * of speed. */
 static bool
 is_part_of_speed(
     const struct before *before, const char *text, double value, bool unit)
@@ -263,10 +254,10 @@ is_part_of_speed(
 	return is_link_between_numbers(gap, n);
 }
 
-/* Whether what stands around a number makes another one of it: 7.4e1, .69,
- * 1E+02.  from, to: of its digits in the text; at: @ is before it. */
+/* True if the characters around a number make it another number: 7.4e1, .69,
+ * 1E+02.  from, to: its digits in the text; at: @ precedes it. */
 static bool
-column_header_is_cut(
+is_within_other_number(
     const char *text, const char *from, const char *to, bool at)
 {
 	const char *p = from;
@@ -277,30 +268,30 @@ column_header_is_cut(
 	if (from > text && from[-1] == '+')
 		return true;
 	if (from > text && from[-1] == '.' &&
-	    (from == text + 1 || !column_header_is_letter(from[-2])))
+	    (from == text + 1 || !head_is_letter(from[-2])))
 		return true;
 	return at && *to != '\0' && strchr(" ,;:()[]_\"", *to) == NULL &&
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
 }
 
-/* Takes the number at *text, which moves after it. */
+/* Reads the number at *text and moves *text after it. */
 static void
-column_header_read_number(struct head *head, const char *start,
-    const char **text, bool at, struct before *before)
+read_heading_number(struct head *head, const char *start, const char **text,
+    bool at, struct before *before)
 {
 	const char *from = *text;
 	double value;
 	size_t n;
-	bool inside = from > start && column_header_is_letter(from[-1]);
+	bool inside = from > start && head_is_letter(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
-	bool good = column_header_number_at(text, &value);
+	bool good = read_number_at(text, &value);
 	const char *to = *text;
 	bool speed = unit_at(to + strspn(to, " "), &n) != SPEED_NO_UNIT;
 	at = at && good;
 	head->several =
 	    head->several || minus ||
 	    (good && (at || speed) &&
-		column_header_is_cut(start, from, to, at && !speed)) ||
+		is_within_other_number(start, from, to, at && !speed)) ||
 	    (good && is_part_of_speed(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
 		!other_unit_at(to + strspn(to, " ")) &&
@@ -311,8 +302,8 @@ column_header_read_number(struct head *head, const char *start,
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
 
-/* The bytes of what is between the sizes of a range, "-" or "-d-"; 0: nothing
- * that is. */
+/* Returns the bytes of what separates the sizes of a range, such as "-" or
+ * "-d-"; 0 if there is no separator. */
 static size_t
 range_at(const char *p)
 {
@@ -327,9 +318,9 @@ range_at(const char *p)
 	return 0;
 }
 
-/* Whether a text has two sizes, and no date, which has three numbers. */
+/* True if a text has two sizes; a date, with three numbers, is none. */
 static bool
-column_header_has_range(const char *text)
+has_size_range(const char *text)
 {
 	static const char NUMBER[] = "0123456789.,";
 	for (const char *p = text; *p != '\0'; p++) {
@@ -352,18 +343,17 @@ column_header_has_range(const char *text)
 	return false;
 }
 
-/* Reads a text that is folded.  words: out, what stands around the numbers and
- * the units of speed; rest: out, all but the speeds; each of at least as many
- * bytes as the text. */
+/* Reads a folded text.  words: out, the text without numbers and units of
+ * speed; rest: out, the text without speeds; each as large as the text. */
 static struct head
-column_header_cut(const char *folded, char *words, char *rest)
+split_off_speeds(const char *folded, char *words, char *rest)
 {
 	struct head head = {0};
 	struct before before = {0};
 	size_t n = 0, m = 0, k;
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
-		bool inside = p > folded && column_header_is_letter(p[-1]);
+		bool inside = p > folded && head_is_letter(p[-1]);
 		enum speed_unit unit = inside ? SPEED_NO_UNIT : unit_at(p, &k);
 		if (unit != SPEED_NO_UNIT) {
 			if (head.unit == SPEED_NO_UNIT)
@@ -372,8 +362,7 @@ column_header_cut(const char *folded, char *words, char *rest)
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
 			const char *from = p;
-			column_header_read_number(
-			    &head, folded, &p, at, &before);
+			read_heading_number(&head, folded, &p, at, &before);
 			words[n++] = ' ';
 			bool speed = before.at || before.unit;
 			while (!speed && from < p)
@@ -386,22 +375,20 @@ column_header_cut(const char *folded, char *words, char *rest)
 		}
 	}
 	words[n] = rest[m] = '\0';
-	head.range = column_header_has_range(folded);
-	head.means = vocabulary_text(words, &head.unknown);
+	head.range = has_size_range(folded);
+	head.means = lexicon_meanings(words, &head.unknown);
 	return head;
 }
 
-/* What is left of a text without its speeds, or NULL: it is not wanted. */
+/* Reads a heading.  left: out, the text without its speeds; may be NULL. */
 static struct head
-column_header_read(const char *text, char **left)
+read_head_text(const char *text, char **left)
 {
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	plain_blanks(folded);
-	char *words = xcalloc(strlen(folded) + 1, 1);
+	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	char *rest = xcalloc(strlen(folded) + 1, 1);
-	struct head head = column_header_cut(folded, words, rest);
-	free(words);
-	free(folded);
+	struct head head = split_off_speeds(folded, words, rest);
 	if (left != NULL)
 		*left = rest;
 	else
@@ -412,13 +399,13 @@ column_header_read(const char *text, char **left)
 struct head
 head_read(const char *text)
 {
-	return column_header_read(text, NULL);
+	return read_head_text(text, NULL);
 }
 
 char *
 head_without_speeds(const char *text)
 {
 	char *left;
-	column_header_read(text, &left);
+	read_head_text(text, &left);
 	return left;
 }

@@ -38,6 +38,9 @@ struct head head_read(const char *text);
  * caller frees it. */
 char *head_without_speeds(const char *text);
 
+/* True if a byte is a letter or part of one; all beyond ASCII are. */
+bool head_is_letter(char c);
+
 /* Converts a speed to m/s.  SPEED_RPM needs the rotor's diameter, m. */
 double head_mps(double number, enum speed_unit unit, double rotor);
 

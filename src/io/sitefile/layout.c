@@ -76,10 +76,10 @@ is_filled(const struct grid *g, size_t r, size_t c)
 	return layout_cell_at(g, r, c)->text[0] != '\0';
 }
 
-/* Whether only comments are between two lines of a sheet; *i: the first of them
- * that may be, which moves on, as lines are asked from the top. */
+/* True if only comments are between two lines of a sheet.  *i: the comment from
+ * which to search; it moves on, as lines are asked about from the top. */
 static bool
-is_next(const struct sheet *sheet, int line, int next, size_t *i)
+only_comments_between(const struct sheet *sheet, int line, int next, size_t *i)
 {
 	int comments = 0;
 	for (; *i < sheet->n_comment && sheet->comment[*i].line < next; ++*i)
@@ -141,7 +141,7 @@ guess_nature(const struct sheet *sheet, const struct cell *cell)
 		n.kind = sieve_size(sheet, *cell, length, &n.mm);
 	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
-	n.means = vocabulary_text(cell->text, &unknown);
+	n.means = lexicon_meanings(cell->text, &unknown);
 	n.unknown = (unsigned)unknown;
 	n.head = can_head_sieves(cell, &n);
 	n.foot = n.kind == SIEVE_IS_NONE &&
@@ -149,7 +149,7 @@ guess_nature(const struct sheet *sheet, const struct cell *cell)
 	return n;
 }
 
-/* Of a grid whose cells are all there. */
+/* Fills the natures of all cells. */
 static void
 find_natures(struct grid *g)
 {
@@ -196,8 +196,8 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 	for (size_t r = 0; r < g.n_row; r++) {
 		const struct row *row = &sheet->row[r];
 		g.row_number[r] = (size_t)row->line;
-		g.gap[r] =
-		    r > 0 && !is_next(sheet, row[-1].line, row->line, &comment);
+		g.gap[r] = r > 0 && !only_comments_between(sheet, row[-1].line,
+					row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
 			if (!layout_in_range(range, row->line, c + 1))
@@ -208,7 +208,7 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
-/* "In" beside "Out" heads a feed; else it is an inch. */
+/* Reads "In" beside "Out" as a feed; elsewhere it is an inch. */
 static void
 name_feeds(struct grid *g)
 {
@@ -264,8 +264,8 @@ name_sizes_below(struct grid *g)
 	free(in_col);
 }
 
-/* R heads its tables without the column of row numbers: a line one cell short
- * above lines that begin with 1, 2, 3. */
+/* Shifts the headings of tables written by R, which does not head its column of
+ * row numbers: a line one cell short, above lines that begin with 1, 2, 3. */
 static void
 shift_head(struct grid *g)
 {
@@ -285,7 +285,7 @@ shift_head(struct grid *g)
 	*layout_cell_at(g, 0, 0) = none;
 }
 
-/* The same cells. */
+/* Returns the transposed grid, which has the same cells. */
 static struct grid
 grid_turned(const struct grid *g)
 {
@@ -321,8 +321,8 @@ layout_grid_clear(struct grid *g)
 	free(g->used);
 }
 
-/* Numbers that sieves of ASTM E11 have, below a head that says no more than
- * number: 4, 8, 16, but not 4, 5, 6, which counts something. */
+/* True if the numbers below a heading that only says number are those of ASTM
+ * E11 sieves: 4, 8, 16, but not 4, 5, 6, which count something. */
 static bool
 has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 {
@@ -332,7 +332,7 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 		const struct cell *cell = layout_cell_at(g, r, c);
 		if (!number_of(*cell, &v))
 			break;
-		if (isnan(sieve_names_mm(cell->text, SIEVE_ASTM)))
+		if (isnan(sieve_name_mm(cell->text, SIEVE_ASTM)))
 			return false;
 		step = n > 0 ? fmax(step, fabs(v - last)) : 0;
 		last = v;
@@ -349,8 +349,8 @@ is_sieve_head(const struct grid *g, size_t r, size_t c)
 	return n->head && (!number || has_numbers_of_sieves(g, r, c));
 }
 
-/* Whether phi is said above numbers that can be it: the letter is that of a
- * diameter, too. */
+/* True if a heading states phi, whose letter also means a diameter, above
+ * numbers that can be phi. */
 static bool
 is_phi_head(const struct grid *g, size_t r, size_t c)
 {
@@ -382,7 +382,7 @@ layout_is_sieve(const struct grid *g, size_t r, size_t c)
 	return sieve_kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
 }
 
-/* A number in one of the columns after c, before end. */
+/* True if one of the columns after c and before `end` has a number. */
 static bool
 has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
 {
@@ -398,9 +398,10 @@ struct place {
 	bool unsure;
 };
 
-/* Where a sieve with numbers follows right below; n_row: it ends before. */
+/* Returns the next row below, without a gap, that is a sieve with numbers;
+ * n_row if there is none. */
 static size_t
-layout_goes_on(const struct grid *g, size_t r, size_t c, size_t end)
+next_sieve_row(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(g, r, c))
@@ -411,8 +412,8 @@ layout_goes_on(const struct grid *g, size_t r, size_t c, size_t end)
 	return g->n_row;
 }
 
-/* A row right below the sieves that has numbers, and for a sieve something that
- * is none: it is no remark. */
+/* True if a row immediately below the sieves has numbers but no sieve, and is
+ * not a remark. */
 static bool
 is_unnamed(const struct grid *g, size_t r, size_t c, size_t end)
 {
@@ -422,8 +423,8 @@ is_unnamed(const struct grid *g, size_t r, size_t c, size_t end)
 	return !g->gap[r] && !word && has_numbers(g, r, c, end);
 }
 
-/* From the first sieve down to the last: a blank line ends the table unless
- * another sieve follows, and so do sums and the head of another table. */
+/* Finds the last sieve of a table: a blank line ends it unless another sieve
+ * follows; sums and the heading of another table end it likewise. */
 static void
 find_end(const struct grid *g, struct place *p)
 {
@@ -437,7 +438,7 @@ find_end(const struct grid *g, struct place *p)
 		if (is_sieve_head(g, r, p->c))
 			break;
 		if (r >= known && nature_at(g, r, p->c)->foot &&
-		    (known = layout_goes_on(g, r, p->c, p->end)) == g->n_row)
+		    (known = next_sieve_row(g, r, p->c, p->end)) == g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
 		    (kind == SIEVE_IS_NONE || !numbers))
@@ -447,9 +448,9 @@ find_end(const struct grid *g, struct place *p)
 		p->last = r + 1;
 		standard +=
 		    kind == SIEVE_IS_SIZE &&
-		    (isnan(mm) || sieve_names_is_standard(mm) ||
-			sieve_names_is_standard(mm / 1000) ||
-			sieve_names_series(layout_cell_at(g, r, p->c)->text) !=
+		    (isnan(mm) || sieve_is_standard(mm) ||
+			sieve_is_standard(mm / 1000) ||
+			sieve_name_series(layout_cell_at(g, r, p->c)->text) !=
 			    SIEVE_NONE);
 	}
 	while (p->last < g->n_row && is_unnamed(g, p->last, p->c, p->end))
@@ -457,8 +458,8 @@ find_end(const struct grid *g, struct place *p)
 	p->score = standard;
 }
 
-/* The column of the next head for sieves in a row, but for one right beside it,
- * which has the same sieves in other words; n_col where there is none. */
+/* Returns the column of the next heading of sieves in a row, or n_col.  One
+ * immediately beside it is skipped: it has the same sieves in other words. */
 static size_t
 next_head(const struct grid *g, size_t r, size_t c)
 {
@@ -484,7 +485,7 @@ is_count_of(const struct grid *g, const struct place *p)
 	return steps + 1 == n;
 }
 
-/* Tables under a head for sieves. */
+/* Finds the tables below headings of sieves. */
 static size_t
 find_headed(const struct grid *g, struct place *place)
 {
@@ -526,8 +527,8 @@ heads_columns(const struct grid *g, size_t r, size_t c)
 		   (nature_at(g, 0, c + 1)->means & WORD_FEED) != 0);
 }
 
-/* Whether the cell above numbers, or before those of a line, says that they are
- * times, remarks or speeds. */
+/* True if the cell above the numbers, or at the start of their line, says that
+ * they are times, remarks or speeds. */
 static bool
 is_other_head(const struct grid *g, size_t r, size_t c)
 {
@@ -617,7 +618,7 @@ ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 	return r;
 }
 
-/* Whether a column is headed as another one, in the row above its numbers. */
+/* True if two columns have the same heading in the row above their numbers. */
 static bool
 is_headed_alike(const struct grid *g, size_t r, size_t c, size_t other)
 {
@@ -659,8 +660,8 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 	return n;
 }
 
-/* The tables of a column that somebody says has sieves: from a first one that
- * has numbers beside it. */
+/* Finds the tables in a column that the user says has sieves, each from the
+ * first sieve with numbers beside it. */
 static size_t
 layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 {
@@ -713,8 +714,8 @@ is_head_of_all(
 	return g->across && (n->means & all) != 0 && n->unknown == 0;
 }
 
-/* Whether a row above the head of the sieves belongs to the heads: it says
- * something of the columns, and is no key with its value and no title. */
+/* True if a row above the heading of the sieves is a heading too: it describes
+ * the columns and is neither a key with its value nor a title. */
 static bool
 is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 {
@@ -725,7 +726,7 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 		return false;
 	if (!is_filled(g, r, p->c))
 		return true;
-	if (vocabulary_key(layout_cell_at(g, r, p->c)->text) != N_KEY)
+	if (lexicon_key(layout_cell_at(g, r, p->c)->text) != N_KEY)
 		return false;
 	struct head first = head_read(layout_cell_at(g, r, p->c)->text);
 	bool of_columns =
@@ -756,8 +757,8 @@ layout_add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
 		g->used[index_at(g, r, col[i])] = true;
 }
 
-/* The columns of a table: from its sieves to before `end`, and those at the
- * left of the first table, each if it has anything below the heads. */
+/* Lists the columns of a table that have anything below the headings: from its
+ * sieves to before `end` and, for the first table, those to the left. */
 static size_t
 layout_list_columns(const struct grid *g, const struct place *p, size_t from,
     size_t end, size_t *col)
@@ -782,8 +783,8 @@ layout_list_columns(const struct grid *g, const struct place *p, size_t from,
 	return n;
 }
 
-/* Where the sieves are there twice, as names and in mm, a row that has one of
- * them only. */
+/* If the sieves are listed twice, as names and in mm, completes rows that have
+ * only one of the two. */
 static void
 fill_names(struct table *t)
 {
@@ -792,9 +793,8 @@ fill_names(struct table *t)
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->n_col; c++) {
-		char *head = layout_head_text(t, c);
-		uint64_t means = vocabulary_text(head, NULL);
-		free(head);
+		FREED char *head = layout_head_text(t, c);
+		uint64_t means = lexicon_meanings(head, NULL);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
 			continue;
@@ -813,13 +813,14 @@ static void
 add_layout_table(const struct grid *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
 {
-	size_t *col = xcalloc(g->n_col + 1, sizeof *col);
+	FREED size_t *col = xcalloc(g->n_col + 1, sizeof *col);
 	size_t n = layout_list_columns(g, p, from, end, col);
 	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
 	    .n_col = n,
 	    .left = g->across ? g->row_number[p->first] : g->col_number[p->c],
 	    .end = g->across || end == g->n_col ? SIZE_MAX : g->col_number[end],
+	    .title = xstrdup(""),
 	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
@@ -850,7 +851,6 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	layout->table =
 	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
 	layout->table[layout->n++] = t;
-	free(col);
 }
 
 static bool
@@ -859,8 +859,8 @@ overlap(const struct place *a, const struct place *b)
 	return a->first < b->last && b->first < a->last;
 }
 
-/* Whether two columns of sieves are the lower and the upper ends of classes, of
- * which each begins where another one ends: mass is retained on the lower. */
+/* True if two columns of sieves are the lower and upper ends of adjoining
+ * classes: mass is retained on the lower. */
 static bool
 are_ends(const struct grid *g, const struct place *low, const struct place *up)
 {
@@ -878,9 +878,9 @@ are_ends(const struct grid *g, const struct place *low, const struct place *up)
 	return n > 2 && joined + 1 == n;
 }
 
-/* Of two heads above the same sieves the lower one, and of two columns of
- * sieves side by side (No. and mm) the one with more openings; the other is a
- * column of it. */
+/* Keeps, of two headings above the same sieves, the lower one and, of two
+ * adjacent columns of sieves (No. and mm), the one with more openings; the
+ * other becomes a column of its table. */
 static size_t
 drop_double_heads(const struct grid *g, struct place *place, size_t n)
 {

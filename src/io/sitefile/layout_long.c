@@ -81,7 +81,7 @@ struct ranked {
 	size_t row;
 };
 
-/* The largest first; of the same, the upper row. */
+/* Orders the largest first and, among equals, the upper row. */
 static int
 compare_ranked(const void *a, const void *b)
 {
@@ -101,7 +101,7 @@ list_sizes(struct longer *l)
 	/* Of which series they are shows later; here they only differ. */
 	if (unit.series == SIEVE_MESH)
 		unit = (struct sieve_unit){1, SIEVE_NONE};
-	struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
+	FREED struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
 	size_t n = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
 		enum sieve_kind kind =
@@ -117,11 +117,10 @@ list_sizes(struct longer *l)
 			l->first[l->n_size++] = ranked[i].row;
 		l->size[ranked[i].row] = l->n_size - 1;
 	}
-	free(ranked);
 }
 
 static bool
-layout_long_is_same_sample(const struct longer *l, size_t a, size_t b)
+is_row_of_same_sample(const struct longer *l, size_t a, size_t b)
 {
 	const struct table *t = l->table;
 	for (size_t c = 1; c < t->n_col; c++)
@@ -131,9 +130,9 @@ layout_long_is_same_sample(const struct longer *l, size_t a, size_t b)
 	return true;
 }
 
-/* Of the cells that tell row r's sample from others. */
+/* Returns a digest of the cells that identify the sample of row r. */
 static uint64_t
-layout_long_mark_of(const struct longer *l, size_t r)
+row_mark(const struct longer *l, size_t r)
 {
 	uint64_t mark = TEXT_DIGEST_START;
 	for (size_t c = 1; c < l->table->n_col; c++) {
@@ -144,20 +143,20 @@ layout_long_mark_of(const struct longer *l, size_t r)
 	return mark;
 }
 
-/* Samples are looked up by their marks, from the place of the mark on. */
+/* Finds the different samples by the digests of their rows, in a hash table. */
 static void
-layout_long_list_samples(struct longer *l)
+list_samples(struct longer *l)
 {
 	size_t n = l->table->n_row, room = 2 * n + 1;
-	size_t *known =
+	FREED size_t *known =
 	    xcalloc(room, sizeof *known); /* samples from 1; 0: no */
 	for (size_t r = 0; r < n; r++) {
-		l->mark[r] = layout_long_mark_of(l, r);
+		l->mark[r] = row_mark(l, r);
 		size_t at = (size_t)(l->mark[r] % room);
 		for (; known[at] != 0; at = (at + 1) % room) {
 			size_t lead = l->lead[known[at] - 1];
 			if (l->mark[lead] == l->mark[r] &&
-			    layout_long_is_same_sample(l, lead, r))
+			    is_row_of_same_sample(l, lead, r))
 				break;
 		}
 		if (known[at] == 0) {
@@ -166,11 +165,10 @@ layout_long_list_samples(struct longer *l)
 		}
 		l->sample[r] = known[at] - 1;
 	}
-	free(known);
 }
 
-/* Whether sample a comes after b by their numbers: number [n], NAN where a
- * sample has none. */
+/* True if sample a comes after b by their numbers: [n], NAN if a sample has
+ * none. */
 static bool
 is_later_sample(const double *a, const double *b, size_t n)
 {
@@ -180,7 +178,7 @@ is_later_sample(const double *a, const double *b, size_t n)
 	return false;
 }
 
-/* The numbers of samples [n_sample][n], and how many each has. */
+/* Returns the numbers of all samples [n_sample][n], and n. */
 static double *
 sample_numbers(const struct longer *l, size_t *n)
 {
@@ -200,14 +198,14 @@ sample_numbers(const struct longer *l, size_t *n)
 	return number;
 }
 
-/* place [n_sample]: in what order samples come. */
+/* Sorts the samples by their numbers. */
 static void
 sort_samples(struct longer *l)
 {
 	size_t n, n_sample = l->n_sample;
-	double *number = sample_numbers(l, &n);
-	size_t *order = xcalloc(n_sample, sizeof *order);
-	size_t *place = xcalloc(n_sample, sizeof *place);
+	FREED double *number = sample_numbers(l, &n);
+	FREED size_t *order = xcalloc(n_sample, sizeof *order);
+	FREED size_t *place = xcalloc(n_sample, sizeof *place);
 	size_t *lead = xcalloc(n_sample, sizeof *lead);
 	for (size_t i = 0; i < n_sample; i++) {
 		size_t k = i;
@@ -225,12 +223,9 @@ sort_samples(struct longer *l)
 		l->sample[r] = place[l->sample[r]];
 	free(l->lead);
 	l->lead = lead;
-	free(number);
-	free(order);
-	free(place);
 }
 
-/* Whether each sample has each of its sieves once, and some sieve is there for
+/* True if each sample has each of its sieves once, and some sieves occur for
  * several samples. */
 static bool
 is_long(const struct longer *l)
@@ -241,7 +236,7 @@ is_long(const struct longer *l)
 		values = values || l->use[c] == VALUE;
 	if (!values || l->n_sample < 2 || 2 * n < 3 * l->n_size)
 		return false;
-	struct ranked *ranked = xcalloc(n, sizeof *ranked);
+	FREED struct ranked *ranked = xcalloc(n, sizeof *ranked);
 	for (size_t r = 0; r < n && good; r++) {
 		good = !isnan(l->mm[r]);
 		/* Exact: both are below the number of rows. */
@@ -251,7 +246,6 @@ is_long(const struct longer *l)
 	qsort(ranked, n, sizeof *ranked, compare_ranked);
 	for (size_t i = 1; i < n && good; i++)
 		good = ranked[i].by != ranked[i - 1].by;
-	free(ranked);
 	return good;
 }
 
@@ -267,7 +261,7 @@ unit_text(enum speed_unit unit)
 	return TEXTS[unit];
 }
 
-/* What heads a sample's column: "Product 69 m/s Passing %". */
+/* Returns the heading of a sample's column: "Product 69 m/s Passing %". */
 static char *
 sample_head(const struct longer *l, size_t sample, size_t value)
 {
@@ -291,13 +285,12 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 			xlist(&text, " ", "%s %s", cell.text,
 			    number ? unit_text(unit) : "");
 	}
-	char *own = layout_head_text(t, value);
+	FREED char *own = layout_head_text(t, value);
 	xlist(&text, " ", "%s", own);
-	free(own);
 	return text;
 }
 
-/* What a sample is called, by all that tells it from others. */
+/* Returns the name of a sample: all cells that identify it. */
 static char *
 sample_name(const struct longer *l, size_t sample)
 {
@@ -311,7 +304,7 @@ sample_name(const struct longer *l, size_t sample)
 	return text;
 }
 
-/* An empty row of n cells at a place. */
+/* Returns an empty row of n cells at the position of another. */
 static struct row
 empty_row(size_t n, const struct row *from)
 {
@@ -325,10 +318,10 @@ empty_row(size_t n, const struct row *from)
 	return row;
 }
 
-/* Whether the wide table has room for what the long one says; false with a
+/* True if the wide table has room for all samples; otherwise false with a
  * fault. */
 static bool
-layout_long_has_room(const struct longer *l)
+has_room_for_samples(const struct longer *l)
 {
 	const struct table *t = l->table;
 	size_t values = 0, most = SOURCE_MOST_CELLS / l->n_size;
@@ -343,7 +336,7 @@ layout_long_has_room(const struct longer *l)
 		   most, l->n_sample, values, t->sheet->path);
 }
 
-/* The heads of all samples, with their names. */
+/* Writes the headings and names of all samples. */
 static void
 head_samples(const struct longer *l, struct table *wide)
 {
@@ -365,9 +358,9 @@ head_samples(const struct longer *l, struct table *wide)
 	}
 }
 
-/* The wide table of a long one. */
+/* Replaces the long table with a wide one. */
 static void
-layout_long_widen(struct longer *l)
+widen_table(struct longer *l)
 {
 	struct table *t = l->table, wide = *t;
 	size_t values = 0;
@@ -409,8 +402,8 @@ layout_long_widen(struct longer *l)
 	layout_table_clear(&old);
 }
 
-/* Numbers of samples may stand below "ID" or a date, which no sample is told by
- * else: the first such column that makes the table a long one does. */
+/* If nothing else identifies the samples, a column headed "ID" or with dates
+ * may: the first such column that makes the table a long one does. */
 static bool
 is_long_by_other(struct longer *l)
 {
@@ -421,7 +414,7 @@ is_long_by_other(struct longer *l)
 			continue;
 		l->use[c] = is_numeric(t, c) ? COUNT : KEY;
 		l->n_sample = 0;
-		layout_long_list_samples(l);
+		list_samples(l);
 		found = 2 * l->n_sample <= t->n_row && is_long(l);
 		l->use[c] = found ? l->use[c] : UNUSED;
 	}
@@ -444,17 +437,16 @@ layout_widen(struct table *t, uint64_t told)
 	l.mark = xcalloc(n, sizeof *l.mark);
 	for (size_t c = 0; c < t->n_col && !error_stopped(t->sheet->errors);
 	     c++) {
-		char *text = layout_head_text(t, c);
+		FREED char *text = layout_head_text(t, c);
 		l.head[c] = head_read(text);
 		l.use[c] = c > 0 ? guess_use(t, c, &l.head[c]) : UNUSED;
-		free(text);
 	}
 	list_sizes(&l);
-	layout_long_list_samples(&l);
+	list_samples(&l);
 	if ((is_long(&l) || is_long_by_other(&l)) &&
-	    (good = layout_long_has_room(&l))) {
+	    (good = has_room_for_samples(&l))) {
 		sort_samples(&l);
-		layout_long_widen(&l);
+		widen_table(&l);
 	}
 	free(l.use);
 	free(l.head);

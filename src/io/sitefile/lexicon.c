@@ -189,7 +189,7 @@ struct index {
 	bool begins[UCHAR_MAX + 1][UCHAR_MAX + 1];
 };
 
-/* The one there is, which vocabulary_word fills. */
+/* Returns the only index, which lexicon_word_meanings fills. */
 static struct index *
 word_index(void)
 {
@@ -233,7 +233,7 @@ fill_index(void)
 	}
 }
 
-/* What the first of PARTS says that a word has in it. */
+/* Returns the meanings of the first of PARTS that a word contains, or 0. */
 static uint64_t
 lexicon_part_of(const struct index *index, const char *word, size_t n)
 {
@@ -253,7 +253,7 @@ lexicon_part_of(const struct index *index, const char *word, size_t n)
 }
 
 uint64_t
-vocabulary_word(const char *word, size_t n)
+lexicon_word_meanings(const char *word, size_t n)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	const struct index *index = word_index();
@@ -266,10 +266,10 @@ vocabulary_word(const char *word, size_t n)
 }
 
 uint64_t
-vocabulary_text(const char *text, size_t *unknown)
+lexicon_meanings(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	uint64_t means = 0;
 	size_t none = 0;
 	for (char *p = folded; *p != '\0';) {
@@ -285,16 +285,15 @@ vocabulary_text(const char *text, size_t *unknown)
 			bool micro = p - word == 3 && word[2] == 'm' &&
 				     (memcmp(word, "\xC2\xB5", 2) == 0 ||
 					 memcmp(word, "\xCE\xBC", 2) == 0);
-			uint64_t one =
-			    micro ? WORD_UM
-				  : vocabulary_word(word, (size_t)(p - word));
+			uint64_t one = micro ? WORD_UM
+					     : lexicon_word_meanings(
+						   word, (size_t)(p - word));
 			bool digits =
 			    strspn(word, "0123456789") >= (size_t)(p - word);
 			none += one == 0 && !digits;
 			means |= one;
 		}
 	}
-	free(folded);
 	if (unknown != NULL)
 		*unknown = none;
 	return means;
@@ -315,30 +314,27 @@ static const char *const KEYS[N_KEY] = {
     [KEY_TOP_SIZE] = "top_size_mm|top size mm|top size (mm)",
 };
 
-/* Whether a key is one of those of a list. */
+/* True if a key is in a list. */
 static bool
 is_one_of(const char *key, const char *list)
 {
-	char *folded = text_fold(key);
+	FREED char *folded = text_fold(key);
 	const char *word = text_trim(folded);
 	size_t n = strlen(word);
-	bool found = false;
-	for (const char *p = list; !found && n > 0;) {
+	for (const char *p = list; n > 0 && *p != '\0';) {
 		size_t length = strcspn(p, "|");
-		found = length == n && strncmp(p, word, n) == 0;
-		if (p[length] == '\0')
-			break;
-		p += length + 1;
+		if (length == n && strncmp(p, word, n) == 0)
+			return true;
+		p += length + (p[length] == '|');
 	}
-	free(folded);
-	return found;
+	return false;
 }
 
-enum vocabulary_key
-vocabulary_key(const char *text)
+enum lexicon_key
+lexicon_key(const char *text)
 {
 	size_t k = 0;
 	while (k < N_KEY && !is_one_of(text, KEYS[k]))
 		k++;
-	return (enum vocabulary_key)k;
+	return (enum lexicon_key)k;
 }

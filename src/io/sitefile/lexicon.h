@@ -45,14 +45,14 @@
 
 /* Returns the meanings of one word, n bytes folded by text_fold, or 0 if
  * unknown. */
-uint64_t vocabulary_word(const char *word, size_t n);
+uint64_t lexicon_word_meanings(const char *word, size_t n);
 
 /* Returns the combined meanings of all words in a text.  unknown: out, the
  * number of words without a meaning; may be NULL. */
-uint64_t vocabulary_text(const char *text, size_t *unknown);
+uint64_t lexicon_meanings(const char *text, size_t *unknown);
 
 /* Keys in the lines above the tables. */
-enum vocabulary_key {
+enum lexicon_key {
 	KEY_SITE,
 	KEY_ROCK,
 	KEY_MACHINE,
@@ -62,6 +62,6 @@ enum vocabulary_key {
 };
 
 /* Returns the key that matches a text, ignoring case and accents, or N_KEY. */
-enum vocabulary_key vocabulary_key(const char *text);
+enum lexicon_key lexicon_key(const char *text);
 
 #endif

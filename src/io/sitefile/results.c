@@ -26,7 +26,7 @@ first_word(const char *text)
 	return xstrndup(text, strcspn(text, " "));
 }
 
-/* See tell_about in cmd/session/redirect.c: only results of a site name one. */
+/* Only results of a site name one; see tell_about in cmd/session/redirect.c. */
 static char *
 command_about(const struct sheet *sheet)
 {

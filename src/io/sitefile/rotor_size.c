@@ -25,36 +25,28 @@ struct search {
 	double unit, ahead, found;
 };
 
-static bool
-is_letter(char c)
-{
-	return isalpha((unsigned char)c) || (c & 0x80) != 0;
-}
-
-/* Folded, with a word in place of each sign for a diameter that is no part of
- * another word: O with a stroke, phi, and the sign of U+2300. */
+/* Returns the folded text, with a word in place of each sign for a diameter
+ * that is not part of another word: O with a stroke, phi, and U+2300. */
 static char *
 without_signs(const char *text)
 {
 	static const char *const SIGNS[] = {"\xC3\x98", "\xC3\xB8", "\xCE\xA6",
 	    "\xCF\x86", "\xCF\x95", "\xE2\x8C\x80"};
-	char *plain = xstrdup("");
+	FREED char *plain = xstrdup("");
 	for (const char *p = text; *p != '\0';) {
 		size_t n = 0;
 		for (size_t i = 0; i < ARRAY_LEN(SIGNS); i++)
 			if (strncmp(p, SIGNS[i], strlen(SIGNS[i])) == 0)
 				n = strlen(SIGNS[i]);
-		bool sign = n > 0 && (p == text || !is_letter(p[-1])) &&
-			    !is_letter(p[n]);
+		bool sign = n > 0 && (p == text || !head_is_letter(p[-1])) &&
+			    !head_is_letter(p[n]);
 		if (sign)
 			xappend(&plain, " diameter ");
 		else
 			xappend(&plain, "%c", *p);
 		p += sign ? n : 1;
 	}
-	char *folded = text_fold(plain);
-	free(plain);
-	return folded;
+	return text_fold(plain);
 }
 
 static bool
@@ -72,12 +64,12 @@ static size_t
 word_bytes(const char *p)
 {
 	size_t n = 0;
-	while (is_letter(p[n]))
+	while (head_is_letter(p[n]))
 		n++;
 	return n;
 }
 
-/* The mm in a unit of length, n bytes at p; 0: it is none. */
+/* Returns a unit of length, n bytes at p, in mm; 0 if it is none. */
 static double
 mm_of_unit(const char *p, size_t n)
 {
@@ -87,7 +79,7 @@ mm_of_unit(const char *p, size_t n)
 		return 0;
 	if (n == 2 && strncmp(p, "cm", 2) == 0)
 		return 10;
-	uint64_t means = vocabulary_word(p, n);
+	uint64_t means = lexicon_word_meanings(p, n);
 	return (means & WORD_MM) != 0     ? 1
 	       : (means & WORD_INCH) != 0 ? 25.4
 	       : (means & WORD_M) != 0    ? 1000
@@ -110,8 +102,9 @@ keep_rotor_found(struct search *s, double mm)
 	s->found = differs ? -1 : mm;
 }
 
-/* A number at *text, which moves after it, with a decimal point or comma.
- * 1,050 mm has thousands, as no rotor is that small.  unit: mm. */
+/* Reads a number with a decimal point or comma at *text and moves *text after
+ * it.  In 1,050 mm the comma separates thousands, as no rotor is that small.
+ * unit: mm. */
 static double
 number_mm(const char **text, size_t n, double unit)
 {
@@ -138,7 +131,7 @@ number_bytes(const char *p)
 	return decimals ? n + 1 + strspn(p + n + 1, "0123456789") : n;
 }
 
-/* Whether a number that ends at `end` has no unit and is no part of a range: a
+/* True if a number that ends at `end` has no unit and is not part of a range: a
  * word of `word` bytes, if any, follows at `after`. */
 static bool
 is_bare(const char *end, const char *after, size_t word)
@@ -175,7 +168,7 @@ read_number(struct search *s, const char **text)
 static void
 rotor_read_word(struct search *s, const char *word, size_t n)
 {
-	uint64_t means = vocabulary_word(word, n);
+	uint64_t means = lexicon_word_meanings(word, n);
 	double unit = mm_of_unit(word, n);
 	if (is_diameter(word, n)) {
 		s->diameter = true;
@@ -192,8 +185,9 @@ rotor_read_word(struct search *s, const char *word, size_t n)
 	}
 }
 
-/* Whether a diameter in a line may be the rotor's, which it does not name: of a
- * machine or a speed, and not of sieves, which have diameters, too. */
+/* True if a diameter may be the rotor's although the line does not name it: the
+ * line is about a machine or a speed, and not about sieves, which have
+ * diameters too. */
 static bool
 can_stand_alone(const char *text, const char *folded)
 {
@@ -201,7 +195,7 @@ can_stand_alone(const char *text, const char *folded)
 	for (const char *p = folded; *p != '\0';) {
 		size_t n = word_bytes(p);
 		if (n > 1 && !is_diameter(p, n) &&
-		    (vocabulary_word(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
+		    (lexicon_word_meanings(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
 			WORD_SIZE)
 			return false;
 		p += n > 0 ? n : 1;
@@ -213,7 +207,7 @@ can_stand_alone(const char *text, const char *folded)
 double
 rotor_size_mm(const char *text, bool machine)
 {
-	char *folded = without_signs(text);
+	FREED char *folded = without_signs(text);
 	struct search s = {.machine = machine};
 	s.alone = can_stand_alone(text, folded);
 	for (const char *p = folded; *p != '\0';) {
@@ -229,6 +223,5 @@ rotor_size_mm(const char *text, bool machine)
 			s.ahead = 0;
 		p += n > 0 ? n : 1;
 	}
-	free(folded);
 	return s.found;
 }

@@ -60,8 +60,8 @@ static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
     0.63, 0.56, 0.45, 0.4, 0.315, 0.28, 0.224, 0.2, 0.16, 0.14, 0.112, 0.1,
     0.08, 0.071, 0.056, 0.05, 0.04, 0.036};
 
-/* "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a digit
- * or a point and moves after it. */
+/* Reads "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a
+ * digit or a point, and moves *text after it. */
 static double
 read_mixed_fraction(const char **text)
 {
@@ -81,8 +81,8 @@ read_mixed_fraction(const char **text)
 	return whole;
 }
 
-/* The word at *text, which moves after it, as a series; SIEVE_NONE where it is
- * no word of a sieve's name. */
+/* Reads the word at *text as a series and moves *text after it; SIEVE_NONE if
+ * it does not belong to the name of a sieve. */
 static enum sieve_series
 read_series_word(const char **text)
 {
@@ -113,11 +113,12 @@ read_series_word(const char **text)
 	return SIEVE_NONE;
 }
 
-/* The series that a name's own words say ("BS 7 mesh"), and its number. */
+/* Returns the series that a name itself states ("BS 7 mesh"), and its
+ * number. */
 static enum sieve_series
 read_name(const char *text, double *value)
 {
-	char *folded = text_fold(text);
+	FREED char *folded = text_fold(text);
 	enum sieve_series series = SIEVE_NONE;
 	bool good = true;
 	*value = NAN;
@@ -140,7 +141,6 @@ read_name(const char *text, double *value)
 			 word != SIEVE_ASTM)
 			good = false;
 	}
-	free(folded);
 	return good && *value > 0 && isfinite(*value) ? series : SIEVE_NONE;
 }
 
@@ -182,14 +182,14 @@ find_astm(enum sieve_series wanted, double number)
 }
 
 enum sieve_series
-sieve_names_series(const char *text)
+sieve_name_series(const char *text)
 {
 	double value;
 	return read_name(text, &value);
 }
 
 double
-sieve_names_mm(const char *text, enum sieve_series head)
+sieve_name_mm(const char *text, enum sieve_series head)
 {
 	double value;
 	enum sieve_series series = read_name(text, &value);
@@ -223,14 +223,7 @@ sieve_names_mm(const char *text, enum sieve_series head)
 }
 
 bool
-sieve_names_is_number(const char *text)
-{
-	double value;
-	return read_name(text, &value) == SIEVE_ASTM;
-}
-
-bool
-sieve_names_is_standard(double mm)
+sieve_is_standard(double mm)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
 		if (fabs(SIEVES[i].mm - mm) < 0.01 * mm)
@@ -242,7 +235,7 @@ sieve_names_is_standard(double mm)
 }
 
 double
-sieve_names_coarser(double mm, bool astm)
+sieve_next_coarser(double mm, bool astm)
 {
 	static const double EN[] = {0.063, 0.125, 0.25, 0.5, 1, 2, 4, 5.6, 8,
 	    11.2, 16, 22.4, 31.5, 45, 63, 90, 125};
@@ -256,7 +249,7 @@ sieve_names_coarser(double mm, bool astm)
 }
 
 char *
-sieve_names_nearest(const char *text)
+sieve_nearest_names(const char *text)
 {
 	double wanted, value;
 	enum sieve_series kind = read_name(text, &wanted);
@@ -304,8 +297,8 @@ sieve_unit_of(uint64_t means)
 /* Sizes in phi go by quarters. */
 static const double LEAST_PHI = 0.25;
 
-/* What is left under the finest sieve, as labs of several languages call it:
- * pan, Botten, <0.063. */
+/* True for what remains below the finest sieve, as laboratories call it in
+ * several languages: pan, Botten, <0.063. */
 static bool
 is_pan(const char *text)
 {
@@ -317,16 +310,17 @@ is_pan(const char *text)
 	if (text[0] == '<') {
 		const char *rest = text + 1 + strspn(text + 1, " ");
 		return isdigit((unsigned char)rest[0]) ||
-		       sieve_names_series(rest) != SIEVE_NONE;
+		       sieve_name_series(rest) != SIEVE_NONE;
 	}
 	if (isdigit((unsigned char)text[0]) || strpbrk(text, "0123456789"))
 		return false;
-	uint64_t means = vocabulary_text(text, &unknown);
+	uint64_t means = lexicon_meanings(text, &unknown);
 	return (means & WORD_PAN) != 0 && unknown == 0 &&
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }
 
-/* "63 um" as 63, and mm in its unit; 0 where no unit of size follows. */
+/* Cuts "63 um" to 63 and returns the unit in mm; 0 if no unit of size
+ * follows. */
 static double
 sieve_size_cut_unit(
     const struct sheet *sheet, struct cell *cell, char copy[static 40])
@@ -341,7 +335,7 @@ sieve_size_cut_unit(
 	if (at == 0 || at == n || strchr(cell->text + at, '/') != NULL)
 		return 0;
 	struct sieve_unit unit =
-	    sieve_unit_of(vocabulary_text(cell->text + at, &unknown));
+	    sieve_unit_of(lexicon_meanings(cell->text + at, &unknown));
 	if (unknown > 0 || unit.mm == 0)
 		return 0;
 	memcpy(copy, cell->text, at);
@@ -350,8 +344,8 @@ sieve_size_cut_unit(
 	return unit.mm;
 }
 
-/* The lower of the two sizes of a class, "11,2/16", "11,2 - 16" or "-16 +11.2",
- * or the one of "> 22,4" or "+22.4", as the cell's text. */
+/* Makes the cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16"
+ * or "-16 +11.2", or the size in "> 22,4" or "+22.4". */
 static bool
 cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
@@ -386,7 +380,7 @@ sieve_size_is_class(const struct sheet *sheet, struct cell cell)
 	return cut_class(sheet, &cell, copy);
 }
 
-/* mm, to 9 decimals, of a size in a unit of so many mm; 0: in mm. */
+/* Converts a size to mm, with 9 decimals; unit: mm, or 0 for mm. */
 static double
 mm_from_unit(double value, double unit)
 {
@@ -416,7 +410,7 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
 	}
-	double named = sieve_names_mm(cell.text, unit.series);
+	double named = sieve_name_mm(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;
 		return SIEVE_IS_SIZE;

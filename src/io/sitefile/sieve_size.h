@@ -22,31 +22,27 @@ enum sieve_series {
 
 /* Returns the series that a name itself states, or SIEVE_NONE if the text is
  * not a name. */
-enum sieve_series sieve_names_series(const char *text);
+enum sieve_series sieve_name_series(const char *text);
 
 /* Returns the opening, mm, of the sieve with this name; 0 if the text is not a
  * sieve name; NAN if it has the form of one but there is no such sieve, or if a
  * mesh number does not state its series.  Reads ASTM E11 numbers after #, No.
  * or Nº, inches such as 1/2 in, 1 1/2 inch or 3/8", and mesh numbers with Tyler
  * or BS.  head: the series of bare numbers, from the heading of the column. */
-double sieve_names_mm(const char *text, enum sieve_series head);
-
-/* True if the text has the form of an ASTM E11 number (not inches), even if
- * there is no such sieve. */
-bool sieve_names_is_number(const char *text);
+double sieve_name_mm(const char *text, enum sieve_series head);
 
 /* True if a size in mm is within 1 % of a sieve in ISO 565, EN 933-2 or ASTM
  * E11. */
-bool sieve_names_is_standard(double mm);
+bool sieve_is_standard(double mm);
 
 /* Returns the next coarser sieve, mm, of those that plants have: the sieves of
  * EN 933, or the inch sizes and numbers of ASTM E11.  Above them all, it
  * returns the next step of the series. */
-double sieve_names_coarser(double mm, bool astm);
+double sieve_next_coarser(double mm, bool astm);
 
 /* For a name that no sieve has, returns the next coarser and finer sieves: "1/4
  * in (6.3 mm) and No. 3 1/2 (5.6 mm)".  The caller frees the text. */
-char *sieve_names_nearest(const char *text);
+char *sieve_nearest_names(const char *text);
 
 /* The unit in the heading of the sieves.  mm: unit of the numbers, in mm, or 0
  * if not stated; series: that of the names. */

@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +13,14 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/classify.h"
-#include "io/sitefile/site_ask_tables.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
+#include "io/sitefile/site_title.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
 
 static bool
-site_ask_add_name(struct names *names, char *part, struct error *error)
+add_column_name(struct names *names, char *part, struct error *error)
 {
 	char *text = text_trim(part), *end;
 	unsigned long number = strtoul(text, &end, 10);
@@ -39,7 +40,7 @@ site_ask_add_name(struct names *names, char *part, struct error *error)
 }
 
 static void
-site_ask_add_sieves(struct layout_range *range, size_t number)
+add_sieve_column(struct layout_range *range, size_t number)
 {
 	if (range->n_sieves < LAYOUT_SIEVES)
 		range->sieves[range->n_sieves++] = number;
@@ -51,39 +52,28 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 {
 	if (columns == NULL)
 		return true;
-	char *copy = xstrdup(columns), *rest = copy;
-	bool good = true;
-	while (good && rest != NULL) {
-		char *part = rest;
-		rest = strchr(part, ',');
-		/* A comma within a speed: product@63,6. */
-		while (rest != NULL && isdigit((unsigned char)rest[1]) &&
-		       strchr(rest, '=') != NULL &&
-		       rest[1 + strspn(rest + 1, "0123456789")] != '=')
-			rest = strchr(rest + 1, ',');
-		if (rest != NULL)
-			*rest++ = '\0';
-		good = site_ask_add_name(names, part, error);
-	}
-	free(copy);
+	FREED char *copy = xstrdup(columns);
+	char *rest = copy;
+	for (char *part; (part = samples_next_part(&rest)) != NULL;)
+		if (!add_column_name(names, part, error))
+			return false;
 	for (size_t i = 0; i < names->n; i++) {
-		uint64_t means = vocabulary_text(names->text[i], NULL);
+		uint64_t means = lexicon_meanings(names->text[i], NULL);
 		uint64_t other =
 		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
 		if ((means & WORD_SIZE) == 0 || (means & other) != 0) {
 			names->others = true;
 			continue;
 		}
-		site_ask_add_sieves(range, names->number[i]);
+		add_sieve_column(range, names->number[i]);
 		range->phi = range->phi || (means & WORD_PHI) != 0;
 	}
-	if (good && range->n_sieves == 0)
-		good = error_set(error, ERROR_USAGE,
-		    "expected a column of sieves in columns, got '%s'\n"
-		    "for instance: columns=\"1=sieve mm, 2=feed, "
-		    "3=product@69\"",
-		    columns);
-	return good;
+	return range->n_sieves > 0 ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a column of sieves in columns, got '%s'\n"
+		   "for instance: columns=\"1=sieve mm, 2=feed, "
+		   "3=product@69\"",
+		   columns);
 }
 
 uint64_t
@@ -94,7 +84,7 @@ names_apply(const struct names *names, struct table *t)
 	uint64_t sieve = 0;
 	for (size_t i = 0; i < names->n; i++)
 		if (names->number[i] == t->number[0])
-			sieve = vocabulary_text(names->text[i], NULL);
+			sieve = lexicon_meanings(names->text[i], NULL);
 	if (names->others)
 		layout_set_names(t, names->number,
 		    (const char *const *)names->text, names->n);
@@ -170,10 +160,10 @@ add_question(struct site_ask *ask, const struct table *t, size_t at,
 	    .open = open};
 }
 
-/* Whether samples are better told by their names: of a long table, whose
- * columns have no numbers of their own, and of many. */
+/* True if samples are better identified by name: those of a long table, whose
+ * columns have no numbers of their own, or many samples. */
 static bool
-site_ask_has_names(
+has_sample_names(
     struct table *const *table, size_t n_table, const struct columns *all)
 {
 	enum { FEW = 6 };
@@ -187,10 +177,8 @@ site_ask_has_names(
 	    !samples_are_apart(t))
 		return false;
 	for (size_t i = 0; i < all->n; i++) {
-		char *label = samples_label(t, all->column[i].at);
-		bool good = label[0] != '\0' && strpbrk(label, "\",=") == NULL;
-		free(label);
-		if (!good)
+		FREED char *label = samples_label(t, all->column[i].at);
+		if (label[0] == '\0' || strpbrk(label, "\",=") != NULL)
 			return false;
 	}
 	return true;
@@ -205,27 +193,27 @@ has_feed(const struct columns *all)
 	return i < all->n;
 }
 
-/* What a column seems to be; the first without a role is the feed, where
- * nothing else is: *feed, which is then found. */
+/* Describes what a column seems to be; the first without a role is the feed if
+ * there is no other, and then sets *feed. */
 static char *
 guess_words(const struct column *c, bool *feed)
 {
-	char *words = recognise_column_text(c);
+	char *words = classify_column_text(c);
 	if (*feed || c->role != NO_ROLE)
 		return words;
 	*feed = true;
-	char *guess = xasprintf("feed%s", words + strcspn(words, " "));
-	free(words);
-	return guess;
+	FREED char *role = words;
+	return xasprintf("feed%s", role + strcspn(role, " "));
 }
 
-/* Everything as samples= would have it: two stand for all. */
+/* Lists the samples in the words of samples=, whose first two show how to name
+ * all. */
 static void
-site_ask_list_samples(struct site_ask *ask, const struct table *t,
+list_samples_to_name(struct site_ask *ask, const struct table *t,
     const struct columns *all, bool sieves)
 {
 	struct cell head = site_sieve_heading(t);
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
 	if (sieves)
 		xappend(
@@ -248,20 +236,19 @@ site_ask_list_samples(struct site_ask *ask, const struct table *t,
 	}
 	xappend(&ask->settle, "samples=\"%s\"", text);
 	ask->by_sample = true;
-	free(text);
 }
 
-/* Everything as columns= would have it. */
+/* Lists the columns in the words of columns=. */
 static void
-site_ask_list_columns(struct site_ask *ask, struct table *const *table,
+list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
-	if (site_ask_has_names(table, n_table, all)) {
+	if (has_sample_names(table, n_table, all)) {
 		ask->settle = xstrdup("");
-		site_ask_list_samples(ask, table[0], all, sieves);
+		list_samples_to_name(ask, table[0], all, sieves);
 		return;
 	}
-	char *text = xstrdup("");
+	FREED char *text = xstrdup("");
 	bool feed = has_feed(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
@@ -280,10 +267,9 @@ site_ask_list_columns(struct site_ask *ask, struct table *const *table,
 		}
 	}
 	ask->settle = xasprintf("columns=\"%s\"", text);
-	free(text);
 }
 
-/* The files of the request, as load has them. */
+/* Returns the files and options of the request, as `load` takes them. */
 static char *
 list_files(const struct site_request *q, const char *settle)
 {
@@ -313,12 +299,12 @@ list_files(const struct site_request *q, const char *settle)
 	return list;
 }
 
-/* The line that loads the files as `settle` says.  Where a question takes its
- * feed from a sheet it has no such options: the sheet is written anew. */
+/* Returns the line that loads the files with the answer.  Where a sheet is only
+ * read for its feed, these options do not exist: the sheet is written anew. */
 static char *
 line_with_answers(const struct site_request *q, const char *settle)
 {
-	char *files = list_files(q, settle);
+	FREED char *files = list_files(q, settle);
 	char *line =
 	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
 	const char *slash = strrchr(q->path[0], '/');
@@ -326,7 +312,6 @@ line_with_answers(const struct site_request *q, const char *settle)
 	if (q->feed)
 		xappend(&line, "; write \"%.*s-read.csv\"",
 		    (int)strcspn(name, "."), name);
-	free(files);
 	return line;
 }
 
@@ -336,20 +321,183 @@ hint_for_feed(const struct site_request *q)
 	return q->feed ? tr(", and write it again for feed=") : "";
 }
 
-static bool
-site_ask_refuse(const struct site_request *q, const struct table *t,
-    struct cell where, struct site_ask *ask, struct error_list *errors,
-    const char *what)
+/* Adds the question as a fault.  Returns true. */
+static bool __attribute__((format(printf, 5, 6)))
+refuse_with_question(const struct site_request *q, const struct table *t,
+    struct cell where, const struct site_ask *ask, const char *what, ...)
 {
-	char *line = line_with_answers(q, ask->settle);
-	error_at(error_add(errors), ERROR_DATA, t->sheet->path, where.line,
-	    where.column, "%s\nsay what it is%s: %s", what, hint_for_feed(q),
-	    line);
-	free(line);
-	return true;
+	va_list ap;
+	va_start(ap, what);
+	FREED char *said = xvasprintf(what, ap);
+	va_end(ap);
+	FREED char *line = line_with_answers(q, ask->settle);
+	return !error_at(error_add(t->sheet->errors), ERROR_DATA,
+	    t->sheet->path, where.line, where.column,
+	    "%s\nsay what it is%s: %s", said, hint_for_feed(q), line);
 }
 
-/* Several tables that each have a feed: which is the one? */
+/* Tables [n] of one sheet in order, the columns of all, and the proposed range
+ * of tables, first to last. */
+struct tables {
+	struct table *const *table;
+	size_t n, first, last;
+	const struct columns *all;
+};
+
+/* True if a table has only products whose speeds are known. */
+static bool
+has_products(const struct table *t, const struct columns *all)
+{
+	size_t products = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		if (c->role != PRODUCT || !(c->speed > 0 || c->rpm > 0))
+			return false;
+		products++;
+	}
+	return products > 0;
+}
+
+static bool
+tables_have_feed(const struct table *t, const struct columns *all)
+{
+	for (size_t i = 0; i < all->n; i++)
+		if (all->column[i].table == t && all->column[i].role == FEED)
+			return true;
+	return false;
+}
+
+/* True if table k may belong to the site whose feed is in table `feed`.  like:
+ * a table of products that does, or NULL. */
+static bool
+is_table_of_site(
+    const struct tables *s, size_t k, size_t feed, const struct table *like)
+{
+	const struct table *t = s->table[k];
+	if (!has_products(t, s->all) || title_is_limit(t))
+		return false;
+	FREED char *line = title_line(s->table[feed]), *own = title_line(t);
+	bool same = !title_names_differ(line, own);
+	return same && (like == NULL || (!t->strange && !like->strange) ||
+			   title_is_like(like, t));
+}
+
+/* Proposes the tables that are most likely one site: the first with a feed, and
+ * the tables of products next to it whose titles differ only in speed. */
+static void
+propose_tables(struct tables *s)
+{
+	size_t feed = 0;
+	const struct table *like = NULL;
+	while (feed < s->n && !tables_have_feed(s->table[feed], s->all))
+		feed++;
+	feed = feed < s->n ? feed : 0;
+	s->first = s->last = feed;
+	if (!tables_have_feed(s->table[feed], s->all))
+		return;
+	while (s->last + 1 < s->n &&
+	       is_table_of_site(s, s->last + 1, feed, like)) {
+		s->last++;
+		like = s->table[s->last];
+	}
+	while (s->last == feed && s->first > 0 &&
+	       is_table_of_site(s, s->first - 1, feed, like)) {
+		s->first--;
+		like = s->table[s->first];
+	}
+}
+
+static void
+box_extend(struct site_box *box, const struct row *row, size_t n)
+{
+	for (size_t r = 0; r < n; r++) {
+		int line = row[r].line;
+		box->top = box->top == 0 || line < box->top ? line : box->top;
+		box->bottom = line > box->bottom ? line : box->bottom;
+	}
+}
+
+/* Returns the cells of the first n_row rows of a table; its whole lines if the
+ * sieves are in one row. */
+static struct site_box
+table_box(const struct table *t, size_t n_row)
+{
+	struct site_box box = {0};
+	int least = (int)t->number[0], most = least, wide = 1;
+	for (size_t c = 0; c < t->n_col; c++) {
+		int number = (int)t->number[c];
+		least = number < least ? number : least;
+		most = number > most ? number : most;
+	}
+	if (t->across) {
+		for (size_t r = 0; r < t->sheet->n_row; r++)
+			if (t->sheet->row[r].n_all > (size_t)wide)
+				wide = (int)t->sheet->row[r].n_all;
+		return (struct site_box){least, 1, most, wide};
+	}
+	box_extend(&box, t->head, t->n_head);
+	box_extend(&box, t->row, n_row);
+	if (n_row == t->n_row)
+		box_extend(&box, t->foot, t->n_foot);
+	box.left = least;
+	box.right = most;
+	return box;
+}
+
+/* Describes what a table seems to contain: "feed, product@69". */
+static char *
+tables_contents(const struct table *t, const struct columns *all)
+{
+	enum { MOST = 3 };
+	size_t n = 0;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n && !title_is_limit(t); i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
+			continue;
+		FREED char *words = classify_column_text(c);
+		words[strcspn(words, " ")] = '\0';
+		if (n++ < MOST)
+			xlist(&list, ", ", "%s",
+			    strstr(words, "@SPEED") != NULL
+				? SITE_ROLES[c->role]
+				: words);
+	}
+	if (n > MOST)
+		xappend(&list, ", ..");
+	if (n == 0)
+		xappend(&list, "%s",
+		    title_is_limit(t) ? tr("limits or a mean")
+				      : tr("not said"));
+	return list;
+}
+
+/* Fills *ask with the tables and the proposed range. */
+static void
+list_tables(const struct tables *s, struct site_ask *ask)
+{
+	ask->tables = true;
+	ask->n = s->n;
+	ask->first = s->first;
+	ask->last = s->last;
+	ask->column = xcalloc(s->n, sizeof *ask->column);
+	for (size_t i = 0; i < s->n; i++) {
+		const struct table *t = s->table[i];
+		struct site_box box = table_box(t, t->n_row);
+		FREED char *line = title_line(t);
+		ask->column[i] = (struct site_ask_column){.number = i + 1,
+		    .head = xstrndup(line, (size_t)sheet_cut_length(line)),
+		    .values = xasprintf(tr("%d to %d"), box.top, box.bottom),
+		    .guess = tables_contents(t, s->all),
+		    .box = box};
+	}
+	FREED char *range = site_box_text(site_ask_box(ask, s->first, s->last));
+	ask->settle = xasprintf("range=%s", range);
+}
+
+/* Returns the second of several tables with a feed each, or NULL. */
 static const struct table *
 second_feed(const struct columns *all)
 {
@@ -368,57 +516,51 @@ second_feed(const struct columns *all)
 static bool
 ask_table(const struct site_request *q, struct table *const *table,
     size_t n_table, const struct table *second, const struct columns *all,
-    struct site_ask *ask, struct error_list *errors)
+    struct site_ask *ask)
 {
 	const struct table *first = table[0];
 	for (size_t i = 0; i < n_table; i++)
 		if (table[i]->sheet != second->sheet)
 			first = table[i];
 	if (strcmp(first->sheet->path, second->sheet->path) != 0) {
-		char *files = xstrdup("");
+		FREED char *files = xstrdup("");
 		for (size_t i = 0; i < q->n; i++)
 			xlist(&files, " ", "%s@SPEED", q->path[i]);
 		sheet_fault(second->sheet, second->row[0].cell[0],
 		    "expected one feed, got one in each of several files\n"
 		    "give each the tip speed of its samples: load %s",
 		    files);
-		free(files);
 		return true;
 	}
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
-		return site_ask_refuse(q, second, second->row[0].cell[0], ask,
-		    errors,
-		    tr("expected one site, got sheets with a feed each"));
+		return refuse_with_question(q, second, second->row[0].cell[0],
+		    ask, tr("expected one site, got sheets with a feed each"));
 	}
 	struct tables tables = {.table = table, .n = n_table, .all = all};
-	site_ask_tables_guess(&tables);
-	site_ask_tables_list(&tables, ask);
-	return site_ask_refuse(q, first, second->row[0].cell[0], ask, errors,
+	propose_tables(&tables);
+	list_tables(&tables, ask);
+	return refuse_with_question(q, first, second->row[0].cell[0], ask,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
 }
 
 static bool
-ask_which_sieves(const struct open *open, const struct site_request *q,
-    struct site_ask *ask, struct error_list *errors)
+ask_which_sieves(
+    const struct open *open, const struct site_request *q, struct site_ask *ask)
 {
 	const struct table *t = open->twice;
 	struct cell again = t->row[open->again].cell[0];
-	char *what = xasprintf(tr("expected one table, got the sieves from %s "
-				  "on a second time"),
-	    again.text);
-	char *range = site_ask_table_range(t, open->end);
+	FREED char *range = site_box_text(table_box(t, open->end));
 	ask->settle = xasprintf("range=%s", range);
-	free(range);
-	site_ask_refuse(q, t, again, ask, errors, what);
-	free(what);
-	return true;
+	return refuse_with_question(q, t, again, ask,
+	    tr("expected one table, got the sieves from %s on a second time"),
+	    again.text);
 }
 
-/* Of tables below each other of which nothing tells feed from product, proposes
- * the one with most sieves, of which the others are perhaps extracts.  False:
- * there is one table, or something tells. */
+/* If nothing distinguishes feed from product in tables below each other,
+ * proposes the one with most sieves, from which the others may be extracts.
+ * False if there is one table, or something distinguishes them. */
 static bool
 guess_largest(struct tables *s)
 {
@@ -446,7 +588,6 @@ guess_largest(struct tables *s)
 	return below;
 }
 
-/* What is the first column that is open, and how fast was it? */
 /* The only number of a column that is more than 100, if the others can be
  * percentages; or NULL. */
 static const struct cell *
@@ -472,11 +613,11 @@ above_100(const struct column *c)
 	return n >= 4 && n_above == 1 && !mass ? above : NULL;
 }
 
-/* Numbers of columns do not tell one file from another; @ does. */
+/* Suggests @SPEED after a file: numbers of columns do not distinguish files. */
 static void
 hint_speed(const struct site_request *q, const char *path, struct error *error)
 {
-	char *files = xstrdup("");
+	FREED char *files = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
 		xlist(&files, " ", "%s", q->path[i]);
 		if (q->speed != NULL && q->speed[i] > 0)
@@ -485,65 +626,57 @@ hint_speed(const struct site_request *q, const char *path, struct error *error)
 			xappend(&files, "@SPEED");
 	}
 	error_hint(error, "say its speed: load %s", files);
-	free(files);
 }
 
+/* Asks about the first open column and, if need be, its speed. */
 static bool
-site_ask_ask_column(const struct site_request *q, const struct column *first,
-    bool alone, struct site_ask *ask, struct error_list *errors)
+ask_column(const struct site_request *q, const struct column *first, bool alone,
+    struct site_ask *ask)
 {
-	char *values = first_values(first->table, first->at);
+	const struct table *t = first->table;
+	struct error *error = &t->sheet->errors->item[0];
+	FREED char *values = first_values(t, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = above_100(first);
-	if (above != NULL) {
-		char *what =
-		    xasprintf(tr("expected at most 100 %% passing, got '%.*s': "
-				 "column %zu has no other number above 100; "
-				 "correct it if it is a typing error"),
-			sheet_cut_length(above->text), above->text,
-			first->table->number[first->at]);
-		site_ask_refuse(q, first->table, *above, ask, errors, what);
-		free(what);
-		free(values);
-		return true;
-	}
-	char *what = xasprintf(
+	if (above != NULL)
+		return refuse_with_question(q, t, *above, ask,
+		    tr("expected at most 100 %% passing, got '%.*s': column "
+		       "%zu has no other number above 100; correct it if it is "
+		       "a typing error"),
+		    sheet_cut_length(above->text), above->text,
+		    t->number[first->at]);
+	refuse_with_question(q, t, first->head, ask,
 	    speed ? tr("expected headings and numbers that tell what column "
 		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
 		       "%zu is, got '%.*s' above %s"),
-	    first->table->number[first->at], sheet_cut_length(first->head.text),
+	    t->number[first->at], sheet_cut_length(first->head.text),
 	    first->head.text, values);
-	site_ask_refuse(q, first->table, first->head, ask, errors, what);
 	if (q->n > 1 && speed && !q->parts)
-		hint_speed(q, first->table->sheet->path, &errors->item[0]);
+		hint_speed(q, t->sheet->path, error);
 	if (q->parts && speed && q->n == 1 && alone)
-		error_hint(&errors->item[0],
+		error_hint(error,
 		    "say its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
 		    q->path[0], q->path[0]);
-	free(what);
-	free(values);
 	return true;
 }
 
 static bool
 ask_decimal(const struct open *open, const struct site_request *q,
-    const struct table *t, struct site_ask *ask, struct error_list *errors)
+    const struct table *t, struct site_ask *ask)
 {
 	ask->settle = xstrdup("decimal=point|comma");
-	char *what = xasprintf(tr("expected a number that can be read in one "
-				  "way, got %s: a decimal sign, or thousands?"),
+	return refuse_with_question(q, t, open->number, ask,
+	    tr("expected a number that can be read in one way, got %s: a "
+	       "decimal sign, or thousands?"),
 	    open->number.text);
-	site_ask_refuse(q, t, open->number, ask, errors, what);
-	free(what);
-	return true;
 }
 
 bool
 site_ask_open(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
-    struct site_ask *ask, struct error_list *errors)
+    struct site_ask *ask)
 {
 	const struct table *second = second_feed(all);
 	for (size_t i = 0; i < n_table && second == NULL; i++)
@@ -551,39 +684,38 @@ site_ask_open(const struct open *open, const struct site_request *q,
 			second = table[i];
 	const struct column *first = NULL;
 	if (open->twice != NULL)
-		return ask_which_sieves(open, q, ask, errors);
+		return ask_which_sieves(open, q, ask);
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
 	if (open->number.text != NULL)
-		return ask_decimal(open, q, table[0], ask, errors);
+		return ask_decimal(open, q, table[0], ask);
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
-		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
-		    ask, errors,
+		return refuse_with_question(q, table[0],
+		    table[0]->row[0].cell[0], ask,
 		    tr("expected tip speeds in m/s, got rpm without the "
 		       "rotor's diameter"));
 	}
 	if (second != NULL)
-		return ask_table(q, table, n_table, second, all, ask, errors);
+		return ask_table(q, table, n_table, second, all, ask);
 	struct tables tables = {.table = table, .n = n_table, .all = all};
 	if (guess_largest(&tables)) {
 		const struct table *most = tables.table[tables.first];
-		site_ask_tables_list(&tables, ask);
-		return site_ask_refuse(q, most, most->row[0].cell[0], ask,
-		    errors,
+		list_tables(&tables, ask);
+		return refuse_with_question(q, most, most->row[0].cell[0], ask,
 		    tr("expected one table, got several: that with most sieves "
 		       "is proposed"));
 	}
 	if (first == NULL && !open->sieves)
 		return false;
-	site_ask_list_columns(ask, table, n_table, all, open->sieves);
+	list_columns_to_name(ask, table, n_table, all, open->sieves);
 	if (first == NULL)
-		return site_ask_refuse(q, table[0], table[0]->row[0].cell[0],
-		    ask, errors,
+		return refuse_with_question(q, table[0],
+		    table[0]->row[0].cell[0], ask,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
-	return site_ask_ask_column(q, first, all->n == 1, ask, errors);
+	return ask_column(q, first, all->n == 1, ask);
 }
 
 void
@@ -595,26 +727,24 @@ site_ask_top(
 	const struct cell *name = &t->row[at].cell[0];
 	bool astm = t->unit.series == SIEVE_ASTM ||
 		    t->unit.series == SIEVE_INCH ||
-		    sieve_names_series(name->text) != SIEVE_NONE;
-	double coarser = sieve_names_coarser(t->mm[at], astm);
+		    sieve_name_series(name->text) != SIEVE_NONE;
+	double coarser = sieve_next_coarser(t->mm[at], astm);
 	bool alone = t->sheet->errors->n == 0;
 	/* Of much that is coarser nobody knows how coarse. */
 	bool much = c->pct[at] < 90;
 	char p[32];
 	char *settle =
 	    much ? xstrdup("top=SIZE") : xasprintf("top=%g", coarser);
-	char *passes = much
-			   ? xstrdup(tr("SIZE mm"))
-			   : xasprintf(tr("%g mm, the next sieve up"), coarser);
-	char *line = line_with_answers(q, settle);
+	FREED char *passes =
+	    much ? xstrdup(tr("SIZE mm"))
+		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
+	FREED char *line = line_with_answers(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
 	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
 	    "%g mm\n"
 	    "add the coarser sieves; or assume that 100 %% passes %s%s: %s",
 	    site_column_pct(c, at, 100, p), t->mm[at], passes, hint_for_feed(q),
 	    line);
-	free(passes);
-	free(line);
 	if (alone)
 		ask->settle = settle;
 	else
@@ -627,24 +757,21 @@ site_ask_one_feed(const struct column *further, const struct columns *all,
 {
 	const struct table *t = further->table;
 	const struct column *first = site_column_find(all, FEED, 0, 0);
-	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
-	char *columns = xasprintf("columns=\"%zu=%s", t->number[0], sieve);
+	FREED char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	FREED char *columns =
+	    xasprintf("columns=\"%zu=%s", t->number[0], sieve);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		bool other = c->role == FEED && c != first;
-		char *words = recognise_column_text(c);
+		FREED char *words = classify_column_text(c);
 		if (c->table == t && c->twin == 0 && !other)
 			xappend(&columns, ", %zu=%s", t->number[c->at], words);
-		free(words);
 	}
 	xappend(&columns, "\"");
-	char *line = line_with_answers(q, columns);
+	FREED char *line = line_with_answers(q, columns);
 	sheet_fault(t->sheet, further->head,
 	    "expected one feed, or a feed at the left of each product, got %s "
 	    "beside %s\n"
 	    "keep the first%s: %s",
 	    further->head.text, first->head.text, hint_for_feed(q), line);
-	free(line);
-	free(columns);
-	free(sieve);
 }

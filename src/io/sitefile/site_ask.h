@@ -49,7 +49,7 @@ void site_ask_find_open_numbers(struct open *open, const struct table *t);
  * true. */
 bool site_ask_open(const struct open *open, const struct site_request *request,
     struct table *const *table, size_t n_table, const struct columns *all,
-    struct site_ask *ask, struct error_list *errors);
+    struct site_ask *ask);
 
 /* If the coarsest sieve passes less than 100 % of the feed, asks which size all
  * of it passes: adds a fault and, if it is the only one, fills *ask. */

@@ -112,7 +112,7 @@ site_column_pct(
 	return buf;
 }
 
-/* "product_fraction@69": the header of c with another unit. */
+/* Returns the heading of c with another unit: "product_fraction@69". */
 static const char *
 head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
 {
@@ -158,7 +158,8 @@ site_column_in_range(struct column *c, struct cell cell, double v)
 	    head_with_unit(c, "", head));
 }
 
-/* The pan holds what no sieve holds; a curve of passing ends there at 0. */
+/* Reads the cell of the pan, which holds what passes all sieves; a curve of
+ * passing ends there at 0. */
 static bool
 read_pan(struct column *c, struct cell cell, double v)
 {
@@ -204,8 +205,8 @@ read_cells(struct column *c)
 	}
 }
 
-/* Sieves above the first number of what is retained held nothing: a dash there,
- * or no number, is 0. */
+/* Sets empty cells and dashes above the first mass retained to 0: nothing
+ * stayed on these sieves. */
 static void
 fill_top_with_zero(struct column *c)
 {
@@ -238,7 +239,7 @@ read_foot(const struct column *c, double sum)
 	double before = NAN, after = NAN;
 	for (size_t i = 0; i < c->table->n_foot; i++) {
 		const struct row *row = &c->table->foot[i];
-		uint64_t means = vocabulary_text(row->cell[0].text, NULL);
+		uint64_t means = lexicon_meanings(row->cell[0].text, NULL);
 		const struct cell *cell = &row->cell[c->at];
 		bool percent = cell->value == AS_PERCENT;
 		double v = percent ? (double)NAN : cell->number;
@@ -283,8 +284,8 @@ sum_of(const struct column *c)
 	return sum;
 }
 
-/* Reads the lines below and adds what was washed out to the pan; false after a
- * fault. */
+/* Reads the lines below the table and adds the mass washed out to the pan.
+ * False after a fault. */
 static bool
 add_foot_to_pan(struct column *c, struct foot *foot)
 {
@@ -301,7 +302,7 @@ add_foot_to_pan(struct column *c, struct foot *foot)
 	return true;
 }
 
-/* Whether the sheet's own total is the sum of the column, or it has none. */
+/* True if the sheet states no total, or the sum of the column. */
 static bool
 check_stated_total(
     struct column *c, struct cell where, double total, double sum)
@@ -327,7 +328,7 @@ fault_no_pan(struct column *c)
 	return 0;
 }
 
-/* The mass that went on the sieves, in the column's unit; 0 after a fault. */
+/* Returns the mass put on the sieves, in the column's unit; 0 after a fault. */
 static double
 total_mass(struct column *c)
 {
@@ -362,7 +363,8 @@ total_mass(struct column *c)
 	return weighed ? fmax(total, sum) : sum; /* as EN 933-1 counts */
 }
 
-/* Of percentages or fractions retained: what all of them are parts of. */
+/* Returns the whole of which percentages or fractions retained are parts; 0
+ * after a fault. */
 static double
 total_of_shares(struct column *c)
 {
@@ -387,7 +389,8 @@ total_of_shares(struct column *c)
 	return 0;
 }
 
-/* To percent passing with 12 decimals, as site_write writes it. */
+/* Converts the column to percent passing with 12 decimals, as site_write prints
+ * them. */
 static void
 convert_to_passing(struct column *c)
 {
@@ -439,7 +442,8 @@ check_rise(struct column *c)
 	}
 }
 
-/* The feed's largest grains must be known: some sieve passes them all. */
+/* Notes the coarsest sieve of a feed if it does not pass everything: the size
+ * of the largest grains must be known. */
 static void
 check_coarsest(struct column *c)
 {

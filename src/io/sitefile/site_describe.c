@@ -10,7 +10,7 @@
 #include "io/sitefile/classify.h"
 #include "io/sitefile/site_sieve.h"
 
-/* "3", "3, 4", "3 to 5, 8" of numbers in rising order, each once. */
+/* Returns "3", "3, 4" or "3 to 5, 8" for rising numbers without repeats. */
 static char *
 numbers_text(const size_t *number, size_t n)
 {
@@ -37,30 +37,30 @@ is_own_form(const struct table *t)
 	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 }
 
-/* "product@69", or what of it follows a product before: "@79". */
+/* Adds "product@69" or, after another product, only "@79". */
 static void
 add_role(char **text, const struct column *c, const struct column *before)
 {
-	char *words = recognise_column_text(c);
+	FREED char *words = classify_column_text(c);
 	words[strcspn(words, " ")] = '\0';
 	const char *at = strchr(words, '@');
 	bool again = before != NULL && before->role == c->role && at != NULL;
 	xlist(text, ", ", "%s", again ? at : words);
-	free(words);
 }
 
 static void
-site_describe_add_number(size_t *number, size_t *n, size_t next)
+add_rising_number(size_t *number, size_t *n, size_t next)
 {
 	if (*n == 0 || number[*n - 1] != next)
 		number[(*n)++] = next;
 }
 
-/* The samples of a table, those in one unit together. */
+/* Describes the samples of a table, grouped by unit. */
 static void
 describe_samples(const struct table *t, const struct columns *all, char **text)
 {
-	size_t *number = xcalloc(all->n + 1, sizeof *number), n = 0;
+	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
+	size_t n = 0;
 	const struct column *before = NULL;
 	char *roles = xstrdup("");
 	for (size_t i = 0; i <= all->n; i++) {
@@ -71,12 +71,11 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 			    (c == NULL || c->unit != before->unit ||
 				(c->role == SD) != (before->role == SD));
 		if (ends) {
-			char *list = numbers_text(number, n);
+			FREED char *list = numbers_text(number, n);
 			xlist(text, "; ", tr("%s in %s (%s)"), roles, list,
 			    before->role == SD
 				? tr("percentage points")
 				: tr(SITE_UNITS[before->unit].words));
-			free(list);
 			free(roles);
 			roles = xstrdup("");
 			n = 0;
@@ -85,14 +84,14 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		if (c == NULL)
 			break;
 		add_role(&roles, c, before);
-		site_describe_add_number(number, &n, t->number[c->at]);
+		add_rising_number(number, &n, t->number[c->at]);
 		before = c;
 	}
 	free(roles);
-	free(number);
 }
 
-/* Whether the sieves of a table are told by those of the one before. */
+/* True if a table has its sieves in the same place and unit as the one before
+ * it. */
 static bool
 has_sieves_like(const struct table *a, const struct table *b)
 {
@@ -101,10 +100,10 @@ has_sieves_like(const struct table *a, const struct table *b)
 	       strcmp(site_sieve_unit(a), site_sieve_unit(b)) == 0;
 }
 
-/* What tells a table from those of other files, or of other sheets: "" where
- * all are of one. */
+/* Returns the file or sheet that distinguishes a table from others; "" if all
+ * are on one sheet. */
 static const char *
-site_describe_place_of(struct table *const *table, size_t n, size_t k)
+place_of_table(struct table *const *table, size_t n, size_t k)
 {
 	const struct sheet *own = table[k]->sheet;
 	const char *slash = strrchr(own->path, '/');
@@ -123,8 +122,8 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	char *text = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k];
-		const char *place = site_describe_place_of(table, n, k);
-		char *own = xstrdup("");
+		const char *place = place_of_table(table, n, k);
+		FREED char *own = xstrdup("");
 		if (k == 0 || !has_sieves_like(table[k - 1], t))
 			xlist(&own, "; ",
 			    t->finest_first
@@ -136,13 +135,12 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 		if (own[0] != '\0')
 			xlist(&text, "; ", "%s%s%s", place,
 			    place[0] != '\0' ? ": " : "", own);
-		free(own);
 	}
 	return text;
 }
 
-/* A column's notes are lines: of the first the length, and where the next one
- * is. */
+/* Returns the note after the one at `at`, and the length of that one: notes are
+ * lines. */
 static const char *
 next_note(const char *at, size_t *n)
 {
@@ -164,25 +162,25 @@ has_note(const struct column *c, const char *note, size_t n)
 	return false;
 }
 
-/* One note with all the columns that have it, unless one of those before the
- * i-th had: then it is told. */
+/* Adds a note with all columns that have it, unless a column before the i-th
+ * has it and it has been added. */
 static void
 add_note(const struct columns *all, size_t i, const char *note, size_t length,
     char **text)
 {
-	size_t *number = xcalloc(all->n + 1, sizeof *number), n = 0, has = 0,
-	       samples = 0;
+	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
+	size_t n = 0, has = 0, samples = 0;
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		samples += c->twin == 0;
 		if (!has_note(c, note, length))
 			continue;
 		if (k < i)
-			goto out;
+			return;
 		has++;
-		site_describe_add_number(number, &n, c->table->number[c->at]);
+		add_rising_number(number, &n, c->table->number[c->at]);
 	}
-	char *list = numbers_text(number, n);
+	FREED char *list = numbers_text(number, n);
 	bool across = all->column[i].table->across;
 	const char *colon = strncmp(note, "as ", 3) == 0 ? "" : ":";
 	if (has == samples && has > 1)
@@ -193,9 +191,6 @@ add_note(const struct columns *all, size_t i, const char *note, size_t length,
 		    across ? tr_n("line %s%s %.*s", "lines %s%s %.*s", n)
 			   : tr_n("column %s%s %.*s", "columns %s%s %.*s", n),
 		    list, colon, (int)length, note);
-	free(list);
-out:
-	free(number);
 }
 
 void

@@ -21,7 +21,7 @@ static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
 static void
-site_heading_take_value(struct site *site, enum vocabulary_key key,
+site_heading_take_value(struct site *site, enum lexicon_key key,
     struct sheet *sheet, struct cell cell)
 {
 	char **text[] = {
@@ -38,7 +38,7 @@ site_heading_take_value(struct site *site, enum vocabulary_key key,
 	site->top_size = mm / 1000;
 }
 
-/* The first number of a text, as 900 of "900 mm". */
+/* Reads the first number of a text, such as 900 in "900 mm". */
 static bool
 first_number(const struct sheet *sheet, struct cell cell, double *value)
 {
@@ -53,18 +53,19 @@ first_number(const struct sheet *sheet, struct cell cell, double *value)
 	return number_of(number_cell(sheet, cell, copy), value);
 }
 
-/* The rotor's diameter, if the line tells it.  A number below 10 is in m. */
+/* Takes the rotor's diameter if the line states it.  A number below 10 is in
+ * m. */
 static bool
 site_heading_take_rotor(struct site *site, const struct sheet *sheet,
     struct cell key, struct cell value)
 {
-	uint64_t means = vocabulary_text(key.text, NULL);
+	uint64_t means = lexicon_meanings(key.text, NULL);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
 		double said = rotor_size_mm(value.text, true);
 		site->rotor = said > 0 ? said / 1000 : site->rotor;
 		return said > 0;
 	}
-	means |= vocabulary_text(value.text, NULL);
+	means |= lexicon_meanings(value.text, NULL);
 	double number;
 	if ((means & WORD_ROTOR) == 0 ||
 	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
@@ -81,7 +82,7 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 	return true;
 }
 
-/* "tip speed; 70 m/s", "varvtal; 1350". */
+/* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350". */
 static bool
 site_heading_take_speed(const struct sheet *sheet, struct cell key,
     struct cell value, struct heading_speed *speed)
@@ -112,7 +113,7 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	return true;
 }
 
-/* "Speed: 70 m/s" in one cell. */
+/* Splits "Speed: 70 m/s" in one cell into key and value. */
 static bool
 split_colon(struct cell *key, struct cell *value, char **left, char **right)
 {
@@ -128,7 +129,7 @@ split_colon(struct cell *key, struct cell *value, char **left, char **right)
 	return value->text[0] != '\0' && key->text[0] != '\0';
 }
 
-/* "Stone: gabbro", a key with its value in one cell. */
+/* True for a key with its value in one cell, "Stone: gabbro". */
 static bool
 has_colon(struct cell cell)
 {
@@ -137,9 +138,9 @@ has_colon(struct cell cell)
 	       strspn(colon + 1, " ") < strlen(colon + 1);
 }
 
-/* The next key of a line from cell *at on, which moves after it and its value:
- * the cells up to an empty one, two of them, or one that is a pair with another
- * pair after it.  Returns how many there are. */
+/* Finds the next key of a line and its value, from cell *at on, and moves *at
+ * after them: the cells up to an empty one, two of them, or one that contains
+ * both, if another such cell follows.  Returns the number of cells. */
 static size_t
 next_pair(const struct row *row, size_t *at, struct cell *key,
     struct cell *value, struct cell *third)
@@ -162,7 +163,7 @@ next_pair(const struct row *row, size_t *at, struct cell *key,
 	return n;
 }
 
-/* "rock Granite" without a separator. */
+/* True for "rock Granite", which lacks a separator. */
 static bool
 begins_with_key(const char *text)
 {
@@ -172,21 +173,20 @@ begins_with_key(const char *text)
 	return false;
 }
 
-/* A line of numbers above the table that heads nothing. */
+/* Notes a line of numbers above the table that heads nothing. */
 static void
 leave_out_line(struct site *site, const struct cell *key)
 {
-	char *where = xasprintf(tr("line %d"), key->line);
-	char *what = xasprintf(tr("%.*s: numbers above the table"),
+	FREED char *where = xasprintf(tr("line %d"), key->line);
+	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
 	    sheet_cut_length(key->text), key->text);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
-	free(where);
-	free(what);
 }
 
-/* What a machine is called may tell its rotor. */
+/* Takes the value of a known key.  The name of a machine may state its
+ * rotor. */
 static void
-take_known_key(struct site *site, enum vocabulary_key k, struct sheet *sheet,
+take_known_key(struct site *site, enum lexicon_key k, struct sheet *sheet,
     struct cell key, struct cell value)
 {
 	site_heading_take_value(site, k, sheet, value);
@@ -194,22 +194,23 @@ take_known_key(struct site *site, enum vocabulary_key k, struct sheet *sheet,
 		site_heading_take_rotor(site, sheet, key, value);
 }
 
-/* A pair of the line, or what there is of one; false at its end. */
+/* Reads the next pair of the line, or a part of one.  False at the end of the
+ * line. */
 static bool
 read_pair(struct site *site, struct sheet *sheet, const struct row *row,
     size_t *at, int seen[static N_KEY], struct heading_speed *speed)
 {
 	struct cell key = {0}, value, third;
-	char *left = NULL, *right = NULL;
+	FREED char *left = NULL, *right = NULL;
 	size_t n = next_pair(row, at, &key, &value, &third);
 	if (n == 0)
 		return false;
 	if (n == 1 && split_colon(&key, &value, &left, &right))
 		n = 2;
 	size_t colon = strlen(key.text);
-	char *bare = xstrndup(key.text,
+	FREED char *bare = xstrndup(key.text,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
-	enum vocabulary_key k = vocabulary_key(bare);
+	enum lexicon_key k = lexicon_key(bare);
 	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
 		sheet_fault_expected(sheet, key, "a key and a value",
 		    "write key%cvalue, or begin a remark with #",
@@ -242,9 +243,6 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 	}
 	if (k < N_KEY)
 		seen[k] = row->line;
-	free(left);
-	free(right);
-	free(bare);
 	return true;
 }
 

@@ -59,7 +59,7 @@ first_sheet(const struct reading *r)
 	return r->page[0].sheet;
 }
 
-/* Without a table nothing else can be judged. */
+/* Reports that there is no table, without which nothing else can be judged. */
 static void
 fault_no_table(struct sheet *sheet)
 {
@@ -71,11 +71,11 @@ fault_no_table(struct sheet *sheet)
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
 		if (number_of(cell, &v) ||
-		    (vocabulary_text(cell.text, NULL) & WORD_SIZE) != 0)
+		    (lexicon_meanings(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
 	char c = sheet->separator == ';' ? ';' : ',';
-	bool heads = (vocabulary_text(found.text, NULL) & WORD_SIZE) != 0 &&
+	bool heads = (lexicon_meanings(found.text, NULL) & WORD_SIZE) != 0 &&
 		     found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
 		sheet_fault_expected(sheet, found,
@@ -99,10 +99,10 @@ count_columns_of_role(const struct columns *all, enum role role)
 	return n;
 }
 
-/* Of repeats at one speed, one feed serves all, or each product has its own;
- * likewise standard deviations. */
+/* Checks repeats at one speed: one feed serves all, or each product has its
+ * own; likewise for standard deviations. */
 static void
-site_read_check_repeats(const struct columns *t, const struct column *c)
+check_column_repeats(const struct columns *t, const struct column *c)
 {
 	if (!(c->speed > 0))
 		return;
@@ -122,14 +122,14 @@ site_read_check_repeats(const struct columns *t, const struct column *c)
 	    SITE_ROLES[c->role], c->speed, own);
 }
 
-/* A feed for each product, a product for each standard deviation. */
+/* Checks that each product has a feed and each standard deviation a product. */
 static void
 check_partner(const struct columns *t, const struct column *c,
     const struct site_request *request)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
-	site_read_check_repeats(t, c);
+	check_column_repeats(t, c);
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
 		site_ask_one_feed(c, t, request);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
@@ -151,7 +151,7 @@ check_partner(const struct columns *t, const struct column *c,
 		    c->head.text);
 }
 
-/* Each product value needs a standard deviation, and the other way round. */
+/* Checks that product values and standard deviations occur together. */
 static void
 check_sd(const struct columns *all, const struct column *product)
 {
@@ -176,8 +176,8 @@ check_sd(const struct columns *all, const struct column *product)
 	}
 }
 
-/* Two quantities of one sample say the same, but for rounding and what was lost
- * in sieving. */
+/* Checks that two quantities of one sample agree, except for rounding and
+ * losses in sieving. */
 static void
 check_twin(const struct columns *all, const struct column *twin)
 {
@@ -205,7 +205,7 @@ check_twin(const struct columns *all, const struct column *twin)
 	}
 }
 
-/* Where the numbers of an empty table begin. */
+/* Returns the cell where the numbers of an empty table should begin. */
 static struct cell
 first_empty(const struct table *t)
 {
@@ -213,7 +213,7 @@ first_empty(const struct table *t)
 	return row->n_all > 1 ? row->cell[1] : site_sieve_heading(t);
 }
 
-/* What the sheets lack. */
+/* Reports a missing feed, product or number. */
 static void
 check_roles(struct reading *r)
 {
@@ -235,8 +235,8 @@ check_roles(struct reading *r)
 		    "add takes samples of product; load this file as a site");
 }
 
-/* The feed whose coarsest sieve is the coarsest of those that do not pass all;
- * NULL: there is none. */
+/* Returns the feed that has the coarsest sieve among those whose coarsest sieve
+ * does not pass everything; NULL if there is none. */
 static const struct column *
 feed_below_top(const struct columns *all)
 {
@@ -251,8 +251,8 @@ feed_below_top(const struct columns *all)
 	return found;
 }
 
-/* What is assumed of feeds whose coarsest sieve does not pass all: as was said
- * or, where nothing was, asked. */
+/* Sets the size that all of a feed passes if its coarsest sieve does not pass
+ * everything: as given by the user; otherwise asks for it. */
 static void
 assume_top_size(struct reading *r, struct site_ask *ask)
 {
@@ -271,7 +271,7 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 		sheet_fault(t->sheet, t->row[at].cell[0],
 		    "expected top= above the coarsest sieve, %g mm, got %g\n"
 		    "name the next size that all passes: top=%g",
-		    t->mm[at], top, sieve_names_coarser(t->mm[at], false));
+		    t->mm[at], top, sieve_next_coarser(t->mm[at], false));
 		return;
 	}
 	for (size_t i = 0; i < r->all.n; i++)
@@ -323,9 +323,9 @@ make_psd(const struct column *c)
 	return psd;
 }
 
-/* nth: of the runs at its speed. */
+/* Fills the curves of a run, the nth of those at its speed. */
 static void
-site_read_fill_run(const struct columns *t, const struct column *shared,
+fill_run_curves(const struct columns *t, const struct column *shared,
     struct run *run, size_t nth)
 {
 	double v = run->speed;
@@ -355,8 +355,8 @@ by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
-/* A run for each product, and for each speed with no more than a feed of its
- * own; where there is only the feed of all runs, one run without a speed. */
+/* Makes a run for each product, and for each speed that only has a feed; if
+ * there is only the feed of all runs, one run without a speed. */
 static void
 make_runs(struct site *site, const struct columns *t)
 {
@@ -378,45 +378,44 @@ make_runs(struct site *site, const struct columns *t)
 	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats(site, r) ? first : r;
-		site_read_fill_run(t, shared, &site->run[r], r - first);
+		fill_run_curves(t, shared, &site->run[r], r - first);
 	}
 	site_update_mean_feed(site);
 }
 
 static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, const char *where, const char *format, ...)
+leave_out(struct site *site, int line, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	char *what = xvasprintf(tr(format), ap);
+	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
+	FREED char *where = xasprintf(tr("line %d"), line);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
-	free(what);
 }
 
-/* Sieves without a number, and words below the table. */
+/* Notes sieves without numbers. */
 static void
 leave_out_rows(struct reading *r, const struct table *t)
 {
-	char where[32];
 	for (size_t i = 0; i < t->n_row; i++) {
 		bool values = !(t->mm[i] > 0);
 		for (size_t c = 0; c < r->all.n && !values; c++)
 			values = r->all.column[c].table == t &&
 				 !isnan(r->all.column[c].pct[i]);
-		snprintf(where, sizeof where, tr("line %d"), t->row[i].line);
 		if (!values)
-			leave_out(r->site, where, "the sieve %s has no numbers",
+			leave_out(r->site, t->row[i].line,
+			    "the sieve %s has no numbers",
 			    t->row[i].cell[0].text);
 	}
 }
 
-/* Cells of the samples that say that there is no number, "-" or "<0.1". */
+/* Notes cells of the samples that stand for a missing number, "-" or "<0.1". */
 static void
-site_read_leave_out_cells(struct reading *r)
+leave_out_empty_cells(struct reading *r)
 {
 	size_t more = 0;
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t k = 0; k < r->all.n; k++) {
 		const struct column *c = &r->all.column[k];
 		for (size_t i = 0; i < c->table->n_row; i++) {
@@ -433,15 +432,14 @@ site_read_leave_out_cells(struct reading *r)
 	if (more > 3)
 		xlist(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
-		leave_out(r->site, "cells without a number", "%s", list);
-	free(list);
+		site_add_note(&r->site->left_out, &r->site->n_left_out,
+		    "cells without a number", list);
 }
 
-/* Lines of sums that nothing could be compared with. */
+/* Notes lines of sums that could not be compared with anything. */
 static void
 leave_out_sums(struct reading *r, const struct page *page)
 {
-	char where[32];
 	bool grams = false;
 	for (size_t c = 0; c < r->all.n; c++)
 		grams =
@@ -450,15 +448,14 @@ leave_out_sums(struct reading *r, const struct page *page)
 		for (size_t i = 0; i < page->layout->table[b].n_foot; i++) {
 			const struct row *row = &page->layout->table[b].foot[i];
 			const char *text = row->cell[0].text;
-			snprintf(where, sizeof where, tr("line %d"), row->line);
-			if ((vocabulary_text(text, NULL) & WORD_TOTAL) != 0)
-				leave_out(r->site, where,
+			if ((lexicon_meanings(text, NULL) & WORD_TOTAL) != 0)
+				leave_out(r->site, row->line,
 				    "%s: sums are checked for grams only",
 				    text);
 		}
 }
 
-/* Whether a remark says what is known of the rotor. */
+/* True if a remark states the known rotor diameter. */
 static bool
 states_rotor(const struct site *site, const char *text)
 {
@@ -469,7 +466,6 @@ states_rotor(const struct site *site, const char *text)
 static void
 leave_out_foot(struct reading *r, const struct page *page)
 {
-	char where[32];
 	int first = page->layout->table[0].row[0].line;
 	leave_out_sums(r, page);
 	for (size_t i = 0; i < page->layout->n_heading; i++) {
@@ -477,23 +473,21 @@ leave_out_foot(struct reading *r, const struct page *page)
 		size_t c = 0;
 		while (row->cell[c].text[0] == '\0')
 			c++;
-		snprintf(where, sizeof where, tr("line %d"), row->line);
 		const char *text = row->cell[c].text;
 		bool rotor = states_rotor(r->site, text);
 		if (row->line > first && !rotor &&
 		    !title_heads_any(page->layout, row))
-			leave_out(r->site, where,
+			leave_out(r->site, row->line,
 			    "remark below the table: %.*s",
 			    sheet_cut_length(text), text);
 	}
 }
 
-/* What stands in the table or below it and was not read.  A line that begins
- * with # may be a sieve that somebody thought away. */
+/* Notes what is in the table or below it and was not read.  A line that begins
+ * with # may be a sieve that the user excluded. */
 static void
 note_left_out(struct reading *r)
 {
-	char where[32];
 	for (size_t p = 0; p < r->n_page; p++) {
 		const struct page *page = &r->page[p];
 		if (page->layout->n == 0)
@@ -505,24 +499,23 @@ note_left_out(struct reading *r)
 			const struct comment *c = &page->sheet->comment[i];
 			if (c->line <= head)
 				continue;
-			snprintf(where, sizeof where, tr("line %d"), c->line);
 			int shown = sheet_cut_length(c->text);
-			leave_out(r->site, where, "a comment: %.*s%s", shown,
+			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
 		leave_out_foot(r, page);
 		const struct cell *beside = &page->layout->beside;
-		snprintf(where, sizeof where, tr("line %d"), beside->line);
 		if (beside->text != NULL)
-			leave_out(r->site, where, "beside the table: %.*s",
+			leave_out(r->site, beside->line,
+			    "beside the table: %.*s",
 			    sheet_cut_length(beside->text), beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)
 		leave_out_rows(r, r->table[i]);
-	site_read_leave_out_cells(r);
+	leave_out_empty_cells(r);
 }
 
-/* "#4 = 4.75, No. 8 = 2.36" of the sieves that have names. */
+/* Lists the sieves that have names: "#4 = 4.75, No. 8 = 2.36". */
 static void
 note_sieve_names(struct reading *r)
 {
@@ -533,7 +526,7 @@ note_sieve_names(struct reading *r)
 			double v;
 			bool bare = number_of(t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
-			    (sieve_names_series(text) != SIEVE_NONE ||
+			    (sieve_name_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
 				xlist(&r->site->named, ", ", "%s = %g", text,
 				    t->mm[i]);
@@ -541,7 +534,7 @@ note_sieve_names(struct reading *r)
 	}
 }
 
-/* Whether a table has its sieves twice, which is open then. */
+/* True if a table contains its sieves twice, which is then an open question. */
 static bool
 has_sieves_twice(struct reading *r, const struct table *t)
 {
@@ -558,8 +551,8 @@ has_sieves_twice(struct reading *r, const struct table *t)
 }
 
 static void
-site_read_read_table(struct reading *r, const struct page *page,
-    struct table *t, struct heading_speed told)
+read_site_table(struct reading *r, const struct page *page, struct table *t,
+    struct heading_speed told)
 {
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
@@ -594,7 +587,7 @@ site_read_read_table(struct reading *r, const struct page *page,
 		    site_sieve_unit(t));
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
-	recognise_columns(t, &near, &r->all, r->site);
+	classify_columns(t, &near, &r->all, r->site);
 	bool lone = q->feed && r->all.n == first + 1;
 	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
 	     i++)
@@ -603,7 +596,7 @@ site_read_read_table(struct reading *r, const struct page *page,
 	site_ask_find_open_numbers(&r->open, t);
 }
 
-/* What a request says in words: columns=, range=. */
+/* Parses columns=, samples= and range=. */
 static bool
 read_request(struct reading *r)
 {
@@ -617,7 +610,8 @@ read_request(struct reading *r)
 	return false;
 }
 
-/* What was predicted is not read as measured, whatever columns= says. */
+/* Refuses predictions, which must not be read as measurements, whatever
+ * columns= says. */
 static bool
 is_measured(const struct source *source)
 {
@@ -637,9 +631,9 @@ is_measured(const struct source *source)
 	return command == NULL;
 }
 
-/* The sheets of a file that are wanted: the one with the name, or all. */
+/* Reads the requested sheets of a file: the one with the given name, or all. */
 static bool
-site_read_read_file(struct reading *r, size_t file)
+read_site_file(struct reading *r, size_t file)
 {
 	const struct site_request *q = r->request;
 	struct source *source = &r->source[r->n_source++];
@@ -650,7 +644,7 @@ site_read_read_file(struct reading *r, size_t file)
 	if (!read || !is_measured(source))
 		return false;
 	size_t before = r->n_page;
-	char *names = xstrdup("");
+	FREED char *names = xstrdup("");
 	if (source->note[0] != '\0')
 		xlist(&r->site->remark, "; ", "%s", source->note);
 	for (size_t i = 0; i < source->n && !error_stopped(r->errors); i++) {
@@ -672,11 +666,10 @@ site_read_read_file(struct reading *r, size_t file)
 		    "expected a sheet called %s, got none\n"
 		    "its sheets: %s",
 		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
-	free(names);
 	return found;
 }
 
-/* Pages of a workbook without any table are no part of it. */
+/* True if a page has a table; pages without one are ignored. */
 static bool
 has_tables(struct reading *r)
 {
@@ -688,8 +681,8 @@ has_tables(struct reading *r)
 	return n > 0;
 }
 
-/* Takes the rotor's diameter that titles and remarks state, where no line of
- * its own does. */
+/* Takes the rotor's diameter from titles and remarks if no line of its own
+ * states it. */
 static void
 take_rotor(struct reading *r, const struct heading_rotor *said)
 {
@@ -717,8 +710,7 @@ read_pages(struct reading *r)
 		take_rotor(r, &rotor);
 		for (size_t b = 0;
 		     b < page->layout->n && !error_stopped(r->errors); b++)
-			site_read_read_table(
-			    r, page, &page->layout->table[b], told);
+			read_site_table(r, page, &page->layout->table[b], told);
 	}
 }
 
@@ -731,7 +723,7 @@ file_of(const struct reading *r, const struct column *c)
 	return r->page[i].file;
 }
 
-/* Of files that each have a feed, a feed is that of the speed of its file. */
+/* If several files each have a feed, gives each feed the speed of its file. */
 static void
 give_feeds_file_speed(struct reading *r)
 {
@@ -753,8 +745,8 @@ give_feeds_file_speed(struct reading *r)
 	}
 }
 
-/* Of a sheet whose feed is wanted, products whose speed is not told are no
- * question; one alone, which is called product, may be meant for the feed. */
+/* If only the feed is wanted, drops products without a speed; an only column
+ * called product may be meant as the feed. */
 static void
 choose_feed_column(struct reading *r)
 {
@@ -774,7 +766,7 @@ choose_feed_column(struct reading *r)
 	all->n = n;
 }
 
-/* "1560, 1680 rpm" of the products, or their speeds in m/s. */
+/* Returns the speeds of the products: "1560, 1680 rpm", or in m/s. */
 static char *
 product_speeds(const struct columns *all)
 {
@@ -792,7 +784,7 @@ product_speeds(const struct columns *all)
 	return list;
 }
 
-/* The feed of a table is that of its product. */
+/* Gives each feed the speed of the product in its table. */
 static void
 give_feeds_speeds(struct columns *all)
 {
@@ -809,7 +801,8 @@ give_feeds_speeds(struct columns *all)
 		}
 }
 
-/* Tables under titles that differ in the speed alone are no question. */
+/* Reads tables whose titles differ only in speed as one site, without a
+ * question. */
 static void
 choose_series(struct reading *r)
 {
@@ -822,14 +815,13 @@ choose_series(struct reading *r)
 	if (tests)
 		give_feeds_speeds(&r->all);
 	r->open.other = NULL;
-	char *speeds = product_speeds(&r->all);
+	FREED char *speeds = product_speeds(&r->all);
 	if (count_columns_of_role(&r->all, FEED) > 0)
 		xlist(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
 		xlist(&r->site->remark, "; ",
 		    tr("read as one site: products at %s"), speeds);
-	free(speeds);
 }
 
 static size_t
@@ -839,7 +831,7 @@ count_faults(const struct reading *r)
 }
 
 static struct site *
-site_read_finish(struct reading *r)
+finish_site(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	free(r->site->path);
@@ -881,7 +873,7 @@ static bool
 read_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
-		if (!site_read_read_file(r, i) || error_stopped(r->errors))
+		if (!read_site_file(r, i) || error_stopped(r->errors))
 			return false;
 	return has_tables(r);
 }
@@ -905,12 +897,12 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			choose_feed_column(&r);
 		if (r.n_table > 0)
 			samples_check(&r.samples, r.table[0]);
-		recognise_roles(&r.all, r.site,
+		classify_roles(&r.all, r.site,
 		    r.names.others || r.samples.n > 0, &r.open.rotor);
 		choose_series(&r);
 		bool open = count_faults(&r) == 0 &&
 			    site_ask_open(&r.open, request, r.table, r.n_table,
-				&r.all, ask != NULL ? ask : &none, errors);
+				&r.all, ask != NULL ? ask : &none);
 		if (!open) {
 			read_columns(&r);
 			assume_top_size(&r, ask != NULL ? ask : &none);
@@ -921,7 +913,7 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 			    count_columns_of_role(&r.all, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
-			site = site_read_finish(&r);
+			site = finish_site(&r);
 	}
 	reading_clear(&r);
 	site_ask_clear(&none);

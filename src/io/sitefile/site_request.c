@@ -2,51 +2,27 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_request.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
-
-/* "AB12" */
-static char *
-cell_name(int column, int line)
-{
-	char letters[8] = "", *first = letters + sizeof letters - 1;
-	for (int c = column; c > 0 && first > letters; c = (c - 1) / 26)
-		*--first = (char)('A' + (c - 1) % 26);
-	return xasprintf("%s%d", first, line);
-}
+#include "io/cells/sheet.h"
 
 char *
 site_box_text(struct site_box box)
 {
-	char *from = cell_name(box.left, box.top);
-	char *to = cell_name(box.right, box.bottom);
-	char *text = xasprintf("%s:%s", from, to);
-	free(from);
-	free(to);
-	return text;
-}
-
-/* "A3" as column 1 and line 3. */
-static const char *
-read_corner(const char *p, int *column, int *line)
-{
-	*column = *line = 0;
-	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
-		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
-	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
-		*line = 10 * *line + (*p - '0');
-	return *column > 0 && *line > 0 ? p : NULL;
+	char left[8], right[8];
+	return xasprintf("%s%d:%s%d", text_column_letters(box.left, left),
+	    box.top, text_column_letters(box.right, right), box.bottom);
 }
 
 bool
 site_box_read(const char *text, struct site_box *box)
 {
-	const char *p = read_corner(text, &box->left, &box->top);
+	const char *p = sheet_read_place(text, &box->left, &box->top);
 	if (p == NULL || *p != ':')
 		return false;
-	p = read_corner(p + 1, &box->right, &box->bottom);
+	p = sheet_read_place(p + 1, &box->right, &box->bottom);
 	return p != NULL && *p == '\0';
 }
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_samples.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,21 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/sitefile/lexicon.h"
+
+char *
+samples_next_part(char **rest)
+{
+	char *part = *rest, *comma = part != NULL ? strchr(part, ',') : NULL;
+	while (comma != NULL && comma > part &&
+	       isdigit((unsigned char)comma[-1]) &&
+	       isdigit((unsigned char)comma[1]) &&
+	       comma[1 + strcspn(comma + 1, "=,")] != '=')
+		comma = strchr(comma + 1, ',');
+	*rest = comma != NULL ? comma + 1 : NULL;
+	if (comma != NULL)
+		*comma = '\0';
+	return part;
+}
 
 static bool
 add_sample(struct samples *s, char *part, struct error *error)
@@ -35,23 +51,14 @@ add_sample(struct samples *s, char *part, struct error *error)
 bool
 samples_read(struct samples *s, const char *text, struct error *error)
 {
-	char *copy = xstrdup(text != NULL ? text : ""), *rest = copy;
-	bool good = true;
-	while (good && text != NULL && rest != NULL) {
-		char *part = rest;
-		rest = strchr(part, ',');
-		/* A comma within a speed: @63,6. */
-		while (rest != NULL && strchr(rest, '=') == NULL &&
-		       strchr(rest + 1, ',') != NULL)
-			rest = strchr(rest + 1, ',');
-		if (rest != NULL && strchr(rest, '=') == NULL)
-			rest = NULL;
-		if (rest != NULL)
-			*rest++ = '\0';
-		good = add_sample(s, part, error);
-	}
-	free(copy);
-	return good;
+	if (text == NULL)
+		return true;
+	FREED char *copy = xstrdup(text);
+	char *rest = copy;
+	for (char *part; (part = samples_next_part(&rest)) != NULL;)
+		if (!add_sample(s, part, error))
+			return false;
+	return true;
 }
 
 void
@@ -66,7 +73,7 @@ samples_clear(struct samples *s)
 	free(s->found);
 }
 
-/* Whether the cells of a row of heads tell all columns apart. */
+/* True if the cells of a row of headings are all different. */
 static bool
 tells_apart(const struct table *t, size_t r)
 {
@@ -101,7 +108,7 @@ samples_label(const struct table *t, size_t c)
 	return layout_head_text(t, c);
 }
 
-/* Whether a name is that of a column: its label, or a cell that heads it. */
+/* True if a name is that of a column: its label, or a cell of its headings. */
 static bool
 is_name_of_column(
     const struct table *t, size_t c, const char *label, const char *name)
@@ -113,7 +120,7 @@ is_name_of_column(
 }
 
 static void
-site_samples_refuse(const struct column *c, const char *text)
+refuse_contradiction(const struct column *c, const char *text)
 {
 	sheet_fault(c->table->sheet, c->head,
 	    "expected what this heading states, got '%s' in samples=\nleave "
@@ -121,19 +128,18 @@ site_samples_refuse(const struct column *c, const char *text)
 	    text);
 }
 
-/* What both state has to be the same. */
+/* Adds the stated meanings of a group; a contradiction is a fault. */
 static void
-site_samples_merge(
-    struct column *c, const char *text, uint64_t group, uint64_t own)
+merge_meanings(struct column *c, const char *text, uint64_t group, uint64_t own)
 {
 	uint64_t stated = c->said.means & group;
 	if (stated != 0 && (own & group & ~stated) != 0)
-		site_samples_refuse(c, text);
+		refuse_contradiction(c, text);
 	c->said.means |= own & group;
 }
 
 static void
-site_samples_take(struct column *c, const char *text)
+take_sample_text(struct column *c, const char *text)
 {
 	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
@@ -143,10 +149,10 @@ site_samples_take(struct column *c, const char *text)
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		site_samples_merge(c, text, GROUPS[i], own.means);
+		merge_meanings(c, text, GROUPS[i], own.means);
 	if (own.speed > 0 && said->speed > 0 &&
 	    fabs(own.speed - said->speed) > 1e-3)
-		site_samples_refuse(c, text);
+		refuse_contradiction(c, text);
 	if (speed) {
 		said->speed = own.speed;
 		said->rpm = own.rpm;
@@ -161,16 +167,15 @@ site_samples_take(struct column *c, const char *text)
 bool
 samples_take(struct samples *s, struct column *c)
 {
-	char *label = samples_label(c->table, c->at);
+	FREED char *label = samples_label(c->table, c->at);
 	size_t i = 0;
 	while (
 	    i < s->n && !is_name_of_column(c->table, c->at, label, s->name[i]))
 		i++;
-	free(label);
 	if (i == s->n)
 		return false;
 	s->found[i] = true;
-	site_samples_take(c, s->text[i]);
+	take_sample_text(c, s->text[i]);
 	return true;
 }
 
@@ -183,15 +188,13 @@ samples_check(const struct samples *s, const struct table *t)
 		i++;
 	if (i == s->n)
 		return;
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	for (size_t c = 1; c < t->n_col && c <= SHOWN; c++) {
-		char *label = samples_label(t, c);
+		FREED char *label = samples_label(t, c);
 		xlist(&list, ", ", "%s", label);
-		free(label);
 	}
 	sheet_fault(t->sheet, t->row[0].cell[0],
 	    "expected a sample called %s, got none\n"
 	    "its samples: %s%s",
 	    s->name[i], list, t->n_col > SHOWN + 1 ? ", .." : "");
-	free(list);
 }

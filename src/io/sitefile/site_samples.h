@@ -20,6 +20,11 @@ bool samples_read(
     struct samples *samples, const char *text, struct error *error);
 void samples_clear(struct samples *samples);
 
+/* Cuts off the next part of a list that commas separate, and returns it, or
+ * NULL after the last; *rest moves after it.  The comma of a number, as in
+ * @63,6, separates nothing. */
+char *samples_next_part(char **rest);
+
 /* Returns the text that distinguishes the sample in column c from others in the
  * table: its name in a long table, else its cell in the first heading row whose
  * cells all differ, or its whole heading.  The caller frees it. */

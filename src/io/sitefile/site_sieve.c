@@ -43,11 +43,11 @@ site_sieve_mm(
 	return NAN;
 }
 
-/* Of a name that no sieve has. */
+/* Reports a name that no sieve has. */
 static void
 fault_unknown_name(struct table *t, struct cell cell)
 {
-	if (sieve_names_series(cell.text) == SIEVE_MESH ||
+	if (sieve_name_series(cell.text) == SIEVE_MESH ||
 	    t->unit.series == SIEVE_MESH) {
 		sheet_fault_expected(t->sheet, cell,
 		    "a mesh number with its series",
@@ -57,15 +57,14 @@ fault_unknown_name(struct table *t, struct cell cell)
 		    t->number[0]);
 		return;
 	}
-	char *nearest = sieve_names_nearest(cell.text);
+	FREED char *nearest = sieve_nearest_names(cell.text);
 	sheet_fault_expected(t->sheet, cell, "a sieve of ASTM E11",
 	    "use the nearest: %s; or begin a remark with # and a word, not a "
 	    "number alone",
 	    nearest);
-	free(nearest);
 }
 
-/* The size of a row; 0: pan; NAN after a fault. */
+/* Returns the size of a row's sieve; 0 for the pan, NAN after a fault. */
 static double
 row_mm(struct table *t, struct cell cell)
 {
@@ -89,7 +88,8 @@ row_mm(struct table *t, struct cell cell)
 	    "a sieve size or pan");
 }
 
-/* Share of the sizes, times a factor, that are those of real sieves. */
+/* Returns the share of the sizes, multiplied by a factor, that are sizes of
+ * real sieves. */
 static double
 standard_share(const struct table *t, double factor, double *most)
 {
@@ -103,13 +103,13 @@ standard_share(const struct table *t, double factor, double *most)
 		    isnan(mm))
 			continue;
 		n++;
-		known += sieve_names_is_standard(mm * factor);
+		known += sieve_is_standard(mm * factor);
 		*most = fmax(*most, mm * factor);
 	}
 	return n > 0 ? known / n : 0;
 }
 
-/* Whether every size has its own unit or is a name. */
+/* True if each size has its own unit or is a name. */
 static bool
 all_sieves_named(const struct table *t)
 {
@@ -158,7 +158,7 @@ is_fraction(const char *text)
 	       strpbrk(text, ".,") == NULL && text_number(bar + 1, &parts) &&
 	       (parts == 2 || parts == 4 || parts == 8 || parts == 16 ||
 		   parts == 32) &&
-	       sieve_names_mm(text, SIEVE_ASTM) > 0;
+	       sieve_name_mm(text, SIEVE_ASTM) > 0;
 }
 
 /* Whether two texts are neighbouring classes, 8/16 and 4/8. */
@@ -197,8 +197,7 @@ site_sieve_numbers_of(const struct table *t)
 		all.n_part += part;
 		if (part || !number)
 			continue;
-		all.n_astm +=
-		    v > 0 && sieve_names_mm(cell.text, SIEVE_ASTM) > 0;
+		all.n_astm += v > 0 && sieve_name_mm(cell.text, SIEVE_ASTM) > 0;
 		all.n_below += v < 0;
 		all.n_beyond += fabs(v) > SIEVE_MOST_PHI;
 		all.even = all.even && !(fabs(v - last - step) > 1e-9);
@@ -209,9 +208,10 @@ site_sieve_numbers_of(const struct table *t)
 	return all;
 }
 
-/* Numbers of sieves: 4, 8, 16 .. 200, which rise while the sieves get finer.
- * said: the head says number, which 16, 8, 4 could be, too, if not mm.  Without
- * it, fractions of an inch above them show that they are no sizes. */
+/* Recognises numbers of sieves, 4, 8, 16 .. 200, which rise while the sieves
+ * get finer.  said: the heading says number; 16, 8, 4 could also be in mm.
+ * Without such a heading, fractions of an inch above them show that they are
+ * not sizes. */
 static enum sieve_certainty
 site_sieve_find_numbers(struct table *t, const struct numbers *all, bool said)
 {
@@ -225,7 +225,7 @@ site_sieve_find_numbers(struct table *t, const struct numbers *all, bool said)
 	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
 }
 
-/* The likeliest unit of numbers that several could have. */
+/* Returns the likeliest unit of numbers for which several are possible. */
 static struct sieve_unit
 guess_unit(const struct table *t, const struct numbers *all)
 {
@@ -237,9 +237,8 @@ guess_unit(const struct table *t, const struct numbers *all)
 	return small || most > COARSE_TOP ? um : mm;
 }
 
-/* Takes mm or um for what has no unit, where the numbers leave no doubt; the
- * only place where the unit of sieves is decided.  means: the words of the
- * head. */
+/* Decides the unit of the sieves, here only: assumes mm or um if none is stated
+ * and the numbers leave no doubt.  means: the words of the heading. */
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
@@ -279,7 +278,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	return SIEVES_ASSUMED;
 }
 
-/* Whether sizes rise, or fall, without exception; NAN are passed over. */
+/* True if the sizes rise, or fall, without exception, ignoring NAN. */
 static bool
 is_ordered(const double *v, size_t n)
 {
@@ -296,14 +295,15 @@ is_ordered(const double *v, size_t n)
 	return rises == pairs || falls == pairs;
 }
 
-/* 2, 1, 500, 250: sieves below 1 mm are called by their um, as ISO 3310 does.
- * Gives these, at one end of the table, their unit where that brings all into
- * order. */
+/* Reads 2, 1, 500, 250 as mm and um: sieves below 1 mm are named by their um,
+ * as in ISO 3310.  Adds the unit to these cells, at one end of the table, if
+ * that puts all sizes in order. */
 static bool
 split_micro(struct table *t)
 {
 	size_t n = t->n_row, from = 0, to = 0;
-	double *v = xdoubles(n), number;
+	FREED double *v = xdoubles(n);
+	double number;
 	for (size_t i = 0; i < n; i++)
 		v[i] = number_of(t->row[i].cell[0], &number) && number > 0
 			   ? number
@@ -327,11 +327,10 @@ split_micro(struct table *t)
 		*cell = number_cell(t->sheet, *cell,
 		    layout_own_text(t, xasprintf("%s um", cell->text)));
 	}
-	free(v);
 	return split;
 }
 
-/* Whether the sizes rise without exception. */
+/* True if the sizes rise without exception. */
 static bool
 is_finest_first(const struct table *t)
 {
@@ -358,7 +357,7 @@ site_sieve_heading(const struct table *t)
 				     : t->row[0].cell[0];
 }
 
-/* Neighbours are compared, so that one wrong size is one fault. */
+/* Compares neighbours, so that one wrong size is one fault. */
 static void
 site_sieve_check_order(struct table *t)
 {
@@ -390,14 +389,13 @@ site_sieve_check_order(struct table *t)
 enum sieve_certainty
 site_sieve_find(struct table *t, uint64_t told)
 {
-	char *head = layout_head_text(t, 0);
+	FREED char *head = layout_head_text(t, 0);
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
 	struct head said = head_read(head);
 	bool speeds =
 	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
 	t->unit = sieve_unit_of(means);
-	free(head);
 	bool lengths = t->unit.mm == 1 || t->unit.mm == 0;
 	bool split = lengths && t->unit.series == SIEVE_NONE && split_micro(t);
 	if (split)
@@ -423,16 +421,15 @@ site_sieve_find(struct table *t, uint64_t told)
 	return certainty;
 }
 
-/* A number in a column that nothing heads: a decimal comma may have cut one in
- * two. */
+/* Reports a number in a column without a heading: a decimal comma may have cut
+ * a number in two. */
 static void
 check_heads(struct table *t)
 {
 	size_t heads = 0;
 	for (size_t c = 0; c < t->n_col; c++) {
-		char *head = layout_head_text(t, c);
+		FREED char *head = layout_head_text(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
-		free(head);
 	}
 	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
 		size_t n = t->n_col;
@@ -466,7 +463,7 @@ site_sieve_check(struct table *t)
 	site_sieve_check_order(t);
 }
 
-/* Whether row i has the size of one before it. */
+/* True if row i has the size of an earlier row. */
 static bool
 is_again(const double *mm, size_t i)
 {
@@ -480,7 +477,8 @@ size_t
 site_sieve_end(const struct table *t, size_t *again)
 {
 	enum { ENOUGH = 3 };
-	double *mm = xdoubles(t->n_row), least = INFINITY;
+	FREED double *mm = xdoubles(t->n_row);
+	double least = INFINITY;
 	size_t words = t->n_row, in_a_row = 0;
 	*again = t->n_row;
 	for (size_t i = 0; i < t->n_row && in_a_row < ENOUGH; i++) {
@@ -494,7 +492,6 @@ site_sieve_end(const struct table *t, size_t *again)
 		in_a_row = twice ? in_a_row + 1 : 0;
 		*again = in_a_row == 1 ? i : *again;
 	}
-	free(mm);
 	if (in_a_row < ENOUGH)
 		return t->n_row;
 	return words < *again ? words : *again;
@@ -517,16 +514,15 @@ site_sieve_numbers(struct sheet *sheet)
 	size_t rows = sheet->n_row;
 	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
 		const struct comment *c = &sheet->comment[i];
-		char *first =
+		FREED char *first =
 		    text_unquoted(c->text, strcspn(c->text, separator));
 		bool cells = c->row.cell != NULL
 				 ? c->row.n > 1
 				 : c->text[strcspn(c->text, separator)] != '\0';
 		/* "#" alone heads a column of numbers. */
 		bool head = strcmp(first, "#") == 0;
-		if (cells && (head || sieve_names_is_number(first)))
+		if (cells && (head || sieve_name_series(first) == SIEVE_ASTM))
 			sheet_uncomment(sheet, i);
-		free(first);
 	}
 	if (sheet->n_row > rows)
 		number_find(sheet);

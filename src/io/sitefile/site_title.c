@@ -23,11 +23,11 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 {
 	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
 	return row->line < top && row->line >= top - 3 &&
-	       vocabulary_key(row->cell[0].text) == N_KEY &&
+	       lexicon_key(row->cell[0].text) == N_KEY &&
 	       (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 }
 
-/* Whether words say which sample a table has. */
+/* True if the words state which sample a table has. */
 static bool
 is_title(const struct head *head)
 {
@@ -48,7 +48,7 @@ title_heads_any(const struct layout *layout, const struct row *row)
 	return false;
 }
 
-/* One cell with something in it: a title. */
+/* True if a row has one filled cell, which may be a title. */
 static bool
 has_one_cell(const struct row *row)
 {
@@ -58,17 +58,14 @@ has_one_cell(const struct row *row)
 	return filled == 1;
 }
 
-/* Notes a line above a table that has no other cell. */
+/* Adds a line above a table to its title if it has no other cell. */
 static void
 note_title(struct table *t, const struct row *row, const char *text,
     const struct head *title)
 {
 	if (!has_one_cell(row) || text[0] == '\0')
 		return;
-	if (t->title == NULL)
-		t->title = xstrdup(text);
-	else
-		xappend(&t->title, "\n%s", text);
+	xlist(&t->title, "\n", "%s", text);
 	t->strange =
 	    t->strange || title->unknown > 0 ||
 	    (title->means & (WORD_LIMIT | WORD_MEAN | WORD_MACHINE)) != 0;
@@ -78,7 +75,7 @@ uint64_t
 title_context(const struct layout *layout, struct table *t, const char *path,
     struct surroundings *near)
 {
-	uint64_t means = vocabulary_text(t->sheet->name, NULL);
+	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
 	struct head name = head_read(t->sheet->name);
 	if (!(near->speed > 0)) {
 		near->speed = name.speed;
@@ -104,39 +101,29 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 		}
 	}
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
-		char *stem = site_heading_name(path);
-		means |= vocabulary_text(stem, NULL);
-		free(stem);
+		FREED char *stem = site_heading_name(path);
+		means |= lexicon_meanings(stem, NULL);
 	}
 	return means;
-}
-
-/* The lines of a title. */
-static const char *
-title_next_line(const char *line, size_t *n)
-{
-	*n = strcspn(line, "\n");
-	return line[*n] == '\n' ? line + *n + 1 : NULL;
 }
 
 char *
 title_line(const struct table *t)
 {
-	char *found = NULL;
-	for (const char *p = t->title; p != NULL;) {
-		size_t n;
-		const char *next = title_next_line(p, &n);
+	for (const char *p = t->title;;) {
+		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
-		bool feed = (vocabulary_text(line, NULL) & WORD_FEED) != 0;
-		free(found);
-		found = line;
-		p = feed ? NULL : next;
+		if (p[n] == '\0' ||
+		    (lexicon_meanings(line, NULL) & WORD_FEED) != 0)
+			return line;
+		free(line);
+		p += n + 1;
 	}
-	return found != NULL ? found : xstrdup("");
 }
 
-/* Whether a word of n bytes is or begins with a number that counts or dates
- * something: not one with a unit, which may follow it, nor a range of sizes. */
+/* True if a word of n bytes is, or begins with, a number that counts or dates
+ * something; not if it has a unit, which may follow it, or is a range of
+ * sizes. */
 static bool
 is_numeral(const char *word, size_t n, const char *next)
 {
@@ -145,36 +132,34 @@ is_numeral(const char *word, size_t n, const char *next)
 		digits++;
 	if (digits == 0)
 		return false;
-	char *tail = xstrndup(word + digits, n - digits);
+	FREED char *tail = xstrndup(word + digits, n - digits);
 	bool range = (tail[0] == '/' || tail[0] == '-') &&
 		     strspn(tail + 1, "0123456789.,") == strlen(tail) - 1;
-	vocabulary_text(tail, &more);
+	lexicon_meanings(tail, &more);
 	bool unit =
 	    tail[0] != '\0' && strpbrk(tail, "0123456789") == NULL && more == 0;
-	free(tail);
 	size_t follows = strcspn(next, " ,;:()[]@\n");
 	bool measured = digits == n && follows > 0 &&
-			(vocabulary_word(next, follows) &
+			(lexicon_word_meanings(next, follows) &
 			    (WORD_MM | WORD_UM | WORD_M | WORD_INCH |
 				WORD_GRAMS | WORD_PERCENT)) != 0;
 	return !range && !unit && !measured;
 }
 
-/* Whether a word is a name: of no known meaning, or with a number in it. */
+/* True if a word is a name: of unknown meaning, or with a number in it. */
 static bool
 is_name(const char *word, size_t n, const char *next)
 {
-	char *copy = xstrndup(word, n);
+	FREED char *copy = xstrndup(word, n);
 	size_t unknown;
-	vocabulary_text(copy, &unknown);
+	lexicon_meanings(copy, &unknown);
 	bool letters = strpbrk(copy, "0123456789") == NULL;
 	bool own = !letters && strspn(copy, "0123456789") == 0;
-	free(copy);
 	return letters ? unknown > 0 && n > 1
 		       : own || is_numeral(word, n, next);
 }
 
-/* Whether a has a name that is no word of b, both in the form of text_fold. */
+/* True if text a contains a name that is no word of b; both are folded. */
 static bool
 has_other_name(const char *a, const char *b)
 {
@@ -198,25 +183,20 @@ has_other_name(const char *a, const char *b)
 bool
 title_names_differ(const char *a, const char *b)
 {
-	char *one = head_without_speeds(a), *other = head_without_speeds(b);
-	bool differ = has_other_name(one, other) && has_other_name(other, one);
-	free(one);
-	free(other);
-	return differ;
+	FREED char *one = head_without_speeds(a),
+		   *other = head_without_speeds(b);
+	return has_other_name(one, other) && has_other_name(other, one);
 }
 
 bool
 title_is_like(const struct table *a, const struct table *b)
 {
-	char *one = head_without_speeds(a->title != NULL ? a->title : "");
-	char *other = head_without_speeds(b->title != NULL ? b->title : "");
-	bool same = strcmp(one, other) == 0;
-	free(one);
-	free(other);
-	return same;
+	FREED char *one = head_without_speeds(a->title);
+	FREED char *other = head_without_speeds(b->title);
+	return strcmp(one, other) == 0;
 }
 
-/* The only sample of a table; NULL: it has none, or several. */
+/* Returns the only sample of a table, or NULL if it has none or several. */
 static const struct column *
 title_only_sample(const struct columns *all, const struct table *t)
 {
@@ -235,20 +215,20 @@ title_only_sample(const struct columns *all, const struct table *t)
 bool
 title_is_limit(const struct table *t)
 {
-	return t->title != NULL &&
-	       (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
+	return (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
-/* Whether a table has one product, whose speed its title has. */
+/* True if a table has one product, with its speed in the title. */
 static bool
 has_product(const struct table *t, const struct column *c)
 {
-	struct head head = head_read(t->title != NULL ? t->title : "");
+	struct head head = head_read(t->title);
 	return c->role == PRODUCT && !c->said.several && has_speed(&head) &&
 	       !head.several && !title_is_limit(t);
 }
 
-/* Whether product k is like those before it, at another speed. */
+/* True if product k has the same title as those before it, but another
+ * speed. */
 static bool
 title_goes_on(struct table *const *table, size_t k, const struct columns *all)
 {
@@ -283,24 +263,24 @@ title_is_series(
 		return parts;
 	if (title_is_limit(feed))
 		return false;
-	char *line = title_line(feed);
+	FREED char *line = title_line(feed);
 	bool one = true;
 	for (size_t k = 0; k < n; k++)
 		one = one && (table[k] == feed ||
 				 !title_names_differ(line, table[k]->title));
-	free(line);
 	return one;
 }
 
-/* Removes, in the form of text_fold, what may differ from test to test: speeds,
- * dates, the number behind "test", and names that programs give to sheets.  The
- * caller frees. */
+/* Returns the folded text without what may differ from test to test: speeds,
+ * dates, the number after "test", and default names of sheets.  The caller
+ * frees it. */
 static char *
 name_of_test(const char *text)
 {
 	static const char *const COUNTED[] = {"ark", "blad", "feuil", "hoja",
 	    "prov", "run", "sheet", "tabelle", "test", "trial", "versuch"};
-	char *from = head_without_speeds(text), *name = xstrdup("");
+	FREED char *from = head_without_speeds(text);
+	char *name = xstrdup("");
 	bool counts = false;
 	for (const char *p = from; *p != '\0';) {
 		size_t n = strcspn(p, " ,;:()[]@\n_");
@@ -318,21 +298,18 @@ name_of_test(const char *text)
 		counts = n > 0 ? named : counts;
 		p += n + (p[n] != '\0');
 	}
-	free(from);
 	return name;
 }
 
 static bool
 tests_alike(const char *a, const char *b)
 {
-	char *one = name_of_test(a), *other = name_of_test(b);
-	bool same = strcmp(one, other) == 0;
-	free(one);
-	free(other);
-	return same;
+	FREED char *one = name_of_test(a), *other = name_of_test(b);
+	return strcmp(one, other) == 0;
 }
 
-/* The product of a table that has one, beside one feed; or NULL.  *feed out. */
+/* Returns the product of a table that has one product and one feed, and sets
+ * *feed; otherwise NULL. */
 static const struct column *
 test_sample(const struct columns *all, const struct table *t,
     const struct column **feed)
@@ -363,8 +340,7 @@ title_is_tests(struct table *const *table, size_t n, const struct columns *all)
 		if (c == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_is_limit(t) ||
 		    !tests_alike(first->sheet->name, t->sheet->name) ||
-		    !tests_alike(first->title != NULL ? first->title : "",
-			t->title != NULL ? t->title : ""))
+		    !tests_alike(first->title, t->title))
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =

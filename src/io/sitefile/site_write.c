@@ -10,6 +10,7 @@
 #include "base/xalloc.h"
 #include "io/fs/file.h"
 #include "io/cells/sheet.h"
+#include "io/sitefile/units.h"
 
 /* A curve to write and the first of its sieves not yet written. */
 struct curve {
@@ -21,9 +22,9 @@ struct curve {
 	size_t next;
 };
 
-/* The reader takes percents that are all 1 or less for fractions, so a product
- * like that is written in fractions, as are its repeats, which have one unit
- * with it. */
+/* True if products at a speed are written as fractions: the reader takes
+ * percents that never exceed 1 for fractions, so such a product is written in
+ * fractions, and so are its repeats, which share its unit. */
 static bool
 is_small(const struct site *site, double speed)
 {
@@ -36,13 +37,7 @@ is_small(const struct site *site, double speed)
 	return small;
 }
 
-static double
-size_mm(double size)
-{
-	return round(size * 1e12) / 1e9;
-}
-
-/* Of a fraction to 14 decimals: percent has 12. */
+/* Converts a fraction, rounded to 14 decimals, to the unit of the column. */
 static double
 as_written(const struct curve *c, double fraction)
 {
@@ -63,9 +58,9 @@ write_heading(const struct site *site, FILE *out)
 {
 	char top[32] = "", rotor[32] = "";
 	if (site->top_size > 0)
-		text_exact(size_mm(site->top_size), top);
+		text_exact(units_mm(site->top_size), top);
 	if (site->rotor > 0)
-		text_exact(size_mm(site->rotor), rotor);
+		text_exact(units_mm(site->rotor), rotor);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
 	    {"machine", site->machine}, {"rotor_mm", rotor},
@@ -77,8 +72,8 @@ write_heading(const struct site *site, FILE *out)
 		write_line(site->note[i].key, site->note[i].value, out);
 }
 
-/* One feed serves all runs, unless there are several or one of the runs has
- * nothing but its feed, which no other column would name. */
+/* True if each run has its own feed.  One feed serves all runs unless there are
+ * several, or a run has only its feed, which no other column would name. */
 static bool
 has_own_feeds(const struct site *site)
 {
@@ -88,7 +83,8 @@ has_own_feeds(const struct site *site)
 	return own;
 }
 
-/* The columns in their order; room for three a run and one more. */
+/* Lists the columns in order; `curve` has room for three per run and one
+ * more. */
 static size_t
 list_curves(const struct site *site, struct curve *curve)
 {
@@ -113,7 +109,7 @@ list_curves(const struct site *site, struct curve *curve)
 	return n;
 }
 
-/* The coarsest sieve not yet written, mm, or 0 when all are. */
+/* Returns the coarsest sieve not yet written, mm, or 0 if all are. */
 static double
 next_mm(const struct curve *curve, size_t n)
 {
@@ -121,7 +117,7 @@ next_mm(const struct curve *curve, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct curve *c = &curve[i];
 		if (c->next < c->psd->n)
-			mm = fmax(mm, size_mm(c->psd->size[c->next]));
+			mm = fmax(mm, units_mm(c->psd->size[c->next]));
 	}
 	return mm;
 }
@@ -136,7 +132,7 @@ write_row(struct curve *curve, size_t n, double mm, FILE *out)
 		fputc(',', out);
 		bool used = false;
 		for (; c->next < c->psd->n; c->next++) {
-			if (size_mm(c->psd->size[c->next]) < mm)
+			if (units_mm(c->psd->size[c->next]) < mm)
 				break;
 			if (!used)
 				fputs(
@@ -153,7 +149,7 @@ size_t
 site_write(const struct site *site, FILE *out)
 {
 	char number[32];
-	struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
+	FREED struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
 	size_t n = list_curves(site, curve);
 	write_heading(site, out);
 	fputs("size_mm", out);
@@ -167,7 +163,6 @@ site_write(const struct site *site, FILE *out)
 	size_t rows = 0;
 	for (double mm; (mm = next_mm(curve, n)) > 0; rows++)
 		write_row(curve, n, mm, out);
-	free(curve);
 	return rows;
 }
 
@@ -175,12 +170,10 @@ bool
 site_save(const struct site *site, const char *path, size_t *rows,
     struct error *error)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_memory(&text, &n);
 	*rows = site_write(site, memory);
 	fclose(memory);
-	bool ok = file_replace(path, FILE_SHARED, text, n, error);
-	free(text);
-	return ok;
+	return file_replace(path, FILE_SHARED, text, n, error);
 }

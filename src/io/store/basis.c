@@ -101,7 +101,7 @@ write_fit(const struct basis *b, FILE *out)
 	fputc('\n', out);
 }
 
-/* A store's text is one line: ends of lines become \n. */
+/* Replaces line ends with \n: the text of a store is one line. */
 static char *
 escape_line_ends(const char *text)
 {
@@ -130,7 +130,7 @@ unescape_line_ends(const char *line)
 char *
 basis_written(const struct basis *b)
 {
-	char *text = NULL;
+	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_memory(&text, &n);
 	write_fit(b, out);
@@ -146,12 +146,11 @@ basis_written(const struct basis *b)
 		site_write(b->now, out);
 	}
 	fclose(out);
-	char *line = escape_line_ends(text);
-	free(text);
-	return line;
+	return escape_line_ends(text);
 }
 
-/* Numbers of "name=1,2,3"; what a later version adds is passed over. */
+/* Reads the numbers of "name=1,2,3"; unknown names, from a later version, are
+ * ignored. */
 static bool
 take_numbers(struct basis *b, const char *name, char *list)
 {
@@ -199,7 +198,8 @@ basis_read_sheet(const char *text)
 	return site;
 }
 
-/* Cuts the text off at the next empty line; what comes after it, or NULL. */
+/* Ends the text at the next empty line.  Returns what comes after it, or
+ * NULL. */
 static char *
 cut_at_empty_line(char *text)
 {
@@ -215,7 +215,7 @@ read_provenance(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
 		char **said = provenance_field(site, &TAKEN[k]);
-		char *begin = xasprintf("%s=", TAKEN[k].name);
+		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
 			if (strncmp(line, begin, head) == 0) {
@@ -224,11 +224,10 @@ read_provenance(struct site *site, const char *lines)
 			}
 			line += n + (line[n] == '\n');
 		}
-		free(begin);
 	}
 }
 
-/* The runs, "1,0,1". */
+/* Reads which runs were trained on, "1,0,1". */
 static bool
 take_train(struct basis *b, const char *train)
 {
@@ -244,7 +243,7 @@ take_train(struct basis *b, const char *train)
 	return any;
 }
 
-/* What the fields of a material have of its fit. */
+/* Takes what the fields of a material state about its fit. */
 static void
 basis_from_fields(struct basis *b, const struct stored *m)
 {
@@ -262,7 +261,7 @@ basis_from_fields(struct basis *b, const struct stored *m)
 		fit->stop++;
 }
 
-/* Whether a calibration can have left it. */
+/* True if a calibration can have written this. */
 static bool
 basis_is_possible(const struct basis *b)
 {
@@ -302,9 +301,8 @@ basis_from_material(
 	*b = (struct basis){.weight = 0};
 	if (m->basis[0] == '\0')
 		return false;
-	char *text = unescape_line_ends(m->basis);
+	FREED char *text = unescape_line_ends(m->basis);
 	bool good = basis_read_text(b, text);
-	free(text);
 	if (good)
 		basis_from_fields(b, m);
 	return (good && basis_is_possible(b)) ||

@@ -55,60 +55,38 @@ const struct field FIELDS[FIELD_COUNT] = {
     {"basis", FIELD_TEXT, AT(basis), false, NULL, 0, 0},
 };
 
-static char **
-text_at(struct stored *m, const struct field *f)
+static void *
+value_at(const struct stored *m, const struct field *f, enum field_kind kind)
 {
-	assert(f->kind == FIELD_TEXT);
-	return (char **)(void *)((char *)m + f->offset);
+	assert(f->kind == kind);
+	(void)kind;
+	return (void *)((uintptr_t)m + f->offset);
 }
 
-static const void *
-field_of(const struct stored *m, const struct field *f)
-{
-	return (const char *)m + f->offset;
-}
-
-const char *
+char **
 stored_text(const struct stored *m, const struct field *f)
 {
-	assert(f->kind == FIELD_TEXT);
-	return *(char *const *)field_of(m, f);
+	return value_at(m, f, FIELD_TEXT);
 }
 
-double
+double *
 stored_number(const struct stored *m, const struct field *f)
 {
-	assert(f->kind == FIELD_NUMBER);
-	return *(const double *)field_of(m, f);
+	return value_at(m, f, FIELD_NUMBER);
 }
 
-int64_t
+int64_t *
 stored_integer(const struct stored *m, const struct field *f)
 {
-	assert(f->kind == FIELD_WHOLE);
-	return *(const int64_t *)field_of(m, f);
+	return value_at(m, f, FIELD_WHOLE);
 }
 
 void
 stored_set_text(struct stored *m, const struct field *f, const char *text)
 {
 	char *copy = xstrdup(text);
-	free(*text_at(m, f));
-	*text_at(m, f) = copy;
-}
-
-void
-stored_set_number(struct stored *m, const struct field *f, double value)
-{
-	assert(f->kind == FIELD_NUMBER);
-	memcpy((char *)m + f->offset, &value, sizeof value);
-}
-
-void
-stored_set_integer(struct stored *m, const struct field *f, int64_t value)
-{
-	assert(f->kind == FIELD_WHOLE);
-	memcpy((char *)m + f->offset, &value, sizeof value);
+	free(*stored_text(m, f));
+	*stored_text(m, f) = copy;
 }
 
 struct stored
@@ -120,9 +98,9 @@ stored_empty(void)
 		if (f->kind == FIELD_TEXT)
 			stored_set_text(&m, f, "");
 		else if (f->kind == FIELD_NUMBER)
-			stored_set_number(&m, f, NAN);
+			*stored_number(&m, f) = NAN;
 		else if (f->kind == FIELD_WHOLE)
-			stored_set_integer(&m, f, -1);
+			*stored_integer(&m, f) = -1;
 		else
 			stored_set_written(&m, f, "");
 	}
@@ -134,7 +112,7 @@ stored_free(struct stored *m)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++)
 		if (FIELDS[i].kind == FIELD_TEXT)
-			free(*text_at(m, &FIELDS[i]));
+			free(*stored_text(m, &FIELDS[i]));
 	free(m->feed_source);
 }
 
@@ -157,16 +135,10 @@ stored_list_add(struct stored_list *list, struct stored m)
 const struct stored *
 stored_find(const struct stored_list *list, const char *name)
 {
-	const struct stored *found = NULL;
-	char *wanted = text_fold(name);
-	for (size_t i = 0; found == NULL && i < list->n; i++) {
-		char *fold = text_fold(list->item[i].name);
-		if (strcmp(fold, wanted) == 0)
-			found = &list->item[i];
-		free(fold);
-	}
-	free(wanted);
-	return found;
+	for (size_t i = 0; i < list->n; i++)
+		if (text_same(list->item[i].name, name))
+			return &list->item[i];
+	return NULL;
 }
 
 static int
@@ -210,7 +182,7 @@ stored_index_clear(struct stored_index *index)
 	free(index->name);
 }
 
-/* Parameters there are; 0 where the model is not known. */
+/* Returns the number of parameters; 0 if the model is unknown. */
 static size_t
 count_params(const struct params *p)
 {
@@ -227,7 +199,7 @@ params_written(const struct params *p)
 	return text;
 }
 
-/* The number of "name=number" among others; NAN where there is none. */
+/* Returns the number in "name=number" among others, or NAN. */
 static double
 param_in(const char *text, const char *name)
 {
@@ -236,10 +208,9 @@ param_in(const char *text, const char *name)
 		size_t word = strcspn(text, " ");
 		if (word > n && text[n] == '=' && strncmp(text, name, n) == 0) {
 			double value = NAN;
-			char *number = xstrndup(text + n + 1, word - n - 1);
-			bool ok = text_number(number, &value);
-			free(number);
-			return ok ? value : NAN;
+			FREED char *number =
+			    xstrndup(text + n + 1, word - n - 1);
+			return text_number(number, &value) ? value : NAN;
 		}
 		text += word + (text[word] == ' ');
 	}
@@ -272,12 +243,12 @@ stored_written(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS)
 		return params_written(params);
 	if (f->kind == FIELD_TEXT)
-		return xstrdup(stored_text(m, f));
+		return xstrdup(*stored_text(m, f));
 	if (f->kind == FIELD_NUMBER)
-		return xstrdup(isfinite(stored_number(m, f))
-				   ? text_exact(stored_number(m, f), number)
+		return xstrdup(isfinite(*stored_number(m, f))
+				   ? text_exact(*stored_number(m, f), number)
 				   : "");
-	int64_t whole = stored_integer(m, f);
+	int64_t whole = *stored_integer(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
@@ -288,9 +259,8 @@ stored_each_field(const struct stored *m, stored_take *take, void *data)
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
 		const struct params *p = &m->params;
 		if (FIELDS[i].kind != FIELD_PARAMS) {
-			char *text = stored_written(m, &FIELDS[i]);
+			FREED char *text = stored_written(m, &FIELDS[i]);
 			take(data, FIELDS[i].name, text);
-			free(text);
 			continue;
 		}
 		for (size_t j = 0; j < count_params(p); j++)
@@ -300,8 +270,8 @@ stored_each_field(const struct stored *m, stored_take *take, void *data)
 	}
 }
 
-/* An empty field counts for nothing, nor does the name of the paper's model, so
- * that a row keeps its digest when a later schema adds a column. */
+/* Adds a field to the digest.  Empty fields and the name of the paper's model
+ * are omitted, so a row keeps its digest when a later schema adds a column. */
 static void
 digest_one(void *data, const char *name, const char *text)
 {
@@ -339,15 +309,14 @@ static const char TABLE3[] = "table3/";
 bool
 stored_is_table3_name(const char *name)
 {
-	char *folded = text_fold(name);
-	bool is = strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
-	free(folded);
-	return is;
+	FREED char *folded = text_fold(name);
+	return strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
 }
 
 enum { MOST_NAME = 60 };
 
-/* Index of the first parameter that cannot be; the model's n: none. */
+/* Returns the index of the first impossible parameter, or the number of
+ * parameters. */
 static size_t
 wrong_param(const struct params *p)
 {
@@ -402,7 +371,7 @@ stored_value_text(const struct stored *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
-		return xasprintf("%g", stored_number(m, f));
+		return xasprintf("%g", *stored_number(m, f));
 	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_params(p))
 		return xasprintf("%g", p->at[wrong_param(p)]);
 	return stored_written(m, f);
@@ -417,13 +386,13 @@ stored_is_valid(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS)
 		return wrong_param(&m->params) == count_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
-		return stored_integer(m, f) >= -1;
+		return *stored_integer(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
-		double value = stored_number(m, f);
+		double value = *stored_number(m, f);
 		return isnan(value) ? !f->needed
 				    : value >= f->least && value <= f->most;
 	}
-	const char *text = stored_text(m, f);
+	const char *text = *stored_text(m, f);
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
@@ -431,15 +400,14 @@ stored_is_valid(const struct stored *m, const struct field *f)
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
 	return stored_is_one_line(text) &&
-	       (strcmp(f->name, "date") != 0 || moment_is_day(text));
+	       (strcmp(f->name, "date") != 0 || datetime_is_day(text));
 }
 
 bool
 stored_check_name(const char *name, struct error *error)
 {
-	char *copy = xstrdup(name);
+	FREED char *copy = xstrdup(name);
 	bool trimmed = strlen(text_trim(copy)) == strlen(name);
-	free(copy);
 	if (stored_is_table3_name(name))
 		return error_set(error, ERROR_USAGE,
 		    "names that begin with %s are those of the paper's Table "
@@ -476,8 +444,8 @@ replace_string(char **text, char *value)
 	*text = value;
 }
 
-/* A row of a table such as data/table3.csv; false where it shows that the file
- * is of another kind. */
+/* Reads a row of a table such as data/table3.csv.  False if it shows that the
+ * file is of another kind. */
 static bool
 material_read_row(
     struct sheet *sheet, const struct row *row, struct stored_list *list)
@@ -501,12 +469,11 @@ material_read_row(
 		double *number = column[i].number;
 		if (number == NULL)
 			continue;
-		char *wanted = xasprintf(
+		FREED char *wanted = xasprintf(
 		    tr("a number above 0, up to %g,"), column[i].most);
 		if (number_read(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
-		free(wanted);
 	}
 	replace_string(&m.rock, xstrdup(row->cell[ROCK].text));
 	replace_string(&m.site, xstrdup(row->cell[SITE].text));
@@ -515,7 +482,7 @@ material_read_row(
 	return true;
 }
 
-/* text is taken apart and freed; false after a fault, which is reported. */
+/* Consumes the text.  False after a fault, which is reported. */
 static bool
 read_printed(const char *path, char *text, struct stored_list *list,
     struct error_list *errors)
@@ -545,28 +512,26 @@ stored_read_printed(
 	return read_printed(path, textfile_read(path, errors), list, errors);
 }
 
-/* As a session calls its sites: a later one of the same name has its size, and
- * of the same name and size a number. */
+/* Names sites as a session does: a later one of the same name has its size, and
+ * one of the same name and size a number. */
 static char *
 table3_name(
     const struct stored_list *rows, const struct stored_list *list, size_t i)
 {
 	const struct stored *row = &rows->item[i];
-	char *slug = text_slug(row->site);
+	FREED char *slug = text_slug(row->site);
 	bool shared = false;
 	for (size_t j = 0; j < rows->n; j++)
 		shared = shared ||
 			 (j != i && text_same(rows->item[j].site, row->site));
-	char *stem = shared
-			 ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
-			 : xasprintf("%s%s", TABLE3, slug);
+	FREED char *stem =
+	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
+		   : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
 	for (int n = 2; stored_find(list, name) != NULL; n++) {
 		free(name);
 		name = xasprintf("%s/%d", stem, n);
 	}
-	free(stem);
-	free(slug);
 	return name;
 }
 

@@ -80,13 +80,12 @@ const struct stored_name *stored_index_find(
     const struct stored_index *index, const char *fold);
 void stored_index_clear(struct stored_index *index);
 
-/* Return or set the value of a field.  stored_set_text copies the text. */
-const char *stored_text(const struct stored *m, const struct field *f);
-double stored_number(const struct stored *m, const struct field *f);
-int64_t stored_integer(const struct stored *m, const struct field *f);
+/* Return where the value of a field of this kind is kept in m.
+ * stored_set_text copies the text. */
+char **stored_text(const struct stored *m, const struct field *f);
+double *stored_number(const struct stored *m, const struct field *f);
+int64_t *stored_integer(const struct stored *m, const struct field *f);
 void stored_set_text(struct stored *m, const struct field *f, const char *text);
-void stored_set_number(struct stored *m, const struct field *f, double value);
-void stored_set_integer(struct stored *m, const struct field *f, int64_t value);
 
 /* Returns any field as text that reads back as the same value, or "" if not
  * known.  The caller frees it. */

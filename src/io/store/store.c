@@ -72,6 +72,32 @@ folded(sqlite3_context *context, int n, sqlite3_value **value)
 	    context, text_fold(text != NULL ? text : ""), -1, free);
 }
 
+/* Returns a name, possibly of another user, as it can be read and typed:
+ * escaped and shortened. */
+static char *
+shown_name(const char *name)
+{
+	enum { MOST = 60 };
+	char *label = text_escaped(name);
+	size_t n = strlen(label);
+	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
+		n--;
+	label[n] = '\0';
+	for (char *p = label; (p = strchr(p, '"')) != NULL;)
+		*p = '\'';
+	return label;
+}
+
+/* shown(name): as shown_name. */
+static void
+sql_shown(sqlite3_context *context, int n, sqlite3_value **value)
+{
+	const char *text = (const char *)sqlite3_value_text(value[0]);
+	(void)n;
+	sqlite3_result_text(
+	    context, shown_name(text != NULL ? text : ""), -1, free);
+}
+
 /* The kind of error, its words and the next step, by SQLite's result code. */
 static const struct problem {
 	int code;
@@ -101,9 +127,10 @@ static const struct problem {
 	"this is not a store of tipspeed, or it is damaged",
 	"move the file away, or use another with --store=PATH"}};
 
-/* The error for the newest failure of db, NULL allowed.  Returns false. */
+/* Sets the error for the latest failure of db, which may be NULL.  Returns
+ * false. */
 static bool
-schema_fail(sqlite3 *db, const char *path, struct error *error)
+fail_as_sqlite(sqlite3 *db, const char *path, struct error *error)
 {
 	int code = db != NULL ? sqlite3_errcode(db) & 0xFF : SQLITE_NOMEM;
 	int reason = db != NULL ? sqlite3_system_errno(db) : 0;
@@ -125,14 +152,14 @@ schema_fail(sqlite3 *db, const char *path, struct error *error)
 
 /* Runs SQL without results.  False with the error set. */
 static bool
-schema_run(sqlite3 *db, const char *path, const char *sql, struct error *error)
+run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
 {
 	return sqlite3_exec(db, sql, NULL, NULL, NULL) == SQLITE_OK ||
-	       schema_fail(db, path, error);
+	       fail_as_sqlite(db, path, error);
 }
 
-/* The first value of the first row as text, which the caller frees; NULL
- * without a row or after a failure. */
+/* Returns the first value of the first row as text, which the caller frees;
+ * NULL without a row or after a failure. */
 static char *
 query_text(sqlite3 *db, const char *sql)
 {
@@ -148,47 +175,44 @@ query_text(sqlite3 *db, const char *sql)
 	return text;
 }
 
-/* A whole number; -1 after a failure. */
+/* Returns a whole number; -1 after a failure. */
 static long
 query_integer(sqlite3 *db, const char *sql)
 {
-	char *text = query_text(db, sql);
-	long value = text != NULL ? strtol(text, NULL, 10) : -1;
-	free(text);
-	return value;
+	FREED char *text = query_text(db, sql);
+	return text != NULL ? strtol(text, NULL, 10) : -1;
 }
 
-/* A file that is written is in WAL mode from then on.  To change the mode takes
- * the whole file, and SQLite does not wait for that by itself. */
+/* Sets WAL mode, which a file then keeps.  Changing the mode needs the whole
+ * file, for which SQLite does not wait by itself. */
 static bool
 set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 {
 	const struct timespec pause = {0, PAUSE_MS * 1000000L};
 	for (int waited = 0;; waited += PAUSE_MS) {
-		char *mode = query_text(db, "PRAGMA journal_mode = WAL");
+		FREED char *mode = query_text(db, "PRAGMA journal_mode = WAL");
 		bool done = mode != NULL && (strcmp(mode, "wal") == 0 ||
 						strcmp(mode, "memory") == 0);
 		bool busy =
 		    mode == NULL && (sqlite3_errcode(db) & 0xFF) == SQLITE_BUSY;
-		free(mode);
 		if (done)
 			return true;
 		if (!busy || waited >= WAIT_MS)
-			return schema_fail(db, path, error);
+			return fail_as_sqlite(db, path, error);
 		nanosleep(&pause, NULL);
 	}
 }
 
-/* Within a transaction: the version is asked again, as another program may have
- * done the work meanwhile. */
+/* Runs the steps within a transaction, in which the version is read again, as
+ * another program may have migrated the file meanwhile. */
 static bool
 run_steps(sqlite3 *db, const char *path, struct error *error)
 {
 	long version = query_integer(db, "PRAGMA user_version");
 	if (version < 0)
-		return schema_fail(db, path, error);
+		return fail_as_sqlite(db, path, error);
 	for (long i = version; i < STORE_SCHEMA; i++)
-		if (!schema_run(db, path, SCHEMA_STEPS[i], error))
+		if (!run_sql(db, path, SCHEMA_STEPS[i], error))
 			return false;
 	if (version >= STORE_SCHEMA)
 		return true;
@@ -197,7 +221,7 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 	    "application_id = %d;PRAGMA user_version = %d;",
 	    "tipspeed " PACKAGE_VERSION, (int)SCHEMA_APPLICATION,
 	    (int)STORE_SCHEMA);
-	bool ok = schema_run(db, path, end, error);
+	bool ok = run_sql(db, path, end, error);
 	sqlite3_free(end);
 	return ok;
 }
@@ -205,60 +229,59 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 static bool
 migrate(sqlite3 *db, const char *path, struct error *error)
 {
-	if (!schema_run(db, path, "BEGIN IMMEDIATE", error))
+	if (!run_sql(db, path, "BEGIN IMMEDIATE", error))
 		return false;
-	if (run_steps(db, path, error) && schema_run(db, path, "COMMIT", error))
+	if (run_steps(db, path, error) && run_sql(db, path, "COMMIT", error))
 		return true;
 	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	return false;
 }
 
-/* Every page and every index, where the store is small.  In a large one that
- * takes longer than all else (0.3 s for 100,000 materials): each row that is
- * read has its digest. */
+/* Checks every page and index of a small store.  In a large one that takes
+ * longer than everything else (0.3 s for 100,000 materials), and each row read
+ * has its digest. */
 static bool
 check_integrity(sqlite3 *db, const char *path, struct error *error)
 {
 	const long small = 1024;
 	if (query_integer(db, "PRAGMA page_count") > small)
 		return true;
-	char *found = query_text(db, "PRAGMA integrity_check(1)");
+	FREED char *found = query_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
-		schema_fail(db, path, error);
+		fail_as_sqlite(db, path, error);
 	else if (!ok)
 		error_at(error, ERROR_DATA, path, 0, 0,
 		    "the store is damaged: %.200s\n"
 		    "move the file away, and import the newest export into a "
 		    "new one",
 		    found);
-	free(found);
 	return ok;
 }
 
 static bool
 refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 {
-	char *program = query_text(db, "SELECT program FROM about");
+	FREED char *program = query_text(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which reads schemas up to %d\n"
 	    "use that program, or another store with --store=PATH",
 	    program != NULL ? program : "a newer tipspeed", version,
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
-	free(program);
 	return false;
 }
 
-/* What the file is: *version 0 for an empty one. */
+/* Checks what the file is.  *version: 0 for an empty one. */
 static bool
-store_look(sqlite3 *db, const char *path, long *version, struct error *error)
+check_database(
+    sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
-		return schema_fail(db, path, error);
+		return fail_as_sqlite(db, path, error);
 	long tables = query_integer(db, "SELECT count(*) FROM sqlite_master");
 	if (tables < 0)
-		return schema_fail(db, path, error);
+		return fail_as_sqlite(db, path, error);
 	long application = query_integer(db, "PRAGMA application_id");
 	*version = query_integer(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
@@ -281,6 +304,8 @@ add_functions(sqlite3 *db)
 	    db, "exact", 1, flags, NULL, sql_exact, NULL, NULL, NULL);
 	sqlite3_create_function_v2(
 	    db, "folded", 1, flags, NULL, folded, NULL, NULL, NULL);
+	sqlite3_create_function_v2(
+	    db, "shown", 1, flags, NULL, sql_shown, NULL, NULL, NULL);
 }
 
 static sqlite3 *
@@ -306,19 +331,17 @@ connect(const char *path, bool make)
 static sqlite3 *
 connect_closed_folder(const char *path)
 {
-	char *log = xasprintf("%s-wal", path);
+	FREED char *log = xasprintf("%s-wal", path);
 	bool alone = access(log, F_OK) != 0;
-	free(log);
 	if (!alone)
 		return NULL;
-	char *uri = xstrdup("file:");
+	FREED char *uri = xstrdup("file:");
 	for (const char *p = path; *p != '\0'; p++)
 		xappend(&uri, strchr("?#%", *p) != NULL ? "%%%02X" : "%c", *p);
 	xappend(&uri, "?immutable=1");
 	sqlite3 *db = NULL;
 	sqlite3_open_v2(uri, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
 	add_functions(db);
-	free(uri);
 	return db;
 }
 
@@ -334,16 +357,17 @@ store_create_or_migrate(
 	bool stale = version < STORE_SCHEMA && (make || version > 0);
 	return (!stale || migrate(db, path, error)) &&
 	       (!make || (set_wal_mode(db, path, error) &&
-			     schema_run(db, path, INDEX, error)));
+			     run_sql(db, path, INDEX, error)));
 }
 
-/* Opens and looks; for reading, in a closed folder too. */
+/* Opens and checks the file; for reading, also in a folder without write
+ * access. */
 static sqlite3 *
 open_to(
     const char *path, bool make, long *version, bool *ok, struct error *error)
 {
 	sqlite3 *db = connect(path, make), *closed = NULL;
-	*ok = store_look(db, path, version, error);
+	*ok = check_database(db, path, version, error);
 	int code = sqlite3_errcode(db) & 0xFF;
 	bool beside = code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 	if (!*ok && !make && beside)
@@ -351,7 +375,7 @@ open_to(
 	if (closed == NULL)
 		return db;
 	sqlite3_close(db);
-	*ok = store_look(closed, path, version, error);
+	*ok = check_database(closed, path, version, error);
 	return closed;
 }
 
@@ -359,7 +383,7 @@ open_to(
  * store; without it *db is then NULL, which is no error.  A file of an older
  * schema is brought up to date, all steps or none.  False: *db is NULL. */
 static bool
-schema_open(const char *path, bool make, sqlite3 **db, struct error *error)
+open_database(const char *path, bool make, sqlite3 **db, struct error *error)
 {
 	bool ok;
 	long version = 0;
@@ -438,25 +462,23 @@ store_bytes(const struct store *store)
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
 }
 
-/* The folders above the file, for this user alone. */
+/* Makes the folders above the file, for this user alone. */
 static bool
 make_folders(const char *path, struct error *error)
 {
-	char *closed = xdg_make_folders(path);
+	FREED char *closed = xdg_make_folders(path);
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
 	    "cannot create the store's folder: %s\n"
 	    "check its permissions, or use another store: --store=PATH",
 	    strerror(errno));
-	free(closed);
 	return false;
 }
 
 /* *db is NULL where there is nothing to read. */
 static bool
-store_begin_change(
-    struct store *store, bool make, sqlite3 **db, struct error *error)
+store_connect(struct store *store, bool make, sqlite3 **db, struct error *error)
 {
 	*db = store->memory;
 	if (*db != NULL)
@@ -467,7 +489,7 @@ store_begin_change(
 		    "name a file with --store=PATH");
 	if (make && store->own_folder && !make_folders(store->path, error))
 		return false;
-	if (!schema_open(store->path, make, db, error))
+	if (!open_database(store->path, make, db, error))
 		return false;
 	if (strcmp(store->path, ":memory:") == 0)
 		store->memory = *db;
@@ -506,22 +528,7 @@ digest_text(const struct stored *m)
 	return xasprintf("%016" PRIx64, stored_make_digest(m));
 }
 
-/* A name as it can be read and typed, whoever made it: shown, and cut. */
-static char *
-shown_name(const char *name)
-{
-	enum { MOST = 60 };
-	char *label = text_escaped(name);
-	size_t n = strlen(label);
-	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
-		n--;
-	label[n] = '\0';
-	for (char *p = label; (p = strchr(p, '"')) != NULL;)
-		*p = '\'';
-	return label;
-}
-
-/* False for a material that no import would take. */
+/* False for a material that no import would accept. */
 static bool
 check_fields(const struct stored *m, struct error *error)
 {
@@ -530,26 +537,24 @@ check_fields(const struct stored *m, struct error *error)
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
-	char *label = shown_name(m->name), *wanted = stored_expected_text(m, f),
-	     *found = stored_value_text(m, f);
+	FREED char *label = shown_name(m->name),
+		   *wanted = stored_expected_text(m, f),
+		   *found = stored_value_text(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct the source of this material",
 	    label, f->name, wanted, found);
-	free(label);
-	free(wanted);
-	free(found);
 	return false;
 }
 
-/* Whether a row is what was put.  It has its name also as fold, by which it is
- * found. */
+/* True if a row is unchanged since it was stored.  Its name is also stored
+ * folded, by which it is found. */
 static bool
 is_row_as_put(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
 {
-	char *of_name = text_fold(m->name), *of_row = digest_text(m);
-	char *label = shown_name(m->name);
+	FREED char *of_name = text_fold(m->name), *of_row = digest_text(m);
+	FREED char *label = shown_name(m->name);
 	bool good = check_fields(m, error);
 	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
 		good = error_set(error, ERROR_DATA,
@@ -558,15 +563,12 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
 	if (!good)
 		error_hint(error, "run 'forget \"%s\"', then remember it again",
 		    label);
-	free(of_name);
-	free(of_row);
-	free(label);
 	return good;
 }
 
-/* The row stmt stands on.  False when it is not what was put. */
+/* Reads the row of stmt.  False if it is not as it was stored. */
 static bool
-store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
+take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
     struct error *error)
 {
 	*m = stored_empty();
@@ -576,11 +578,11 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 		if (f->kind == FIELD_TEXT)
 			stored_set_text(m, f, column_text(stmt, i + 2));
 		else if (f->kind == FIELD_NUMBER && !none)
-			stored_set_number(
-			    m, f, sqlite3_column_double(stmt, i + 2));
+			*stored_number(m, f) =
+			    sqlite3_column_double(stmt, i + 2);
 		else if (f->kind == FIELD_WHOLE && !none)
-			stored_set_integer(
-			    m, f, sqlite3_column_int64(stmt, i + 2));
+			*stored_integer(m, f) =
+			    sqlite3_column_int64(stmt, i + 2);
 		else if (f->kind >= FIELD_MODEL)
 			stored_set_written(m, f, column_text(stmt, i + 2));
 	}
@@ -592,8 +594,8 @@ store_take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 	return false;
 }
 
-/* What of a query is a condition on a row.  ?1 name, ?2 rock, ?3 and ?4 the
- * least and the most top size, ?5 that wanted, ?6 the most rows, ?7 their
+/* Returns the condition of a query.  ?1 name, ?2 rock, ?3 and ?4 the least and
+ * the largest top size, ?5 the top size wanted, ?6 the number of rows, ?7 their
  * distance. */
 static char *
 where_clause(const struct store_query *q)
@@ -635,8 +637,8 @@ bind_text(sqlite3_stmt *stmt, int i, const char *text)
 static void
 bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 {
-	char *name = text_fold(q->name != NULL ? q->name : "");
-	char *rock = text_fold(q->rock != NULL ? q->rock : "");
+	FREED char *name = text_fold(q->name != NULL ? q->name : "");
+	FREED char *rock = text_fold(q->rock != NULL ? q->rock : "");
 	bind_text(stmt, 1, name);
 	bind_text(stmt, 2, rock);
 	sqlite3_bind_double(stmt, 3, q->top_least);
@@ -645,32 +647,27 @@ bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 	sqlite3_bind_int64(
 	    stmt, 6, (sqlite3_int64)(q->first > 0 ? q->first : q->most));
 	sqlite3_bind_int64(stmt, 7, (sqlite3_int64)q->apart);
-	free(name);
-	free(rock);
 }
 
 static bool
 store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
     struct stored_list *list, struct error *error)
 {
-	char *where = where_clause(q),
-	     *after = xasprintf("%s ORDER BY fold", where);
-	char *sql = columns("SELECT fold, digest", false, after);
+	FREED char *where = where_clause(q),
+		   *after = xasprintf("%s ORDER BY fold", where);
+	FREED char *sql = columns("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	free(sql);
-	free(after);
-	free(where);
-	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
+	bool ok = code == SQLITE_OK || fail_as_sqlite(db, store->path, error);
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
 		struct stored m;
-		ok = store_take_row(store, stmt, &m, error);
+		ok = take_row(store, stmt, &m, error);
 		if (ok)
 			stored_list_add(list, m);
 	}
 	if (ok && code != SQLITE_DONE)
-		ok = schema_fail(db, store->path, error);
+		ok = fail_as_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
@@ -680,7 +677,7 @@ store_find(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error)
 {
 	sqlite3 *db;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	bool ok = db == NULL || store_read_rows(store, db, query, list, error);
 	close_unless_memory(store, db);
@@ -698,12 +695,40 @@ store_count(struct store *store, size_t *n, struct error *error)
 {
 	sqlite3 *db;
 	*n = 0;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	long found =
 	    db != NULL ? query_integer(db, "SELECT count(*) FROM material") : 0;
-	bool ok = found >= 0 || schema_fail(db, store->path, error);
+	bool ok = found >= 0 || fail_as_sqlite(db, store->path, error);
 	*n = ok ? (size_t)found : 0;
+	close_unless_memory(store, db);
+	return ok;
+}
+
+/* Calls take for the first column of each row of a query, whose ?1 is a folded
+ * beginning, ?2 past all that begin so, and ?3 how many rows to take. */
+static bool
+each_text(struct store *store, const char *sql, const char *fold, size_t most,
+    void (*take)(void *data, const char *text), void *data, struct error *error)
+{
+	sqlite3 *db;
+	sqlite3_stmt *stmt = NULL;
+	int code = SQLITE_DONE;
+	if (!store_connect(store, false, &db, error))
+		return false;
+	/* The last code point. */
+	FREED char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
+	if (db != NULL)
+		code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
+	if (sqlite3_bind_parameter_count(stmt) > 0) {
+		bind_text(stmt, 1, fold);
+		bind_text(stmt, 2, past);
+		sqlite3_bind_int64(stmt, 3, (sqlite3_int64)most);
+	}
+	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
+		take(data, column_text(stmt, 0));
+	bool ok = code == SQLITE_DONE || fail_as_sqlite(db, store->path, error);
+	sqlite3_finalize(stmt);
 	close_unless_memory(store, db);
 	return ok;
 }
@@ -715,75 +740,27 @@ store_each_name(struct store *store, enum store_word what,
 	static const char *const SQL[] = {
 	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
 	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
-	sqlite3 *db;
-	sqlite3_stmt *stmt = NULL;
-	int code = SQLITE_DONE;
-	if (!store_begin_change(store, false, &db, error))
-		return false;
-	if (db != NULL)
-		code = sqlite3_prepare_v2(db, SQL[what], -1, &stmt, NULL);
-	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
-		take(data, column_text(stmt, 0));
-	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
-	sqlite3_finalize(stmt);
-	close_unless_memory(store, db);
-	return ok;
-}
-
-/* One end of the names from fold ?1 to ?2, ?3 of them. */
-static bool
-list_one_end(struct store *store, sqlite3 *db, bool first, const char *fold,
-    size_t most, size_t *n, void (*take)(void *data, const char *name),
-    void *data, struct error *error)
-{
-	sqlite3_stmt *stmt = NULL;
-	/* Past all that begin so: the last code point. */
-	char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
-	int code = sqlite3_prepare_v2(db,
-	    first ? "SELECT name FROM material WHERE fold >= ?1 AND fold < ?2 "
-		    "ORDER BY fold LIMIT ?3"
-		  : "SELECT name FROM material WHERE fold >= ?1 AND fold < ?2 "
-		    "ORDER BY fold DESC LIMIT ?3",
-	    -1, &stmt, NULL);
-	if (code == SQLITE_OK) {
-		bind_text(stmt, 1, fold);
-		bind_text(stmt, 2, past);
-		sqlite3_bind_int64(stmt, 3, (sqlite3_int64)most);
-	}
-	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
-		take(data, column_text(stmt, 0));
-		++*n;
-	}
-	bool ok = code == SQLITE_DONE || schema_fail(db, store->path, error);
-	sqlite3_finalize(stmt);
-	free(past);
-	return ok;
+	return each_text(store, SQL[what], "", 0, take, data, error);
 }
 
 bool
-store_begin(struct store *store, const char *beginning, size_t most,
+store_names_beginning(struct store *store, const char *beginning, size_t most,
     void (*take)(void *data, const char *name), void *data, struct error *error)
 {
-	sqlite3 *db;
-	size_t n = 0;
-	if (!store_begin_change(store, false, &db, error))
-		return false;
-	char *fold = text_fold(beginning);
-	bool ok = db == NULL || list_one_end(store, db, true, fold, most, &n,
-				    take, data, error);
-	if (ok && n == most)
-		ok = list_one_end(
-		    store, db, false, fold, 1, &n, take, data, error);
-	free(fold);
-	close_unless_memory(store, db);
-	return ok;
+	static const char SQL[] =
+	    "WITH matching AS (SELECT fold FROM material WHERE fold >= ?1 AND "
+	    "fold < ?2) SELECT name FROM material WHERE fold IN (SELECT fold "
+	    "FROM matching ORDER BY fold LIMIT ?3) OR fold = (SELECT max(fold) "
+	    "FROM matching) ORDER BY fold";
+	FREED char *fold = text_fold(beginning);
+	return each_text(store, SQL, fold, most, take, data, error);
 }
 
-/* What is not known stays NULL. */
+/* Binds a material to a row; unknown values stay NULL. */
 static void
 bind_row(sqlite3_stmt *stmt, const struct stored *m)
 {
-	char *fold = text_fold(m->name), *digest = digest_text(m);
+	FREED char *fold = text_fold(m->name), *digest = digest_text(m);
 	sqlite3_reset(stmt);
 	sqlite3_clear_bindings(stmt);
 	bind_text(stmt, 1, fold);
@@ -791,20 +768,17 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		if (f->kind == FIELD_TEXT)
-			bind_text(stmt, i + 3, stored_text(m, f));
+			bind_text(stmt, i + 3, *stored_text(m, f));
 		else if (f->kind == FIELD_NUMBER &&
-			 isfinite(stored_number(m, f)))
-			sqlite3_bind_double(stmt, i + 3, stored_number(m, f));
-		else if (f->kind == FIELD_WHOLE && stored_integer(m, f) >= 0)
-			sqlite3_bind_int64(stmt, i + 3, stored_integer(m, f));
+			 isfinite(*stored_number(m, f)))
+			sqlite3_bind_double(stmt, i + 3, *stored_number(m, f));
+		else if (f->kind == FIELD_WHOLE && *stored_integer(m, f) >= 0)
+			sqlite3_bind_int64(stmt, i + 3, *stored_integer(m, f));
 		if (f->kind < FIELD_MODEL)
 			continue;
-		char *text = stored_written(m, f);
+		FREED char *text = stored_written(m, f);
 		bind_text(stmt, i + 3, text);
-		free(text);
 	}
-	free(fold);
-	free(digest);
 }
 
 static bool
@@ -815,7 +789,7 @@ store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
-		return schema_fail(db, store->path, error);
+		return fail_as_sqlite(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
 	    "add replace=on to the line",
@@ -826,20 +800,19 @@ static bool
 store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
     size_t n, bool replace, struct error *error)
 {
-	char *head = columns(replace ? "INSERT OR REPLACE INTO material "
-				       "(fold, digest"
-				     : "INSERT INTO material (fold, digest",
-	    false, ") VALUES (?, ?");
-	char *sql = columns(head, true, ")");
+	FREED char *head =
+	    columns(replace ? "INSERT OR REPLACE INTO material "
+			      "(fold, digest"
+			    : "INSERT INTO material (fold, digest",
+		false, ") VALUES (?, ?");
+	FREED char *sql = columns(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || schema_fail(db, store->path, error);
+	bool ok = code == SQLITE_OK || fail_as_sqlite(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
 		ok = check_fields(&item[i], error) &&
 		     store_put_row(store, db, stmt, &item[i], error);
 	sqlite3_finalize(stmt);
-	free(head);
-	free(sql);
 	return ok;
 }
 
@@ -847,7 +820,7 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 static bool
 commit(struct store *store, sqlite3 *db, bool ok, struct error *error)
 {
-	ok = ok && schema_run(db, store->path, "COMMIT", error);
+	ok = ok && run_sql(db, store->path, "COMMIT", error);
 	if (!ok)
 		sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	return ok;
@@ -858,9 +831,9 @@ store_put(struct store *store, const struct stored *item, size_t n,
     bool replace, struct error *error)
 {
 	sqlite3 *db;
-	if (!store_begin_change(store, true, &db, error))
+	if (!store_connect(store, true, &db, error))
 		return false;
-	bool ok = schema_run(db, store->path, "BEGIN IMMEDIATE", error);
+	bool ok = run_sql(db, store->path, "BEGIN IMMEDIATE", error);
 	if (ok) {
 		ok = store_put_rows(store, db, item, n, replace, error);
 		ok = commit(store, db, ok, error);
@@ -869,57 +842,25 @@ store_put(struct store *store, const struct stored *item, size_t n,
 	return ok;
 }
 
-/* The fold of the row whose name is shown so, which the caller frees; NULL if
- * there is none. */
-static char *
-find_fold_by_shown_name(sqlite3 *db, const char *name)
-{
-	sqlite3_stmt *stmt = NULL;
-	char *fold = NULL;
-	sqlite3_prepare_v2(
-	    db, "SELECT fold, name FROM material", -1, &stmt, NULL);
-	while (fold == NULL && sqlite3_step(stmt) == SQLITE_ROW) {
-		char *label = shown_name(column_text(stmt, 1));
-		if (text_same(label, name))
-			fold = xstrdup(column_text(stmt, 0));
-		free(label);
-	}
-	sqlite3_finalize(stmt);
-	return fold;
-}
-
-/* *n: how many rows went. */
-static bool
-delete_row(struct store *store, sqlite3 *db, const char *fold, int *n,
-    struct error *error)
-{
-	sqlite3_stmt *stmt = NULL;
-	sqlite3_prepare_v2(
-	    db, "DELETE FROM material WHERE fold = ?", -1, &stmt, NULL);
-	if (stmt != NULL)
-		bind_text(stmt, 1, fold);
-	bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-		  schema_fail(db, store->path, error);
-	sqlite3_finalize(stmt);
-	*n = ok ? sqlite3_changes(db) : 0;
-	return ok;
-}
-
-/* By name, else by what errors call it. */
+/* Deletes a row by its name, otherwise by the name shown in errors. */
 static bool
 forget_row(
     struct store *store, sqlite3 *db, const char *name, struct error *error)
 {
-	int n;
-	char *fold = text_fold(name);
-	bool ok = delete_row(store, db, fold, &n, error);
-	free(fold);
-	fold = ok && n == 0 ? find_fold_by_shown_name(db, name) : NULL;
-	if (fold != NULL)
-		ok = delete_row(store, db, fold, &n, error);
-	free(fold);
-	if (!ok || n > 0)
-		return ok;
+	static const char *const SQL[] = {"DELETE FROM material WHERE fold = ?",
+	    "DELETE FROM material WHERE fold = (SELECT fold FROM material "
+	    "WHERE folded(shown(name)) = ? LIMIT 1)"};
+	FREED char *fold = text_fold(name);
+	for (size_t i = 0; i < ARRAY_LEN(SQL); i++) {
+		sqlite3_stmt *stmt = NULL;
+		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
+		bind_text(stmt, 1, fold);
+		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
+			  fail_as_sqlite(db, store->path, error);
+		sqlite3_finalize(stmt);
+		if (!ok || sqlite3_changes(db) > 0)
+			return ok;
+	}
 	return error_set(error, ERROR_USAGE,
 	    "the store has no material '%s'\n"
 	    "run 'materials origin=own' to list its materials",
@@ -930,7 +871,7 @@ bool
 store_forget(struct store *store, const char *name, struct error *error)
 {
 	sqlite3 *db;
-	if (!store_begin_change(store, false, &db, error))
+	if (!store_connect(store, false, &db, error))
 		return false;
 	if (db == NULL)
 		return error_set(error, ERROR_USAGE,

@@ -77,8 +77,8 @@ bool store_each_name(struct store *store, enum store_word what,
 /* Calls take for names that begin with `beginning`, ignoring case and accents:
  * the first `most` in order and, if there are more, also the last, so a
  * beginning that all of these share is common to all names. */
-bool store_begin(struct store *store, const char *beginning, size_t most,
-    void (*take)(void *data, const char *name), void *data,
+bool store_names_beginning(struct store *store, const char *beginning,
+    size_t most, void (*take)(void *data, const char *name), void *data,
     struct error *error);
 
 /* Stores n materials, all or none, and makes the file and, for the default

@@ -34,8 +34,8 @@ has_column(const struct column *column, size_t n, const char *name)
 	return false;
 }
 
-/* The fields, with a column for each parameter of the paper's model and of the
- * models marked. Returns how many. */
+/* Lists the fields, with a column for each parameter of the paper's model and
+ * of the models marked.  Returns their number. */
 static size_t
 make_columns(const bool *model, struct column column[static COLUMNS])
 {
@@ -80,7 +80,7 @@ write_list(const void *data, FILE *out)
 {
 	const struct stored_list *list = data;
 	struct column column[COLUMNS];
-	bool *model = xcalloc(breakage_count(), sizeof *model);
+	FREED bool *model = xcalloc(breakage_count(), sizeof *model);
 	for (size_t i = 0; i < list->n; i++)
 		model[list->item[i].params.breakage] = true;
 	size_t n = make_columns(model, column);
@@ -89,15 +89,14 @@ write_list(const void *data, FILE *out)
 	fputc('\n', out);
 	for (size_t i = 0; i < list->n; i++) {
 		for (size_t c = 0; c < n; c++) {
-			char *text = column_written(&column[c], &list->item[i]);
+			FREED char *text =
+			    column_written(&column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
 			sheet_write_cell(text, ',', out);
-			free(text);
 		}
 		fputc('\n', out);
 	}
-	free(model);
 }
 
 bool
@@ -107,8 +106,8 @@ store_csv_save(
 	return file_replace_by(path, FILE_SHARED, write_list, list, error);
 }
 
-/* Whether a file has to have the column: exports of old have no model and no
- * basis, and each model its own parameters. */
+/* True if a file must have the column: old exports have no model and no basis,
+ * and each model has its own parameters. */
 static bool
 is_required(const struct column *c)
 {
@@ -119,7 +118,7 @@ is_required(const struct column *c)
 	       BREAKAGES[0]->n;
 }
 
-/* Where the columns are. */
+/* Finds the columns. */
 static void
 read_head(struct sheet *sheet, struct column *column, size_t n)
 {
@@ -154,36 +153,35 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 			    column_name(&column[c]));
 }
 
-/* A number that cannot be read is reported already. */
+/* Takes a value; one that cannot be read has been reported. */
 static void
 store_csv_take_value(struct sheet *sheet, struct cell cell,
     const struct field *f, struct stored *m)
 {
 	double value;
-	char *wanted = stored_expected_text(m, f);
+	FREED char *wanted = stored_expected_text(m, f);
 	bool read = true;
 	if (f->kind == FIELD_TEXT)
 		stored_set_text(m, f, cell.text);
 	else if (f->kind == FIELD_MODEL)
 		stored_set_written(m, f, cell.text);
 	else if ((read = number_read(sheet, cell, wanted, &value)))
-		stored_set_number(m, f, value);
+		*stored_number(m, f) = value;
 	if (read && !stored_is_valid(m, f))
 		sheet_fault_expected(sheet, cell, wanted, NULL);
-	free(wanted);
 }
 
 static const char EMPTY[] = "expected %s, got an empty cell\n"
 			    "fill it, or remove the row";
 
-/* A parameter of the row's model. */
+/* Takes a parameter of the row's model. */
 static void
 take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
     struct stored *m)
 {
 	double value;
-	char *wanted = xasprintf("a number from %g to %g for %s", info->least,
-	    info->most, info->name);
+	FREED char *wanted = xasprintf("a number from %g to %g for %s",
+	    info->least, info->most, info->name);
 	size_t j = breakage_parameter(breakage_of(&m->params), info->name);
 	if (cell.text[0] == '\0')
 		sheet_fault(sheet, cell, EMPTY, info->name);
@@ -192,7 +190,6 @@ take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
 		if (value < info->least || value > info->most)
 			sheet_fault_expected(sheet, cell, wanted, NULL);
 	}
-	free(wanted);
 }
 
 static void
@@ -206,7 +203,7 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	} else if (f->kind != FIELD_WHOLE) {
 		store_csv_take_value(sheet, cell, f, m);
 	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
-		stored_set_integer(m, f, (int64_t)whole);
+		*stored_integer(m, f) = (int64_t)whole;
 	} else {
 		sheet_fault_expected(
 		    sheet, cell, "a whole number below 2^63", NULL);
@@ -240,7 +237,7 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
 	stored_index_clear(&others);
 }
 
-/* The model first: its parameters depend on it. */
+/* Reads the model first, because its parameters depend on it. */
 static void
 store_csv_read_row(struct sheet *sheet, const struct row *row,
     const struct column *column, size_t n, struct stored_list *list)
@@ -270,16 +267,15 @@ bool
 store_csv_read(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors)
 {
-	char *text = textfile_read_own(path, errors);
+	FREED char *text = textfile_read_own(path, errors);
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new_own(path, text, errors);
 	number_decide(sheet);
 	struct column column[COLUMNS];
-	bool *all = xcalloc(breakage_count(), sizeof *all);
+	FREED bool *all = xcalloc(breakage_count(), sizeof *all);
 	memset(all, true, breakage_count() * sizeof *all);
 	size_t n = make_columns(all, column);
-	free(all);
 	if (sheet->n_row > 0)
 		read_head(sheet, column, n);
 	const struct cell start = {.line = 1, .column = 1};
@@ -299,6 +295,5 @@ store_csv_read(const char *path, const struct stored_list *there,
 		check_names(sheet, column[0].at, there, list);
 	bool ok = sheet->n_fault == 0 && !errors->stopped;
 	sheet_free(sheet);
-	free(text);
 	return ok;
 }
