@@ -711,7 +711,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		desk_expect(stage->desk, "predict 74");
 		assert_true(session_answer_number(t->session, "predict",
 				"p50_mm") == 1000 * t->view.shown.p50);
-		struct prediction p = forecast_whole(t->session,
+		struct prediction p = forecast_whole_product(t->session,
 		    tui_entry_asked_about(t), strip->speed[0], SITE_MEAN_FEED);
 		assert_true(fabs(strip->value[0][0] - 1000 * p.p80) < 1e-9);
 		prediction_free(&p);

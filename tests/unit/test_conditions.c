@@ -109,6 +109,23 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 	standards_free(all);
 }
 
+static void
+a_quantity_is_typed_as_it_is_read(void **state)
+{
+	static const char *const TYPED[] = {"p80", "passing 2 mm", "fines",
+	    "0/2", "fm EN", "cu", "cc", "p50 of 0/4", "passing 0.5 mm of 0/4"};
+	struct error error = {0};
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(TYPED); i++) {
+		struct quantity q;
+		assert_true(
+		    quantities_read(TYPED[i], &WHOLE.partition, &q, &error));
+		char *typed = quantities_as_typed(&q);
+		assert_string_equal(typed, TYPED[i]);
+		free(typed);
+	}
+}
+
 int
 main(void)
 {
@@ -116,6 +133,7 @@ main(void)
 	    cmocka_unit_test(a_condition_says_the_same_in_other_words),
 	    cmocka_unit_test(what_to_write_is_said),
 	    cmocka_unit_test(a_comma_between_conditions_is_no_decimal_one),
+	    cmocka_unit_test(a_quantity_is_typed_as_it_is_read),
 	    cmocka_unit_test(
 		a_quantity_is_no_envelope_and_no_envelope_a_quantity),
 	};

@@ -108,7 +108,7 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 		desk_expect(desk, i % 2 == 0 ? "use tierp; predict 74"
 					     : "use bro; predict 74");
 		const struct entry *entry = session_entry(s);
-		struct prediction p = forecast_whole(
+		struct prediction p = forecast_whole_product(
 		    s, entry, 74, site_run_nearest(entry->site, 74));
 		assert_non_null(p.low);
 		if (i < 2)
@@ -129,7 +129,8 @@ each_feed_has_its_own_band(void **state)
 	desk_expect(desk, "synth data/table3.csv site=Umea seed=3; calibrate");
 	const struct entry *entry = session_entry(s);
 	for (size_t feed = 0; feed < entry->site->n_run; feed++) {
-		struct prediction p = forecast_whole(s, entry, 74, feed);
+		struct prediction p =
+		    forecast_whole_product(s, entry, 74, feed);
 		for (size_t i = 0; i < p.product.n; i++)
 			assert_true(p.low[i] <= p.product.passing[i] &&
 				    p.product.passing[i] <= p.high[i]);

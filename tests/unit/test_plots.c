@@ -312,7 +312,8 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	q.beside = "tierp";
 	desk_expect(desk, PARAMS_SET);
 	const struct entry *entry = session_entry(s);
-	struct prediction kept = forecast_whole(s, entry, 70, SITE_MEAN_FEED);
+	struct prediction kept =
+	    forecast_whole_product(s, entry, 70, SITE_MEAN_FEED);
 	desk_expect(desk, "load data/sites/bro.csv");
 	for (int way = 0; way < 2; way++) {
 		struct chart *c = chart_of(desk, &q);
@@ -351,7 +352,8 @@ a_second_prediction_has_its_own_feed(void **state)
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = session_entry(s);
 		size_t feed = feed_sampled_at(entry->site, FEEDS[i]);
-		struct prediction want = forecast_whole(s, entry, 74, feed);
+		struct prediction want =
+		    forecast_whole_product(s, entry, 74, feed);
 		q.other_feed = FEEDS[i];
 		struct chart *c = chart_of(desk, &q);
 		const struct chart_series *second = c->series[c->n - 2];

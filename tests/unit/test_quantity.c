@@ -62,7 +62,7 @@ the_largest_step_is_between_neighbours_of_the_list(void **state)
 	    .kind = QUANTITY_STEP, .n_sieve = 4, .sieve = SIEVE};
 	double point[QUANTITY_POINTS];
 	expect_near("step", quantity_read(&q, &psd, 1), 0.4, 1e-12);
-	expect_near("over", quantity_over(&q, 0.45, 0.4, &psd), -0.05, 1e-12);
+	expect_near("over", quantity_excess(&q, 0.45, 0.4, &psd), -0.05, 1e-12);
 	assert_int_equal(quantity_points(&q, point), 4);
 	psd_free(&psd);
 }

@@ -55,7 +55,7 @@ ask(struct asked *a, const struct session *s, struct draw *draw, bool narrow)
 	    question_of_whole_product(s, &s->entry[s->current], SITE_MEAN_FEED);
 	for (size_t i = 0; i < CONDITIONS; i++)
 		a->at[i] = (struct condition){any_quantity(draw), NAN, NAN};
-	a->list = (struct condition_list){CONDITIONS, a->at};
+	a->list = (struct condition_list){.n = CONDITIONS, .at = a->at};
 	a->w = conditions_open(s, &a->q, &a->list, NULL);
 	for (size_t i = 0; i < CONDITIONS; i++) {
 		double v = draw_between(draw, 66, 84), one = value_at(a, i, v);
@@ -136,7 +136,7 @@ width_of(const struct asked *a, size_t i, double limit)
 {
 	double over[POSTERIOR_DRAWS];
 	size_t cut = (size_t)floor(0.1 * POSTERIOR_DRAWS + 0.5);
-	forecast_overs(a->w.forecast, i, limit, over);
+	forecast_excess_draws(a->w.forecast, i, limit, over);
 	gsl_sort(over, 1, POSTERIOR_DRAWS);
 	return fmax(over[POSTERIOR_DRAWS - 1 - cut] - over[cut], 1e-3);
 }

@@ -23,7 +23,7 @@
 #include "io/sitefile/units.h"
 
 /* What is asked, how it is called, and the unit of a width after a number. */
-struct wanted {
+struct advice_request {
 	const struct question *question;
 	struct quantity q;
 	char *name;
@@ -33,7 +33,8 @@ struct wanted {
 /* The draws of the answer, as people see them, [POSTERIOR_DRAWS] out.  False
  * where one lies outside the sieves. */
 static bool
-answer_draws(const struct session *s, const struct wanted *w, double *value)
+answer_draws(
+    const struct session *s, const struct advice_request *w, double *value)
 {
 	struct forecast *f = forecast_open(s, w->question, &w->q, 1);
 	bool known = true;
@@ -102,7 +103,7 @@ forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
 
 /* Sorts the candidates by what they leave of a width. */
 static void
-advise_weigh(const struct session *s, const struct wanted *w,
+advise_weigh(const struct session *s, const struct advice_request *w,
     const double *answer, double width, struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
@@ -124,7 +125,8 @@ advise_weigh(const struct session *s, const struct wanted *w,
 /* Where each run has a feed of its own the product is as uncertain as the
  * feed. */
 static void
-note_feed(struct answer *r, const struct session *s, const struct wanted *w)
+note_feed(
+    struct answer *r, const struct session *s, const struct advice_request *w)
 {
 	FREED double *fed = xdoubles(w->question->entry->site->n_run);
 	size_t n =
@@ -144,7 +146,7 @@ note_feed(struct answer *r, const struct session *s, const struct wanted *w)
 }
 
 static void
-advise_note_best(struct answer *r, const struct wanted *w,
+advise_note_best(struct answer *r, const struct advice_request *w,
     const struct advised *best, double width)
 {
 	double level = 100 * w->question->level;
@@ -171,7 +173,7 @@ advise_note_best(struct answer *r, const struct wanted *w,
 /* The candidates, best first, [*n], which the caller frees, and the band now;
  * NULL where there is none to narrow. */
 static struct advised *
-candidates_by_width(const struct session *s, const struct wanted *w,
+candidates_by_width(const struct session *s, const struct advice_request *w,
     double *answer, double ends[2], size_t *n)
 {
 	ensemble_interval_with_answer(answer, w->question->level, NAN, ends);
@@ -188,7 +190,7 @@ bool
 advise_best(const struct session *s, const struct question *q,
     const struct quantity *of, struct advised *best, double *width)
 {
-	const struct wanted w = {.question = q, .q = *of};
+	const struct advice_request w = {.question = q, .q = *of};
 	double answer[POSTERIOR_DRAWS], ends[2];
 	size_t n;
 	if (!answer_draws(s, &w, answer))
@@ -203,7 +205,8 @@ advise_best(const struct session *s, const struct question *q,
 
 /* NULL where there is no band to narrow. */
 static struct answer *
-advise_answer(const struct session *s, const struct wanted *w, double *answer)
+advise_answer(
+    const struct session *s, const struct advice_request *w, double *answer)
 {
 	const struct entry *entry = w->question->entry;
 	size_t n;
@@ -239,7 +242,8 @@ advise_answer(const struct session *s, const struct wanted *w, double *answer)
 
 /* The quantity that is named, P80 without. */
 static bool
-take_quantity(const struct args *args, struct wanted *w, struct error *error)
+take_quantity(
+    const struct args *args, struct advice_request *w, struct error *error)
 {
 	const char *of = args->of != NULL ? args->of : "P80";
 	size_t n;
@@ -254,14 +258,12 @@ take_quantity(const struct args *args, struct wanted *w, struct error *error)
 		    of);
 	w->q = q[0];
 	w->name = quantities_words(&w->q);
-	w->unit = strcmp(quantities_unit(&w->q), "%") == 0
-		      ? tr(" points")
-		      : quantities_unit_suffix(&w->q);
+	w->unit = quantities_difference_suffix(&w->q);
 	return true;
 }
 
 static bool
-advise(struct session *s, struct wanted *w, struct error *error)
+advise(struct session *s, struct advice_request *w, struct error *error)
 {
 	double answer[POSTERIOR_DRAWS];
 	const struct entry *entry = w->question->entry;
@@ -289,7 +291,7 @@ cmd_advise(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	question_as_last(s, args, q);
-	struct wanted w = {.question = q};
+	struct advice_request w = {.question = q};
 	bool ok = take_quantity(args, &w, error) && advise(s, &w, error);
 	free(w.name);
 	return ok;

@@ -23,13 +23,12 @@
 
 /* What is asked at every speed: P20, P50 and P80, then the user's figures, of
  * which the first is at `first`; limits, and tonnes. */
-struct asked {
+struct card_request {
 	const struct question *question;
 	size_t n, first;
 	struct quantity *q;
 	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
-	char *limits; /* where those of an envelope are from, or NULL */
 	struct wanted wanted;
 	struct plant plant; /* circuit NULL: none is asked about */
 	size_t n_line;
@@ -39,7 +38,7 @@ struct asked {
 
 /* Adds the quantities of a text that are not in the list yet. */
 static bool
-add_list(struct asked *all, const char *text, const struct psd *feed,
+add_list(struct card_request *all, const char *text, const struct psd *feed,
     struct error *error)
 {
 	const struct fraction *fraction = &all->question->fraction;
@@ -63,7 +62,7 @@ add_list(struct asked *all, const char *text, const struct psd *feed,
  * fines, or else what passes the finest. */
 static bool
 add_usual_passings(
-    struct asked *all, const struct psd *feed, struct error *error)
+    struct card_request *all, const struct psd *feed, struct error *error)
 {
 	size_t near = 0;
 	for (size_t i = 0; i < feed->n; i++)
@@ -80,25 +79,13 @@ add_usual_passings(
 	return add_list(all, both, feed, error);
 }
 
-static bool
-read_limits(struct session *s, struct asked *all, const struct args *args,
-    const struct psd *feed, struct error *error)
-{
-	const struct fraction *fraction = &all->question->fraction;
-	return conditions_add_operands(
-		   args, fraction, feed, &all->list, error) &&
-	       conditions_add_option(
-		   s, args, fraction, feed, &all->list, &all->limits, error);
-}
-
 static void
-card_request_free(struct asked *all)
+card_request_free(struct card_request *all)
 {
 	plant_free(&all->plant);
 	free(all->line);
 	free(all->power);
 	free(all->q);
-	free(all->limits);
 	conditions_free(&all->list);
 	forecast_close(all->wanted.forecast);
 	forecast_close(all->forecast);
@@ -106,7 +93,7 @@ card_request_free(struct asked *all)
 
 /* Tonnes are wanted where there is a feed or a circuit. */
 static bool
-read_flow(struct session *s, struct asked *all, const struct args *args,
+read_flow(struct session *s, struct card_request *all, const struct args *args,
     struct error *error)
 {
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
@@ -125,7 +112,7 @@ read_flow(struct session *s, struct asked *all, const struct args *args,
 /* What the products of the plant are called is known when it was worked out
  * once. */
 static bool
-find_lines(struct asked *all, double speed, struct error *error)
+find_lines(struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
 	struct plant_result o = plant_solve_at(&all->plant, speed);
@@ -138,18 +125,19 @@ find_lines(struct asked *all, double speed, struct error *error)
 }
 
 static bool
-card_request_read(struct session *s, struct asked *all, const struct args *args,
-    double slowest, struct error *error)
+card_request_read(struct session *s, struct card_request *all,
+    const struct args *args, double slowest, struct error *error)
 {
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
 	const struct psd *feed = site_feed(entry->site, run);
-	bool ok = add_list(all, "P20,P50,P80", feed, error) &&
-		  (args_given(args, &args->of)
-			  ? add_list(all, args->of, feed, error)
-			  : add_usual_passings(all, feed, error)) &&
-		  read_limits(s, all, args, feed, error) &&
-		  read_flow(s, all, args, error);
+	bool ok =
+	    add_list(all, ANSWERS_SIZE_LIST, feed, error) &&
+	    (args_given(args, &args->of)
+		    ? add_list(all, args->of, feed, error)
+		    : add_usual_passings(all, feed, error)) &&
+	    conditions_add_call(s, args, all->question, &all->list, error) &&
+	    read_flow(s, all, args, error);
 	if (!ok)
 		return false;
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
@@ -159,122 +147,83 @@ card_request_read(struct session *s, struct asked *all, const struct args *args,
 	return all->plant.circuit == NULL || find_lines(all, slowest, error);
 }
 
-/* What one speed gives: the quantities and their band, as they are shown,
- * tonnes of the plant's lines, NAN where it does not become steady. */
+/* What a row is judged by. */
 struct card_row {
-	double speed, rpm, *value, low, high, *tph, kwh, earned, share;
-	struct figure ranged; /* the figure whose range people see */
+	double speed, share;
 	bool holds;
 	enum light light;
 };
 
-static void
-work_out_flow(const struct asked *all, struct card_row *row)
-{
-	struct plant_result o = plant_solve_at(&all->plant, row->speed);
-	for (size_t i = 0; i < all->n_line; i++) {
-		const struct plant_line *line = &all->line[i];
-		double tph = line->unit != NULL
-				 ? flow_into_unit(&o.flow, line->unit)
-				 : o.flow.tph[line->stream];
-		row->tph[i] = o.flow.open ? NAN : tph;
-	}
-	row->kwh = o.flow.open ? NAN : o.kw / all->plant.circuit->tph;
-	row->earned = o.flow.open ? NAN : o.money;
-	flow_free(&o.flow);
-}
-
-/* The figure whose range a page has room for: the first that has a limit, or
- * the first that was asked for. */
-static size_t
-ranged_figure(const struct asked *all)
-{
-	for (size_t c = 0; c < all->list.n; c++)
-		for (size_t i = 0; i < all->n; i++)
-			if (quantity_same(
-				&all->q[i], &all->list.at[c].quantity))
-				return i;
-	return all->first;
-}
-
-/* Where the feed does not tell a size at this speed nothing stands. */
-static void
-card_work_out(struct session *s, struct asked *all, double speed,
-    struct card_row *row, struct trust *worst)
-{
-	enum { P80 = 2 };
-	const struct entry *entry = all->question->entry;
-	*row = (struct card_row){.speed = speed,
-	    .rpm = units_rpm(speed, entry->site->rotor),
-	    .value = xdoubles(all->n),
-	    .tph = xdoubles(all->n_line + 1),
-	    .share = NAN};
-	forecast_at(all->forecast, speed);
-	for (size_t i = 0; i < all->n; i++)
-		row->value[i] = quantities_shown(
-		    &all->q[i], forecast_figure(all->forecast, i).value);
-	struct figure p80 = forecast_figure(all->forecast, P80);
-	row->low = 1000 * p80.low;
-	row->high = 1000 * p80.high;
-	row->ranged = forecast_figure(all->forecast, ranged_figure(all));
-	if (all->plant.circuit != NULL)
-		work_out_flow(all, row);
-	if (all->list.n > 0) {
-		forecast_at(all->wanted.forecast, speed);
-		row->holds = wanted_holds(&all->wanted, SIZE_MAX);
-		row->share = wanted_certainty(&all->wanted);
-	}
-	struct trust light = light_at(s, entry, speed, all->question->feed);
-	row->light = light.light;
-	light_worse(worst, light);
-}
-
-/* A column of the page: cells of numbers or of words, both [rows].  spare: the
- * larger, the sooner it is left out where there is no room. */
-struct page_column {
-	char *head, **word;
+/* A column of the card.  key: NULL where people alone see it; head: NULL where
+ * programs alone do, or there was no room.  word [rows]: NULL of a number.
+ * spare: the larger, the sooner it is left out where there is no room. */
+struct card_column {
+	char *key, *head, **word;
 	double *number;
 	int decimals, spare, wide;
 };
 
+/* Columns [n], filled row by row, from left to right.  ranged: there is a range
+ * of a figure. */
 struct page {
-	size_t n, rows;
-	struct page_column *column;
+	size_t n, rows, row, next;
+	struct card_column *column;
+	bool ranged;
 };
 
-enum { WORDS = -1 };
+enum { AS_NEEDED = -1 };
 enum { NEEDED, FIGURE, MEDIAN, RANGE, FINE };
 
-static struct page_column *
-page_column(struct page *page, char *head, int decimals, int spare)
+static char *
+copy_or_null(const char *text)
 {
-	page->column =
-	    xrealloc(page->column, page->n + 1, sizeof *page->column);
-	struct page_column *c = &page->column[page->n++];
-	*c = (struct page_column){.head = head,
-	    .word = xcalloc(page->rows + 1, sizeof(*c->word)),
-	    .number = xdoubles(page->rows + 1),
-	    .decimals = decimals,
-	    .spare = spare,
-	    .wide = text_width(head)};
-	return c;
+	return text != NULL ? xstrdup(text) : NULL;
 }
 
-/* Takes the word, NULL of a number. */
+/* The next cell of the row, whose column the first row begins.  Takes the word,
+ * NULL of a number. */
 static void
-page_cell(struct page_column *c, size_t row, double number, char *word)
+put_cell(struct page *page, const char *key, const char *head, int decimals,
+    int spare, double number, char *word)
 {
-	c->number[row] = number;
-	c->word[row] =
-	    word != NULL ? word : xasprintf("%.*f", c->decimals, number);
-	int wide = text_width(c->word[row]);
+	size_t i = page->next++;
+	if (i == page->n) {
+		page->column =
+		    xrealloc(page->column, ++page->n, sizeof *page->column);
+		page->column[i] = (struct card_column){copy_or_null(key),
+		    copy_or_null(head), xcalloc(page->rows, sizeof(char *)),
+		    xdoubles(page->rows), decimals, spare,
+		    head != NULL ? text_width(head) : 0};
+	}
+	struct card_column *c = &page->column[i];
+	FREED char *shown = word != NULL ? xstrdup(word)
+			    : decimals < 0
+				? xasprintf("%g", number)
+				: xasprintf("%.*f", decimals, number);
+	int wide = text_width(shown);
 	c->wide = wide > c->wide ? wide : c->wide;
+	c->number[page->row] = number;
+	c->word[page->row] = word;
+}
+
+static void
+put_number(struct page *page, const char *key, const char *head, int decimals,
+    int spare, double number)
+{
+	put_cell(page, key, head, decimals, spare, number, NULL);
+}
+
+static void
+put_words(
+    struct page *page, const char *key, const char *head, int spare, char *word)
+{
+	put_cell(page, key, head, AS_NEEDED, spare, NAN, word);
 }
 
 /* "<2 mm": as short as a page for a wall wants it.  What all figures are of is
  * said below. */
 static char *
-page_head(const struct asked *all, const struct quantity *q)
+page_head(const struct card_request *all, const struct quantity *q)
 {
 	struct quantity own = *q;
 	const struct fraction *cut = &all->question->fraction;
@@ -290,108 +239,133 @@ page_head(const struct asked *all, const struct quantity *q)
 	return words;
 }
 
-static void
-page_flow(
-    struct page *page, const struct asked *all, const struct card_row *row)
+/* The figure whose range a page has room for: the first that has a limit, or
+ * the first that was asked for. */
+static size_t
+ranged_figure(const struct card_request *all)
 {
-	for (size_t i = 0; i < all->n_line; i++) {
-		const struct plant_line *line = &all->line[i];
-		struct page_column *c = page_column(page,
-		    xasprintf(
-			line->unit == NULL ? tr("%s back") : "%s", line->name),
-		    1, NEEDED);
-		for (size_t k = 0; k < page->rows; k++)
-			page_cell(c, k, row[k].tph[i], NULL);
-	}
-	struct page_column *kwh =
-	    page_column(page, xstrdup("kWh/t"), 2, FIGURE);
-	for (size_t k = 0; k < page->rows; k++)
-		page_cell(kwh, k, row[k].kwh, NULL);
-	if (!all->plant.priced)
-		return;
-	struct page_column *earned =
-	    page_column(page, xstrdup(tr("earned/h")), 0, NEEDED);
-	for (size_t k = 0; k < page->rows; k++)
-		page_cell(earned, k, row[k].earned, NULL);
+	for (size_t c = 0; c < all->list.n; c++)
+		for (size_t i = 0; i < all->n; i++)
+			if (quantity_same(
+				&all->q[i], &all->list.at[c].quantity))
+				return i;
+	return all->first;
 }
 
-/* level: of the band, %. */
+/* Where the feed does not tell a size at this speed nothing stands. */
 static void
-page_sizes(struct page *page, const struct asked *all,
-    const struct card_row *row, double level)
+put_figures(struct page *page, const struct card_request *all)
 {
 	enum { P20, P50, P80, SIZES };
 	static const int SPARE[SIZES] = {
 	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
+	size_t ranged = ranged_figure(all);
+	if (page->row == 0)
+		page->ranged =
+		    !isnan(forecast_shown(all->forecast, ranged).low);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct quantity *q = &all->q[i];
-		bool one = quantities_decimals(q) == 1;
-		struct page_column *c = page_column(page, page_head(all, q),
-		    one ? 1 : 2, i < SIZES ? SPARE[i] : FIGURE);
-		for (size_t k = 0; k < page->rows; k++)
-			page_cell(c, k, row[k].value[i], NULL);
-		if (i != ranged_figure(all) || isnan(row[0].ranged.low))
-			continue;
-		c = page_column(
-		    page, xasprintf(tr("%.0f %% range"), level), WORDS, RANGE);
-		for (size_t k = 0; k < page->rows; k++)
-			page_cell(c, k, NAN,
-			    xasprintf("%.*f..%.*f", one ? 1 : 2,
-				quantities_shown(q, row[k].ranged.low),
-				one ? 1 : 2,
-				quantities_shown(q, row[k].ranged.high)));
+		struct figure f = forecast_shown(all->forecast, i);
+		int digits = quantities_decimals(q);
+		FREED char *key = quantities_key(q), *head = page_head(all, q);
+		FREED char *range =
+		    xasprintf(tr("%.0f %% range"), 100 * all->question->level);
+		put_number(page, key, head, digits,
+		    i < SIZES ? SPARE[i] : FIGURE, f.value);
+		if (i == ranged && page->ranged)
+			put_words(page, NULL, range, RANGE,
+			    xasprintf(
+				"%.*f..%.*f", digits, f.low, digits, f.high));
 	}
+	struct figure p80 = forecast_shown(all->forecast, P80);
+	put_number(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
+	put_number(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
 }
 
-/* "amber", and "amber?" beyond the measured speeds.  The caller frees. */
-static char *
-light_cell(const struct asked *all, const struct card_row *row)
+/* Tonnes of the plant's lines, NAN where it does not become steady. */
+static void
+put_flow(struct page *page, const struct card_request *all, double speed)
 {
-	bool beyond = answers_extrapolates(all->question->entry, row->speed);
-	return xasprintf("%s%s", tr(LIGHT_NAME[row->light]), beyond ? "?" : "");
+	struct plant_result o = plant_solve_at(&all->plant, speed);
+	bool open = o.flow.open;
+	for (size_t i = 0; i < all->n_line; i++) {
+		const struct plant_line *line = &all->line[i];
+		bool back = line->unit == NULL;
+		double tph = back ? o.flow.tph[line->stream]
+				  : flow_into_unit(&o.flow, line->unit);
+		FREED char *key =
+		    xasprintf("%s_%s", back ? "back_tph" : "tph", line->name);
+		FREED char *head =
+		    xasprintf(back ? tr("%s back") : "%s", line->name);
+		put_number(page, key, head, 1, NEEDED, open ? NAN : tph);
+	}
+	put_number(page, "kwh_per_t", "kWh/t", 2, FIGURE,
+	    open ? NAN : o.kw / all->plant.circuit->tph);
+	if (all->plant.priced)
+		put_number(page, "earnings", tr("earned/h"), 0, NEEDED,
+		    open ? NAN : o.money);
+	flow_free(&o.flow);
 }
 
-static struct page
-page_of(const struct asked *all, const struct card_row *row, size_t rows,
-    double level)
+/* For programs, met is what is the more likely. */
+static void
+put_limits(struct page *page, const struct card_row *row)
 {
-	struct page page = {.rows = rows};
-	struct page_column *c = page_column(&page, xstrdup("m/s"), 0, NEEDED);
-	for (size_t k = 0; k < rows; k++) {
-		double shown = round(100 * row[k].speed) / 100;
-		page_cell(c, k, shown, xasprintf("%g", shown));
-	}
-	if (all->question->entry->site->rotor > 0) {
-		c = page_column(&page, xstrdup("rpm"), 0, NEEDED);
-		for (size_t k = 0; k < rows; k++)
-			page_cell(c, k, row[k].rpm, NULL);
-	}
-	page_sizes(&page, all, row, level);
+	bool drawn = !isnan(row->share);
+	bool met = drawn ? row->share >= 0.5 : row->holds;
+	put_words(page, NULL, tr("limits met"), NEEDED,
+	    conditions_chance(row->share, row->holds));
+	put_words(page, "limits", NULL, NEEDED,
+	    xstrdup(met ? tr("met") : tr("missed")));
+	put_words(page, "certain", NULL, NEEDED,
+	    drawn ? conditions_percent(row->share) : xstrdup("-"));
+}
+
+/* What one speed gives; people see "amber?" beyond the measured speeds. */
+static void
+put_row(struct page *page, struct session *s, const struct card_request *all,
+    struct card_row *row, struct trust *worst)
+{
+	const struct entry *entry = all->question->entry;
+	double v = row->speed, rotor = entry->site->rotor;
+	page->next = 0;
+	put_number(page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
+	put_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
+	if (rotor > 0)
+		put_number(page, "rpm", "rpm", 0, NEEDED, units_rpm(v, rotor));
+	forecast_at(all->forecast, v);
+	put_figures(page, all);
 	if (all->plant.circuit != NULL)
-		page_flow(&page, all, row);
+		put_flow(page, all, v);
 	if (all->list.n > 0) {
-		c = page_column(
-		    &page, xstrdup(tr("limits met")), WORDS, NEEDED);
-		for (size_t k = 0; k < rows; k++)
-			page_cell(c, k, NAN,
-			    conditions_chance(row[k].share, row[k].holds));
+		forecast_at(all->wanted.forecast, v);
+		row->holds = wanted_holds(&all->wanted, SIZE_MAX);
+		row->share = wanted_certainty(&all->wanted);
+		put_limits(page, row);
 	}
-	c = page_column(&page, xstrdup(tr("trust")), WORDS, NEEDED);
-	for (size_t k = 0; k < rows; k++)
-		page_cell(c, k, NAN, light_cell(all, &row[k]));
-	return page;
+	struct trust light = light_at(s, entry, v, all->question->feed);
+	row->light = light.light;
+	light_worse(worst, light);
+	const char *name = tr(LIGHT_NAME[row->light]);
+	put_words(page, NULL, tr("trust"), NEEDED,
+	    xasprintf("%s%s", name, answers_extrapolates(entry, v) ? "?" : ""));
+	put_words(page, "light", NULL, NEEDED, xstrdup(name));
+	page->row++;
 }
 
 static void
-page_drop(struct page *page, size_t at)
+page_free(struct page *page)
 {
-	struct page_column *c = &page->column[at];
-	for (size_t k = 0; k < page->rows; k++)
-		free(c->word[k]);
-	free(c->word);
-	free(c->number);
-	free(c->head);
-	memmove(c, c + 1, (--page->n - at) * sizeof *c);
+	for (size_t i = 0; i < page->n; i++) {
+		struct card_column *c = &page->column[i];
+		for (size_t k = 0; k < page->rows; k++)
+			free(c->word[k]);
+		free(c->word);
+		free(c->number);
+		free(c->key);
+		free(c->head);
+	}
+	free(page->column);
 }
 
 /* Leaves out what can be spared until a row is one line of 80; what that was,
@@ -404,126 +378,49 @@ page_drop_to_fit(struct page *page, struct answer *r)
 	char *dropped = xstrdup("");
 	for (;;) {
 		int wide = 0;
-		size_t most = 0;
+		struct card_column *most = &page->column[0];
 		for (size_t i = 0; i < page->n; i++) {
-			wide += GAP + page->column[i].wide;
-			if (page->column[i].spare > page->column[most].spare)
-				most = i;
+			struct card_column *c = &page->column[i];
+			if (c->head == NULL)
+				continue;
+			wide += GAP + c->wide;
+			most = c->spare > most->spare ? c : most;
 		}
 		if (wide <= ROOM)
 			return dropped;
-		if (page->column[most].spare == NEEDED) {
+		if (most->spare == NEEDED) {
 			answer_set_width(r, wide + 1);
 			return dropped;
 		}
-		xlist(&dropped, ", ", "%s", page->column[most].head);
-		page_drop(page, most);
+		page->ranged = page->ranged && most->spare != RANGE;
+		xlist(&dropped, ", ", "%s", most->head);
+		free(most->head);
+		most->head = NULL;
 	}
 }
 
-static bool
-page_has_spare(const struct page *page, int spare)
-{
-	for (size_t i = 0; i < page->n; i++)
-		if (page->column[i].spare == spare)
-			return true;
-	return false;
-}
-
-/* For people: a line a speed. */
+/* A line a speed, for people or for programs. */
 static void
-add_page(struct answer *r, struct page *page)
+add_page(struct answer *r, const struct page *page, bool people)
 {
-	for (size_t i = 0; i < page->n; i++)
-		answer_column(r, page->column[i].head, page->column[i].head);
+	const struct card_column *end = page->column + page->n, *c;
+	for (c = page->column; c < end; c++)
+		if ((people ? c->head : c->key) != NULL)
+			answer_column(r, people ? c->head : c->key,
+			    people ? c->head : c->key);
 	for (size_t k = 0; k < page->rows; k++)
-		for (size_t i = 0; i < page->n; i++) {
-			struct page_column *c = &page->column[i];
-			if (c->decimals == WORDS)
+		for (c = page->column; c < end; c++)
+			if ((people ? c->head : c->key) == NULL)
+				continue;
+			else if (c->word[k] != NULL)
 				answer_text(r, "%s", c->word[k]);
 			else
-				answer_cells(r,
-				    i == 0             ? "%g"
-				    : c->decimals == 0 ? "%.0f"
-				    : c->decimals == 1 ? "%.1f"
-						       : "%.2f",
-				    c->number[k]);
-		}
+				answer_cells(
+				    r, "%.*f", c->decimals, c->number[k]);
 }
 
 static void
-add_key(struct answer *r, const char *key)
-{
-	answer_column(r, key, key);
-}
-
-static void
-add_flow_keys(struct answer *r, const struct asked *all)
-{
-	for (size_t i = 0; i < all->n_line; i++) {
-		const struct plant_line *line = &all->line[i];
-		FREED char *key = xasprintf("%s_%s",
-		    line->unit == NULL ? "back_tph" : "tph", line->name);
-		add_key(r, key);
-	}
-	if (all->plant.circuit != NULL)
-		add_key(r, "kwh_per_t");
-	if (all->plant.priced)
-		add_key(r, "earnings");
-}
-
-static void
-add_keys(struct answer *r, const struct asked *all, bool rpm)
-{
-	add_key(r, "speed");
-	if (rpm)
-		add_key(r, "rpm");
-	for (size_t i = 0; i < all->n; i++) {
-		FREED char *key = quantities_key(&all->q[i]);
-		add_key(r, key);
-	}
-	add_key(r, "p80_low_mm");
-	add_key(r, "p80_high_mm");
-	add_flow_keys(r, all);
-	if (all->list.n > 0) {
-		add_key(r, "limits");
-		add_key(r, "certain");
-	}
-	add_key(r, "light");
-}
-
-/* For programs, met is what is the more likely. */
-static void
-card_add_row(struct answer *r, const struct asked *all,
-    const struct card_row *row, bool rpm)
-{
-	answer_cells(r, "%g", row->speed);
-	if (rpm)
-		answer_cells(r, "%.0f", row->rpm);
-	for (size_t i = 0; i < all->n; i++)
-		answer_cells(r,
-		    quantities_decimals(&all->q[i]) == 1 ? "%.1f" : "%.2f",
-		    row->value[i]);
-	answer_cells(r, "%.2f %.2f", row->low, row->high);
-	for (size_t i = 0; i < all->n_line; i++)
-		answer_cells(r, "%.1f", row->tph[i]);
-	if (all->plant.circuit != NULL)
-		answer_cells(r, "%.2f", row->kwh);
-	if (all->plant.priced)
-		answer_cells(r, "%.0f", row->earned);
-	if (all->list.n > 0) {
-		bool met = isnan(row->share) ? row->holds : row->share >= 0.5;
-		FREED char *certain = isnan(row->share)
-					  ? xstrdup("-")
-					  : conditions_percent(row->share);
-		answer_cells(r, "%s", met ? tr("met") : tr("missed"));
-		answer_text(r, "%s", certain);
-	}
-	answer_cells(r, "%s", tr(LIGHT_NAME[row->light]));
-}
-
-static void
-note_flow(struct answer *r, const struct asked *all)
+note_flow(struct answer *r, const struct card_request *all)
 {
 	if (all->plant.circuit == NULL)
 		return;
@@ -561,7 +458,7 @@ note_unmet(struct answer *r, const struct card_row *row, size_t n)
 }
 
 static void
-note_limits(struct answer *r, const struct asked *all,
+note_limits(struct answer *r, const struct card_request *all,
     const struct card_row *row, size_t n)
 {
 	FREED char *words = conditions_list_words(&all->list);
@@ -569,15 +466,14 @@ note_limits(struct answer *r, const struct asked *all,
 		answer_note(r, "limits: %s", words);
 		note_unmet(r, row, n);
 	}
-	if (all->limits != NULL)
-		answer_say(r, ANSWER_REMARK, "%s", all->limits);
+	conditions_note_source(r, &all->list);
 }
 
 /* What the figures are, of which machine, found how, and who answers for
  * them. */
 static void
-note_basis(struct answer *r, const struct session *s, const struct asked *all,
-    const char *dropped, bool range)
+note_basis(struct answer *r, const struct session *s,
+    const struct card_request *all, const char *dropped, bool range)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
@@ -644,45 +540,32 @@ note_light(struct answer *r, const struct session *s, const struct question *q,
 	trust_free(worst);
 }
 
-static void
-rows_free(struct card_row *row, size_t n)
-{
-	for (size_t i = 0; i < n; i++) {
-		free(row[i].value);
-		free(row[i].tph);
-	}
-	free(row);
-}
-
 static struct answer *
-card_answer(struct session *s, struct asked *all, const double *speed, size_t n)
+card_answer(
+    struct session *s, struct card_request *all, const double *speed, size_t n)
 {
 	const struct entry *entry = all->question->entry;
-	bool rpm = entry->site->rotor > 0;
 	FREED char *today = datetime_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
 	struct trust light = light_of_prediction(s, entry, NULL);
-	struct card_row *row = xcalloc(n, sizeof *row);
-	for (size_t i = 0; i < n; i++)
-		card_work_out(s, all, speed[i], &row[i], &light);
-	struct page page = page_of(all, row, n, 100 * all->question->level);
+	FREED struct card_row *row = xcalloc(n, sizeof *row);
+	struct page page = {.rows = n};
+	for (size_t i = 0; i < n; i++) {
+		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
+		put_row(&page, s, all, &row[i], &light);
+	}
 	FREED char *dropped = page_drop_to_fit(&page, r);
-	add_page(r, &page);
+	add_page(r, &page, true);
 	answer_fill_for_programs(r);
-	add_keys(r, all, rpm);
-	for (size_t i = 0; i < n; i++)
-		card_add_row(r, all, &row[i], rpm);
+	add_page(r, &page, false);
 	fields_put(answer_fields(r), "date %s machine %s model %s", today,
 	    entry->site->machine, breakage_of(&entry->params)->name);
 	note_limits(r, all, row, n);
 	note_flow(r, all);
-	note_basis(r, s, all, dropped, page_has_spare(&page, RANGE));
+	note_basis(r, s, all, dropped, page.ranged);
 	note_light(r, s, all->question, row, n, &light);
-	while (page.n > 0)
-		page_drop(&page, page.n - 1);
-	free(page.column);
-	rows_free(row, n);
+	page_free(&page);
 	return r;
 }
 
@@ -690,7 +573,7 @@ bool
 cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct asked all = {.question = q};
+	struct card_request all = {.question = q};
 	question_usual_speeds(s, q, true);
 	bool ok = card_request_read(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)

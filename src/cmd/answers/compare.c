@@ -119,7 +119,7 @@ comparison_rows(struct answer *r, const struct side side[2],
 			difference_cells(r, f, i, false);
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
-		answer_name(r, ANSWERS_KEYS[i], ANSWERS_HEADS[i]);
+		answer_name(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
 		answers_size_cell(r, &side[0].p, i);
 		answers_size_cell(r, &side[1].p, i);
 		answer_set_missing(r, "-");
@@ -168,10 +168,9 @@ note_difference(struct answer *r, const struct session *s,
     const struct side side[2], const struct quantity *q, struct figure more)
 {
 	int digits = quantities_decimals(q);
-	const char *unit = quantities_unit_suffix(q);
-	unit = strcmp(unit, " %") == 0 ? tr(" points") : unit;
+	const char *unit = quantities_difference_suffix(q);
 	FREED char *words = quantities_words(q);
-	FREED char *chance = predict_chance(side[0].q.level);
+	FREED char *chance = predict_chance_words(side[0].q.level);
 	double range[2], low = shown_difference(q, more.low);
 	double high = shown_difference(q, more.high);
 	if (low > 0 || high < 0)
@@ -217,23 +216,20 @@ compare_figures(struct answer *r, const struct session *s,
 		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
 		struct figure more = forecast_difference(f[0], f[1], i);
-		double a =
-		    quantities_shown(&q[i], forecast_figure(f[0], i).value);
-		double b =
-		    quantities_shown(&q[i], forecast_figure(f[1], i).value);
+		double a = forecast_shown(f[0], i).value;
+		double b = forecast_shown(f[1], i).value;
 		double low = quantities_shown(&q[i], more.low);
 		double high = quantities_shown(&q[i], more.high);
-		bool tenths = quantities_decimals(&q[i]) == 1;
+		int decimals = quantities_decimals(&q[i]);
 		FREED char *key = quantities_key(&q[i]);
 		FREED char *words = quantities_words(&q[i]);
 		const char *unit = quantities_unit(&q[i]);
 		answer_name(r, key, words);
-		answer_cells(r,
-		    tenths ? "%.1f %.1f %s %+.1f" : "%.2f %.2f %s %+.2f", a, b,
-		    unit, b - a);
+		answer_cells(r, "%.*f %.*f %s %+.*f", decimals, a, decimals, b,
+		    unit, decimals, b - a);
 		if (band)
-			answer_cells(r, tenths ? "%+.1f %+.1f" : "%+.2f %+.2f",
-			    low, high);
+			answer_cells(
+			    r, "%+.*f %+.*f", decimals, low, decimals, high);
 		fields_put(fields_object(list, NULL),
 		    "quantity %s unit %s a %g b %g difference %g low %g high "
 		    "%g",
@@ -372,7 +368,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 			  s, &s->entry[at], args, &side->q, error)))
 		return false;
 	side->entry = side->q.entry;
-	if (!screened_is_measured_alone(&side->q, error))
+	if (!screened_check_covered(&side->q, error))
 		return false;
 	side->p = forecast_product(s, &side->q, v);
 	return true;

@@ -18,15 +18,13 @@ static void
 add_figure(struct answer *r, struct fields *list, struct forecast *all,
     size_t i, const struct quantity *q, double speed, bool model)
 {
-	struct figure f = figure_shown(q, forecast_figure(all, i));
-	bool whole = quantities_decimals(q) == 1;
+	struct figure f = forecast_shown(all, i);
+	int decimals = quantities_decimals(q);
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	answer_name(r, key, words);
-	answer_cells(
-	    r, whole ? "%.1f %s" : "%.2f %s", f.value, quantities_unit(q));
+	answer_cells(r, "%.*f %s", decimals, f.value, quantities_unit(q));
 	if (forecast_draws(all, i) != NULL)
-		answer_cells(
-		    r, whole ? "%.1f %.1f" : "%.2f %.2f", f.low, f.high);
+		answer_cells(r, "%.*f %.*f", decimals, f.low, decimals, f.high);
 	if (forecast_draws(all, i) != NULL && model)
 		answer_cells(
 		    r, "%g", quantities_shown(q, forecast_model(all, i)));

@@ -21,28 +21,17 @@
 /* What is wanted: one value of a quantity, or the most or the least of it, and
  * the conditions that have to hold besides; on which feed, and between which
  * speeds.  n: how many goals were named. */
-struct goal {
+struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
 	struct condition target; /* both limits the value */
 	struct condition_list others;
-	char *limits; /* where those of an envelope are from; or NULL */
 	const struct question *question;
 	struct wanted wanted; /* the others; then the target */
 };
 
-/* Whether the speeds of an envelope are asked for: of one that is named, or,
- * for no other wish, of the one that is chosen. */
-static bool
-asks_for_spec(const struct session *s, const struct args *args)
-{
-	bool other = args->p20 > 0 || args->p50 > 0 || args->p80 > 0 ||
-		     args_given(args, &args->passing) || args->n_operand > 0;
-	return !other && (args->spec != NULL || s->spec != NULL);
-}
-
 static void
-add_target(struct goal *goal, struct quantity q, double value)
+add_target(struct find_request *goal, struct quantity q, double value)
 {
 	goal->n++;
 	goal->target = (struct condition){q, value, value};
@@ -50,8 +39,8 @@ add_target(struct goal *goal, struct quantity q, double value)
 
 /* The goals of the options p20, p50, p80, passing and at. */
 static void
-read_options(
-    const struct args *args, const struct fraction *fraction, struct goal *goal)
+read_options(const struct args *args, const struct fraction *fraction,
+    struct find_request *goal)
 {
 	const double mm[PSD_SIZES] = {args->p20, args->p50, args->p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -71,7 +60,7 @@ read_options(
 
 static bool
 read_operand(const char *text, const struct fraction *fraction,
-    struct goal *goal, struct error *error)
+    struct find_request *goal, struct error *error)
 {
 	bool most;
 	struct condition c = {.least = NAN, .most = NAN};
@@ -93,7 +82,8 @@ read_operand(const char *text, const struct fraction *fraction,
 
 /* Conditions alone are a window's; or else something is to be most. */
 static bool
-no_goal(const struct args *args, const struct goal *goal, struct error *error)
+no_goal(const struct args *args, const struct find_request *goal,
+    struct error *error)
 {
 	FREED char *all = xstrdup("");
 	FREED char *first =
@@ -116,8 +106,8 @@ no_goal(const struct args *args, const struct goal *goal, struct error *error)
 
 /* Exactly one goal is given, with what belongs to it. */
 static bool
-check_goal(
-    const struct args *args, const struct goal *goal, struct error *error)
+check_goal(const struct args *args, const struct find_request *goal,
+    struct error *error)
 {
 	if (goal->n == 0 && goal->others.n > 0)
 		return no_goal(args, goal, error);
@@ -138,13 +128,12 @@ check_goal(
 }
 
 static bool
-read_goal(struct session *s, const struct args *args, struct goal *goal,
+read_goal(struct session *s, const struct args *args, struct find_request *goal,
     struct error *error)
 {
 	const struct question *q = goal->question;
 	const struct psd *feed = question_feed(q);
 	const struct fraction *fraction = &q->fraction;
-	read_options(args, fraction, goal);
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!read_operand(args->operand[i], fraction, goal, error))
 			return conditions_set_error_place(args, i, error);
@@ -154,28 +143,27 @@ read_goal(struct session *s, const struct args *args, struct goal *goal,
 	for (size_t i = 0; i < goal->others.n; i++)
 		if (!conditions_check_covered(&goal->others.at[i], feed, error))
 			return false;
-	return conditions_add_option(
-	    s, args, fraction, feed, &goal->others, &goal->limits, error);
+	return conditions_add_option(s, args, q, &goal->others, error);
 }
 
 /* The target's, as people see it. */
 static double
-shown_value(const struct goal *goal, double value)
+shown_value(const struct find_request *goal, double value)
 {
 	return quantities_shown(&goal->target.quantity, value);
 }
 
 static double
-find_value_at(const struct goal *goal, double v)
+find_value_at(const struct find_request *goal, double v)
 {
 	struct forecast *f = goal->wanted.forecast;
 	forecast_at(f, v);
-	return shown_value(goal, forecast_figure(f, goal->wanted.n).value);
+	return forecast_shown(f, goal->wanted.n).value;
 }
 
 /* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
 static char *
-goal_words(const struct goal *goal)
+goal_words(const struct find_request *goal)
 {
 	const struct quantity *q = &goal->target.quantity;
 	char *name = quantities_words(q), *words;
@@ -199,7 +187,7 @@ find_within(double speed)
 }
 
 static void
-put_goal(struct fields *o, const struct goal *goal, double speed,
+put_goal(struct fields *o, const struct find_request *goal, double speed,
     const struct speed_search *f)
 {
 	const struct quantity *q = &goal->target.quantity;
@@ -229,7 +217,7 @@ put_goal(struct fields *o, const struct goal *goal, double speed,
 
 /* The speed of what was found, NAN: none. */
 static double
-speed_found(const struct goal *goal, const struct speed_search *f)
+speed_found(const struct find_request *goal, const struct speed_search *f)
 {
 	return goal->kind == GOAL_VALUE
 		   ? f->found
@@ -239,7 +227,7 @@ speed_found(const struct goal *goal, const struct speed_search *f)
 /* "66.2 to 68.9", an end of which may lie beyond the speeds searched; the
  * caller frees. */
 static char *
-range_words(const struct goal *goal, const double range[2])
+range_words(const struct find_request *goal, const double range[2])
 {
 	char low[40], high[40];
 	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : tr("below %g"),
@@ -253,7 +241,7 @@ range_words(const struct goal *goal, const double range[2])
 /* The speed found with its range, and that in which a belt cut may show the
  * value. */
 static void
-find_note_speed(struct answer *r, const struct goal *goal,
+find_note_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	if (isnan(f->range[0])) {
@@ -284,26 +272,23 @@ find_note_speed(struct answer *r, const struct goal *goal,
 /* "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed the forecast is at; the
  * caller frees. */
 static char *
-value_words(const struct goal *goal, size_t i)
+value_words(const struct find_request *goal, size_t i)
 {
 	const struct quantity *q = i < goal->wanted.n
 				       ? &goal->wanted.at[i].quantity
 				       : &goal->target.quantity;
 	int digits = quantities_decimals(q);
-	struct figure f =
-	    figure_shown(q, forecast_figure(goal->wanted.forecast, i));
-	char *words = quantities_words(q);
-	xappend(&words, " %.*f%s", digits, f.value, quantities_unit_suffix(q));
-	if (isfinite(f.low) && isfinite(f.high))
-		xappend(&words, tr(" (%.*f to %.*f)"), digits, f.low, digits,
-		    f.high);
-	return words;
+	struct figure f = forecast_shown(goal->wanted.forecast, i);
+	FREED char *name = quantities_words(q);
+	FREED char *band = quantities_band(f.low, f.high, digits);
+	return xasprintf("%s %.*f%s%s", name, digits, f.value,
+	    quantities_unit_suffix(q), band);
 }
 
 /* The largest value, and what keeps it from being larger: a limit that is
  * missed a tenth further on, or the end of what was searched. */
 static void
-note_extreme(struct answer *r, const struct goal *goal,
+note_extreme(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
 {
 	const double near = 1e-3;
@@ -335,8 +320,8 @@ note_extreme(struct answer *r, const struct goal *goal,
 /* The best with the probability of bands, which at a limit that binds is a half
  * only. */
 static void
-note_sure(
-    struct answer *r, const struct goal *goal, const struct speed_search *f)
+note_sure(struct answer *r, const struct find_request *goal,
+    const struct speed_search *f)
 {
 	double level = 100 * goal->wanted.level;
 	double v = speed_search_extreme(f, goal->kind == GOAL_MOST, true);
@@ -361,7 +346,8 @@ note_missed(
 }
 
 static void
-note_other_condition(struct answer *r, const struct goal *goal, size_t i)
+note_other_condition(
+    struct answer *r, const struct find_request *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
@@ -377,7 +363,7 @@ note_other_condition(struct answer *r, const struct goal *goal, size_t i)
 
 /* Each other condition at the speed found, and how sure all of them are. */
 static void
-note_others(struct answer *r, const struct goal *goal,
+note_others(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
 {
 	forecast_at(goal->wanted.forecast, v);
@@ -399,7 +385,8 @@ note_others(struct answer *r, const struct goal *goal,
 
 /* Why there is no such speed: what the two ends give. */
 static void
-note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
+note_out_of_reach(
+    struct answer *r, const struct find_request *goal, const char *words)
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
@@ -408,7 +395,7 @@ note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
 		     !fraction_screens(&q->fraction);
 	double high = find_value_at(goal, c->to),
 	       low = find_value_at(goal, c->from);
-	double over = forecast_over(c->forecast, c->n, goal->target.least);
+	double over = forecast_excess(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
 	if (falls)
 		answer_note(r,
@@ -428,7 +415,7 @@ note_out_of_reach(struct answer *r, const struct goal *goal, const char *words)
 }
 
 static void
-note_finding(struct answer *r, const struct goal *goal,
+note_finding(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	double v = speed_found(goal, f);
@@ -443,13 +430,12 @@ note_finding(struct answer *r, const struct goal *goal,
 		note_extreme(r, goal, f, v);
 	if (found && goal->wanted.n > 0)
 		note_others(r, goal, f, v);
-	if (goal->limits != NULL)
-		answer_say(r, ANSWER_REMARK, "%s", goal->limits);
+	conditions_note_source(r, &goal->others);
 }
 
 static void
-put_found(
-    struct fields *o, const struct goal *goal, const struct speed_search *f)
+put_found(struct fields *o, const struct find_request *goal,
+    const struct speed_search *f)
 {
 	double v = speed_found(goal, f);
 	put_goal(o, goal, v, f);
@@ -464,7 +450,7 @@ put_found(
 /* Whether a value is missed by less at the fast end of the speeds searched than
  * at the slow one. */
 static bool
-is_nearer_fast_end(const struct goal *goal)
+is_nearer_fast_end(const struct find_request *goal)
 {
 	double wanted =
 	    quantities_shown(&goal->target.quantity, goal->target.least);
@@ -474,7 +460,7 @@ is_nearer_fast_end(const struct goal *goal)
 
 /* The product at the speed found; without one those at the two ends. */
 static void
-answer_goal(struct session *s, struct goal *goal)
+answer_goal(struct session *s, struct find_request *goal)
 {
 	const struct question *q = goal->question;
 	const struct entry *entry = q->entry;
@@ -485,7 +471,7 @@ answer_goal(struct session *s, struct goal *goal)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = forecast_whole(s, entry, speed[i], q->feed);
+		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
 	session_forget(s);
 	FREED char *words = goal_words(goal);
 	struct answer *r =
@@ -514,8 +500,8 @@ answer_goal(struct session *s, struct goal *goal)
 
 /* Where none meets it: what is missed at the nearest speed. */
 static void
-note_window(struct answer *r, const struct goal *goal, const struct grading *g,
-    const struct speed_search *w)
+note_window(struct answer *r, const struct find_request *goal,
+    const struct grading *g, const struct speed_search *w)
 {
 	const struct speed_range *in = speed_search_around(w);
 	if (in != NULL) {
@@ -534,22 +520,9 @@ note_window(struct answer *r, const struct goal *goal, const struct grading *g,
 	answer_note(r, "%s", missed);
 }
 
-static void
-note_certain_range(struct answer *r, double level, const double range[2])
-{
-	if (isfinite(range[0]))
-		answer_note(r,
-		    "holds with %.0f %% probability from %.1f to %.1f m/s",
-		    level, range[0], range[1]);
-	else
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% probability", level);
-	answers_put_pair(answer_fields(r), "certain", range[0], range[1]);
-}
-
 static bool
-answer_spec(struct session *s, const struct args *args, const struct goal *goal,
-    struct error *error)
+answer_spec(struct session *s, const struct args *args,
+    const struct find_request *goal, struct error *error)
 {
 	const struct entry *entry = goal->question->entry;
 	const struct spec *spec = grading_spec(s, args->spec, error);
@@ -567,8 +540,11 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 	    answers_new(entry->site, "find", "the speeds for %s", words);
 	grading_rows(r, &g, v);
 	note_window(r, goal, &g, w);
-	if (forecast_draws(g.conditions.forecast, 0) != NULL)
-		note_certain_range(r, 100 * g.conditions.level, w->sure);
+	if (forecast_draws(g.conditions.forecast, 0) != NULL) {
+		conditions_note_certain(r, w, g.conditions.level);
+		answers_put_pair(
+		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
+	}
 	grading_notes(r, &g);
 	answers_show_basis_at(s, r, goal->question, v, false);
 	fields_put(answer_fields(r),
@@ -586,7 +562,7 @@ answer_spec(struct session *s, const struct args *args, const struct goal *goal,
 }
 
 static bool
-find_goal(struct session *s, const struct args *args, struct goal *goal,
+find_goal(struct session *s, const struct args *args, struct find_request *goal,
     struct error *error)
 {
 	double from = goal->wanted.from, to = goal->wanted.to;
@@ -600,7 +576,6 @@ find_goal(struct session *s, const struct args *args, struct goal *goal,
 		forecast_close(goal->wanted.forecast);
 	}
 	conditions_free(&goal->others);
-	free(goal->limits);
 	return ok;
 }
 
@@ -608,10 +583,13 @@ bool
 cmd_find(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct goal goal = {.kind = GOAL_VALUE, .question = q};
+	struct find_request goal = {.kind = GOAL_VALUE, .question = q};
 	if (!conditions_speeds(s, args, q->entry->site, &goal.wanted.from,
 		&goal.wanted.to, error))
 		return false;
-	return asks_for_spec(s, args) ? answer_spec(s, args, &goal, error)
-				      : find_goal(s, args, &goal, error);
+	read_options(args, &q->fraction, &goal);
+	bool named = goal.n > 0 || args->n_operand > 0;
+	return !named && (args->spec != NULL || s->spec != NULL)
+		   ? answer_spec(s, args, &goal, error)
+		   : find_goal(s, args, &goal, error);
 }

@@ -156,9 +156,9 @@ put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
 	answer_put_columns(r, "sieve_mm passing_pct low_pct high_pct");
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		const struct guess_range *range = &guess->size[i];
-		fields_number(o, ANSWERS_KEYS[i], 1000 * range->middle);
-		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * range->low,
-		    1000 * range->high);
+		fields_number(o, ANSWERS_SIZE[i].key, 1000 * range->middle);
+		answers_put_pair(o, ANSWERS_SIZE[i].range_key,
+		    1000 * range->low, 1000 * range->high);
 	}
 	put_materials(o, b);
 }
@@ -205,8 +205,10 @@ note_sizes(struct answer *r, const struct guess *guess)
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		words[i] = range_words(
 		    &guess->size[i], i == ANSWERS_BREAK ? tr("none") : none);
-	answer_note(
-	    r, "P20 %s, P50 %s, P80 %s mm", words[0], words[1], words[2]);
+	FREED char *sizes = xstrdup("");
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		xlist(&sizes, ", ", "%s %s", PSD_NAME[i], words[i]);
+	answer_note(r, "%s mm", sizes);
 	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		free(words[i]);

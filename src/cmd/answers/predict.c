@@ -288,12 +288,23 @@ is_correction_worth_saying(const struct session *s, const struct entry *entry)
 static const double FEEDS_TOLD = 0.0005;
 
 char *
-predict_chance(double level)
+predict_chance_words(double level)
 {
 	double tenths = 10 * level;
 	return fabs(tenths - round(tenths)) < 1e-9
 		   ? xasprintf(tr("%.0f times in 10"), tenths)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
+}
+
+static double
+value_at(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed)
+{
+	struct forecast *f = forecast_open(s, q, of, 1);
+	forecast_at(f, speed);
+	double value = forecast_figure(f, 0).value;
+	forecast_close(f);
+	return value;
 }
 
 size_t
@@ -306,28 +317,25 @@ predict_each_feed(const struct session *s, const struct question *q,
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
 		own.feed = run;
-		struct forecast *f = forecast_open(s, &own, of, 1);
-		forecast_at(f, speed);
-		value[run] = forecast_figure(f, 0).value;
-		forecast_close(f);
+		value[run] = value_at(s, &own, of, speed);
 	}
 	return n;
 }
 
 double
-predict_feeds_move(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double value)
+predict_change_by_feeds(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed)
 {
 	FREED double *fed = xdoubles(q->entry->site->n_run);
 	size_t n = predict_each_feed(s, q, of, speed, fed);
-	double most = 0;
+	double most = 0, value = value_at(s, q, of, speed);
 	for (size_t run = 0; run < n; run++)
 		most = fmax(most, fabs(fed[run] - value));
 	return most;
 }
 
 char *
-predict_sure(const struct session *s, const struct question *q,
+predict_certainty_words(const struct session *s, const struct question *q,
     const struct prediction *p)
 {
 	size_t i = answers_usual_sieve(&p->product);
@@ -335,7 +343,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
 	if (p->low == NULL || fraction_screens(&p->fraction))
 		return NULL;
-	FREED char *chance = predict_chance(q->level);
+	FREED char *chance = predict_chance_words(q->level);
 	struct forecast *f = forecast_open(s, q, &passing, 1);
 	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_figure(f, 0);
@@ -347,8 +355,7 @@ predict_sure(const struct session *s, const struct question *q,
 	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
 	double most = q->feed == SITE_MEAN_FEED
-			  ? predict_feeds_move(
-				s, q, &passing, p->speed, p->product.passing[i])
+			  ? predict_change_by_feeds(s, q, &passing, p->speed)
 			  : 0;
 	if (most >= FEEDS_TOLD) {
 		char *more = xasprintf(tr("%s; the feeds that were sampled "
@@ -365,7 +372,7 @@ static void
 note_sure(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	FREED char *words = predict_sure(s, q, p);
+	FREED char *words = predict_certainty_words(s, q, p);
 	if (words != NULL)
 		answer_note(r, "%s", words);
 }
@@ -510,7 +517,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct params params;
 	if (!take_params(s, entry, &params, error) ||
 	    !check_whole_product(args, &q->fraction, error) ||
-	    !screened_is_measured_alone(q, error))
+	    !screened_check_covered(q, error))
 		return false;
 	struct question at = *q;
 	at.params = &params;

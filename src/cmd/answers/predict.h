@@ -22,19 +22,19 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
 size_t predict_each_feed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *value);
 
-/* Returns the largest change of a quantity, in its own unit, from its value at
- * a speed, m/s, when the mean feed is replaced with a sampled one: the band
- * does not include changes of the feed.  Returns 0 if the site has one feed or
- * the question gives another. */
-double predict_feeds_move(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double value);
+/* Returns the largest change of a quantity, in its own unit, at a speed, m/s,
+ * when the question's feed is replaced with a sampled one: the band does not
+ * include changes of the feed.  Returns 0 if the site has one feed or the
+ * question gives another. */
+double predict_change_by_feeds(const struct session *s,
+    const struct question *q, const struct quantity *of, double speed);
 
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */
-char *predict_chance(double level);
+char *predict_chance_words(double level);
 
 /* Returns a sentence on the certainty of the answer at one passing (D22), or
  * NULL for a screened fraction or without draws.  The caller frees it. */
-char *predict_sure(const struct session *s, const struct question *q,
+char *predict_certainty_words(const struct session *s, const struct question *q,
     const struct prediction *p);
 
 #endif

@@ -42,7 +42,7 @@ enum need {
  * each in quotes, the envelope, as an operand and as an option, what else the
  * question has, what is screened, and the new feed.  list: the conditions, the
  * envelope's too; wanted, found: where they hold, of a site with parameters. */
-struct ask {
+struct report_request {
 	double speed, tph;
 	char *conditions, *envelope, *spec, *asked, *cut, *rate;
 	const struct question *q;
@@ -89,7 +89,7 @@ static const struct section {
 
 /* Whether a section is wanted as soon as there are parameters. */
 static bool
-is_section_wanted(const struct ask *ask, enum need need)
+is_section_wanted(const struct report_request *ask, enum need need)
 {
 	return need == NEED_PARAMS ||
 	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
@@ -98,7 +98,7 @@ is_section_wanted(const struct ask *ask, enum need need)
 
 static bool
 has_what_section_needs(
-    const struct session *s, const struct ask *ask, enum need need)
+    const struct session *s, const struct report_request *ask, enum need need)
 {
 	const struct entry *entry = &s->entry[s->current];
 	size_t known = 0;
@@ -127,7 +127,7 @@ has_what_section_needs(
 
 /* The words with what is asked; the caller frees. */
 static char *
-fill_in_words(const char *words, const struct ask *ask)
+fill_in_words(const char *words, const struct report_request *ask)
 {
 	char speed[32], *text = xstrdup("");
 	const struct {
@@ -166,7 +166,7 @@ run_line(struct session *s, const char *line)
 }
 
 static void
-put_sections(struct session *s, const struct ask *ask)
+put_sections(struct session *s, const struct report_request *ask)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
@@ -199,7 +199,7 @@ put_data(struct document *d, const struct site *site)
 }
 
 static void
-put_light(struct session *s, const struct ask *ask)
+put_light(struct session *s, const struct report_request *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
@@ -219,7 +219,7 @@ put_light(struct session *s, const struct ask *ask)
 
 /* "; met from 73.04 to 76.18 m/s", or the nearest miss. */
 static void
-append_window(char **words, const struct ask *ask)
+append_window(char **words, const struct report_request *ask)
 {
 	const struct speed_search *w = ask->found;
 	FREED char *speeds = conditions_speeds_words(w);
@@ -240,7 +240,7 @@ append_window(char **words, const struct ask *ask)
 
 /* Whether the product at the report's speed is as it is wanted. */
 static void
-put_conditions(struct session *s, const struct ask *ask)
+put_conditions(struct session *s, const struct report_request *ask)
 {
 	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return;
@@ -260,13 +260,14 @@ put_conditions(struct session *s, const struct ask *ask)
 
 /* What is asked for first: the answer, and how sure it is. */
 static void
-report_put_answer(struct session *s, const struct ask *ask)
+report_put_answer(struct session *s, const struct report_request *ask)
 {
 	const struct question *q = ask->q;
 	if (!has_what_section_needs(s, ask, NEED_PARAMS))
 		return;
-	struct prediction p = forecast_whole(s, q->entry, ask->speed, q->feed);
-	FREED char *sure = predict_sure(s, q, &p);
+	struct prediction p =
+	    forecast_whole_product(s, q->entry, ask->speed, q->feed);
+	FREED char *sure = predict_certainty_words(s, q, &p);
 	if (sure != NULL)
 		document_say(s->document, DOCUMENT_WORDS, "%s.", sure);
 	prediction_free(&p);
@@ -274,7 +275,7 @@ report_put_answer(struct session *s, const struct ask *ask)
 
 /* Instead of the light. */
 static void
-put_left_out_sections(struct session *s, const struct ask *ask)
+put_left_out_sections(struct session *s, const struct report_request *ask)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
@@ -291,7 +292,7 @@ put_left_out_sections(struct session *s, const struct ask *ask)
 }
 
 static void
-report_put_script(struct session *s, const struct ask *ask)
+report_put_script(struct session *s, const struct report_request *ask)
 {
 	struct error error = {0};
 	char number[32];
@@ -313,7 +314,7 @@ report_put_script(struct session *s, const struct ask *ask)
 }
 
 static void
-write_report(struct session *s, const struct ask *ask)
+write_report(struct session *s, const struct report_request *ask)
 {
 	const struct site *site = ask->q->entry->site;
 	FREED char *label = session_site_label(site);
@@ -353,7 +354,7 @@ options_words(const struct args *args, const void *const *option, size_t n)
 }
 
 static void
-take_words(const struct args *args, struct ask *ask)
+take_words(const struct args *args, struct report_request *ask)
 {
 	const void *const cut[] = {
 	    &args->cut, &args->sharpness, &args->cut_size};
@@ -379,18 +380,11 @@ take_words(const struct args *args, struct ask *ask)
 
 /* What could not be used is said before anything is written. */
 static bool
-read_report_request(struct session *s, const struct args *args, struct ask *ask,
-    struct error *error)
+read_report_request(struct session *s, const struct args *args,
+    struct report_request *ask, struct error *error)
 {
-	const struct entry *entry = ask->q->entry;
-	const struct site *site = entry->site;
-	const struct psd *feed = site_feed(site, ask->q->feed);
-	const struct fraction *fraction = &ask->q->fraction;
-	FREED char *remark = NULL;
 	take_words(args, ask);
-	if (!conditions_add_operands(args, fraction, feed, &ask->list, error) ||
-	    !conditions_add_option(
-		s, args, fraction, feed, &ask->list, &remark, error))
+	if (!conditions_add_call(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;
 	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
@@ -403,7 +397,7 @@ read_report_request(struct session *s, const struct args *args, struct ask *ask,
 }
 
 static void
-report_request_free(struct ask *ask)
+report_request_free(struct report_request *ask)
 {
 	speed_search_free(ask->found);
 	forecast_close(ask->wanted.forecast);
@@ -420,7 +414,7 @@ bool
 cmd_report(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct ask ask = {.q = q};
+	struct report_request ask = {.q = q};
 	if (s->document == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"

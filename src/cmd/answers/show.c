@@ -154,7 +154,8 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		if (site_run_repeats(site, i) && !site->individual_feeds)
 			continue;
 		if (entry->has_params) {
-			struct prediction p = forecast_whole(s, entry, v, i);
+			struct prediction p =
+			    forecast_whole_product(s, entry, v, i);
 			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
@@ -224,7 +225,8 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	const struct psd *feed = question_feed(q);
-	struct prediction p = forecast_whole(s, entry, q->speed, q->feed);
+	struct prediction p =
+	    forecast_whole_product(s, entry, q->speed, q->feed);
 	FREED double *S = xdoubles(feed->n);
 	(void)args;
 	(void)error;

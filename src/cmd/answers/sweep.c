@@ -54,7 +54,7 @@ sweep_across(struct answer *r, const struct entry *entry,
 			answer_cells(r, "%.1f", units_pct(p[i].share));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
-		answer_cells(r, "%s", tr(ANSWERS_HEADS[size]));
+		answer_cells(r, "%s", tr(ANSWERS_SIZE[size].head));
 		answer_set_missing(r, "");
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
@@ -129,7 +129,7 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 	question_usual_speeds(s, q, false);
 	size_t n = q->n_at;
 	FREED struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false, ok = screened_is_measured_alone(q, error);
+	bool outside = false, ok = screened_check_covered(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
 		p[i] = forecast_product(s, q, q->at[i]);
 		outside = outside || answers_extrapolates(entry, q->at[i]);

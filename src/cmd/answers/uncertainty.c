@@ -57,7 +57,7 @@ static char *
 usual_quantities(const struct prediction *p, bool sieves)
 {
 	if (!sieves)
-		return xasprintf("passing %g,P20,P50,P80",
+		return xasprintf("passing %g," ANSWERS_SIZE_LIST,
 		    units_mm(
 			p->product.size[answers_usual_sieve(&p->product)]));
 	char *list = xstrdup("");
@@ -71,22 +71,17 @@ static void
 add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
     struct figure answer, struct figure sample)
 {
-	const double values[] = {
-	    answer.value, answer.low, answer.high, sample.low, sample.high};
-	double shown[ARRAY_LEN(values)];
-	for (size_t i = 0; i < ARRAY_LEN(values); i++)
-		shown[i] = quantities_shown(q, values[i]);
+	int d = quantities_decimals(q);
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	const char *unit = quantities_unit(q);
 	answer_name(r, key, words);
-	answer_cells(r,
-	    quantities_decimals(q) == 1 ? "%.1f %s %.1f %.1f %.1f %.1f"
-					: "%.2f %s %.2f %.2f %.2f %.2f",
-	    shown[0], unit, shown[1], shown[2], shown[3], shown[4]);
+	answer_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, answer.value, unit, d,
+	    answer.low, d, answer.high, d, sample.low, d, sample.high);
 	fields_put(fields_object(list, NULL),
 	    "quantity %s value %g unit %s low %g high %g cut_low %g cut_high "
 	    "%g",
-	    key, shown[0], unit, shown[1], shown[2], shown[3], shown[4]);
+	    key, answer.value, unit, answer.low, answer.high, sample.low,
+	    sample.high);
 }
 
 /* A row a figure, with the range of the true value and that of a new sample. */
@@ -103,11 +98,11 @@ add_figures(struct answer *r, const struct session *s,
 			  "cut_low: cut low, cut_high: cut high");
 	struct fields *list = fields_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
-		add_figure_row(r, list, &q[i], forecast_figure(answer, i),
-		    forecast_figure(sample, i));
+		add_figure_row(r, list, &q[i], forecast_shown(answer, i),
+		    forecast_shown(sample, i));
 	forecast_close(answer);
 	forecast_close(sample);
-	FREED char *chance = predict_chance(question->level);
+	FREED char *chance = predict_chance_words(question->level);
 	answer_note(r,
 	    "low, high: the true value lies between them %s; cut low, cut "
 	    "high: the same for a new belt cut",
@@ -205,7 +200,8 @@ draws_answer(const struct session *s, const struct question *q,
 	answer_columns(r, "harder_share, softer_e0, harder_e0");
 	for (size_t h = 0; h < HYPERS; h++)
 		answer_columns(r, "%s", HYPER[h].symbol);
-	answer_columns(r, "p20_mm, p50_mm, p80_mm");
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		answer_columns(r, "%s", ANSWERS_SIZE[k].key);
 	for (size_t i = 0; i < sieves; i++)
 		answer_columns(
 		    r, "passing_pct@%g", units_mm(at->product.size[i]));
@@ -255,19 +251,14 @@ static void
 note_feeds(struct answer *r, const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
-	struct forecast *f = forecast_open(s, q, of, 1);
-	forecast_at(f, speed);
-	double most =
-	    predict_feeds_move(s, q, of, speed, forecast_figure(f, 0).value);
-	forecast_close(f);
+	double most = predict_change_by_feeds(s, q, of, speed);
 	if (!(most > 0))
 		return;
 	FREED char *name = figure_name(of);
-	const char *unit = quantities_unit_suffix(of);
 	double shown = quantities_shown(of, most);
 	answer_note(r, "the feeds that were sampled change %s by up to %.*f%s",
 	    name, quantities_decimals(of), shown,
-	    strcmp(unit, " %") == 0 ? tr(" points") : unit);
+	    quantities_difference_suffix(of));
 	if (of->kind == QUANTITY_PASSING)
 		fields_put(answer_fields(r), "feeds_move_pct %g", shown);
 }
@@ -427,7 +418,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		return false;
 	question_as_last(s, args, q);
 	apply_settings(s, args);
-	if (!screened_is_measured_alone(q, error))
+	if (!screened_check_covered(q, error))
 		return false;
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {

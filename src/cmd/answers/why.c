@@ -111,7 +111,7 @@ say_response(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
-	    forecast_whole(a->s, a->entry, v + 1, a->p.feed_run);
+	    forecast_whole_product(a->s, a->entry, v + 1, a->p.feed_run);
 	for (size_t i = 0; i < a->p.product.n; i++)
 		sum +=
 		    pow(fast.product.passing[i] - a->p.product.passing[i], 2);
@@ -565,7 +565,7 @@ balance_answer(struct session *s, const struct args *args,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, q->feed)};
 	for (size_t k = 0; k < 2; k++) {
-		b.p[k] = forecast_whole(s, entry, v[k], q->feed);
+		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
 		b.of[k] = ledger_new(
 		    b.feed, &entry->params, outlook_settings(s, entry), v[k]);
 	}
@@ -584,7 +584,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	if (args->n_operand > 0)
 		return balance_answer(s, args, q, error);
 	question_as_last(s, args, q);
-	if (!screened_is_measured_alone(q, error))
+	if (!screened_check_covered(q, error))
 		return false;
 	const struct entry *entry = q->entry;
 	double v = q->speed;
@@ -593,7 +593,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	    .q = q,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, run),
-	    .p = forecast_whole(s, entry, v, run),
+	    .p = forecast_whole_product(s, entry, v, run),
 	    .answer = answers_new(entry->site, "why", "why, at %.4g m/s", v)};
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_breakage(&a);

@@ -17,9 +17,8 @@
 #include "cmd/lang/table.h"
 
 /* What was asked, and what was found. */
-struct asking {
+struct window_request {
 	struct condition_list list;
-	char *limits; /* where those of an envelope are from; or NULL */
 	const struct question *q;
 	struct wanted wanted;
 	struct speed_search *w;
@@ -27,7 +26,7 @@ struct asking {
 
 /* Those of the goal that is set, where none are given. */
 static bool
-take_goal(struct session *s, struct asking *a, struct error *error)
+take_goal(struct session *s, struct window_request *a, struct error *error)
 {
 	size_t n_value = 0;
 	if (a->list.n > 0 || !goals_is_set(s))
@@ -42,14 +41,10 @@ take_goal(struct session *s, struct asking *a, struct error *error)
 }
 
 static bool
-read_conditions(struct session *s, const struct args *args, struct asking *a,
-    struct error *error)
+read_conditions(struct session *s, const struct args *args,
+    struct window_request *a, struct error *error)
 {
-	const struct fraction *fraction = &a->q->fraction;
-	const struct psd *feed = question_feed(a->q);
-	if (!conditions_add_operands(args, fraction, feed, &a->list, error) ||
-	    !conditions_add_option(
-		s, args, fraction, feed, &a->list, &a->limits, error) ||
+	if (!conditions_add_call(s, args, a->q, &a->list, error) ||
 	    !take_goal(s, a, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
@@ -60,7 +55,7 @@ read_conditions(struct session *s, const struct args *args, struct asking *a,
 }
 
 static void
-window_look(struct session *s, struct asking *a, double from, double to)
+window_look(struct session *s, struct window_request *a, double from, double to)
 {
 	a->wanted = conditions_open(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
@@ -72,7 +67,7 @@ window_look(struct session *s, struct asking *a, double from, double to)
 /* "passing 0.5 mm sets the lower end, 71.5, passing 0.063 mm the upper, 76.2
  * m/s"; one quantity may do both. */
 static void
-note_binding(struct answer *r, const struct asking *a)
+note_binding(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
 	FREED char *words = xstrdup("");
@@ -105,7 +100,7 @@ note_binding(struct answer *r, const struct asking *a)
 
 /* "1.2 points, 0.9 times the width of its band". */
 static void
-note_margin(struct answer *r, const struct asking *a)
+note_margin(struct answer *r, const struct window_request *a)
 {
 	const struct margin *m = &a->w->margin;
 	double widths = conditions_widths(&a->wanted, *m);
@@ -123,7 +118,7 @@ note_margin(struct answer *r, const struct asking *a)
 }
 
 static void
-note_inside(struct answer *r, const struct asking *a)
+note_inside(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
 	FREED char *speeds = conditions_speeds_words(a->w);
@@ -144,34 +139,13 @@ note_inside(struct answer *r, const struct asking *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
-static void
-note_none_sure(struct answer *r, const struct speed_search *w, double level)
-{
-	size_t most = 0;
-	for (size_t k = 0; k < w->n; k++)
-		if (w->certain[k] > w->certain[most])
-			most = k;
-	FREED char *highest = conditions_percent(w->certain[most]);
-	if (w->certain[most] <= 0)
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty: it is "
-		    "under 1 %% at all speeds",
-		    100 * level);
-	else
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; most at "
-		    "%.1f m/s, with %s",
-		    100 * level, w->speed[most], highest);
-}
-
 /* The best speed, and how sure it and those about it are. */
 static void
 note_certain_speeds(
-    struct answer *r, const struct session *s, const struct asking *a)
+    struct answer *r, const struct session *s, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
-	double level = a->wanted.level;
-	bool drawn = !isnan(w->best_certain), sure = isfinite(w->sure[0]);
+	bool drawn = !isnan(w->best_certain);
 	FREED char *best = conditions_percent(w->best_certain);
 	if (w->n_inside > 0 && drawn)
 		answer_note(
@@ -185,16 +159,12 @@ note_certain_speeds(
 		note_margin(r, a);
 	if (!drawn)
 		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
-	else if (sure)
-		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
-		    100 * level, w->sure[0], w->sure[1]);
 	else
-		note_none_sure(r, w, level);
+		conditions_note_certain(r, w, a->wanted.level);
 }
 
 static void
-put_certain(struct fields *o, const struct asking *a)
+put_certain(struct fields *o, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	if (isfinite(w->sure[0]))
@@ -206,7 +176,7 @@ put_certain(struct fields *o, const struct asking *a)
 }
 
 static void
-put_limits(struct fields *o, const struct asking *a)
+put_limits(struct fields *o, const struct window_request *a)
 {
 	const struct wanted_limit limit[] = {a->w->low, a->w->high};
 	for (size_t k = 0; k < 2; k++) {
@@ -221,7 +191,7 @@ put_limits(struct fields *o, const struct asking *a)
 }
 
 static void
-put_window(struct fields *o, const struct asking *a, bool outside)
+put_window(struct fields *o, const struct window_request *a, bool outside)
 {
 	const struct speed_search *w = a->w;
 	struct fields *inside = fields_list(o, "inside");
@@ -253,7 +223,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
-	struct asking a = {.q = q};
+	struct window_request a = {.q = q};
 	double from, to;
 	bool ok = conditions_speeds(s, args, entry->site, &from, &to, error) &&
 		  read_conditions(s, args, &a, error);
@@ -273,8 +243,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_certain_speeds(r, s, &a);
 		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
-		if (a.limits != NULL)
-			answer_say(r, ANSWER_REMARK, "%s", a.limits);
+		conditions_note_source(r, &a.list);
 		answers_show_basis_at(s, r, q, a.w->best, false);
 		s->asked = a.w->best;
 		forecast_close(a.wanted.forecast);
@@ -282,6 +251,5 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		ok = session_show_answer(s, r);
 	}
 	conditions_free(&a.list);
-	free(a.limits);
 	return ok;
 }

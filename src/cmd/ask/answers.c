@@ -17,12 +17,11 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
-const char *const ANSWERS_KEYS[ANSWERS_SIZES] = {
-    "p20_mm", "p50_mm", "p80_mm", "break_mm"};
-const char *const ANSWERS_RANGES[ANSWERS_SIZES] = {
-    "p20_range_mm", "p50_range_mm", "p80_range_mm", "break_range_mm"};
-const char *const ANSWERS_HEADS[ANSWERS_SIZES] = {
-    N_("P20 mm"), N_("P50 mm"), N_("P80 mm"), N_("break size mm")};
+const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
+    {"p20_mm", "p20_range_mm", N_("P20 mm")},
+    {"p50_mm", "p50_range_mm", N_("P50 mm")},
+    {"p80_mm", "p80_range_mm", N_("P80 mm")},
+    {"break_mm", "break_range_mm", N_("break size mm")}};
 
 void
 answers_put_variant(struct answer *r, const struct site *site)
@@ -186,18 +185,24 @@ answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
 	answer_cells(r, "%.2f", answers_size(p, i));
 }
 
+void
+answers_size_columns(struct answer *r)
+{
+	for (size_t i = 0; i < PSD_SIZES; i++)
+		answer_column(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
+}
+
 /* Adds "P50 2.81", or "P20 below 0.063 mm", to a list, whose first has the
  * unit; where there is a range, followed by " (2.75 to 2.90)", whose lower end
  * may lie below the finest sieve. */
 static void
-add_size(
-    char **list, const struct psd *psd, double passing, const double *range)
+add_size(char **list, const struct psd *psd, size_t i, const double *range)
 {
-	double x = psd_size(psd, passing);
+	double x = psd_size(psd, PSD_PASSING[i]);
 	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				 : below_or_above(psd, passing);
+				 : below_or_above(psd, PSD_PASSING[i]);
 	bool first = *list[0] == '\0';
-	xlist(list, ", ", "P%.0f %s%s", 100 * passing, size,
+	xlist(list, ", ", "%s %s%s", PSD_NAME[i], size,
 	    first || size[0] > '9' ? " mm" : "");
 	free(size);
 	if (!isfinite(range[1]))
@@ -215,7 +220,7 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 {
 	FREED char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		add_size(&sizes, &p->curve, PSD_PASSING[i], p->range[i]);
+		add_size(&sizes, &p->curve, i, p->range[i]);
 	answer_note(r, "%s", sizes);
 }
 
@@ -379,7 +384,7 @@ void
 answers_put_sizes(struct fields *o, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		fields_number(o, ANSWERS_KEYS[i], answers_size(p, i));
+		fields_number(o, ANSWERS_SIZE[i].key, answers_size(p, i));
 }
 
 void
@@ -387,8 +392,8 @@ answers_put_band(
     struct fields *o, const struct session *s, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES && p->low != NULL; i++)
-		answers_put_pair(o, ANSWERS_RANGES[i], 1000 * p->range[i][0],
-		    1000 * p->range[i][1]);
+		answers_put_pair(o, ANSWERS_SIZE[i].range_key,
+		    1000 * p->range[i][0], 1000 * p->range[i][1]);
 	if (p->low != NULL)
 		fields_put(o, "level %g", 100 * settings_level(&s->set));
 }
@@ -439,8 +444,8 @@ void
 answers_speed_rows(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
-	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm, "
-			  "p20_mm: P20 mm, p50_mm: P50 mm, p80_mm: P80 mm");
+	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm");
+	answers_size_columns(r);
 	double size = p[0].product.size[p[0].product.n - 1];
 	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
 			       ? xstrdup(tr("fines %"))
@@ -453,9 +458,8 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 		answer_cells(r, round ? "%g %.0f" : "%.2f %.0f", p[i].speed,
 		    p[i].energy);
 		answers_size_cell(r, &p[i], ANSWERS_BREAK);
-		answers_size_cell(r, &p[i], ANSWERS_P20);
-		answers_size_cell(r, &p[i], ANSWERS_P50);
-		answers_size_cell(r, &p[i], ANSWERS_P80);
+		for (size_t k = 0; k < PSD_SIZES; k++)
+			answers_size_cell(r, &p[i], k);
 		answer_cells(r, "%.1f %s",
 		    units_pct(p[i].product.passing[finest]),
 		    answers_extrapolates(entry, p[i].speed) ? tr("yes")

@@ -58,8 +58,8 @@ size_t answers_usual_sieve(const struct psd *product);
 void answers_keep_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p);
 
-/* The sizes in every prediction. */
-enum { ANSWERS_P20, ANSWERS_P50, ANSWERS_P80, ANSWERS_BREAK, ANSWERS_SIZES };
+/* The sizes in every prediction: those of PSD_PASSING and the break size. */
+enum { ANSWERS_BREAK = PSD_SIZES, ANSWERS_SIZES };
 
 /* Names for assert: each is a field, path, of the newest answer from these
  * commands, which are separated by spaces. */
@@ -70,9 +70,14 @@ enum { ANSWERS_ASSERTED = 11 };
 extern const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED];
 
 /* For each size, its key in JSON and CSV, the key of its range, and its heading
- * for people. */
-extern const char *const ANSWERS_KEYS[ANSWERS_SIZES],
-    *const ANSWERS_RANGES[ANSWERS_SIZES], *const ANSWERS_HEADS[ANSWERS_SIZES];
+ * for people; the sizes of PSD_PASSING as a list for quantities_asked. */
+extern const struct product_size {
+	const char *key, *range_key, *head;
+} ANSWERS_SIZE[ANSWERS_SIZES];
+#define ANSWERS_SIZE_LIST "P20,P50,P80"
+
+/* Adds a column for each size of PSD_PASSING. */
+void answers_size_columns(struct answer *r);
 
 /* Returns size i, mm, or NAN if it is outside the sieves or does not exist. */
 double answers_size(const struct prediction *p, size_t i);

@@ -38,7 +38,7 @@ bool blended_read(struct session *s, const char *text, struct blended *b,
 void blended_clear(struct blended *b);
 
 /* Returns the source of the feed, for programs; borrowed. */
-const char *blended_from(const struct blended *b);
+const char *blended_source(const struct blended *b);
 
 /* As blended_read, for the feed of `set feed`, which the session owns.  On
  * failure, returns NULL with an error. */

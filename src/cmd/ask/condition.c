@@ -29,6 +29,7 @@ void
 conditions_free(struct condition_list *list)
 {
 	free(list->at);
+	free(list->source);
 	*list = (struct condition_list){0};
 }
 
@@ -400,43 +401,46 @@ add_spec(struct condition_list *list, const struct spec *spec,
 
 bool
 conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
-    const struct psd *feed, struct condition_list *list, char **words,
-    struct error *error)
+    const struct psd *feed, struct condition_list *list, struct error *error)
 {
 	struct fraction f = *fraction;
-	*words = NULL;
 	if (!fraction_screens(&f)) {
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
 	size_t before = list->n;
 	FREED char *unknown = add_spec(list, spec, &f, feed);
-	bool any = list->n > before;
-	if (any)
-		*words = spec->source[0] != '\0'
-			     ? xasprintf(tr("limits of %s: %s"), spec->name,
-				   spec->source)
-			     : xasprintf(tr("limits of %s"), spec->name);
-	if (any && unknown[0] != '\0')
-		xlist(words, "; ", tr("not checked: %s"), unknown);
-	return any ||
-	       error_set(error, ERROR_DATA,
-		   "%s: none of its sieves is in the range of the feed's "
-		   "sieves",
-		   spec->name);
+	if (list->n == before)
+		return error_set(error, ERROR_DATA,
+		    "%s: none of its sieves is in the range of the feed's "
+		    "sieves",
+		    spec->name);
+	free(list->source);
+	list->source =
+	    spec->source[0] != '\0'
+		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
+		: xasprintf(tr("limits of %s"), spec->name);
+	if (unknown[0] != '\0')
+		xlist(&list->source, "; ", tr("not checked: %s"), unknown);
+	return true;
 }
 
 bool
 conditions_add_option(struct session *s, const struct args *args,
-    const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, char **words, struct error *error)
+    const struct question *q, struct condition_list *list, struct error *error)
 {
-	*words = NULL;
 	if (args->spec == NULL)
 		return true;
 	const struct spec *spec = grading_spec(s, args->spec, error);
-	return spec != NULL &&
-	       conditions_add_spec(spec, fraction, feed, list, words, error);
+	return spec != NULL && conditions_add_spec(spec, &q->fraction,
+				   question_feed(q), list, error);
+}
+
+void
+conditions_note_source(struct answer *r, const struct condition_list *list)
+{
+	if (list->source != NULL)
+		answer_say(r, ANSWER_REMARK, "%s", list->source);
 }
 
 bool
@@ -462,15 +466,15 @@ conditions_set_error_place(
 }
 
 bool
-conditions_add_operands(const struct args *args,
-    const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, struct error *error)
+conditions_add_call(struct session *s, const struct args *args,
+    const struct question *q, struct condition_list *list, struct error *error)
 {
+	const struct psd *feed = question_feed(q);
 	for (size_t i = 0; i < args->n_operand; i++) {
 		struct condition c;
-		bool ok =
-		    conditions_read(args->operand[i], fraction, &c, error) &&
-		    conditions_check_covered(&c, feed, error);
+		bool ok = conditions_read(
+			      args->operand[i], &q->fraction, &c, error) &&
+			  conditions_check_covered(&c, feed, error);
 		if (ok && c.least == c.most)
 			ok = error_set(error, ERROR_USAGE,
 			    "expected a range of values, got one: '%s'\n"
@@ -481,7 +485,7 @@ conditions_add_operands(const struct args *args,
 			return conditions_set_error_place(args, i, error);
 		conditions_add(list, c);
 	}
-	return true;
+	return conditions_add_option(s, args, q, list, error);
 }
 
 bool
@@ -572,12 +576,12 @@ add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
 {
 	const struct quantity *q = &wanted->at[i].quantity;
 	struct margin margin = wanted_margin(wanted, i);
-	struct figure f = figure_shown(q, forecast_figure(wanted->forecast, i));
+	struct figure f = forecast_shown(wanted->forecast, i);
 	const double limit[] = {quantities_shown(q, wanted->at[i].least),
 	    quantities_shown(q, wanted->at[i].most)};
 	const double points = 100 * margin.passing, *alone = found->alone[i];
 	const char *unit = quantities_unit(q);
-	bool whole = quantities_decimals(q) == 1;
+	int decimals = quantities_decimals(q);
 	FREED char *words = quantities_words(q), *key = quantities_key(q);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
@@ -588,11 +592,11 @@ add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
 		xappend(&words, ", %s", unit);
 	if (r != NULL) {
 		answer_name(r, key, words);
-		answer_cells(r, whole ? "%g %g %.1f" : "%g %g %.2f", limit[0],
-		    limit[1], f.value);
+		answer_cells(
+		    r, "%g %g %.*f", limit[0], limit[1], decimals, f.value);
 		if (forecast_draws(wanted->forecast, i) != NULL)
-			answer_cells(r, whole ? "%.1f %.1f" : "%.2f %.2f",
-			    f.low, f.high);
+			answer_cells(
+			    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
 		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
 	}
 }
@@ -700,6 +704,38 @@ conditions_note_farther(
 	if (faster && wanted->to < SITE_FASTEST)
 		answer_note(r, "faster than %g m/s was not searched: add to=%g",
 		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
+}
+
+static void
+note_none_certain(struct answer *r, const struct speed_search *w, double level)
+{
+	size_t most = 0;
+	for (size_t k = 0; k < w->n; k++)
+		if (w->certain[k] > w->certain[most])
+			most = k;
+	FREED char *highest = conditions_percent(w->certain[most]);
+	if (w->certain[most] <= 0)
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty: it is "
+		    "under 1 %% at all speeds",
+		    100 * level);
+	else
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty; most at "
+		    "%.1f m/s, with %s",
+		    100 * level, w->speed[most], highest);
+}
+
+void
+conditions_note_certain(
+    struct answer *r, const struct speed_search *found, double level)
+{
+	if (isfinite(found->sure[0]))
+		answer_note(r,
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
+		    100 * level, found->sure[0], found->sure[1]);
+	else
+		note_none_certain(r, found, level);
 }
 
 char *

@@ -8,10 +8,12 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/speed_search.h"
 
-/* A list that grows. */
+/* A list that grows.  source: the envelope that limits in it are from, and what
+ * of it is not checked, or NULL. */
 struct condition_list {
 	size_t n;
 	struct condition *at;
+	char *source;
 };
 
 void conditions_add(struct condition_list *list, struct condition condition);
@@ -43,24 +45,26 @@ size_t conditions_length(const char *list);
 bool conditions_read_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error);
 
-/* Adds the operands of a call, whose sizes the feed must cover.  They must be
- * ranges, as a single value holds only at single speeds. */
-bool conditions_add_operands(const struct args *args,
-    const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, struct error *error);
+/* Adds the operands of a call, whose sizes the question's feed must cover, and
+ * the limits of its option spec.  Operands must be ranges, as a single value
+ * holds only at single speeds. */
+bool conditions_add_call(struct session *s, const struct args *args,
+    const struct question *q, struct condition_list *list, struct error *error);
 
 /* Adds the limits of an envelope (grading_limits) for a fraction or, given the
- * whole product, for the envelope's own fraction.  words: out, a remark for the
- * answer, which the caller frees, or NULL. */
+ * whole product, for the envelope's own fraction. */
 bool conditions_add_spec(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, char **words, struct error *error);
+    struct condition_list *list, struct error *error);
 
 /* As conditions_add_spec, for the envelope in the option spec of a call, if
  * given. */
 bool conditions_add_option(struct session *s, const struct args *args,
-    const struct fraction *fraction, const struct psd *feed,
-    struct condition_list *list, char **words, struct error *error);
+    const struct question *q, struct condition_list *list, struct error *error);
+
+/* Notes the source of the list's limits, if it has one. */
+void conditions_note_source(
+    struct answer *r, const struct condition_list *list);
 
 /* True if a feed covers the sizes of the condition and its limits.  Otherwise
  * sets an error. */
@@ -110,6 +114,12 @@ int conditions_digits(double points);
 /* If no speed meets all conditions, notes which of them prevent it. */
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
+
+/* Notes the speeds at which the conditions hold with the certainty of a band,
+ * or, without such speeds, where it is highest.  Call it only if there is a
+ * band. */
+void conditions_note_certain(
+    struct answer *r, const struct speed_search *found, double level);
 
 /* Notes which slower or faster speeds were not searched, and how to search
  * them. */

@@ -108,7 +108,7 @@ is_note_of_cut(const struct site_note *note, double speed)
 }
 
 const char *
-cut_heading(const struct site *site, size_t run)
+cut_find_note(const struct site *site, size_t run)
 {
 	double speed = site->run[run].speed;
 	size_t after = 0;

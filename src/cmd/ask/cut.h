@@ -26,7 +26,7 @@ bool cut_is_same(const struct run *a, const struct run *b);
 /* Returns the note "72 m/s, 2026-05-03 10:15, cut.csv" in the site's header
  * that describes this run, borrowed, or NULL.  Notes with a speed belong to the
  * last runs at that speed, in the same order. */
-const char *cut_heading(const struct site *site, size_t run);
+const char *cut_find_note(const struct site *site, size_t run);
 
 /* Returns "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, answer -
  * measured), 11 of 12 sieves within the 80 % band".  The caller frees it. */

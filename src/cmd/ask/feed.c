@@ -99,7 +99,7 @@ feed_note_assumed(struct answer *r, const struct site *site, const char *whose)
 }
 
 const char *
-feed_file(const char *path)
+feed_file_name(const char *path)
 {
 	const char *slash = strrchr(path, '/');
 	return slash != NULL ? slash + 1 : path;

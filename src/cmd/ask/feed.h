@@ -40,6 +40,6 @@ void feed_note_assumed(
     struct answer *r, const struct site *site, const char *whose);
 
 /* Returns a path without its folders, for titles, borrowed. */
-const char *feed_file(const char *path);
+const char *feed_file_name(const char *path);
 
 #endif

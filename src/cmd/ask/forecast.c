@@ -86,10 +86,12 @@ forecast_figure(const struct forecast *f, size_t i)
 }
 
 struct figure
-figure_shown(const struct quantity *q, struct figure f)
+forecast_shown(const struct forecast *f, size_t i)
 {
-	return (struct figure){quantities_shown(q, f.value),
-	    quantities_shown(q, f.low), quantities_shown(q, f.high)};
+	const struct quantity *q = response_quantity(f->response, i);
+	struct figure at = forecast_figure(f, i);
+	return (struct figure){quantities_shown(q, at.value),
+	    quantities_shown(q, at.low), quantities_shown(q, at.high)};
 }
 
 double
@@ -105,13 +107,13 @@ forecast_draws(const struct forecast *f, size_t i)
 }
 
 double
-forecast_over(struct forecast *f, size_t i, double limit)
+forecast_excess(struct forecast *f, size_t i, double limit)
 {
 	return response_excess(f->response, i, limit);
 }
 
 void
-forecast_overs(struct forecast *f, size_t i, double limit,
+forecast_excess_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	response_excess_draws(f->response, i, limit, over);
@@ -146,8 +148,8 @@ forecast_product(
 }
 
 struct prediction
-forecast_whole(const struct session *s, const struct entry *entry, double speed,
-    size_t feed_run)
+forecast_whole_product(const struct session *s, const struct entry *entry,
+    double speed, size_t feed_run)
 {
 	const struct question q = question_of_whole_product(s, entry, feed_run);
 	return forecast_product(s, &q, speed);

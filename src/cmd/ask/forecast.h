@@ -12,10 +12,6 @@ struct figure {
 	double value, low, high;
 };
 
-/* Returns a figure of a quantity as people see it: in the unit of
- * quantities_unit. */
-struct figure figure_shown(const struct quantity *q, struct figure f);
-
 /* Opaque; the question's entry must outlive it. */
 struct forecast;
 
@@ -38,7 +34,10 @@ void forecast_at(struct forecast *f, double speed);
 void forecast_part_at(
     struct forecast *f, double speed, enum ensemble_part part);
 
+/* forecast_figure returns quantity i in its own unit, forecast_shown in the one
+ * that people see (quantities_shown). */
 struct figure forecast_figure(const struct forecast *f, size_t i);
+struct figure forecast_shown(const struct forecast *f, size_t i);
 
 /* Returns quantity i of the model alone. */
 double forecast_model(struct forecast *f, size_t i);
@@ -47,11 +46,11 @@ double forecast_model(struct forecast *f, size_t i);
  * or NULL if the answer is the model alone or before the first move. */
 const double *forecast_draws(const struct forecast *f, size_t i);
 
-/* Compute how far quantity i is above a limit (quantity_over): forecast_over in
- * the answer, forecast_overs in each draw.  Call them before another forecast
- * moves. */
-double forecast_over(struct forecast *f, size_t i, double limit);
-void forecast_overs(struct forecast *f, size_t i, double limit,
+/* Compute how far quantity i is above a limit (quantity_excess):
+ * forecast_excess in the answer, forecast_excess_draws in each draw.  Call them
+ * before another forecast moves. */
+double forecast_excess(struct forecast *f, size_t i, double limit);
+void forecast_excess_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Returns quantity i of the second forecast minus that of the first, each at
@@ -68,7 +67,7 @@ struct prediction forecast_product(
 
 /* As forecast_product, but for the entry's whole product with the feed of a
  * run. */
-struct prediction forecast_whole(const struct session *s,
+struct prediction forecast_whole_product(const struct session *s,
     const struct entry *entry, double speed, size_t feed_run);
 
 #endif

@@ -57,12 +57,11 @@ static bool
 read_spec(struct session *s, const char *name, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
-	FREED char *words = NULL;
 	const struct spec *spec = grading_spec(s, name, error);
 	size_t i = list->n;
-	bool ok =
-	    spec != NULL && (feed == NULL || conditions_add_spec(spec, &WHOLE,
-						 feed, list, &words, error));
+	bool ok = spec != NULL &&
+		  (feed == NULL ||
+		      conditions_add_spec(spec, &WHOLE, feed, list, error));
 	for (; ok && i < list->n; i++) {
 		struct condition *c = &list->at[i];
 		if (is_value(c) && c->least > 0)
@@ -70,6 +69,8 @@ read_spec(struct session *s, const char *name, const struct psd *feed,
 		else if (is_value(c))
 			c->least = NAN;
 	}
+	free(list->source);
+	list->source = NULL;
 	return ok;
 }
 
@@ -151,7 +152,7 @@ find_met_speeds(struct goal *g, const struct wanted *w)
 		double v = k == 0 ? w->from : w->to;
 		forecast_at(w->forecast, v);
 		double miss =
-		    fabs(forecast_over(w->forecast, w->n, w->target->least));
+		    fabs(forecast_excess(w->forecast, w->n, w->target->least));
 		if (!(miss >= least)) {
 			least = miss;
 			g->nearest = v;
@@ -251,7 +252,8 @@ goals_step(
 	if (g->why != NULL)
 		return;
 	struct question q = question_of_whole_product(s, entry, feed);
-	struct condition_list ranges = {g->list.n - g->n_value, g->list.at};
+	struct condition_list ranges = {
+	    .n = g->list.n - g->n_value, .at = g->list.at};
 	struct wanted w = conditions_open(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
 	if (g->found == NULL)

@@ -239,36 +239,57 @@ quantities_fraction_text(const struct fraction *fraction)
 	    "%g/%g", units_mm(fraction->fine), units_mm(fraction->coarse));
 }
 
+/* How each kind is written: for people, as a key, as it is typed, and the unit
+ * behind a number.  %s: what tells it from others of its kind, see
+ * kind_name. */
+static const struct {
+	const char *words, *key, *typed, *unit;
+} KINDS[] = {
+    [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
+	" %"},
+    [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm"},
+    [QUANTITY_SHARE] = {"%s", "share", "%s", " %"},
+    [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", ""},
+    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", ""},
+    [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", ""},
+    [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %"},
+};
+
+/* The size, percentage, fraction or standard of a quantity; for people or, with
+ * key, for programs.  The caller frees. */
 static char *
-kind_words(const struct quantity *q)
+kind_name(const struct quantity *q, bool key)
 {
+	char letter[] = {q->letter != 0 ? q->letter : 'P', '\0'};
 	switch (q->kind) {
 	case QUANTITY_PASSING:
-		return q->letter != 0
-			   ? xstrdup(tr("fines"))
-			   : xasprintf(tr("passing %g mm"), units_mm(q->x));
+		return xasprintf("%g", units_mm(q->x));
 	case QUANTITY_SIZE:
-		return xasprintf(
-		    "%c%g", q->letter != 0 ? q->letter : 'P', units_pct(q->x));
+		return xasprintf("%s%g", key ? "" : letter, units_pct(q->x));
 	case QUANTITY_SHARE:
 		return quantities_fraction_text(&q->fraction);
 	case QUANTITY_MODULUS:
-		return xasprintf(
-		    tr("fineness modulus (%s)"), q->modulus->standard);
-	case QUANTITY_UNIFORMITY:
-		return xstrdup(tr("Cu (D60/D10)"));
-	case QUANTITY_CURVATURE:
-		return xstrdup(tr("Cc (D30^2/(D60 D10))"));
-	case QUANTITY_STEP:
-		return xstrdup(tr("between two sieves"));
+		return xstrdup(key ? q->modulus->name : q->modulus->standard);
+	default:
+		return xstrdup("");
 	}
-	return xstrdup("");
 }
 
-char *
-quantities_words(const struct quantity *q)
+/* A form of KINDS with the name in it.  The caller frees. */
+static char *
+fill_in_name(const char *form, const struct quantity *q, bool key)
 {
-	char *words = kind_words(q);
+	const char *at = strstr(form, "%s");
+	FREED char *name = kind_name(q, key);
+	return at == NULL ? xstrdup(form)
+			  : xasprintf("%.*s%s%s", (int)(at - form), form, name,
+				at + strlen("%s"));
+}
+
+/* " of 0/4" behind the words of what is not of the whole product. */
+static char *
+with_fraction(char *words, const struct quantity *q)
+{
 	if (q->kind == QUANTITY_SHARE || !fraction_screens(&q->fraction))
 		return words;
 	FREED char *fraction = quantities_fraction_text(&q->fraction);
@@ -276,32 +297,32 @@ quantities_words(const struct quantity *q)
 	return words;
 }
 
-static char *
-kind_key(const struct quantity *q)
+static bool
+is_fines(const struct quantity *q)
 {
-	switch (q->kind) {
-	case QUANTITY_PASSING:
-		return xasprintf("passing_%g", units_mm(q->x));
-	case QUANTITY_SIZE:
-		return xasprintf("p%g", units_pct(q->x));
-	case QUANTITY_SHARE:
-		return xstrdup("share");
-	case QUANTITY_MODULUS:
-		return xasprintf("fm_%s", q->modulus->name);
-	case QUANTITY_UNIFORMITY:
-		return xstrdup("cu");
-	case QUANTITY_CURVATURE:
-		return xstrdup("cc");
-	case QUANTITY_STEP:
-		return xstrdup("step");
-	}
-	return xstrdup("");
+	return q->kind == QUANTITY_PASSING && q->letter != 0;
+}
+
+char *
+quantities_words(const struct quantity *q)
+{
+	return with_fraction(
+	    is_fines(q) ? xstrdup(tr("fines"))
+			: fill_in_name(tr(KINDS[q->kind].words), q, false),
+	    q);
+}
+
+char *
+quantities_as_typed(const struct quantity *q)
+{
+	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
+	return with_fraction(fill_in_name(typed, q, true), q);
 }
 
 char *
 quantities_key(const struct quantity *q)
 {
-	char *key = kind_key(q);
+	char *key = fill_in_name(KINDS[q->kind].key, q, true);
 	const char *unit = quantities_unit(q);
 	if (fraction_screens(&q->fraction))
 		xappend(&key, "_%g_%g", units_mm(q->fraction.fine),
@@ -309,33 +330,6 @@ quantities_key(const struct quantity *q)
 	if (unit[0] != '\0')
 		xappend(&key, "_%s", unit[0] == '%' ? "pct" : unit);
 	return key;
-}
-
-char *
-quantities_as_typed(const struct quantity *q)
-{
-	char *words;
-	switch (q->kind) {
-	case QUANTITY_SIZE:
-		words = xasprintf("p%g", units_pct(q->x));
-		break;
-	case QUANTITY_MODULUS:
-		words = xasprintf("fm %s", q->modulus->name);
-		break;
-	case QUANTITY_UNIFORMITY:
-		words = xstrdup("cu");
-		break;
-	case QUANTITY_CURVATURE:
-		words = xstrdup("cc");
-		break;
-	default:
-		return quantities_words(q);
-	}
-	if (fraction_screens(&q->fraction)) {
-		FREED char *of = quantities_fraction_text(&q->fraction);
-		xappend(&words, " of %s", of);
-	}
-	return words;
 }
 
 char *
@@ -350,14 +344,14 @@ quantities_band(double low, double high, int decimals)
 const char *
 quantities_unit_suffix(const struct quantity *q)
 {
-	static const char *const UNITS[] = {[QUANTITY_PASSING] = " %",
-	    [QUANTITY_SIZE] = " mm",
-	    [QUANTITY_SHARE] = " %",
-	    [QUANTITY_MODULUS] = "",
-	    [QUANTITY_UNIFORMITY] = "",
-	    [QUANTITY_CURVATURE] = "",
-	    [QUANTITY_STEP] = " %"};
-	return UNITS[q->kind];
+	return KINDS[q->kind].unit;
+}
+
+const char *
+quantities_difference_suffix(const struct quantity *q)
+{
+	const char *unit = quantities_unit_suffix(q);
+	return strcmp(unit, " %") == 0 ? tr(" points") : unit;
 }
 
 const char *

@@ -57,9 +57,12 @@ char *quantities_fraction_text(const struct fraction *fraction);
 char *quantities_band(double low, double high, int decimals);
 
 /* quantities_unit_suffix returns the unit as written after a number, " mm", "
- * %" or ""; quantities_unit omits the space; quantities_shown returns a value
- * in that unit, and quantities_decimals the number of decimals to show. */
+ * %" or ""; quantities_difference_suffix that of the difference of two values,
+ * " points" of percentages; quantities_unit omits the space; quantities_shown
+ * returns a value in that unit, and quantities_decimals the number of decimals
+ * to show. */
 const char *quantities_unit_suffix(const struct quantity *q);
+const char *quantities_difference_suffix(const struct quantity *q);
 const char *quantities_unit(const struct quantity *q);
 double quantities_shown(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);

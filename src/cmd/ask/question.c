@@ -51,7 +51,7 @@ site_as_asked(const struct site *own, const struct scenario *w)
 {
 	const struct blended *f = w->feed;
 	struct site *site =
-	    f != NULL ? site_with_feed(own, &f->feed, blended_from(f), f->of)
+	    f != NULL ? site_with_feed(own, &f->feed, blended_source(f), f->of)
 		      : site_copy(own);
 	free(site->with);
 	site->with = join_with_words(w);

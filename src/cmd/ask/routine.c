@@ -46,7 +46,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 	const struct site *site = entry->site;
 	const struct history *h =
 	    origin_fit(entry) != NULL ? entry->origin->spread : NULL;
-	bool noted = cut_heading(site, run) != NULL, trained = false;
+	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
 	if (misfit_covered(&site->run[run]) == 0)
 		return false;
@@ -62,7 +62,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 static size_t
 routine_place_of(const struct site *site, const struct routine_cut *c)
 {
-	const char *note = cut_heading(site, c->run);
+	const char *note = cut_find_note(site, c->run);
 	size_t i = 0;
 	while (i < site->n_note && site->note[i].value != note)
 		i++;
@@ -105,7 +105,7 @@ find_cuts(struct routine *r, const struct entry *entry)
 		r->training_only = r->training_only || seen;
 		c->run = i;
 		c->speed = site->run[i].speed;
-		put_date(c, cut_heading(site, i));
+		put_date(c, cut_find_note(site, i));
 	}
 	sort_cuts(r, site);
 }

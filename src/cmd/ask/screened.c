@@ -29,7 +29,7 @@ check_passes_any(const struct fraction *fraction, const struct psd *feed,
 }
 
 bool
-screened_is_measured_alone(const struct question *q, struct error *error)
+screened_check_covered(const struct question *q, struct error *error)
 {
 	const struct psd *feed = site_feed(q->entry->site, q->feed);
 	struct quantity share = {

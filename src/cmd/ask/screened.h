@@ -9,7 +9,7 @@
 
 /* Returns false with an error if the question's feed does not cover its
  * fraction. */
-bool screened_is_measured_alone(const struct question *q, struct error *error);
+bool screened_check_covered(const struct question *q, struct error *error);
 
 /* Returns that fraction of a measured product.  Free with psd_free. */
 struct psd screened_measured(

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/ask/quantity_words.h"
 #include "core/posterior/ensemble.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
@@ -77,8 +78,7 @@ static size_t
 sides_of(const struct wanted *w, size_t i, struct side side[static 2])
 {
 	const struct condition *of = &w->at[i];
-	bool share = of->quantity.kind == QUANTITY_PASSING ||
-		     of->quantity.kind == QUANTITY_SHARE;
+	bool share = quantities_unit(&of->quantity)[0] == '%';
 	size_t n = 0;
 	if (!isnan(of->least))
 		side[n++] = (struct side){
@@ -97,11 +97,11 @@ margin_of_side(const struct wanted *w, const struct side *side, bool *held)
 	struct forecast *f = w->forecast;
 	struct margin m = {.limit = {side->i, side->sign < 0}};
 	m.passing =
-	    excess_of_side(side, forecast_over(f, side->i, side->limit));
+	    excess_of_side(side, forecast_excess(f, side->i, side->limit));
 	m.widths = m.passing;
 	if (forecast_draws(f, side->i) == NULL)
 		return m;
-	forecast_overs(f, side->i, side->limit, over);
+	forecast_excess_draws(f, side->i, side->limit, over);
 	for (size_t d = 0; d < DRAWS; d++) {
 		over[d] = excess_of_side(side, over[d]);
 		if (held != NULL)
@@ -166,7 +166,7 @@ wanted_holds(const struct wanted *w, size_t i)
 		for (size_t k = 0, n = sides_of(w, i, side); k < n; k++) {
 			const struct side *of = &side[k];
 			double over =
-			    forecast_over(w->forecast, of->i, of->limit);
+			    forecast_excess(w->forecast, of->i, of->limit);
 			if (!(excess_of_side(of, over) >= -EXACT))
 				return false;
 		}
@@ -264,12 +264,12 @@ read_target_at_step(
 	t->value[k] = forecast_figure(w->forecast, w->n).value;
 	if (isnan(c->least))
 		return;
-	t->over[k] = forecast_over(w->forecast, w->n, c->least);
+	t->over[k] = forecast_excess(w->forecast, w->n, c->least);
 	if (forecast_draws(w->forecast, w->n) == NULL)
 		return;
-	forecast_overs(w->forecast, w->n, c->least, t->draw[k]);
+	forecast_excess_draws(w->forecast, w->n, c->least, t->draw[k]);
 	forecast_part_at(w->forecast, v, ENSEMBLE_SAMPLE);
-	forecast_overs(w->forecast, w->n, c->least, t->sample[k]);
+	forecast_excess_draws(w->forecast, w->n, c->least, t->sample[k]);
 }
 
 /* ---- what is read off the table */
@@ -547,7 +547,7 @@ static double
 target_excess_at(const struct wanted *w, double v)
 {
 	forecast_at(w->forecast, v);
-	return forecast_over(w->forecast, w->n, w->target->least);
+	return forecast_excess(w->forecast, w->n, w->target->least);
 }
 
 /* Where it changes its sign between a and b, at which it is fa and fb: secants,

@@ -41,10 +41,10 @@ struct wanted_limit {
 };
 
 /* The distance from a limit, negative if missed: as a passing 0..1
- * (quantity_over), and in widths of the band there, so that limits on different
- * sieves can be compared (D21) while they hold; for a model alone, both are the
- * passing.  A limit that leaves no room (at least 100 %, at most 0 %) must hold
- * but is never close: INFINITY. */
+ * (quantity_excess), and in widths of the band there, so that limits on
+ * different sieves can be compared (D21) while they hold; for a model alone,
+ * both are the passing.  A limit that leaves no room (at least 100 %, at most 0
+ * %) must hold but is never close: INFINITY. */
 struct margin {
 	double passing, widths;
 	struct wanted_limit limit;

@@ -278,7 +278,7 @@ struct trust
 light_at(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
-	struct prediction p = forecast_whole(s, entry, speed, feed);
+	struct prediction p = forecast_whole_product(s, entry, speed, feed);
 	struct trust t = light_of_prediction(s, entry, &p);
 	prediction_free(&p);
 	return t;

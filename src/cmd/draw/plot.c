@@ -92,7 +92,7 @@ read_questions(struct session *s, const struct args *args,
 	r->fraction = a->q.fraction;
 	r->n_speed = a->q.n_at;
 	r->speeds = a->q.at;
-	if (!screened_is_measured_alone(&a->q, error))
+	if (!screened_check_covered(&a->q, error))
 		return false;
 	if (a->q.speed_given && r->made == NULL)
 		r->speed = a->q.speed;

@@ -205,7 +205,7 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
 	struct forecast *f = forecast_open(s, &question, asked, 2);
 	forecast_at(f, p->speed);
 	for (size_t i = 0; i < 2; i++)
-		band[i] = figure_shown(&asked[i], forecast_figure(f, i));
+		band[i] = forecast_shown(f, i);
 	forecast_close(f);
 }
 

@@ -291,7 +291,7 @@ fill_lines(struct session *s, struct drawn *d, struct chart *first)
 	const struct question q =
 	    question_of_whole_product(s, d->entry, d->feed);
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
-	site_chart_over_speed(f, d->q, d->n, d->from, d->to, d->line);
+	site_chart_over_speed(f, d->n, d->from, d->to, d->line);
 	forecast_close(f);
 	for (struct chart *c = first; c != NULL; c = c->below)
 		set_y_axis(c);

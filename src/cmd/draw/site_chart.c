@@ -96,8 +96,8 @@ site_chart_end_figures(struct chart_series *s)
 }
 
 void
-site_chart_over_speed(struct forecast *f, const struct quantity *q, size_t n,
-    double from, double to, struct chart_series *const *line)
+site_chart_over_speed(struct forecast *f, size_t n, double from, double to,
+    struct chart_series *const *line)
 {
 	size_t points = line[0]->n;
 	for (size_t k = 0; k < points; k++) {
@@ -105,8 +105,8 @@ site_chart_over_speed(struct forecast *f, const struct quantity *q, size_t n,
 		    from + (to - from) * (double)k / (double)(points - 1);
 		forecast_at(f, speed);
 		for (size_t i = 0; i < n; i++)
-			site_chart_figure(line[i], k, speed,
-			    figure_shown(&q[i], forecast_figure(f, i)));
+			site_chart_figure(
+			    line[i], k, speed, forecast_shown(f, i));
 	}
 	for (size_t i = 0; i < n; i++)
 		site_chart_end_figures(line[i]);

@@ -32,10 +32,10 @@ void site_chart_figure(
  * none where no figure has one. */
 void site_chart_end_figures(struct chart_series *s);
 
-/* Fills series [n], of as many points each, with quantities of a forecast at
- * speeds from..to, evenly. */
-void site_chart_over_speed(struct forecast *f, const struct quantity *q,
-    size_t n, double from, double to, struct chart_series *const *line);
+/* Fills series [n], of as many points each, with the first n quantities of a
+ * forecast at speeds from..to, evenly. */
+void site_chart_over_speed(struct forecast *f, size_t n, double from, double to,
+    struct chart_series *const *line);
 
 /* The style of a feed. */
 extern const struct chart_series SITE_CHART_FEED;

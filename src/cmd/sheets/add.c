@@ -154,7 +154,7 @@ cut_note(double speed, const struct cut_origin *o)
 static char *
 note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
 {
-	const char *said = cut_heading(cuts, run);
+	const char *said = cut_find_note(cuts, run);
 	if (said == NULL || (o != NULL && o->when[0] != '\0'))
 		return cut_note(cuts->run[run].speed, o);
 	bool named = o == NULL || strstr(said, o->file) != NULL;

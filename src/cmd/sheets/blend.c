@@ -45,7 +45,7 @@ blend_add_rows(struct answer *r, const struct blended *b,
 	for (size_t i = 0; i < b->n; i++) {
 		FREED char *key = xasprintf("feed_%zu_pct", i + 1);
 		FREED char *head =
-		    xasprintf("%s %%", feed_file(b->part[i].file));
+		    xasprintf("%s %%", feed_file_name(b->part[i].file));
 		answer_column(r, key, head);
 	}
 	answer_columns(r, "feed_pct: blend %%");
@@ -102,7 +102,8 @@ note_finest(struct answer *r, const struct blended *b)
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
 		if (own == finest && feed->passing[feed->n - 1] > 0)
-			xlist(&unknown, ", ", "%s", feed_file(b->part[i].file));
+			xlist(&unknown, ", ", "%s",
+			    feed_file_name(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
@@ -134,7 +135,7 @@ answer_blended_product(
 {
 	const struct entry *entry = q->entry;
 	double v = q->speed;
-	struct prediction p = forecast_whole(s, entry, v, q->feed);
+	struct prediction p = forecast_whole_product(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
 	blend_add_rows(r, b, &p.product, &p);

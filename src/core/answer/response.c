@@ -270,6 +270,12 @@ response_at(
 		response_read_draws(r);
 }
 
+const struct quantity *
+response_quantity(const struct response *r, size_t i)
+{
+	return &r->asked[i];
+}
+
 double
 response_value(const struct response *r, size_t i)
 {
@@ -327,27 +333,18 @@ response_draws(const struct response *r, size_t i)
 	return r->draw[i];
 }
 
-/* Whether the distance from a limit is not that of the value, but one of
- * passings. */
-static bool
-is_read_between(const struct quantity *q)
-{
-	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
-	       q->kind == QUANTITY_CURVATURE;
-}
-
 /* Of a curve of the product that has this value. */
 static double
 excess_of_curve(struct response *r, size_t i, double limit, double value,
     const struct psd *curve)
 {
 	const struct quantity *q = &r->asked[i];
-	if (!is_read_between(q))
-		return quantity_over(q, limit, value, NULL);
+	if (!quantity_excess_reads_curve(q))
+		return quantity_excess(q, limit, value, NULL);
 	if (r->kept[i] == NULL)
-		return quantity_over(q, limit, value, curve);
+		return quantity_excess(q, limit, value, curve);
 	screening_part(curve, r->kept[i], &r->part);
-	return quantity_over(q, limit, value, &r->part);
+	return quantity_excess(q, limit, value, &r->part);
 }
 
 double
@@ -361,7 +358,7 @@ response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++) {
-		if (is_read_between(&r->asked[i]))
+		if (quantity_excess_reads_curve(&r->asked[i]))
 			draw_curve(r, d, &r->curve);
 		over[d] =
 		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);

@@ -25,6 +25,9 @@ void response_free(struct response *r);
 void response_at(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
+/* Returns quantity i as it was asked; borrowed. */
+const struct quantity *response_quantity(const struct response *r, size_t i);
+
 /* Return quantity i at the response's speed, for the answer and for the model
  * alone; NAN if the curve does not reach that far. */
 double response_value(const struct response *r, size_t i);
@@ -48,7 +51,7 @@ bool response_breaks(struct response *r);
 const double *response_draws(const struct response *r, size_t i);
 
 /* Return how far quantity i is above a limit at the response's speed (see
- * quantity_over), for the answer and, in over, for each draw. */
+ * quantity_excess), for the answer and, in over, for each draw. */
 double response_excess(struct response *r, size_t i, double limit);
 void response_excess_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);

@@ -85,7 +85,7 @@ passing_missing_at(const struct psd *curve, double share, double size)
 }
 
 double
-quantity_over(const struct quantity *q, double limit, double value,
+quantity_excess(const struct quantity *q, double limit, double value,
     const struct psd *curve)
 {
 	switch (q->kind) {
@@ -105,6 +105,13 @@ quantity_over(const struct quantity *q, double limit, double value,
 		    sqrt(limit * psd_size(curve, 0.6) * psd_size(curve, 0.1)));
 	}
 	return NAN;
+}
+
+bool
+quantity_excess_reads_curve(const struct quantity *q)
+{
+	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
+	       q->kind == QUANTITY_CURVATURE;
 }
 
 size_t

@@ -60,8 +60,11 @@ double quantity_read(
  * other sizes; for a modulus, the difference divided by its number of sieves.
  * Positive exactly where the value is above the limit; NAN where the curve does
  * not reach that far. */
-double quantity_over(const struct quantity *q, double limit, double value,
+double quantity_excess(const struct quantity *q, double limit, double value,
     const struct psd *curve);
+
+/* True if quantity_excess reads the curve; if not, it may be NULL. */
+bool quantity_excess_reads_curve(const struct quantity *q);
 
 /* Lists the sizes, m, at which the curve needs points for the value to be
  * exact: [QUANTITY_POINTS] out, including the first STEP_SIEVES of a step's

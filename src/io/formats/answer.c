@@ -206,11 +206,14 @@ answer_cells(struct answer *a, const char *format, ...)
 		bool sign = p[1] == '+';
 		p += sign;
 		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
-		if (p[1] == 's')
+		if (p[1] == 's') {
 			add_text(a, xstrdup(va_arg(ap, char *)));
-		else
-			answer_add_number(a, va_arg(ap, double),
-			    p[1] == '.' ? atoi(p + 2) : -1, sign);
+			continue;
+		}
+		int decimals = p[1] != '.'   ? -1
+			       : p[2] == '*' ? va_arg(ap, int)
+					     : atoi(p + 2);
+		answer_add_number(a, va_arg(ap, double), decimals, sign);
 	}
 	va_end(ap);
 }

@@ -73,9 +73,9 @@ void answer_fill_for_programs(struct answer *answer);
 
 /* Adds cells, which fill the columns from left to right, row by row: "%s %.2f
  * %g", separated by spaces.  %s: a text; %.2f: a number, with 2 decimals for
- * people; %+.2f: also with a sign; %g: with as many significant digits as
- * needed, up to 6.  NAN appears as the words of answer_set_missing, empty in
- * csv and null in json. */
+ * people, %.*f: with as many as an argument says; %+.2f: also with a sign; %g:
+ * with as many significant digits as needed, up to 6.  NAN appears as the words
+ * of answer_set_missing, empty in csv and null in json. */
 void answer_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

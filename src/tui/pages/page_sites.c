@@ -73,8 +73,8 @@ sites_row_at(struct site_row *row, const struct tui *t)
 		return;
 	bool here = e == tui_current_entry(t);
 	struct prediction p =
-	    forecast_whole(s, here ? tui_entry_asked_about(t) : e, speed,
-		here ? tui_feed(t) : SITE_MEAN_FEED);
+	    forecast_whole_product(s, here ? tui_entry_asked_about(t) : e,
+		speed, here ? tui_feed(t) : SITE_MEAN_FEED);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_extrapolates(e, speed);
 	prediction_free(&p);

@@ -311,9 +311,7 @@ panel_name_quantity(const struct quantity *q, char *name, size_t size)
 		snprintf(name, size, "%g", units_mm(q->x));
 	else
 		snprintf(name, size, "%s",
-		    q->kind == QUANTITY_MODULUS ? "FM"
-		    : q->kind == QUANTITY_STEP  ? "step"
-						: typed);
+		    q->kind == QUANTITY_MODULUS ? "FM" : typed);
 }
 
 /* Draws limit i with its value at the slider's speed, and whether that meets
@@ -337,8 +335,7 @@ panel_draw_limit(
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
 	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
 	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
-	    quantities_shown(
-		&q, forecast_figure(g->conditions.forecast, i).value));
+	    forecast_shown(g->conditions.forecast, i).value);
 	if (!isnan(least) || !isnan(most))
 		screen_text(area, row, UNIT, LOOK_DIM, "%s", limits);
 	screen_text(area, row, area->columns - 3, in ? LOOK_PLAIN : LOOK_BOLD,

@@ -113,7 +113,7 @@ response_strip_work_out(struct tui *t)
 		a->speed[a->n] =
 		    (range.least + share * (range.most - range.least)) / 10;
 		forecast_at(f, a->speed[a->n]);
-		struct figure at = figure_shown(&a->of, forecast_figure(f, 0));
+		struct figure at = forecast_shown(f, 0);
 		value[0] = at.value;
 		value[1] = at.low;
 		value[2] = at.high;
