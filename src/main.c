@@ -178,7 +178,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 		if (k == i) {
 			status = batch_file(s, path[k++]);
 		} else if (!load_files(s, k - i, (const char *const *)path + i,
-			       &error)) {
+			       NULL, &error)) {
 			if (error.kind == ERROR_SYSTEM &&
 			    command_find(path[i]) != NULL)
 				error_hint(&error,

@@ -271,19 +271,41 @@ journal_line(const struct args *args, const struct words *words)
 }
 
 char *
-journal_load(const struct site *site, size_t n, const char *const *path,
-    const double *speed)
+journal_load(
+    uint64_t digest, size_t n, const char *const *path, const double *speed)
 {
 	char *line = xstrdup("load"), number[32];
 	for (size_t i = 0; i < n; i++) {
-		FREED char *word = speed[i] > 0
+		FREED char *word = speed != NULL && speed[i] > 0
 				       ? xasprintf("%s@%s", path[i],
 					     text_exact(speed[i], number))
 				       : xstrdup(path[i]);
 		put_path(&line, NULL, word);
 	}
-	xappend(&line, " digest=%016" PRIx64, site->digest);
+	xappend(&line, " digest=%016" PRIx64, digest);
 	return line;
+}
+
+char *
+journal_options(const struct site_request *q)
+{
+	char *text = xstrdup(""), number[32];
+	if (q->columns != NULL)
+		xappend(&text, " columns=\"%s\"", q->columns);
+	if (q->samples != NULL)
+		xappend(&text, " samples=\"%s\"", q->samples);
+	if (q->sheet != NULL)
+		xappend(&text, " sheet=\"%s\"", q->sheet);
+	if (q->range != NULL)
+		xappend(&text, " range=%s", q->range);
+	if (q->decimal != '\0')
+		xappend(&text, " decimal=%s",
+		    q->decimal == ',' ? "comma" : "point");
+	if (q->rotor > 0)
+		xappend(&text, " rotor_mm=%.15g", 1000 * q->rotor);
+	if (q->top > 0)
+		xappend(&text, " top=%s", text_exact(q->top, number));
+	return text;
 }
 
 char *

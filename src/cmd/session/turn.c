@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/turn.h"
 
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,9 +129,13 @@ invocation_join_undo(struct session *s)
 }
 
 void
-invocation_add_option(struct session *s, const char *option, const char *value)
+invocation_add_options(struct session *s, const char *format, ...)
 {
-	xappend(&s->invocation->line, " %s=%s", option, value);
+	va_list ap;
+	va_start(ap, format);
+	FREED char *options = xvasprintf(format, ap);
+	va_end(ap);
+	xappend(&s->invocation->line, "%s", options);
 }
 
 void

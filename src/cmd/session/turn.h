@@ -31,9 +31,9 @@ void invocation_stopped(struct session *s, size_t steps);
 /* Makes the running command's changes part of the previous undo step. */
 void invocation_join_undo(struct session *s);
 
-/* Adds an option to the running command's line in the journal. */
-void invocation_add_option(
-    struct session *s, const char *option, const char *value);
+/* Adds options, " digest=HEX", to the running command's line in the journal. */
+void invocation_add_options(struct session *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* Replaces the running command's line in the journal. */
 void invocation_reads(struct session *s, const char *line);

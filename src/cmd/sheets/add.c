@@ -320,7 +320,7 @@ is_expected(const struct site *site, const char *digest, struct session *s,
 		    "leave out digest= to add them anyway; results will change",
 		    digest, found);
 	if (good && digest == NULL)
-		invocation_add_option(s, "digest", found);
+		invocation_add_options(s, " digest=%s", found);
 	return good;
 }
 

@@ -329,9 +329,12 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 	    file, ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
+	free(said->columns);
 	said->columns = xstrdup("");
-	if (ask->by_sample)
+	if (ask->by_sample) {
+		free(said->samples);
 		said->samples = xstrdup("");
+	}
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;

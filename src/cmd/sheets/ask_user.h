@@ -29,7 +29,7 @@ struct inquired {
 
 /* Asks, with session->hooks.question, until all open questions are answered.
  * Returns false if there is no user or the user gives up.  trouble: the fault
- * that says what is open.  said: zeroed by the caller. */
+ * that says what is open.  said: the answers so far. */
 bool ask_open_question(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said);
 

@@ -9,9 +9,9 @@
 
 /* Loads files, each "FILE" or "FILE@SPEED", and notes this.  They are one site
  * if a speed is given or none of the files is complete, otherwise a site
- * each. */
-bool load_files(
-    struct session *s, size_t n, const char *const *word, struct error *error);
+ * each.  args: the call of load with its options; NULL: none. */
+bool load_files(struct session *s, size_t n, const char *const *word,
+    const struct args *args, struct error *error);
 
 /* Reads the files of a call, word [n_operand], each "FILE" or "FILE@SPEED", as
  * samples to add to a site.  The user's answers are saved with the call.

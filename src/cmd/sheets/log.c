@@ -83,27 +83,17 @@ note_log(struct session *s, const struct plant_log *log)
 }
 
 static void
-log_write_journal(struct session *s, const struct args *args,
-    const struct log_request *q, const struct plant_log *log)
+log_write_journal(
+    struct session *s, const struct log_request *q, const struct plant_log *log)
 {
-	struct site digest = {.digest = log->digest};
-	FREED double *speed = xdoubles(q->n);
-	memset(speed, 0, q->n * sizeof *speed);
-	FREED char *line = journal_load(&digest, q->n, q->path, speed);
-	xappend(&line, " as=log");
-	if (q->columns != NULL)
-		xappend(&line, " columns=\"%s\"", q->columns);
-	if (q->sheet != NULL)
-		xappend(&line, " sheet=\"%s\"", q->sheet);
-	if (q->decimal != '\0')
-		xappend(&line, " decimal=%s",
-		    q->decimal == ',' ? "comma" : "point");
-	if (q->order != DATETIME_OPEN)
-		xappend(&line, " dates=%s",
-		    q->order == DATETIME_DAY_FIRST ? "day-first"
-						   : "month-first");
-	journal_add(s, NULL, "%s", line);
-	(void)args;
+	const struct site_request of = {
+	    .columns = q->columns, .sheet = q->sheet, .decimal = q->decimal};
+	FREED char *line = journal_load(log->digest, q->n, q->path, NULL);
+	FREED char *options = journal_options(&of);
+	journal_add(s, NULL, "%s as=log%s%s", line, options,
+	    q->order == DATETIME_OPEN        ? ""
+	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"
+					   : " dates=month-first");
 }
 
 /* Asks whether the day comes first; false where nobody answers. */
@@ -176,7 +166,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		session_note(s, "replaced the log loaded earlier");
 	s->log = log;
 	note_log(s, log);
-	log_write_journal(s, args, &q, log);
+	log_write_journal(s, &q, log);
 	return true;
 }
 

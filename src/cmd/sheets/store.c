@@ -528,7 +528,7 @@ check_recalled(struct session *s, const struct args *args,
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, stored_make_digest(m));
 	if (wanted == NULL)
-		invocation_add_option(s, "digest", found);
+		invocation_add_options(s, " digest=%s", found);
 	if (wanted == NULL || strcmp(wanted, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,
