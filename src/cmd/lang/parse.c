@@ -157,19 +157,28 @@ takes_signs_as_words(const struct words *words, struct place place)
 	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
 }
 
+void
+words_join(struct words *words, size_t first, size_t n, const char *text)
+{
+	size_t rest = words->n - first - n;
+	char *joined = xstrdup(text);
+	for (size_t i = first; i < first + n; i++)
+		free(words->text[i]);
+	words->text[first] = joined;
+	memmove(&words->text[first + 1], &words->text[first + n],
+	    rest * sizeof words->text[0]);
+	memmove(&words->column[first + 1], &words->column[first + n],
+	    rest * sizeof words->column[0]);
+	words->n = first + 1 + rest;
+}
+
 /* Makes one word of the two of a command's name: "store list". */
 static void
 join_name(struct words *words)
 {
-	char *name = xasprintf("%s %s", words->text[0], words->text[1]);
-	if (command_find(name) == NULL) {
-		free(name);
-		return;
-	}
-	free(words->text[0]);
-	free(words->text[1]);
-	words->text[0] = name;
-	words->n = 1;
+	FREED char *name = xasprintf("%s %s", words->text[0], words->text[1]);
+	if (command_find(name) != NULL)
+		words_join(words, 0, 2, name);
 }
 
 /* Puts a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
@@ -177,12 +186,13 @@ join_name(struct words *words)
 static void
 join_unit(const struct command *command, struct words *words)
 {
-	char **word = &words->text[words->n - 2];
-	const char *unit = word[1], *equals = strchr(*word, '=');
-	const char *number = equals != NULL ? equals + 1 : *word;
+	const char *word = words->text[words->n - 2];
+	const char *unit = words->text[words->n - 1];
+	const char *equals = strchr(word, '=');
+	const char *number = equals != NULL ? equals + 1 : word;
 	FREED char *name =
 	    equals != NULL
-		? xstrndup(*word, (size_t)(equals - *word))
+		? xstrndup(word, (size_t)(equals - word))
 		: xstrdup(command->bare != NULL ? command->bare : "");
 	size_t i = command_option_index(command, name);
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
@@ -192,11 +202,8 @@ join_unit(const struct command *command, struct words *words)
 	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
 	    *number < '0' || *number > '9')
 		return;
-	char *joined = xasprintf("%s%s", *word, unit);
-	free(word[0]);
-	free(word[1]);
-	word[0] = joined;
-	words->n--;
+	FREED char *joined = xasprintf("%s%s", word, unit);
+	words_join(words, words->n - 2, 2, joined);
 }
 
 static bool

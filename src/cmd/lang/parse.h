@@ -48,6 +48,9 @@ bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
+/* Puts a copy of one text in the place of the n words from `first` on. */
+void words_join(struct words *words, size_t first, size_t n, const char *text);
+
 /* Finds the command and checks every value against its table.  args borrows
  * from words; always free with args_free. */
 const struct command *parse_call(const struct words *words, struct place place,

@@ -105,16 +105,8 @@ join_file_name(struct words *words, const struct command *command)
 			return;
 		xlist(&whole, " ", "%s", words->text[i]);
 	}
-	if (n <= 2 || !is_there(whole))
-		return;
-	for (size_t i = 1; i < n; i++)
-		free(words->text[i]);
-	words->text[1] = xstrdup(whole);
-	for (size_t i = n; i < words->n; i++) {
-		words->text[i - n + 2] = words->text[i];
-		words->column[i - n + 2] = words->column[i];
-	}
-	words->n -= n - 2;
+	if (n > 2 && is_there(whole))
+		words_join(words, 1, n - 1, whole);
 }
 
 static bool

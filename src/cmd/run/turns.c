@@ -123,12 +123,12 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
 	for (size_t i = 1; i < words->n && n > 0; i++) {
-		char **word = &words->text[i];
-		const char *turns = turns_in(command, *word);
+		char *word = words->text[i];
+		const char *turns = turns_in(command, word);
 		if (turns == NULL)
 			continue;
 		bool option =
-		    n == 1 && turns == *word &&
+		    n == 1 && turns == word &&
 		    !(diameter > 0 && takes_speeds(command)) &&
 		    command_option_index(command, RPM) < OPTIONS &&
 		    strspn(turns, "0123456789.") + strlen(RPM) == strlen(turns);
@@ -143,15 +143,14 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 			    session_entry(s)->site->name);
 		FREED char *steps = steps_of(turns);
 		FREED char *speeds = speeds_of(steps, diameter);
-		char *now = option
-				? xasprintf("rpm=%.*s",
-				      (int)strspn(turns, "0123456789."), turns)
-			    : turns == *word && strchr(steps, ',') != NULL
-				? xasprintf("speeds=%s", speeds)
-				: xasprintf("%.*s%s", (int)(turns - *word),
-				      *word, speeds);
-		free(*word);
-		*word = now;
+		FREED char *now =
+		    option ? xasprintf("rpm=%.*s",
+				 (int)strspn(turns, "0123456789."), turns)
+		    : turns == word && strchr(steps, ',') != NULL
+			? xasprintf("speeds=%s", speeds)
+			: xasprintf(
+			      "%.*s%s", (int)(turns - word), word, speeds);
+		words_join(words, i, 1, now);
 	}
 	return true;
 }
@@ -200,23 +199,14 @@ speeds_join(struct words *words, bool prompt)
 		return;
 	bool lists = false, list;
 	size_t n = 1;
-	char *joined = xstrdup("");
+	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_typed_speed(words->text[n], &list); n++) {
 		FREED char *part = list_part(words->text[n], list);
-		xlist(&joined, ",", "%s", part);
+		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
 	/* One word is for the parser where it knows what to do with it. */
 	bool alone = lister == command && command->bare == NULL;
-	if (n > 2 || lists || (n > 1 && alone)) {
-		for (size_t i = 1; i < n; i++)
-			free(words->text[i]);
-		words->text[1] = xasprintf("%s%s", OPTION, joined);
-		for (size_t i = n; i < words->n; i++) {
-			words->text[i - n + 2] = words->text[i];
-			words->column[i - n + 2] = words->column[i];
-		}
-		words->n -= n - 2;
-	}
-	free(joined);
+	if (n > 2 || lists || (n > 1 && alone))
+		words_join(words, 1, n - 1, joined);
 }
