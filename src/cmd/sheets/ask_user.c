@@ -370,16 +370,21 @@ ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
 	return good;
 }
 
-/* Y, which is what Enter stands for, is the size offered, and a number another
- * one; n gives up: the sheet is refused. */
+/* Whether the answer is the word, or begins it. */
 static bool
-read_top_answer(const char *settle, const char *said, struct inquired *into,
-    bool *given_up, char *wrong)
+is_start_of(const char *said, const char *word)
 {
-	size_t n = strlen(said);
-	bool yes = strncasecmp(said, "yes", n) == 0;
+	return said[0] != '\0' && strncasecmp(word, said, strlen(said)) == 0;
+}
+
+/* Y, which is what Enter stands for, is the size offered, and a number another
+ * one. */
+static bool
+read_top_answer(
+    const char *settle, const char *said, struct inquired *into, char *wrong)
+{
+	bool yes = said[0] == '\0' || is_start_of(said, "yes");
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
-	*given_up = n > 0 && strncasecmp(said, "no", n) == 0;
 	bool good = text_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
 		snprintf(wrong, WRONG,
@@ -398,6 +403,17 @@ read_decimal_answer(const char *said, struct inquired *into, char *wrong)
 		snprintf(wrong, WRONG,
 		    tr("expected point or comma, got '%.30s'"), said);
 	return comma || point;
+}
+
+static bool
+read_order_answer(const char *said, struct inquired *into, char *wrong)
+{
+	into->month_first = is_start_of(said, "month");
+	if (is_start_of(said, "day") || into->month_first)
+		return true;
+	snprintf(wrong, WRONG, tr("expected %s or %s, got '%.30s'"), "day",
+	    "month", said);
+	return false;
 }
 
 /* A sheet or range as typed, or what is offered. */
@@ -446,81 +462,85 @@ ask_user_take_tables(const struct site_ask *ask, const char *said,
 
 static bool
 ask_user_take_option(const struct site_ask *ask, const char *said,
-    struct inquired *into, bool *given_up, char *wrong)
+    struct inquired *into, char *wrong)
 {
 	const char *settle = ask->settle;
 	if (ask->tables)
 		return ask_user_take_tables(ask, said, into, wrong);
 	if (strncmp(settle, "top=", 4) == 0)
-		return read_top_answer(settle, said, into, given_up, wrong);
+		return read_top_answer(settle, said, into, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
 		return ask_user_take_rotor(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
 		return read_decimal_answer(said, into, wrong);
+	if (strncmp(settle, "dates=", 6) == 0)
+		return read_order_answer(said, into, wrong);
 	return read_place_answer(settle, said, into);
 }
 
-/* What an option that settles a question asks for. */
+/* Asks until the answer can be taken; false: given up, which the n of a size
+ * that is offered does too. */
+static bool
+ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
+{
+	char wrong[WRONG] = "";
+	bool top = strncmp(q->ask->settle, "top=", 4) == 0;
+	q->wrong = wrong;
+	for (q->first = true;; q->first = false) {
+		FREED char *answer = s->hooks.question(s, q);
+		char *text = answer != NULL ? text_trim(answer) : NULL;
+		if (text == NULL || (top && is_start_of(text, "no")))
+			return false;
+		wrong[0] = '\0';
+		if (ask_user_take_option(q->ask, text, said, wrong))
+			return true;
+	}
+}
+
+/* What an option that settles a question asks for; offers: its value is the
+ * answer of an empty line. */
 static const struct {
 	const char *option, *question;
-} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
-    {"decimal=", N_("decimal sign, point or comma")},
-    {"sheet=", N_("which sheet is to be read")},
-    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
+	bool offers;
+} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm"), false},
+    {"decimal=", N_("decimal sign, point or comma"), false},
+    {"sheet=", N_("which sheet is to be read"), true},
+    {"range=", N_("which cells are to be read"), true},
+    {"dates=", "is it day or month first", false},
+    {"top=SIZE", N_("size in mm that all of the feed passes, or n"), false}};
 static const char PASSES[] =
-    N_("assume 100 %% passes %s mm, the next sieve up"),
-		  SIZE[] = N_("size in mm that all of the feed passes, or n");
+    N_("assume 100 %% passes %s mm, the next sieve up");
 
 /* One answer for an option of its own. */
 static bool
 ask_option(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
-	char wrong[WRONG] = "", *text = NULL;
+	const char *value = strchr(ask->settle, '=') + 1;
 	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	FREED char *passes = xasprintf(tr(PASSES), value);
+	FREED char *tables =
+	    ask->first < ask->last
+		? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
+		: xasprintf("%zu", ask->first + 1);
 	struct inquiry q = {.about = about,
 	    .ask = ask,
-	    .text = ask->settle,
-	    .offered = "",
-	    .hint = "",
-	    .wrong = wrong,
-	    .first = true};
+	    .text = passes,
+	    .offered = "Y/n",
+	    .hint = ""};
 	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
 		if (strncmp(ask->settle, ASKS[i].option,
 			strlen(ASKS[i].option)) == 0) {
-			const char *value = strchr(ask->settle, '=') + 1;
-			bool top = strcmp(value, "SIZE") != 0 &&
-				   ASKS[i].question == NULL;
-			text = top ? xasprintf(tr(PASSES), value)
-				   : xstrdup(tr(ASKS[i].question != NULL
-						    ? ASKS[i].question
-						    : SIZE));
-			q.text = text;
-			q.offered = top                                 ? "Y/n"
-				    : i < 2 || ASKS[i].question == NULL ? ""
-									: value;
+			q.text = tr(ASKS[i].question);
+			q.offered = ASKS[i].offers ? value : "";
 		}
-	char *tables = ask->first < ask->last
-			   ? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
-			   : xasprintf("%zu", ask->first + 1);
 	if (ask->tables) {
 		q.text = tr("which tables are to be read");
 		q.offered = tables;
 		q.hint = tr("or: 2, 1-2, or cells as A5:B17");
 		q.at = ask->first;
 	}
-	bool good = false, given_up = false;
-	while (!good && !given_up) {
-		FREED char *answer = s->hooks.question(s, &q);
-		given_up = answer == NULL;
-		wrong[0] = '\0';
-		good = !given_up && ask_user_take_option(ask, text_trim(answer),
-					said, &given_up, wrong);
-		q.first = false;
-	}
-	free(text);
-	free(tables);
-	return good;
+	return ask_until_read(s, &q, said);
 }
 
 /* A script that somebody runs at a prompt has no questions either: it is to do
@@ -532,34 +552,14 @@ is_attended(const struct session *s)
 }
 
 bool
-ask_either(struct session *s, const struct error *trouble, const char *text,
-    const char *const either[2], bool *second)
+ask_date_order(
+    struct session *s, const struct error *trouble, bool *month_first)
 {
-	const struct site_ask none = {0};
-	char wrong[WRONG] = "";
-	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
-	struct inquiry q = {.about = about,
-	    .ask = &none,
-	    .text = text,
-	    .offered = "",
-	    .hint = "",
-	    .wrong = wrong,
-	    .first = true};
-	bool good = false, given_up = !is_attended(s);
-	while (!good && !given_up) {
-		FREED char *answer = s->hooks.question(s, &q);
-		given_up = answer == NULL;
-		char *said = given_up ? NULL : text_trim(answer);
-		for (size_t i = 0; i < 2 && said != NULL && !good; i++) {
-			size_t n = strlen(said);
-			good = n > 0 && strncasecmp(said, either[i], n) == 0;
-			*second = i == 1;
-		}
-		snprintf(wrong, sizeof wrong,
-		    tr("expected %s or %s, got '%.30s'"), either[0], either[1],
-		    said != NULL ? said : "");
-		q.first = false;
-	}
+	static char SETTLE[] = "dates=";
+	const struct site_ask ask = {.settle = SETTLE};
+	struct inquired said = {0};
+	bool good = is_attended(s) && ask_option(s, &ask, trouble, &said);
+	*month_first = said.month_first;
 	return good;
 }
 

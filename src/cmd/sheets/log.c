@@ -96,34 +96,21 @@ log_write_journal(
 					   : " dates=month-first");
 }
 
-/* Asks whether the day comes first; false where nobody answers. */
-static bool
-ask_order(struct session *s, const struct error_list *errors,
-    enum datetime_order *order)
-{
-	static const char *const EITHER[] = {"day", "month"};
-	bool month;
-	if (!ask_either(s, &errors->item[0], "is it day or month first", EITHER,
-		&month))
-		return false;
-	*order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
-	return true;
-}
-
 static struct plant_log *
 read_log(struct session *s, struct log_request *q, struct error *error)
 {
 	for (;;) {
 		struct error_list errors = {.stop = s->hooks.stop};
-		bool open;
+		bool open, month;
 		struct plant_log *log = plant_log_read(q, &errors, &open);
 		if (log != NULL)
 			return log;
-		if (open && q->order == DATETIME_OPEN &&
-		    ask_order(s, &errors, &q->order))
-			continue;
-		session_tell_faults(s, q->path[0], &errors, error);
-		return NULL;
+		if (!open || q->order != DATETIME_OPEN ||
+		    !ask_date_order(s, &errors.item[0], &month)) {
+			session_tell_faults(s, q->path[0], &errors, error);
+			return NULL;
+		}
+		q->order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
 	}
 }
 
