@@ -934,7 +934,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	take_bounds(s);
 	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
-		invocation_join_undo(s);
+		s->invocation->joins = true;
 	s->job.pause_at = (size_t)args->pause;
 	s->job.started += session_clock() - s->job.stopped;
 	s->job.paused = s->job.held_back = false;

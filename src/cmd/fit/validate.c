@@ -102,7 +102,8 @@ fail_late(struct session *s, struct failed *failed, size_t n)
 		    "%s\n%s",
 		    failed->n, n + failed->n, failed->keys, failed->first.text,
 		    failed->first.hint);
-		invocation_fails(s, &e);
+		if (s->invocation != NULL)
+			s->invocation->late = e;
 	}
 	free(failed->keys);
 }

@@ -126,7 +126,7 @@ run_words(struct session *s, struct words *words, struct place place,
 		ok = command->answer != NULL
 			 ? question_run(s, &args, command->answer, error)
 			 : command->run(s, &args, error);
-		invocation_set_ran(s);
+		s->invocation->running = false;
 		if (!ok || invocation_is_over(s))
 			ok = invocation_end(s, ok, error);
 	}

@@ -15,27 +15,6 @@
 #include "cmd/session/redirect.h"
 #include "cmd/session/undo.h"
 
-/* Invocations nest: the commands of a script run within that of its source. */
-struct invocation {
-	struct invocation *outer;
-	const struct command *command;
-	struct redirect *redirect; /* or NULL */
-	struct place place;
-	int column;              /* of the redirection, or of the command */
-	char *label, *line;      /* as typed; for the journal */
-	struct snapshot *before; /* or NULL where it changes nothing */
-	size_t state;            /* of the journal when it began */
-	size_t steps;            /* that could be undone then */
-	size_t readings;         /* of files by then */
-	bool joins;              /* is undone with the step before */
-	bool stopped;            /* its calibration was, after */
-	size_t stopped_at;       /* so many steps */
-	struct error late;       /* of handing over */
-	double started;
-	bool timed, running, saved;
-	size_t scripts; /* that were open when it began */
-};
-
 /* Index of an option of the call that names a file, or OPTIONS. */
 static size_t
 file_option(const struct args *args)
@@ -123,12 +102,6 @@ invocation_stopped(struct session *s, size_t steps)
 }
 
 void
-invocation_join_undo(struct session *s)
-{
-	s->invocation->joins = true;
-}
-
-void
 invocation_add_options(struct session *s, const char *format, ...)
 {
 	va_list ap;
@@ -136,26 +109,6 @@ invocation_add_options(struct session *s, const char *format, ...)
 	FREED char *options = xvasprintf(format, ap);
 	va_end(ap);
 	xappend(&s->invocation->line, "%s", options);
-}
-
-void
-invocation_reads(struct session *s, const char *line)
-{
-	free(s->invocation->line);
-	s->invocation->line = xstrdup(line);
-}
-
-void
-invocation_fails(struct session *s, const struct error *error)
-{
-	if (s->invocation != NULL)
-		s->invocation->late = *error;
-}
-
-void
-invocation_saved(struct session *s)
-{
-	s->invocation->saved = true;
 }
 
 /* True where its results go elsewhere, by itself or with its script. */
@@ -235,12 +188,6 @@ invocation_free(struct invocation *t)
 	free(t->label);
 	free(t->line);
 	free(t);
-}
-
-void
-invocation_set_ran(struct session *s)
-{
-	s->invocation->running = false;
 }
 
 bool

@@ -96,7 +96,7 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 			   : access(typed, F_OK) == 0 ? xstrdup(typed)
 						      : script_name(typed);
 	if (!last)
-		invocation_saved(s);
+		s->invocation->saved = true;
 	bool ok = path != NULL && restore_script(s, path, error);
 	if (ok && !last)
 		files_set_holder(s, path, false);
@@ -266,7 +266,7 @@ save_as(struct session *s, const struct args *args, const char *path,
 	    !file_replace_by(path, FILE_SHARED, manage_put_script, s, error))
 		return false;
 	files_set_holder(s, path, true);
-	invocation_saved(s);
+	s->invocation->saved = true;
 	struct mark mark = journal_place(s);
 	size_t n = mark.n - mark.start;
 	session_note(s,

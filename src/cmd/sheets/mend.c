@@ -311,8 +311,8 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (site == NULL)
 		return false;
 	FREED char *words = mend_words(entry->site, &mend);
-	FREED char *call = mend_command_line(entry->site, &mend);
-	invocation_reads(s, call);
+	free(s->invocation->line);
+	s->invocation->line = mend_command_line(entry->site, &mend);
 	bool fitted = session_mend(s, s->current, site);
 	session_note(s, "mended: %s", words);
 	if (fitted)
