@@ -196,35 +196,24 @@ journal_check(
 		journal_append(j, line);
 }
 
-/* The option of the call that the word gives, or NULL; file: whether its value
- * names one. */
-static const struct command_option *
-option_of_word(const struct args *args, const char *word, bool *file)
+/* The index of the option whose value the word is or ends in, or OPTIONS. */
+static size_t
+option_of_word(const struct args *args, const char *word)
 {
-	const struct command_option *o;
 	const char *equals = strchr(word, '=');
-	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
-	     i++) {
-		*file = value_is_file(o, &args->value[i]);
-		if (args->value[i].given && equals != NULL &&
-		    args->value[i].text == equals + 1)
-			return o;
-	}
-	return NULL;
+	const char *end = equals != NULL ? equals + 1 : word;
+	size_t i = 0;
+	while (i < OPTIONS && args->value[i].text != word &&
+	       args->value[i].text != end)
+		i++;
+	return i;
 }
 
-/* Whether a word is an operand of the call that is a path, or the value of a
- * setting that is. */
+/* Whether a word is an operand of the call that is a path. */
 static bool
 is_path(const struct args *args, const char *word)
 {
-	const struct command_option *o;
-	size_t i, which;
-	for (i = 0; (o = command_option_at(args->command, i)) != NULL; i++)
-		if (args->value[i].text == word &&
-		    value_is_file(o, &args->value[i]))
-			return true;
-	i = 0;
+	size_t i = 0, which;
 	while (i < args->n_operand && args->operand[i] != word)
 		i++;
 	if (i == args->n_operand)
@@ -252,18 +241,20 @@ journal_line(const struct args *args, const struct words *words)
 {
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
-		const char *word = words->text[i];
-		bool file = false;
+		const char *word = words->text[i], *value = word;
+		size_t k = option_of_word(args, word);
 		const struct command_option *o =
-		    option_of_word(args, word, &file);
+		    k < OPTIONS ? command_option_at(args->command, k) : NULL;
 		if (o != NULL && is_left_out_of_script(o))
 			continue;
-		bool names = o != NULL && o->kind == VALUE_SPEC &&
-			     standards_is_path(strchr(word, '=') + 1);
-		if (o != NULL && (names || file))
-			put_path(&line, o->name, strchr(word, '=') + 1);
-		else if (is_path(args, word))
-			put_path(&line, NULL, word);
+		if (o != NULL)
+			value = args->value[k].text;
+		bool path = o == NULL ? is_path(args, word)
+				      : value_is_file(o, &args->value[k]) ||
+					    (o->kind == VALUE_SPEC &&
+						standards_is_path(value));
+		if (path)
+			put_path(&line, value != word ? o->name : NULL, value);
 		else
 			journal_append_word(&line, word);
 	}
