@@ -752,7 +752,7 @@ static void
 hint_blanks(const struct command *command, const struct words *words,
     struct error *error)
 {
-	for (size_t i = 2; command != NULL && i < words->n; i++) {
+	for (size_t i = 2; i < words->n; i++) {
 		const char *name = words->text[i - 1], *word = words->text[i];
 		size_t n = strlen(name), signs = word[0] == '=';
 		bool ends = n > 0 && name[n - 1] == '=';
@@ -767,15 +767,6 @@ hint_blanks(const struct command *command, const struct words *words,
 			    "write it without spaces around =: %s=%s", key,
 			    value);
 	}
-}
-
-/* Adds the place of word i to an error that has none. */
-static void
-add_place_to_error(struct error *error, struct place place,
-    const struct command *command, const struct words *words, size_t i)
-{
-	hint_blanks(command, words, error);
-	error_set_place(error, place.file, place.line, words->column[i]);
 }
 
 static void
@@ -796,50 +787,53 @@ error_unknown_name(const char *name, bool prompt, struct error *error)
 		error_hint(error, "run 'help' for the commands");
 }
 
+/* Reads the words after the command's name.  On failure, *column is that of the
+ * word which cannot be read. */
+static bool
+read_arguments(const struct words *words, struct args *args, int *column,
+    struct error *error)
+{
+	const struct command *command = args->command;
+	bool set = (command->flags & COMMAND_SETTINGS) != 0;
+	for (size_t i = 1; i < words->n; i++) {
+		const char *word = words->text[i];
+		bool last = i + 1 == words->n;
+		bool pair = set && !last && strchr(word, '=') == NULL;
+		*column = words->column[i];
+		bool ok = pair ? read_option_as_pair(
+				     word, words->text[i + 1], args, error)
+			       : !(set && last &&
+				     error_lacks_value(command, word, error)) &&
+				     take_argument(word, *column, args, error);
+		if (!ok)
+			return false;
+		i += pair;
+	}
+	*column = args->n_operand > command->operands.most
+		      ? args->column[command->operands.most]
+		      : words->column[0];
+	return check_operands(args, error) && take_values(args, error);
+}
+
 const struct command *
 parse_call(const struct words *words, struct place place, struct args *args,
     struct error *error)
 {
 	memset(args, 0, sizeof *args);
+	int column = words->column[0];
 	const struct command *command =
 	    command_find_typed(words->text[0], place.prompt);
 	if (command == NULL) {
 		error_unknown_name(words->text[0], place.prompt, error);
-		add_place_to_error(error, place, NULL, words, 0);
-		return NULL;
+	} else {
+		args->command = command_find_two_words(
+		    command, words->text + 1, words->n - 1);
+		if (read_arguments(words, args, &column, error))
+			return args->command;
+		hint_blanks(args->command, words, error);
 	}
-	command =
-	    command_find_two_words(command, words->text + 1, words->n - 1);
-	args->command = command;
-	for (size_t i = 1; i < words->n; i++) {
-		const char *word = words->text[i];
-		bool set = (command->flags & COMMAND_SETTINGS) != 0,
-		     last = i + 1 == words->n;
-		bool pair = set && !last && strchr(word, '=') == NULL;
-		bool ok = pair ? read_option_as_pair(
-				     word, words->text[i + 1], args, error)
-			       : !(set && last &&
-				     error_lacks_value(command, word, error)) &&
-				     take_argument(
-					 word, words->column[i], args, error);
-		if (!ok) {
-			add_place_to_error(error, place, command, words, i);
-			return NULL;
-		}
-		i += pair;
-	}
-	if (!check_operands(args, error) || !take_values(args, error)) {
-		size_t at = 0;
-		for (size_t i = 1;
-		     i < words->n && args->n_operand > command->operands.most;
-		     i++)
-			if (words->text[i] ==
-			    args->operand[command->operands.most])
-				at = i;
-		add_place_to_error(error, place, command, words, at);
-		return NULL;
-	}
-	return command;
+	error_set_place(error, place.file, place.line, column);
+	return NULL;
 }
 
 void
