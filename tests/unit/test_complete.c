@@ -115,6 +115,8 @@ every_option_is_offered_once(void **state)
 	}
 	expect(desk, "predict sp", 8, "speed=");
 	expect(desk, "predict 74 sp", 11, "");
+	expect(desk, "predict 74 ba", 11, "band=");
+	expect(desk, "predict 65..85 ba", 15, "");
 }
 
 static void

@@ -27,13 +27,6 @@ struct work {
 	bool quoted;
 };
 
-/* What the words before the cursor have used up.  awaits: the option whose
- * value comes next, where options are written as pairs; else OPTIONS. */
-struct used {
-	bool given[OPTIONS];
-	size_t awaits, n_operand;
-};
-
 /* What a terminal would not show as it is, readline would write as it is. */
 static void
 complete_put(struct work *w, const char *text, char append)
@@ -300,45 +293,13 @@ offer_values(struct work *w, const struct command_option *o, bool further)
 		offer_speeds(w);
 }
 
-static struct used
-find_used_options(const struct command *command, const struct words *words)
-{
-	struct used used = {.awaits = OPTIONS};
-	for (size_t i = 1; i < words->n; i++) {
-		char *word = words->text[i];
-		size_t key = strcspn(word, "=");
-		bool pair = word[key] == '\0' &&
-			    (command->flags & COMMAND_SETTINGS) != 0;
-		bool named = word[key] == '=' || pair;
-		FREED char *name = xstrndup(word, key);
-		size_t option =
-		    named ? command_option_index(command, name) : OPTIONS;
-		if (option == OPTIONS && command->bare != NULL) {
-			option = command_option_index(command, command->bare);
-			option = used.given[option] ? OPTIONS : option;
-		}
-		if (option == OPTIONS)
-			used.n_operand++;
-		else
-			used.given[option] = true;
-		if (pair && option < OPTIONS && ++i == words->n)
-			used.awaits = option;
-	}
-	return used;
-}
-
 static void
-offer_arguments(
-    struct work *w, const struct command *command, const struct used *used)
+offer_arguments(struct work *w, const struct args *used)
 {
+	const struct command *command = used->command;
 	const struct command_option *o;
-	if (used->awaits < OPTIONS) {
-		offer_values(
-		    w, command_option_at(command, used->awaits), false);
-		return;
-	}
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
-		if (used->given[i])
+		if (used->value[i].given)
 			continue;
 		offer_if_matching(w, o->name,
 		    (command->flags & COMMAND_SETTINGS) != 0 ? ' ' : '=');
@@ -362,9 +323,9 @@ complete_narrow(struct work *w, const char *line, const char *behind)
 /* The option that the word, or a bare word there, is a value of; NULL if there
  * is none. */
 static const struct command_option *
-option_at(const struct command *command, const char *typed,
-    const struct used *used, bool *named)
+option_at(const struct args *used, const char *typed, bool *named)
 {
+	const struct command *command = used->command;
 	size_t key = strcspn(typed, "="), i = OPTIONS;
 	FREED char *name = xstrndup(typed, key);
 	if (typed[key] == '=')
@@ -372,24 +333,29 @@ option_at(const struct command *command, const char *typed,
 	*named = i < OPTIONS;
 	if (!*named && command->bare != NULL)
 		i = command_option_index(command, command->bare);
-	return *named || (i < OPTIONS && !used->given[i])
+	return *named || (i < OPTIONS && !used->value[i].given)
 		   ? command_option_at(command, i)
 		   : NULL;
 }
 
-static void
-offer_after_words(struct work *w, const struct words *words, const char *line)
+/* The setting whose value comes next, as in "set method "; NULL if there is
+ * none. */
+static const struct command_option *
+setting_named(const struct args *used, const char *last)
 {
-	const struct command *command =
-	    command_find_typed(words->text[0], true);
-	if (words->n == 1)
-		offer_second_words(w, words->text[0]);
-	if (command == NULL)
-		return;
-	struct used used = find_used_options(command, words);
+	size_t i = command_option_index(used->command, last);
+	return (used->command->flags & COMMAND_SETTINGS) != 0 && i < OPTIONS &&
+		       !used->value[i].given
+		   ? command_option_at(used->command, i)
+		   : NULL;
+}
+
+static void
+offer_for_call(
+    struct work *w, const struct args *used, const char *line, const char *last)
+{
 	bool named;
-	const struct command_option *o =
-	    option_at(command, w->typed, &used, &named);
+	const struct command_option *o = option_at(used, w->typed, &named);
 	const char *word = line + w->result->start;
 	if (named)
 		complete_narrow(w, line, strchr(word, '='));
@@ -397,10 +363,27 @@ offer_after_words(struct work *w, const struct words *words, const char *line)
 	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	if (further)
 		complete_narrow(w, line, strrchr(word, ','));
+	const struct command_option *setting = setting_named(used, last);
 	if (named)
 		offer_values(w, o, further);
+	else if (setting != NULL)
+		offer_values(w, setting, false);
 	else
-		offer_arguments(w, command, &used);
+		offer_arguments(w, used);
+}
+
+static void
+offer_after_words(struct work *w, const struct words *words, struct place place,
+    const char *line)
+{
+	struct args used;
+	struct error none = {0};
+	if (words->n == 1)
+		offer_second_words(w, words->text[0]);
+	parse_call(words, place, &used, &none);
+	if (used.command != NULL)
+		offer_for_call(w, &used, line, words->text[words->n - 1]);
+	args_free(&used);
 }
 
 /* Where the last command of a line and its last word begin.  False in a
@@ -474,7 +457,7 @@ complete_end(struct work *w, const char *line)
 	} else if (ok && words.to == TO_SCREEN && words.n == 0) {
 		offer_commands(w);
 	} else if (ok && words.to == TO_SCREEN) {
-		offer_after_words(w, &words, line);
+		offer_after_words(w, &words, place, line);
 	}
 	words_free(&words);
 	free(w->typed);
