@@ -48,9 +48,7 @@ remembered_basis(const struct entry *entry)
 static bool
 same_curve(const struct psd *a, const struct psd *b)
 {
-	size_t size = a->n * sizeof *a->size;
-	return a->n == b->n && memcmp(a->size, b->size, size) == 0 &&
-	       memcmp(a->passing, b->passing, size) == 0;
+	return psd_same(a, b) || (a->n == 0 && b->n == 0);
 }
 
 /* The run's place in a site, or n_run. */
@@ -555,6 +553,15 @@ take_recalled(struct session *s, const struct stored *m, size_t index,
 	return true;
 }
 
+/* Whether a list has a name, whatever its case and accents. */
+static bool
+has_name(const char *names, const char *name)
+{
+	FREED char *all = xasprintf(", %s,", names);
+	FREED char *one = xasprintf(", %s,", name);
+	return text_has(all, one);
+}
+
 /* Adds a name to a list. */
 static void
 store_add_name(void *data, const char *name)
@@ -562,32 +569,20 @@ store_add_name(void *data, const char *name)
 	xlist(data, ", ", "%s", name);
 }
 
-/* Whether a list has a name. */
-static bool
-has_name(const char *names, const char *name)
-{
-	FREED char *all = xasprintf(", %s,", names);
-	FREED char *one = xasprintf(", %s,", name);
-	return strstr(all, one) != NULL;
-}
-
 /* recall without a name: that of the site in use, or the one that there is,
  * which the caller frees; NULL with an error that lists them. */
 static char *
 find_only_name(struct session *s, struct error *error)
 {
-	char *names = xstrdup("");
+	FREED char *names = xstrdup("");
+	const char *key = s->n_entry > 0 ? session_entry(s)->key : "";
 	if (!store_each_name(
-		s->store, STORE_NAMES, store_add_name, &names, error)) {
-		free(names);
+		s->store, STORE_NAMES, store_add_name, &names, error))
 		return NULL;
-	}
 	if (names[0] != '\0' && strchr(names, ',') == NULL)
-		return names;
-	if (s->n_entry > 0 && has_name(names, session_entry(s)->key)) {
-		free(names);
-		return xstrdup(session_entry(s)->key);
-	}
+		return xstrdup(names);
+	if (key[0] != '\0' && has_name(names, key))
+		return xstrdup(key);
 	if (names[0] != '\0')
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"
@@ -597,7 +592,6 @@ find_only_name(struct session *s, struct error *error)
 		error_set(error, ERROR_USAGE,
 		    "recall: expected a name, and nothing was remembered yet\n"
 		    "'store list' has the materials of Table 3");
-	free(names);
 	return NULL;
 }
 
@@ -742,24 +736,13 @@ store_add_row(struct answer *r, const struct stored *m)
 	    site_data_kind(m->provenance));
 }
 
-/* "Diabase, Granite, ...", each once. */
-struct rocks {
-	size_t n;
-	char **rock, *words;
-};
-
+/* Adds a rock to a list that does not have it. */
 static void
 store_add_rock(void *data, const char *rock)
 {
-	struct rocks *r = data;
-	bool before = rock[0] == '\0';
-	for (size_t i = 0; i < r->n; i++)
-		before = before || text_same(r->rock[i], rock);
-	if (before)
-		return;
-	r->rock = xrealloc(r->rock, r->n + 1, sizeof(*r->rock));
-	r->rock[r->n++] = xstrdup(rock);
-	xlist(&r->words, ", ", "%s", rock);
+	char **rocks = data;
+	if (rock[0] != '\0' && !has_name(*rocks, rock))
+		xlist(rocks, ", ", "%s", rock);
 }
 
 /* Where none was of the rock asked for. */
@@ -767,16 +750,12 @@ static bool
 note_rocks(struct answer *r, struct store *store,
     const struct stored_list *paper, struct error *error)
 {
-	struct rocks rocks = {.words = xstrdup("")};
+	FREED char *rocks = xstrdup("");
 	bool ok =
 	    store_each_name(store, STORE_ROCKS, store_add_rock, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
 		store_add_rock(&rocks, paper->item[i].rock);
-	answer_note(r, "rocks: %s", rocks.words);
-	for (size_t i = 0; i < rocks.n; i++)
-		free(rocks.rock[i]);
-	free(rocks.rock);
-	free(rocks.words);
+	answer_note(r, "rocks: %s", rocks);
 	return ok;
 }
 
