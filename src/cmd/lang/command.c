@@ -144,13 +144,11 @@ command_find_typed(const char *name, bool prompt)
 char *
 command_candidates(const char *name)
 {
-	char *list = xstrdup(""), *start = text_fold(name);
-	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!begins_with(c, start))
-			continue;
-		xlist(&list, ", ", "%s", c->name);
-	}
-	free(start);
+	char *list = xstrdup("");
+	FREED char *start = text_fold(name);
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+		if (begins_with(c, start))
+			xlist(&list, ", ", "%s", c->name);
 	return list;
 }
 
@@ -355,16 +353,12 @@ command_limits(const struct command_option *o)
 	}
 	FREED char *least = limit_text(o->least), *most = limit_text(o->most);
 	const char *blank = o->unit[0] != '\0' ? " " : "";
-	char *text =
+	FREED char *range =
 	    most[0] != '\0'
 		? xasprintf(tr("%s to %s%s%s"), least, most, blank, o->unit)
 		: xasprintf(tr("%s or more%s%s"), least, blank, o->unit);
-	if (o->kind == VALUE_FEED) {
-		char *range = text;
-		text = xasprintf(tr("%s, or file"), range);
-		free(range);
-	}
-	return text;
+	return o->kind == VALUE_FEED ? xasprintf(tr("%s, or file"), range)
+				     : xstrdup(range);
 }
 
 char *

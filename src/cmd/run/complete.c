@@ -257,14 +257,14 @@ offer_kind(struct work *w, const char *word)
 static void
 offer_words(struct work *w, const char *list)
 {
-	char *copy = xstrdup(list), *save = NULL;
+	FREED char *copy = xstrdup(list);
+	char *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save))
 		if (isupper((unsigned char)word[0]))
 			offer_kind(w, word);
 		else
 			offer_if_matching(w, word, ' ');
-	free(copy);
 }
 
 static void

@@ -91,12 +91,12 @@ speeds_of(const char *turns, double diameter)
 			continue;
 		}
 		FREED char *number = xstrndup(turns, n);
-		char *more = n > 0 ? xasprintf("%s%g", text,
-					 head_mps(strtod(number, NULL),
-					     SPEED_RPM, diameter))
-				   : xasprintf("%s%c", text, *turns);
-		free(text);
-		text = more;
+		if (n > 0)
+			xappend(&text, "%g",
+			    head_mps(
+				strtod(number, NULL), SPEED_RPM, diameter));
+		else
+			xappend(&text, "%c", *turns);
 		turns += n > 0 ? n : 1;
 	}
 	return text;

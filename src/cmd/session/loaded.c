@@ -189,14 +189,14 @@ origin_from_store(const struct stored *m)
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);
 	set_material(o, m);
 	o->digest = strtoull(m->site_digest, NULL, 16);
-	char *list = xstrdup(m->train_mps), *next = NULL;
+	FREED char *list = xstrdup(m->train_mps);
+	char *next = NULL;
 	for (char *word = strtok_r(list, ",", &next); word != NULL;
 	     word = strtok_r(NULL, ",", &next)) {
 		double speed;
 		if (text_number(word, &speed))
 			add_speed(o, speed);
 	}
-	free(list);
 	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
 	return o;
 }

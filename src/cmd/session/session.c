@@ -174,13 +174,10 @@ session_site_label(const struct site *site)
 						    units_mm(site->top_size))
 					      : xstrdup("");
 	bool rock = site->rock[0] != '\0', with = site->with[0] != '\0';
-	char *label = xasprintf(
+	FREED char *label = xasprintf(
 	    "%s%s%s%s", site->name, rock ? ", " : "", site->rock, size);
-	if (!with)
-		return label;
-	char *all = xasprintf(tr("%s, with %s"), label, site->with);
-	free(label);
-	return all;
+	return with ? xasprintf(tr("%s, with %s"), label, site->with)
+		    : xstrdup(label);
 }
 
 bool

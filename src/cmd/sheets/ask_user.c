@@ -171,16 +171,11 @@ guess_with_speed(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
-	char *role = offered_role(c);
-	if (strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL) {
-		free(role);
-		role = xstrdup("product");
-	}
-	FREED char *said =
-	    xasprintf(rpm ? "%s %s rpm" : "%s@%s", role, text_exact(v, number));
-	char *text = guess_with_role(c, said);
-	free(role);
-	return text;
+	FREED char *role = offered_role(c);
+	bool feed = strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL;
+	FREED char *said = xasprintf(rpm ? "%s %s rpm" : "%s@%s",
+	    feed ? "product" : role, text_exact(v, number));
+	return guess_with_role(c, said);
 }
 
 /* Words that say a role, a quantity or both. */
@@ -212,12 +207,10 @@ ask_user_with_words(const struct site_ask_column *c, const char *said,
 }
 
 static char *
-read_sieve_answer(const struct site_ask_column *c, const char *said,
-    uint64_t means, char wrong[static WRONG])
+read_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
-	(void)c;
 	if ((means & unit) != 0)
 		return xasprintf(
 		    "%s%s", (means & WORD_SIZE) != 0 ? "" : tr("sieve "), said);
@@ -235,7 +228,8 @@ static char *
 read_column_answer(const struct site_ask_column *c, const char *answer,
     char wrong[static WRONG])
 {
-	char *copy = xstrdup(answer), *said = text_trim(copy), *text = NULL;
+	FREED char *copy = xstrdup(answer);
+	char *said = text_trim(copy), *text = NULL;
 	/* columns= has commas between columns only. */
 	for (char *p = said; *p != '\0'; p++)
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
@@ -254,7 +248,7 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
 	else if (ask_user_is_sieve(c))
-		text = read_sieve_answer(c, said, means, wrong);
+		text = read_sieve_answer(said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
 		    tr("expected a description of this column, got '%.40s'"),
@@ -268,7 +262,6 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 		    tr("expected a tip speed, feed, product@69 or -, got "
 		       "'%.30s'"),
 		    said);
-	free(copy);
 	return text;
 }
 
@@ -281,12 +274,13 @@ ask_user_ask_column(
 	char wrong[WRONG] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
 	bool speed = wants_speed(c);
-	char *question = speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"),
-				     kind, c->number, c->head)
-			       : xasprintf(tr("%s %zu '%s': what is it"), kind,
-				     c->number, c->head);
+	FREED char *question =
+	    speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"), kind,
+			c->number, c->head)
+		  : xasprintf(tr("%s %zu '%s': what is it"), kind, c->number,
+			c->head);
 	char *words = NULL;
-	bool good, rest;
+	bool rest;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
 	q->hint = ask_user_is_sieve(c)
@@ -296,18 +290,13 @@ ask_user_ask_column(
 			       "out");
 	q->wrong = wrong;
 	do {
-		char *answer = s->hooks.question(s, q);
-		good = answer != NULL;
-		rest = good && strcmp(answer, ".") == 0;
-		if (good)
-			words =
-			    read_column_answer(c, rest ? "-" : answer, wrong);
-		free(answer);
+		FREED char *answer = s->hooks.question(s, q);
+		if (answer == NULL)
+			return false;
+		rest = strcmp(answer, ".") == 0;
+		words = read_column_answer(c, rest ? "-" : answer, wrong);
 		q->first = false;
-	} while (good && words == NULL && wrong[0] != '\0');
-	free(question);
-	if (!good)
-		return false;
+	} while (words == NULL && wrong[0] != '\0');
 	free(c->guess);
 	c->guess = words != NULL ? words : xstrdup(rest ? "." : "-");
 	c->open = false;

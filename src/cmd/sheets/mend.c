@@ -57,9 +57,9 @@ mend_command_line(const struct site *site, const struct mend *m)
 	    [MEND_UP] = "up",
 	    [MEND_DOWN] = "down",
 	    [MEND_DROP] = "drop"};
-	char *name = mend_column(site, m->feed, m->run);
+	FREED char *name = mend_column(site, m->feed, m->run);
+	FREED char *with = mend_column(site, false, m->other);
 	char *call = xasprintf("mend %s", name), number[32];
-	free(name);
 	if (m->kind == MEND_READ || m->kind == MEND_OUT)
 		xappend(
 		    &call, " sieve=%s", text_exact(units_mm(m->size), number));
@@ -68,11 +68,9 @@ mend_command_line(const struct site *site, const struct mend *m)
 		    text_exact(units_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
-	else if (m->kind == MEND_WITH) {
-		name = mend_column(site, false, m->other);
-		xappend(&call, " with=%s", name);
-		free(name);
-	} else
+	else if (m->kind == MEND_WITH)
+		xappend(&call, " with=%s", with);
+	else
 		xappend(&call, " do=%s", DO[m->kind]);
 	return call;
 }
@@ -98,10 +96,10 @@ mend_finding_words(const struct site *site, const struct finding *f)
 {
 	const struct mend *m = &f->mend;
 	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
-		char *words = mend_words(site, m), *effect = effect_words(f);
+		FREED char *effect = effect_words(f);
+		char *words = mend_words(site, m);
 		if (effect[0] != '\0')
 			xlist(&words, "; ", "%s", effect);
-		free(effect);
 		return words;
 	}
 	FREED char *expected =
