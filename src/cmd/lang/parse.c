@@ -14,8 +14,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* Goes on from the last place asked for, so that a long line costs no more than
- * its length. */
+/* Returns the column of an offset.  Counts from the last offset, so that the
+ * time is linear in the length of a line. */
 static int
 parse_column_of(const char *line, struct words *words, size_t offset)
 {
@@ -33,8 +33,9 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Where the quote ends that '...' or name='...' has; 0: this word is none of
- * these, a ' of its own is a letter.  open: out, where it begins. */
+/* Returns the offset of the closing quote of '...' or name='...'; 0 if the word
+ * is neither, because a ' within a word is a letter.  open: out, the opening
+ * quote. */
 static size_t
 single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
 {
@@ -49,8 +50,8 @@ single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
 	return ends ? close : 0;
 }
 
-/* Copies one word from *at on and moves *at after it. False on an open quote;
- * the caller frees the word in any case. */
+/* Copies the word at *at and moves *at past it.  Returns false if a quote is
+ * open.  The caller frees the word in any case. */
 static bool
 read_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 {
@@ -87,7 +88,7 @@ parse_skip_blanks(const char *line, size_t i)
 	return i;
 }
 
-/* The rest of the line is the shell's. */
+/* Takes the rest of the line as the shell command. */
 static bool
 read_pipe(const char *line, size_t i, struct words *words)
 {
@@ -98,7 +99,7 @@ read_pipe(const char *line, size_t i, struct words *words)
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
 
-/* "> FILE" or ">> FILE" at *at; *at is then after it. */
+/* Reads "> FILE" or ">> FILE" at *at and moves *at past it. */
 static bool
 read_redirection_file(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
@@ -147,7 +148,7 @@ read_redirection(const char *line, size_t *at, struct place place,
 	    "write: sweep | less");
 }
 
-/* True where the first word names a command that takes > and | as words. */
+/* True if the command takes > and | as words. */
 static bool
 takes_signs_as_words(const struct words *words, struct place place)
 {
@@ -172,7 +173,7 @@ words_join(struct words *words, size_t first, size_t n, const char *text)
 	words->n = first + 1 + rest;
 }
 
-/* Makes one word of the two of a command's name: "store list". */
+/* Joins the two words of a command's name: "store list". */
 static void
 join_name(struct words *words)
 {
@@ -181,8 +182,8 @@ join_name(struct words *words)
 		words_join(words, 0, 2, name);
 }
 
-/* Puts a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
- * wanted. */
+/* Joins a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
+ * expected. */
 static void
 join_unit(const struct command *command, struct words *words)
 {
@@ -228,10 +229,10 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 	return true;
 }
 
-/* Whether the > at a place stands before a limit and not before a file: behind
- * a quantity without quotes, "P80 > 5".  What has a limit already is written
- * into a file, whatever its name.  After what is no command >= is one, so that
- * the command is what is told. */
+/* True if the > is a limit's, as after the quantity in "P80 > 5", and not a
+ * redirection.  After a condition that has its limit, > writes a file of any
+ * name.  After an unknown command >= is a limit, so that the error is about the
+ * command. */
 static bool
 is_limit_sign(
     const char *line, size_t at, const struct words *words, struct place place)
@@ -257,7 +258,7 @@ is_limit_sign(
 	return text_typed_number(number, &limit);
 }
 
-/* The > of a limit, or >=, is a word. */
+/* Takes the > or >= of a limit as a word. */
 static void
 take_limit_sign(const char *line, size_t *at, struct words *words)
 {
@@ -311,7 +312,7 @@ words_free(struct words *words)
 	words->n = 0;
 }
 
-/* Cuts a unit off the end of a number: "74m/s", "11.2 mm". */
+/* Removes a unit from the end of a number: "74m/s", "11.2 mm". */
 static void
 parse_cut_unit(char *text, const char *unit)
 {
@@ -349,12 +350,12 @@ value_feed(const char *text, size_t *length, double *share)
 	return NULL;
 }
 
-/* A control room shows the rotor's turns. */
+/* Control rooms show revolutions per minute. */
 static const char TURNS[] =
     N_("is this rpm? '%.*s rpm' works if the rotor is known: m/s = 3.1416 x "
        "rotor diameter (m) x rpm / 60");
 
-/* The next step where a number is written as in another language. */
+/* Adds a hint if a number is written as in another language. */
 static bool
 hint_number(
     const struct command_option *option, const char *word, struct error *error)
@@ -386,7 +387,7 @@ static bool
 parse_number(const struct command_option *option, const char *word,
     double *value, struct error *error)
 {
-	/* In a list a comma stands between numbers. */
+	/* In a list, commas separate numbers. */
 	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	bool ok = !list && value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
@@ -422,10 +423,10 @@ parse_add_number(const struct command_option *option, const char *word,
 	return true;
 }
 
-/* Numbers of one value: each may be a prediction, which takes memory. */
+/* The most numbers in a value: each may be a prediction, which takes memory. */
 enum { NUMBERS_MOST = 2000 };
 
-/* a..b or a..b:step; the step defaults to 1. */
+/* Reads a..b or a..b:step; the default step is 1. */
 static bool
 read_range_of_speeds(const struct command_option *option, char *word,
     char *dots, struct value *value, struct error *error)
@@ -505,7 +506,7 @@ error_wrong_whole(
 	return false;
 }
 
-/* The error that there is none. */
+/* Sets the error that no value was given. */
 static bool
 value_wanted(const struct command_option *option, struct error *error)
 {
@@ -584,8 +585,8 @@ error_unknown_option(
 	error_hint(error, "usage: %s", usage);
 }
 
-/* Index of the option so called; OPTIONS, with an error, where there is none or
- * it has been given. */
+/* Returns the index of an option; OPTIONS, with an error, if there is none of
+ * that name or it was already given. */
 static size_t
 find_option_not_given(
     const struct args *args, const char *name, struct error *error)
@@ -609,7 +610,7 @@ parse_take_value(
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
-/* One word after the command's name: key=value, the bare option or an
+/* Reads one word after the command's name: key=value, the bare option or an
  * operand. */
 static bool
 take_argument(
@@ -639,7 +640,8 @@ take_argument(
 	return true;
 }
 
-/* True, with the error, when a name stands alone at the end: "set method". */
+/* Returns true with an error if a setting's name stands at the end: "set
+ * method". */
 static bool
 error_lacks_value(
     const struct command *command, const char *name, struct error *error)
@@ -649,7 +651,7 @@ error_lacks_value(
 	       !value_wanted(command_option_at(command, i), error);
 }
 
-/* "method classes" where "method=classes" would do. */
+/* Reads "method classes", which means "method=classes". */
 static bool
 read_option_as_pair(
     const char *name, const char *word, struct args *args, struct error *error)
@@ -658,7 +660,7 @@ read_option_as_pair(
 	return i < OPTIONS && parse_take_value(i, word, args, error);
 }
 
-/* Puts a value into the member of its option, see rows.h. */
+/* Stores a value in the member of its option, see rows.h. */
 static void
 put_value(const struct command_option *o, const struct value *value,
     struct args *args)
@@ -682,8 +684,8 @@ put_value(const struct command_option *o, const struct value *value,
 		*(const char **)member = value->text;
 }
 
-/* Gives options their fallbacks, and all their places; settings and parameters
- * have others, see cmd_set and cmd_params. */
+/* Reads the fallbacks of options not given, and stores all values in their
+ * members.  Settings and parameters are stored by cmd_set and cmd_params. */
 static bool
 take_values(struct args *args, struct error *error)
 {
@@ -702,7 +704,8 @@ take_values(struct args *args, struct error *error)
 	return ok;
 }
 
-/* True, with the error, for "p80" and for "P80=5.5", as tables head it. */
+/* Returns true with an error for "p80", and for "P80=5.5" as in a table's
+ * heading. */
 static bool
 is_lone_option(
     const struct command *command, const char *word, struct error *error)
@@ -746,8 +749,7 @@ check_operands(const struct args *args, struct error *error)
 	return false;
 }
 
-/* "speed = 74", "speed =74" and "speed= 74" for an option want another hint
- * than each of their words. */
+/* Replaces the hint for "speed = 74", "speed =74" and "speed= 74". */
 static void
 hint_blanks(const struct command *command, const struct words *words,
     struct error *error)
@@ -788,7 +790,7 @@ error_unknown_name(const char *name, bool prompt, struct error *error)
 }
 
 /* Reads the words after the command's name.  On failure, *column is that of the
- * word which cannot be read. */
+ * faulty word. */
 static bool
 read_arguments(const struct words *words, struct args *args, int *column,
     struct error *error)

@@ -18,8 +18,8 @@
 #include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
-/* A completion being made.  typed: the word so far, without its quotes; quoted:
- * whether it began with one. */
+/* A completion in progress.  typed: the word so far, without quotes; quoted: it
+ * began with a quote. */
 struct work {
 	const struct session *session;
 	struct completion *result;
@@ -27,7 +27,7 @@ struct work {
 	bool quoted;
 };
 
-/* What a terminal would not show as it is, readline would write as it is. */
+/* readline would print candidates unescaped. */
 static void
 complete_put(struct work *w, const char *text, char append)
 {
@@ -45,7 +45,7 @@ offer_if_matching(struct work *w, const char *text, char append)
 		complete_put(w, text, append);
 }
 
-/* The first word of a name, once where several have it. */
+/* Offers the first word of a name, once. */
 static void
 offer_name(struct work *w, const char *name)
 {
@@ -67,7 +67,7 @@ offer_commands(struct work *w)
 	}
 }
 
-/* The second words of names that begin with this one. */
+/* Offers the second words of names that begin with `first`. */
 static void
 offer_second_words(struct work *w, const char *first)
 {
@@ -100,7 +100,7 @@ offer_parameters(struct work *w)
 		offer_if_matching(w, of->parameter[j].name, ' ');
 }
 
-/* Without case and accents, as `use` finds them. */
+/* Ignores case and accents, as `use` does. */
 static void
 offer_sites(struct work *w)
 {
@@ -126,7 +126,7 @@ offer_speeds(struct work *w)
 	}
 }
 
-/* One that has begun so; what ends a word is quoted. */
+/* Quotes names with characters that would end the word. */
 static void
 put_material(void *data, const char *name)
 {
@@ -136,8 +136,8 @@ put_material(void *data, const char *name)
 	complete_put(w, text, ' ');
 }
 
-/* Without case and accents, as `recall` finds them; no more than one would
- * look through. */
+/* Ignores case and accents, as `recall` does.  Offers no more than a user would
+ * read. */
 static void
 offer_materials(struct work *w)
 {
@@ -154,7 +154,7 @@ offer_materials(struct work *w)
 	stored_list_free(&paper);
 }
 
-/* Without case; their names have blanks. */
+/* Ignores case.  Names contain spaces. */
 static void
 offer_specs(struct work *w)
 {
@@ -176,7 +176,7 @@ complete_put_file(struct work *w, const char *path)
 	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 	bool quotes =
 	    w->quoted || path[strcspn(path, " ;|<>")] != '\0' || path[0] == '#';
-	/* The quote of a folder stays open for what is in it. */
+	/* After a folder the quote stays open for the rest of the path. */
 	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
 	complete_put(w, text, folder ? '\0' : ' ');
@@ -198,7 +198,7 @@ offer_files(struct work *w)
 		const char *name = e->d_name;
 		bool hidden = name[0] == '.' && tail[0] != '.';
 		bool self = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
-		/* A quote in a name could not be typed. */
+		/* A name with a quote cannot be typed. */
 		if (hidden || self || strchr(name, '"') != NULL ||
 		    strncmp(name, tail, strlen(tail)) != 0)
 			continue;
@@ -209,8 +209,8 @@ offer_files(struct work *w)
 	closedir(dir);
 }
 
-/* Sites that load knows by name, where no file begins so: they are what one
- * has typed the beginning of, and no list of what there is. */
+/* Offers the sites that load knows by name, if the word matches no file and is
+ * not empty. */
 static void
 offer_shipped(struct work *w)
 {
@@ -233,7 +233,7 @@ offer_shipped(struct work *w)
 		closedir(dir);
 }
 
-/* The words in capitals of the table. */
+/* The words in capitals that the command table uses. */
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);
@@ -253,7 +253,7 @@ offer_kind(struct work *w, const char *word)
 	KINDS[i].offer(w);
 }
 
-/* A list of words between spaces: kinds in capitals, others as they are. */
+/* Offers the words of a list: those in capitals are kinds. */
 static void
 offer_words(struct work *w, const char *list)
 {
@@ -278,7 +278,8 @@ offer_operand(struct work *w, const struct command *command, size_t i)
 		offer_words(w, list);
 }
 
-/* further: behind a comma, where a word that stands for all numbers cannot. */
+/* further: after a comma, where a word that stands for all numbers is not
+ * allowed. */
 static void
 offer_values(struct work *w, const struct command_option *o, bool further)
 {
@@ -310,7 +311,7 @@ offer_arguments(struct work *w, const struct args *used)
 	offer_operand(w, command, used->n_operand);
 }
 
-/* Narrows the completion to what is after a character of the word. */
+/* Restricts the completion to the part of the word after `behind`. */
 static void
 complete_narrow(struct work *w, const char *line, const char *behind)
 {
@@ -320,8 +321,8 @@ complete_narrow(struct work *w, const char *line, const char *behind)
 	w->typed = text_unquoted(behind + 1, strlen(behind + 1));
 }
 
-/* The option that the word, or a bare word there, is a value of; NULL if there
- * is none. */
+/* Returns the option of which the word is a value, by name or as the bare
+ * option; or NULL. */
 static const struct command_option *
 option_at(const struct args *used, const char *typed, bool *named)
 {
@@ -338,8 +339,7 @@ option_at(const struct args *used, const char *typed, bool *named)
 		   : NULL;
 }
 
-/* The setting whose value comes next, as in "set method "; NULL if there is
- * none. */
+/* Returns the setting whose value follows, as after "set method "; or NULL. */
 static const struct command_option *
 setting_named(const struct args *used, const char *last)
 {
@@ -386,8 +386,8 @@ offer_after_words(struct work *w, const struct words *words, struct place place,
 	args_free(&used);
 }
 
-/* Where the last command of a line and its last word begin.  False in a
- * comment. */
+/* Finds where the last command of a line, and its last word, begin.  Returns
+ * false in a comment. */
 static bool
 find_word(const char *line, size_t *command, size_t *word)
 {
@@ -436,7 +436,7 @@ sort(struct completion *c)
 	c->n = kept;
 }
 
-/* line ends at the cursor. */
+/* line: up to the cursor. */
 static void
 complete_end(struct work *w, const char *line)
 {

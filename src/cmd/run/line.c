@@ -79,7 +79,7 @@ session_free(struct session *s)
 	free(s);
 }
 
-/* Whether a word, or what is before its @, names something on the disk. */
+/* True if a word, or its part before @, names an existing file. */
 static bool
 is_there(const char *word)
 {
@@ -89,8 +89,8 @@ is_there(const char *word)
 	       (at != NULL && access(name, F_OK) == 0);
 }
 
-/* "load belt cuts may.csv": the words after a command that takes files are one
- * name where none of them is there by itself and the whole is. */
+/* Joins the words of "load belt cuts may.csv" if none of them is a file but all
+ * together are. */
 static void
 join_file_name(struct words *words, const struct command *command)
 {

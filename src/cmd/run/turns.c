@@ -13,7 +13,7 @@
 
 static const char RPM[] = "rpm";
 
-/* Whether the operands of a command are speeds. */
+/* True if the operands of a command are speeds. */
 static bool
 takes_speeds(const struct command *command)
 {
@@ -22,9 +22,8 @@ takes_speeds(const struct command *command)
 	       (command->flags & COMMAND_FILES) == 0;
 }
 
-/* The value of a word, behind "from=" or from its beginning, if it is a number,
- * a list or a range in revolutions per minute of something that has m/s; else
- * NULL. */
+/* Returns the value in a word, after "from=" or from its beginning, if it is a
+ * number, list or range in rpm for an option in m/s; else NULL. */
 static const char *
 turns_in(const struct command *command, char *word)
 {
@@ -44,7 +43,8 @@ turns_in(const struct command *command, char *word)
 	return speed && number ? value : NULL;
 }
 
-/* The words' rotor_mm=, m, else the site's diameter; 0 where neither is. */
+/* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
+ * it. */
 static double
 diameter_of(struct session *s, const struct words *words)
 {
@@ -57,8 +57,9 @@ diameter_of(struct session *s, const struct words *words)
 	return s->n_entry > 0 ? session_entry(s)->site->rotor : 0;
 }
 
-/* "1500,1550,1600" of "1500..1600:50", as the tip speeds of equal steps in
- * turns are none; what is no such range stays.  The caller frees. */
+/* Expands "1500..1600:50" to "1500,1550,1600", because equal steps in rpm need
+ * not be round steps in m/s.  Returns other text unchanged.  The caller frees
+ * it. */
 static char *
 steps_of(const char *turns)
 {
@@ -76,8 +77,8 @@ steps_of(const char *turns)
 	return list;
 }
 
-/* The text with each of its numbers as the tip speed of so many turns, and
- * without the units; the caller frees. */
+/* Converts each number in the text from rpm to m/s and removes the units.  The
+ * caller frees the result. */
 static char *
 speeds_of(const char *turns, double diameter)
 {
@@ -102,7 +103,7 @@ speeds_of(const char *turns, double diameter)
 	return text;
 }
 
-/* How many words are in turns. */
+/* Returns the number of words in rpm. */
 static size_t
 turns_count(const struct command *command, const struct words *words)
 {
@@ -155,8 +156,8 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 	return true;
 }
 
-/* Whether a word is a speed as it is typed, a range of them, "66..81:5", or a
- * list of three or more: "69,74" may be 69.74. */
+/* True if a word is a speed, a range of them, "66..81:5", or a list of three or
+ * more: "69,74" may mean 69.74. */
 static bool
 is_typed_speed(const char *word, bool *list)
 {
@@ -171,8 +172,7 @@ is_typed_speed(const char *word, bool *list)
 		   strcmp(word + n, "m/s") == 0);
 }
 
-/* "1350", "1450rpm" as part of a list, in which a comma stands between
- * numbers. */
+/* Returns a word as part of a list, in which commas separate numbers. */
 static char *
 list_part(const char *word, bool list)
 {
@@ -205,7 +205,7 @@ speeds_join(struct words *words, bool prompt)
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
-	/* One word is for the parser where it knows what to do with it. */
+	/* The parser handles a single word if the command has a bare option. */
 	bool alone = lister == command && command->bare == NULL;
 	if (n > 2 || lists || (n > 1 && alone))
 		words_join(words, 1, n - 1, joined);

@@ -85,8 +85,8 @@ write_autosave(struct session *s)
 {
 	struct keep *k = s->keep;
 	struct mark now = journal_place(s);
-	/* What reset or restore has put aside is still there for who did not
-	 * mean it. */
+	/* What reset or restore discarded stays available in a file of its
+	 * own. */
 	if (now.start != k->written.start)
 		autosave_file_close(k->kept);
 	if (now.state == k->saved)
@@ -101,8 +101,8 @@ write_autosave(struct session *s)
 	k->written = now;
 }
 
-/* The file that was restored has served when this session's file, or one of the
- * user's, has what came of it. */
+/* Removes the file that was restored once its content is saved elsewhere: in
+ * this session's file, or in one of the user's. */
 static void
 remove_restored(struct keep *k)
 {
@@ -112,7 +112,7 @@ remove_restored(struct keep *k)
 	k->restored = NULL;
 }
 
-/* Half of a session that was kept does not become the newest. */
+/* A session that was restored only in part does not become the newest. */
 static bool
 failed_to_restore(struct keep *k, bool ok)
 {
@@ -124,8 +124,8 @@ failed_to_restore(struct keep *k, bool ok)
 	return !ok;
 }
 
-/* Predictions in a row, which the slider makes, are one line of the journal
- * and change nothing: they cost no writing. */
+/* Consecutive predictions, as the slider makes, are one line of the journal and
+ * change nothing, so they are not written. */
 void
 autosave_after_command(struct session *s, bool ok, bool saved)
 {
@@ -138,7 +138,7 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 		if (now.start == k->written.start)
 			remove_restored(k);
 	}
-	/* A script is one step, as it is for undo. */
+	/* A script is saved as one step, as in undo. */
 	if (s->scripts > s->typed_at || failed_to_restore(k, ok))
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||

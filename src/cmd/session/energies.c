@@ -31,8 +31,8 @@ energies_free(struct energies *e)
 	free(e);
 }
 
-/* Whether the user wants no more; tells those who wait at a prompt how far it
- * is. */
+/* Reports the progress to a user at a prompt; false if the user has
+ * interrupted. */
 static bool
 report_rows_read(void *data, uint64_t rows)
 {

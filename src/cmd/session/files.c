@@ -55,7 +55,7 @@ files_digest(const char *path, uint64_t *digest)
 {
 	struct stat file;
 	char piece[1 << 14];
-	/* To read a FIFO is to take what is in it from the command. */
+	/* Reading a FIFO here would take its data from the command. */
 	FILE *in = stat(path, &file) == 0 && S_ISREG(file.st_mode)
 		       ? fopen(path, "rb")
 		       : NULL;
@@ -135,7 +135,7 @@ files_free(struct files *files)
 	free(files);
 }
 
-/* Whether that is the one at path. */
+/* True if the file is the one at path. */
 static bool
 is_file(const char *path, const struct stat *file)
 {
@@ -144,7 +144,7 @@ is_file(const char *path, const struct stat *file)
 	       other.st_dev == file->st_dev && other.st_ino == file->st_ino;
 }
 
-/* Whether it is a known one. */
+/* True if the file is among those read, or written. */
 static bool
 is_known(const struct session *s, const struct stat *file, bool written)
 {

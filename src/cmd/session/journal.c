@@ -58,7 +58,7 @@ void
 journal_paste(struct session *s, struct tail *tail)
 {
 	struct journal *j = s->journal;
-	/* Results may have come in since the lines were cut off. */
+	/* Lines may have been added since these were cut off. */
 	if (tail->to.start != tail->from.start)
 		j->start = j->n + tail->to.start - tail->from.n;
 	j->state = tail->to.state;
@@ -100,8 +100,8 @@ is_call_of(const char *line, const char *name)
 	       (line[n] == '\0' || line[n] == ' ');
 }
 
-/* The last line, if it is a call of that name, and what was checked for it:
- * assert is saved for nothing else. */
+/* Removes the last line if it is a call of that name, and the assert lines that
+ * check its files. */
 static void
 drop_latest(struct journal *j, const char *latest)
 {
@@ -150,7 +150,7 @@ journal_append_word(char **line, const char *word)
 	xappend(line, " %s", plain ? word : quoted);
 }
 
-/* From the root; links are left as they are. */
+/* Appends the path made absolute; links are not resolved. */
 static void
 add_rooted(char **word, const char *path)
 {
@@ -161,7 +161,8 @@ add_rooted(char **word, const char *path)
 	xappend(word, "%s%s%s", rooted ? "" : folder, rooted ? "" : "/", path);
 }
 
-/* As the option key where that is not NULL; of a blend of feeds each path. */
+/* Appends a path, as option `key` if not NULL; for a blend of feeds, each
+ * path. */
 static void
 put_path(char **line, const char *key, const char *path)
 {
@@ -196,7 +197,8 @@ journal_check(
 		journal_append(j, line);
 }
 
-/* The index of the option whose value the word is or ends in, or OPTIONS. */
+/* Returns the index of the option whose value is the word or its end, or
+ * OPTIONS. */
 static size_t
 option_of_word(const struct args *args, const char *word)
 {
@@ -209,7 +211,7 @@ option_of_word(const struct args *args, const char *word)
 	return i;
 }
 
-/* Whether a word is an operand of the call that is a path. */
+/* True if a word is an operand that is a path. */
 static bool
 is_path(const struct args *args, const char *word)
 {
@@ -228,8 +230,8 @@ is_path(const struct args *args, const char *word)
 	       standards_is_path(word);
 }
 
-/* What a script that is run again leaves out: where a calibration was stopped,
- * which has a line of its own, and a sheet that is there by then. */
+/* True for options that a saved script omits: pause=, which has its own line,
+ * and out=, whose sheet exists by then. */
 static bool
 is_left_out_of_script(const struct command_option *o)
 {
@@ -308,8 +310,8 @@ journal_label(const struct command *command, const struct words *words)
 	return label;
 }
 
-/* What the data are, for who reads the script; no letter of it may end or
- * continue the comment. */
+/* Writes the site's provenance for readers of the script, without characters
+ * that would end or continue the comment. */
 static void
 put_provenance(FILE *out, const struct site *site)
 {

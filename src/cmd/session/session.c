@@ -38,8 +38,8 @@ session_tell_faults(const struct session *s, const char *path,
 	return false;
 }
 
-/* Exact results keep every byte where a program may read them, and are shown as
- * text where they go to a terminal. */
+/* Exact results are printed unchanged to files and pipes, but escaped on a
+ * terminal. */
 static size_t
 print_exact(struct session *s, const struct answer_form *form,
     const struct answer *answer)
@@ -58,7 +58,7 @@ print_exact(struct session *s, const struct answer_form *form,
 	return rows;
 }
 
-/* Takes the answer at a place out of those kept. */
+/* Removes one of the answers kept. */
 static void
 forget_answer_at(struct session *s, size_t i)
 {

@@ -19,7 +19,7 @@ settings_put(const struct command_option *row, const struct value *value,
     struct choices *set)
 {
 	char *place = (char *)set + row->offset;
-	/* What is in a file is read by cmd_set. */
+	/* cmd_set reads the file. */
 	if (row->kind == VALUE_FILE)
 		return;
 	if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED) {
@@ -69,8 +69,8 @@ settings_text(const struct command_option *row, const struct choices *set)
 	return xstrndup(word, strcspn(word, " "));
 }
 
-/* As many as OMP_NUM_THREADS says, else as the processors that this process may
- * run on: a task of a job system has but some of the machine's. */
+/* Returns OMP_NUM_THREADS, or else the number of processors that this process
+ * may use: a job system may assign fewer than the machine has. */
 static unsigned
 threads_default(void)
 {

@@ -20,7 +20,7 @@ sites_digest_of(const char *text)
 	return text_digest(TEXT_DIGEST_START, text, strlen(text));
 }
 
-/* Keys with the same name before a slash are of that name only. */
+/* True if the key is in use.  Only sites of that name can have it. */
 static bool
 key_taken(const struct session *s, uint64_t name, const char *key)
 {
@@ -37,7 +37,7 @@ sized_key(const char *slug, const struct site *site)
 	return xasprintf("%s/%g", slug, units_mm(site->top_size));
 }
 
-/* What a site's name is in keys. The caller frees. */
+/* Returns a name in the form used in keys.  The caller frees it. */
 static char *
 name_slug(const char *name)
 {
@@ -48,8 +48,9 @@ name_slug(const char *name)
 	return xstrdup("unnamed");
 }
 
-/* "tierp"; of several sites with one name each has its size, "gavle/11.2"; of
- * several with one size the later ones have a number, "gavle/11.2/2". */
+/* Returns a new key: "tierp"; with the size, "gavle/11.2", if several sites
+ * have the name; and with a number, "gavle/11.2/2", if several also have the
+ * size. */
 static char *
 new_key(struct session *s, const struct site *site)
 {
@@ -59,7 +60,7 @@ new_key(struct session *s, const struct site *site)
 	size_t n = strlen(slug);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
-		/* A key is the name's slug, alone or before a slash. */
+		/* A key is the name, alone or before a slash. */
 		if (other->mark.name != name ||
 		    strncmp(other->key, slug, n) != 0 ||
 		    (other->key[n] != '\0' && other->key[n] != '/'))
@@ -130,9 +131,9 @@ sites_insert(struct session *s, struct site *site, size_t place)
 	session_keep_site(s, site);
 }
 
-/* The loaded site that was read from the same file, or n_entry: by its path, or
- * by another name of the file.  To ask the system of each would take a fleet
- * longer than to read its files. */
+/* Finds the site that was read from the same file, by its path or under another
+ * name of the file; n_entry if none was.  Asking the system about each site
+ * would take longer than reading the files if there are many. */
 static size_t
 find_site_of_file(const struct session *s, const struct site *site)
 {
@@ -210,8 +211,8 @@ session_mend(struct session *s, size_t index, struct site *site)
 	return own;
 }
 
-/* Runs that a fit was trained on stay those; without one they are chosen
- * anew. */
+/* The runs that a fit was trained on remain training runs.  Without a fit they
+ * are chosen again. */
 void
 session_replace_site(struct session *s, struct site *site, const size_t *from)
 {
@@ -230,7 +231,7 @@ session_replace_site(struct session *s, struct site *site, const size_t *from)
 	session_keep_site(s, site);
 }
 
-/* The slug of a name, with '-' for '_', as somebody may type it from memory. */
+/* As name_slug, with '-' for '_': the name as typed from memory. */
 static char *
 slug_with_dashes(const char *name)
 {
@@ -240,8 +241,8 @@ slug_with_dashes(const char *name)
 	return slug;
 }
 
-/* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
- * top size, 3 by its key. */
+/* Returns how well a site matches a name: 0 not at all, 1 its name, 2 name and
+ * top size, 3 its key. */
 static int
 match_name(const struct entry *entry, const char *wanted)
 {
@@ -261,7 +262,7 @@ match_name(const struct entry *entry, const char *wanted)
 	return match;
 }
 
-/* "gavle/4, gavle/11.2"; of those that answer, or of all. */
+/* Returns "gavle/4, gavle/11.2": the sites that match, or all for NULL. */
 static char *
 sites_list_keys(const struct session *s, const char *wanted)
 {

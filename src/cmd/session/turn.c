@@ -15,7 +15,7 @@
 #include "cmd/session/redirect.h"
 #include "cmd/session/undo.h"
 
-/* Index of an option of the call that names a file, or OPTIONS. */
+/* Returns the index of an option that names a file, or OPTIONS. */
 static size_t
 file_option(const struct args *args)
 {
@@ -27,7 +27,7 @@ file_option(const struct args *args)
 	return OPTIONS;
 }
 
-/* --safe: neither files nor the shell. */
+/* With --safe, commands use neither files nor the shell. */
 static bool
 check_safe(
     const struct args *args, const struct words *words, struct error *error)
@@ -111,7 +111,7 @@ invocation_add_options(struct session *s, const char *format, ...)
 	xappend(&s->invocation->line, "%s", options);
 }
 
-/* True where its results go elsewhere, by itself or with its script. */
+/* True if the results of the command, or of its script, are redirected. */
 static bool
 is_redirected(const struct invocation *t)
 {
@@ -126,8 +126,8 @@ was_stopped_at_start(const struct invocation *t)
 	return t->stopped && t->stopped_at == 0;
 }
 
-/* The files that it read have to be the same when it is done again; commands
- * with digest= see to it themselves, by the numbers. */
+/* Saves a check that the files the command read are unchanged.  Commands with
+ * digest= check the numbers themselves. */
 static void
 record_files(struct session *s, const struct invocation *t, const char *latest)
 {
@@ -142,15 +142,16 @@ record_files(struct session *s, const struct invocation *t, const char *latest)
 	}
 }
 
-/* What went elsewhere is not done again, but for what it changed. */
+/* Saves the command's line.  Redirected results are not made again, only what
+ * the command changed. */
 static void
 record_in_journal(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t);
 	const char *latest =
 	    t->command->flags & COMMAND_LATEST ? t->command->name : NULL;
-	/* What is asked while a calibration runs depends on the moment; what is
-	 * set does not. */
+	/* Answers given during a calibration depend on the moment; settings do
+	 * not. */
 	bool between = session_busy(s) && s->job.invocation != t &&
 		       (t->command->flags & COMMAND_SETTINGS) == 0;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
@@ -172,7 +173,8 @@ invocation_asked(struct session *s, const char *command, const char *line)
 	autosave_after_command(s, true, false);
 }
 
-/* Where the outermost invocation began, for one within it. */
+/* Returns the undo depth at which the outermost invocation began; SIZE_MAX if t
+ * is itself the outermost. */
 static size_t
 outermost_start(const struct invocation *t)
 {
@@ -202,7 +204,7 @@ bool
 invocation_end(struct session *s, bool ok, struct error *error)
 {
 	struct invocation *t = s->invocation;
-	/* The answer of a check that says no is a result. */
+	/* A check that fails still has an answer. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	bool changed = t->before != NULL && !was_stopped_at_start(t) &&
 		       snapshot_differs(t->before, s);
@@ -226,7 +228,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	if (t->timed && s->set.timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
-	/* The commands of a script may have told of it already. */
+	/* The commands of a script may already have given it a new number. */
 	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
 	    journal_place(s).state == t->state)
 		journal_new_state(s);

@@ -11,8 +11,8 @@
 
 enum { STEPS = 200 };
 
-/* Sites, logs, envelopes and pins are borrowed: the session keeps every
- * one to its end. */
+/* Borrows sites, logs, envelopes, pins and energies, which the session keeps
+ * until it ends. */
 struct snapshot {
 	struct mark mark;
 	size_t n_entry, current;
@@ -58,7 +58,7 @@ snapshot_free(struct snapshot *snapshot)
 	free(snapshot);
 }
 
-/* The session as it was then.  Its newest answers are forgotten. */
+/* Restores the session and discards the answers kept. */
 static void
 snapshot_put(struct session *s, const struct snapshot *snapshot)
 {
@@ -166,7 +166,7 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
 	cut_steps(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
-		/* Keys of many screens that a script draws fill both halves. */
+		/* A script that draws many screens can fill both halves. */
 		size_t oldest = inner && floor < undo->n ? floor : 0;
 		step_free(&undo->step[oldest]);
 		undo->n--;

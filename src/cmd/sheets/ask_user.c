@@ -21,8 +21,8 @@ static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
 
 enum { CELLS = 4 };
 
-/* The cells of a row, which live as long as the question; number: of at least
- * 24 bytes. */
+/* Gets the cells of a row, which last as long as the question.  number: a
+ * buffer of at least 24 bytes. */
 static void
 ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
     char *number, const char *cell[static CELLS])
@@ -49,7 +49,8 @@ ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
 	cell[3] = c->guess;
 }
 
-/* Widths at which all rows fit: values give way first, then heads. */
+/* Finds widths at which all rows fit: values are shortened first, then
+ * headings. */
 static void
 fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 {
@@ -77,7 +78,7 @@ fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 	}
 }
 
-/* Adds a cell of a table, cut to its width or filled up to it. */
+/* Adds a cell of a table, shortened or padded to its width. */
 static void
 ask_user_add_cell(char **line, const char *text, int width, bool right)
 {
@@ -123,7 +124,7 @@ inquiry_row(const struct inquiry *q, size_t row, int columns)
 	return line;
 }
 
-/* Whether an offered text is that of the sieves. */
+/* True if the guess is that the column has the sieves. */
 static bool
 ask_user_is_sieve(const struct site_ask_column *c)
 {
@@ -136,7 +137,7 @@ wants_speed(const struct site_ask_column *c)
 	return strstr(c->guess, "@SPEED") != NULL;
 }
 
-/* "product@69 retained_g" with other words for its role and speed. */
+/* The guess with another role and speed: "product@69 retained_g". */
 static char *
 guess_with_role(const struct site_ask_column *c, const char *role)
 {
@@ -144,8 +145,8 @@ guess_with_role(const struct site_ask_column *c, const char *role)
 	return xasprintf("%s%s", role, unit != NULL ? unit : "");
 }
 
-/* The role that is offered: of a column of sieves, which it is not said to be,
- * a product's. */
+/* Returns the role in the guess.  A column guessed to be the sieves is a
+ * product if the user says that it is not. */
 static char *
 offered_role(const struct site_ask_column *c)
 {
@@ -154,7 +155,7 @@ offered_role(const struct site_ask_column *c)
 		   : xstrndup(c->guess, strcspn(c->guess, "@ "));
 }
 
-/* A speed by itself: of what the column seems to be; a feed has none. */
+/* Interprets a speed alone, for the guessed role; a feed has no speed. */
 static char *
 guess_with_speed(const struct site_ask_column *c, const struct head *head,
     char wrong[static WRONG])
@@ -178,7 +179,7 @@ guess_with_speed(const struct site_ask_column *c, const struct head *head,
 	return guess_with_role(c, said);
 }
 
-/* Words that say a role, a quantity or both. */
+/* Interprets words that state a role, a quantity or both. */
 static char *
 ask_user_with_words(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
@@ -221,16 +222,16 @@ read_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
 	return NULL;
 }
 
-/* What the answer about a column says, as columns= has it, which the caller
- * frees: a speed, words, or what is offered for "".  NULL: it is left out where
- * wrong is "", else wrong says what was expected. */
+/* Interprets the answer about a column: a speed, words, or "" for the guess.
+ * Returns the words for columns=, which the caller frees.  If NULL, the column
+ * is left out, or `wrong` states what was expected. */
 static char *
 read_column_answer(const struct site_ask_column *c, const char *answer,
     char wrong[static WRONG])
 {
 	FREED char *copy = xstrdup(answer);
 	char *said = text_trim(copy), *text = NULL;
-	/* columns= has commas between columns only. */
+	/* In columns= a comma separates columns. */
 	for (char *p = said; *p != '\0'; p++)
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
@@ -265,8 +266,9 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 	return text;
 }
 
-/* Asks about one column until the answer can be taken; false: given up.  The
- * words, or NULL to leave it out, then stand in the table. */
+/* Asks about one column until the answer is valid, and puts it into the table
+ * as the guess: "-" leaves the column out.  Returns false if the user gives
+ * up. */
 static bool
 ask_user_ask_column(
     struct session *s, struct inquiry *q, struct site_ask_column *c)
@@ -303,7 +305,7 @@ ask_user_ask_column(
 	return true;
 }
 
-/* The table is a copy: answers are put into it as they come. */
+/* The answers go into a copy of the table, which the next question shows. */
 static bool
 ask_about_columns(struct session *s, const struct site_ask *ask,
     const char *file, struct inquired *said)
@@ -359,15 +361,14 @@ ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
 	return good;
 }
 
-/* Whether the answer is the word, or begins it. */
+/* True if the answer is the word or an abbreviation of it. */
 static bool
 is_start_of(const char *said, const char *word)
 {
 	return said[0] != '\0' && strncasecmp(word, said, strlen(said)) == 0;
 }
 
-/* Y, which is what Enter stands for, is the size offered, and a number another
- * one. */
+/* Y or Enter accepts the size offered; a number replaces it. */
 static bool
 read_top_answer(
     const char *settle, const char *said, struct inquired *into, char *wrong)
@@ -405,7 +406,7 @@ read_order_answer(const char *said, struct inquired *into, char *wrong)
 	return false;
 }
 
-/* A sheet or range as typed, or what is offered. */
+/* Takes a sheet or range as typed, or for "" the one offered. */
 static bool
 read_place_answer(const char *settle, const char *said, struct inquired *into)
 {
@@ -417,8 +418,8 @@ read_place_answer(const char *settle, const char *said, struct inquired *into)
 	return true;
 }
 
-/* Tables by their numbers, "2" or "1-3", or cells; nothing is what is offered.
- */
+/* Takes tables by number, "2" or "1-3", or cells, or for "" the tables
+ * offered. */
 static bool
 ask_user_take_tables(const struct site_ask *ask, const char *said,
     struct inquired *into, char *wrong)
@@ -467,8 +468,8 @@ ask_user_take_option(const struct site_ask *ask, const char *said,
 	return read_place_answer(settle, said, into);
 }
 
-/* Asks until the answer can be taken; false: given up, which the n of a size
- * that is offered does too. */
+/* Asks until the answer is valid.  Returns false if the user gives up; "n" to a
+ * size that is offered does so too. */
 static bool
 ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
 {
@@ -486,8 +487,8 @@ ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
 	}
 }
 
-/* What an option that settles a question asks for; offers: its value is the
- * answer of an empty line. */
+/* The questions about options.  offers: the option's value is the answer for an
+ * empty line. */
 static const struct {
 	const char *option, *question;
 	bool offers;
@@ -500,7 +501,7 @@ static const struct {
 static const char PASSES[] =
     N_("assume 100 %% passes %s mm, the next sieve up");
 
-/* One answer for an option of its own. */
+/* Asks for the value of one option. */
 static bool
 ask_option(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
@@ -532,8 +533,8 @@ ask_option(struct session *s, const struct site_ask *ask,
 	return ask_until_read(s, &q, said);
 }
 
-/* A script that somebody runs at a prompt has no questions either: it is to do
- * the same every time. */
+/* Scripts run at a prompt ask no questions either, so that they always do the
+ * same. */
 static bool
 is_attended(const struct session *s)
 {

@@ -67,7 +67,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Fills in the names and says what the site is: nothing that was measured. */
+/* Fills in the names, and states that nothing was measured. */
 static void
 describe_synth(struct site *site, const struct stored *m,
     const struct synth *synth, const char *source)
@@ -153,7 +153,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* "gavle-11.2-2.csv" in the folder, from the key "gavle/11.2/2". */
+/* Returns the file for the key "gavle/11.2/2": "gavle-11.2-2.csv". */
 static char *
 file_name_of_entry(const struct entry *entry, const char *folder)
 {

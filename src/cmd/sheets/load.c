@@ -25,7 +25,7 @@
 
 enum { MOST_ROUNDS = 5 };
 
-/* A request whose files, and what the user answered about them, are its own. */
+/* A request with the files and the user's answers, which it owns. */
 struct load {
 	struct site_request request;
 	char **path;
@@ -34,7 +34,8 @@ struct load {
 	const char *digest;
 };
 
-/* "cut1.csv@70" as file and speed; a file of that whole name comes first. */
+/* Splits "cut1.csv@70" into file and speed, unless a file has that whole
+ * name. */
 static bool
 split_speed(const char *word, char **path, double *speed, struct error *error)
 {
@@ -123,8 +124,8 @@ load_note_reading(const struct session *s, const struct site *site)
 		session_note(s, "  and %zu more: run 'check'", more);
 }
 
-/* What was loaded in a line, what it was taken for in two, and more only where
- * something was passed over. */
+/* Reports what was loaded in one line, how it was read in two, and more only if
+ * something was left out. */
 static void
 note_loaded(struct session *s, const struct site *site)
 {
@@ -149,7 +150,7 @@ note_loaded(struct session *s, const struct site *site)
 		    "adds a cut at another speed");
 }
 
-/* Puts the answers into a request. */
+/* Replaces options of a request by the user's answers. */
 static void
 take_answers(const struct inquired *said, struct site_request *q)
 {
@@ -162,7 +163,7 @@ take_answers(const struct inquired *said, struct site_request *q)
 	q->top = said->top > 0 ? said->top : q->top;
 }
 
-/* Asks whoever sits there; false where nobody does, or has given up. */
+/* Asks the user; false if there is none, or the user gives up. */
 static bool
 ask_user_about_load(struct session *s, struct load *l,
     const struct site_ask *ask, const struct error_list *errors)
@@ -173,8 +174,8 @@ ask_user_about_load(struct session *s, struct load *l,
 	return good;
 }
 
-/* Reads the request as one site, asking where somebody can be asked.  NULL:
- * with the error. */
+/* Reads the request as one site, asking the user if possible.  On failure,
+ * returns NULL with an error. */
 static struct site *
 read_site(struct session *s, struct load *l, struct error *error)
 {
@@ -182,7 +183,7 @@ read_site(struct session *s, struct load *l, struct error *error)
 		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
 		struct site *site = site_read_as(&l->request, &errors, &ask);
-		/* What is answered about a feed would not be saved. */
+		/* Answers about a feed could not be saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
 			     ask_user_about_load(s, l, &ask, &errors);
@@ -221,7 +222,7 @@ load_as_one(struct session *s, struct load *l, struct error *error)
 	return site != NULL && load_take_site(s, l, site, error);
 }
 
-/* What a file alone lacks of a site. */
+/* Finds whether one file alone has only a feed, or only a product. */
 static void
 find_what_file_has(const struct session *s, struct load *l, size_t i,
     bool *feed, bool *product)
@@ -238,8 +239,8 @@ find_what_file_has(const struct session *s, struct load *l, size_t i,
 	site_ask_clear(&ask);
 }
 
-/* Whether files are parts of one site: none of them is complete, and one feed
- * serves the others' products.  The first that is complete tells. */
+/* True if the files are parts of one site: none is complete, and one feed
+ * serves the products of all others.  Stops at the first complete file. */
 static bool
 are_parts(const struct session *s, struct load *l)
 {
@@ -257,15 +258,15 @@ are_parts(const struct session *s, struct load *l)
 	return feeds == n || feeds == 1;
 }
 
-/* Files that could not be read, for the end. */
+/* Files that could not be read, to be reported at the end. */
 struct unread {
 	size_t n;
 	struct error *fault;
 };
 
-/* All of them in their order; the error, which is told last, is the last that
- * is not there, or else the last: the others may lack no more than what that
- * file has.  skip: none is an error. */
+/* Reports all of them in order.  The one left for the error is the last file
+ * that is missing, if any: the others may lack only what that file has.  skip:
+ * none becomes an error. */
 static bool
 report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)
@@ -287,7 +288,7 @@ report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
 	return false;
 }
 
-/* Each file is a site: those that can be read are loaded. */
+/* Loads each file as a site, and continues after one that cannot be read. */
 static bool
 load_each(struct session *s, struct load *l, bool skip, struct error *error)
 {
@@ -331,7 +332,7 @@ load_run(struct session *s, struct load *l, bool skip, struct error *error)
 	return load_each(s, l, skip, error);
 }
 
-/* A quote in a name could not be typed, nor saved. */
+/* A name with a quote can be neither typed nor saved. */
 static bool
 load_is_sheet(const char *name)
 {
@@ -350,7 +351,7 @@ load_by_name(const void *a, const void *b)
 	return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Leaves out results that were saved beside the sheets, from this one on. */
+/* Removes tipspeed's own results from the files, from index `from` on. */
 static void
 leave_out_results(const struct session *s, struct load *l, size_t from)
 {
@@ -368,7 +369,7 @@ leave_out_results(const struct session *s, struct load *l, size_t from)
 	l->request.n = n;
 }
 
-/* The sheets of a folder by their names; those of folders in it are not its. */
+/* Adds the sheets in a folder by name, without those in folders inside it. */
 static bool
 load_add_folder(const struct session *s, struct load *l, DIR *dir,
     const char *path, struct error *error)
@@ -391,8 +392,8 @@ load_add_folder(const struct session *s, struct load *l, DIR *dir,
 		   "name the folder that has them");
 }
 
-/* The files of the words, with the sheets of folders in their places.  A file
- * that is there comes before a shipped site of its name. */
+/* Adds the files named by words, and the sheets of folders.  A file takes
+ * precedence over a shipped site of the same name. */
 static bool
 load_add_words(const struct session *s, struct load *l, size_t n,
     const char *const *word, struct error *error)
@@ -413,8 +414,8 @@ load_add_words(const struct session *s, struct load *l, size_t n,
 	return good;
 }
 
-/* How unlike the names of two files are, without case, and without an ending
- * where the first has none; 0 where only the endings differ. */
+/* Returns how much two file names differ, ignoring case, and ignoring the
+ * ending of b if a has none; 0 if only the endings differ. */
 static size_t
 apart_in_name(const char *a, const char *b)
 {
@@ -426,8 +427,8 @@ apart_in_name(const char *a, const char *b)
 	return same ? 0 : text_distance(one, two);
 }
 
-/* The sheet in the folder of a path whose name is nearest to it, or NULL; the
- * caller frees. */
+/* Returns the sheet beside a path whose name is closest to it, or NULL. The
+ * caller frees it. */
 static char *
 nearest_sheet(const char *path)
 {
@@ -454,8 +455,8 @@ nearest_sheet(const char *path)
 	return nearest;
 }
 
-/* Of files one of which is not there: the line with its nearest name.  args:
- * the options that stand in the line, or NULL. */
+/* If a file does not exist, suggests the line with the closest name.  args: the
+ * options in the line, or NULL. */
 static void
 hint_nearest(size_t n, const char *const *word, const struct args *args,
     struct error *error)
@@ -482,7 +483,7 @@ hint_nearest(size_t n, const char *const *word, const struct args *args,
 		error_hint(error, "did you mean '%s'?", line);
 }
 
-/* What the options say of the files. */
+/* Takes the options of a call into the request. */
 static void
 load_read_options(struct load *l, const struct args *args)
 {
@@ -533,7 +534,7 @@ load_parts(struct session *s, const struct args *args, const char *const *word,
 	return site;
 }
 
-/* The run whose feed is meant; speed: 0 where none was said. */
+/* Finds the run whose feed is meant; speed: 0 if not stated. */
 static bool
 find_feed(const struct site *site, const char *word, double speed, size_t *run,
     struct error *error)
@@ -594,7 +595,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	return site;
 }
 
-/* A name that may be the file's, and whether it was. */
+/* A name to look for, and whether it was found. */
 struct remembered_name {
 	const char *name;
 	bool found;
@@ -607,7 +608,7 @@ compare_name(void *data, const char *name)
 	r->found = r->found || text_same(name, r->name);
 }
 
-/* Of a file that is not there: whether something so named was remembered. */
+/* If a file does not exist but a material has that name, says so. */
 static void
 hint_remembered(const struct session *s, const char *word, struct error *error)
 {

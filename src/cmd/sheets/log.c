@@ -14,7 +14,7 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 
-/* "1,440 rows", as people read long numbers. */
+/* "1,440 rows" */
 static char *
 rows_text(size_t n)
 {
@@ -56,7 +56,7 @@ contents_words(const struct plant_log *log)
 	return text;
 }
 
-/* A gap worth a word: ten rows, and more than some minutes. */
+/* A gap is reported if it is longer than ten rows and than five minutes. */
 static bool
 has_gap(const struct plant_log *log)
 {
@@ -157,7 +157,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Tip speed of rpm, or what the log has. */
+/* Returns the tip speed in the log, or that of its rpm. */
 static double
 tip_speed_of_window(
     const struct plant_log *log, const struct log_window *w, double rotor)
@@ -168,7 +168,7 @@ tip_speed_of_window(
 	return round(10 * v) / 10;
 }
 
-/* How the speed was found, and whether it held. */
+/* Reports how the speed was found, and warns if it was not steady. */
 static void
 log_note_speed(struct session *s, const struct plant_log *log, double time,
     double within, double rotor, const struct log_window *w)

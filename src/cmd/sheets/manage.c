@@ -36,7 +36,7 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Forgets all that was loaded and set. */
+/* Clears everything that was loaded and set. */
 static void
 reset_session(struct session *s, const struct choices *choices)
 {
@@ -64,7 +64,7 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* The script says by itself what the command line had set when it was saved. */
+/* The script itself sets what the command line had set when it was saved. */
 static bool
 restore_script(struct session *s, const char *path, struct error *error)
 {
@@ -75,7 +75,8 @@ restore_script(struct session *s, const char *path, struct error *error)
 	return true;
 }
 
-/* What was typed, with the ending where it has none.  The caller frees. */
+/* Returns the name typed, with .tip if it has no ending.  The caller frees
+ * it. */
 static char *
 script_name(const char *typed)
 {
@@ -154,8 +155,8 @@ show_settings(struct session *s)
 	return session_show_answer(s, r);
 }
 
-/* Texts that cannot be read and speeds that are no range are refused; a feed
- * may not tell of them yet. */
+/* Refuses texts that cannot be read and speeds that are no range.  A feed need
+ * not cover the conditions yet. */
 static bool
 check_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
@@ -206,10 +207,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	}
 	if (!model_settings_same(&before, &s->set.model))
 		session_forget(s);
-	/* What is wanted is work, not looks. */
+	/* Settings alone are not worth keeping, but a goal is. */
 	if (strcmp(was.goal, s->set.goal) != 0)
 		journal_new_state(s);
-	/* What a site has stays as it is. */
+	/* The parameters of loaded sites are not changed. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);
 		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
@@ -243,8 +244,8 @@ manage_put_script(const void *data, FILE *out)
 	journal_put(data, out);
 }
 
-/* Where this session was saved before it is saved again unasked; what it was
- * restored from is replaced where that is said. */
+/* A file to which this session was saved is replaced without asking; the file
+ * that it was restored from only with replace=on. */
 static bool
 may_save(const struct session *s, const struct args *args, const char *path,
     struct error *error)
@@ -289,8 +290,8 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 			 path);
 }
 
-/* Goes to another session.  A calibration that was stopped is kept only where
- * its site and the fit it left there stay. */
+/* Undoes or redoes a step.  A stopped calibration is kept only if its site, and
+ * the fit that it left there, are the same afterwards. */
 static const char *
 undo_or_redo(struct session *s, const char *(*where)(struct session *))
 {

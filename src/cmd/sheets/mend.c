@@ -15,7 +15,8 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
-/* The posterior of a calibration of this very site. */
+/* Returns the posterior if the site was calibrated with these very data, or
+ * NULL. */
 static const struct posterior *
 posterior_of_site(const struct session *s, const struct entry *entry)
 {
@@ -38,7 +39,7 @@ mend_look(const struct session *s, const struct entry *entry)
 	    entry->site, posterior_of_site(s, entry), s->set.noise / 100);
 }
 
-/* ---- Telling ---- */
+/* ---- Reporting ---- */
 
 static const char *const KINDS[] = {[MEND_READ] = "read",
     [MEND_OUT] = "leave out",
@@ -75,7 +76,7 @@ mend_command_line(const struct site *site, const struct mend *m)
 	return call;
 }
 
-/* What the mend would make of it. */
+/* Returns what the mend would change: "off by 3.10 points now, 0.20 then". */
 static char *
 effect_words(const struct finding *f)
 {
@@ -140,7 +141,7 @@ put_finding(struct answer *r, struct fields *list, const struct entry *entry,
 	    100 * f->rmse[0], 100 * f->rmse[1], words, call);
 }
 
-/* A number that another list of mends, or of another site, has not. */
+/* Returns a number that identifies this list of mends of this site. */
 static double
 mend_mark_of(const struct entry *entry, const struct doctor *d)
 {
@@ -167,7 +168,7 @@ mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
 			       "takes it back; nothing is changed until then");
 }
 
-/* ---- Taking ---- */
+/* ---- Applying ---- */
 
 static bool
 is_number(const char *word)
@@ -211,7 +212,7 @@ find_numbered(
 	return ok;
 }
 
-/* Which of the options that say what to do were given. */
+/* Returns how many of the options that state what to do were given. */
 static size_t
 options_given(const struct args *args)
 {
