@@ -279,7 +279,7 @@ main(int argc, char **argv)
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
-		session_language(s);
+		session_set_language(s);
 		s->set.seed = in.seed;
 		s->isa = isa_named(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;

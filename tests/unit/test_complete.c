@@ -63,7 +63,7 @@ add(struct desk *desk, size_t row)
 	struct site *site = made_site(&TABLE_3[row], 0.005, 9);
 	free(site->name);
 	site->name = xstrdup(TABLE_3[row].site);
-	session_add(desk->session, site);
+	session_add_site(desk->session, site);
 }
 
 static void

@@ -276,7 +276,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		if (a.limits != NULL)
 			answer_say(r, ANSWER_REMARK, "%s", a.limits);
 		answers_show_basis_at(s, r, q, a.w->best, false);
-		s->asked = a.w->best;
+		s->last_speed = a.w->best;
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

@@ -16,7 +16,7 @@
 #include "cmd/fit/fit_report.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "core/search/misfit.h"
 
 /* Notes what the job is about to do. */
@@ -201,7 +201,7 @@ take_entry(struct session *s)
 	snprintf(entry->options, sizeof entry->options, "%s", options);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
-	session_forget(s);
+	session_forget_answers(s);
 	entry->has_fit = entry->has_params = true;
 	entry->remembered = false;
 	memcpy(entry->train, s->job.train,

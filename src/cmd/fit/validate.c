@@ -10,7 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/fit/trials.h"
 #include "cmd/ask/fit.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"

@@ -105,7 +105,7 @@ read_redirection_file(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	bool append = line[*at + 1] == '>';
-	words->to = append ? TO_END : TO_FILE;
+	words->to = append ? TO_APPEND : TO_FILE;
 	*at = parse_skip_blanks(line, *at + (append ? 2 : 1));
 	int column = parse_column_of(line, words, *at);
 	if (!read_word_of_line(line, at, false, &words->target))
@@ -508,7 +508,7 @@ error_wrong_whole(
 
 /* Sets the error that no value was given. */
 static bool
-value_wanted(const struct command_option *option, struct error *error)
+error_no_value(const struct command_option *option, struct error *error)
 {
 	FREED char *limits = command_limits(option);
 	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
@@ -521,7 +521,7 @@ error_wrong_choice(
     const struct command_option *option, const char *word, struct error *error)
 {
 	if (word[0] == '\0')
-		return value_wanted(option, error);
+		return error_no_value(option, error);
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option_choices(option), word);
 	char *copy = xstrdup(option_choices(option)), *save = NULL;
@@ -546,7 +546,7 @@ value_read(const struct command_option *option, const char *word,
 		if (value_number(word, option->unit, &value->number))
 			return parse_number(
 			    option, word, &value->number, error);
-		return word[0] != '\0' || value_wanted(option, error);
+		return word[0] != '\0' || error_no_value(option, error);
 	case VALUE_NUMBERS:
 		return read_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
@@ -648,7 +648,7 @@ error_lacks_value(
 {
 	size_t i = command_option_index(command, name);
 	return i < OPTIONS &&
-	       !value_wanted(command_option_at(command, i), error);
+	       !error_no_value(command_option_at(command, i), error);
 }
 
 /* Reads "method classes", which means "method=classes". */
@@ -828,8 +828,8 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	if (command == NULL) {
 		error_unknown_name(words->text[0], place.prompt, error);
 	} else {
-		args->command = command_find_two_words(
-		    command, words->text + 1, words->n - 1);
+		args->command =
+		    command_meant(command, words->text + 1, words->n - 1);
 		if (read_arguments(words, args, &column, error))
 			return args->command;
 		hint_blanks(args->command, words, error);

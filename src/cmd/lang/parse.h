@@ -20,13 +20,13 @@ struct place {
 };
 
 /* Target of a command's results. */
-enum target { TO_SCREEN, TO_FILE, TO_END, TO_PIPE };
+enum target { TO_SCREEN, TO_FILE, TO_APPEND, TO_PIPE };
 
 /* The words of one command and the columns where they start (from 1).  typed:
  * the words as typed in the line; NULL after an error.  next: the offset in the
  * line at which the next command may begin.  target: the file for TO_FILE (">")
- * and TO_END (">>"), or the shell command for TO_PIPE; to_column: the column of
- * > or |. */
+ * and TO_APPEND (">>"), or the shell command for TO_PIPE; to_column: the column
+ * of > or |. */
 struct words {
 	size_t n;
 	char *text[OPERANDS];

@@ -451,7 +451,7 @@ complete_end(struct work *w, const char *line)
 	struct error error = {0};
 	struct place place = {.file = "", .prompt = true};
 	bool ok = words_split(before, 0, place, &words, &error);
-	if (words.to == TO_FILE || words.to == TO_END) {
+	if (words.to == TO_FILE || words.to == TO_APPEND) {
 		if (words.target != NULL && words.target[0] == '\0')
 			offer_files(w);
 	} else if (ok && words.to == TO_SCREEN && words.n == 0) {

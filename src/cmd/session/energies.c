@@ -66,7 +66,7 @@ energies_read(struct session *s, const char *path,
 	told.data = s;
 	files_note_read(s, path);
 	if (!collisions_read(path, &told, &c, &errors)) {
-		session_tell_faults(s, path, &errors, error);
+		session_report_faults(s, path, &errors, error);
 		return NULL;
 	}
 	struct energies *e = xcalloc(1, sizeof *e);

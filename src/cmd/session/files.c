@@ -101,7 +101,7 @@ files_note_written(struct session *s, const char *path)
 }
 
 void
-files_set_holder(struct session *s, const char *path, bool saved)
+files_set_session_script(struct session *s, const char *path, bool saved)
 {
 	struct files *f = files_of(s);
 	char *holder = xstrdup(path);
@@ -113,7 +113,7 @@ files_set_holder(struct session *s, const char *path, bool saved)
 }
 
 const char *
-files_holder(const struct session *s, bool *saved)
+files_session_script(const struct session *s, bool *saved)
 {
 	if (saved != NULL)
 		*saved = s->files != NULL && s->files->saved;
@@ -180,7 +180,7 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 		    "%s is the store and cannot be overwritten by a result\n"
 		    "use another file name",
 		    path);
-	if (is_file(files_holder(s, NULL), &file))
+	if (is_file(files_session_script(s, NULL), &file))
 		return error_set(error, ERROR_SYSTEM,
 		    "%s holds this session and cannot be overwritten by a "
 		    "result\nuse another file name",
@@ -210,7 +210,7 @@ bool
 files_may_replace(struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
-	if (s->hooks.confirm == NULL || s->scripts > s->typed_at ||
+	if (s->hooks.confirm == NULL || s->scripts > s->typed_depth ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;

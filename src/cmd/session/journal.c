@@ -40,10 +40,10 @@ journal_append(struct journal *j, char *line)
 	j->line[j->n++] = line;
 }
 
-struct tail
+struct cut_lines
 journal_cut_after(struct session *s, struct mark mark)
 {
-	struct tail tail = {.from = mark, .to = journal_place(s)};
+	struct cut_lines tail = {.from = mark, .to = journal_place(s)};
 	struct journal *j = s->journal;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
@@ -55,7 +55,7 @@ journal_cut_after(struct session *s, struct mark mark)
 }
 
 void
-journal_paste(struct session *s, struct tail *tail)
+journal_paste(struct session *s, struct cut_lines *tail)
 {
 	struct journal *j = s->journal;
 	/* Lines may have been added since these were cut off. */
@@ -65,11 +65,11 @@ journal_paste(struct session *s, struct tail *tail)
 	for (size_t i = 0; i < tail->n; i++)
 		journal_append(j, tail->line[i]);
 	free(tail->line);
-	*tail = (struct tail){0};
+	*tail = (struct cut_lines){0};
 }
 
 void
-tail_free(struct tail *tail)
+cut_lines_free(struct cut_lines *tail)
 {
 	for (size_t i = 0; i < tail->n; i++)
 		free(tail->line[i]);

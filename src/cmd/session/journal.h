@@ -21,15 +21,15 @@ struct mark {
 struct mark journal_place(const struct session *s);
 
 /* Lines removed from the end of the journal, to be put back later. */
-struct tail {
+struct cut_lines {
 	size_t n;
 	char **line;
 	struct mark from, to; /* places before and after the lines */
 };
 
-struct tail journal_cut_after(struct session *s, struct mark mark);
-void journal_paste(struct session *s, struct tail *tail);
-void tail_free(struct tail *tail);
+struct cut_lines journal_cut_after(struct session *s, struct mark mark);
+void journal_paste(struct session *s, struct cut_lines *tail);
+void cut_lines_free(struct cut_lines *tail);
 
 /* Adds a line.  latest: the name of a command whose line is replaced if it is
  * the last; or NULL. */

@@ -142,7 +142,7 @@ redirect_allowed(const struct command *command, const struct words *words,
 		    kind == OUTPUT_PDF ? tr("html") : "svg");
 	if (image && kind == OUTPUT_ANSWERS)
 		return error_command_draws_nothing(command, target, error);
-	return words->to != TO_END || kind == OUTPUT_ANSWERS ||
+	return words->to != TO_APPEND || kind == OUTPUT_ANSWERS ||
 	       error_cannot_append(kind, target, error);
 }
 
@@ -219,7 +219,7 @@ redirect_open(struct session *s, const struct command *command,
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->document != NULL ? r->document->out : r->memory;
 	s->set.format = r->form;
-	session_language(s);
+	session_set_language(s);
 	return r;
 }
 
@@ -230,8 +230,8 @@ put_mark(struct redirect *r)
 {
 	struct stat about;
 	bool there = stat(r->target, &about) == 0;
-	if (there &&
-	    (!S_ISREG(about.st_mode) || (r->to == TO_END && about.st_size > 0)))
+	if (there && (!S_ISREG(about.st_mode) ||
+			 (r->to == TO_APPEND && about.st_size > 0)))
 		return;
 	char *text = xcalloc(r->n + 4, 1);
 	memcpy(text, "\xEF\xBB\xBF", 3);
@@ -402,7 +402,7 @@ redirect_close(
 	/* Not if the command itself has set the format. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
-	session_language(s);
+	session_set_language(s);
 	bool whole = fclose(r->memory) == 0, ok = true;
 	if (keep && r->book != NULL)
 		keep = ok = bind_book(s, r, error);

@@ -53,7 +53,7 @@ script_count(FILE *in)
 		return 0;
 	while (text_read_line(&line, &n, &room, in) == TEXT_LINE) {
 		commands += !more && is_command(line);
-		more = script_goes_on(line);
+		more = script_line_continues(line);
 		n = 0;
 	}
 	return fseek(in, begin, SEEK_SET) == 0 ? commands : 0;
@@ -114,7 +114,7 @@ script_close(struct session *s, size_t depth)
 }
 
 bool
-script_goes_on(char *line)
+script_line_continues(char *line)
 {
 	size_t n = strcspn(line, "\r\n");
 	line[n] = '\0';
@@ -164,7 +164,7 @@ join(struct script *script, int *first, struct error *error)
 		if (!any)
 			*first = script->number;
 		any = true;
-		more = good && script_goes_on(line + from);
+		more = good && script_line_continues(line + from);
 		n = from += strlen(line + from);
 	}
 	if (got == TEXT_TOO_LONG)

@@ -25,7 +25,7 @@ static bool
 key_taken(const struct session *s, uint64_t name, const char *key)
 {
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (s->entry[i].mark.name == name &&
+		if (s->entry[i].lookup.name == name &&
 		    strcmp(s->entry[i].key, key) == 0)
 			return true;
 	return false;
@@ -61,7 +61,7 @@ new_key(struct session *s, const struct site *site)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
 		/* A key is the name, alone or before a slash. */
-		if (other->mark.name != name ||
+		if (other->lookup.name != name ||
 		    strncmp(other->key, slug, n) != 0 ||
 		    (other->key[n] != '\0' && other->key[n] != '/'))
 			continue;
@@ -90,7 +90,7 @@ session_keep_site(struct session *s, struct site *site)
 {
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
-	session_forget(s);
+	session_forget_answers(s);
 }
 
 static uint64_t
@@ -101,23 +101,24 @@ digest_of_file(const struct stat *file)
 	return text_digest(digest, &file->st_ino, sizeof file->st_ino);
 }
 
-static struct mark_of
-sites_mark_of(const struct site *site)
+static struct lookup_keys
+lookup_keys_of(const struct site *site)
 {
 	struct stat file;
 	FREED char *slug = name_slug(site->name);
-	struct mark_of mark = {
+	struct lookup_keys lookup = {
 	    sites_digest_of(slug), sites_digest_of(site->path), 0};
 	if (stat(site->path, &file) == 0)
-		mark.file = digest_of_file(&file);
-	return mark;
+		lookup.file = digest_of_file(&file);
+	return lookup;
 }
 
 static void
 sites_insert(struct session *s, struct site *site, size_t place)
 {
-	struct entry entry = {
-	    .mark = sites_mark_of(site), .site = site, .key = new_key(s, site)};
+	struct entry entry = {.lookup = lookup_keys_of(site),
+	    .site = site,
+	    .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_default_train(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
@@ -127,7 +128,7 @@ sites_insert(struct session *s, struct site *site, size_t place)
 	if (s->job.calibration != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
-	s->asked = 0;
+	s->last_speed = 0;
 	session_keep_site(s, site);
 }
 
@@ -140,11 +141,11 @@ find_site_of_file(const struct session *s, const struct site *site)
 	struct stat file, other;
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
-	struct mark_of own = {
+	struct lookup_keys own = {
 	    0, sites_digest_of(site->path), digest_of_file(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
-		if ((s->entry[i].mark.path == own.path ||
-			s->entry[i].mark.file == own.file) &&
+		if ((s->entry[i].lookup.path == own.path ||
+			s->entry[i].lookup.file == own.file) &&
 		    stat(s->entry[i].site->path, &other) == 0 &&
 		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
 			return i;
@@ -152,19 +153,19 @@ find_site_of_file(const struct session *s, const struct site *site)
 }
 
 void
-session_add(struct session *s, struct site *site)
+session_add_site(struct session *s, struct site *site)
 {
 	size_t place = find_site_of_file(s, site);
 	if (place < s->n_entry) {
 		session_note(
 		    s, "replaced %s, loaded earlier", s->entry[place].key);
-		session_drop(s, place);
+		session_drop_site(s, place);
 	}
 	sites_insert(s, site, place);
 }
 
 void
-session_drop(struct session *s, size_t index)
+session_drop_site(struct session *s, size_t index)
 {
 	if (s->job.calibration != NULL && s->job.entry == index)
 		session_discard_job(s);
@@ -175,19 +176,19 @@ session_drop(struct session *s, size_t index)
 	memmove(&s->entry[index], &s->entry[index + 1],
 	    (s->n_entry - index) * sizeof *s->entry);
 	if (s->current == index)
-		session_forget(s);
+		session_forget_answers(s);
 	bool last = s->current == index && index == s->n_entry;
 	if (s->current > index || (last && index > 0))
 		s->current--;
 }
 
 bool
-session_mend(struct session *s, size_t index, struct site *site)
+session_replace_mended(struct session *s, size_t index, struct site *site)
 {
 	struct entry *entry = &s->entry[index];
 	bool own =
 	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
-				  entry->origin->whose[0] == '\0');
+				  entry->origin->from[0] == '\0');
 	if (s->job.calibration != NULL && s->job.entry == index)
 		session_discard_job(s);
 	if (site->n_run != entry->site->n_run) {
@@ -274,7 +275,7 @@ sites_list_keys(const struct session *s, const char *wanted)
 }
 
 bool
-session_find(
+session_find_site(
     struct session *s, const char *name, size_t *index, struct error *error)
 {
 	int best = 0;
@@ -302,13 +303,13 @@ session_find(
 }
 
 bool
-session_add_loaded(struct session *s, struct site *site, const char *digest,
+session_add_unchanged(struct session *s, struct site *site, const char *digest,
     struct error *error)
 {
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, site->digest);
 	if (digest == NULL || strcmp(digest, found) == 0) {
-		session_add(s, site);
+		session_add_site(s, site);
 		return true;
 	}
 	error_at(error, ERROR_DATA, site->path, 0, 0,

@@ -21,7 +21,7 @@ struct snapshot {
 	const struct spec *spec;
 	const struct pin *pin;
 	const struct energies *energy;
-	struct choices set;
+	struct settings set;
 };
 
 static struct entry *
@@ -71,7 +71,7 @@ snapshot_put(struct session *s, const struct snapshot *snapshot)
 	s->pin = snapshot->pin;
 	s->energy = snapshot->energy;
 	s->set = snapshot->set;
-	session_forget(s);
+	session_forget_answers(s);
 }
 
 bool
@@ -114,7 +114,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 struct step {
 	char *label;
 	struct snapshot *before, *after; /* after: of undone steps */
-	struct tail tail;                /* likewise */
+	struct cut_lines tail;           /* likewise */
 };
 
 /* The first `done` of the n steps can be undone, the others redone. */
@@ -129,7 +129,7 @@ step_free(struct step *step)
 	free(step->label);
 	snapshot_free(step->before);
 	snapshot_free(step->after);
-	tail_free(&step->tail);
+	cut_lines_free(&step->tail);
 }
 
 static void

@@ -12,7 +12,7 @@
 #include "cmd/sheets/check.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/sheets/load.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
@@ -396,7 +396,7 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 		word[i] = all.file[i].word;
 	}
 	struct site *cuts =
-	    good ? load_parts(s, args, word, rotor, error) : NULL;
+	    good ? load_cuts(s, args, word, rotor, error) : NULL;
 	good = cuts != NULL && add_cuts(s, args, cuts, &all, error);
 	site_free(cuts);
 	origins_clear(&all);

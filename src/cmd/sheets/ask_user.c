@@ -292,7 +292,7 @@ ask_user_ask_column(
 			       "out");
 	q->wrong = wrong;
 	do {
-		FREED char *answer = s->hooks.question(s, q);
+		FREED char *answer = s->hooks.ask(s, q);
 		if (answer == NULL)
 			return false;
 		rest = strcmp(answer, ".") == 0;
@@ -477,7 +477,7 @@ ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
 	bool top = strncmp(q->ask->settle, "top=", 4) == 0;
 	q->wrong = wrong;
 	for (q->first = true;; q->first = false) {
-		FREED char *answer = s->hooks.question(s, q);
+		FREED char *answer = s->hooks.ask(s, q);
 		char *text = answer != NULL ? text_trim(answer) : NULL;
 		if (text == NULL || (top && is_start_of(text, "no")))
 			return false;
@@ -538,7 +538,7 @@ ask_option(struct session *s, const struct site_ask *ask,
 static bool
 is_attended(const struct session *s)
 {
-	return s->hooks.question != NULL && s->scripts <= s->typed_at;
+	return s->hooks.ask != NULL && s->scripts <= s->typed_depth;
 }
 
 bool

@@ -28,7 +28,7 @@ struct inquired {
 	bool month_first;
 };
 
-/* Asks, with session->hooks.question, until all open questions are answered.
+/* Asks, with session->hooks.ask, until all open questions are answered.
  * Returns false if there is no user or the user gives up.  trouble: the fault
  * that says what is open.  said: the answers so far. */
 bool ask_open_question(struct session *s, const struct site_ask *ask,

@@ -406,7 +406,7 @@ check_site(
 	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_wide(r, entry);
-	struct doctor d = mend_look(s, entry);
+	struct doctor d = mend_find_faults(s, entry);
 	check_cells(r, entry, &d);
 	if (d.unseen > 0)
 		finding(r, entry, false, "all runs",
@@ -441,7 +441,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		first = 0;
 		last = s->n_entry - 1;
 	} else if (args->n_operand > 0) {
-		if (!session_find(s, args->operand[0], &first, error))
+		if (!session_find_site(s, args->operand[0], &first, error))
 			return false;
 		last = first;
 	}

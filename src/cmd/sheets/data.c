@@ -58,11 +58,11 @@ bool
 cmd_use(struct session *s, const struct args *args, struct error *error)
 {
 	size_t before = s->current;
-	if (!session_find(s, args->operand[0], &s->current, error))
+	if (!session_find_site(s, args->operand[0], &s->current, error))
 		return false;
 	if (s->current != before) {
-		session_forget(s);
-		s->asked = 0;
+		session_forget_answers(s);
+		s->last_speed = 0;
 	}
 	return true;
 }
@@ -135,12 +135,13 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		const struct stored *row = &rows.item[i];
 		if (wanted != NULL && !text_same(wanted, row->site))
 			continue;
-		session_add(s, synth_row(row, args));
+		session_add_site(s, synth_row(row, args));
 		made++;
 	}
 	stored_list_free(&rows);
 	if (!read)
-		return session_tell_faults(s, args->operand[0], &errors, error);
+		return session_report_faults(
+		    s, args->operand[0], &errors, error);
 	if (made == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s has no site '%s'\n"

@@ -14,7 +14,7 @@
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/sheets/ask_user.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/journal.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
@@ -192,7 +192,7 @@ read_site(struct session *s, struct load *l, struct error *error)
 			return site;
 		if (again)
 			continue;
-		session_tell_faults(s, l->path[0], &errors, error);
+		session_report_faults(s, l->path[0], &errors, error);
 		return NULL;
 	}
 }
@@ -201,7 +201,7 @@ static bool
 load_take_site(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
-	if (!session_add_loaded(s, site, l->digest, error))
+	if (!session_add_unchanged(s, site, l->digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
 	note_loaded(s, entry->site);
@@ -515,7 +515,7 @@ load_files(struct session *s, size_t n, const char *const *word,
 }
 
 struct site *
-load_parts(struct session *s, const struct args *args, const char *const *word,
+load_cuts(struct session *s, const struct args *args, const char *const *word,
     double rotor, struct error *error)
 {
 	struct load l = {.request = {.parts = true, .site_rotor = rotor}};

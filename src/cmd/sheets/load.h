@@ -17,7 +17,7 @@ bool load_files(struct session *s, size_t n, const char *const *word,
  * samples to add to a site.  The user's answers are saved with the call.
  * rotor: diameter, m, if the call gives none.  On failure, returns NULL with an
  * error. */
-struct site *load_parts(struct session *s, const struct args *args,
+struct site *load_cuts(struct session *s, const struct args *args,
     const char *const *word, double rotor, struct error *error);
 
 /* Reads a sheet for a feed to use in questions.  word: "FILE" or "FILE@SPEED",

@@ -107,7 +107,7 @@ read_log(struct session *s, struct log_request *q, struct error *error)
 			return log;
 		if (!open || q->order != DATETIME_OPEN ||
 		    !ask_date_order(s, &errors.item[0], &month)) {
-			session_tell_faults(s, q->path[0], &errors, error);
+			session_report_faults(s, q->path[0], &errors, error);
 			return NULL;
 		}
 		q->order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;

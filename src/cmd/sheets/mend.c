@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
@@ -21,7 +21,7 @@ static const struct posterior *
 posterior_of_site(const struct session *s, const struct entry *entry)
 {
 	if (origin_fit(entry) == NULL || session_busy(s) ||
-	    entry->origin->spread->site != entry->site)
+	    entry->origin->history->site != entry->site)
 		return NULL;
 	return outlook_posterior(s, entry, CORRECTION_ALL);
 }
@@ -33,7 +33,7 @@ mend_is_calibrated(const struct session *s, const struct entry *entry)
 }
 
 struct doctor
-mend_look(const struct session *s, const struct entry *entry)
+mend_find_faults(const struct session *s, const struct entry *entry)
 {
 	return outliers_find(
 	    entry->site, posterior_of_site(s, entry), s->set.noise / 100);
@@ -182,7 +182,7 @@ find_numbered(
 {
 	const struct entry *entry = session_entry(s);
 	double known = session_answer_number(s, "check mend", "mark");
-	struct doctor d = mend_look(s, entry);
+	struct doctor d = mend_find_faults(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;
 	if (isnan(known) || known != mend_mark_of(entry, &d))
@@ -287,7 +287,7 @@ list_mends(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	struct answer *r = answer_new("mend");
-	struct doctor d = mend_look(s, entry);
+	struct doctor d = mend_find_faults(s, entry);
 	mend_put(r, entry, &d);
 	if (d.n == 0)
 		answer_note(r, "no mend is proposed for %s", entry->key);
@@ -312,7 +312,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	FREED char *words = mend_words(entry->site, &mend);
 	free(s->invocation->line);
 	s->invocation->line = mend_command_line(entry->site, &mend);
-	bool fitted = session_mend(s, s->current, site);
+	bool fitted = session_replace_mended(s, s->current, site);
 	session_note(s, "mended: %s", words);
 	if (fitted)
 		session_note(s, "  the data have changed since the "

@@ -16,7 +16,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "config.h"
 #include "io/cells/datetime.h"
@@ -109,7 +109,7 @@ give_params_to_other(
 	entry->has_fit = false;
 	origin_drop(entry->origin);
 	entry->origin = origin_from_store(m);
-	entry->origin->spread = h;
+	entry->origin->history = h;
 }
 
 /* The result of recalling a material. */
@@ -136,7 +136,7 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 	}
 	struct site *now = b.now != NULL ? b.now : b.then;
 	if (s->n_entry == 0) {
-		session_add(s, now);
+		session_add_site(s, now);
 		*index = s->current;
 	} else {
 		session_keep_site(s, now);
@@ -158,7 +158,7 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 		give_calibration_back(entry, &b, m, h);
 	else
 		give_params_to_other(entry, m, h);
-	session_forget(s);
+	session_forget_answers(s);
 	free(b.train);
 	return own ? REMEMBERED_OWN : REMEMBERED_OTHER;
 }
@@ -267,7 +267,7 @@ static void
 set_origin_fields(struct stored *m, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
-	bool own = o->whose[0] == '\0';
+	bool own = o->from[0] == '\0';
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
 		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
@@ -324,7 +324,7 @@ check_can_be_remembered(
 		    "%s has the parameters of %s, which are already in the "
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
-		    entry->site->name, entry->origin->whose);
+		    entry->site->name, entry->origin->from);
 	if (args->date != NULL && !datetime_is_day(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
@@ -422,7 +422,7 @@ static bool
 ask_replace(struct session *s, const struct stored_list *list, bool *replace,
     struct error *error)
 {
-	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_at;
+	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
 	const char *name = asks && !*replace ? stored_already(s, list) : NULL;
 	if (name == NULL)
 		return true;
@@ -603,7 +603,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 {
 	size_t index = s->current;
 	if (args->n_operand > 1 &&
-	    !session_find(s, args->operand[1], &index, error))
+	    !session_find_site(s, args->operand[1], &index, error))
 		return false;
 	FREED char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
 					       : find_only_name(s, error);
@@ -699,7 +699,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	files_note_read(s, path);
 	if (ok && !store_csv_read(
 		      path, args->replace ? NULL : &there, &list, &errors))
-		ok = session_tell_faults(s, path, &errors, error);
+		ok = session_report_faults(s, path, &errors, error);
 	ok = ok && store_put(s->store, list.item, list.n, args->replace, error);
 	if (ok)
 		session_note(s,

@@ -1,7 +1,7 @@
 /* Accompanies every command: the target of its results, its duration, and its
  * part in undo and the journal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 
 #include <stdarg.h>
 #include <stdint.h>
@@ -58,9 +58,9 @@ invocation_begin(struct session *s, const struct args *args,
 	const struct command *command = args->command;
 	if (s->safe && !check_safe(args, words, error))
 		return false;
-	if (s->first == NULL) {
-		s->first = xcalloc(1, sizeof *s->first);
-		*s->first = s->set;
+	if (s->initial == NULL) {
+		s->initial = xcalloc(1, sizeof *s->initial);
+		*s->initial = s->set;
 		journal_settings(s);
 	}
 	struct invocation *t = xcalloc(1, sizeof *t);
@@ -149,7 +149,7 @@ record_in_journal(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t);
 	const char *latest =
-	    t->command->flags & COMMAND_LATEST ? t->command->name : NULL;
+	    t->command->flags & COMMAND_KEEPS_LAST ? t->command->name : NULL;
 	/* Answers given during a calibration depend on the moment; settings do
 	 * not. */
 	bool between = session_busy(s) && s->job.invocation != t &&
@@ -229,7 +229,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
 	/* The commands of a script may already have given it a new number. */
-	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
+	if (changed && !(t->command->flags & COMMAND_APPEARANCE) &&
 	    journal_place(s).state == t->state)
 		journal_new_state(s);
 	autosave_after_command(s, ok, t->saved);

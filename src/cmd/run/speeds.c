@@ -1,7 +1,7 @@
 /* Reads speeds as they are typed: several in a row, and revolutions per minute,
  * which it converts to tip speeds: v = pi D n / 60.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/run/turns.h"
+#include "cmd/run/speeds.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ turns_in(const struct command *command, char *word)
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
-	const struct command *of = command_find_two_words(command, one, 1);
+	const struct command *of = command_meant(command, one, 1);
 	FREED char *name = equals != NULL
 			       ? xstrndup(word, (size_t)(equals - word))
 			       : xstrdup(of->bare != NULL ? of->bare : "");
@@ -114,7 +114,7 @@ turns_count(const struct command *command, const struct words *words)
 }
 
 bool
-turns_to_speeds(struct session *s, struct words *words, struct place place,
+speeds_from_rpm(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	const struct command *command =
@@ -194,7 +194,7 @@ speeds_join(struct words *words, bool prompt)
 	const struct command *command =
 	    words->n > 1 ? command_find_typed(words->text[0], prompt) : NULL;
 	const struct command *lister =
-	    command != NULL ? command_find_two_words(command, word, 1) : NULL;
+	    command != NULL ? command_meant(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
 		return;
 	bool lists = false, list;

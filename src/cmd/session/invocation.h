@@ -1,7 +1,7 @@
 /* A command in progress, from its first word to the end of its job or script.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SESSION_TURN_H
-#define TIPSPEED_CMD_SESSION_TURN_H
+#ifndef TIPSPEED_CMD_SESSION_INVOCATION_H
+#define TIPSPEED_CMD_SESSION_INVOCATION_H
 
 #include <stdbool.h>
 
