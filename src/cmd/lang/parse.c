@@ -484,9 +484,6 @@ read_list_of_numbers(const struct command_option *option, const char *word,
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
-	if (ok && value->n == 0)
-		return error_set(error, ERROR_USAGE,
-		    "%s: expected numbers (65,74 or 65..85:5)", option->name);
 	if (ok && value->n > NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected at most %d numbers, got %zu\n"

@@ -175,20 +175,17 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 	struct stat file;
 	if (stat(path, &file) != 0 || !S_ISREG(file.st_mode))
 		return file_may_write(path, error);
-	if (is_store(s, &file))
+	bool store = is_store(s, &file);
+	bool script = is_file(files_session_script(s, NULL), &file);
+	if (store || script || is_known(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,
-		    "%s is the store and cannot be overwritten by a result\n"
-		    "use another file name",
-		    path);
-	if (is_file(files_session_script(s, NULL), &file))
-		return error_set(error, ERROR_SYSTEM,
-		    "%s holds this session and cannot be overwritten by a "
-		    "result\nuse another file name",
-		    path);
-	if (is_known(s, &file, false))
-		return error_set(error, ERROR_SYSTEM,
-		    "%s was read by this session and cannot be overwritten\n"
-		    "use another file name",
+		    store ? N_("%s is the store and cannot be overwritten by a "
+			       "result\nuse another file name")
+		    : script
+			? N_("%s holds this session and cannot be overwritten "
+			     "by a result\nuse another file name")
+			: N_("%s was read by this session and cannot be "
+			     "overwritten\nuse another file name"),
 		    path);
 	return file_may_write(path, error);
 }
