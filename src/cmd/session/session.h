@@ -21,13 +21,14 @@ struct session;
 struct hooks {
 	/* Clears the progress display before a note or an answer; or NULL. */
 	void (*clear_progress)(void);
-	bool (*stop)(void); /* true if a long computation should end, because
-the user is waiting; NULL: never */
+	/* True if a long computation should end, because the user is waiting;
+	 * NULL: never. */
+	bool (*stop)(void);
 	/* Called before a computation that takes a while, with a few words for
 	 * the user; NULL if not interactive. */
 	void (*announce)(const char *what);
-	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
-without a terminal */
+	/* Shows a page of the manual; NULL without a terminal. */
+	bool (*show_page)(const char *page);
 	/* Draws the full screen, see plot.h; NULL if not available. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
@@ -99,8 +100,7 @@ struct session {
 	bool prompt;        /* a user types the lines */
 	size_t typed_depth; /* number of open scripts when lines are typed */
 	enum isa isa;       /* highest set that calibrations may use */
-	bool safe;          /* commands and keys must not touch files or the
-shell */
+	bool safe;          /* no command or key may use files or the shell */
 	bool linear;        /* for a screen reader: words, no pictures */
 	FILE *out;          /* results */
 	FILE *notes;        /* messages besides results; NULL: none */

@@ -36,8 +36,7 @@ single impact */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned theme;     /* enum theme */
-	unsigned unpaged;   /* 0: at a prompt, page results taller than the
-screen */
+	unsigned unpaged;   /* 0: a prompt shows tall results in a pager */
 	bool timing;        /* print how long each command took */
 	/* The conditions on the product (goals.h), and the quantity that the
 	 * full screen shows above its track.  "": none. */
