@@ -15,6 +15,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
+#include "io/fs/file.h"
 #include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
@@ -187,9 +188,8 @@ offer_files(struct work *w)
 {
 	if (w->session->safe)
 		return;
-	const char *slash = strrchr(w->typed, '/');
-	size_t head = slash != NULL ? (size_t)(slash - w->typed) + 1 : 0;
-	const char *tail = w->typed + head;
+	const char *tail = file_name(w->typed);
+	size_t head = (size_t)(tail - w->typed);
 	FREED char *folder = head > 0 ? xstrndup(w->typed, head) : xstrdup(".");
 	DIR *dir = opendir(folder);
 	if (dir == NULL)

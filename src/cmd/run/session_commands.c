@@ -80,8 +80,7 @@ restore_script(struct session *s, const char *path, struct error *error)
 static char *
 script_name(const char *typed)
 {
-	const char *slash = strrchr(typed, '/');
-	const char *name = slash != NULL ? slash + 1 : typed;
+	const char *name = file_name(typed);
 	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
 	return xasprintf("%s%s", typed, bare ? ".tip" : "");
 }

@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
+#include "io/fs/file.h"
 
 const struct energies *
 energies_loaded(const struct session *s, struct error *error)
@@ -47,8 +48,7 @@ report_rows_read(void *data, uint64_t rows)
 static char *
 energies_name_of(const char *path)
 {
-	const char *slash = strrchr(path, '/');
-	char *name = xstrdup(slash != NULL ? slash + 1 : path);
+	char *name = xstrdup(file_name(path));
 	char *dot = strrchr(name, '.');
 	if (dot != NULL && dot != name)
 		*dot = '\0';

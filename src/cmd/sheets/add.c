@@ -16,6 +16,7 @@
 #include "cmd/sheets/load.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
 /* What is known about each file [n] besides its numbers: its word as load takes
@@ -110,11 +111,10 @@ add_look_up(struct session *s, const struct args *args, const char *word,
     double day, double rotor, struct cut_origin *o, struct error *error)
 {
 	const char *at = add_speed_at(word);
-	size_t n = at != NULL ? (size_t)(at - word) : strlen(word), from = n;
+	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
 	double time = NAN;
-	while (from > 0 && word[from - 1] != '/')
-		from--;
-	o->file = xstrndup(word + from, n - from);
+	FREED char *path = xstrndup(word, n);
+	o->file = xstrdup(file_name(path));
 	o->word = xstrdup(word);
 	o->when = isnan(day) ? xstrdup("") : datetime_text(day);
 	if (!isnan(day))

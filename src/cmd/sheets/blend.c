@@ -12,8 +12,8 @@
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/blended.h"
-#include "cmd/ask/feed.h"
 #include "cmd/ask/question.h"
+#include "io/fs/file.h"
 #include "io/sitefile/site_write.h"
 #include "io/sitefile/units.h"
 
@@ -45,7 +45,7 @@ blend_add_rows(struct answer *r, const struct blended *b,
 	for (size_t i = 0; i < b->n; i++) {
 		FREED char *key = xasprintf("feed_%zu_pct", i + 1);
 		FREED char *head =
-		    xasprintf("%s %%", feed_file(b->part[i].file));
+		    xasprintf("%s %%", file_name(b->part[i].file));
 		answer_column(r, key, head);
 	}
 	answer_columns(r, "feed_pct: blend %%");
@@ -102,7 +102,7 @@ note_finest(struct answer *r, const struct blended *b)
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
 		if (own == finest && feed->passing[feed->n - 1] > 0)
-			xlist(&unknown, ", ", "%s", feed_file(b->part[i].file));
+			xlist(&unknown, ", ", "%s", file_name(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
 		answer_say(r, ANSWER_REMARK,

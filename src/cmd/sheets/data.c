@@ -13,6 +13,7 @@
 #include "cmd/lang/table.h"
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"
+#include "io/fs/file.h"
 #include "io/sitefile/site_write.h"
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
@@ -102,8 +103,7 @@ synth_row(const struct stored *m, const struct args *args)
 	    .n_speed = args->speeds.n,
 	    .speed = args->speeds.at};
 	struct site *site = synth_site(&synth);
-	const char *slash = strrchr(args->operand[0], '/');
-	const char *file = slash != NULL ? slash + 1 : args->operand[0];
+	const char *file = file_name(args->operand[0]);
 	describe_synth(site, m, &synth,
 	    strcmp(file, "table3.csv") == 0 || strcmp(file, "table3") == 0
 		? "Table 3"

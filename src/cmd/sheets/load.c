@@ -18,6 +18,7 @@
 #include "cmd/session/journal.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
 #include "io/fs/shipped.h"
@@ -432,9 +433,8 @@ apart_in_name(const char *a, const char *b)
 static char *
 nearest_sheet(const char *path)
 {
-	const char *slash = strrchr(path, '/');
-	int head = slash != NULL ? (int)(slash - path) + 1 : 0;
-	const char *name = path + head;
+	const char *name = file_name(path);
+	int head = (int)(name - path);
 	FREED char *folder = xasprintf("%.*s.", head, path);
 	size_t least = (strcspn(name, ".") + 2) / 4;
 	char *nearest = NULL;
