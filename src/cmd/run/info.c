@@ -60,30 +60,29 @@ is_group(const char *name)
 	return false;
 }
 
+/* text: NULL has no word. */
 static bool
 info_holds(const char *text, const char *folded)
 {
-	FREED char *here = text_fold(text);
+	FREED char *here = text_fold(text != NULL ? text : "");
 	return strstr(here, folded) != NULL;
 }
 
-/* True if the word occurs in anything that the table states about a command. */
+/* True if the word occurs in anything that the table states about a
+ * command. */
 static bool
 help_has_word(const struct command *c, const char *folded)
 {
-	bool found = info_holds(c->name, folded) ||
-		     info_holds(c->brief, folded) ||
-		     info_holds(c->text, folded) ||
-		     (c->more != NULL && info_holds(c->more, folded)) ||
-		     (c->operands.usage != NULL &&
-			 info_holds(c->operands.usage, folded)) ||
-		     (c->alias != NULL && info_holds(c->alias, folded));
+	const char *const text[] = {
+	    c->name, c->brief, c->text, c->more, c->operands.usage, c->alias};
+	bool found = false;
+	for (size_t i = 0; i < ARRAY_LEN(text); i++)
+		found = found || info_holds(text[i], folded);
 	const struct command_option *o;
 	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
 		found = info_holds(o->name, folded) ||
 			info_holds(o->brief, folded) ||
-			(option_choices(o) != NULL &&
-			    info_holds(option_choices(o), folded));
+			info_holds(option_choices(o), folded);
 	return found;
 }
 
