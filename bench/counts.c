@@ -99,7 +99,7 @@ counts_talk(struct site *site)
 	t->out = open_memstream(&t->text, &t->n);
 	t->notes = fopen("/dev/null", "w");
 	t->session = session_new(t->out, t->notes);
-	session_add(t->session, site);
+	session_add_site(t->session, site);
 	counts_say(t, "set format json");
 	return t;
 }

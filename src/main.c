@@ -32,7 +32,7 @@ struct action {
 	const char *value;
 };
 
-struct invocation {
+struct command_line {
 	size_t n_action;
 	struct action *action;
 	enum answer_format format;
@@ -68,7 +68,7 @@ take_language(const char *word, struct error *error)
 
 static bool
 main_take_option(
-    struct invocation *in, int option, const char *value, struct error *error)
+    struct command_line *in, int option, const char *value, struct error *error)
 {
 	switch (option) {
 	case 'c':
@@ -133,7 +133,7 @@ refuse_option(
 
 static bool
 read_command_line(
-    struct invocation *in, int argc, char **argv, struct error *error)
+    struct command_line *in, int argc, char **argv, struct error *error)
 {
 	enum { MOST = 32 };
 	struct option options[MOST] = {{0}};
@@ -178,7 +178,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 		if (k == i) {
 			status = batch_file(s, path[k++]);
 		} else if (!load_files(s, k - i, (const char *const *)path + i,
-			       &error)) {
+			       NULL, &error)) {
 			if (error.kind == ERROR_SYSTEM &&
 			    command_find(path[i]) != NULL)
 				error_hint(&error,
@@ -193,7 +193,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 }
 
 static int
-run_actions(struct session *s, const struct invocation *in)
+run_actions(struct session *s, const struct command_line *in)
 {
 	int status = 0, commands = 0;
 	for (size_t i = 0; status == 0 && i < in->n_action && !s->quit; i++) {
@@ -209,7 +209,8 @@ run_actions(struct session *s, const struct invocation *in)
 }
 
 static int
-main_run(struct session *s, const struct invocation *in, int argc, char **argv)
+main_run(
+    struct session *s, const struct command_line *in, int argc, char **argv)
 {
 	int status = 0;
 	bool prompt = in->n_action == 0 && terminal_is_interactive();
@@ -265,7 +266,7 @@ main(int argc, char **argv)
 	setlocale(LC_CTYPE, "");
 	tr_begin(NULL);
 	gsl_set_error_handler_off();
-	struct invocation in = {.seed = 1};
+	struct command_line in = {.seed = 1};
 	in.action = xcalloc((size_t)argc, sizeof *in.action);
 	int status = ERROR_USAGE;
 	struct error error = {0};
@@ -278,7 +279,7 @@ main(int argc, char **argv)
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
-		session_language(s);
+		session_set_language(s);
 		s->set.seed = in.seed;
 		s->isa = isa_named(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;

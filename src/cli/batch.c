@@ -165,9 +165,9 @@ batch_user_types(struct session *s)
 	if (offer != NULL)
 		session_note(s, "%s", offer);
 	s->hooks.confirm = ask_confirm;
-	s->hooks.question = ask_question;
+	s->hooks.ask = ask_question;
 	s->prompt = true;
-	s->typed_at = s->scripts;
+	s->typed_depth = s->scripts;
 }
 
 /* On standard error, because standard output is no terminal here: otherwise
@@ -192,7 +192,8 @@ batch_typed(struct session *s)
 	for (int number = 1; !s->quit; signals_forget_interrupt()) {
 		print_prompt(s, from > 0);
 		enum text_line got = text_read_line(&line, &n, &room, stdin);
-		bool more = got == TEXT_LINE && script_goes_on(line + from);
+		bool more =
+		    got == TEXT_LINE && script_line_continues(line + from);
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {

@@ -9,7 +9,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/session/script.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cli/signals.h"
 
 /* Ends the commands that a line has started, after an error or an interruption;

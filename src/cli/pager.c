@@ -111,7 +111,7 @@ pager_show(struct pager *pager)
 	/* The output of a script, or of a session being restored, is not
 	 * paged. */
 	bool paged = !pager->session->set.unpaged && !pager->session->safe &&
-		     pager->session->scripts <= pager->session->typed_at &&
+		     pager->session->scripts <= pager->session->typed_depth &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall =

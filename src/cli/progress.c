@@ -178,7 +178,7 @@ progress_run(struct session *s)
 	struct progress p = {
 	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
 	signals_take_report_wanted();
-	s->hooks.tidy = p.terminal ? clear_line : NULL;
+	s->hooks.clear_progress = p.terminal ? clear_line : NULL;
 	while (session_busy(s) && signals_pending() == 0) {
 		session_run_tasks(s);
 		if (session_busy(s) && signals_take_report_wanted())

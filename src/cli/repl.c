@@ -287,7 +287,7 @@ take_lines(struct session *s, char *typed, int *number)
 		end = strchr(line, '\n');
 		if (end != NULL)
 			*end++ = '\0';
-		bool more = script_goes_on(line);
+		bool more = script_line_continues(line);
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
 		free(prompt.before);
 		prompt.before = xstrdup(more ? joined : "");
@@ -430,7 +430,7 @@ repl_greet(struct session *s)
 		batch_file(s, path);
 	signals_forget_interrupt();
 	/* Questions about files on the command line are asked too. */
-	s->hooks.question = ask_question;
+	s->hooks.ask = ask_question;
 }
 
 /* For readline: answers have no completion. */
@@ -466,7 +466,7 @@ repl_run(struct session *s)
 	int number = 1;
 	set_up_readline(s);
 	batch_user_types(s);
-	s->hooks.question = repl_question;
+	s->hooks.ask = repl_question;
 	while (!s->quit && !signals_is_ending()) {
 		if (prompt.before[0] == '\0')
 			print_next_step(s);

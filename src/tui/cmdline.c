@@ -100,7 +100,7 @@ effect_on_job(
 		return strchr(line, ';') == NULL ? JOB_GOES_ON : JOB_STOPS;
 	bool bounds = command == command_find("bounds");
 	bool asks = strpbrk(line + strspn(line, " \t"), " \t") == NULL;
-	if (command->flags & COMMAND_BESIDE || (bounds && asks))
+	if (command->flags & COMMAND_DURING_SEARCH || (bounds && asks))
 		return JOB_GOES_ON;
 	return bounds ? JOB_TAKES_BOUNDS : JOB_STOPS;
 }
@@ -113,7 +113,7 @@ asks_before_fit(const struct tui *t, const struct command *command)
 	const struct entry *fitting = session_fitting(t->session);
 	return fitting != NULL && fitting == tui_current_entry(t) &&
 	       command != NULL && command->answer != NULL &&
-	       (command->flags & COMMAND_KNOWN) &&
+	       (command->flags & COMMAND_NEEDS_PARAMS) &&
 	       !(command->flags & COMMAND_CHANGES);
 }
 

@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/lang/command.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/forecast.h"
@@ -95,7 +95,7 @@ static void
 read_page_and_quantity(struct tui *t)
 {
 	static const struct partition SHARP = {0, 1};
-	const struct choices *set = &t->session->set;
+	const struct settings *set = &t->session->set;
 	struct error error = {0};
 	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
 		t->ui.quantity = strip_default_quantity();
@@ -107,7 +107,7 @@ read_page_and_quantity(struct tui *t)
 static char *
 page_text(enum page page)
 {
-	const struct choices set = {.page = page};
+	const struct settings set = {.page = page};
 	const struct command_option *row = SETTINGS;
 	while (strcmp(row->name, "page") != 0)
 		row++;
@@ -131,7 +131,8 @@ control_set_looks(struct tui *t)
 
 /* Returns true if the page or the quantity is another. */
 static bool
-differs_in_page_or_quantity(const struct choices *was, const struct choices *is)
+differs_in_page_or_quantity(
+    const struct settings *was, const struct settings *is)
 {
 	return was->page != is->page ||
 	       strcmp(was->quantity, is->quantity) != 0;
@@ -188,7 +189,7 @@ static bool
 control_run_line(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
-	const struct choices was = s->set;
+	const struct settings was = s->set;
 	bool was_busy = session_busy(s);
 	char site[sizeof t->view.current.site] = "";
 	if (tui_current_entry(t) != NULL)
@@ -280,7 +281,7 @@ control_question(struct session *s, const struct inquiry *q)
 	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }
 
-/* For hooks.begins: draws page Fit before the draws are computed with which a
+/* For hooks.announce: draws page Fit before the draws are computed with which a
  * search ends. */
 static void
 control_draw_before_search(const char *what)
@@ -300,8 +301,8 @@ first_slider_tenths(const struct tui *t)
 {
 	const struct entry *e = tui_current_entry(t);
 	struct slider_range range = tui_range(t);
-	if (slider_has(range, t->session->asked))
-		return slider_tenths(range, t->session->asked);
+	if (slider_has(range, t->session->last_speed))
+		return slider_tenths(range, t->session->last_speed);
 	return e != NULL ? slider_tenths(range, answers_usual_speed(e)) : 740;
 }
 
@@ -318,15 +319,15 @@ control_begin(
 		.crosshair_passing = 50},
 	    .mouse = screen_mouse(true),
 	    .view.holdout = NAN,
-	    .before = {
-		s->out, s->notes, s->hooks, s->prompt, s->typed_at, s->screen}};
+	    .before = {s->out, s->notes, s->hooks, s->prompt, s->typed_depth,
+		s->screen}};
 	t->ui.tenths = first_slider_tenths(t);
 	s->hooks.confirm = control_confirm;
-	s->hooks.question = control_question;
+	s->hooks.ask = control_question;
 	s->prompt = true;
-	s->typed_at = s->scripts;
+	s->typed_depth = s->scripts;
 	s->hooks.show_page = NULL;
-	s->hooks.begins = control_draw_before_search;
+	s->hooks.announce = control_draw_before_search;
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
@@ -349,7 +350,7 @@ control_end(struct tui *t)
 	s->notes = t->before.notes;
 	s->hooks = t->before.hooks;
 	s->prompt = t->before.prompt;
-	s->typed_at = t->before.typed_at;
+	s->typed_depth = t->before.typed_at;
 	s->screen = t->before.screen;
 	if (session_busy(s)) {
 		session_pause(s);

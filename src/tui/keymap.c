@@ -121,7 +121,7 @@ act_save(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool saved;
-	const char *holder = files_holder(t->session, &saved);
+	const char *holder = files_session_script(t->session, &saved);
 	if (holder != NULL) {
 		keymap_propose(t, "save ",
 		    xasprintf("\"%s\"%s", holder, saved ? "" : " replace=on"));

@@ -182,7 +182,7 @@ struct basis {
 	const struct site *site;
 	struct origin *origin;
 	struct params params;
-	struct choices set;
+	struct settings set;
 };
 
 /* Everything on which a prediction depends.  basis: number of its basis;

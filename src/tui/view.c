@@ -73,7 +73,7 @@ update_basis(struct tui *t)
 {
 	struct basis *b = &t->view.basis;
 	const struct entry *entry = tui_current_entry(t);
-	const struct choices *set = &t->session->set;
+	const struct settings *set = &t->session->set;
 	if (entry != NULL && b->site == entry->site &&
 	    b->origin == entry->origin &&
 	    memcmp(&b->params, &entry->params, sizeof b->params) == 0 &&

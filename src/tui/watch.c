@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "base/tr.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "tui/control.h"

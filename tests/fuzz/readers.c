@@ -15,7 +15,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/session/script.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "io/formats/circuit_file.h"
 #include "io/formats/collisions.h"
 #include "io/formats/plant_log.h"
@@ -240,7 +240,7 @@ run_script(const char *path, bool prompt)
 	s->safe = true;
 	s->prompt = prompt;
 	s->set.threads = 1;
-	session_add(s, small_site());
+	session_add_site(s, small_site());
 	while (!s->quit && s->script != NULL &&
 	       (line = script_line(s, &place, &error)) != NULL) {
 		ok = run_line(s, line, place, &steps) && ok;

@@ -1276,7 +1276,7 @@ long_commands_leave_the_screen_live(void **state)
 		     *name = xstrndup(command, strcspn(command, " \n"));
 		desk_expect(stage->desk, plain);
 		double want = session_answer_number(s, name, LONG[i].field);
-		session_forget(s);
+		session_forget_answers(s);
 		control_refresh(t);
 		draw_all(t);
 		t->aside = false; /* as where somebody looks */

@@ -532,7 +532,7 @@ somebody_is_asked_once(void **state)
 	char *log = file("log.csv", "time,m/s\n5/3/2026 10:00,70\n"
 				    "5/3/2026 10:01,71\n5/3/2026 10:02,70.5\n");
 	fresh(desk);
-	desk->session->hooks.question = answer;
+	desk->session->hooks.ask = answer;
 	asked = 0;
 	say(desk, "add %s/cut.csv", folder);
 	assert_int_equal(asked, 1);
@@ -543,7 +543,7 @@ somebody_is_asked_once(void **state)
 	assert_near(site_of(desk)->run[0].speed, 70.5, 1e-9);
 	uint64_t digest = site_of(desk)->digest;
 	say(desk, "save %s/s.tip replace=on", folder);
-	desk->session->hooks.question = NULL;
+	desk->session->hooks.ask = NULL;
 	replay(desk);
 	assert_int_equal(site_of(desk)->digest, digest);
 	free(log);

@@ -63,7 +63,7 @@ add(struct desk *desk, size_t row)
 	struct site *site = made_site(&TABLE_3[row], 0.005, 9);
 	free(site->name);
 	site->name = xstrdup(TABLE_3[row].site);
-	session_add(desk->session, site);
+	session_add_site(desk->session, site);
 }
 
 static void
@@ -115,6 +115,8 @@ every_option_is_offered_once(void **state)
 	}
 	expect(desk, "predict sp", 8, "speed=");
 	expect(desk, "predict 74 sp", 11, "");
+	expect(desk, "predict 74 ba", 11, "band=");
+	expect(desk, "predict 65..85 ba", 15, "");
 }
 
 static void

@@ -8,7 +8,7 @@
 
 #include "cmd/session/autosave.h"
 #include "cmd/session/script.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "io/fs/autosave_file.h"
 #include "io/store/store.h"
 

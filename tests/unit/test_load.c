@@ -36,7 +36,7 @@ open_with_user(void **state)
 {
 	desk_open(state);
 	struct desk *desk = *state;
-	desk->session->hooks.question = answer;
+	desk->session->hooks.ask = answer;
 	memset(&user, 0, sizeof user);
 	return 0;
 }
@@ -325,7 +325,7 @@ scripts_are_not_asked(void **state)
 	assert_false(load_with(desk, OPEN, "69|79"));
 	desk->session->scripts = 0;
 	assert_int_equal(user.n, 0);
-	desk->session->hooks.question = NULL;
+	desk->session->hooks.ask = NULL;
 	assert_false(load_with(desk, OPEN, "69|79"));
 	assert_non_null(strstr(desk->error.hint, "columns="));
 }

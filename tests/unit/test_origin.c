@@ -80,7 +80,7 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	struct session *s = desk->session;
 	use_of_another(desk);
 	const struct entry *tierp = &s->entry[0], *bro = session_entry(s);
-	assert_string_equal(bro->origin->whose, "tierp");
+	assert_string_equal(bro->origin->from, "tierp");
 	assert_int_equal(bro->origin->n_speed, 2);
 	assert_true(bro->origin->speed[1] == 79);
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
@@ -90,7 +90,7 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	    outlook_posterior_for_comparison(s, tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
-	assert_string_equal(session_entry(s)->origin->whose, "tierp");
+	assert_string_equal(session_entry(s)->origin->from, "tierp");
 	assert_true(says(desk, "predict 90",
 	    "parameters from tierp (trained at 69 and 79 m/s; reconstructed, "
 	    "not"));
@@ -148,18 +148,17 @@ undo_and_redo_carry_the_origin(void **state)
 	assert_string_equal(session_entry(s)->origin->words, "set by hand");
 	assert_null(outlook_posterior_for_comparison(s, session_entry(s)));
 	desk_expect(desk, "undo");
-	assert_string_equal(session_entry(s)->origin->whose, "tierp");
+	assert_string_equal(session_entry(s)->origin->from, "tierp");
 	assert_non_null(outlook_posterior_for_comparison(s, session_entry(s)));
 	desk_expect(desk, "undo");
 	assert_null(session_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
-	assert_string_equal(session_entry(s)->origin->whose, "tierp");
+	assert_string_equal(session_entry(s)->origin->from, "tierp");
 	/* Equal numbers of other origin are a change. */
 	desk_expect(desk, "recall ubbarp; recall gasgruvan");
-	assert_string_equal(
-	    session_entry(s)->origin->whose, "table3/gasgruvan");
+	assert_string_equal(session_entry(s)->origin->from, "table3/gasgruvan");
 	desk_expect(desk, "undo");
-	assert_string_equal(session_entry(s)->origin->whose, "table3/ubbarp");
+	assert_string_equal(session_entry(s)->origin->from, "table3/ubbarp");
 }
 
 static void

@@ -188,7 +188,7 @@ results_go_where_the_line_says(void **state)
 		const char *target;
 		int column;
 	} lines[] = {{"seed>a", TO_FILE, "a", 5},
-	    {"seed >> \"å b\" # c", TO_END, "å b", 6},
+	    {"seed >> \"å b\" # c", TO_APPEND, "å b", 6},
 	    {"å | sort -k 2; wc > \"x\" ", TO_PIPE, "sort -k 2; wc > \"x\"",
 		3}};
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {

@@ -14,7 +14,7 @@
 #include "cmd/draw/plots.h"
 #include "cmd/draw/search_shown.h"
 #include "cmd/draw/site_chart.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 
 static const char PARAMS_SET[] =
     "params set f_mat=2.18 e0_min=16.74 alpha=0.96";

@@ -20,7 +20,7 @@ add(struct desk *desk, size_t row)
 	struct site *site = made_site(&TABLE_3[row], 0.005, 9);
 	free(site->name);
 	site->name = xstrdup(TABLE_3[row].site);
-	session_add(desk->session, site);
+	session_add_site(desk->session, site);
 }
 
 enum { BORLANGE = 1, OSSJO = 5, GAVLE_4 = 9, GAVLE = 10, GAVLE_2 = 11 };
@@ -28,7 +28,7 @@ enum { BORLANGE = 1, OSSJO = 5, GAVLE_4 = 9, GAVLE = 10, GAVLE_2 = 11 };
 static bool
 find(struct desk *desk, const char *name, size_t *index)
 {
-	return session_find(desk->session, name, index, &desk->error);
+	return session_find_site(desk->session, name, index, &desk->error);
 }
 
 static void
@@ -64,7 +64,7 @@ sites_of_any_name_have_keys_of_their_own(void **state)
 		struct site *site = made_site(&TABLE_3[0], 0.005, 9);
 		free(site->name);
 		site->name = xstrdup(names[i]);
-		session_add(desk->session, site);
+		session_add_site(desk->session, site);
 		assert_string_equal(desk->session->entry[i].key, keys[i]);
 	}
 	for (size_t i = 0; i < ARRAY_LEN(names); i++) {
@@ -89,7 +89,7 @@ an_underscore_stays_in_a_key(void **state)
 		struct site *site = made_site(&TABLE_3[0], 0.005, 9);
 		free(site->name);
 		site->name = xstrdup(names[i]);
-		session_add(desk->session, site);
+		session_add_site(desk->session, site);
 		assert_string_equal(desk->session->entry[i].key, keys[i]);
 		assert_true(find(desk, keys[i], &index));
 		assert_int_equal(index, i);
@@ -149,7 +149,7 @@ every_key_reaches_its_site(void **state)
 	for (int i = 0; i < 2; i++) { /* sheets that state no top size */
 		struct site *site = made_site(&TABLE_3[0], 0, 1);
 		site->top_size = 0;
-		session_add(desk->session, site);
+		session_add_site(desk->session, site);
 	}
 	for (size_t i = 0; i < desk->session->n_entry; i++) {
 		const char *key = desk->session->entry[i].key;
@@ -181,7 +181,7 @@ commands_that_need_a_site_say_so(void **state)
 	struct desk *desk = *state;
 	size_t n = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!(c->flags & COMMAND_AT_SITE))
+		if (!(c->flags & COMMAND_NEEDS_SITE))
 			continue;
 		char *line =
 		    xasprintf("seed 1; %s %s", c->name, call_operands(c));
@@ -206,7 +206,7 @@ all_other_commands_do_without_one(void **state)
 {
 	struct desk *desk = *state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if ((c->flags & COMMAND_AT_SITE) ||
+		if ((c->flags & COMMAND_NEEDS_SITE) ||
 		    strcmp(c->name, "tui") == 0 ||
 		    strcmp(c->name, "screen") == 0)
 			continue;

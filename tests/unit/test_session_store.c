@@ -21,7 +21,7 @@ open_with_site(void **state)
 	free(site->provenance);
 	site->name = xstrdup("Tierp");
 	site->provenance = xstrdup("reconstructed, not measured");
-	session_add(desk->session, site);
+	session_add_site(desk->session, site);
 	return 0;
 }
 
@@ -90,7 +90,7 @@ what_is_recalled_is_no_fit(void **state)
 	desk_expect(desk, "recall Kiruna");
 	assert_true(entry->has_params && !entry->has_fit);
 	assert_true(origin_is_stored(entry->origin));
-	assert_string_equal(entry->origin->whose, "table3/kiruna");
+	assert_string_equal(entry->origin->from, "table3/kiruna");
 	assert_true(entry->params.f_mat == 0.39);
 	desk_expect(desk, "params");
 	assert_non_null(strstr(desk->out, "from store: table3/kiruna"));
@@ -100,7 +100,7 @@ what_is_recalled_is_no_fit(void **state)
 	desk_expect(desk, "params set alpha=0.9");
 	assert_false(origin_is_stored(entry->origin));
 	desk_expect(desk, "remember mine; recall mine");
-	assert_string_equal(entry->origin->whose, "mine");
+	assert_string_equal(entry->origin->from, "mine");
 	desk_expect(desk, CALIBRATE);
 	assert_false(origin_is_stored(entry->origin));
 	assert_true(entry->has_fit);

@@ -5,7 +5,7 @@
 
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/undo.h"
 #include "desk.h"
 
@@ -155,7 +155,7 @@ every_setting_is_set_undone_and_reset(void **state)
 	desk_expect(desk, "version");
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
 		const struct command_option *o = r;
-		char *first = settings_text(r, desk->session->first);
+		char *first = settings_text(r, desk->session->initial);
 		char *other = other_value(o);
 		char *line = xasprintf("set %s %s", o->name, other);
 		assert_string_not_equal(first, other);

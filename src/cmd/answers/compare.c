@@ -324,7 +324,7 @@ take_pinned(struct session *s, const struct args *args, struct side *side,
 		    "'pin speed=74' pins a prediction");
 	while (at < s->n_entry && s->entry[at].site != pin->site)
 		at++;
-	if (at == s->n_entry && !session_find(s, pin->key, &at, error))
+	if (at == s->n_entry && !session_find_site(s, pin->key, &at, error))
 		return false;
 	const struct entry *entry = &s->entry[at];
 	side->entry = entry;
@@ -352,7 +352,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	double v = args->speed > 0 ? args->speed
 				   : answers_usual_speed(session_entry(s));
 	size_t at = s->current;
-	if (sites && !session_find(s, word, &at, error))
+	if (sites && !session_find_site(s, word, &at, error))
 		return false;
 	if (!sites &&
 	    (!value_number(word, "m/s", &v) || v < 1 || v > SITE_FASTEST))

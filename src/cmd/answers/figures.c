@@ -66,7 +66,7 @@ cmd_figures(struct session *s, const struct args *args,
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);
 	forecast_at(all, v);
-	s->asked = v;
+	s->last_speed = v;
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	struct answer *r = answers_new(
 	    entry->site, "figures", "figures of the product at %g m/s", v);

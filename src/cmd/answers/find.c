@@ -472,7 +472,7 @@ answer_goal(struct session *s, struct find_request *goal)
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
 		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
-	session_forget(s);
+	session_forget_answers(s);
 	FREED char *words = goal_words(goal);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
@@ -483,7 +483,7 @@ answer_goal(struct session *s, struct find_request *goal)
 	bool fast =
 	    !found && goal->kind == GOAL_VALUE && is_nearer_fast_end(goal);
 	if (found)
-		s->asked = v;
+		s->last_speed = v;
 	answers_show_basis(s, r, q, found ? v : 0, false,
 	    goal->kind == GOAL_VALUE
 		? light_of_prediction(s, entry, &p[fast ? 1 : 0])
@@ -554,7 +554,7 @@ answer_spec(struct session *s, const struct args *args,
 	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
 	grading_put_worst(answer_fields(r), &g);
 	grading_put_fields(r, &g);
-	session_forget(s);
+	session_forget_answers(s);
 	session_show_answer(s, r);
 	speed_search_free(w);
 	grading_close(&g);

@@ -14,7 +14,7 @@
 #include "cmd/draw/plots.h"
 #include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
@@ -522,7 +522,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct question at = *q;
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
-	s->asked = p.speed;
+	s->last_speed = p.speed;
 	if (!args->band)
 		prediction_drop_band(&p);
 	struct answer *r = prediction_with_notes(

@@ -428,7 +428,7 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 		s->answer = NULL;
 		s->n_answer = 0;
 		write_report(s, &ask);
-		session_forget(s);
+		session_forget_answers(s);
 		free(s->answer);
 		s->answer = kept;
 		s->n_answer = n_kept;

@@ -389,7 +389,7 @@ error_nothing_called(struct session *s, const char *what,
 	struct error none = {0};
 	size_t at;
 	error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-	if (session_find(s, what, &at, &none))
+	if (session_find_site(s, what, &at, &none))
 		return error_hint(error,
 		    "'%s' is a loaded site: write 'use %s; show'", what, what);
 	return error_hint(

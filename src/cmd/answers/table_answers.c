@@ -31,8 +31,8 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.others = {"sweep", "figures", "card"},
 	.brief = "the product at a tip speed",
-	.flags = COMMAND_AT_SITE | COMMAND_LATEST | COMMAND_DRAWS |
-		 COMMAND_BESIDE | COMMAND_DAILY | COMMAND_QUANTITIES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_KEEPS_LAST | COMMAND_DRAWS |
+		 COMMAND_DURING_SEARCH | COMMAND_DAILY | COMMAND_QUANTITIES,
 	.bare = "speed",
 	.option = OPTION_LIST({USUAL_SPEED},
 	    {OFF_ON(curve), "off", "draw feed, measured and predicted as text"},
@@ -88,7 +88,7 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_blend},
     {.name = "sweep",
 	.brief = "products over a range of speeds",
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS,
 	.bare = "speeds",
 	.option =
 	    OPTION_LIST({NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
@@ -109,8 +109,8 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "one page for the cabin: what each speed gives",
 	.operands = {"[SPEED...] [FIGURE... | CONDITION...]", {""}, 0,
 	    OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CONDITIONS |
-		 COMMAND_QUANTITIES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS |
+		 COMMAND_CONDITIONS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
 		"rotor tip speeds; default 65..85 by 1 and the speed last "
@@ -142,7 +142,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "two speeds or two sites side by side",
 	.operands = {"SPEED SPEED | SITE SITE | pinned SPEED",
 	    {"SPEED SITE pinned"}, 2, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_DRAWS | COMMAND_QUANTITIES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_DRAWS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {SPEED(speed),
 		"speed for two sites; default: a held-out speed, else 74"},
@@ -166,7 +166,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "pin",
 	.brief = "keep a prediction to compare others with",
 	.operands = {"[off]", {"off"}, 0, 1},
-	.flags = COMMAND_CHANGES | COMMAND_BESIDE,
+	.flags = COMMAND_CHANGES | COMMAND_DURING_SEARCH,
 	.option = OPTION_LIST({LAST_SPEED},
 	    {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
 		"take the feed sampled at this speed, or the mean"}),
@@ -179,7 +179,7 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_pin},
     {.name = "figures",
 	.brief = "sizes, moduli and shares of a product",
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
 	.bare = "speed",
 	.option = OPTION_LIST(
 	    {USUAL_SPEED}, {TEXT(of), NULL, "",
@@ -205,7 +205,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "find",
 	.brief = "find the speed that gives a wanted product",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DAILY |
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_DAILY |
 		 COMMAND_CONDITIONS,
 	.option = OPTION_LIST(
 	    {NUMBER(p20), "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
@@ -248,8 +248,8 @@ const struct command TABLE_ANSWERS[] = {
 	.answer = cmd_find},
     {.name = "flow",
 	.brief = "tonnes of each fraction, what goes back, power, earnings",
-	.flags =
-	    COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_DRAWS | COMMAND_DAILY,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_DRAWS |
+		 COMMAND_DAILY,
 	.bare = "tph",
 	.option =
 	    OPTION_LIST({NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"},
@@ -287,7 +287,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "window",
 	.brief = "the speeds at which conditions hold",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CONDITIONS,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_CONDITIONS,
 	.option = OPTION_LIST(
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"},
 	    {SPEED(from),
@@ -351,8 +351,8 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
 	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_CHANGES |
-		 COMMAND_LOOKS | COMMAND_QUANTITIES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_CHANGES |
+		 COMMAND_APPEARANCE | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({USUAL_SPEED},
 	    {TEXT(of), NULL, "",
 		"figures, see figures; default: what passes 2 mm, P20, P50 and "
@@ -393,7 +393,7 @@ const struct command TABLE_ANSWERS[] = {
 	.alias = "uncertainty next",
 	.brief = "which sample next narrows a band most",
 	.bare = "speed",
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN | COMMAND_QUANTITIES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({USUAL_SPEED},
 	    {TEXT(of), NULL, "", "figure, see figures; default: P80"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
@@ -410,7 +410,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_NEEDS_SITE,
 	.text = "Calibrates each breakage model, with and without a bypass, on "
 		"the training runs, and shows for each the misfit, how many "
 		"parameters were free, AICc (lower is better) and the RMSE at "
@@ -431,7 +431,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "identify",
 	.alias = "uncertainty params",
 	.brief = "what the data determine, and what they do not",
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_NEEDS_SITE,
 	.text = "Reads off the draws of the uncertainty which parameters the "
 		"data determine: the standard deviation of the draws in per "
 		"cent of that before the data (below 10: determined, below 50: "
@@ -445,7 +445,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "why",
 	.brief = "explain the numbers at a speed, or from one to another",
 	.operands = {"[SPEED]", {"SPEED"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_KNOWN,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS,
 	.bare = "speed",
 	.option = OPTION_LIST({LAST_SPEED}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
@@ -467,7 +467,7 @@ const struct command TABLE_ANSWERS[] = {
 	.answer = cmd_why},
     {.name = "drift",
 	.brief = "follow routine cuts on control charts",
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_NEEDS_SITE,
 	.option = OPTION_LIST({NUMBER(k), "sd", 0, 5, NULL, "0.5",
 				  "allowance of the CUSUM: half of the shift "
 				  "to be found soonest"},
@@ -495,7 +495,7 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "report",
 	.brief = "write a report on the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_DAILY | COMMAND_CONDITIONS,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY | COMMAND_CONDITIONS,
 	.option = OPTION_LIST(
 	    {SPEED(speed), "rotor tip speed; default: the best one for the "
 			   "conditions, else a held-out speed, else 74"},

@@ -276,7 +276,7 @@ say_fit(const struct subject *a)
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
 		FREED char *details = origin_details(entry->origin);
-		bool own = entry->origin->whose[0] == '\0';
+		bool own = entry->origin->from[0] == '\0';
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not calibrated on this "
 		    "site's runs",

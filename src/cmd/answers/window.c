@@ -245,7 +245,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
 		answers_show_basis_at(s, r, q, a.w->best, false);
-		s->asked = a.w->best;
+		s->last_speed = a.w->best;
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

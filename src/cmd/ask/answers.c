@@ -158,7 +158,7 @@ answers_keep_prediction(struct session *s, const struct entry *entry,
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep_answer(s, answer);
-	s->asked = p->speed;
+	s->last_speed = p->speed;
 }
 
 static char *

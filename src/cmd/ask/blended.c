@@ -13,6 +13,7 @@
 #include "cmd/lang/parse.h"
 #include "cmd/sheets/load.h"
 #include "core/psd/blend.h"
+#include "io/fs/file.h"
 
 bool
 blended_add(struct session *s, const char *file, double share,
@@ -89,7 +90,7 @@ blended_mix(struct blended *b)
 	}
 	for (size_t i = 0; i < b->n; i++)
 		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
-		    feed_file_name(b->part[i].file));
+		    file_name(b->part[i].file));
 	b->feed = blend_new(feed, share, b->n);
 	b->of = source_clauses(b);
 	b->rock = rock_names(b);
@@ -103,7 +104,7 @@ read_one(
 	if (!blended_add(s, file, 1, b, error))
 		return false;
 	b->feed = psd_copy(b->part[0].feed);
-	b->words = xasprintf(tr("feed %s"), feed_file_name(file));
+	b->words = xasprintf(tr("feed %s"), file_name(file));
 	double top = site_assumed_top(b->part[0].sheet);
 	if (top > 0)
 		xappend(&b->words, tr(", assumed to pass %g mm"), top);

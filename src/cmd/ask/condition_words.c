@@ -47,26 +47,26 @@ conditions_first_word(const struct command *command, const struct words *words)
 									  : 0;
 }
 
-/* Puts the words that follow to the first one, and returns the index after the
- * last.  The goal that is set is one word, with commas between conditions. */
-static size_t
-join_from(const struct command *command, char **text, size_t i, size_t n)
+/* Joins the words that go on with the condition at word i.  The goal that is
+ * set is one word, with commas between conditions. */
+static void
+join_from(const struct command *command, struct words *words, size_t i)
 {
-	char **piece = &text[i];
-	size_t begin = 0;
-	if (strchr(*piece, ' ') != NULL || is_option(command, *piece))
-		return i + 1;
-	while (++i < n) {
-		bool on = goes_on(command, *piece + begin, text[i]);
+	FREED char *joined = xstrdup(words->text[i]);
+	size_t begin = 0, n = 1;
+	if (strchr(joined, ' ') != NULL || is_option(command, joined))
+		return;
+	for (; i + n < words->n; n++) {
+		const char *word = words->text[i + n];
+		bool on = goes_on(command, joined + begin, word);
 		if (!on && ((command->flags & COMMAND_SETTINGS) == 0 ||
-			       is_option(command, text[i])))
+			       is_option(command, word)))
 			break;
 		if (!on)
-			begin = strlen(*piece) + strlen(", ");
-		xappend(piece, on ? " %s" : ", %s", text[i]);
-		free(text[i]);
+			begin = strlen(joined) + strlen(", ");
+		xappend(&joined, on ? " %s" : ", %s", word);
 	}
-	return i;
+	words_join(words, i, n, joined);
 }
 
 /* Whether a text is a quantity as it stands: "passing 2", but not "passing". */
@@ -103,9 +103,9 @@ join_quantities(const struct command *command, struct words *words)
 		i++;
 	if (i == n || (command->flags & COMMAND_QUANTITIES) == 0)
 		return;
-	char *list = xasprintf("of=%s", words->text[i]);
+	FREED char *list = xasprintf("of=%s", words->text[i]);
 	bool fast = i > 1; /* the speed stands before them */
-	size_t kept = i++;
+	size_t first = i++;
 	for (; i < n; i++) {
 		const char *word = words->text[i];
 		bool whole = is_whole_quantity(list + strlen("of="));
@@ -119,14 +119,8 @@ join_quantities(const struct command *command, struct words *words)
 			? ",%s"
 			: " %s",
 		    word);
-		free(words->text[i]);
 	}
-	free(words->text[kept]);
-	words->text[kept++] = list;
-	for (words->n = kept; i < n; i++) {
-		words->text[words->n] = words->text[i];
-		words->column[words->n++] = words->column[i];
-	}
+	words_join(words, first, i - first, list);
 }
 
 /* "passing 2 > 30, fines < 5": the comma between conditions says no more than
@@ -144,19 +138,13 @@ conditions_join(struct words *words, bool prompt)
 {
 	const struct command *command =
 	    words->n > 0 ? command_find_typed(words->text[0], prompt) : NULL;
-	size_t from = conditions_first_word(command, words), n = words->n;
+	size_t from = conditions_first_word(command, words);
 	if (command != NULL && (from == 0 || !has_limit(words)))
 		join_quantities(command, words);
 	if (from == 0)
 		return;
-	n = words->n;
-	for (size_t i = from; i + 1 < n; i++)
+	for (size_t i = from; i + 1 < words->n; i++)
 		drop_comma(words->text[i]);
-	words->n = from;
-	for (size_t i = from; i < n;) {
-		size_t first = i;
-		i = join_from(command, words->text, first, n);
-		words->text[words->n] = words->text[first];
-		words->column[words->n++] = words->column[first];
-	}
+	for (size_t i = from; i < words->n; i++)
+		join_from(command, words, i);
 }

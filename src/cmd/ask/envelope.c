@@ -66,7 +66,7 @@ read_spec_file(struct session *s, const char *path, struct error *error)
 	files_note_read(s, path);
 	struct spec *spec = spec_read(path, &errors);
 	if (spec == NULL) {
-		session_tell_faults(s, path, &errors, error);
+		session_report_faults(s, path, &errors, error);
 		return NULL;
 	}
 	if (spec->note[0] != '\0')

@@ -3,7 +3,6 @@
 #include "cmd/ask/feed.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -96,11 +95,4 @@ feed_note_assumed(struct answer *r, const struct site *site, const char *whose)
 	    whose != NULL ? tr(" of ") : "", whose != NULL ? whose : "", top);
 	if (whose == NULL)
 		fields_put(answer_fields(r), SITE_ASSUMED_TOP " %g", top);
-}
-
-const char *
-feed_file_name(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-	return slash != NULL ? slash + 1 : path;
 }

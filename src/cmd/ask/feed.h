@@ -39,7 +39,4 @@ void feed_note(struct answer *r, const struct site *site, size_t run,
 void feed_note_assumed(
     struct answer *r, const struct site *site, const char *whose);
 
-/* Returns a path without its folders, for titles, borrowed. */
-const char *feed_file_name(const char *path);
-
 #endif

@@ -47,16 +47,16 @@ static void
 draw_steps(const struct session *s, const struct entry *entry, const bool *use,
     size_t place, size_t steps)
 {
-	struct history *h = entry->origin->spread;
+	struct history *h = entry->origin->history;
 	const struct fit *fit = origin_fit(entry);
 	if (h->drawing != NULL && h->drawn != place) {
 		posterior_free(posterior_end(h->drawing));
 		h->drawing = NULL;
 	}
 	if (h->drawing == NULL) {
-		if (s->hooks.begins != NULL)
-			s->hooks.begins("posterior: drawing the parameters "
-					"that the data allow");
+		if (s->hooks.announce != NULL)
+			s->hooks.announce("posterior: drawing the parameters "
+					  "that the data allow");
 		struct posterior_options o = {.use = use,
 		    .settings = fit->settings,
 		    .bounds = h->bounds,
@@ -84,7 +84,7 @@ static const struct posterior *
 complete_draws(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
-	struct history *h = entry->origin->spread;
+	struct history *h = entry->origin->history;
 	size_t place;
 	FREED bool *use = runs_that_inform(h, correction, &place);
 	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
@@ -99,7 +99,7 @@ outlook_begin_draws(const struct session *s, const struct entry *entry)
 {
 	if (!has_draws(entry) || outlook_correction(s, entry) == CORRECTION_OFF)
 		return NULL;
-	const struct history *h = entry->origin->spread;
+	const struct history *h = entry->origin->history;
 	const struct fit *fit = origin_fit(entry);
 	const struct posterior_options o = {.use = h->train,
 	    .settings = fit->settings,
@@ -157,7 +157,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	const struct fit *fit = origin_fit(entry);
 	if (fit == NULL)
 		return NULL;
-	struct history *h = entry->origin->spread;
+	struct history *h = entry->origin->history;
 	size_t place;
 	FREED bool *use =
 	    runs_that_inform(h, informing_correction(s, entry), &place);
@@ -177,7 +177,7 @@ struct evidence
 outlook_evidence_without_draws(
     const struct session *s, const struct entry *entry)
 {
-	struct history *h = entry->origin->spread;
+	struct history *h = entry->origin->history;
 	size_t place;
 	FREED bool *use =
 	    runs_that_inform(h, informing_correction(s, entry), &place);
@@ -189,7 +189,7 @@ double
 outlook_feed_difference(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
-	const struct history *h = entry->origin->spread;
+	const struct history *h = entry->origin->history;
 	double least = INFINITY;
 	size_t place;
 	FREED bool *use =
@@ -282,7 +282,7 @@ outlook_ensemble(
 	const struct posterior *p = posterior_for_answers(s, entry);
 	if (p == NULL)
 		return NULL;
-	struct history *h = entry->origin->spread;
+	struct history *h = entry->origin->history;
 	/* A feed that all runs share is the same whichever it is asked of. */
 	if (!entry->site->individual_feeds)
 		feed_run = 0;
@@ -331,7 +331,7 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 static bool
 has_too_many_runs(const struct session *s, const struct entry *entry)
 {
-	const struct history *h = entry->origin->spread;
+	const struct history *h = entry->origin->history;
 	size_t place, n = 0;
 	FREED bool *use =
 	    runs_that_inform(h, informing_correction(s, entry), &place);

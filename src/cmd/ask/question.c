@@ -23,8 +23,8 @@
 static double
 measured_rotor(const struct entry *entry)
 {
-	bool known = entry->origin != NULL && entry->origin->spread != NULL;
-	return known ? entry->origin->spread->site->rotor : entry->site->rotor;
+	bool known = entry->origin != NULL && entry->origin->history != NULL;
+	return known ? entry->origin->history->site->rotor : entry->site->rotor;
 }
 
 /* "feed b.csv, cascade 10 %". */
@@ -124,7 +124,8 @@ question_free(struct session *s, struct question *q)
 		moved_drop_cached(s->moved);
 		history_drop_cached(q->own.history, q->own.site);
 		if (q->own.origin != NULL)
-			history_drop_cached(q->own.origin->spread, q->own.site);
+			history_drop_cached(
+			    q->own.origin->history, q->own.site);
 		site_free(q->own.site);
 		free(q->own.train);
 	}
@@ -304,12 +305,12 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
     struct error *error)
 {
 	struct question q = {.entry = NULL};
-	bool known = (args->command->flags & COMMAND_KNOWN) != 0;
+	bool known = (args->command->flags & COMMAND_NEEDS_PARAMS) != 0;
 	bool ok = (!known || answers_check_current(s, error)) &&
 		  question_read(s, args, &q, error) &&
 		  answer(s, args, &q, error);
 	if (ok && q.speed_given)
-		s->asked = q.speed;
+		s->last_speed = q.speed;
 	question_free(s, &q);
 	return ok;
 }
@@ -344,7 +345,7 @@ feed_of_setting(struct session *s)
 	const struct command_option *row = SETTINGS;
 	if (s->set.feed[0] == '\0')
 		return NULL;
-	while (row->offset != offsetof(struct choices, feed))
+	while (row->offset != offsetof(struct settings, feed))
 		row++;
 	return value_read(row, s->set.feed, &value, &none) &&
 		       value_is_file(row, &value)
@@ -400,8 +401,8 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 	for (size_t i = 0; i < whole; i++) {
 		double v = from + (double)i;
 		at[q->n_at++] = v;
-		if (s->asked > v && s->asked < v + 1 && i + 1 < whole)
-			at[q->n_at++] = s->asked;
+		if (s->last_speed > v && s->last_speed < v + 1 && i + 1 < whole)
+			at[q->n_at++] = s->last_speed;
 	}
 	q->at = q->named->usual = at;
 }
@@ -413,9 +414,9 @@ question_as_last(
 	double last = session_answer_number(s, "predict", "speed");
 	double fed = session_answer_number(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
-	if (q->speed_given || (isnan(last) && !(s->asked > 0)))
+	if (q->speed_given || (isnan(last) && !(s->last_speed > 0)))
 		return;
-	q->speed = s->asked > 0 ? s->asked : last;
+	q->speed = s->last_speed > 0 ? s->last_speed : last;
 	if (args->feed == NULL && !q->variant.feed && isfinite(fed) &&
 	    site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);

@@ -45,7 +45,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 {
 	const struct site *site = entry->site;
 	const struct history *h =
-	    origin_fit(entry) != NULL ? entry->origin->spread : NULL;
+	    origin_fit(entry) != NULL ? entry->origin->history : NULL;
 	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
 	if (misfit_covered(&site->run[run]) == 0)

@@ -83,7 +83,7 @@ read_questions(struct session *s, const struct args *args,
 	struct error none = {0};
 	size_t at = s->current, beside;
 	if (s->n_entry == 0 ||
-	    (r->site != NULL && !session_find(s, r->site, &at, &none)))
+	    (r->site != NULL && !session_find_site(s, r->site, &at, &none)))
 		return true;
 	if (!question_read_for(s, &s->entry[at], args, &a->q, error))
 		return false;
@@ -96,7 +96,8 @@ read_questions(struct session *s, const struct args *args,
 		return false;
 	if (a->q.speed_given && r->made == NULL)
 		r->speed = a->q.speed;
-	if (r->beside == NULL || !session_find(s, r->beside, &beside, &none))
+	if (r->beside == NULL ||
+	    !session_find_site(s, r->beside, &beside, &none))
 		return true;
 	question_read_like(
 	    s, &s->entry[beside], args, &a->q, &a->second, &none);

@@ -321,7 +321,7 @@ plots_chart(
 		return NULL;
 	size_t at = s->current;
 	if (request->site != NULL &&
-	    !session_find(s, request->site, &at, error))
+	    !session_find_site(s, request->site, &at, error))
 		return NULL;
 	struct plot_request as = *request;
 	if (as.entry == NULL && s->n_entry > 0)

@@ -135,7 +135,7 @@ find_profiled(const struct session *s, const struct entry *entry,
 		    "the parameters do not come from a calibration in this "
 		    "session\n"
 		    "run 'calibrate' first");
-	*a = (struct profiled){.h = entry->origin->spread,
+	*a = (struct profiled){.h = entry->origin->history,
 	    .p = outlook_posterior_for_comparison(s, entry)};
 	a->fit = a->h->fit.params;
 	a->bounds = a->h->bounds;

@@ -344,7 +344,7 @@ find_second(struct session *s, const struct plot_request *q,
 	struct error gone = {0};
 	bool beside = q->beside != NULL, kept = q->kept != NULL;
 	*second = (struct second){.p = q->kept};
-	if (beside && session_find(s, q->beside, &i, kept ? &gone : error))
+	if (beside && session_find_site(s, q->beside, &i, kept ? &gone : error))
 		second->whose = q->second != NULL ? q->second : &s->entry[i];
 	else if (beside && !kept)
 		return false;

@@ -235,7 +235,7 @@ add_drawn(struct session *s, const char *name, struct param_span *span)
 	const struct entry *entry = session_entry(s);
 	bool over = !session_busy(s) && entry->has_fit &&
 		    entry->origin != NULL &&
-		    entry->origin->spread == entry->history;
+		    entry->origin->history == entry->history;
 	const struct posterior *p =
 	    over ? outlook_posterior_for_comparison(s, entry) : NULL;
 	double value[POSTERIOR_DRAWS];

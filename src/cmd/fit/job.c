@@ -16,7 +16,7 @@
 #include "cmd/fit/fit_report.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "core/search/misfit.h"
 
 /* Notes what the job is about to do. */
@@ -201,7 +201,7 @@ take_entry(struct session *s)
 	snprintf(entry->options, sizeof entry->options, "%s", options);
 	entry->params = entry->fit.params;
 	take_history(entry, &s->job);
-	session_forget(s);
+	session_forget_answers(s);
 	entry->has_fit = entry->has_params = true;
 	entry->remembered = false;
 	memcpy(entry->train, s->job.train,
@@ -934,7 +934,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	take_bounds(s);
 	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
-		invocation_join_undo(s);
+		s->invocation->joins = true;
 	s->job.pause_at = (size_t)args->pause;
 	s->job.started += session_clock() - s->job.stopped;
 	s->job.paused = s->job.held_back = false;

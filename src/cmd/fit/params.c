@@ -58,7 +58,7 @@ void
 model_take_params(struct session *s, struct entry *entry,
     const struct params *p, struct origin *origin)
 {
-	session_forget(s);
+	session_forget_answers(s);
 	entry->params = *p;
 	entry->has_params = true;
 	entry->has_fit = false;
@@ -131,7 +131,7 @@ find_other_site(struct session *s, const struct args *args, struct error *error)
 		    args->operand[0]);
 		return NULL;
 	}
-	if (!session_find(s, args->operand[1], &at, error))
+	if (!session_find_site(s, args->operand[1], &at, error))
 		return NULL;
 	if (s->entry[at].has_params)
 		return &s->entry[at];

@@ -12,7 +12,7 @@ const struct command TABLE_FIT[] = {
 	.alias = "fit",
 	.brief = "find the parameters that fit the training runs",
 	.operands = {"[all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_DAILY,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_DAILY,
 	.option = OPTION_LIST(
 	    {WHOLE(seed), "", 0, 9223372036854774784.0, NULL, "",
 		"seed of the random numbers; default: the session's"},
@@ -67,7 +67,7 @@ const struct command TABLE_FIT[] = {
     {.name = "validate",
 	.brief = "compare predictions with the held-out runs",
 	.operands = {"[all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY,
 	.option = OPTION_LIST({CHOICE(holdout), "untrained each", "untrained",
 				  "each: hold out each speed in turn and "
 				  "calibrate on the others"},
@@ -141,7 +141,7 @@ const struct command TABLE_FIT[] = {
     {.name = "history",
 	.alias = "show search",
 	.brief = "show how the last calibration converged",
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_NEEDS_SITE,
 	.bare = "every",
 	.option = OPTION_LIST({WHOLE(every), "", 1, 1e6, NULL, "",
 	    "show every N-th generation; default: as many as fit a screen"}),

@@ -5,7 +5,7 @@
 #include "cmd/lang/table.h"
 
 #define SETTING(word, member, k) \
-	.name = word, .offset = offsetof(struct choices, member), .kind = k
+	.name = word, .offset = offsetof(struct settings, member), .kind = k
 
 const struct command_option SETTINGS[] = {
     {SETTING("model", model.breakage, VALUE_CHOICE), "", 0, 0, NULL, "grunditz",
@@ -54,7 +54,7 @@ const struct command TABLE_MODEL[] = {
 	.brief = "show, set or compare the model's parameters",
 	.operands = {"[list | set | diff SITE | use SITE]",
 	    {"list set diff use", "SITE"}, 0, 2},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_PARAMS,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_PARAMS,
 	.text = "'params set' sets known parameters of the current model "
 		"instead of a calibration; those not named keep their value, "
 		"and beta is (0, 1, -1, 0.5) at first. Only the direction of "
@@ -79,7 +79,7 @@ const struct command TABLE_MODEL[] = {
 	.run = cmd_bounds},
     {.name = "set",
 	.brief = "show or change settings",
-	.flags = COMMAND_CHANGES | COMMAND_LOOKS | COMMAND_CONDITIONS |
+	.flags = COMMAND_CHANGES | COMMAND_APPEARANCE | COMMAND_CONDITIONS |
 		 COMMAND_SETTINGS,
 	.option = SETTINGS,
 	.text = "Write 'set method classes' or 'set method=classes'. The "
@@ -97,7 +97,7 @@ const struct command TABLE_MODEL[] = {
     {.name = "seed",
 	.alias = "set seed",
 	.brief = "seed of calibrations",
-	.flags = COMMAND_CHANGES | COMMAND_LOOKS,
+	.flags = COMMAND_CHANGES | COMMAND_APPEARANCE,
 	.bare = "seed",
 	.option = OPTION_LIST({WHOLE(seed), "", 0, 9223372036854774784.0, NULL,
 	    "", "seed of calibrations"}),

@@ -10,7 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/fit/trials.h"
 #include "cmd/ask/fit.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/outlook.h"
@@ -102,7 +102,8 @@ fail_late(struct session *s, struct failed *failed, size_t n)
 		    "%s\n%s",
 		    failed->n, n + failed->n, failed->keys, failed->first.text,
 		    failed->first.hint);
-		invocation_fails(s, &e);
+		if (s->invocation != NULL)
+			s->invocation->late = e;
 	}
 	free(failed->keys);
 }

@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 
-/* In the order of help and manual. */
+/* In the order of help and the manual. */
 static const struct {
 	const char *name;
 	const struct command *command;
@@ -65,7 +65,8 @@ command_other_name(const struct command *command)
 	return is_titled(command) ? command->name : command->alias;
 }
 
-/* Whether a word is an option of it, or a range that its bare option takes. */
+/* True if a word is one of the command's options, or a range for its bare
+ * option. */
 static bool
 takes_option_word(const struct command *command, const char *word)
 {
@@ -80,8 +81,7 @@ takes_option_word(const struct command *command, const char *word)
 }
 
 const struct command *
-command_find_two_words(
-    const struct command *command, char *const *word, size_t n)
+command_meant(const struct command *command, char *const *word, size_t n)
 {
 	const struct command *found = command;
 	size_t most = 0;
@@ -110,7 +110,7 @@ command_find(const char *name)
 	return NULL;
 }
 
-/* Whether one of its names of one word begins so. */
+/* True if a one-word name of the command begins with `start`. */
 static bool
 begins_with(const struct command *c, const char *start)
 {
@@ -126,7 +126,7 @@ command_find_typed(const char *name, bool prompt)
 	const struct command *found = command_find(name);
 	if (found != NULL || !prompt)
 		return found;
-	/* Screens and pagers are left by q, and so is the program. */
+	/* As in full-screen mode and pagers, q quits. */
 	enum { LEAST = 2 };
 	FREED char *start = text_fold(name);
 	bool leaves = strcmp(start, "q") == 0;
@@ -144,20 +144,18 @@ command_find_typed(const char *name, bool prompt)
 char *
 command_candidates(const char *name)
 {
-	char *list = xstrdup(""), *start = text_fold(name);
-	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!begins_with(c, start))
-			continue;
-		xlist(&list, ", ", "%s", c->name);
-	}
-	free(start);
+	char *list = xstrdup("");
+	FREED char *start = text_fold(name);
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
+		if (begins_with(c, start))
+			xlist(&list, ", ", "%s", c->name);
 	return list;
 }
 
 const char *
 command_nearest(const char *name)
 {
-	/* What other programs call it. */
+	/* Names in other programs. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
 	    {"delete", "drop"}, {"full", "tui"}, {"full screen", "tui"},
 	    {"fullscreen", "tui"}, {"goal", "set goal"}, {"open", "load"},
@@ -182,7 +180,7 @@ command_nearest(const char *name)
 	return nearest;
 }
 
-/* Adds a model's parameters to those of the models before it. */
+/* Appends a model's parameters, without those of the models before it. */
 static void
 add_parameters(const struct breakage *model, struct command_option *row)
 {
@@ -208,7 +206,7 @@ add_parameters(const struct breakage *model, struct command_option *row)
 	}
 }
 
-/* The parameters of all models as options, made when first asked for. */
+/* Returns the parameters of all models as options, made on first use. */
 static const struct command_option *
 command_parameters(size_t i)
 {
@@ -229,7 +227,7 @@ command_own_option(const struct command *command, size_t i)
 	return o != NULL && o->name != NULL ? o : NULL;
 }
 
-/* Option i of lists that end with NULL. */
+/* Returns option i of lists that end with NULL. */
 static const struct command_option *
 option_at(const struct command_option *const *list, size_t i)
 {
@@ -321,8 +319,7 @@ command_usage(const struct command *command)
 	return usage;
 }
 
-/* Whole numbers in full, the rest short; "" where there is no limit worth
- * saying. */
+/* Returns a limit, whole numbers in full; "" if it is too large to matter. */
 static char *
 limit_text(double limit)
 {
@@ -355,16 +352,12 @@ command_limits(const struct command_option *o)
 	}
 	FREED char *least = limit_text(o->least), *most = limit_text(o->most);
 	const char *blank = o->unit[0] != '\0' ? " " : "";
-	char *text =
+	FREED char *range =
 	    most[0] != '\0'
 		? xasprintf(tr("%s to %s%s%s"), least, most, blank, o->unit)
 		: xasprintf(tr("%s or more%s%s"), least, blank, o->unit);
-	if (o->kind == VALUE_FEED) {
-		char *range = text;
-		text = xasprintf(tr("%s, or file"), range);
-		free(range);
-	}
-	return text;
+	return o->kind == VALUE_FEED ? xasprintf(tr("%s, or file"), range)
+				     : xstrdup(range);
 }
 
 char *
@@ -376,7 +369,7 @@ command_option_words(const struct command_option *o)
 	    tr(o->brief), limits, o->fallback);
 }
 
-/* A number cannot be 0, see SHARED_FEED. */
+/* A feed given as a number cannot be 0, see SHARED_FEED. */
 bool
 value_is_file(const struct command_option *option, const struct value *value)
 {
@@ -386,7 +379,7 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
-/* The index of the option, or OPTIONS where the command has none there. */
+/* Returns the index of the option with that member, or OPTIONS. */
 static size_t
 option_of_member(const struct args *args, const void *member)
 {

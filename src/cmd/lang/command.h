@@ -127,19 +127,21 @@ typedef bool command_answer(
 
 /* Properties of a command. */
 enum command_flag {
-	COMMAND_CHANGES = 1,   /* changes the session: can be undone */
-	COMMAND_FILES = 2,     /* operands are files: refused by --safe */
-	COMMAND_VERBATIM = 4,  /* > and | are ordinary words */
-	COMMAND_UNSAVED = 8,   /* save omits it, or it adds its own line */
-	COMMAND_LATEST = 16,   /* save keeps the last of several in a row */
-	COMMAND_DRAWS = 32,    /* may write to an image file */
-	COMMAND_AT_SITE = 64,  /* needs a site to work on */
-	COMMAND_LOOKS = 128,   /* its changes alone are not worth keeping */
-	COMMAND_PARAMS = 256,  /* its options are the models' parameters */
-	COMMAND_SPEC = 512,    /* operands are like VALUE_SPEC */
-	COMMAND_BESIDE = 1024, /* full screen: a search continues meanwhile */
-	COMMAND_KNOWN = 2048,  /* its answer needs the site's parameters */
-	COMMAND_DAILY = 4096,  /* in daily use: shown by plain `help` */
+	COMMAND_CHANGES = 1,      /* changes the session: can be undone */
+	COMMAND_FILES = 2,        /* operands are files: refused by --safe */
+	COMMAND_VERBATIM = 4,     /* > and | are ordinary words */
+	COMMAND_UNSAVED = 8,      /* save omits it, or it adds its own line */
+	COMMAND_KEEPS_LAST = 16,  /* save keeps the last of several in a row */
+	COMMAND_DRAWS = 32,       /* may write to an image file */
+	COMMAND_NEEDS_SITE = 64,  /* needs a site to work on */
+	COMMAND_APPEARANCE = 128, /* its changes alone are not worth keeping */
+	COMMAND_PARAMS = 256,     /* its options are the models' parameters */
+	COMMAND_SPEC = 512,       /* operands are like VALUE_SPEC */
+	COMMAND_DURING_SEARCH =
+	    1024, /* full screen: a search continues meanwhile */
+	COMMAND_NEEDS_PARAMS =
+	    2048,                   /* its answer needs the site's parameters */
+	COMMAND_DAILY = 4096,       /* in daily use: shown by plain `help` */
 	COMMAND_CONDITIONS = 8192,  /* a condition needs no quotes */
 	COMMAND_QUANTITIES = 16384, /* words that name figures form its of= */
 	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
@@ -158,7 +160,7 @@ struct command_operands {
 /* name: one word, under which answers are kept.  alias: a second name, or NULL;
  * a two-word alias ("store list") is the name shown to people.  others:
  * commands that are meant instead if a line has an option that only they have,
- * or a range of speeds ("predict 65..85"), see command_find_two_words.  bare:
+ * or a range of speeds ("predict 65..85"), see command_meant.  bare:
  * the option that a bare word sets ("predict 74"), or NULL.  text: sentences
  * for help and manual.  more: further sentences for the manual, or NULL.
  * example: lines of a script that runs in a folder with the project's data/. */
@@ -203,7 +205,7 @@ const char *command_title(const struct command *command);
 const char *command_other_name(const struct command *command);
 
 /* Returns the command, or one of its `others` if the words call for that. */
-const struct command *command_find_two_words(
+const struct command *command_meant(
     const struct command *command, char *const *word, size_t n);
 
 /* Returns the command with that full name or alias, or NULL. */

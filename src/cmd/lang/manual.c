@@ -13,8 +13,8 @@
 #include "cmd/lang/usage.h"
 #include "core/model/breakage.h"
 
-/* Text of a paragraph: a new sentence on a new line, as mdoc wants it, lines
- * short, and nothing that roff would take for a request. */
+/* Prints a paragraph: each sentence begins a line, as mdoc requires, lines are
+ * short, and no word is taken for a roff request. */
 static void
 print_text(const char *text, FILE *out)
 {
@@ -44,7 +44,7 @@ print_text(const char *text, FILE *out)
 	free(copy);
 }
 
-/* "list the loaded sites" as the first sentence of a paragraph. */
+/* Prints "list the loaded sites" as a sentence. */
 static void
 print_brief(const struct command *c, FILE *out)
 {
@@ -97,7 +97,7 @@ print_heading(const char *group, FILE *out)
 	fprintf(out, "%c%s\n", toupper((unsigned char)group[0]), group + 1);
 }
 
-/* The groups, each with its commands. */
+/* Prints the groups, each with its commands. */
 static void
 print_contents(FILE *out)
 {
@@ -137,7 +137,7 @@ manual_commands(FILE *out)
 		}
 		group = its;
 		FREED char *usage = command_usage(c);
-		/* In quotes, so that no letter acts. */
+		/* Quoted, so that no letter is a macro. */
 		FREED char *quoted = text_quoted(usage);
 		fprintf(out, ".It %s\n", quoted);
 		if (c->alias != NULL)
@@ -223,8 +223,7 @@ print_commands(FILE *out)
 	fputs("'\n		;;\n", out);
 }
 
-/* What may stand after an option that takes something: words, files, or what
- * only the user knows. */
+/* Prints the candidates for an option's argument: words, files, or none. */
 static void
 print_argument(const struct usage_option *o, FILE *out)
 {
@@ -290,7 +289,7 @@ manual_bash(FILE *out)
 	    out);
 }
 
-/* Not a format, though it may have a sign for per cent. */
+/* The text is no format, even if it has a per cent sign. */
 void
 manual_text(const char *text, FILE *out)
 {

@@ -14,8 +14,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* Goes on from the last place asked for, so that a long line costs no more than
- * its length. */
+/* Returns the column of an offset.  Counts from the last offset, so that the
+ * time is linear in the length of a line. */
 static int
 parse_column_of(const char *line, struct words *words, size_t offset)
 {
@@ -33,8 +33,9 @@ ends_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Where the quote ends that '...' or name='...' has; 0: this word is none of
- * these, a ' of its own is a letter.  open: out, where it begins. */
+/* Returns the offset of the closing quote of '...' or name='...'; 0 if the word
+ * is neither, because a ' within a word is a letter.  open: out, the opening
+ * quote. */
 static size_t
 single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
 {
@@ -49,8 +50,8 @@ single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
 	return ends ? close : 0;
 }
 
-/* Copies one word from *at on and moves *at after it. False on an open quote;
- * the caller frees the word in any case. */
+/* Copies the word at *at and moves *at past it.  Returns false if a quote is
+ * open.  The caller frees the word in any case. */
 static bool
 read_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 {
@@ -87,7 +88,7 @@ parse_skip_blanks(const char *line, size_t i)
 	return i;
 }
 
-/* The rest of the line is the shell's. */
+/* Takes the rest of the line as the shell command. */
 static bool
 read_pipe(const char *line, size_t i, struct words *words)
 {
@@ -98,13 +99,13 @@ read_pipe(const char *line, size_t i, struct words *words)
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
 
-/* "> FILE" or ">> FILE" at *at; *at is then after it. */
+/* Reads "> FILE" or ">> FILE" at *at and moves *at past it. */
 static bool
 read_redirection_file(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	bool append = line[*at + 1] == '>';
-	words->to = append ? TO_END : TO_FILE;
+	words->to = append ? TO_APPEND : TO_FILE;
 	*at = parse_skip_blanks(line, *at + (append ? 2 : 1));
 	int column = parse_column_of(line, words, *at);
 	if (!read_word_of_line(line, at, false, &words->target))
@@ -147,7 +148,7 @@ read_redirection(const char *line, size_t *at, struct place place,
 	    "write: sweep | less");
 }
 
-/* True where the first word names a command that takes > and | as words. */
+/* True if the command takes > and | as words. */
 static bool
 takes_signs_as_words(const struct words *words, struct place place)
 {
@@ -157,32 +158,42 @@ takes_signs_as_words(const struct words *words, struct place place)
 	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
 }
 
-/* Makes one word of the two of a command's name: "store list". */
+void
+words_join(struct words *words, size_t first, size_t n, const char *text)
+{
+	size_t rest = words->n - first - n;
+	char *joined = xstrdup(text);
+	for (size_t i = first; i < first + n; i++)
+		free(words->text[i]);
+	words->text[first] = joined;
+	memmove(&words->text[first + 1], &words->text[first + n],
+	    rest * sizeof words->text[0]);
+	memmove(&words->column[first + 1], &words->column[first + n],
+	    rest * sizeof words->column[0]);
+	words->n = first + 1 + rest;
+}
+
+/* Joins the two words of a command's name: "store list". */
 static void
 join_name(struct words *words)
 {
-	char *name = xasprintf("%s %s", words->text[0], words->text[1]);
-	if (command_find(name) == NULL) {
-		free(name);
-		return;
-	}
-	free(words->text[0]);
-	free(words->text[1]);
-	words->text[0] = name;
-	words->n = 1;
+	FREED char *name = xasprintf("%s %s", words->text[0], words->text[1]);
+	if (command_find(name) != NULL)
+		words_join(words, 0, 2, name);
 }
 
-/* Puts a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
- * wanted. */
+/* Joins a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
+ * expected. */
 static void
 join_unit(const struct command *command, struct words *words)
 {
-	char **word = &words->text[words->n - 2];
-	const char *unit = word[1], *equals = strchr(*word, '=');
-	const char *number = equals != NULL ? equals + 1 : *word;
+	const char *word = words->text[words->n - 2];
+	const char *unit = words->text[words->n - 1];
+	const char *equals = strchr(word, '=');
+	const char *number = equals != NULL ? equals + 1 : word;
 	FREED char *name =
 	    equals != NULL
-		? xstrndup(*word, (size_t)(equals - *word))
+		? xstrndup(word, (size_t)(equals - word))
 		: xstrdup(command->bare != NULL ? command->bare : "");
 	size_t i = command_option_index(command, name);
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
@@ -192,11 +203,8 @@ join_unit(const struct command *command, struct words *words)
 	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
 	    *number < '0' || *number > '9')
 		return;
-	char *joined = xasprintf("%s%s", *word, unit);
-	free(word[0]);
-	free(word[1]);
-	word[0] = joined;
-	words->n--;
+	FREED char *joined = xasprintf("%s%s", word, unit);
+	words_join(words, words->n - 2, 2, joined);
 }
 
 static bool
@@ -221,10 +229,10 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 	return true;
 }
 
-/* Whether the > at a place stands before a limit and not before a file: behind
- * a quantity without quotes, "P80 > 5".  What has a limit already is written
- * into a file, whatever its name.  After what is no command >= is one, so that
- * the command is what is told. */
+/* True if the > is a limit's, as after the quantity in "P80 > 5", and not a
+ * redirection.  After a condition that has its limit, > writes a file of any
+ * name.  After an unknown command >= is a limit, so that the error is about the
+ * command. */
 static bool
 is_limit_sign(
     const char *line, size_t at, const struct words *words, struct place place)
@@ -250,7 +258,7 @@ is_limit_sign(
 	return text_typed_number(number, &limit);
 }
 
-/* The > of a limit, or >=, is a word. */
+/* Takes the > or >= of a limit as a word. */
 static void
 take_limit_sign(const char *line, size_t *at, struct words *words)
 {
@@ -304,7 +312,7 @@ words_free(struct words *words)
 	words->n = 0;
 }
 
-/* Cuts a unit off the end of a number: "74m/s", "11.2 mm". */
+/* Removes a unit from the end of a number: "74m/s", "11.2 mm". */
 static void
 parse_cut_unit(char *text, const char *unit)
 {
@@ -342,12 +350,12 @@ value_feed(const char *text, size_t *length, double *share)
 	return NULL;
 }
 
-/* A control room shows the rotor's turns. */
+/* Control rooms show revolutions per minute. */
 static const char TURNS[] =
     N_("is this rpm? '%.*s rpm' works if the rotor is known: m/s = 3.1416 x "
        "rotor diameter (m) x rpm / 60");
 
-/* The next step where a number is written as in another language. */
+/* Adds a hint if a number is written as in another language. */
 static bool
 hint_number(
     const struct command_option *option, const char *word, struct error *error)
@@ -379,7 +387,7 @@ static bool
 parse_number(const struct command_option *option, const char *word,
     double *value, struct error *error)
 {
-	/* In a list a comma stands between numbers. */
+	/* In a list, commas separate numbers. */
 	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	bool ok = !list && value_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
@@ -415,10 +423,10 @@ parse_add_number(const struct command_option *option, const char *word,
 	return true;
 }
 
-/* Numbers of one value: each may be a prediction, which takes memory. */
+/* The most numbers in a value: each may be a prediction, which takes memory. */
 enum { NUMBERS_MOST = 2000 };
 
-/* a..b or a..b:step; the step defaults to 1. */
+/* Reads a..b or a..b:step; the default step is 1. */
 static bool
 read_range_of_speeds(const struct command_option *option, char *word,
     char *dots, struct value *value, struct error *error)
@@ -476,9 +484,6 @@ read_list_of_numbers(const struct command_option *option, const char *word,
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
-	if (ok && value->n == 0)
-		return error_set(error, ERROR_USAGE,
-		    "%s: expected numbers (65,74 or 65..85:5)", option->name);
 	if (ok && value->n > NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected at most %d numbers, got %zu\n"
@@ -498,9 +503,9 @@ error_wrong_whole(
 	return false;
 }
 
-/* The error that there is none. */
+/* Sets the error that no value was given. */
 static bool
-value_wanted(const struct command_option *option, struct error *error)
+error_no_value(const struct command_option *option, struct error *error)
 {
 	FREED char *limits = command_limits(option);
 	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
@@ -513,7 +518,7 @@ error_wrong_choice(
     const struct command_option *option, const char *word, struct error *error)
 {
 	if (word[0] == '\0')
-		return value_wanted(option, error);
+		return error_no_value(option, error);
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option_choices(option), word);
 	char *copy = xstrdup(option_choices(option)), *save = NULL;
@@ -538,7 +543,7 @@ value_read(const struct command_option *option, const char *word,
 		if (value_number(word, option->unit, &value->number))
 			return parse_number(
 			    option, word, &value->number, error);
-		return word[0] != '\0' || value_wanted(option, error);
+		return word[0] != '\0' || error_no_value(option, error);
 	case VALUE_NUMBERS:
 		return read_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
@@ -577,8 +582,8 @@ error_unknown_option(
 	error_hint(error, "usage: %s", usage);
 }
 
-/* Index of the option so called; OPTIONS, with an error, where there is none or
- * it has been given. */
+/* Returns the index of an option; OPTIONS, with an error, if there is none of
+ * that name or it was already given. */
 static size_t
 find_option_not_given(
     const struct args *args, const char *name, struct error *error)
@@ -602,7 +607,7 @@ parse_take_value(
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
-/* One word after the command's name: key=value, the bare option or an
+/* Reads one word after the command's name: key=value, the bare option or an
  * operand. */
 static bool
 take_argument(
@@ -632,17 +637,18 @@ take_argument(
 	return true;
 }
 
-/* True, with the error, when a name stands alone at the end: "set method". */
+/* Returns true with an error if a setting's name stands at the end: "set
+ * method". */
 static bool
 error_lacks_value(
     const struct command *command, const char *name, struct error *error)
 {
 	size_t i = command_option_index(command, name);
 	return i < OPTIONS &&
-	       !value_wanted(command_option_at(command, i), error);
+	       !error_no_value(command_option_at(command, i), error);
 }
 
-/* "method classes" where "method=classes" would do. */
+/* Reads "method classes", which means "method=classes". */
 static bool
 read_option_as_pair(
     const char *name, const char *word, struct args *args, struct error *error)
@@ -651,7 +657,7 @@ read_option_as_pair(
 	return i < OPTIONS && parse_take_value(i, word, args, error);
 }
 
-/* Puts a value into the member of its option, see rows.h. */
+/* Stores a value in the member of its option, see rows.h. */
 static void
 put_value(const struct command_option *o, const struct value *value,
     struct args *args)
@@ -675,8 +681,8 @@ put_value(const struct command_option *o, const struct value *value,
 		*(const char **)member = value->text;
 }
 
-/* Gives options their fallbacks, and all their places; settings and parameters
- * have others, see cmd_set and cmd_params. */
+/* Reads the fallbacks of options not given, and stores all values in their
+ * members.  Settings and parameters are stored by cmd_set and cmd_params. */
 static bool
 take_values(struct args *args, struct error *error)
 {
@@ -695,7 +701,8 @@ take_values(struct args *args, struct error *error)
 	return ok;
 }
 
-/* True, with the error, for "p80" and for "P80=5.5", as tables head it. */
+/* Returns true with an error for "p80", and for "P80=5.5" as in a table's
+ * heading. */
 static bool
 is_lone_option(
     const struct command *command, const char *word, struct error *error)
@@ -739,13 +746,12 @@ check_operands(const struct args *args, struct error *error)
 	return false;
 }
 
-/* "speed = 74", "speed =74" and "speed= 74" for an option want another hint
- * than each of their words. */
+/* Replaces the hint for "speed = 74", "speed =74" and "speed= 74". */
 static void
 hint_blanks(const struct command *command, const struct words *words,
     struct error *error)
 {
-	for (size_t i = 2; command != NULL && i < words->n; i++) {
+	for (size_t i = 2; i < words->n; i++) {
 		const char *name = words->text[i - 1], *word = words->text[i];
 		size_t n = strlen(name), signs = word[0] == '=';
 		bool ends = n > 0 && name[n - 1] == '=';
@@ -760,15 +766,6 @@ hint_blanks(const struct command *command, const struct words *words,
 			    "write it without spaces around =: %s=%s", key,
 			    value);
 	}
-}
-
-/* Adds the place of word i to an error that has none. */
-static void
-add_place_to_error(struct error *error, struct place place,
-    const struct command *command, const struct words *words, size_t i)
-{
-	hint_blanks(command, words, error);
-	error_set_place(error, place.file, place.line, words->column[i]);
 }
 
 static void
@@ -789,50 +786,53 @@ error_unknown_name(const char *name, bool prompt, struct error *error)
 		error_hint(error, "run 'help' for the commands");
 }
 
+/* Reads the words after the command's name.  On failure, *column is that of the
+ * faulty word. */
+static bool
+read_arguments(const struct words *words, struct args *args, int *column,
+    struct error *error)
+{
+	const struct command *command = args->command;
+	bool set = (command->flags & COMMAND_SETTINGS) != 0;
+	for (size_t i = 1; i < words->n; i++) {
+		const char *word = words->text[i];
+		bool last = i + 1 == words->n;
+		bool pair = set && !last && strchr(word, '=') == NULL;
+		*column = words->column[i];
+		bool ok = pair ? read_option_as_pair(
+				     word, words->text[i + 1], args, error)
+			       : !(set && last &&
+				     error_lacks_value(command, word, error)) &&
+				     take_argument(word, *column, args, error);
+		if (!ok)
+			return false;
+		i += pair;
+	}
+	*column = args->n_operand > command->operands.most
+		      ? args->column[command->operands.most]
+		      : words->column[0];
+	return check_operands(args, error) && take_values(args, error);
+}
+
 const struct command *
 parse_call(const struct words *words, struct place place, struct args *args,
     struct error *error)
 {
 	memset(args, 0, sizeof *args);
+	int column = words->column[0];
 	const struct command *command =
 	    command_find_typed(words->text[0], place.prompt);
 	if (command == NULL) {
 		error_unknown_name(words->text[0], place.prompt, error);
-		add_place_to_error(error, place, NULL, words, 0);
-		return NULL;
+	} else {
+		args->command =
+		    command_meant(command, words->text + 1, words->n - 1);
+		if (read_arguments(words, args, &column, error))
+			return args->command;
+		hint_blanks(args->command, words, error);
 	}
-	command =
-	    command_find_two_words(command, words->text + 1, words->n - 1);
-	args->command = command;
-	for (size_t i = 1; i < words->n; i++) {
-		const char *word = words->text[i];
-		bool set = (command->flags & COMMAND_SETTINGS) != 0,
-		     last = i + 1 == words->n;
-		bool pair = set && !last && strchr(word, '=') == NULL;
-		bool ok = pair ? read_option_as_pair(
-				     word, words->text[i + 1], args, error)
-			       : !(set && last &&
-				     error_lacks_value(command, word, error)) &&
-				     take_argument(
-					 word, words->column[i], args, error);
-		if (!ok) {
-			add_place_to_error(error, place, command, words, i);
-			return NULL;
-		}
-		i += pair;
-	}
-	if (!check_operands(args, error) || !take_values(args, error)) {
-		size_t at = 0;
-		for (size_t i = 1;
-		     i < words->n && args->n_operand > command->operands.most;
-		     i++)
-			if (words->text[i] ==
-			    args->operand[command->operands.most])
-				at = i;
-		add_place_to_error(error, place, command, words, at);
-		return NULL;
-	}
-	return command;
+	error_set_place(error, place.file, place.line, column);
+	return NULL;
 }
 
 void

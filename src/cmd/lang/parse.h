@@ -20,13 +20,13 @@ struct place {
 };
 
 /* Target of a command's results. */
-enum target { TO_SCREEN, TO_FILE, TO_END, TO_PIPE };
+enum target { TO_SCREEN, TO_FILE, TO_APPEND, TO_PIPE };
 
 /* The words of one command and the columns where they start (from 1).  typed:
  * the words as typed in the line; NULL after an error.  next: the offset in the
  * line at which the next command may begin.  target: the file for TO_FILE (">")
- * and TO_END (">>"), or the shell command for TO_PIPE; to_column: the column of
- * > or |. */
+ * and TO_APPEND (">>"), or the shell command for TO_PIPE; to_column: the column
+ * of > or |. */
 struct words {
 	size_t n;
 	char *text[OPERANDS];
@@ -47,6 +47,9 @@ struct words {
 bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
+
+/* Puts a copy of one text in the place of the n words from `first` on. */
+void words_join(struct words *words, size_t first, size_t n, const char *text);
 
 /* Finds the command and checks every value against its table.  args borrows
  * from words; always free with args_free. */

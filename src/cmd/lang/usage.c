@@ -111,7 +111,7 @@ usage_list(const char *group, FILE *out)
 		const char *its = command_group(c);
 		if (group != NULL && strcmp(group, its) != 0)
 			continue;
-		/* The name can be typed: help store. */
+		/* The English name can be typed: help store. */
 		if (strcmp(last, its) != 0)
 			fprintf(out,
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
@@ -146,7 +146,7 @@ usage_example(const struct command *c, const char *margin, FILE *out)
 	free(copy);
 }
 
-/* Those that are told once, by name. */
+/* Prints the names of the options that `help options` explains. */
 static void
 usage_print_shared(const struct command *c, FILE *out)
 {

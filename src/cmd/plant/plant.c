@@ -223,7 +223,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	p->from_file = true;
 	p->circuit = circuit_file_read(path, &errors);
 	if (p->circuit == NULL)
-		return session_tell_faults(p->s, path, &errors, error);
+		return session_report_faults(p->s, path, &errors, error);
 	if (p->circuit->tph > 0 || args->tph > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,

@@ -15,11 +15,12 @@
 #include "cmd/ask/answers.h"
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
+#include "io/fs/file.h"
 #include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
-/* A completion being made.  typed: the word so far, without its quotes; quoted:
- * whether it began with one. */
+/* A completion in progress.  typed: the word so far, without quotes; quoted: it
+ * began with a quote. */
 struct work {
 	const struct session *session;
 	struct completion *result;
@@ -27,14 +28,7 @@ struct work {
 	bool quoted;
 };
 
-/* What the words before the cursor have used up.  awaits: the option whose
- * value comes next, where options are written as pairs; else OPTIONS. */
-struct used {
-	bool given[OPTIONS];
-	size_t awaits, n_operand;
-};
-
-/* What a terminal would not show as it is, readline would write as it is. */
+/* readline would print candidates unescaped. */
 static void
 complete_put(struct work *w, const char *text, char append)
 {
@@ -52,7 +46,7 @@ offer_if_matching(struct work *w, const char *text, char append)
 		complete_put(w, text, append);
 }
 
-/* The first word of a name, once where several have it. */
+/* Offers the first word of a name, once. */
 static void
 offer_name(struct work *w, const char *name)
 {
@@ -74,7 +68,7 @@ offer_commands(struct work *w)
 	}
 }
 
-/* The second words of names that begin with this one. */
+/* Offers the second words of names that begin with `first`. */
 static void
 offer_second_words(struct work *w, const char *first)
 {
@@ -107,7 +101,7 @@ offer_parameters(struct work *w)
 		offer_if_matching(w, of->parameter[j].name, ' ');
 }
 
-/* Without case and accents, as `use` finds them. */
+/* Ignores case and accents, as `use` does. */
 static void
 offer_sites(struct work *w)
 {
@@ -133,7 +127,7 @@ offer_speeds(struct work *w)
 	}
 }
 
-/* One that has begun so; what ends a word is quoted. */
+/* Quotes names with characters that would end the word. */
 static void
 put_material(void *data, const char *name)
 {
@@ -143,8 +137,8 @@ put_material(void *data, const char *name)
 	complete_put(w, text, ' ');
 }
 
-/* Without case and accents, as `recall` finds them; no more than one would
- * look through. */
+/* Ignores case and accents, as `recall` does.  Offers no more than a user would
+ * read. */
 static void
 offer_materials(struct work *w)
 {
@@ -161,7 +155,7 @@ offer_materials(struct work *w)
 	stored_list_free(&paper);
 }
 
-/* Without case; their names have blanks. */
+/* Ignores case.  Names contain spaces. */
 static void
 offer_specs(struct work *w)
 {
@@ -183,7 +177,7 @@ complete_put_file(struct work *w, const char *path)
 	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 	bool quotes =
 	    w->quoted || path[strcspn(path, " ;|<>")] != '\0' || path[0] == '#';
-	/* The quote of a folder stays open for what is in it. */
+	/* After a folder the quote stays open for the rest of the path. */
 	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
 	complete_put(w, text, folder ? '\0' : ' ');
@@ -194,9 +188,8 @@ offer_files(struct work *w)
 {
 	if (w->session->safe)
 		return;
-	const char *slash = strrchr(w->typed, '/');
-	size_t head = slash != NULL ? (size_t)(slash - w->typed) + 1 : 0;
-	const char *tail = w->typed + head;
+	const char *tail = file_name(w->typed);
+	size_t head = (size_t)(tail - w->typed);
 	FREED char *folder = head > 0 ? xstrndup(w->typed, head) : xstrdup(".");
 	DIR *dir = opendir(folder);
 	if (dir == NULL)
@@ -205,7 +198,7 @@ offer_files(struct work *w)
 		const char *name = e->d_name;
 		bool hidden = name[0] == '.' && tail[0] != '.';
 		bool self = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
-		/* A quote in a name could not be typed. */
+		/* A name with a quote cannot be typed. */
 		if (hidden || self || strchr(name, '"') != NULL ||
 		    strncmp(name, tail, strlen(tail)) != 0)
 			continue;
@@ -216,8 +209,8 @@ offer_files(struct work *w)
 	closedir(dir);
 }
 
-/* Sites that load knows by name, where no file begins so: they are what one
- * has typed the beginning of, and no list of what there is. */
+/* Offers the sites that load knows by name, if the word matches no file and is
+ * not empty. */
 static void
 offer_shipped(struct work *w)
 {
@@ -240,7 +233,7 @@ offer_shipped(struct work *w)
 		closedir(dir);
 }
 
-/* The words in capitals of the table. */
+/* The words in capitals that the command table uses. */
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);
@@ -260,18 +253,18 @@ offer_kind(struct work *w, const char *word)
 	KINDS[i].offer(w);
 }
 
-/* A list of words between spaces: kinds in capitals, others as they are. */
+/* Offers the words of a list: those in capitals are kinds. */
 static void
 offer_words(struct work *w, const char *list)
 {
-	char *copy = xstrdup(list), *save = NULL;
+	FREED char *copy = xstrdup(list);
+	char *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save))
 		if (isupper((unsigned char)word[0]))
 			offer_kind(w, word);
 		else
 			offer_if_matching(w, word, ' ');
-	free(copy);
 }
 
 static void
@@ -285,7 +278,8 @@ offer_operand(struct work *w, const struct command *command, size_t i)
 		offer_words(w, list);
 }
 
-/* further: behind a comma, where a word that stands for all numbers cannot. */
+/* further: after a comma, where a word that stands for all numbers is not
+ * allowed. */
 static void
 offer_values(struct work *w, const struct command_option *o, bool further)
 {
@@ -300,45 +294,13 @@ offer_values(struct work *w, const struct command_option *o, bool further)
 		offer_speeds(w);
 }
 
-static struct used
-find_used_options(const struct command *command, const struct words *words)
-{
-	struct used used = {.awaits = OPTIONS};
-	for (size_t i = 1; i < words->n; i++) {
-		char *word = words->text[i];
-		size_t key = strcspn(word, "=");
-		bool pair = word[key] == '\0' &&
-			    (command->flags & COMMAND_SETTINGS) != 0;
-		bool named = word[key] == '=' || pair;
-		FREED char *name = xstrndup(word, key);
-		size_t option =
-		    named ? command_option_index(command, name) : OPTIONS;
-		if (option == OPTIONS && command->bare != NULL) {
-			option = command_option_index(command, command->bare);
-			option = used.given[option] ? OPTIONS : option;
-		}
-		if (option == OPTIONS)
-			used.n_operand++;
-		else
-			used.given[option] = true;
-		if (pair && option < OPTIONS && ++i == words->n)
-			used.awaits = option;
-	}
-	return used;
-}
-
 static void
-offer_arguments(
-    struct work *w, const struct command *command, const struct used *used)
+offer_arguments(struct work *w, const struct args *used)
 {
+	const struct command *command = used->command;
 	const struct command_option *o;
-	if (used->awaits < OPTIONS) {
-		offer_values(
-		    w, command_option_at(command, used->awaits), false);
-		return;
-	}
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
-		if (used->given[i])
+		if (used->value[i].given)
 			continue;
 		offer_if_matching(w, o->name,
 		    (command->flags & COMMAND_SETTINGS) != 0 ? ' ' : '=');
@@ -349,7 +311,7 @@ offer_arguments(
 	offer_operand(w, command, used->n_operand);
 }
 
-/* Narrows the completion to what is after a character of the word. */
+/* Restricts the completion to the part of the word after `behind`. */
 static void
 complete_narrow(struct work *w, const char *line, const char *behind)
 {
@@ -359,12 +321,12 @@ complete_narrow(struct work *w, const char *line, const char *behind)
 	w->typed = text_unquoted(behind + 1, strlen(behind + 1));
 }
 
-/* The option that the word, or a bare word there, is a value of; NULL if there
- * is none. */
+/* Returns the option of which the word is a value, by name or as the bare
+ * option; or NULL. */
 static const struct command_option *
-option_at(const struct command *command, const char *typed,
-    const struct used *used, bool *named)
+option_at(const struct args *used, const char *typed, bool *named)
 {
+	const struct command *command = used->command;
 	size_t key = strcspn(typed, "="), i = OPTIONS;
 	FREED char *name = xstrndup(typed, key);
 	if (typed[key] == '=')
@@ -372,24 +334,28 @@ option_at(const struct command *command, const char *typed,
 	*named = i < OPTIONS;
 	if (!*named && command->bare != NULL)
 		i = command_option_index(command, command->bare);
-	return *named || (i < OPTIONS && !used->given[i])
+	return *named || (i < OPTIONS && !used->value[i].given)
 		   ? command_option_at(command, i)
 		   : NULL;
 }
 
-static void
-offer_after_words(struct work *w, const struct words *words, const char *line)
+/* Returns the setting whose value follows, as after "set method "; or NULL. */
+static const struct command_option *
+setting_named(const struct args *used, const char *last)
 {
-	const struct command *command =
-	    command_find_typed(words->text[0], true);
-	if (words->n == 1)
-		offer_second_words(w, words->text[0]);
-	if (command == NULL)
-		return;
-	struct used used = find_used_options(command, words);
+	size_t i = command_option_index(used->command, last);
+	return (used->command->flags & COMMAND_SETTINGS) != 0 && i < OPTIONS &&
+		       !used->value[i].given
+		   ? command_option_at(used->command, i)
+		   : NULL;
+}
+
+static void
+offer_for_call(
+    struct work *w, const struct args *used, const char *line, const char *last)
+{
 	bool named;
-	const struct command_option *o =
-	    option_at(command, w->typed, &used, &named);
+	const struct command_option *o = option_at(used, w->typed, &named);
 	const char *word = line + w->result->start;
 	if (named)
 		complete_narrow(w, line, strchr(word, '='));
@@ -397,14 +363,31 @@ offer_after_words(struct work *w, const struct words *words, const char *line)
 	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	if (further)
 		complete_narrow(w, line, strrchr(word, ','));
+	const struct command_option *setting = setting_named(used, last);
 	if (named)
 		offer_values(w, o, further);
+	else if (setting != NULL)
+		offer_values(w, setting, false);
 	else
-		offer_arguments(w, command, &used);
+		offer_arguments(w, used);
 }
 
-/* Where the last command of a line and its last word begin.  False in a
- * comment. */
+static void
+offer_after_words(struct work *w, const struct words *words, struct place place,
+    const char *line)
+{
+	struct args used;
+	struct error none = {0};
+	if (words->n == 1)
+		offer_second_words(w, words->text[0]);
+	parse_call(words, place, &used, &none);
+	if (used.command != NULL)
+		offer_for_call(w, &used, line, words->text[words->n - 1]);
+	args_free(&used);
+}
+
+/* Finds where the last command of a line, and its last word, begin.  Returns
+ * false in a comment. */
 static bool
 find_word(const char *line, size_t *command, size_t *word)
 {
@@ -453,7 +436,7 @@ sort(struct completion *c)
 	c->n = kept;
 }
 
-/* line ends at the cursor. */
+/* line: up to the cursor. */
 static void
 complete_end(struct work *w, const char *line)
 {
@@ -468,13 +451,13 @@ complete_end(struct work *w, const char *line)
 	struct error error = {0};
 	struct place place = {.file = "", .prompt = true};
 	bool ok = words_split(before, 0, place, &words, &error);
-	if (words.to == TO_FILE || words.to == TO_END) {
+	if (words.to == TO_FILE || words.to == TO_APPEND) {
 		if (words.target != NULL && words.target[0] == '\0')
 			offer_files(w);
 	} else if (ok && words.to == TO_SCREEN && words.n == 0) {
 		offer_commands(w);
 	} else if (ok && words.to == TO_SCREEN) {
-		offer_after_words(w, &words, line);
+		offer_after_words(w, &words, place, line);
 	}
 	words_free(&words);
 	free(w->typed);

@@ -17,7 +17,7 @@
 #include "core/numeric/isa.h"
 #include "plot/picture.h"
 
-/* For somebody who sees the program for the first time. */
+/* Help for a new user. */
 static void
 print_start(FILE *out)
 {
@@ -43,7 +43,7 @@ print_start(FILE *out)
 	    out);
 }
 
-/* Help is words for people: among JSON or CSV it goes beside the results. */
+/* Help is for people: with JSON or CSV results it goes to the notes. */
 static FILE *
 stream_for_help(const struct session *s)
 {
@@ -60,34 +60,33 @@ is_group(const char *name)
 	return false;
 }
 
+/* text: NULL has no word. */
 static bool
 info_holds(const char *text, const char *folded)
 {
-	FREED char *here = text_fold(text);
+	FREED char *here = text_fold(text != NULL ? text : "");
 	return strstr(here, folded) != NULL;
 }
 
-/* Whether anything the table says of a command holds a word. */
+/* True if the word occurs in anything that the table states about a
+ * command. */
 static bool
 help_has_word(const struct command *c, const char *folded)
 {
-	bool found = info_holds(c->name, folded) ||
-		     info_holds(c->brief, folded) ||
-		     info_holds(c->text, folded) ||
-		     (c->more != NULL && info_holds(c->more, folded)) ||
-		     (c->operands.usage != NULL &&
-			 info_holds(c->operands.usage, folded)) ||
-		     (c->alias != NULL && info_holds(c->alias, folded));
+	const char *const text[] = {
+	    c->name, c->brief, c->text, c->more, c->operands.usage, c->alias};
+	bool found = false;
+	for (size_t i = 0; i < ARRAY_LEN(text); i++)
+		found = found || info_holds(text[i], folded);
 	const struct command_option *o;
 	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
 		found = info_holds(o->name, folded) ||
 			info_holds(o->brief, folded) ||
-			(option_choices(o) != NULL &&
-			    info_holds(option_choices(o), folded));
+			info_holds(option_choices(o), folded);
 	return found;
 }
 
-/* How many commands have help that holds a word; lists them. */
+/* Lists the commands whose help contains a word.  Returns their number. */
 static size_t
 list_telling(const struct session *s, const char *word)
 {
@@ -118,7 +117,8 @@ error_unknown_command(const char *name, struct error *error)
 	    name, near != NULL ? near : name);
 }
 
-/* The command of two words, or what other programs call so: "full screen". */
+/* Finds a command by a name of two words, or by what other programs call it:
+ * "full screen". */
 static const struct command *
 find_two_word_command(const char *words)
 {
@@ -177,7 +177,7 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	    args->operand[0]);
 }
 
-/* The help of a command, where no page has that name. */
+/* Shows the help of a command that has no page of its own. */
 static bool
 show_help(const struct session *s, const struct command_option *page,
     const char *name, struct error *error)
@@ -200,7 +200,7 @@ show_help(const struct session *s, const struct command_option *page,
 bool
 cmd_man(struct session *s, const struct args *args, struct error *error)
 {
-	/* In the order of the choices in the table. */
+	/* In the order of the option's choices. */
 	static const char *const PAGES[] = {"tipspeed.1", "tipspeed-tutorial.7",
 	    "tipspeed-tui.1", "tipspeed-site.5", "tipspeed-spec.5",
 	    "tipspeed-model.7", "tipspeed-circuit.5"};

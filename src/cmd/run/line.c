@@ -18,9 +18,9 @@
 #include "cmd/ask/pin.h"
 #include "cmd/ask/condition_words.h"
 #include "cmd/ask/question.h"
-#include "cmd/run/turns.h"
+#include "cmd/run/speeds.h"
 #include "cmd/session/script.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/undo.h"
 #include "io/formats/plant_log.h"
 #include "io/formats/spec.h"
@@ -69,9 +69,9 @@ session_free(struct session *s)
 	for (size_t i = 0; i < s->n_pin; i++)
 		pin_free(s->pins[i]);
 	free(s->pins);
-	free(s->first);
+	free(s->initial);
 	files_free(s->files);
-	session_forget(s);
+	session_forget_answers(s);
 	free(s->answer);
 	undo_free(s->undo);
 	journal_free(s->journal);
@@ -79,7 +79,7 @@ session_free(struct session *s)
 	free(s);
 }
 
-/* Whether a word, or what is before its @, names something on the disk. */
+/* True if a word, or its part before @, names an existing file. */
 static bool
 is_there(const char *word)
 {
@@ -89,8 +89,8 @@ is_there(const char *word)
 	       (at != NULL && access(name, F_OK) == 0);
 }
 
-/* "load belt cuts may.csv": the words after a command that takes files are one
- * name where none of them is there by itself and the whole is. */
+/* Joins the words of "load belt cuts may.csv" if none of them is a file but all
+ * together are. */
 static void
 join_file_name(struct words *words, const struct command *command)
 {
@@ -105,16 +105,8 @@ join_file_name(struct words *words, const struct command *command)
 			return;
 		xlist(&whole, " ", "%s", words->text[i]);
 	}
-	if (n <= 2 || !is_there(whole))
-		return;
-	for (size_t i = 1; i < n; i++)
-		free(words->text[i]);
-	words->text[1] = xstrdup(whole);
-	for (size_t i = n; i < words->n; i++) {
-		words->text[i - n + 2] = words->text[i];
-		words->column[i - n + 2] = words->column[i];
-	}
-	words->n -= n - 2;
+	if (n > 2 && is_there(whole))
+		words_join(words, 1, n - 1, whole);
 }
 
 static bool
@@ -123,23 +115,23 @@ run_words(struct session *s, struct words *words, struct place place,
 {
 	struct args args;
 	join_file_name(words, command_find_typed(words->text[0], place.prompt));
-	if (!turns_to_speeds(s, words, place, error))
+	if (!speeds_from_rpm(s, words, place, error))
 		return false;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
-		  (!(command->flags & COMMAND_AT_SITE) ||
+		  (!(command->flags & COMMAND_NEEDS_SITE) ||
 		      session_need_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->answer != NULL
 			 ? question_run(s, &args, command->answer, error)
 			 : command->run(s, &args, error);
-		invocation_set_ran(s);
+		s->invocation->running = false;
 		if (!ok || invocation_is_over(s))
 			ok = invocation_end(s, ok, error);
 	}
 	args_free(&args);
-	session_language(s);
+	session_set_language(s);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
 		error_prefix_place(error, place.file, place.line,
 		    error->column > 0 ? error->column : words->column[0]);
@@ -152,7 +144,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 {
 	struct place place = {.file = file,
 	    .line = number,
-	    .prompt = s->prompt && s->scripts <= s->typed_at};
+	    .prompt = s->prompt && s->scripts <= s->typed_depth};
 	size_t end = strlen(line), depth = s->scripts;
 	*next = 0;
 	if (!session_end_finished_commands(s, true, error))

@@ -11,7 +11,8 @@
 #include "base/xalloc.h"
 #include "core/search/misfit.h"
 
-/* Runs with a product to compare; *held_out: some are not trained on. */
+/* Returns the number of runs with a product to compare; *held_out: whether some
+ * are held out. */
 static size_t
 count_runs(const struct entry *entry, bool *held_out)
 {
@@ -67,7 +68,7 @@ next_after_fit(const struct session *s, const struct entry *entry)
 		return (struct next){"drift",
 		    N_("follow the new cuts one by one?"), false,
 		    NEXT_CALIBRATE};
-	/* add has said what to look at first. */
+	/* `add` has already suggested what to check. */
 	if (later.missed || later.off)
 		return (struct next){.stage = NEXT_CALIBRATE};
 	if (later.n > 0)
@@ -113,7 +114,8 @@ next_before_load(const struct session *s)
 	    false, NEXT_LOAD};
 }
 
-/* Several sites, none calibrated yet: nobody knows which is meant. */
+/* True if several sites are loaded and none has parameters, so that it is not
+ * clear which one is meant. */
 static bool
 all_are_new(const struct session *s)
 {
@@ -143,7 +145,7 @@ next_step(const struct session *s)
 			      : next_before_fit(s, entry);
 }
 
-/* Where the runs held out are told of, which validate's table names. */
+/* Names the speeds held out, which otherwise validate's table shows. */
 static void
 note_held_out(const struct session *s, const struct entry *entry)
 {
@@ -161,9 +163,8 @@ next_note_offered(const struct session *s)
 	struct answer_view view = answer_view(a);
 	bool check = strcmp(answer_command(a), "check") == 0;
 	bool validate = strcmp(answer_command(a), "validate") == 0;
-	/* What was read is known from load, how far a run is from the fit
-	 * stands in calibrate's first sentence, and next_step says what comes
-	 * next. */
+	/* load has reported what was read, calibrate's first sentence has the
+	 * residuals, and next_step suggests what to do. */
 	size_t from = check || validate;
 	size_t to = view.n_sentence - !check;
 	if (validate)

@@ -15,7 +15,7 @@
 #include "config.h"
 #include "io/fs/autosave_file.h"
 
-struct keep {
+struct autosave {
 	struct autosave_file *kept;
 	size_t saved;        /* state of the journal that counts as saved */
 	struct mark written; /* what is in the file */
@@ -24,10 +24,10 @@ struct keep {
 };
 
 static bool
-is_missed(const struct session *s)
+is_unsaved(const struct session *s)
 {
 	struct mark now = journal_place(s);
-	return now.state != s->keep->saved && now.n > now.start;
+	return now.state != s->autosave->saved && now.n > now.start;
 }
 
 static void
@@ -51,13 +51,13 @@ autosave_put_script(const void *data, FILE *out)
 char *
 autosave_begin(struct session *s)
 {
-	if (s->keep != NULL || s->safe ||
+	if (s->autosave != NULL || s->safe ||
 	    strcmp(store_path(s->store), ":memory:") == 0)
 		return NULL;
-	s->keep = xcalloc(1, sizeof *s->keep);
-	s->keep->kept = autosave_file_new();
-	s->keep->written = journal_place(s);
-	s->keep->saved = s->keep->written.state;
+	s->autosave = xcalloc(1, sizeof *s->autosave);
+	s->autosave->kept = autosave_file_new();
+	s->autosave->written = journal_place(s);
+	s->autosave->saved = s->autosave->written.state;
 	size_t n;
 	static const char *const MONTHS[] = {N_("January"), N_("February"),
 	    N_("March"), N_("April"), N_("May"), N_("June"), N_("July"),
@@ -83,15 +83,15 @@ autosave_begin(struct session *s)
 static void
 write_autosave(struct session *s)
 {
-	struct keep *k = s->keep;
+	struct autosave *k = s->autosave;
 	struct mark now = journal_place(s);
-	/* What reset or restore has put aside is still there for who did not
-	 * mean it. */
+	/* What reset or restore discarded stays available in a file of its
+	 * own. */
 	if (now.start != k->written.start)
 		autosave_file_close(k->kept);
 	if (now.state == k->saved)
 		autosave_file_remove(k->kept);
-	else if (is_missed(s)) {
+	else if (is_unsaved(s)) {
 		k->error = (struct error){0};
 		if (!journal_can_be_saved(s, &k->error) ||
 		    !autosave_file_write(
@@ -101,10 +101,10 @@ write_autosave(struct session *s)
 	k->written = now;
 }
 
-/* The file that was restored has served when this session's file, or one of the
- * user's, has what came of it. */
+/* Removes the file that was restored once its content is saved elsewhere: in
+ * this session's file, or in one of the user's. */
 static void
-remove_restored(struct keep *k)
+remove_restored(struct autosave *k)
 {
 	if (k->restored != NULL)
 		remove(k->restored);
@@ -112,9 +112,9 @@ remove_restored(struct keep *k)
 	k->restored = NULL;
 }
 
-/* Half of a session that was kept does not become the newest. */
+/* A session that was restored only in part does not become the newest. */
 static bool
-failed_to_restore(struct keep *k, bool ok)
+failed_to_restore(struct autosave *k, bool ok)
 {
 	if (k->restoring == NULL)
 		return false;
@@ -124,12 +124,12 @@ failed_to_restore(struct keep *k, bool ok)
 	return !ok;
 }
 
-/* Predictions in a row, which the slider makes, are one line of the journal
- * and change nothing: they cost no writing. */
+/* Consecutive predictions, as the slider makes, are one line of the journal and
+ * change nothing, so they are not written. */
 void
 autosave_after_command(struct session *s, bool ok, bool saved)
 {
-	struct keep *k = s->keep;
+	struct autosave *k = s->autosave;
 	struct mark now = journal_place(s);
 	if (k == NULL)
 		return;
@@ -138,8 +138,8 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 		if (now.start == k->written.start)
 			remove_restored(k);
 	}
-	/* A script is one step, as it is for undo. */
-	if (s->scripts > s->typed_at || failed_to_restore(k, ok))
+	/* A script is saved as one step, as in undo. */
+	if (s->scripts > s->typed_depth || failed_to_restore(k, ok))
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
 	    now.state != k->written.state)
@@ -175,10 +175,10 @@ note_not_remembered(struct session *s)
 void
 autosave_end(struct session *s)
 {
-	struct keep *k = s->keep;
+	struct autosave *k = s->autosave;
 	if (k == NULL)
 		return;
-	if (is_missed(s)) {
+	if (is_unsaved(s)) {
 		write_autosave(s);
 		if (k->error.kind == ERROR_NONE) {
 			remove_restored(k);
@@ -191,7 +191,7 @@ autosave_end(struct session *s)
 	autosave_file_free(k->kept);
 	free(k->restored);
 	free(k->restoring);
-	s->keep = NULL;
+	s->autosave = NULL;
 	free(k);
 }
 
@@ -206,8 +206,8 @@ autosave_last(struct session *s, struct error *error)
 		error_set(error, ERROR_USAGE,
 		    "there is no unsaved session\n"
 		    "write ./last for a file of that name");
-	else if (s->keep != NULL)
-		s->keep->restoring = xstrdup(path);
+	else if (s->autosave != NULL)
+		s->autosave->restoring = xstrdup(path);
 	return path;
 }
 

@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
+#include "io/fs/file.h"
 
 const struct energies *
 energies_loaded(const struct session *s, struct error *error)
@@ -31,8 +32,8 @@ energies_free(struct energies *e)
 	free(e);
 }
 
-/* Whether the user wants no more; tells those who wait at a prompt how far it
- * is. */
+/* Reports the progress to a user at a prompt; false if the user has
+ * interrupted. */
 static bool
 report_rows_read(void *data, uint64_t rows)
 {
@@ -47,8 +48,7 @@ report_rows_read(void *data, uint64_t rows)
 static char *
 energies_name_of(const char *path)
 {
-	const char *slash = strrchr(path, '/');
-	char *name = xstrdup(slash != NULL ? slash + 1 : path);
+	char *name = xstrdup(file_name(path));
 	char *dot = strrchr(name, '.');
 	if (dot != NULL && dot != name)
 		*dot = '\0';
@@ -66,7 +66,7 @@ energies_read(struct session *s, const char *path,
 	told.data = s;
 	files_note_read(s, path);
 	if (!collisions_read(path, &told, &c, &errors)) {
-		session_tell_faults(s, path, &errors, error);
+		session_report_faults(s, path, &errors, error);
 		return NULL;
 	}
 	struct energies *e = xcalloc(1, sizeof *e);

@@ -55,7 +55,7 @@ files_digest(const char *path, uint64_t *digest)
 {
 	struct stat file;
 	char piece[1 << 14];
-	/* To read a FIFO is to take what is in it from the command. */
+	/* Reading a FIFO here would take its data from the command. */
 	FILE *in = stat(path, &file) == 0 && S_ISREG(file.st_mode)
 		       ? fopen(path, "rb")
 		       : NULL;
@@ -101,7 +101,7 @@ files_note_written(struct session *s, const char *path)
 }
 
 void
-files_set_holder(struct session *s, const char *path, bool saved)
+files_set_session_script(struct session *s, const char *path, bool saved)
 {
 	struct files *f = files_of(s);
 	char *holder = xstrdup(path);
@@ -113,7 +113,7 @@ files_set_holder(struct session *s, const char *path, bool saved)
 }
 
 const char *
-files_holder(const struct session *s, bool *saved)
+files_session_script(const struct session *s, bool *saved)
 {
 	if (saved != NULL)
 		*saved = s->files != NULL && s->files->saved;
@@ -135,7 +135,7 @@ files_free(struct files *files)
 	free(files);
 }
 
-/* Whether that is the one at path. */
+/* True if the file is the one at path. */
 static bool
 is_file(const char *path, const struct stat *file)
 {
@@ -144,7 +144,7 @@ is_file(const char *path, const struct stat *file)
 	       other.st_dev == file->st_dev && other.st_ino == file->st_ino;
 }
 
-/* Whether it is a known one. */
+/* True if the file is among those read, or written. */
 static bool
 is_known(const struct session *s, const struct stat *file, bool written)
 {
@@ -175,20 +175,17 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 	struct stat file;
 	if (stat(path, &file) != 0 || !S_ISREG(file.st_mode))
 		return file_may_write(path, error);
-	if (is_store(s, &file))
+	bool store = is_store(s, &file);
+	bool script = is_file(files_session_script(s, NULL), &file);
+	if (store || script || is_known(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,
-		    "%s is the store and cannot be overwritten by a result\n"
-		    "use another file name",
-		    path);
-	if (is_file(files_holder(s, NULL), &file))
-		return error_set(error, ERROR_SYSTEM,
-		    "%s holds this session and cannot be overwritten by a "
-		    "result\nuse another file name",
-		    path);
-	if (is_known(s, &file, false))
-		return error_set(error, ERROR_SYSTEM,
-		    "%s was read by this session and cannot be overwritten\n"
-		    "use another file name",
+		    store ? N_("%s is the store and cannot be overwritten by a "
+			       "result\nuse another file name")
+		    : script
+			? N_("%s holds this session and cannot be overwritten "
+			     "by a result\nuse another file name")
+			: N_("%s was read by this session and cannot be "
+			     "overwritten\nuse another file name"),
 		    path);
 	return file_may_write(path, error);
 }
@@ -210,7 +207,7 @@ bool
 files_may_replace(struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
-	if (s->hooks.confirm == NULL || s->scripts > s->typed_at ||
+	if (s->hooks.confirm == NULL || s->scripts > s->typed_depth ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;

@@ -17,11 +17,11 @@ void files_note_written(struct session *s, const char *path);
 
 /* Notes the script that contains the session: it was saved to that script, if
  * saved, or else restored from it. */
-void files_set_holder(struct session *s, const char *path, bool saved);
+void files_set_session_script(struct session *s, const char *path, bool saved);
 
-/* Returns the script noted by files_set_holder, or NULL; saved: out, or
+/* Returns the script noted by files_set_session_script, or NULL; saved: out, or
  * NULL. */
-const char *files_holder(const struct session *s, bool *saved);
+const char *files_session_script(const struct session *s, bool *saved);
 
 /* True if path is writable and is neither a file that the session has read
  * (sheet, script, envelope, store), under any name, nor the script that

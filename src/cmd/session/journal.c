@@ -40,10 +40,10 @@ journal_append(struct journal *j, char *line)
 	j->line[j->n++] = line;
 }
 
-struct tail
+struct cut_lines
 journal_cut_after(struct session *s, struct mark mark)
 {
-	struct tail tail = {.from = mark, .to = journal_place(s)};
+	struct cut_lines tail = {.from = mark, .to = journal_place(s)};
 	struct journal *j = s->journal;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
@@ -55,21 +55,21 @@ journal_cut_after(struct session *s, struct mark mark)
 }
 
 void
-journal_paste(struct session *s, struct tail *tail)
+journal_paste(struct session *s, struct cut_lines *tail)
 {
 	struct journal *j = s->journal;
-	/* Results may have come in since the lines were cut off. */
+	/* Lines may have been added since these were cut off. */
 	if (tail->to.start != tail->from.start)
 		j->start = j->n + tail->to.start - tail->from.n;
 	j->state = tail->to.state;
 	for (size_t i = 0; i < tail->n; i++)
 		journal_append(j, tail->line[i]);
 	free(tail->line);
-	*tail = (struct tail){0};
+	*tail = (struct cut_lines){0};
 }
 
 void
-tail_free(struct tail *tail)
+cut_lines_free(struct cut_lines *tail)
 {
 	for (size_t i = 0; i < tail->n; i++)
 		free(tail->line[i]);
@@ -100,8 +100,8 @@ is_call_of(const char *line, const char *name)
 	       (line[n] == '\0' || line[n] == ' ');
 }
 
-/* The last line, if it is a call of that name, and what was checked for it:
- * assert is saved for nothing else. */
+/* Removes the last line if it is a call of that name, and the assert lines that
+ * check its files. */
 static void
 drop_latest(struct journal *j, const char *latest)
 {
@@ -150,7 +150,7 @@ journal_append_word(char **line, const char *word)
 	xappend(line, " %s", plain ? word : quoted);
 }
 
-/* From the root; links are left as they are. */
+/* Appends the path made absolute; links are not resolved. */
 static void
 add_rooted(char **word, const char *path)
 {
@@ -161,7 +161,8 @@ add_rooted(char **word, const char *path)
 	xappend(word, "%s%s%s", rooted ? "" : folder, rooted ? "" : "/", path);
 }
 
-/* As the option key where that is not NULL; of a blend of feeds each path. */
+/* Appends a path, as option `key` if not NULL; for a blend of feeds, each
+ * path. */
 static void
 put_path(char **line, const char *key, const char *path)
 {
@@ -196,35 +197,25 @@ journal_check(
 		journal_append(j, line);
 }
 
-/* The option of the call that the word gives, or NULL; file: whether its value
- * names one. */
-static const struct command_option *
-option_of_word(const struct args *args, const char *word, bool *file)
+/* Returns the index of the option whose value is the word or its end, or
+ * OPTIONS. */
+static size_t
+option_of_word(const struct args *args, const char *word)
 {
-	const struct command_option *o;
 	const char *equals = strchr(word, '=');
-	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
-	     i++) {
-		*file = value_is_file(o, &args->value[i]);
-		if (args->value[i].given && equals != NULL &&
-		    args->value[i].text == equals + 1)
-			return o;
-	}
-	return NULL;
+	const char *end = equals != NULL ? equals + 1 : word;
+	size_t i = 0;
+	while (i < OPTIONS && args->value[i].text != word &&
+	       args->value[i].text != end)
+		i++;
+	return i;
 }
 
-/* Whether a word is an operand of the call that is a path, or the value of a
- * setting that is. */
+/* True if a word is an operand that is a path. */
 static bool
 is_path(const struct args *args, const char *word)
 {
-	const struct command_option *o;
-	size_t i, which;
-	for (i = 0; (o = command_option_at(args->command, i)) != NULL; i++)
-		if (args->value[i].text == word &&
-		    value_is_file(o, &args->value[i]))
-			return true;
-	i = 0;
+	size_t i = 0, which;
 	while (i < args->n_operand && args->operand[i] != word)
 		i++;
 	if (i == args->n_operand)
@@ -239,8 +230,8 @@ is_path(const struct args *args, const char *word)
 	       standards_is_path(word);
 }
 
-/* What a script that is run again leaves out: where a calibration was stopped,
- * which has a line of its own, and a sheet that is there by then. */
+/* True for options that a saved script omits: pause=, which has its own line,
+ * and out=, whose sheet exists by then. */
 static bool
 is_left_out_of_script(const struct command_option *o)
 {
@@ -252,18 +243,20 @@ journal_line(const struct args *args, const struct words *words)
 {
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
-		const char *word = words->text[i];
-		bool file = false;
+		const char *word = words->text[i], *value = word;
+		size_t k = option_of_word(args, word);
 		const struct command_option *o =
-		    option_of_word(args, word, &file);
+		    k < OPTIONS ? command_option_at(args->command, k) : NULL;
 		if (o != NULL && is_left_out_of_script(o))
 			continue;
-		bool names = o != NULL && o->kind == VALUE_SPEC &&
-			     standards_is_path(strchr(word, '=') + 1);
-		if (o != NULL && (names || file))
-			put_path(&line, o->name, strchr(word, '=') + 1);
-		else if (is_path(args, word))
-			put_path(&line, NULL, word);
+		if (o != NULL)
+			value = args->value[k].text;
+		bool path = o == NULL ? is_path(args, word)
+				      : value_is_file(o, &args->value[k]) ||
+					    (o->kind == VALUE_SPEC &&
+						standards_is_path(value));
+		if (path)
+			put_path(&line, value != word ? o->name : NULL, value);
 		else
 			journal_append_word(&line, word);
 	}
@@ -271,19 +264,41 @@ journal_line(const struct args *args, const struct words *words)
 }
 
 char *
-journal_load(const struct site *site, size_t n, const char *const *path,
-    const double *speed)
+journal_load(
+    uint64_t digest, size_t n, const char *const *path, const double *speed)
 {
 	char *line = xstrdup("load"), number[32];
 	for (size_t i = 0; i < n; i++) {
-		FREED char *word = speed[i] > 0
+		FREED char *word = speed != NULL && speed[i] > 0
 				       ? xasprintf("%s@%s", path[i],
 					     text_exact(speed[i], number))
 				       : xstrdup(path[i]);
 		put_path(&line, NULL, word);
 	}
-	xappend(&line, " digest=%016" PRIx64, site->digest);
+	xappend(&line, " digest=%016" PRIx64, digest);
 	return line;
+}
+
+char *
+journal_options(const struct site_request *q)
+{
+	char *text = xstrdup(""), number[32];
+	if (q->columns != NULL)
+		xappend(&text, " columns=\"%s\"", q->columns);
+	if (q->samples != NULL)
+		xappend(&text, " samples=\"%s\"", q->samples);
+	if (q->sheet != NULL)
+		xappend(&text, " sheet=\"%s\"", q->sheet);
+	if (q->range != NULL)
+		xappend(&text, " range=%s", q->range);
+	if (q->decimal != '\0')
+		xappend(&text, " decimal=%s",
+		    q->decimal == ',' ? "comma" : "point");
+	if (q->rotor > 0)
+		xappend(&text, " rotor_mm=%.15g", 1000 * q->rotor);
+	if (q->top > 0)
+		xappend(&text, " top=%s", text_exact(q->top, number));
+	return text;
 }
 
 char *
@@ -295,8 +310,8 @@ journal_label(const struct command *command, const struct words *words)
 	return label;
 }
 
-/* What the data are, for who reads the script; no letter of it may end or
- * continue the comment. */
+/* Writes the site's provenance for readers of the script, without characters
+ * that would end or continue the comment. */
 static void
 put_provenance(FILE *out, const struct site *site)
 {

@@ -10,6 +10,7 @@
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
 #include "cmd/session/session.h"
+#include "io/sitefile/site_request.h"
 
 /* A place in the journal.  start: the place after the last reset.  state:
  * number of the session's state at the place, which undo and redo restore. */
@@ -20,15 +21,15 @@ struct mark {
 struct mark journal_place(const struct session *s);
 
 /* Lines removed from the end of the journal, to be put back later. */
-struct tail {
+struct cut_lines {
 	size_t n;
 	char **line;
 	struct mark from, to; /* places before and after the lines */
 };
 
-struct tail journal_cut_after(struct session *s, struct mark mark);
-void journal_paste(struct session *s, struct tail *tail);
-void tail_free(struct tail *tail);
+struct cut_lines journal_cut_after(struct session *s, struct mark mark);
+void journal_paste(struct session *s, struct cut_lines *tail);
+void cut_lines_free(struct cut_lines *tail);
 
 /* Adds a line.  latest: the name of a command whose line is replaced if it is
  * the last; or NULL. */
@@ -57,10 +58,14 @@ void journal_append_word(char **line, const char *word);
  * step at which the job stopped.  The caller frees it. */
 char *journal_line(const struct args *args, const struct words *words);
 
-/* Returns "load FILE@SPEED.. digest=HEX" for a site read from n files.  speed:
- * of the samples in each file, m/s, or 0. */
-char *journal_load(const struct site *site, size_t n, const char *const *path,
-    const double *speed);
+/* Returns "load FILE@SPEED.. digest=HEX" for what was read from n files.
+ * speed: of the samples in each file, m/s, or 0; or NULL. */
+char *journal_load(
+    uint64_t digest, size_t n, const char *const *path, const double *speed);
+
+/* Returns the options of a request as they are typed, " sheet=\"B\" top=16".
+ * The caller frees it. */
+char *journal_options(const struct site_request *request);
 
 /* Returns the call as typed, with the command's full name.  The caller frees
  * it. */

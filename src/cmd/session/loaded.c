@@ -81,12 +81,12 @@ history_drop(struct history *h)
 }
 
 static struct origin *
-origin_new(char *words, const char *whose, const char *provenance)
+origin_new(char *words, const char *from, const char *provenance)
 {
 	struct origin *o = xcalloc(1, sizeof *o);
 	*o = (struct origin){.holders = 1,
 	    .words = words,
-	    .whose = xstrdup(whose),
+	    .from = xstrdup(from),
 	    .material = xstrdup(""),
 	    .date = xstrdup(""),
 	    .provenance = xstrdup(provenance)};
@@ -124,7 +124,7 @@ origin_of_fit(const struct entry *entry)
 	    xstrdup(tr("found by calibration")), "", site->provenance);
 	o->found = true;
 	o->digest = site->digest;
-	o->spread = share_history(entry->history);
+	o->history = share_history(entry->history);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (entry->train[r] && !site_run_repeats(site, r))
 			add_speed(o, site->run[r].speed);
@@ -141,13 +141,13 @@ struct origin *
 origin_of_params_taken(const struct entry *from)
 {
 	struct origin *was = from->origin;
-	if (was->whose[0] != '\0')
+	if (was->from[0] != '\0')
 		return share_origin(was);
 	struct origin *o = origin_new(xasprintf(tr("taken from %s"), from->key),
 	    from->key, was->provenance);
 	o->found = was->found;
 	o->digest = was->digest;
-	o->spread = share_history(was->spread);
+	o->history = share_history(was->history);
 	for (size_t i = 0; i < was->n_speed; i++)
 		add_speed(o, was->speed[i]);
 	return o;
@@ -189,14 +189,14 @@ origin_from_store(const struct stored *m)
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);
 	set_material(o, m);
 	o->digest = strtoull(m->site_digest, NULL, 16);
-	char *list = xstrdup(m->train_mps), *next = NULL;
+	FREED char *list = xstrdup(m->train_mps);
+	char *next = NULL;
 	for (char *word = strtok_r(list, ",", &next); word != NULL;
 	     word = strtok_r(NULL, ",", &next)) {
 		double speed;
 		if (text_number(word, &speed))
 			add_speed(o, speed);
 	}
-	free(list);
 	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
 	return o;
 }
@@ -207,34 +207,34 @@ origin_drop(struct origin *o)
 	if (o == NULL || --o->holders > 0)
 		return;
 	free(o->words);
-	free(o->whose);
+	free(o->from);
 	free(o->material);
 	free(o->date);
 	free(o->provenance);
 	free(o->speed);
-	history_drop(o->spread);
+	history_drop(o->history);
 	free(o);
 }
 
 bool
 origin_same(const struct origin *a, const struct origin *b)
 {
-	return a == b || (a != NULL && b != NULL && a->spread == b->spread &&
+	return a == b || (a != NULL && b != NULL && a->history == b->history &&
 			     strcmp(a->words, b->words) == 0);
 }
 
 const struct fit *
 origin_fit(const struct entry *entry)
 {
-	bool known = entry->origin != NULL && entry->origin->spread != NULL;
-	return known ? &entry->origin->spread->fit : NULL;
+	bool known = entry->origin != NULL && entry->origin->history != NULL;
+	return known ? &entry->origin->history->fit : NULL;
 }
 
 const char *
 origin_key(const struct entry *entry)
 {
-	bool own = entry->origin == NULL || entry->origin->whose[0] == '\0';
-	return own ? entry->key : entry->origin->whose;
+	bool own = entry->origin == NULL || entry->origin->from[0] == '\0';
+	return own ? entry->key : entry->origin->from;
 }
 
 bool
@@ -290,7 +290,7 @@ bool
 origin_is_other(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
-	return !entry->has_fit && o != NULL && o->whose[0] != '\0' &&
+	return !entry->has_fit && o != NULL && o->from[0] != '\0' &&
 	       !(o->found && o->digest == entry->site->digest);
 }
 
@@ -300,7 +300,7 @@ origin_sentence(const struct entry *entry)
 	const struct origin *o = entry->origin;
 	if (o == NULL || (entry->has_fit && !origin_is_stored(o)))
 		return xstrdup("");
-	if (o->whose[0] == '\0')
+	if (o->from[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
 	bool own = !origin_is_other(entry);
 	FREED char *details = origin_details(o);
@@ -315,7 +315,7 @@ origin_sentence(const struct entry *entry)
 		     "calibrated on this site")
 		: tr("parameters from %s (%s), not calibrated on this "
 		     "site"),
-	    o->whose, details);
+	    o->from, details);
 }
 
 void
@@ -323,7 +323,7 @@ origin_note(struct answer *r, const struct entry *entry)
 {
 	FREED char *sentence = origin_sentence(entry);
 	const struct origin *o = entry->origin;
-	bool whose = o != NULL && (o->whose[0] != '\0' || origin_is_stored(o));
+	bool whose = o != NULL && (o->from[0] != '\0' || origin_is_stored(o));
 	if (sentence[0] != '\0' && whose)
 		answer_say(r,
 		    origin_is_other(entry) ? ANSWER_WARNING : ANSWER_REMARK,

@@ -63,7 +63,7 @@ struct history {
 struct origin {
 	size_t holders;
 	char *words;      /* "found by calibration", "taken from bro" */
-	char *whose;      /* the site or material; "": this site */
+	char *from;       /* the site or material; "": this site */
 	char *material;   /* that was recalled from the store */
 	char *date;       /* when the material was remembered */
 	bool found;       /* by calibration, not set by hand */
@@ -71,7 +71,7 @@ struct origin {
 	char *provenance; /* of these data */
 	size_t n_speed;   /* training speeds, m/s */
 	double *speed;
-	struct history *spread; /* the calibration, if in this session */
+	struct history *history; /* the calibration, if in this session */
 };
 
 /* What a question assumes that differs from the measurements; see
@@ -90,7 +90,7 @@ struct variant {
 
 /* Lookup keys of a site: digests of its name (in the form used in keys), of its
  * path, and of its file when loaded, or 0 without a file. */
-struct mark_of {
+struct lookup_keys {
 	uint64_t name, path, file;
 };
 
@@ -98,7 +98,7 @@ struct mark_of {
  * train [site->n_run]: true for training runs.  remembered: its fit was put
  * into the store. */
 struct entry {
-	struct mark_of mark;
+	struct lookup_keys lookup;
 	struct site *site;
 	char *key;
 	bool *train;

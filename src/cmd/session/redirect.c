@@ -24,8 +24,8 @@
 #include "io/formats/answer.h"
 #include "plot/picture.h"
 
-/* OUTPUT_ANSWERS: one after the other, in one of ANSWER_FORMATS; OUTPUT_HTML,
- * OUTPUT_PDF: put together in a document. */
+/* OUTPUT_ANSWERS: a sequence in one of ANSWER_FORMATS. OUTPUT_HTML, OUTPUT_PDF:
+ * one document. */
 enum output_kind {
 	OUTPUT_ANSWERS,
 	OUTPUT_BOOK,
@@ -34,9 +34,9 @@ enum output_kind {
 	OUTPUT_PDF
 };
 
-/* end: NULL for all other names, which get the format that is set.  drawn: of
- * commands that draw, COMMAND_DRAWS, else of those that do not.  format: of
- * OUTPUT_ANSWERS. */
+/* end: ending of the name; NULL: any other name, in the format that is set.
+ * drawn: for commands that draw (COMMAND_DRAWS), otherwise for those that do
+ * not.  format: of OUTPUT_ANSWERS. */
 struct output {
 	const char *end;
 	enum output_kind kind;
@@ -53,10 +53,10 @@ static const struct output OUTPUTS[] = {
     {".pdf", OUTPUT_PICTURE, true, 0}, {".pdf", OUTPUT_PDF, false, 0},
     {NULL, OUTPUT_ANSWERS, false, -1}};
 
-/* Workbooks that a spreadsheet would call broken if they held text. */
+/* Endings under which spreadsheet programs would report text as damaged. */
 static const char *const OTHER_BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
 
-/* The form of the file that the words name, for a command. */
+/* Returns how to write the file named by the words, for the command. */
 static const struct output *
 find_output(const struct command *command, const struct words *words)
 {
@@ -69,7 +69,8 @@ find_output(const struct command *command, const struct words *words)
 	return o;
 }
 
-/* A kind of workbook that is not written: the same line with one that is. */
+/* Sets the error for a workbook that cannot be written, with a line that
+ * can. */
 static bool
 error_no_such_workbook(const struct command *command, const struct words *words,
     struct error *error)
@@ -87,7 +88,7 @@ error_no_such_workbook(const struct command *command, const struct words *words,
 	return false;
 }
 
-/* An image wants a command that draws. */
+/* Sets the error for an image from a command that does not draw. */
 static bool
 error_command_draws_nothing(
     const struct command *command, const char *target, struct error *error)
@@ -105,7 +106,7 @@ error_command_draws_nothing(
 	    command->name, target);
 }
 
-/* What is one whole has no end that more could be added to. */
+/* Sets the error for files to which nothing can be appended. */
 static bool
 error_cannot_append(
     enum output_kind kind, const char *target, struct error *error)
@@ -141,7 +142,7 @@ redirect_allowed(const struct command *command, const struct words *words,
 		    kind == OUTPUT_PDF ? tr("html") : "svg");
 	if (image && kind == OUTPUT_ANSWERS)
 		return error_command_draws_nothing(command, target, error);
-	return words->to != TO_END || kind == OUTPUT_ANSWERS ||
+	return words->to != TO_APPEND || kind == OUTPUT_ANSWERS ||
 	       error_cannot_append(kind, target, error);
 }
 
@@ -162,7 +163,7 @@ struct redirect {
 	char *line;   /* the command */
 };
 
-/* What results are put together in, where that is more than text. */
+/* Starts the workbook or document that collects the results, if any. */
 static bool
 open_whole(struct session *s, struct redirect *r, struct error *error)
 {
@@ -205,7 +206,7 @@ redirect_open(struct session *s, const struct command *command,
 	r->form = r->before;
 	if (r->kind == OUTPUT_ANSWERS && output->end != NULL)
 		r->form = (enum answer_format)output->format;
-	/* Commands that draw have numbers for csv, and text for people. */
+	/* In CSV format, commands that draw give numbers; in tables, text. */
 	if (r->book != NULL)
 		r->form = ANSWER_CSV;
 	if (r->document != NULL)
@@ -218,19 +219,19 @@ redirect_open(struct session *s, const struct command *command,
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->document != NULL ? r->document->out : r->memory;
 	s->set.format = r->form;
-	session_language(s);
+	session_set_language(s);
 	return r;
 }
 
-/* Excel takes a file without the mark for one in the letters of its country,
- * and shows the O of Ossjo as two.  It stands at the beginning only. */
+/* Without a byte order mark Excel reads a file in the local character set and
+ * garbles letters beyond ASCII. Only the beginning of a file gets one. */
 static void
 put_mark(struct redirect *r)
 {
 	struct stat about;
 	bool there = stat(r->target, &about) == 0;
-	if (there &&
-	    (!S_ISREG(about.st_mode) || (r->to == TO_END && about.st_size > 0)))
+	if (there && (!S_ISREG(about.st_mode) ||
+			 (r->to == TO_APPEND && about.st_size > 0)))
 		return;
 	char *text = xcalloc(r->n + 4, 1);
 	memcpy(text, "\xEF\xBB\xBF", 3);
@@ -240,7 +241,7 @@ put_mark(struct redirect *r)
 	r->n += 3;
 }
 
-/* "12 rows" of a table, "24 lines" of other text; a picture has neither. */
+/* Returns "12 rows" for a table, "24 lines" for other text. */
 static char *
 extent_words(const struct redirect *r, size_t rows)
 {
@@ -265,7 +266,7 @@ extent_words(const struct redirect *r, size_t rows)
 static bool
 write_file(struct session *s, struct redirect *r, struct error *error)
 {
-	/* The command itself may have read it since redirect_open. */
+	/* The command may have read this file since redirect_open. */
 	if (!files_may_write(s, r->target, error))
 		return false;
 	bool whole = r->to == TO_FILE;
@@ -283,7 +284,7 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 	return true;
 }
 
-/* What the results rest on. */
+/* Adds a sheet with the program, command, site and parameters. */
 static void
 add_about_sheet(struct session *s, const struct redirect *r)
 {
@@ -312,7 +313,7 @@ add_about_sheet(struct session *s, const struct redirect *r)
 	}
 }
 
-/* Puts the workbook in place of what was printed, which has no table. */
+/* Replaces the printed text by the workbook. */
 static bool
 bind_book(struct session *s, struct redirect *r, struct error *error)
 {
@@ -328,7 +329,7 @@ bind_book(struct session *s, struct redirect *r, struct error *error)
 	return r->text != NULL;
 }
 
-/* Puts the document in place of what was printed, which is a part of it. */
+/* Replaces the printed text by the document. */
 static bool
 bind_document(struct redirect *r, struct error *error)
 {
@@ -347,7 +348,7 @@ bind_document(struct redirect *r, struct error *error)
 				      r->target);
 }
 
-/* How the shell command ended.  One that ^C ended passes it on. */
+/* Reports how the shell command ended; passes on an interrupt. */
 static bool
 check_shell_status(const struct redirect *r, int status, struct error *error)
 {
@@ -365,8 +366,8 @@ check_shell_status(const struct redirect *r, int status, struct error *error)
 	return false;
 }
 
-/* A reader that has seen enough ends the writing, not the program; ^C is for
- * the shell command, as in a shell. */
+/* If the reader closes the pipe early, only the writing ends.  ^C goes to the
+ * shell command, as in a shell. */
 static bool
 write_pipe(const struct redirect *r, struct error *error)
 {
@@ -377,8 +378,8 @@ write_pipe(const struct redirect *r, struct error *error)
 	if (out == NULL)
 		return error_set(error, ERROR_SYSTEM, "cannot run '%s': %s",
 		    r->target, strerror(errno));
-	/* Nothing may be left to write when it is closed: that would hide how
-	 * the command ended. */
+	/* Nothing must remain buffered for pclose, or a failed write would hide
+	 * the command's exit status. */
 	setvbuf(out, NULL, _IONBF, 0);
 	sigaction(SIGPIPE, &ignore, &pipe);
 	sigaction(SIGINT, &ignore, &interrupt);
@@ -398,10 +399,10 @@ redirect_close(
 	s->document = r->outer_document;
 	s->screen = r->screen;
 	s->file = r->outer_file;
-	/* Unless the command itself was to set it. */
+	/* Not if the command itself has set the format. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
-	session_language(s);
+	session_set_language(s);
 	bool whole = fclose(r->memory) == 0, ok = true;
 	if (keep && r->book != NULL)
 		keep = ok = bind_book(s, r, error);

@@ -41,7 +41,7 @@ is_command(const char *line)
 	return *line != '\0' && *line != '#';
 }
 
-/* How many commands there are to read; 0 where it can be read but once. */
+/* Returns the number of commands, or 0 if the stream cannot be read twice. */
 static size_t
 script_count(FILE *in)
 {
@@ -53,7 +53,7 @@ script_count(FILE *in)
 		return 0;
 	while (text_read_line(&line, &n, &room, in) == TEXT_LINE) {
 		commands += !more && is_command(line);
-		more = script_goes_on(line);
+		more = script_line_continues(line);
 		n = 0;
 	}
 	return fseek(in, begin, SEEK_SET) == 0 ? commands : 0;
@@ -114,7 +114,7 @@ script_close(struct session *s, size_t depth)
 }
 
 bool
-script_goes_on(char *line)
+script_line_continues(char *line)
 {
 	size_t n = strcspn(line, "\r\n");
 	line[n] = '\0';
@@ -135,7 +135,6 @@ check_text(const struct script *script, const char *piece, size_t n,
 	    "is it a site file or a program? a script has one command a line");
 }
 
-/* The error of a line that would not end. */
 bool
 script_too_long(const char *name, int line, struct error *error)
 {
@@ -144,7 +143,8 @@ script_too_long(const char *name, int line, struct error *error)
 	    "is it a site file or a program? a script has one command a line");
 }
 
-/* Joins the pieces of the next line; NULL at the end and on an error. */
+/* Returns the next line with its continuations; NULL at the end or on an
+ * error. */
 static char *
 join(struct script *script, int *first, struct error *error)
 {
@@ -157,14 +157,14 @@ join(struct script *script, int *first, struct error *error)
 	    (got = text_read_line(&line, &n, &room, script->in)) == TEXT_LINE) {
 		script->number += !script->one_number;
 		good = check_text(script, line + from, n - from, error);
-		/* Some editors begin UTF-8 with a byte order mark. */
+		/* Some editors write a byte order mark first. */
 		if (!any && script->number == 1 &&
 		    strncmp(line, "\xEF\xBB\xBF", 3) == 0)
 			memmove(line, line + 3, n - 2);
 		if (!any)
 			*first = script->number;
 		any = true;
-		more = good && script_goes_on(line + from);
+		more = good && script_line_continues(line + from);
 		n = from += strlen(line + from);
 	}
 	if (got == TEXT_TOO_LONG)

@@ -39,6 +39,6 @@ bool script_too_long(const char *name, int line, struct error *error);
 
 /* Removes the line end.  Returns true if the line is continued (it ended in
  * \). */
-bool script_goes_on(char *line);
+bool script_line_continues(char *line);
 
 #endif

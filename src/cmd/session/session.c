@@ -24,7 +24,7 @@ session_entry(struct session *s)
 }
 
 bool
-session_tell_faults(const struct session *s, const char *path,
+session_report_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
 {
 	if (errors->stopped) /* what was found on the way is not all */
@@ -38,8 +38,8 @@ session_tell_faults(const struct session *s, const char *path,
 	return false;
 }
 
-/* Exact results keep every byte where a program may read them, and are shown as
- * text where they go to a terminal. */
+/* Exact results are printed unchanged to files and pipes, but escaped on a
+ * terminal. */
 static size_t
 print_exact(struct session *s, const struct answer_form *form,
     const struct answer *answer)
@@ -58,7 +58,7 @@ print_exact(struct session *s, const struct answer_form *form,
 	return rows;
 }
 
-/* Takes the answer at a place out of those kept. */
+/* Removes one of the answers kept. */
 static void
 forget_answer_at(struct session *s, size_t i)
 {
@@ -68,7 +68,7 @@ forget_answer_at(struct session *s, size_t i)
 }
 
 void
-session_forget(struct session *s)
+session_forget_answers(struct session *s)
 {
 	while (s->n_answer > 0)
 		forget_answer_at(s, s->n_answer - 1);
@@ -106,8 +106,8 @@ bool
 session_show_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
-	if (s->hooks.tidy != NULL)
-		s->hooks.tidy();
+	if (s->hooks.clear_progress != NULL)
+		s->hooks.clear_progress();
 	if (s->book != NULL)
 		s->rows += book_add(s->book, answer);
 	else if (s->document != NULL)
@@ -122,7 +122,7 @@ session_show_answer(struct session *s, struct answer *answer)
 }
 
 void
-session_language(const struct session *s)
+session_set_language(const struct session *s)
 {
 	tr_on(!ANSWER_FORMATS[s->set.format].exact);
 }
@@ -137,8 +137,8 @@ session_note(const struct session *s, const char *format, ...)
 	va_start(ap, format);
 	vsnprintf(text, sizeof text, tr(format), ap);
 	va_end(ap);
-	if (s->hooks.tidy != NULL)
-		s->hooks.tidy();
+	if (s->hooks.clear_progress != NULL)
+		s->hooks.clear_progress();
 	text_wrap(text, 0, 78, s->notes);
 }
 
@@ -174,13 +174,10 @@ session_site_label(const struct site *site)
 						    units_mm(site->top_size))
 					      : xstrdup("");
 	bool rock = site->rock[0] != '\0', with = site->with[0] != '\0';
-	char *label = xasprintf(
+	FREED char *label = xasprintf(
 	    "%s%s%s%s", site->name, rock ? ", " : "", site->rock, size);
-	if (!with)
-		return label;
-	char *all = xasprintf(tr("%s, with %s"), label, site->with);
-	free(label);
-	return all;
+	return with ? xasprintf(tr("%s, with %s"), label, site->with)
+		    : xstrdup(label);
 }
 
 bool

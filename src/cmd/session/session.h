@@ -20,14 +20,15 @@ struct session;
 /* Functions of the driver that commands call. */
 struct hooks {
 	/* Clears the progress display before a note or an answer; or NULL. */
-	void (*tidy)(void);
-	bool (*stop)(void); /* true if a long computation should end, because
-the user is waiting; NULL: never */
+	void (*clear_progress)(void);
+	/* True if a long computation should end, because the user is waiting;
+	 * NULL: never. */
+	bool (*stop)(void);
 	/* Called before a computation that takes a while, with a few words for
 	 * the user; NULL if not interactive. */
-	void (*begins)(const char *what);
-	bool (*show_page)(const char *page); /* shows a page of the manual; NULL
-without a terminal */
+	void (*announce)(const char *what);
+	/* Shows a page of the manual; NULL without a terminal. */
+	bool (*show_page)(const char *page);
 	/* Draws the full screen, see plot.h; NULL if not available. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
@@ -38,7 +39,7 @@ without a terminal */
 	bool (*confirm)(struct session *s, const char *question);
 	/* Asks the user for a line about a sheet, which the caller frees;
 	 * returns NULL if the user gives up.  NULL if not interactive. */
-	char *(*question)(struct session *s, const struct inquiry *inquiry);
+	char *(*ask)(struct session *s, const struct inquiry *inquiry);
 };
 
 /* A calibration in progress, or several in succession.  The driver calls
@@ -87,7 +88,7 @@ struct pin;
 struct standing;
 struct blended;
 struct journal;
-struct keep;
+struct autosave;
 struct script;
 struct invocation;
 struct undo;
@@ -95,15 +96,14 @@ struct undo;
 struct session {
 	size_t n_entry, current; /* current is meaningful when n_entry > 0 */
 	struct entry *entry;
-	struct choices set;
-	bool prompt;     /* a user types the lines */
-	size_t typed_at; /* number of open scripts when lines are typed */
-	enum isa isa;    /* highest set that calibrations may use */
-	bool safe;       /* commands and keys must not touch files or the
-shell */
-	bool linear;     /* for a screen reader: words, no pictures */
-	FILE *out;       /* results */
-	FILE *notes;     /* messages besides results; NULL: none */
+	struct settings set;
+	bool prompt;        /* a user types the lines */
+	size_t typed_depth; /* number of open scripts when lines are typed */
+	enum isa isa;       /* highest set that calibrations may use */
+	bool safe;          /* no command or key may use files or the shell */
+	bool linear;        /* for a screen reader: words, no pictures */
+	FILE *out;          /* results */
+	FILE *notes;        /* messages besides results; NULL: none */
 	struct screen screen;
 	const char *file;          /* target of the results; NULL: no file */
 	struct book *book;         /* workbook that collects results, or NULL */
@@ -122,7 +122,7 @@ shell */
 	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
 	struct spec **specs;       /* all so far */
-	double asked;              /* speed last asked about, or 0 */
+	double last_speed;         /* speed last asked about, or 0 */
 	struct moved *moved;       /* see moved.h */
 	struct blended *fed;       /* feed from the sheets in `set feed`, see
 			      * blended.h, or NULL */
@@ -133,9 +133,9 @@ shell */
 	const struct energies *energy; /* shown, or NULL */
 	size_t n_energies;
 	struct energies **energies; /* all so far */
-	struct choices *first;      /* as set by the command line, for reset */
+	struct settings *initial;   /* as set by the command line, for reset */
 	struct journal *journal;
-	struct keep *keep; /* autosave, see autosave.h; NULL: off */
+	struct autosave *autosave; /* autosave, see autosave.h; NULL: off */
 	struct undo *undo;
 	struct script *script;         /* being read, innermost first */
 	size_t scripts;                /* number of scripts */
@@ -156,12 +156,12 @@ bool session_need_site(
 
 /* Discards the answers kept, because the site or its parameters have
  * changed. */
-void session_forget(struct session *s);
+void session_forget_answers(struct session *s);
 
 /* Reports the faults of a file in order: prints all but the last to notes and
  * makes the last the error.  If reading was interrupted, reports only that.
  * Returns false. */
-bool session_tell_faults(const struct session *s, const char *path,
+bool session_report_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
 /* Prints an answer in the chosen format and keeps it.  Returns true, so that a
@@ -180,7 +180,7 @@ double session_answer_number(
 
 /* Turns translation on, or off if results are for programs.  Call it after each
  * change of the results' format. */
-void session_language(const struct session *s);
+void session_set_language(const struct session *s);
 
 /* Prints a line to notes. */
 void session_note(const struct session *s, const char *format, ...)

@@ -16,10 +16,10 @@
 
 void
 settings_put(const struct command_option *row, const struct value *value,
-    struct choices *set)
+    struct settings *set)
 {
 	char *place = (char *)set + row->offset;
-	/* What is in a file is read by cmd_set. */
+	/* cmd_set reads the file. */
 	if (row->kind == VALUE_FILE)
 		return;
 	if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED) {
@@ -42,7 +42,7 @@ settings_put(const struct command_option *row, const struct value *value,
 }
 
 char *
-settings_text(const struct command_option *row, const struct choices *set)
+settings_text(const struct command_option *row, const struct settings *set)
 {
 	const char *place = (const char *)set + row->offset;
 	const char *word = option_choices(row);
@@ -69,8 +69,8 @@ settings_text(const struct command_option *row, const struct choices *set)
 	return xstrndup(word, strcspn(word, " "));
 }
 
-/* As many as OMP_NUM_THREADS says, else as the processors that this process may
- * run on: a task of a job system has but some of the machine's. */
+/* Returns OMP_NUM_THREADS, or else the number of processors that this process
+ * may use: a job system may assign fewer than the machine has. */
 static unsigned
 threads_default(void)
 {
@@ -82,10 +82,10 @@ threads_default(void)
 	return n < 1 ? 1 : n > 64 ? 64 : (unsigned)n;
 }
 
-struct choices
+struct settings
 settings_default(void)
 {
-	struct choices set = {.bounds = bounds_default(0),
+	struct settings set = {.bounds = bounds_default(0),
 	    .seed = 1,
 	    .threads = threads_default()};
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
@@ -103,14 +103,14 @@ settings_default(void)
 }
 
 double
-settings_level(const struct choices *set)
+settings_level(const struct settings *set)
 {
 	return set->level == 0 ? 0.8 : 0.9;
 }
 
 void
-settings_reach(const struct choices *set, const struct site *site, double *from,
-    double *to)
+settings_reach(const struct settings *set, const struct site *site,
+    double *from, double *to)
 {
 	site_reach(site, from, to);
 	if (set->slider[1] > 0) {
@@ -120,7 +120,7 @@ settings_reach(const struct choices *set, const struct site *site, double *from,
 }
 
 bool
-settings_same(const struct choices *a, const struct choices *b)
+settings_same(const struct settings *a, const struct settings *b)
 {
 	bool same = a->seed == b->seed && a->energy == b->energy &&
 		    model_settings_same(&a->model, &b->model) &&

@@ -22,7 +22,7 @@ enum { SETTINGS_TEXT = 200 };
 
 /* Values that are set rather than loaded: by bounds, seed, timing and the
  * SETTINGS. */
-struct choices {
+struct settings {
 	struct model_settings model;
 	const char *energy; /* source file of model.impacts, borrowed; NULL: a
 single impact */
@@ -36,8 +36,7 @@ single impact */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned theme;     /* enum theme */
-	unsigned unpaged;   /* 0: at a prompt, page results taller than the
-screen */
+	unsigned unpaged;   /* 0: a prompt shows tall results in a pager */
 	bool timing;        /* print how long each command took */
 	/* The conditions on the product (goals.h), and the quantity that the
 	 * full screen shows above its track.  "": none. */
@@ -50,26 +49,26 @@ screen */
 };
 
 /* Returns the choices of a new session. */
-struct choices settings_default(void);
+struct settings settings_default(void);
 
 /* True if the choices are equal, including bounds, seed and timing but not the
  * appearance of the full screen. */
-bool settings_same(const struct choices *a, const struct choices *b);
+bool settings_same(const struct settings *a, const struct settings *b);
 
 /* Returns the probability of bands, 0..1. */
-double settings_level(const struct choices *set);
+double settings_level(const struct settings *set);
 
 /* Computes the default range of speeds, m/s, of commands: as set, else from
  * site_reach.  site may be NULL. */
-void settings_reach(const struct choices *set, const struct site *site,
+void settings_reach(const struct settings *set, const struct site *site,
     double *from, double *to);
 
 /* Stores a value given to `set`. */
 void settings_put(const struct command_option *row, const struct value *value,
-    struct choices *set);
+    struct settings *set);
 
 /* Returns the value as typed after `set`.  The caller frees it. */
 char *settings_text(
-    const struct command_option *row, const struct choices *set);
+    const struct command_option *row, const struct settings *set);
 
 #endif

@@ -20,12 +20,12 @@ sites_digest_of(const char *text)
 	return text_digest(TEXT_DIGEST_START, text, strlen(text));
 }
 
-/* Keys with the same name before a slash are of that name only. */
+/* True if the key is in use.  Only sites of that name can have it. */
 static bool
 key_taken(const struct session *s, uint64_t name, const char *key)
 {
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (s->entry[i].mark.name == name &&
+		if (s->entry[i].lookup.name == name &&
 		    strcmp(s->entry[i].key, key) == 0)
 			return true;
 	return false;
@@ -37,7 +37,7 @@ sized_key(const char *slug, const struct site *site)
 	return xasprintf("%s/%g", slug, units_mm(site->top_size));
 }
 
-/* What a site's name is in keys. The caller frees. */
+/* Returns a name in the form used in keys.  The caller frees it. */
 static char *
 name_slug(const char *name)
 {
@@ -48,8 +48,9 @@ name_slug(const char *name)
 	return xstrdup("unnamed");
 }
 
-/* "tierp"; of several sites with one name each has its size, "gavle/11.2"; of
- * several with one size the later ones have a number, "gavle/11.2/2". */
+/* Returns a new key: "tierp"; with the size, "gavle/11.2", if several sites
+ * have the name; and with a number, "gavle/11.2/2", if several also have the
+ * size. */
 static char *
 new_key(struct session *s, const struct site *site)
 {
@@ -59,8 +60,8 @@ new_key(struct session *s, const struct site *site)
 	size_t n = strlen(slug);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
-		/* A key is the name's slug, alone or before a slash. */
-		if (other->mark.name != name ||
+		/* A key is the name, alone or before a slash. */
+		if (other->lookup.name != name ||
 		    strncmp(other->key, slug, n) != 0 ||
 		    (other->key[n] != '\0' && other->key[n] != '/'))
 			continue;
@@ -89,7 +90,7 @@ session_keep_site(struct session *s, struct site *site)
 {
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
-	session_forget(s);
+	session_forget_answers(s);
 }
 
 static uint64_t
@@ -100,23 +101,24 @@ digest_of_file(const struct stat *file)
 	return text_digest(digest, &file->st_ino, sizeof file->st_ino);
 }
 
-static struct mark_of
-sites_mark_of(const struct site *site)
+static struct lookup_keys
+lookup_keys_of(const struct site *site)
 {
 	struct stat file;
 	FREED char *slug = name_slug(site->name);
-	struct mark_of mark = {
+	struct lookup_keys lookup = {
 	    sites_digest_of(slug), sites_digest_of(site->path), 0};
 	if (stat(site->path, &file) == 0)
-		mark.file = digest_of_file(&file);
-	return mark;
+		lookup.file = digest_of_file(&file);
+	return lookup;
 }
 
 static void
 sites_insert(struct session *s, struct site *site, size_t place)
 {
-	struct entry entry = {
-	    .mark = sites_mark_of(site), .site = site, .key = new_key(s, site)};
+	struct entry entry = {.lookup = lookup_keys_of(site),
+	    .site = site,
+	    .key = new_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_default_train(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
@@ -126,24 +128,24 @@ sites_insert(struct session *s, struct site *site, size_t place)
 	if (s->job.calibration != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
-	s->asked = 0;
+	s->last_speed = 0;
 	session_keep_site(s, site);
 }
 
-/* The loaded site that was read from the same file, or n_entry: by its path, or
- * by another name of the file.  To ask the system of each would take a fleet
- * longer than to read its files. */
+/* Finds the site that was read from the same file, by its path or under another
+ * name of the file; n_entry if none was.  Asking the system about each site
+ * would take longer than reading the files if there are many. */
 static size_t
 find_site_of_file(const struct session *s, const struct site *site)
 {
 	struct stat file, other;
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
-	struct mark_of own = {
+	struct lookup_keys own = {
 	    0, sites_digest_of(site->path), digest_of_file(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
-		if ((s->entry[i].mark.path == own.path ||
-			s->entry[i].mark.file == own.file) &&
+		if ((s->entry[i].lookup.path == own.path ||
+			s->entry[i].lookup.file == own.file) &&
 		    stat(s->entry[i].site->path, &other) == 0 &&
 		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
 			return i;
@@ -151,19 +153,19 @@ find_site_of_file(const struct session *s, const struct site *site)
 }
 
 void
-session_add(struct session *s, struct site *site)
+session_add_site(struct session *s, struct site *site)
 {
 	size_t place = find_site_of_file(s, site);
 	if (place < s->n_entry) {
 		session_note(
 		    s, "replaced %s, loaded earlier", s->entry[place].key);
-		session_drop(s, place);
+		session_drop_site(s, place);
 	}
 	sites_insert(s, site, place);
 }
 
 void
-session_drop(struct session *s, size_t index)
+session_drop_site(struct session *s, size_t index)
 {
 	if (s->job.calibration != NULL && s->job.entry == index)
 		session_discard_job(s);
@@ -174,19 +176,19 @@ session_drop(struct session *s, size_t index)
 	memmove(&s->entry[index], &s->entry[index + 1],
 	    (s->n_entry - index) * sizeof *s->entry);
 	if (s->current == index)
-		session_forget(s);
+		session_forget_answers(s);
 	bool last = s->current == index && index == s->n_entry;
 	if (s->current > index || (last && index > 0))
 		s->current--;
 }
 
 bool
-session_mend(struct session *s, size_t index, struct site *site)
+session_replace_mended(struct session *s, size_t index, struct site *site)
 {
 	struct entry *entry = &s->entry[index];
 	bool own =
 	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
-				  entry->origin->whose[0] == '\0');
+				  entry->origin->from[0] == '\0');
 	if (s->job.calibration != NULL && s->job.entry == index)
 		session_discard_job(s);
 	if (site->n_run != entry->site->n_run) {
@@ -210,8 +212,8 @@ session_mend(struct session *s, size_t index, struct site *site)
 	return own;
 }
 
-/* Runs that a fit was trained on stay those; without one they are chosen
- * anew. */
+/* The runs that a fit was trained on remain training runs.  Without a fit they
+ * are chosen again. */
 void
 session_replace_site(struct session *s, struct site *site, const size_t *from)
 {
@@ -230,7 +232,7 @@ session_replace_site(struct session *s, struct site *site, const size_t *from)
 	session_keep_site(s, site);
 }
 
-/* The slug of a name, with '-' for '_', as somebody may type it from memory. */
+/* As name_slug, with '-' for '_': the name as typed from memory. */
 static char *
 slug_with_dashes(const char *name)
 {
@@ -240,8 +242,8 @@ slug_with_dashes(const char *name)
 	return slug;
 }
 
-/* How well a loaded site answers to a name: 0 not, 1 by its name, 2 by name and
- * top size, 3 by its key. */
+/* Returns how well a site matches a name: 0 not at all, 1 its name, 2 name and
+ * top size, 3 its key. */
 static int
 match_name(const struct entry *entry, const char *wanted)
 {
@@ -261,7 +263,7 @@ match_name(const struct entry *entry, const char *wanted)
 	return match;
 }
 
-/* "gavle/4, gavle/11.2"; of those that answer, or of all. */
+/* Returns "gavle/4, gavle/11.2": the sites that match, or all for NULL. */
 static char *
 sites_list_keys(const struct session *s, const char *wanted)
 {
@@ -273,7 +275,7 @@ sites_list_keys(const struct session *s, const char *wanted)
 }
 
 bool
-session_find(
+session_find_site(
     struct session *s, const char *name, size_t *index, struct error *error)
 {
 	int best = 0;
@@ -301,13 +303,13 @@ session_find(
 }
 
 bool
-session_add_loaded(struct session *s, struct site *site, const char *digest,
+session_add_unchanged(struct session *s, struct site *site, const char *digest,
     struct error *error)
 {
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, site->digest);
 	if (digest == NULL || strcmp(digest, found) == 0) {
-		session_add(s, site);
+		session_add_site(s, site);
 		return true;
 	}
 	error_at(error, ERROR_DATA, site->path, 0, 0,

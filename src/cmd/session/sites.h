@@ -7,18 +7,18 @@
 
 /* Adds a site, takes ownership of it and makes it the current one.  It replaces
  * a site read from the same file. */
-void session_add(struct session *s, struct site *site);
+void session_add_site(struct session *s, struct site *site);
 
 /* Takes ownership of a site until the session ends, without loading it. */
 void session_keep_site(struct session *s, struct site *site);
 
 /* Unloads a site and discards a calibration of it. */
-void session_drop(struct session *s, size_t index);
+void session_drop_site(struct session *s, size_t index);
 
 /* Replaces a loaded site with its mended version and takes ownership of that.
  * If calibration results for the former version are discarded, returns true;
  * other parameters are kept. */
-bool session_mend(struct session *s, size_t index, struct site *site);
+bool session_replace_mended(struct session *s, size_t index, struct site *site);
 
 /* Replaces the current site with one that has more runs and takes ownership of
  * that.  Keeps the parameters and the fit, which were found on the former data;
@@ -29,12 +29,12 @@ void session_replace_site(
 /* Finds a loaded site by name, ignoring case and accents ("borlange"), by name
  * and top size ("gavle/4") or by key.  If several or none match, the error
  * lists the loaded sites. */
-bool session_find(
+bool session_find_site(
     struct session *s, const char *name, size_t *index, struct error *error);
 
 /* Adds a site that was read and takes ownership of it; rejects it if its digest
  * differs from `digest`, hexadecimal digits or NULL. */
-bool session_add_loaded(struct session *s, struct site *site,
+bool session_add_unchanged(struct session *s, struct site *site,
     const char *digest, struct error *error);
 
 #endif

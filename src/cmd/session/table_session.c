@@ -72,7 +72,7 @@ const struct command TABLE_SESSION[] = {
     {.name = "echo",
 	.brief = "print words",
 	.operands = {"[WORD]...", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_BESIDE,
+	.flags = COMMAND_DURING_SEARCH,
 	.text = "Prints a line among the results, with one space between "
 		"words; use quotes to keep more.",
 	.example = "echo \"Tierp, at 74 m/s:\"",
@@ -112,7 +112,7 @@ const struct command TABLE_SESSION[] = {
 	.brief = "list the commands or explain one",
 	.operands = {"[COMMAND|GROUP|all|options|trust] [example]",
 	    {"COMMAND GROUP all options trust", "example"}, 0, 2},
-	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
+	.flags = COMMAND_UNSAVED | COMMAND_DURING_SEARCH,
 	.text = "Alone, shows the commands of a day's work; with the name of a "
 		"command, explains it; with the name of a group, or all, lists "
 		"its commands; with options, explains those that many "
@@ -124,7 +124,7 @@ const struct command TABLE_SESSION[] = {
     {.name = "apropos",
 	.brief = "find commands by a word of their help",
 	.operands = {"WORD", {""}, 1, 1},
-	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
+	.flags = COMMAND_UNSAVED | COMMAND_DURING_SEARCH,
 	.text = "Searches names, help texts, options and their choices; case "
 		"and accents do not matter.",
 	.example = "apropos threads",
@@ -135,7 +135,7 @@ const struct command TABLE_SESSION[] = {
 	.operands = {"[PAGE|COMMAND]",
 	    {"tipspeed tutorial tui site spec model circuit COMMAND", ""}, 0,
 	    1},
-	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
+	.flags = COMMAND_UNSAVED | COMMAND_DURING_SEARCH,
 	.option = OPTION_LIST(
 	    {CHOICE(page), "tipspeed tutorial tui site spec model circuit",
 		"tipspeed", "page of the manual"}),
@@ -146,7 +146,7 @@ const struct command TABLE_SESSION[] = {
 	.run = cmd_man},
     {.name = "version",
 	.brief = "show the version of the program",
-	.flags = COMMAND_UNSAVED | COMMAND_BESIDE,
+	.flags = COMMAND_UNSAVED | COMMAND_DURING_SEARCH,
 	.text = "Also lists the libraries and the instruction set on which the "
 		"numbers depend.",
 	.example = "version",

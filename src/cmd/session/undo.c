@@ -11,8 +11,8 @@
 
 enum { STEPS = 200 };
 
-/* Sites, logs, envelopes and pins are borrowed: the session keeps every
- * one to its end. */
+/* Borrows sites, logs, envelopes, pins and energies, which the session keeps
+ * until it ends. */
 struct snapshot {
 	struct mark mark;
 	size_t n_entry, current;
@@ -21,7 +21,7 @@ struct snapshot {
 	const struct spec *spec;
 	const struct pin *pin;
 	const struct energies *energy;
-	struct choices set;
+	struct settings set;
 };
 
 static struct entry *
@@ -58,7 +58,7 @@ snapshot_free(struct snapshot *snapshot)
 	free(snapshot);
 }
 
-/* The session as it was then.  Its newest answers are forgotten. */
+/* Restores the session and discards the answers kept. */
 static void
 snapshot_put(struct session *s, const struct snapshot *snapshot)
 {
@@ -71,7 +71,7 @@ snapshot_put(struct session *s, const struct snapshot *snapshot)
 	s->pin = snapshot->pin;
 	s->energy = snapshot->energy;
 	s->set = snapshot->set;
-	session_forget(s);
+	session_forget_answers(s);
 }
 
 bool
@@ -114,7 +114,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 struct step {
 	char *label;
 	struct snapshot *before, *after; /* after: of undone steps */
-	struct tail tail;                /* likewise */
+	struct cut_lines tail;           /* likewise */
 };
 
 /* The first `done` of the n steps can be undone, the others redone. */
@@ -129,7 +129,7 @@ step_free(struct step *step)
 	free(step->label);
 	snapshot_free(step->before);
 	snapshot_free(step->after);
-	tail_free(&step->tail);
+	cut_lines_free(&step->tail);
 }
 
 static void
@@ -166,7 +166,7 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
 	cut_steps(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
-		/* Keys of many screens that a script draws fill both halves. */
+		/* A script that draws many screens can fill both halves. */
 		size_t oldest = inner && floor < undo->n ? floor : 0;
 		step_free(&undo->step[oldest]);
 		undo->n--;

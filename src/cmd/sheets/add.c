@@ -12,14 +12,15 @@
 #include "cmd/sheets/check.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/sheets/load.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
-/* What is known of each file [n] beside its numbers: its word as load has it,
- * its time in words, or "", and what the log says. */
+/* What is known about each file [n] besides its numbers: its word as load takes
+ * it, its time as text, or "", and what the log says. */
 struct origins {
 	size_t n;
 	struct cut_origin {
@@ -39,7 +40,7 @@ origins_clear(struct origins *o)
 	free(o->file);
 }
 
-/* A date that can be read in one way. */
+/* Reads a date; false if it can be read in two ways. */
 static bool
 add_read_date(const char *date, double *day, struct error *error)
 {
@@ -62,7 +63,7 @@ add_read_date(const char *date, double *day, struct error *error)
 	return true;
 }
 
-/* The time after @, with the day of date= where it has none. */
+/* Reads the time after @, on the day of date= if it states none. */
 static bool
 add_read_time(const char *text, double day, double *time, struct error *error)
 {
@@ -92,7 +93,7 @@ add_read_time(const char *text, double day, double *time, struct error *error)
 		   text);
 }
 
-/* The @ before a speed or a time; NULL where the word is a name. */
+/* Returns the @ before a speed or a time; NULL if it is part of a file name. */
 static const char *
 add_speed_at(const char *word)
 {
@@ -103,17 +104,17 @@ add_speed_at(const char *word)
 	return name ? NULL : at;
 }
 
-/* "cut.csv@2026-05-03T10:15" by the log as "cut.csv@64.2". */
+/* Looks up the time of "cut.csv@2026-05-03T10:15" in the log:
+ * "cut.csv@64.2". */
 static bool
 add_look_up(struct session *s, const struct args *args, const char *word,
     double day, double rotor, struct cut_origin *o, struct error *error)
 {
 	const char *at = add_speed_at(word);
-	size_t n = at != NULL ? (size_t)(at - word) : strlen(word), from = n;
+	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
 	double time = NAN;
-	while (from > 0 && word[from - 1] != '/')
-		from--;
-	o->file = xstrndup(word + from, n - from);
+	FREED char *path = xstrndup(word, n);
+	o->file = xstrdup(file_name(path));
 	o->word = xstrdup(word);
 	o->when = isnan(day) ? xstrdup("") : datetime_text(day);
 	if (!isnan(day))
@@ -132,8 +133,8 @@ add_look_up(struct session *s, const struct args *args, const char *word,
 	return true;
 }
 
-/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv": what a site keeps of a
- * cut, and who fits power to speed and feed rate reads again. */
+/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv": what a site keeps about
+ * a cut.  The fit of power to speed and feed rate reads it again. */
 static char *
 cut_note(double speed, const struct cut_origin *o)
 {
@@ -149,8 +150,8 @@ cut_note(double speed, const struct cut_origin *o)
 	return text;
 }
 
-/* The same of a run of a sheet, which may say in its own header when its cuts
- * were taken: then that, with the file. */
+/* The note of a run.  A sheet may state in its header when its cuts were taken:
+ * then that, with the file. */
 static char *
 note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
 {
@@ -162,7 +163,8 @@ note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
 	    "%s%s%s", said, named ? "" : ", ", named ? "" : o->file);
 }
 
-/* The file that a cut is from: the only one, or that of its speed. */
+/* Returns the file that a cut is from: the only one, or the one with its
+ * speed. */
 static const struct cut_origin *
 add_origin_of(const struct origins *all, double speed)
 {
@@ -177,7 +179,7 @@ add_origin_of(const struct origins *all, double speed)
 	return found;
 }
 
-/* Products that the site has already, and feeds of their own. */
+/* Warns of products that the site already has; notes feeds that differ. */
 static void
 warn_of_cuts_loaded(
     struct session *s, const struct site *site, const struct site *cuts)
@@ -222,10 +224,10 @@ warn_of_cuts_loaded(
 	}
 }
 
-/* What the new cuts say of the prediction, from the best to the worst. */
+/* How well the prediction meets the new cuts, from best to worst. */
 enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 
-/* How well what was known meets what came. */
+/* Compares a new cut with the prediction and reports the result. */
 static enum verdict
 note_check(struct session *s, size_t run)
 {
@@ -247,8 +249,8 @@ note_check(struct session *s, size_t run)
 	return cut.off ? CUTS_OFF : cut.missed ? CUTS_MISSED : CUTS_MET;
 }
 
-/* Of each run that is new, or of many in sum; from: see site_with_cuts.
- * Returns the worst. */
+/* Compares each new run, or counts them if there are many; from: see
+ * site_with_cuts.  Returns the worst verdict. */
 static enum verdict
 note_checks(
     struct session *s, const struct site *old, const size_t *from, size_t n)
@@ -287,7 +289,7 @@ note_products(struct session *s)
 	session_note(s, "  %s has products at %s m/s", entry->key, speeds);
 }
 
-/* What to do now that n cuts have been compared. */
+/* Suggests what to do after n cuts have been compared. */
 static void
 note_next(struct session *s, enum verdict worst, size_t n)
 {
@@ -320,11 +322,11 @@ is_expected(const struct site *site, const char *digest, struct session *s,
 		    "leave out digest= to add them anyway; results will change",
 		    digest, found);
 	if (good && digest == NULL)
-		invocation_add_option(s, "digest", found);
+		invocation_add_options(s, " digest=%s", found);
 	return good;
 }
 
-/* In the order of the sheet: what has no date is followed in that. */
+/* In the order of the sheet, which drift follows for cuts without a date. */
 static void
 note_cuts(struct session *s, struct site *site, const struct site *cuts,
     const struct origins *all)
@@ -349,7 +351,7 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 	}
 }
 
-/* Puts the cuts into a copy of the site in use, which takes its place. */
+/* Replaces the current site with a copy that has the cuts. */
 static bool
 add_cuts(struct session *s, const struct args *args, const struct site *cuts,
     const struct origins *all, struct error *error)
@@ -394,7 +396,7 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 		word[i] = all.file[i].word;
 	}
 	struct site *cuts =
-	    good ? load_parts(s, args, word, rotor, error) : NULL;
+	    good ? load_cuts(s, args, word, rotor, error) : NULL;
 	good = cuts != NULL && add_cuts(s, args, cuts, &all, error);
 	site_free(cuts);
 	origins_clear(&all);

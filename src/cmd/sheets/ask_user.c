@@ -21,8 +21,8 @@ static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
 
 enum { CELLS = 4 };
 
-/* The cells of a row, which live as long as the question; number: of at least
- * 24 bytes. */
+/* Gets the cells of a row, which last as long as the question.  number: a
+ * buffer of at least 24 bytes. */
 static void
 ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
     char *number, const char *cell[static CELLS])
@@ -49,7 +49,8 @@ ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
 	cell[3] = c->guess;
 }
 
-/* Widths at which all rows fit: values give way first, then heads. */
+/* Finds widths at which all rows fit: values are shortened first, then
+ * headings. */
 static void
 fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 {
@@ -77,7 +78,7 @@ fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 	}
 }
 
-/* Adds a cell of a table, cut to its width or filled up to it. */
+/* Adds a cell of a table, shortened or padded to its width. */
 static void
 ask_user_add_cell(char **line, const char *text, int width, bool right)
 {
@@ -123,7 +124,7 @@ inquiry_row(const struct inquiry *q, size_t row, int columns)
 	return line;
 }
 
-/* Whether an offered text is that of the sieves. */
+/* True if the guess is that the column has the sieves. */
 static bool
 ask_user_is_sieve(const struct site_ask_column *c)
 {
@@ -136,7 +137,7 @@ wants_speed(const struct site_ask_column *c)
 	return strstr(c->guess, "@SPEED") != NULL;
 }
 
-/* "product@69 retained_g" with other words for its role and speed. */
+/* The guess with another role and speed: "product@69 retained_g". */
 static char *
 guess_with_role(const struct site_ask_column *c, const char *role)
 {
@@ -144,8 +145,8 @@ guess_with_role(const struct site_ask_column *c, const char *role)
 	return xasprintf("%s%s", role, unit != NULL ? unit : "");
 }
 
-/* The role that is offered: of a column of sieves, which it is not said to be,
- * a product's. */
+/* Returns the role in the guess.  A column guessed to be the sieves is a
+ * product if the user says that it is not. */
 static char *
 offered_role(const struct site_ask_column *c)
 {
@@ -154,7 +155,7 @@ offered_role(const struct site_ask_column *c)
 		   : xstrndup(c->guess, strcspn(c->guess, "@ "));
 }
 
-/* A speed by itself: of what the column seems to be; a feed has none. */
+/* Interprets a speed alone, for the guessed role; a feed has no speed. */
 static char *
 guess_with_speed(const struct site_ask_column *c, const struct head *head,
     char wrong[static WRONG])
@@ -171,19 +172,14 @@ guess_with_speed(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
-	char *role = offered_role(c);
-	if (strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL) {
-		free(role);
-		role = xstrdup("product");
-	}
-	FREED char *said =
-	    xasprintf(rpm ? "%s %s rpm" : "%s@%s", role, text_exact(v, number));
-	char *text = guess_with_role(c, said);
-	free(role);
-	return text;
+	FREED char *role = offered_role(c);
+	bool feed = strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL;
+	FREED char *said = xasprintf(rpm ? "%s %s rpm" : "%s@%s",
+	    feed ? "product" : role, text_exact(v, number));
+	return guess_with_role(c, said);
 }
 
-/* Words that say a role, a quantity or both. */
+/* Interprets words that state a role, a quantity or both. */
 static char *
 ask_user_with_words(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
@@ -212,12 +208,10 @@ ask_user_with_words(const struct site_ask_column *c, const char *said,
 }
 
 static char *
-read_sieve_answer(const struct site_ask_column *c, const char *said,
-    uint64_t means, char wrong[static WRONG])
+read_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
-	(void)c;
 	if ((means & unit) != 0)
 		return xasprintf(
 		    "%s%s", (means & WORD_SIZE) != 0 ? "" : tr("sieve "), said);
@@ -228,15 +222,16 @@ read_sieve_answer(const struct site_ask_column *c, const char *said,
 	return NULL;
 }
 
-/* What the answer about a column says, as columns= has it, which the caller
- * frees: a speed, words, or what is offered for "".  NULL: it is left out where
- * wrong is "", else wrong says what was expected. */
+/* Interprets the answer about a column: a speed, words, or "" for the guess.
+ * Returns the words for columns=, which the caller frees.  If NULL, the column
+ * is left out, or `wrong` states what was expected. */
 static char *
 read_column_answer(const struct site_ask_column *c, const char *answer,
     char wrong[static WRONG])
 {
-	char *copy = xstrdup(answer), *said = text_trim(copy), *text = NULL;
-	/* columns= has commas between columns only. */
+	FREED char *copy = xstrdup(answer);
+	char *said = text_trim(copy), *text = NULL;
+	/* In columns= a comma separates columns. */
 	for (char *p = said; *p != '\0'; p++)
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
@@ -254,7 +249,7 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
 	else if (ask_user_is_sieve(c))
-		text = read_sieve_answer(c, said, means, wrong);
+		text = read_sieve_answer(said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
 		    tr("expected a description of this column, got '%.40s'"),
@@ -268,12 +263,12 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 		    tr("expected a tip speed, feed, product@69 or -, got "
 		       "'%.30s'"),
 		    said);
-	free(copy);
 	return text;
 }
 
-/* Asks about one column until the answer can be taken; false: given up.  The
- * words, or NULL to leave it out, then stand in the table. */
+/* Asks about one column until the answer is valid, and puts it into the table
+ * as the guess: "-" leaves the column out.  Returns false if the user gives
+ * up. */
 static bool
 ask_user_ask_column(
     struct session *s, struct inquiry *q, struct site_ask_column *c)
@@ -281,12 +276,13 @@ ask_user_ask_column(
 	char wrong[WRONG] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
 	bool speed = wants_speed(c);
-	char *question = speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"),
-				     kind, c->number, c->head)
-			       : xasprintf(tr("%s %zu '%s': what is it"), kind,
-				     c->number, c->head);
+	FREED char *question =
+	    speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"), kind,
+			c->number, c->head)
+		  : xasprintf(tr("%s %zu '%s': what is it"), kind, c->number,
+			c->head);
 	char *words = NULL;
-	bool good, rest;
+	bool rest;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
 	q->hint = ask_user_is_sieve(c)
@@ -296,25 +292,20 @@ ask_user_ask_column(
 			       "out");
 	q->wrong = wrong;
 	do {
-		char *answer = s->hooks.question(s, q);
-		good = answer != NULL;
-		rest = good && strcmp(answer, ".") == 0;
-		if (good)
-			words =
-			    read_column_answer(c, rest ? "-" : answer, wrong);
-		free(answer);
+		FREED char *answer = s->hooks.ask(s, q);
+		if (answer == NULL)
+			return false;
+		rest = strcmp(answer, ".") == 0;
+		words = read_column_answer(c, rest ? "-" : answer, wrong);
 		q->first = false;
-	} while (good && words == NULL && wrong[0] != '\0');
-	free(question);
-	if (!good)
-		return false;
+	} while (words == NULL && wrong[0] != '\0');
 	free(c->guess);
 	c->guess = words != NULL ? words : xstrdup(rest ? "." : "-");
 	c->open = false;
 	return true;
 }
 
-/* The table is a copy: answers are put into it as they come. */
+/* The answers go into a copy of the table, which the next question shows. */
 static bool
 ask_about_columns(struct session *s, const struct site_ask *ask,
     const char *file, struct inquired *said)
@@ -329,9 +320,12 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 	    file, ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
+	free(said->columns);
 	said->columns = xstrdup("");
-	if (ask->by_sample)
+	if (ask->by_sample) {
+		free(said->samples);
 		said->samples = xstrdup("");
+	}
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
@@ -367,16 +361,20 @@ ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
 	return good;
 }
 
-/* Y, which is what Enter stands for, is the size offered, and a number another
- * one; n gives up: the sheet is refused. */
+/* True if the answer is the word or an abbreviation of it. */
 static bool
-read_top_answer(const char *settle, const char *said, struct inquired *into,
-    bool *given_up, char *wrong)
+is_start_of(const char *said, const char *word)
 {
-	size_t n = strlen(said);
-	bool yes = strncasecmp(said, "yes", n) == 0;
+	return said[0] != '\0' && strncasecmp(word, said, strlen(said)) == 0;
+}
+
+/* Y or Enter accepts the size offered; a number replaces it. */
+static bool
+read_top_answer(
+    const char *settle, const char *said, struct inquired *into, char *wrong)
+{
+	bool yes = said[0] == '\0' || is_start_of(said, "yes");
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
-	*given_up = n > 0 && strncasecmp(said, "no", n) == 0;
 	bool good = text_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
 		snprintf(wrong, WRONG,
@@ -397,7 +395,18 @@ read_decimal_answer(const char *said, struct inquired *into, char *wrong)
 	return comma || point;
 }
 
-/* A sheet or range as typed, or what is offered. */
+static bool
+read_order_answer(const char *said, struct inquired *into, char *wrong)
+{
+	into->month_first = is_start_of(said, "month");
+	if (is_start_of(said, "day") || into->month_first)
+		return true;
+	snprintf(wrong, WRONG, tr("expected %s or %s, got '%.30s'"), "day",
+	    "month", said);
+	return false;
+}
+
+/* Takes a sheet or range as typed, or for "" the one offered. */
 static bool
 read_place_answer(const char *settle, const char *said, struct inquired *into)
 {
@@ -409,8 +418,8 @@ read_place_answer(const char *settle, const char *said, struct inquired *into)
 	return true;
 }
 
-/* Tables by their numbers, "2" or "1-3", or cells; nothing is what is offered.
- */
+/* Takes tables by number, "2" or "1-3", or cells, or for "" the tables
+ * offered. */
 static bool
 ask_user_take_tables(const struct site_ask *ask, const char *said,
     struct inquired *into, char *wrong)
@@ -443,120 +452,104 @@ ask_user_take_tables(const struct site_ask *ask, const char *said,
 
 static bool
 ask_user_take_option(const struct site_ask *ask, const char *said,
-    struct inquired *into, bool *given_up, char *wrong)
+    struct inquired *into, char *wrong)
 {
 	const char *settle = ask->settle;
 	if (ask->tables)
 		return ask_user_take_tables(ask, said, into, wrong);
 	if (strncmp(settle, "top=", 4) == 0)
-		return read_top_answer(settle, said, into, given_up, wrong);
+		return read_top_answer(settle, said, into, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
 		return ask_user_take_rotor(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
 		return read_decimal_answer(said, into, wrong);
+	if (strncmp(settle, "dates=", 6) == 0)
+		return read_order_answer(said, into, wrong);
 	return read_place_answer(settle, said, into);
 }
 
-/* What an option that settles a question asks for. */
+/* Asks until the answer is valid.  Returns false if the user gives up; "n" to a
+ * size that is offered does so too. */
+static bool
+ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
+{
+	char wrong[WRONG] = "";
+	bool top = strncmp(q->ask->settle, "top=", 4) == 0;
+	q->wrong = wrong;
+	for (q->first = true;; q->first = false) {
+		FREED char *answer = s->hooks.ask(s, q);
+		char *text = answer != NULL ? text_trim(answer) : NULL;
+		if (text == NULL || (top && is_start_of(text, "no")))
+			return false;
+		wrong[0] = '\0';
+		if (ask_user_take_option(q->ask, text, said, wrong))
+			return true;
+	}
+}
+
+/* The questions about options.  offers: the option's value is the answer for an
+ * empty line. */
 static const struct {
 	const char *option, *question;
-} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm")},
-    {"decimal=", N_("decimal sign, point or comma")},
-    {"sheet=", N_("which sheet is to be read")},
-    {"range=", N_("which cells are to be read")}, {"top=", NULL}};
+	bool offers;
+} ASKS[] = {{"rotor_mm=", N_("diameter of the rotor in mm"), false},
+    {"decimal=", N_("decimal sign, point or comma"), false},
+    {"sheet=", N_("which sheet is to be read"), true},
+    {"range=", N_("which cells are to be read"), true},
+    {"dates=", "is it day or month first", false},
+    {"top=SIZE", N_("size in mm that all of the feed passes, or n"), false}};
 static const char PASSES[] =
-    N_("assume 100 %% passes %s mm, the next sieve up"),
-		  SIZE[] = N_("size in mm that all of the feed passes, or n");
+    N_("assume 100 %% passes %s mm, the next sieve up");
 
-/* One answer for an option of its own. */
+/* Asks for the value of one option. */
 static bool
 ask_option(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
-	char wrong[WRONG] = "", *text = NULL;
+	const char *value = strchr(ask->settle, '=') + 1;
 	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
+	FREED char *passes = xasprintf(tr(PASSES), value);
+	FREED char *tables =
+	    ask->first < ask->last
+		? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
+		: xasprintf("%zu", ask->first + 1);
 	struct inquiry q = {.about = about,
 	    .ask = ask,
-	    .text = ask->settle,
-	    .offered = "",
-	    .hint = "",
-	    .wrong = wrong,
-	    .first = true};
+	    .text = passes,
+	    .offered = "Y/n",
+	    .hint = ""};
 	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
 		if (strncmp(ask->settle, ASKS[i].option,
 			strlen(ASKS[i].option)) == 0) {
-			const char *value = strchr(ask->settle, '=') + 1;
-			bool top = strcmp(value, "SIZE") != 0 &&
-				   ASKS[i].question == NULL;
-			text = top ? xasprintf(tr(PASSES), value)
-				   : xstrdup(tr(ASKS[i].question != NULL
-						    ? ASKS[i].question
-						    : SIZE));
-			q.text = text;
-			q.offered = top                                 ? "Y/n"
-				    : i < 2 || ASKS[i].question == NULL ? ""
-									: value;
+			q.text = tr(ASKS[i].question);
+			q.offered = ASKS[i].offers ? value : "";
 		}
-	char *tables = ask->first < ask->last
-			   ? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
-			   : xasprintf("%zu", ask->first + 1);
 	if (ask->tables) {
 		q.text = tr("which tables are to be read");
 		q.offered = tables;
 		q.hint = tr("or: 2, 1-2, or cells as A5:B17");
 		q.at = ask->first;
 	}
-	bool good = false, given_up = false;
-	while (!good && !given_up) {
-		FREED char *answer = s->hooks.question(s, &q);
-		given_up = answer == NULL;
-		wrong[0] = '\0';
-		good = !given_up && ask_user_take_option(ask, text_trim(answer),
-					said, &given_up, wrong);
-		q.first = false;
-	}
-	free(text);
-	free(tables);
-	return good;
+	return ask_until_read(s, &q, said);
 }
 
-/* A script that somebody runs at a prompt has no questions either: it is to do
- * the same every time. */
+/* Scripts run at a prompt ask no questions either, so that they always do the
+ * same. */
 static bool
 is_attended(const struct session *s)
 {
-	return s->hooks.question != NULL && s->scripts <= s->typed_at;
+	return s->hooks.ask != NULL && s->scripts <= s->typed_depth;
 }
 
 bool
-ask_either(struct session *s, const struct error *trouble, const char *text,
-    const char *const either[2], bool *second)
+ask_date_order(
+    struct session *s, const struct error *trouble, bool *month_first)
 {
-	const struct site_ask none = {0};
-	char wrong[WRONG] = "";
-	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
-	struct inquiry q = {.about = about,
-	    .ask = &none,
-	    .text = text,
-	    .offered = "",
-	    .hint = "",
-	    .wrong = wrong,
-	    .first = true};
-	bool good = false, given_up = !is_attended(s);
-	while (!good && !given_up) {
-		FREED char *answer = s->hooks.question(s, &q);
-		given_up = answer == NULL;
-		char *said = given_up ? NULL : text_trim(answer);
-		for (size_t i = 0; i < 2 && said != NULL && !good; i++) {
-			size_t n = strlen(said);
-			good = n > 0 && strncasecmp(said, either[i], n) == 0;
-			*second = i == 1;
-		}
-		snprintf(wrong, sizeof wrong,
-		    tr("expected %s or %s, got '%.30s'"), either[0], either[1],
-		    said != NULL ? said : "");
-		q.first = false;
-	}
+	static char SETTLE[] = "dates=";
+	const struct site_ask ask = {.settle = SETTLE};
+	struct inquired said = {0};
+	bool good = is_attended(s) && ask_option(s, &ask, trouble, &said);
+	*month_first = said.month_first;
 	return good;
 }
 

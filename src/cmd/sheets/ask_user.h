@@ -25,19 +25,19 @@ struct inquired {
 	char *columns, *samples, *sheet, *range;
 	char decimal;
 	double rotor, top; /* m, mm */
+	bool month_first;
 };
 
-/* Asks, with session->hooks.question, until all open questions are answered.
+/* Asks, with session->hooks.ask, until all open questions are answered.
  * Returns false if there is no user or the user gives up.  trouble: the fault
- * that says what is open.  said: zeroed by the caller. */
+ * that says what is open.  said: the answers so far. */
 bool ask_open_question(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said);
 
-/* Asks which of two words is meant, such as "day" or "month"; the first letter
- * suffices.  second: out, true for the second.  Returns false if there is no
- * user or the user gives up. */
-bool ask_either(struct session *s, const struct error *trouble,
-    const char *text, const char *const either[2], bool *second);
+/* Asks whether the day or the month comes first in dates; the first letter
+ * suffices.  Returns false if there is no user or the user gives up. */
+bool ask_date_order(
+    struct session *s, const struct error *trouble, bool *month_first);
 
 /* Returns row 0..ask->n of the table, of which row 0 is the headings, as a line
  * of at most `columns` screen columns; text that is too long ends in "..".  The

@@ -12,12 +12,12 @@
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/blended.h"
-#include "cmd/ask/feed.h"
 #include "cmd/ask/question.h"
+#include "io/fs/file.h"
 #include "io/sitefile/site_write.h"
 #include "io/sitefile/units.h"
 
-/* "a.csv=60", with a per cent sign or without. */
+/* Reads "a.csv=60" or "a.csv=60%". */
 static bool
 blend_read_part(
     struct session *s, const char *word, struct blended *b, struct error *error)
@@ -36,7 +36,7 @@ blend_read_part(
 	return blended_add(s, file, share, b, error);
 }
 
-/* A row a sieve: each feed, the blend and, where there is one, its product. */
+/* Adds a row for each sieve: the feeds, the blend and its product, if any. */
 static void
 blend_add_rows(struct answer *r, const struct blended *b,
     const struct psd *sieves, const struct prediction *p)
@@ -45,7 +45,7 @@ blend_add_rows(struct answer *r, const struct blended *b,
 	for (size_t i = 0; i < b->n; i++) {
 		FREED char *key = xasprintf("feed_%zu_pct", i + 1);
 		FREED char *head =
-		    xasprintf("%s %%", feed_file_name(b->part[i].file));
+		    xasprintf("%s %%", file_name(b->part[i].file));
 		answer_column(r, key, head);
 	}
 	answer_columns(r, "feed_pct: blend %%");
@@ -92,7 +92,7 @@ note_parts(struct answer *r, const struct blended *b)
 		    b->sum);
 }
 
-/* Which sheets end the blend. */
+/* Notes which sheets limit the blend at its fine end. */
 static void
 note_finest(struct answer *r, const struct blended *b)
 {
@@ -102,8 +102,7 @@ note_finest(struct answer *r, const struct blended *b)
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
 		if (own == finest && feed->passing[feed->n - 1] > 0)
-			xlist(&unknown, ", ", "%s",
-			    feed_file_name(b->part[i].file));
+			xlist(&unknown, ", ", "%s", file_name(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
@@ -111,7 +110,7 @@ note_finest(struct answer *r, const struct blended *b)
 		    units_mm(finest), unknown);
 }
 
-/* Only the feed: there is nothing to predict with. */
+/* Shows the blend without a product, because it cannot be predicted. */
 static void
 answer_blended_feed(
     struct session *s, const struct blended *b, const char *why_not)
@@ -128,7 +127,7 @@ answer_blended_feed(
 	session_show_answer(s, r);
 }
 
-/* With the product of the site in use, which has the blend now. */
+/* Shows the blend with the current site's product from it. */
 static void
 answer_blended_product(
     struct session *s, const struct question *q, const struct blended *b)
@@ -174,7 +173,8 @@ blend_give(struct session *s, const struct args *args, const struct blended *b)
 	question_free(s, &q);
 }
 
-/* As a sheet that load and feed= read, with what is known of the parts. */
+/* Writes the blend as a sheet that load and feed= read, with what the parts
+ * state. */
 static bool
 write_sheet(struct session *s, const struct args *args, const struct blended *b,
     const char *path, struct error *error)

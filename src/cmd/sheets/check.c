@@ -17,14 +17,14 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* Product coarser than feed by more than this is no sampling error. */
+/* Sampling error does not make a product this much coarser than its feed. */
 static const double COARSER_FAULT = 0.02;
 
-/* Closer to the feed than this on every sieve: nothing breaks. */
+/* If a product is this close to its feed on every sieve, nothing breaks. */
 static const double NOTHING = 0.01;
 
-/* Where a run's product is coarser than its feed: on how many of the compared
- * sieves, and where by most. */
+/* Where a run's product is coarser than its feed: the number of such sieves
+ * among those compared, and the largest excess. */
 struct coarser {
 	size_t sieves, compared;
 	double most, at; /* passing, 0..1; m */
@@ -41,7 +41,7 @@ find_coarser(const struct run *run)
 		double by =
 		    psd_passing(&run->feed, x) - run->product.passing[i];
 		found.farthest = fmax(found.farthest, fabs(by));
-		/* Less than rounding of the sheet's numbers is nothing. */
+		/* Ignore what may come from rounding in the sheet. */
 		if (by <= 1e-9)
 			continue;
 		found.sieves++;
@@ -68,7 +68,7 @@ check_warn_coarser(struct session *s, const struct site *site)
 	}
 }
 
-/* A finding is a fault, which makes check say no, or a remark. */
+/* Adds a fault, which makes check fail, or a remark. */
 static void __attribute__((format(printf, 5, 6)))
 finding(struct answer *r, const struct entry *entry, bool fault,
     const char *where, const char *format, ...)
@@ -81,7 +81,8 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 	    fault ? tr("FAULT") : tr("remark"), where, text);
 }
 
-/* Where a finding is: "69 m/s"; of the feed of all runs, NULL: "feed". */
+/* Returns where a finding is: "69 m/s", or "feed" for the feed of all runs,
+ * NULL. */
 static const char *
 check_place(const struct run *run, char buf[static 40])
 {
@@ -135,7 +136,7 @@ runs_words(const struct run *a, const struct run *b)
 	    "%g%s, %g%s m/s", a->speed, a->repeat, b->speed, b->repeat);
 }
 
-/* A column typed, or pasted, twice: no two samples have the same numbers. */
+/* Reports columns entered twice: no two samples have the same numbers. */
 static void
 check_copies(struct answer *r, const struct entry *entry)
 {
@@ -152,7 +153,7 @@ check_copies(struct answer *r, const struct entry *entry)
 		}
 }
 
-/* Repeats that differ by more than two samples from one belt do. */
+/* Reports repeats that differ by more than two samples from one belt do. */
 static void
 check_site_repeats(struct answer *r, const struct entry *entry)
 {
@@ -179,8 +180,8 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 		}
 }
 
-/* Passing that falls from a slower to a faster run by more than sampling does:
- * a fault, unless their feeds may differ so. */
+/* Reports passings that fall from a slower to a faster run by more than
+ * sampling explains: a fault, unless their feeds may differ that much. */
 static bool
 check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
     const struct run *fast)
@@ -202,7 +203,7 @@ check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
 	return !fault;
 }
 
-/* Each run against those at the next lower speed. */
+/* Compares each run with those at the next lower speed. */
 static bool
 check_site_order(struct answer *r, const struct entry *entry)
 {
@@ -230,8 +231,8 @@ has_sieve(const struct psd *psd, double x)
 	return i < psd->n;
 }
 
-/* The sieve of `other` that a curve lacks between its own and that all n have
- * but this one; 0 where there is none. */
+/* Returns a sieve that curve `at` lacks within its range although all others of
+ * the n have it; 0 if there is none. */
 static double
 find_gap(const struct psd *const *curve, size_t n, size_t at)
 {
@@ -248,8 +249,8 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 	return 0;
 }
 
-/* Adds the feeds of a site, or its products, to the n curves that there are,
- * with the run of each (NULL: of all).  Returns how many there are then. */
+/* Appends the feeds of a site, or its products, to the n curves, with the run
+ * of each (NULL: of all). Returns the new number. */
 static size_t
 check_gather(const struct site *site, bool feed, const struct psd **curve,
     const struct run **run, size_t n)
@@ -266,7 +267,8 @@ check_gather(const struct site *site, bool feed, const struct psd **curve,
 	return n;
 }
 
-/* Sieves so far apart that what lies between rests on a straight line. */
+/* Reports sieves of the feed so far apart that much of the curve between them
+ * is assumed to be straight. */
 static void
 check_wide(struct answer *r, const struct entry *entry)
 {
@@ -281,8 +283,8 @@ check_wide(struct answer *r, const struct entry *entry)
 		    100 * (feed->passing[i] - feed->passing[i + 1]));
 }
 
-/* A cell that is empty where all others of its row are full: of grams, what is
- * forgotten is missing from the whole. */
+/* Reports a cell that is empty although all others of its row are full: a mass
+ * that was forgotten is missing from the total. */
 static void
 check_gaps(struct answer *r, const struct entry *entry)
 {
@@ -310,8 +312,8 @@ check_gaps(struct answer *r, const struct entry *entry)
 	}
 }
 
-/* The cells that the doctor found, each in words; column mends stand beside
- * what tells of the columns. */
+/* Reports the single cells that are suspect.  Mends of columns are listed with
+ * the findings about columns. */
 static void
 check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 {
@@ -329,8 +331,8 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 	}
 }
 
-/* A cell that neither its neighbours nor the other runs give away may lie off
- * what all of them together fit. */
+/* Reports the passing farthest from the calibrated product, which may reveal a
+ * wrong cell that its neighbours and the other runs do not. */
 static void
 check_fit(struct answer *r, const struct entry *entry)
 {
@@ -347,7 +349,7 @@ check_fit(struct answer *r, const struct entry *entry)
 	    v.worst_difference < 0 ? tr("above") : tr("below"));
 }
 
-/* Other loaded sites with the same numbers. */
+/* Reports other loaded sites with the same numbers. */
 static void
 check_twins(struct session *s, struct answer *r, size_t index)
 {
@@ -362,7 +364,7 @@ check_twins(struct session *s, struct answer *r, size_t index)
 	}
 }
 
-/* What the reader passed over, and what it read. */
+/* Reports what was read and what was left out. */
 static void
 check_counts(struct answer *r, struct fields *read, const struct entry *entry)
 {
@@ -404,7 +406,7 @@ check_site(
 	check_copies(r, entry);
 	check_gaps(r, entry);
 	check_wide(r, entry);
-	struct doctor d = mend_look(s, entry);
+	struct doctor d = mend_find_faults(s, entry);
 	check_cells(r, entry, &d);
 	if (d.unseen > 0)
 		finding(r, entry, false, "all runs",
@@ -439,7 +441,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		first = 0;
 		last = s->n_entry - 1;
 	} else if (args->n_operand > 0) {
-		if (!session_find(s, args->operand[0], &first, error))
+		if (!session_find_site(s, args->operand[0], &first, error))
 			return false;
 		last = first;
 	}

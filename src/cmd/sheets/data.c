@@ -13,6 +13,7 @@
 #include "cmd/lang/table.h"
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"
+#include "io/fs/file.h"
 #include "io/sitefile/site_write.h"
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
@@ -58,16 +59,16 @@ bool
 cmd_use(struct session *s, const struct args *args, struct error *error)
 {
 	size_t before = s->current;
-	if (!session_find(s, args->operand[0], &s->current, error))
+	if (!session_find_site(s, args->operand[0], &s->current, error))
 		return false;
 	if (s->current != before) {
-		session_forget(s);
-		s->asked = 0;
+		session_forget_answers(s);
+		s->last_speed = 0;
 	}
 	return true;
 }
 
-/* Fills in the names and says what the site is: nothing that was measured. */
+/* Fills in the names, and states that nothing was measured. */
 static void
 describe_synth(struct site *site, const struct stored *m,
     const struct synth *synth, const char *source)
@@ -102,8 +103,7 @@ synth_row(const struct stored *m, const struct args *args)
 	    .n_speed = args->speeds.n,
 	    .speed = args->speeds.at};
 	struct site *site = synth_site(&synth);
-	const char *slash = strrchr(args->operand[0], '/');
-	const char *file = slash != NULL ? slash + 1 : args->operand[0];
+	const char *file = file_name(args->operand[0]);
 	describe_synth(site, m, &synth,
 	    strcmp(file, "table3.csv") == 0 || strcmp(file, "table3") == 0
 		? "Table 3"
@@ -135,12 +135,13 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		const struct stored *row = &rows.item[i];
 		if (wanted != NULL && !text_same(wanted, row->site))
 			continue;
-		session_add(s, synth_row(row, args));
+		session_add_site(s, synth_row(row, args));
 		made++;
 	}
 	stored_list_free(&rows);
 	if (!read)
-		return session_tell_faults(s, args->operand[0], &errors, error);
+		return session_report_faults(
+		    s, args->operand[0], &errors, error);
 	if (made == 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s has no site '%s'\n"
@@ -153,7 +154,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* "gavle-11.2-2.csv" in the folder, from the key "gavle/11.2/2". */
+/* Returns the file for the key "gavle/11.2/2": "gavle-11.2-2.csv". */
 static char *
 file_name_of_entry(const struct entry *entry, const char *folder)
 {

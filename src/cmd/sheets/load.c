@@ -14,10 +14,11 @@
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/sheets/ask_user.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/journal.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
 #include "io/fs/shipped.h"
@@ -25,16 +26,17 @@
 
 enum { MOST_ROUNDS = 5 };
 
-/* A request whose texts are its own. */
+/* A request with the files and the user's answers, which it owns. */
 struct load {
 	struct site_request request;
 	char **path;
 	double *speed;
-	char *columns, *samples, *sheet, *range;
+	struct inquired said;
 	const char *digest;
 };
 
-/* "cut1.csv@70" as file and speed; a file of that whole name comes first. */
+/* Splits "cut1.csv@70" into file and speed, unless a file has that whole
+ * name. */
 static bool
 split_speed(const char *word, char **path, double *speed, struct error *error)
 {
@@ -57,37 +59,50 @@ split_speed(const char *word, char **path, double *speed, struct error *error)
 }
 
 static void
+said_clear(struct inquired *said)
+{
+	free(said->columns);
+	free(said->samples);
+	free(said->sheet);
+	free(said->range);
+}
+
+static void
 load_clear(struct load *l)
 {
 	for (size_t i = 0; i < l->request.n; i++)
 		free(l->path[i]);
 	free(l->path);
 	free(l->speed);
-	free(l->columns);
-	free(l->samples);
-	free(l->sheet);
-	free(l->range);
+	said_clear(&l->said);
+}
+
+/* Takes ownership of the path. */
+static void
+load_add_path(struct load *l, char *path, double speed)
+{
+	size_t n = l->request.n++;
+	l->path = xrealloc(l->path, n + 1, sizeof(*l->path));
+	l->speed = xrealloc(l->speed, n + 1, sizeof *l->speed);
+	l->path[n] = path;
+	l->speed[n] = speed;
+	l->request.path = (const char *const *)l->path;
+	l->request.speed = l->speed;
 }
 
 static bool
-load_read_operands(
-    struct load *l, size_t n, const char *const *word, struct error *error)
+load_add_file(struct load *l, const char *word, struct error *error)
 {
-	bool good = true;
-	l->path = xcalloc(n, sizeof(*l->path));
-	l->speed = xdoubles(n);
-	for (size_t i = 0; i < n && good; i++) {
-		good = split_speed(word[i], &l->path[i], &l->speed[i], error);
-		l->request.n = i + 1;
-		if (good && text_ends(l->path[i], ".tip"))
-			good = error_set(error, ERROR_USAGE,
-			    "expected a site file, got a script (%s)\n"
-			    "run it with: source %s",
-			    l->path[i], l->path[i]);
-	}
-	l->request.path = (const char *const *)l->path;
-	l->request.speed = l->speed;
-	return good;
+	char *path;
+	double speed;
+	bool good = split_speed(word, &path, &speed, error);
+	load_add_path(l, path, speed);
+	if (!good || !text_ends(path, ".tip"))
+		return good;
+	return error_set(error, ERROR_USAGE,
+	    "expected a site file, got a script (%s)\n"
+	    "run it with: source %s",
+	    path, path);
 }
 
 void
@@ -110,8 +125,8 @@ load_note_reading(const struct session *s, const struct site *site)
 		session_note(s, "  and %zu more: run 'check'", more);
 }
 
-/* What was loaded in a line, what it was taken for in two, and more only where
- * something was passed over. */
+/* Reports what was loaded in one line, how it was read in two, and more only if
+ * something was left out. */
 static void
 note_loaded(struct session *s, const struct site *site)
 {
@@ -136,66 +151,32 @@ note_loaded(struct session *s, const struct site *site)
 		    "adds a cut at another speed");
 }
 
-/* Puts one answer instead of another. */
+/* Replaces options of a request by the user's answers. */
 static void
-load_take_text(char **slot, const char **request, char *text)
+take_answers(const struct inquired *said, struct site_request *q)
 {
-	if (text == NULL)
-		return;
-	free(*slot);
-	*request = *slot = text;
+	q->columns = said->columns != NULL ? said->columns : q->columns;
+	q->samples = said->samples != NULL ? said->samples : q->samples;
+	q->sheet = said->sheet != NULL ? said->sheet : q->sheet;
+	q->range = said->range != NULL ? said->range : q->range;
+	q->decimal = said->decimal != '\0' ? said->decimal : q->decimal;
+	q->rotor = said->rotor > 0 ? said->rotor : q->rotor;
+	q->top = said->top > 0 ? said->top : q->top;
 }
 
-/* Asks whoever sits there; false where nobody does, or has given up. */
+/* Asks the user; false if there is none, or the user gives up. */
 static bool
 ask_user_about_load(struct session *s, struct load *l,
     const struct site_ask *ask, const struct error_list *errors)
 {
-	struct inquired said = {0};
-	if (ask->settle == NULL || errors->n == 0)
-		return false;
-	bool good = ask_open_question(s, ask, &errors->item[0], &said);
-	load_take_text(&l->columns, &l->request.columns, said.columns);
-	load_take_text(&l->samples, &l->request.samples, said.samples);
-	load_take_text(&l->sheet, &l->request.sheet, said.sheet);
-	load_take_text(&l->range, &l->request.range, said.range);
-	if (said.decimal != '\0')
-		l->request.decimal = said.decimal;
-	if (said.rotor > 0)
-		l->request.rotor = said.rotor;
-	if (said.top > 0)
-		l->request.top = said.top;
+	bool good = errors->n > 0 &&
+		    ask_open_question(s, ask, &errors->item[0], &l->said);
+	take_answers(&l->said, &l->request);
 	return good;
 }
 
-/* Everything of a request as a line that reads the same sheets again. */
-static void
-load_write_journal(
-    struct session *s, const struct load *l, const struct site *site)
-{
-	char number[32];
-	FREED char *line =
-	    journal_load(site, l->request.n, l->request.path, l->request.speed);
-	if (l->columns != NULL)
-		xappend(&line, " columns=\"%s\"", l->columns);
-	if (l->samples != NULL)
-		xappend(&line, " samples=\"%s\"", l->samples);
-	if (l->sheet != NULL)
-		xappend(&line, " sheet=\"%s\"", l->sheet);
-	if (l->range != NULL)
-		xappend(&line, " range=%s", l->range);
-	if (l->request.decimal != '\0')
-		xappend(&line, " decimal=%s",
-		    l->request.decimal == ',' ? "comma" : "point");
-	if (l->request.rotor > 0)
-		xappend(&line, " rotor_mm=%g", 1000 * l->request.rotor);
-	if (l->request.top > 0)
-		xappend(&line, " top=%s", text_exact(l->request.top, number));
-	journal_add(s, NULL, "%s", line);
-}
-
-/* Reads the request as one site, asking where somebody can be asked.  NULL:
- * with the error. */
+/* Reads the request as one site, asking the user if possible.  On failure,
+ * returns NULL with an error. */
 static struct site *
 read_site(struct session *s, struct load *l, struct error *error)
 {
@@ -203,7 +184,7 @@ read_site(struct session *s, struct load *l, struct error *error)
 		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
 		struct site *site = site_read_as(&l->request, &errors, &ask);
-		/* What is answered about a feed would not be saved. */
+		/* Answers about a feed could not be saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
 			     ask_user_about_load(s, l, &ask, &errors);
@@ -212,7 +193,7 @@ read_site(struct session *s, struct load *l, struct error *error)
 			return site;
 		if (again)
 			continue;
-		session_tell_faults(s, l->path[0], &errors, error);
+		session_report_faults(s, l->path[0], &errors, error);
 		return NULL;
 	}
 }
@@ -221,12 +202,15 @@ static bool
 load_take_site(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
-	if (!session_add_loaded(s, site, l->digest, error))
+	if (!session_add_unchanged(s, site, l->digest, error))
 		return false;
 	const struct entry *entry = session_entry(s);
 	note_loaded(s, entry->site);
 	check_warn_coarser(s, entry->site);
-	load_write_journal(s, l, entry->site);
+	FREED char *line = journal_load(entry->site->digest, l->request.n,
+	    l->request.path, l->request.speed);
+	FREED char *options = journal_options(&l->request);
+	journal_add(s, NULL, "%s%s", line, options);
 	return true;
 }
 
@@ -239,7 +223,7 @@ load_as_one(struct session *s, struct load *l, struct error *error)
 	return site != NULL && load_take_site(s, l, site, error);
 }
 
-/* What a file alone lacks of a site. */
+/* Finds whether one file alone has only a feed, or only a product. */
 static void
 find_what_file_has(const struct session *s, struct load *l, size_t i,
     bool *feed, bool *product)
@@ -256,8 +240,8 @@ find_what_file_has(const struct session *s, struct load *l, size_t i,
 	site_ask_clear(&ask);
 }
 
-/* Whether files are parts of one site: none of them is complete, and one feed
- * serves the others' products.  The first that is complete tells. */
+/* True if the files are parts of one site: none is complete, and one feed
+ * serves the products of all others.  Stops at the first complete file. */
 static bool
 are_parts(const struct session *s, struct load *l)
 {
@@ -275,15 +259,15 @@ are_parts(const struct session *s, struct load *l)
 	return feeds == n || feeds == 1;
 }
 
-/* Files that could not be read, for the end. */
+/* Files that could not be read, to be reported at the end. */
 struct unread {
 	size_t n;
 	struct error *fault;
 };
 
-/* All of them in their order; the error, which is told last, is the last that
- * is not there, or else the last: the others may lack no more than what that
- * file has.  skip: none is an error. */
+/* Reports all of them in order.  The one left for the error is the last file
+ * that is missing, if any: the others may lack only what that file has.  skip:
+ * none becomes an error. */
 static bool
 report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
     struct error *error)
@@ -305,7 +289,7 @@ report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
 	return false;
 }
 
-/* Each file is a site: those that can be read are loaded. */
+/* Loads each file as a site, and continues after one that cannot be read. */
 static bool
 load_each(struct session *s, struct load *l, bool skip, struct error *error)
 {
@@ -318,10 +302,6 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 		one.path = &l->path[i];
 		one.request.path = &l->request.path[i];
 		one.request.speed = &l->request.speed[i];
-		one.columns = l->columns != NULL ? xstrdup(l->columns) : NULL;
-		one.samples = l->samples != NULL ? xstrdup(l->samples) : NULL;
-		one.sheet = l->sheet != NULL ? xstrdup(l->sheet) : NULL;
-		one.range = l->range != NULL ? xstrdup(l->range) : NULL;
 		bool loaded = load_as_one(s, &one, &fault);
 		stopped = fault.kind == ERROR_STOPPED;
 		if (!loaded) {
@@ -329,10 +309,7 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 			    unread.fault, unread.n + 1, sizeof *unread.fault);
 			unread.fault[unread.n++] = fault;
 		}
-		free(one.columns);
-		free(one.samples);
-		free(one.sheet);
-		free(one.range);
+		said_clear(&one.said);
 	}
 	bool good = false;
 	if (stopped) /* those before stay, as the lines of a script do */
@@ -356,29 +333,7 @@ load_run(struct session *s, struct load *l, bool skip, struct error *error)
 	return load_each(s, l, skip, error);
 }
 
-/* Files, with the sheets of folders in their places. */
-struct listed {
-	const struct session *session; /* told what is left out */
-	size_t n;
-	char **word;
-};
-
-static void
-listed_add(struct listed *list, char *word)
-{
-	list->word = xrealloc(list->word, list->n + 1, sizeof(*list->word));
-	list->word[list->n++] = word;
-}
-
-static void
-listed_clear(struct listed *list)
-{
-	for (size_t i = 0; i < list->n; i++)
-		free(list->word[i]);
-	free(list->word);
-}
-
-/* A quote in a name could not be typed, nor saved. */
+/* A name with a quote can be neither typed nor saved. */
 static bool
 load_is_sheet(const char *name)
 {
@@ -397,72 +352,71 @@ load_by_name(const void *a, const void *b)
 	return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Results that were saved beside the sheets, from this one on. */
+/* Removes tipspeed's own results from the files, from index `from` on. */
 static void
-leave_out_results(struct listed *list, size_t from)
+leave_out_results(const struct session *s, struct load *l, size_t from)
 {
 	size_t n = from;
-	for (size_t i = from; i < list->n; i++) {
-		FREED char *command = results_command_in(list->word[i]);
+	for (size_t i = from; i < l->request.n; i++) {
+		FREED char *command = results_command_in(l->path[i]);
 		if (command == NULL) {
-			list->word[n++] = list->word[i];
+			l->path[n++] = l->path[i];
 			continue;
 		}
-		session_note(list->session,
-		    "left out %s: results of tipspeed's own (%s)",
-		    list->word[i], command);
-		free(list->word[i]);
+		session_note(s, "left out %s: results of tipspeed's own (%s)",
+		    l->path[i], command);
+		free(l->path[i]);
 	}
-	list->n = n;
+	l->request.n = n;
 }
 
-/* The sheets of a folder by their names; those of folders in it are not its. */
+/* Adds the sheets in a folder by name, without those in folders inside it. */
 static bool
-list_folder(
-    struct listed *list, DIR *dir, const char *path, struct error *error)
+load_add_folder(const struct session *s, struct load *l, DIR *dir,
+    const char *path, struct error *error)
 {
-	size_t before = list->n, end = strlen(path);
+	size_t before = l->request.n, end = strlen(path);
 	while (end > 1 && path[end - 1] == '/')
 		end--;
 	for (struct dirent *e; (e = readdir(dir)) != NULL;)
 		if (load_is_sheet(e->d_name))
-			listed_add(list,
-			    xasprintf("%.*s/%s", (int)end, path, e->d_name));
-	if (list->n > before)
-		qsort(&list->word[before], list->n - before,
-		    sizeof(*list->word), load_by_name);
-	leave_out_results(list, before);
-	return list->n > before ||
+			load_add_path(l,
+			    xasprintf("%.*s/%s", (int)end, path, e->d_name), 0);
+	if (l->request.n > before)
+		qsort(&l->path[before], l->request.n - before, sizeof(*l->path),
+		    load_by_name);
+	leave_out_results(s, l, before);
+	return l->request.n > before ||
 	       error_at(error, ERROR_DATA, path, 0, 0,
 		   "expected sheets in this folder (.csv .tsv .txt .xlsx "
 		   ".ods), got none\n"
 		   "name the folder that has them");
 }
 
-/* A file that is there comes before a shipped site of its name. */
+/* Adds the files named by words, and the sheets of folders.  A file takes
+ * precedence over a shipped site of the same name. */
 static bool
-list_words(
-    struct listed *list, size_t n, const char *const *word, struct error *error)
+load_add_words(const struct session *s, struct load *l, size_t n,
+    const char *const *word, struct error *error)
 {
 	bool good = true;
 	for (size_t i = 0; i < n && good; i++) {
 		DIR *dir = opendir(word[i]);
-		if (dir == NULL) {
-			char *path = access(word[i], F_OK) != 0
-					 ? shipped_path(word[i])
-					 : NULL;
-			listed_add(
-			    list, path != NULL ? path : xstrdup(word[i]));
+		if (dir != NULL) {
+			good = load_add_folder(s, l, dir, word[i], error);
+			closedir(dir);
 			continue;
 		}
-		good = list_folder(list, dir, word[i], error);
-		closedir(dir);
+		FREED char *shipped =
+		    access(word[i], F_OK) != 0 ? shipped_path(word[i]) : NULL;
+		good = load_add_file(
+		    l, shipped != NULL ? shipped : word[i], error);
 	}
 	return good;
 }
 
-/* How unlike the names of two files are, without case, and without an ending
- * where the first has none; 0 where only the endings differ. */
+/* Returns how much two file names differ, ignoring case, and ignoring the
+ * ending of b if a has none; 0 if only the endings differ. */
 static size_t
 apart_in_name(const char *a, const char *b)
 {
@@ -474,14 +428,13 @@ apart_in_name(const char *a, const char *b)
 	return same ? 0 : text_distance(one, two);
 }
 
-/* The sheet in the folder of a path whose name is nearest to it, or NULL; the
- * caller frees. */
+/* Returns the sheet beside a path whose name is closest to it, or NULL. The
+ * caller frees it. */
 static char *
 nearest_sheet(const char *path)
 {
-	const char *slash = strrchr(path, '/');
-	int head = slash != NULL ? (int)(slash - path) + 1 : 0;
-	const char *name = path + head;
+	const char *name = file_name(path);
+	int head = (int)(name - path);
 	FREED char *folder = xasprintf("%.*s.", head, path);
 	size_t least = (strcspn(name, ".") + 2) / 4;
 	char *nearest = NULL;
@@ -502,8 +455,8 @@ nearest_sheet(const char *path)
 	return nearest;
 }
 
-/* Of files one of which is not there: the line with its nearest name.  args:
- * the options that stand in the line, or NULL. */
+/* If a file does not exist, suggests the line with the closest name.  args: the
+ * options in the line, or NULL. */
 static void
 hint_nearest(size_t n, const char *const *word, const struct args *args,
     struct error *error)
@@ -530,37 +483,15 @@ hint_nearest(size_t n, const char *const *word, const struct args *args,
 		error_hint(error, "did you mean '%s'?", line);
 }
 
-bool
-load_files(
-    struct session *s, size_t n, const char *const *word, struct error *error)
-{
-	struct load l = {0};
-	struct listed list = {.session = s};
-	bool good = list_words(&list, n, word, error) &&
-		    load_read_operands(
-			&l, list.n, (const char *const *)list.word, error) &&
-		    load_run(s, &l, false, error);
-	if (!good)
-		hint_nearest(n, word, NULL, error);
-	load_clear(&l);
-	listed_clear(&list);
-	return good;
-}
-
-static char *
-copy_given_text(const char *text)
-{
-	return text != NULL ? xstrdup(text) : NULL;
-}
-
-/* What the options say of the files. */
+/* Takes the options of a call into the request. */
 static void
 load_read_options(struct load *l, const struct args *args)
 {
-	l->request.columns = l->columns = copy_given_text(args->columns);
-	l->request.samples = l->samples = copy_given_text(args->samples);
-	l->request.sheet = l->sheet = copy_given_text(args->sheet);
-	l->request.range = l->range = copy_given_text(args->range);
+	l->digest = args->digest;
+	l->request.columns = args->columns;
+	l->request.samples = args->samples;
+	l->request.sheet = args->sheet;
+	l->request.range = args->range;
 	if (args_given(args, &args->decimal))
 		l->request.decimal = args->decimal == 1 ? ',' : '.';
 	if (args->rotor_mm > 0)
@@ -568,54 +499,42 @@ load_read_options(struct load *l, const struct args *args)
 	l->request.top = args->top;
 }
 
-/* What somebody answered, as an option of the line that is saved. */
-static void
-save_answer(struct session *s, const struct args *args, const void *option,
-    const char *text)
+bool
+load_files(struct session *s, size_t n, const char *const *word,
+    const struct args *args, struct error *error)
 {
-	if (text == NULL || args_given(args, option))
-		return;
-	FREED char *value = xasprintf("\"%s\"", text);
-	invocation_add_option(s, args_name(args, option), value);
-}
-
-static void
-save_answers(struct session *s, const struct args *args, const struct load *l)
-{
-	const struct site_request *q = &l->request;
-	char number[32];
-	save_answer(s, args, &args->columns, l->columns);
-	save_answer(s, args, &args->samples, l->samples);
-	save_answer(s, args, &args->sheet, l->sheet);
-	save_answer(s, args, &args->range, l->range);
-	if (q->decimal != '\0')
-		save_answer(s, args, &args->decimal,
-		    q->decimal == ',' ? "comma" : "point");
-	if (q->rotor > 0)
-		save_answer(s, args, &args->rotor_mm,
-		    text_exact(1000 * q->rotor, number));
-	if (q->top > 0)
-		save_answer(s, args, &args->top, text_exact(q->top, number));
+	struct load l = {0};
+	if (args != NULL)
+		load_read_options(&l, args);
+	bool good = load_add_words(s, &l, n, word, error) &&
+		    load_run(s, &l, args != NULL && args->skip, error);
+	if (!good)
+		hint_nearest(n, word, args, error);
+	load_clear(&l);
+	return good;
 }
 
 struct site *
-load_parts(struct session *s, const struct args *args, const char *const *word,
+load_cuts(struct session *s, const struct args *args, const char *const *word,
     double rotor, struct error *error)
 {
-	struct load l = {.request.parts = true};
-	bool good = load_read_operands(&l, args->n_operand, word, error);
+	struct load l = {.request = {.parts = true, .site_rotor = rotor}};
+	struct site_request answers = {0};
+	bool good = true;
 	load_read_options(&l, args);
-	l.request.site_rotor = rotor;
+	for (size_t i = 0; i < args->n_operand && good; i++)
+		good = load_add_file(&l, word[i], error);
 	for (size_t i = 0; i < l.request.n && good; i++)
 		files_note_read(s, l.path[i]);
 	struct site *site = good ? read_site(s, &l, error) : NULL;
-	if (site != NULL)
-		save_answers(s, args, &l);
+	take_answers(&l.said, &answers);
+	FREED char *options = journal_options(&answers);
+	invocation_add_options(s, "%s", options);
 	load_clear(&l);
 	return site;
 }
 
-/* The run whose feed is meant; speed: 0 where none was said. */
+/* Finds the run whose feed is meant; speed: 0 if not stated. */
 static bool
 find_feed(const struct site *site, const char *word, double speed, size_t *run,
     struct error *error)
@@ -659,7 +578,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 {
 	struct load l = {.request.feed = true};
 	struct site *site = NULL;
-	bool good = load_read_operands(&l, 1, &word, error);
+	bool good = load_add_file(&l, word, error);
 	double speed = good ? l.speed[0] : 0;
 	if (good) {
 		l.speed[0] = 0;
@@ -676,7 +595,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	return site;
 }
 
-/* A name that may be the file's, and whether it was. */
+/* A name to look for, and whether it was found. */
 struct remembered_name {
 	const char *name;
 	bool found;
@@ -689,7 +608,7 @@ compare_name(void *data, const char *name)
 	r->found = r->found || text_same(name, r->name);
 }
 
-/* Of a file that is not there: whether something so named was remembered. */
+/* If a file does not exist but a material has that name, says so. */
 static void
 hint_remembered(const struct session *s, const char *word, struct error *error)
 {
@@ -704,25 +623,14 @@ bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AS_SITE, AS_LOG };
-	struct load l = {0};
 	if (args->as == AS_LOG)
 		return log_load(s, args, error);
 	if (args_given(args, &args->dates))
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
-	struct listed list = {.session = s};
-	bool good = list_words(&list, args->n_operand, args->operand, error) &&
-		    load_read_operands(
-			&l, list.n, (const char *const *)list.word, error);
-	l.digest = args->digest;
-	load_read_options(&l, args);
-	good = good && load_run(s, &l, args->skip, error);
-	if (!good)
-		hint_nearest(args->n_operand, args->operand, args, error);
+	bool good = load_files(s, args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1)
 		hint_remembered(s, args->operand[0], error);
-	load_clear(&l);
-	listed_clear(&list);
 	return good;
 }

@@ -9,15 +9,15 @@
 
 /* Loads files, each "FILE" or "FILE@SPEED", and notes this.  They are one site
  * if a speed is given or none of the files is complete, otherwise a site
- * each. */
-bool load_files(
-    struct session *s, size_t n, const char *const *word, struct error *error);
+ * each.  args: the call of load with its options; NULL: none. */
+bool load_files(struct session *s, size_t n, const char *const *word,
+    const struct args *args, struct error *error);
 
 /* Reads the files of a call, word [n_operand], each "FILE" or "FILE@SPEED", as
  * samples to add to a site.  The user's answers are saved with the call.
  * rotor: diameter, m, if the call gives none.  On failure, returns NULL with an
  * error. */
-struct site *load_parts(struct session *s, const struct args *args,
+struct site *load_cuts(struct session *s, const struct args *args,
     const char *const *word, double rotor, struct error *error);
 
 /* Reads a sheet for a feed to use in questions.  word: "FILE" or "FILE@SPEED",

@@ -14,7 +14,7 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 
-/* "1,440 rows", as people read long numbers. */
+/* "1,440 rows" */
 static char *
 rows_text(size_t n)
 {
@@ -56,7 +56,7 @@ contents_words(const struct plant_log *log)
 	return text;
 }
 
-/* A gap worth a word: ten rows, and more than some minutes. */
+/* A gap is reported if it is longer than ten rows and than five minutes. */
 static bool
 has_gap(const struct plant_log *log)
 {
@@ -83,41 +83,17 @@ note_log(struct session *s, const struct plant_log *log)
 }
 
 static void
-log_write_journal(struct session *s, const struct args *args,
-    const struct log_request *q, const struct plant_log *log)
+log_write_journal(
+    struct session *s, const struct log_request *q, const struct plant_log *log)
 {
-	struct site digest = {.digest = log->digest};
-	FREED double *speed = xdoubles(q->n);
-	memset(speed, 0, q->n * sizeof *speed);
-	FREED char *line = journal_load(&digest, q->n, q->path, speed);
-	xappend(&line, " as=log");
-	if (q->columns != NULL)
-		xappend(&line, " columns=\"%s\"", q->columns);
-	if (q->sheet != NULL)
-		xappend(&line, " sheet=\"%s\"", q->sheet);
-	if (q->decimal != '\0')
-		xappend(&line, " decimal=%s",
-		    q->decimal == ',' ? "comma" : "point");
-	if (q->order != DATETIME_OPEN)
-		xappend(&line, " dates=%s",
-		    q->order == DATETIME_DAY_FIRST ? "day-first"
-						   : "month-first");
-	journal_add(s, NULL, "%s", line);
-	(void)args;
-}
-
-/* Asks whether the day comes first; false where nobody answers. */
-static bool
-ask_order(struct session *s, const struct error_list *errors,
-    enum datetime_order *order)
-{
-	static const char *const EITHER[] = {"day", "month"};
-	bool month;
-	if (!ask_either(s, &errors->item[0], "is it day or month first", EITHER,
-		&month))
-		return false;
-	*order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
-	return true;
+	const struct site_request of = {
+	    .columns = q->columns, .sheet = q->sheet, .decimal = q->decimal};
+	FREED char *line = journal_load(log->digest, q->n, q->path, NULL);
+	FREED char *options = journal_options(&of);
+	journal_add(s, NULL, "%s as=log%s%s", line, options,
+	    q->order == DATETIME_OPEN        ? ""
+	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"
+					   : " dates=month-first");
 }
 
 static struct plant_log *
@@ -125,15 +101,16 @@ read_log(struct session *s, struct log_request *q, struct error *error)
 {
 	for (;;) {
 		struct error_list errors = {.stop = s->hooks.stop};
-		bool open;
+		bool open, month;
 		struct plant_log *log = plant_log_read(q, &errors, &open);
 		if (log != NULL)
 			return log;
-		if (open && q->order == DATETIME_OPEN &&
-		    ask_order(s, &errors, &q->order))
-			continue;
-		session_tell_faults(s, q->path[0], &errors, error);
-		return NULL;
+		if (!open || q->order != DATETIME_OPEN ||
+		    !ask_date_order(s, &errors.item[0], &month)) {
+			session_report_faults(s, q->path[0], &errors, error);
+			return NULL;
+		}
+		q->order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
 	}
 }
 
@@ -176,11 +153,11 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		session_note(s, "replaced the log loaded earlier");
 	s->log = log;
 	note_log(s, log);
-	log_write_journal(s, args, &q, log);
+	log_write_journal(s, &q, log);
 	return true;
 }
 
-/* Tip speed of rpm, or what the log has. */
+/* Returns the tip speed in the log, or that of its rpm. */
 static double
 tip_speed_of_window(
     const struct plant_log *log, const struct log_window *w, double rotor)
@@ -191,7 +168,7 @@ tip_speed_of_window(
 	return round(10 * v) / 10;
 }
 
-/* How the speed was found, and whether it held. */
+/* Reports how the speed was found, and warns if it was not steady. */
 static void
 log_note_speed(struct session *s, const struct plant_log *log, double time,
     double within, double rotor, const struct log_window *w)

@@ -10,17 +10,18 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/sites.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
-/* The posterior of a calibration of this very site. */
+/* Returns the posterior if the site was calibrated with these very data, or
+ * NULL. */
 static const struct posterior *
 posterior_of_site(const struct session *s, const struct entry *entry)
 {
 	if (origin_fit(entry) == NULL || session_busy(s) ||
-	    entry->origin->spread->site != entry->site)
+	    entry->origin->history->site != entry->site)
 		return NULL;
 	return outlook_posterior(s, entry, CORRECTION_ALL);
 }
@@ -32,13 +33,13 @@ mend_is_calibrated(const struct session *s, const struct entry *entry)
 }
 
 struct doctor
-mend_look(const struct session *s, const struct entry *entry)
+mend_find_faults(const struct session *s, const struct entry *entry)
 {
 	return outliers_find(
 	    entry->site, posterior_of_site(s, entry), s->set.noise / 100);
 }
 
-/* ---- Telling ---- */
+/* ---- Reporting ---- */
 
 static const char *const KINDS[] = {[MEND_READ] = "read",
     [MEND_OUT] = "leave out",
@@ -57,9 +58,9 @@ mend_command_line(const struct site *site, const struct mend *m)
 	    [MEND_UP] = "up",
 	    [MEND_DOWN] = "down",
 	    [MEND_DROP] = "drop"};
-	char *name = mend_column(site, m->feed, m->run);
+	FREED char *name = mend_column(site, m->feed, m->run);
+	FREED char *with = mend_column(site, false, m->other);
 	char *call = xasprintf("mend %s", name), number[32];
-	free(name);
 	if (m->kind == MEND_READ || m->kind == MEND_OUT)
 		xappend(
 		    &call, " sieve=%s", text_exact(units_mm(m->size), number));
@@ -68,16 +69,14 @@ mend_command_line(const struct site *site, const struct mend *m)
 		    text_exact(units_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
-	else if (m->kind == MEND_WITH) {
-		name = mend_column(site, false, m->other);
-		xappend(&call, " with=%s", name);
-		free(name);
-	} else
+	else if (m->kind == MEND_WITH)
+		xappend(&call, " with=%s", with);
+	else
 		xappend(&call, " do=%s", DO[m->kind]);
 	return call;
 }
 
-/* What the mend would make of it. */
+/* Returns what the mend would change: "off by 3.10 points now, 0.20 then". */
 static char *
 effect_words(const struct finding *f)
 {
@@ -98,10 +97,10 @@ mend_finding_words(const struct site *site, const struct finding *f)
 {
 	const struct mend *m = &f->mend;
 	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
-		char *words = mend_words(site, m), *effect = effect_words(f);
+		FREED char *effect = effect_words(f);
+		char *words = mend_words(site, m);
 		if (effect[0] != '\0')
 			xlist(&words, "; ", "%s", effect);
-		free(effect);
 		return words;
 	}
 	FREED char *expected =
@@ -142,7 +141,7 @@ put_finding(struct answer *r, struct fields *list, const struct entry *entry,
 	    100 * f->rmse[0], 100 * f->rmse[1], words, call);
 }
 
-/* A number that another list of mends, or of another site, has not. */
+/* Returns a number that identifies this list of mends of this site. */
 static double
 mend_mark_of(const struct entry *entry, const struct doctor *d)
 {
@@ -169,7 +168,7 @@ mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
 			       "takes it back; nothing is changed until then");
 }
 
-/* ---- Taking ---- */
+/* ---- Applying ---- */
 
 static bool
 is_number(const char *word)
@@ -183,7 +182,7 @@ find_numbered(
 {
 	const struct entry *entry = session_entry(s);
 	double known = session_answer_number(s, "check mend", "mark");
-	struct doctor d = mend_look(s, entry);
+	struct doctor d = mend_find_faults(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;
 	if (isnan(known) || known != mend_mark_of(entry, &d))
@@ -213,7 +212,7 @@ find_numbered(
 	return ok;
 }
 
-/* Which of the options that say what to do were given. */
+/* Returns how many of the options that state what to do were given. */
 static size_t
 options_given(const struct args *args)
 {
@@ -288,7 +287,7 @@ list_mends(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	struct answer *r = answer_new("mend");
-	struct doctor d = mend_look(s, entry);
+	struct doctor d = mend_find_faults(s, entry);
 	mend_put(r, entry, &d);
 	if (d.n == 0)
 		answer_note(r, "no mend is proposed for %s", entry->key);
@@ -311,9 +310,9 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (site == NULL)
 		return false;
 	FREED char *words = mend_words(entry->site, &mend);
-	FREED char *call = mend_command_line(entry->site, &mend);
-	invocation_reads(s, call);
-	bool fitted = session_mend(s, s->current, site);
+	free(s->invocation->line);
+	s->invocation->line = mend_command_line(entry->site, &mend);
+	bool fitted = session_replace_mended(s, s->current, site);
 	session_note(s, "mended: %s", words);
 	if (fitted)
 		session_note(s, "  the data have changed since the "

@@ -9,7 +9,8 @@
 /* Looks for faults in an entry's sheet, with the posterior of its own
  * calibration if there is one, or else with its curves alone.  Free with
  * outliers_free. */
-struct doctor mend_look(const struct session *s, const struct entry *entry);
+struct doctor mend_find_faults(
+    const struct session *s, const struct entry *entry);
 
 /* True if there is a calibration with which to find the entry's faults. */
 bool mend_is_calibrated(const struct session *s, const struct entry *entry);

@@ -16,7 +16,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "config.h"
 #include "io/cells/datetime.h"
@@ -24,9 +24,9 @@
 #include "io/sitefile/units.h"
 #include "io/store/basis.h"
 
-/* The basis of a calibrated site's fit as a material has it; the caller
- * frees.  A fit is kept with its runs, and what follows from it is drawn anew:
- * the draws are a function of runs, fit and seed. */
+/* Returns the basis of the fit as a material stores it; the caller frees it.
+ * The fit is stored with its runs but without draws, which follow from runs,
+ * fit and seed. */
 static char *
 remembered_basis(const struct entry *entry)
 {
@@ -48,12 +48,10 @@ remembered_basis(const struct entry *entry)
 static bool
 same_curve(const struct psd *a, const struct psd *b)
 {
-	size_t size = a->n * sizeof *a->size;
-	return a->n == b->n && memcmp(a->size, b->size, size) == 0 &&
-	       memcmp(a->passing, b->passing, size) == 0;
+	return psd_same(a, b) || (a->n == 0 && b->n == 0);
 }
 
-/* The run's place in a site, or n_run. */
+/* Returns the index of an identical run in a site, or n_run. */
 static size_t
 find_run_in(const struct site *site, const struct run *run)
 {
@@ -81,7 +79,7 @@ has_digest(const struct site *site, const struct stored *m)
 	return strtoull(m->site_digest, NULL, 16) == site->digest;
 }
 
-/* The entry is as the calibration left it. */
+/* Makes the entry as the calibration had left it. */
 static void
 give_calibration_back(struct entry *entry, const struct basis *b,
     const struct stored *m, struct history *h)
@@ -111,10 +109,10 @@ give_params_to_other(
 	entry->has_fit = false;
 	origin_drop(entry->origin);
 	entry->origin = origin_from_store(m);
-	entry->origin->spread = h;
+	entry->origin->history = h;
 }
 
-/* What became of a material that was recalled. */
+/* The result of recalling a material. */
 enum remembered {
 	REMEMBERED_FAILED, /* with an error */
 	REMEMBERED_NONE,   /* it keeps no runs, or none are wanted */
@@ -122,10 +120,9 @@ enum remembered {
 	REMEMBERED_OTHER   /* the site has the draws of another's */
 };
 
-/* Takes the calibration that a material rests on into the session: for the
- * loaded site at *index, whose own it becomes where the site has its runs; or,
- * where no site is loaded, with the site itself, at *index then.  What came to
- * the site since is kept, whichever of the two has it. */
+/* Takes the calibration of a material into the session.  If the loaded site at
+ * *index has its runs, it becomes the site's own.  If no site is loaded, the
+ * material's is, at *index.  Runs added to either since are kept. */
 static enum remembered
 take_remembered_calibration(struct session *s, const struct stored *m,
     size_t *index, struct error *error)
@@ -139,7 +136,7 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 	}
 	struct site *now = b.now != NULL ? b.now : b.then;
 	if (s->n_entry == 0) {
-		session_add(s, now);
+		session_add_site(s, now);
 		*index = s->current;
 	} else {
 		session_keep_site(s, now);
@@ -147,7 +144,7 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 	if (now != b.then)
 		session_keep_site(s, b.then);
 	struct entry *entry = &s->entry[*index];
-	/* A site that was made here has more digits than its sheet. */
+	/* A site made by synth has more digits than its sheet. */
 	bool made = b.now == NULL && has_digest(entry->site, m);
 	struct history *h = history_new(
 	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
@@ -161,12 +158,12 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 		give_calibration_back(entry, &b, m, h);
 	else
 		give_params_to_other(entry, m, h);
-	session_forget(s);
+	session_forget_answers(s);
 	free(b.train);
 	return own ? REMEMBERED_OWN : REMEMBERED_OTHER;
 }
 
-/* "fit", "set by hand" or "Table 3". */
+/* Returns "fit", "set by hand" or "Table 3". */
 static const char *
 store_origin_of(const struct stored *m)
 {
@@ -175,7 +172,7 @@ store_origin_of(const struct stored *m)
 					       : "set by hand";
 }
 
-/* The name nearest to what was typed. */
+/* The name closest to the one typed. */
 struct spelling {
 	const char *typed;
 	char *best;
@@ -215,9 +212,9 @@ refuse_name(struct store *store, const struct stored_list *paper,
 	return false;
 }
 
-/* A material by its name, one's own before Table 3's: "tierp", else
- * "table3/tierp"; it is in the list then.  None: an error with the name that is
- * nearest. */
+/* Finds a material by name, the user's own before those of Table 3: "tierp",
+ * else "table3/tierp". It is then in the list.  If there is none, the error
+ * suggests the closest name. */
 static bool
 find_material(struct store *store, const char *name, struct stored_list *list,
     const struct stored **found, struct error *error)
@@ -249,7 +246,7 @@ set_copy(char **text, const char *value)
 	replace_trimmed(text, xstrdup(value));
 }
 
-/* What only a calibration has. */
+/* Sets the fields that only a calibration has. */
 static void
 store_take_fit(struct stored *m, const struct entry *entry)
 {
@@ -264,13 +261,13 @@ store_take_fit(struct stored *m, const struct entry *entry)
 	m->generations = (int64_t)fit->generations;
 }
 
-/* Parameters of another site keep its speeds and what its data are: made-up
- * ones do not become measured by being used. */
+/* Parameters from another site keep its speeds and provenance: synthetic data
+ * do not become measured by being used. */
 static void
 set_origin_fields(struct stored *m, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
-	bool own = o->whose[0] == '\0';
+	bool own = o->from[0] == '\0';
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
 		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
@@ -327,7 +324,7 @@ check_can_be_remembered(
 		    "%s has the parameters of %s, which are already in the "
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
-		    entry->site->name, entry->origin->whose);
+		    entry->site->name, entry->origin->from);
 	if (args->date != NULL && !datetime_is_day(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
@@ -336,7 +333,7 @@ check_can_be_remembered(
 		   "note: expected one line without control characters");
 }
 
-/* What was put, as the sign that it is on the disk. */
+/* Shows what was stored, which confirms that it is on disk. */
 static void
 give_remembered(struct session *s, const struct stored *item, size_t n)
 {
@@ -369,7 +366,8 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 	session_show_answer(s, r);
 }
 
-/* A material by that name; false where it is none to remember. */
+/* Adds a material with that name to the list; false if it cannot be
+ * remembered. */
 static bool
 add_material(struct session *s, const struct entry *entry, const char *name,
     const struct args *args, struct stored_list *list, struct error *error)
@@ -387,7 +385,7 @@ add_material(struct session *s, const struct entry *entry, const char *name,
 	return true;
 }
 
-/* Every site that was calibrated here. */
+/* Adds all sites that are calibrated. */
 static bool
 store_add_all(struct session *s, const struct args *args,
     struct stored_list *list, struct error *error)
@@ -403,7 +401,7 @@ store_add_all(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
-/* The first of these that the store has by that name, or NULL. */
+/* Returns the first name in the list that the store already has, or NULL. */
 static const char *
 stored_already(struct session *s, const struct stored_list *list)
 {
@@ -418,13 +416,13 @@ stored_already(struct session *s, const struct stored_list *list)
 	return found;
 }
 
-/* Asks whoever types whether what the store has is to be replaced, and sets
- * *replace; a script is refused by store_put. */
+/* Asks the user whether to replace materials, and sets *replace.  In a script
+ * store_put refuses instead. */
 static bool
 ask_replace(struct session *s, const struct stored_list *list, bool *replace,
     struct error *error)
 {
-	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_at;
+	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
 	const char *name = asks && !*replace ? stored_already(s, list) : NULL;
 	if (name == NULL)
 		return true;
@@ -462,7 +460,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* What there is to know before relying on parameters of another site. */
+/* Notes what to know before relying on another site's parameters. */
 static void
 note_parameters(
     struct session *s, const struct entry *entry, const struct stored *m)
@@ -480,7 +478,7 @@ note_parameters(
 	    details);
 }
 
-/* A site that is as it was when it was remembered. */
+/* Notes a site that is as it was when it was remembered. */
 static void
 note_remembered(struct session *s, const struct entry *entry)
 {
@@ -498,7 +496,8 @@ note_remembered(struct session *s, const struct entry *entry)
 	load_note_reading(s, site);
 }
 
-/* What was recalled, and what keeps it from being used as it was. */
+/* Notes what was recalled, and settings that differ from those of its
+ * calibration. */
 static void
 note_recalled(
     struct session *s, const struct entry *entry, const struct stored *m)
@@ -518,8 +517,8 @@ note_recalled(
 		session_note(s, "  Table 3 has no beta: the default is used");
 }
 
-/* False where it is not the one that a saved session had; a session that is
- * saved has it in any case. */
+/* False if digest= was given and differs.  Otherwise adds digest= to the saved
+ * line. */
 static bool
 check_recalled(struct session *s, const struct args *args,
     const struct stored *m, struct error *error)
@@ -528,7 +527,7 @@ check_recalled(struct session *s, const struct args *args,
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, stored_make_digest(m));
 	if (wanted == NULL)
-		invocation_add_option(s, "digest", found);
+		invocation_add_options(s, " digest=%s", found);
 	if (wanted == NULL || strcmp(wanted, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,
@@ -538,8 +537,9 @@ check_recalled(struct session *s, const struct args *args,
 	    wanted, m->name, found);
 }
 
-/* With the runs that it was found on, where the store has them: so that the
- * site's answers are those of the day, or another's learn from them. */
+/* Takes the parameters, with the runs on which they were found if the store has
+ * these: the site's answers are then those of that day, and those of another
+ * site take the runs into account. */
 static bool
 take_recalled(struct session *s, const struct stored *m, size_t index,
     struct error *error)
@@ -555,6 +555,15 @@ take_recalled(struct session *s, const struct stored *m, size_t index,
 	return true;
 }
 
+/* True if the list has the name, ignoring case and accents. */
+static bool
+has_name(const char *names, const char *name)
+{
+	FREED char *all = xasprintf(", %s,", names);
+	FREED char *one = xasprintf(", %s,", name);
+	return text_has(all, one);
+}
+
 /* Adds a name to a list. */
 static void
 store_add_name(void *data, const char *name)
@@ -562,32 +571,21 @@ store_add_name(void *data, const char *name)
 	xlist(data, ", ", "%s", name);
 }
 
-/* Whether a list has a name. */
-static bool
-has_name(const char *names, const char *name)
-{
-	FREED char *all = xasprintf(", %s,", names);
-	FREED char *one = xasprintf(", %s,", name);
-	return strstr(all, one) != NULL;
-}
-
-/* recall without a name: that of the site in use, or the one that there is,
- * which the caller frees; NULL with an error that lists them. */
+/* Returns the name for recall without one: the current site's, or the only one
+ * stored.  The caller frees it.  On failure, returns NULL with an error that
+ * lists the names. */
 static char *
 find_only_name(struct session *s, struct error *error)
 {
-	char *names = xstrdup("");
+	FREED char *names = xstrdup("");
+	const char *key = s->n_entry > 0 ? session_entry(s)->key : "";
 	if (!store_each_name(
-		s->store, STORE_NAMES, store_add_name, &names, error)) {
-		free(names);
+		s->store, STORE_NAMES, store_add_name, &names, error))
 		return NULL;
-	}
 	if (names[0] != '\0' && strchr(names, ',') == NULL)
-		return names;
-	if (s->n_entry > 0 && has_name(names, session_entry(s)->key)) {
-		free(names);
-		return xstrdup(session_entry(s)->key);
-	}
+		return xstrdup(names);
+	if (key[0] != '\0' && has_name(names, key))
+		return xstrdup(key);
 	if (names[0] != '\0')
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"
@@ -597,7 +595,6 @@ find_only_name(struct session *s, struct error *error)
 		error_set(error, ERROR_USAGE,
 		    "recall: expected a name, and nothing was remembered yet\n"
 		    "'store list' has the materials of Table 3");
-	free(names);
 	return NULL;
 }
 
@@ -606,7 +603,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 {
 	size_t index = s->current;
 	if (args->n_operand > 1 &&
-	    !session_find(s, args->operand[1], &index, error))
+	    !session_find_site(s, args->operand[1], &index, error))
 		return false;
 	FREED char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
 					       : find_only_name(s, error);
@@ -620,8 +617,8 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* "params set beta1=.. ..; remember NAME": what would bring it back, but for
- * its origin. */
+/* Returns commands that would store the material again, except for its origin:
+ * "params set beta1=.. ..; remember NAME". */
 static char *
 commands_to_bring_back(const struct stored *m)
 {
@@ -656,7 +653,7 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	const char *name = args->operand[0];
 	struct stored_list list = {0};
 	const struct store_query query = {.name = name};
-	/* A row that is damaged cannot be read, but can be taken out. */
+	/* A damaged row cannot be read, but it can be deleted. */
 	bool listed = store_find(s->store, &query, &list, NULL);
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;
 	bool ok = store_forget(s->store, name, error);
@@ -702,7 +699,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	files_note_read(s, path);
 	if (ok && !store_csv_read(
 		      path, args->replace ? NULL : &there, &list, &errors))
-		ok = session_tell_faults(s, path, &errors, error);
+		ok = session_report_faults(s, path, &errors, error);
 	ok = ok && store_put(s->store, list.item, list.n, args->replace, error);
 	if (ok)
 		session_note(s,
@@ -714,7 +711,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* Sizes are nominal: within 5 % they are the same, so that 11 finds 11.2. */
+/* Sizes are nominal: within 5 % they are the same, so that 11 matches 11.2. */
 static bool
 has_top_size(const struct stored *m, double top_mm)
 {
@@ -742,45 +739,30 @@ store_add_row(struct answer *r, const struct stored *m)
 	    site_data_kind(m->provenance));
 }
 
-/* "Diabase, Granite, ...", each once. */
-struct rocks {
-	size_t n;
-	char **rock, *words;
-};
-
+/* Adds a rock to a list unless it is there. */
 static void
 store_add_rock(void *data, const char *rock)
 {
-	struct rocks *r = data;
-	bool before = rock[0] == '\0';
-	for (size_t i = 0; i < r->n; i++)
-		before = before || text_same(r->rock[i], rock);
-	if (before)
-		return;
-	r->rock = xrealloc(r->rock, r->n + 1, sizeof(*r->rock));
-	r->rock[r->n++] = xstrdup(rock);
-	xlist(&r->words, ", ", "%s", rock);
+	char **rocks = data;
+	if (rock[0] != '\0' && !has_name(*rocks, rock))
+		xlist(rocks, ", ", "%s", rock);
 }
 
-/* Where none was of the rock asked for. */
+/* Lists the rocks that there are, if none is the one asked for. */
 static bool
 note_rocks(struct answer *r, struct store *store,
     const struct stored_list *paper, struct error *error)
 {
-	struct rocks rocks = {.words = xstrdup("")};
+	FREED char *rocks = xstrdup("");
 	bool ok =
 	    store_each_name(store, STORE_ROCKS, store_add_rock, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
 		store_add_rock(&rocks, paper->item[i].rock);
-	answer_note(r, "rocks: %s", rocks.words);
-	for (size_t i = 0; i < rocks.n; i++)
-		free(rocks.rock[i]);
-	free(rocks.rock);
-	free(rocks.words);
+	answer_note(r, "rocks: %s", rocks);
 	return ok;
 }
 
-/* Those of the user's own that may be wanted. */
+/* Returns a query for those of the user's materials that may match. */
 static struct store_query
 read_query(const struct args *args)
 {
@@ -814,7 +796,7 @@ list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 	return r;
 }
 
-/* A row of the paper as it is printed: its spelling and what the feeds were. */
+/* A row of Table 3 as printed, with its spelling and feeds. */
 static void
 add_printed(struct answer *r, const struct stored *m)
 {
@@ -823,8 +805,8 @@ add_printed(struct answer *r, const struct stored *m)
 	    m->params.alpha, m->feed_source);
 }
 
-/* Table 3 alone, in one table where the screen or a file has room for it.
- * Programs have what all lists have first. */
+/* Shows Table 3 alone, in one table if the screen or file has room for it.
+ * Programs get the columns of all lists first. */
 static struct answer *
 table3_answer(const struct session *s, const struct args *args,
     const struct stored_list *paper, size_t *n)
@@ -885,7 +867,7 @@ show_list(struct session *s, const struct args *args, struct error *error)
 	return false;
 }
 
-/* The runs are for recall, and not to be read. */
+/* Stored runs are only for recall. */
 static void
 store_add_field(void *data, const char *name, const char *text)
 {

@@ -68,7 +68,7 @@ const struct command TABLE_DATA[] = {
     {.name = "add",
 	.brief = "add belt cuts to the site in use",
 	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_FILES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_FILES,
 	.option = OPTION_LIST(SHEET_OPTIONS,
 	    {TEXT(date), NULL, "",
 		"day of the cuts, such as 2026-05-03; not set from the clock"},
@@ -95,14 +95,14 @@ const struct command TABLE_DATA[] = {
     {.name = "sites",
 	.alias = "show sites",
 	.brief = "list the loaded sites",
-	.flags = COMMAND_BESIDE,
+	.flags = COMMAND_DURING_SEARCH,
 	.text = "The first column has the names for 'use'.",
 	.example = "load data/sites/tierp.csv data/sites/bro.csv\nshow sites",
 	.run = cmd_sites},
     {.name = "use",
 	.brief = "choose the site to work on",
 	.operands = {"SITE", {"SITE"}, 1, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES | COMMAND_LOOKS,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_APPEARANCE,
 	.text = "Case and accents do not matter: borlange finds Borlänge. "
 		"Sites with the same name are distinguished by top size: "
 		"gavle/4, gavle/11.2.",
@@ -112,7 +112,7 @@ const struct command TABLE_DATA[] = {
     {.name = "drop",
 	.brief = "unload a site",
 	.operands = {"SITE", {"SITE"}, 1, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES,
 	.text = "Its file stays. If it was in use, the site loaded after it "
 		"comes into use, or else the one before.",
 	.example = "load data/sites/bro.csv data/sites/tierp.csv\ndrop bro",
@@ -120,7 +120,7 @@ const struct command TABLE_DATA[] = {
     {.name = "check",
 	.brief = "look for faults in site files",
 	.operands = {"[SITE|all]", {"SITE all"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_DAILY,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY,
 	.text =
 	    "Checks the site in use, another one, or all. Reports how many "
 	    "sieves and columns were read and what was left out; products "
@@ -138,7 +138,7 @@ const struct command TABLE_DATA[] = {
     {.name = "mend",
 	.brief = "mend a site file's data as check proposes",
 	.operands = {"[N|COLUMN]", {"feed"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_CHANGES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES,
 	.option = OPTION_LIST({NUMBER(sieve), "mm", 1e-6, 1e6, NULL, "",
 				  "sieve of the passing to mend"},
 	    {NUMBER_NAMED("value", mend_value), "%", 0, 100, NULL, "",
@@ -170,7 +170,7 @@ const struct command TABLE_DATA[] = {
 	    {"site feed product params fit bounds model models selection "
 	     "appearance equations claims search store log"},
 	    0, 1},
-	.flags = COMMAND_BESIDE,
+	.flags = COMMAND_DURING_SEARCH,
 	.option =
 	    OPTION_LIST({SPEED(speed), "speed of the selection function; "
 				       "default: a held-out speed, else 74"},
@@ -264,7 +264,7 @@ const struct command TABLE_DATA[] = {
     {.name = "write",
 	.brief = "write site files",
 	.operands = {"FILE|FOLDER", {"FILE"}, 1, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_FILES | COMMAND_UNSAVED,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_FILES | COMMAND_UNSAVED,
 	.option =
 	    OPTION_LIST({OFF_ON(replace), "off", "overwrite existing files"}),
 	.text = "Writes the site file of the site in use to FILE, or those of "

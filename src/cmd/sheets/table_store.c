@@ -8,7 +8,7 @@ const struct command TABLE_STORE[] = {
 	.alias = "store list",
 	.brief = "list the materials of the store, or show one",
 	.operands = {"[NAME]", {"MATERIAL"}, 0, 1},
-	.flags = COMMAND_BESIDE,
+	.flags = COMMAND_DURING_SEARCH,
 	.option = OPTION_LIST(
 	    {TEXT(rock), NULL, "",
 		"only this rock type; case and accents do not matter"},
@@ -43,7 +43,7 @@ const struct command TABLE_STORE[] = {
     {.name = "remember",
 	.brief = "store the site's calibration",
 	.operands = {"[NAME|all]", {"all"}, 0, 1},
-	.flags = COMMAND_AT_SITE | COMMAND_UNSAVED,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_UNSAVED,
 	.option = OPTION_LIST(
 	    {TEXT(date), NULL, "",
 		"date to store with it, such as 2026-11-21; default: today"},
@@ -100,7 +100,7 @@ const struct command TABLE_STORE[] = {
 	.run = cmd_import},
     {.name = "guess",
 	.brief = "estimate the product of an uncalibrated site",
-	.flags = COMMAND_AT_SITE,
+	.flags = COMMAND_NEEDS_SITE,
 	.bare = "speed",
 	.option = OPTION_LIST(
 	    {TEXT(rock), NULL, "", "rock type; default: that of the site file"},

@@ -9,8 +9,8 @@
 #include "core/psd/psd.h"
 #include "io/formats/book.h"
 
-/* Basic set and set 1 of EN 933-2, with those of filler: what most laboratories
- * in Europe have. */
+/* Basic set and set 1 of EN 933-2 with its filler sieves, which most
+ * laboratories in Europe have. */
 static const double SIEVES[] = {
     31.5, 22.4, 16, 11.2, 8, 5.6, 4, 2, 1, 0.5, 0.25, 0.125, 0.063};
 
@@ -52,8 +52,8 @@ template_put_number(const struct form *f, double value)
 	fputs(text, f->sheet);
 }
 
-/* A row for each sieve, with as many empty cells as there are columns.  Returns
- * how many. */
+/* Writes a row for each sieve, with an empty cell for each column.  Returns the
+ * number of rows. */
 static size_t
 template_put_rows(
     const struct form *f, const struct number_list *sieves, size_t columns)
@@ -121,7 +121,7 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 		s->rows += put_sieve_form(&f, args);
 		return true;
 	}
-	/* In a workbook numbers have no decimal sign. */
+	/* In workbooks numbers have no decimal sign. */
 	f = (struct form){',', text_memory(&text, &n)};
 	s->rows += put_sieve_form(&f, args);
 	fclose(f.sheet);

@@ -33,12 +33,18 @@ cannot_write(const char *path, int reason, struct error *error)
 	    path, strerror(reason));
 }
 
+const char *
+file_name(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	return slash != NULL ? slash + 1 : path;
+}
+
 /* Returns the folder of a path with its slash; "" for a name alone. */
 static char *
 folder_of(const char *path)
 {
-	const char *slash = strrchr(path, '/');
-	return xstrndup(path, slash != NULL ? (size_t)(slash - path) + 1 : 0);
+	return xstrndup(path, (size_t)(file_name(path) - path));
 }
 
 /* Returns where a symbolic link leads, relative to its own folder; NULL if path

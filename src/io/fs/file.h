@@ -34,6 +34,9 @@ bool file_replace_by(const char *path, enum file_rights rights,
 bool file_append(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error);
 
+/* Returns a path without its folders, borrowed. */
+const char *file_name(const char *path);
+
 /* Returns false, with the error that writing would give, if path is a folder or
  * not writable.  Called before a long calibration. */
 bool file_may_write(const char *path, struct error *error);

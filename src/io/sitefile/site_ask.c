@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/fs/file.h"
 #include "io/sitefile/classify.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
@@ -307,8 +308,7 @@ line_with_answers(const struct site_request *q, const char *settle)
 	FREED char *files = list_files(q, settle);
 	char *line =
 	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
-	const char *slash = strrchr(q->path[0], '/');
-	const char *name = slash != NULL ? slash + 1 : q->path[0];
+	const char *name = file_name(q->path[0]);
 	if (q->feed)
 		xappend(&line, "; write \"%.*s-read.csv\"",
 		    (int)strcspn(name, "."), name);

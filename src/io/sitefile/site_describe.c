@@ -7,6 +7,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/fs/file.h"
 #include "io/sitefile/classify.h"
 #include "io/sitefile/site_sieve.h"
 
@@ -106,10 +107,9 @@ static const char *
 place_of_table(struct table *const *table, size_t n, size_t k)
 {
 	const struct sheet *own = table[k]->sheet;
-	const char *slash = strrchr(own->path, '/');
 	for (size_t i = 0; i < n; i++)
 		if (strcmp(table[i]->sheet->path, own->path) != 0)
-			return slash != NULL ? slash + 1 : own->path;
+			return file_name(own->path);
 	for (size_t i = 0; i < n; i++)
 		if (table[i]->sheet != own && own->name != NULL)
 			return own->name;

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_sieve.h"
@@ -287,8 +288,7 @@ site_heading_rotor(const struct layout *layout, struct heading_rotor *said)
 char *
 site_heading_name(const char *path)
 {
-	const char *slash = strrchr(path, '/');
-	const char *name = slash != NULL ? slash + 1 : path;
+	const char *name = file_name(path);
 	const char *dot = strrchr(name, '.');
 	bool extension = dot != NULL && dot > name;
 	size_t n = extension ? (size_t)(dot - name) : strlen(name);

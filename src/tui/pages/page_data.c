@@ -142,7 +142,7 @@ data_update(struct tui *t)
 	if (!t->aside)
 		frame_draw(t);
 	outliers_free(&h->doctor);
-	h->doctor = mend_look(s, entry);
+	h->doctor = mend_find_faults(s, entry);
 	h->looked = true;
 	h->calibrated = calibrated;
 	h->misfit = misfit;

@@ -7,7 +7,7 @@
 #include "cmd/sheets/ask_user.h"
 #include "tui/tui_state.h"
 
-/* See session->hooks.question. */
+/* See session->hooks.ask. */
 char *dialog_ask(struct tui *t, const struct inquiry *q);
 
 /* Handles a key of the open dialogue. */

@@ -1,8 +1,9 @@
 /* Accompanies every command: the target of its results, its duration, and its
  * part in undo and the journal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,28 +15,7 @@
 #include "cmd/session/redirect.h"
 #include "cmd/session/undo.h"
 
-/* Invocations nest: the commands of a script run within that of its source. */
-struct invocation {
-	struct invocation *outer;
-	const struct command *command;
-	struct redirect *redirect; /* or NULL */
-	struct place place;
-	int column;              /* of the redirection, or of the command */
-	char *label, *line;      /* as typed; for the journal */
-	struct snapshot *before; /* or NULL where it changes nothing */
-	size_t state;            /* of the journal when it began */
-	size_t steps;            /* that could be undone then */
-	size_t readings;         /* of files by then */
-	bool joins;              /* is undone with the step before */
-	bool stopped;            /* its calibration was, after */
-	size_t stopped_at;       /* so many steps */
-	struct error late;       /* of handing over */
-	double started;
-	bool timed, running, saved;
-	size_t scripts; /* that were open when it began */
-};
-
-/* Index of an option of the call that names a file, or OPTIONS. */
+/* Returns the index of an option that names a file, or OPTIONS. */
 static size_t
 file_option(const struct args *args)
 {
@@ -47,7 +27,7 @@ file_option(const struct args *args)
 	return OPTIONS;
 }
 
-/* --safe: neither files nor the shell. */
+/* With --safe, commands use neither files nor the shell. */
 static bool
 check_safe(
     const struct args *args, const struct words *words, struct error *error)
@@ -78,9 +58,9 @@ invocation_begin(struct session *s, const struct args *args,
 	const struct command *command = args->command;
 	if (s->safe && !check_safe(args, words, error))
 		return false;
-	if (s->first == NULL) {
-		s->first = xcalloc(1, sizeof *s->first);
-		*s->first = s->set;
+	if (s->initial == NULL) {
+		s->initial = xcalloc(1, sizeof *s->initial);
+		*s->initial = s->set;
 		journal_settings(s);
 	}
 	struct invocation *t = xcalloc(1, sizeof *t);
@@ -122,38 +102,16 @@ invocation_stopped(struct session *s, size_t steps)
 }
 
 void
-invocation_join_undo(struct session *s)
+invocation_add_options(struct session *s, const char *format, ...)
 {
-	s->invocation->joins = true;
+	va_list ap;
+	va_start(ap, format);
+	FREED char *options = xvasprintf(format, ap);
+	va_end(ap);
+	xappend(&s->invocation->line, "%s", options);
 }
 
-void
-invocation_add_option(struct session *s, const char *option, const char *value)
-{
-	xappend(&s->invocation->line, " %s=%s", option, value);
-}
-
-void
-invocation_reads(struct session *s, const char *line)
-{
-	free(s->invocation->line);
-	s->invocation->line = xstrdup(line);
-}
-
-void
-invocation_fails(struct session *s, const struct error *error)
-{
-	if (s->invocation != NULL)
-		s->invocation->late = *error;
-}
-
-void
-invocation_saved(struct session *s)
-{
-	s->invocation->saved = true;
-}
-
-/* True where its results go elsewhere, by itself or with its script. */
+/* True if the results of the command, or of its script, are redirected. */
 static bool
 is_redirected(const struct invocation *t)
 {
@@ -168,8 +126,8 @@ was_stopped_at_start(const struct invocation *t)
 	return t->stopped && t->stopped_at == 0;
 }
 
-/* The files that it read have to be the same when it is done again; commands
- * with digest= see to it themselves, by the numbers. */
+/* Saves a check that the files the command read are unchanged.  Commands with
+ * digest= check the numbers themselves. */
 static void
 record_files(struct session *s, const struct invocation *t, const char *latest)
 {
@@ -184,15 +142,16 @@ record_files(struct session *s, const struct invocation *t, const char *latest)
 	}
 }
 
-/* What went elsewhere is not done again, but for what it changed. */
+/* Saves the command's line.  Redirected results are not made again, only what
+ * the command changed. */
 static void
 record_in_journal(struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t);
 	const char *latest =
-	    t->command->flags & COMMAND_LATEST ? t->command->name : NULL;
-	/* What is asked while a calibration runs depends on the moment; what is
-	 * set does not. */
+	    t->command->flags & COMMAND_KEEPS_LAST ? t->command->name : NULL;
+	/* Answers given during a calibration depend on the moment; settings do
+	 * not. */
 	bool between = session_busy(s) && s->job.invocation != t &&
 		       (t->command->flags & COMMAND_SETTINGS) == 0;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
@@ -214,7 +173,8 @@ invocation_asked(struct session *s, const char *command, const char *line)
 	autosave_after_command(s, true, false);
 }
 
-/* Where the outermost invocation began, for one within it. */
+/* Returns the undo depth at which the outermost invocation began; SIZE_MAX if t
+ * is itself the outermost. */
 static size_t
 outermost_start(const struct invocation *t)
 {
@@ -232,12 +192,6 @@ invocation_free(struct invocation *t)
 	free(t);
 }
 
-void
-invocation_set_ran(struct session *s)
-{
-	s->invocation->running = false;
-}
-
 bool
 invocation_is_over(const struct session *s)
 {
@@ -250,7 +204,7 @@ bool
 invocation_end(struct session *s, bool ok, struct error *error)
 {
 	struct invocation *t = s->invocation;
-	/* The answer of a check that says no is a result. */
+	/* A check that fails still has an answer. */
 	bool keep = ok || error->kind == ERROR_CHECK;
 	bool changed = t->before != NULL && !was_stopped_at_start(t) &&
 		       snapshot_differs(t->before, s);
@@ -274,8 +228,8 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	if (t->timed && s->set.timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
-	/* The commands of a script may have told of it already. */
-	if (changed && !(t->command->flags & COMMAND_LOOKS) &&
+	/* The commands of a script may already have given it a new number. */
+	if (changed && !(t->command->flags & COMMAND_APPEARANCE) &&
 	    journal_place(s).state == t->state)
 		journal_new_state(s);
 	autosave_after_command(s, ok, t->saved);

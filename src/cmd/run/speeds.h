@@ -1,7 +1,7 @@
 /* Revolutions per minute instead of tip speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_RUN_TURNS_H
-#define TIPSPEED_CMD_RUN_TURNS_H
+#ifndef TIPSPEED_CMD_RUN_SPEEDS_H
+#define TIPSPEED_CMD_RUN_SPEEDS_H
 
 #include "cmd/lang/parse.h"
 #include "cmd/session/session.h"
@@ -11,7 +11,7 @@
  * line, else that of the current site.  If a command has the option rpm=, a
  * single speed becomes that option.  Returns false with an error if no diameter
  * is known. */
-bool turns_to_speeds(struct session *s, struct words *words, struct place place,
+bool speeds_from_rpm(struct session *s, struct words *words, struct place place,
     struct error *error);
 
 /* Makes "speeds=69,74,79" of several speeds behind a command that has a list

@@ -19,7 +19,7 @@
 #include "cmd/session/script.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/turn.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/undo.h"
 #include "config.h"
 #include "core/model/breakage.h"
@@ -29,16 +29,16 @@ bool
 cmd_drop(struct session *s, const struct args *args, struct error *error)
 {
 	size_t index;
-	if (!session_find(s, args->operand[0], &index, error))
+	if (!session_find_site(s, args->operand[0], &index, error))
 		return false;
 	session_note(s, "dropped %s", s->entry[index].key);
-	session_drop(s, index);
+	session_drop_site(s, index);
 	return true;
 }
 
-/* Forgets all that was loaded and set. */
+/* Clears everything that was loaded and set. */
 static void
-reset_session(struct session *s, const struct choices *choices)
+reset_session(struct session *s, const struct settings *choices)
 {
 	session_discard_job(s);
 	entries_free(s->entry, s->n_entry);
@@ -48,9 +48,9 @@ reset_session(struct session *s, const struct choices *choices)
 	s->pin = NULL;
 	s->energy = NULL;
 	s->n_entry = s->current = 0;
-	s->asked = 0;
+	s->last_speed = 0;
 	s->set = *choices;
-	session_forget(s);
+	session_forget_answers(s);
 	journal_restart(s);
 }
 
@@ -59,28 +59,28 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	reset_session(s, s->first);
+	reset_session(s, s->initial);
 	journal_settings(s);
 	return true;
 }
 
-/* The script says by itself what the command line had set when it was saved. */
+/* The script itself sets what the command line had set when it was saved. */
 static bool
 restore_script(struct session *s, const char *path, struct error *error)
 {
-	struct choices plain = settings_default();
+	struct settings plain = settings_default();
 	if (!script_open(s, path, error))
 		return false;
 	reset_session(s, &plain);
 	return true;
 }
 
-/* What was typed, with the ending where it has none.  The caller frees. */
+/* Returns the name typed, with .tip if it has no ending.  The caller frees
+ * it. */
 static char *
 script_name(const char *typed)
 {
-	const char *slash = strrchr(typed, '/');
-	const char *name = slash != NULL ? slash + 1 : typed;
+	const char *name = file_name(typed);
 	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
 	return xasprintf("%s%s", typed, bare ? ".tip" : "");
 }
@@ -96,10 +96,10 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 			   : access(typed, F_OK) == 0 ? xstrdup(typed)
 						      : script_name(typed);
 	if (!last)
-		invocation_saved(s);
+		s->invocation->saved = true;
 	bool ok = path != NULL && restore_script(s, path, error);
 	if (ok && !last)
-		files_set_holder(s, path, false);
+		files_set_session_script(s, path, false);
 	return ok;
 }
 
@@ -154,8 +154,8 @@ show_settings(struct session *s)
 	return session_show_answer(s, r);
 }
 
-/* Texts that cannot be read and speeds that are no range are refused; a feed
- * may not tell of them yet. */
+/* Refuses texts that cannot be read and speeds that are no range.  A feed need
+ * not cover the conditions yet. */
 static bool
 check_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
@@ -178,9 +178,9 @@ check_value(struct session *s, const struct command_option *row,
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected %d letters at most", row->name,
 		    SETTINGS_TEXT - 1);
-	if (row->offset == offsetof(struct choices, feed))
+	if (row->offset == offsetof(struct settings, feed))
 		return blended_read_cached(s, value->text, error) != NULL;
-	if (row->offset == offsetof(struct choices, quantity))
+	if (row->offset == offsetof(struct settings, quantity))
 		return quantities_read(value->text, &SHARP, &q, error);
 	bool ok = goals_read(s, value->text, NULL, &list, &n_value, error);
 	conditions_free(&list);
@@ -190,7 +190,7 @@ check_value(struct session *s, const struct command_option *row,
 bool
 cmd_set(struct session *s, const struct args *args, struct error *error)
 {
-	const struct choices was = s->set;
+	const struct settings was = s->set;
 	const struct model_settings before = was.model;
 	bool any = false;
 	for (size_t i = 0; SETTINGS[i].name != NULL; i++) {
@@ -205,11 +205,11 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		any = true;
 	}
 	if (!model_settings_same(&before, &s->set.model))
-		session_forget(s);
-	/* What is wanted is work, not looks. */
+		session_forget_answers(s);
+	/* Settings alone are not worth keeping, but a goal is. */
 	if (strcmp(was.goal, s->set.goal) != 0)
 		journal_new_state(s);
-	/* What a site has stays as it is. */
+	/* The parameters of loaded sites are not changed. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);
 		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
@@ -243,14 +243,14 @@ manage_put_script(const void *data, FILE *out)
 	journal_put(data, out);
 }
 
-/* Where this session was saved before it is saved again unasked; what it was
- * restored from is replaced where that is said. */
+/* A file to which this session was saved is replaced without asking; the file
+ * that it was restored from only with replace=on. */
 static bool
 may_save(const struct session *s, const struct args *args, const char *path,
     struct error *error)
 {
 	bool saved;
-	const char *holder = files_holder(s, &saved);
+	const char *holder = files_session_script(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (again && (saved || args->replace))
 		return file_may_write(path, error);
@@ -265,8 +265,8 @@ save_as(struct session *s, const struct args *args, const char *path,
 	    !journal_can_be_saved(s, error) ||
 	    !file_replace_by(path, FILE_SHARED, manage_put_script, s, error))
 		return false;
-	files_set_holder(s, path, true);
-	invocation_saved(s);
+	files_set_session_script(s, path, true);
+	s->invocation->saved = true;
 	struct mark mark = journal_place(s);
 	size_t n = mark.n - mark.start;
 	session_note(s,
@@ -289,8 +289,8 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 			 path);
 }
 
-/* Goes to another session.  A calibration that was stopped is kept only where
- * its site and the fit it left there stay. */
+/* Undoes or redoes a step.  A stopped calibration is kept only if its site, and
+ * the fit that it left there, are the same afterwards. */
 static const char *
 undo_or_redo(struct session *s, const char *(*where)(struct session *))
 {

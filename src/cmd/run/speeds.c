@@ -1,7 +1,7 @@
 /* Reads speeds as they are typed: several in a row, and revolutions per minute,
  * which it converts to tip speeds: v = pi D n / 60.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/run/turns.h"
+#include "cmd/run/speeds.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 
 static const char RPM[] = "rpm";
 
-/* Whether the operands of a command are speeds. */
+/* True if the operands of a command are speeds. */
 static bool
 takes_speeds(const struct command *command)
 {
@@ -22,16 +22,15 @@ takes_speeds(const struct command *command)
 	       (command->flags & COMMAND_FILES) == 0;
 }
 
-/* The value of a word, behind "from=" or from its beginning, if it is a number,
- * a list or a range in revolutions per minute of something that has m/s; else
- * NULL. */
+/* Returns the value in a word, after "from=" or from its beginning, if it is a
+ * number, list or range in rpm for an option in m/s; else NULL. */
 static const char *
 turns_in(const struct command *command, char *word)
 {
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
-	const struct command *of = command_find_two_words(command, one, 1);
+	const struct command *of = command_meant(command, one, 1);
 	FREED char *name = equals != NULL
 			       ? xstrndup(word, (size_t)(equals - word))
 			       : xstrdup(of->bare != NULL ? of->bare : "");
@@ -44,7 +43,8 @@ turns_in(const struct command *command, char *word)
 	return speed && number ? value : NULL;
 }
 
-/* The words' rotor_mm=, m, else the site's diameter; 0 where neither is. */
+/* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
+ * it. */
 static double
 diameter_of(struct session *s, const struct words *words)
 {
@@ -57,8 +57,9 @@ diameter_of(struct session *s, const struct words *words)
 	return s->n_entry > 0 ? session_entry(s)->site->rotor : 0;
 }
 
-/* "1500,1550,1600" of "1500..1600:50", as the tip speeds of equal steps in
- * turns are none; what is no such range stays.  The caller frees. */
+/* Expands "1500..1600:50" to "1500,1550,1600", because equal steps in rpm need
+ * not be round steps in m/s.  Returns other text unchanged.  The caller frees
+ * it. */
 static char *
 steps_of(const char *turns)
 {
@@ -76,8 +77,8 @@ steps_of(const char *turns)
 	return list;
 }
 
-/* The text with each of its numbers as the tip speed of so many turns, and
- * without the units; the caller frees. */
+/* Converts each number in the text from rpm to m/s and removes the units.  The
+ * caller frees the result. */
 static char *
 speeds_of(const char *turns, double diameter)
 {
@@ -91,18 +92,18 @@ speeds_of(const char *turns, double diameter)
 			continue;
 		}
 		FREED char *number = xstrndup(turns, n);
-		char *more = n > 0 ? xasprintf("%s%g", text,
-					 head_mps(strtod(number, NULL),
-					     SPEED_RPM, diameter))
-				   : xasprintf("%s%c", text, *turns);
-		free(text);
-		text = more;
+		if (n > 0)
+			xappend(&text, "%g",
+			    head_mps(
+				strtod(number, NULL), SPEED_RPM, diameter));
+		else
+			xappend(&text, "%c", *turns);
 		turns += n > 0 ? n : 1;
 	}
 	return text;
 }
 
-/* How many words are in turns. */
+/* Returns the number of words in rpm. */
 static size_t
 turns_count(const struct command *command, const struct words *words)
 {
@@ -113,7 +114,7 @@ turns_count(const struct command *command, const struct words *words)
 }
 
 bool
-turns_to_speeds(struct session *s, struct words *words, struct place place,
+speeds_from_rpm(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	const struct command *command =
@@ -123,12 +124,12 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
 	for (size_t i = 1; i < words->n && n > 0; i++) {
-		char **word = &words->text[i];
-		const char *turns = turns_in(command, *word);
+		char *word = words->text[i];
+		const char *turns = turns_in(command, word);
 		if (turns == NULL)
 			continue;
 		bool option =
-		    n == 1 && turns == *word &&
+		    n == 1 && turns == word &&
 		    !(diameter > 0 && takes_speeds(command)) &&
 		    command_option_index(command, RPM) < OPTIONS &&
 		    strspn(turns, "0123456789.") + strlen(RPM) == strlen(turns);
@@ -143,21 +144,20 @@ turns_to_speeds(struct session *s, struct words *words, struct place place,
 			    session_entry(s)->site->name);
 		FREED char *steps = steps_of(turns);
 		FREED char *speeds = speeds_of(steps, diameter);
-		char *now = option
-				? xasprintf("rpm=%.*s",
-				      (int)strspn(turns, "0123456789."), turns)
-			    : turns == *word && strchr(steps, ',') != NULL
-				? xasprintf("speeds=%s", speeds)
-				: xasprintf("%.*s%s", (int)(turns - *word),
-				      *word, speeds);
-		free(*word);
-		*word = now;
+		FREED char *now =
+		    option ? xasprintf("rpm=%.*s",
+				 (int)strspn(turns, "0123456789."), turns)
+		    : turns == word && strchr(steps, ',') != NULL
+			? xasprintf("speeds=%s", speeds)
+			: xasprintf(
+			      "%.*s%s", (int)(turns - word), word, speeds);
+		words_join(words, i, 1, now);
 	}
 	return true;
 }
 
-/* Whether a word is a speed as it is typed, a range of them, "66..81:5", or a
- * list of three or more: "69,74" may be 69.74. */
+/* True if a word is a speed, a range of them, "66..81:5", or a list of three or
+ * more: "69,74" may mean 69.74. */
 static bool
 is_typed_speed(const char *word, bool *list)
 {
@@ -172,8 +172,7 @@ is_typed_speed(const char *word, bool *list)
 		   strcmp(word + n, "m/s") == 0);
 }
 
-/* "1350", "1450rpm" as part of a list, in which a comma stands between
- * numbers. */
+/* Returns a word as part of a list, in which commas separate numbers. */
 static char *
 list_part(const char *word, bool list)
 {
@@ -195,28 +194,19 @@ speeds_join(struct words *words, bool prompt)
 	const struct command *command =
 	    words->n > 1 ? command_find_typed(words->text[0], prompt) : NULL;
 	const struct command *lister =
-	    command != NULL ? command_find_two_words(command, word, 1) : NULL;
+	    command != NULL ? command_meant(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
 		return;
 	bool lists = false, list;
 	size_t n = 1;
-	char *joined = xstrdup("");
+	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_typed_speed(words->text[n], &list); n++) {
 		FREED char *part = list_part(words->text[n], list);
-		xlist(&joined, ",", "%s", part);
+		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
-	/* One word is for the parser where it knows what to do with it. */
+	/* The parser handles a single word if the command has a bare option. */
 	bool alone = lister == command && command->bare == NULL;
-	if (n > 2 || lists || (n > 1 && alone)) {
-		for (size_t i = 1; i < n; i++)
-			free(words->text[i]);
-		words->text[1] = xasprintf("%s%s", OPTION, joined);
-		for (size_t i = n; i < words->n; i++) {
-			words->text[i - n + 2] = words->text[i];
-			words->column[i - n + 2] = words->column[i];
-		}
-		words->n -= n - 2;
-	}
-	free(joined);
+	if (n > 2 || lists || (n > 1 && alone))
+		words_join(words, 1, n - 1, joined);
 }

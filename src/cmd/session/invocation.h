@@ -1,7 +1,7 @@
 /* A command in progress, from its first word to the end of its job or script.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TIPSPEED_CMD_SESSION_TURN_H
-#define TIPSPEED_CMD_SESSION_TURN_H
+#ifndef TIPSPEED_CMD_SESSION_INVOCATION_H
+#define TIPSPEED_CMD_SESSION_INVOCATION_H
 
 #include <stdbool.h>
 
@@ -9,16 +9,39 @@
 #include "cmd/lang/parse.h"
 #include "cmd/session/session.h"
 
-struct invocation;
+struct redirect;
+struct snapshot;
+
+/* A command and what it leaves to its end.  Invocations nest: the commands of a
+ * script run within that of its source. */
+struct invocation {
+	struct invocation *outer;
+	const struct command *command;
+	struct redirect *redirect; /* or NULL */
+	struct place place;
+	int column;              /* of the redirection, or of the command */
+	char *label, *line;      /* as typed; for the journal */
+	struct snapshot *before; /* or NULL where it changes nothing */
+	size_t state;            /* of the journal when it began */
+	size_t steps;            /* that could be undone then */
+	size_t readings;         /* of files by then */
+	bool joins;              /* is undone with the step before */
+	bool stopped;            /* its calibration was, after */
+	size_t stopped_at;       /* so many steps; 0: without a result */
+	struct error late;       /* makes it fail at its end; its results,
+				  * which lack a part, are kept */
+	double started;
+	bool timed;
+	bool running;   /* its function has not returned */
+	bool saved;     /* if it succeeds, the session is in a file of the
+		       * user's */
+	size_t scripts; /* that were open when it began */
+};
 
 /* Called before a command runs.  Returns false if its results cannot be sent to
  * their target. */
 bool invocation_begin(struct session *s, const struct args *args,
     const struct words *words, struct place place, struct error *error);
-
-/* Called when the innermost command's function has returned.  Lines run before
- * then are nested invocations. */
-void invocation_set_ran(struct session *s);
 
 /* True if the innermost command's function has returned and none of its jobs
  * and scripts remain. */
@@ -28,23 +51,9 @@ bool invocation_is_over(const struct session *s);
  * will stop it there; 0: the job gave no result. */
 void invocation_stopped(struct session *s, size_t steps);
 
-/* Makes the running command's changes part of the previous undo step. */
-void invocation_join_undo(struct session *s);
-
-/* Adds an option to the running command's line in the journal. */
-void invocation_add_option(
-    struct session *s, const char *option, const char *value);
-
-/* Replaces the running command's line in the journal. */
-void invocation_reads(struct session *s, const char *line);
-
-/* Makes the running command fail at its end but keep its results, which cover
- * only part of the request. */
-void invocation_fails(struct session *s, const struct error *error);
-
-/* Notes that, if the running command succeeds, the session will be saved in a
- * file of the user's. */
-void invocation_saved(struct session *s);
+/* Adds options, " digest=HEX", to the running command's line in the journal. */
+void invocation_add_options(struct session *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* Saves the line of a question that ran without an invocation of its own; it
  * replaces an immediately preceding line of that command. */
