@@ -93,7 +93,7 @@ log_write_journal(
 	journal_add(s, NULL, "%s as=log%s%s", line, options,
 	    q->order == DATETIME_OPEN        ? ""
 	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"
-					   : " dates=month-first");
+					     : " dates=month-first");
 }
 
 static struct plant_log *
