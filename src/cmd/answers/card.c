@@ -14,6 +14,7 @@
 #include "cmd/document/document.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/forecast.h"
+#include "cmd/ask/goals.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
@@ -124,6 +125,21 @@ find_lines(struct card_request *all, double speed, struct error *error)
 	return ok;
 }
 
+/* The limits of the goal that is set, where the line has none; a goal that is a
+ * value is for find. */
+static bool
+take_goal(struct session *s, struct card_request *all, struct error *error)
+{
+	size_t n_value = 0;
+	if (all->list.n > 0 || !goals_is_set(s))
+		return true;
+	bool ok = goals_read(s, s->set.goal, question_feed(all->question),
+	    &all->list, &n_value, error);
+	if (n_value > 0)
+		conditions_free(&all->list);
+	return ok;
+}
+
 static bool
 card_request_read(struct session *s, struct card_request *all,
     const struct args *args, double slowest, struct error *error)
@@ -137,7 +153,7 @@ card_request_read(struct session *s, struct card_request *all,
 		    ? add_list(all, args->of, feed, error)
 		    : add_usual_passings(all, feed, error)) &&
 	    conditions_add_call(s, args, all->question, &all->list, error) &&
-	    read_flow(s, all, args, error);
+	    take_goal(s, all, error) && read_flow(s, all, args, error);
 	if (!ok)
 		return false;
 	all->forecast = forecast_open(s, all->question, all->q, all->n);

@@ -114,8 +114,7 @@ const struct command TABLE_ANSWERS[] = {
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
 		"rotor tip speeds; default 65..85 by 1 and the speed last "
-		"asked "
-		"about, extended or moved to cover the runs"},
+		"asked about, extended or moved to cover the runs"},
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
@@ -127,9 +126,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "One row for each speed, in m/s and, where the site states the "
 	    "rotor's diameter, in rpm: P20, P50 and P80, the figures "
 	    "that are named with the range of one of them, tonnes of fractions "
-	    "and the light; with conditions, as window has them, or spec=, how "
-	    "certain it is that they are met. Below it: the date, the feed, "
-	    "the machine, the "
+	    "and the light; with conditions, as window has them, or spec=, or "
+	    "else the limits of the goal that is set, how certain it is that "
+	    "they are met. Below it: the date, the feed, the machine, the "
 	    "model, and whether each speed rests on measurements or on the "
 	    "model alone. Columns that do not fit into 80 characters are left "
 	    "out, with a note; csv and json have all of them. 'card > "

@@ -145,13 +145,15 @@ next_step(const struct session *s)
 			      : next_before_fit(s, entry);
 }
 
-/* Names the speeds held out, which otherwise validate's table shows. */
-static void
+/* Names the speeds held out, which otherwise validate's table shows.  Returns
+ * whether they are several. */
+static bool
 note_held_out(const struct session *s, const struct entry *entry)
 {
 	FREED char *speeds =
 	    session_speeds(entry->site, ", ", entry->train, false);
 	session_note(s, "validated at %s m/s:", speeds);
+	return strchr(speeds, ',') != NULL;
 }
 
 void
@@ -165,10 +167,11 @@ next_note_offered(const struct session *s)
 	bool validate = strcmp(answer_command(a), "validate") == 0;
 	/* load has reported what was read, calibrate's first sentence has the
 	 * residuals, and next_step suggests what to do. */
-	size_t from = check || validate;
-	size_t to = view.n_sentence - !check;
-	if (validate)
-		note_held_out(s, &s->entry[s->current]);
+	size_t from = check, to = view.n_sentence - !check;
+	/* Of one speed, which was just named, the first sentence says no more
+	 * than the next. */
+	if (validate && !note_held_out(s, &s->entry[s->current]))
+		from = 1;
 	for (size_t i = from; i < to; i++)
 		session_note(s, "%s", view.sentence[i].text);
 	if (check && view.n_row > 0)
