@@ -8,7 +8,7 @@
 
 #define LAST_SPEED    \
 	SPEED(speed), \
-	    "rotor tip speed; default: as last predicted, with its feed"
+	    "rotor tip speed; default: that last asked about, with its feed"
 
 /* A crusher with its screens, of flow and card, see plant_read. */
 #define FLOW_PARTS                                                        \
@@ -252,7 +252,7 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "tph",
 	.option =
 	    OPTION_LIST({NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"},
-		{USUAL_SPEED}, FLOW_PARTS,
+		{LAST_SPEED}, FLOW_PARTS,
 		{OFF_ON(best), "off", "find the speed that earns most"},
 		{SPEED(from), "slowest speed of best=on; default 65, or less "
 			      "to cover the runs"},
@@ -352,7 +352,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_CHANGES |
 		 COMMAND_APPEARANCE | COMMAND_QUANTITIES,
-	.option = OPTION_LIST({USUAL_SPEED},
+	.option = OPTION_LIST({LAST_SPEED},
 	    {TEXT(of), NULL, "",
 		"figures, see figures; default: what passes 2 mm, P20, P50 and "
 		"P80"},
@@ -393,7 +393,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "which sample next narrows a band most",
 	.bare = "speed",
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
-	.option = OPTION_LIST({USUAL_SPEED},
+	.option = OPTION_LIST({LAST_SPEED},
 	    {TEXT(of), NULL, "", "figure, see figures; default: P80"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
