@@ -334,6 +334,28 @@ predict_change_by_feeds(const struct session *s, const struct question *q,
 	return most;
 }
 
+/* Adds what passes with each sampled feed in place of their mean, where that
+ * changes it by enough to tell. */
+static void
+add_each_feed(const struct session *s, const struct question *q,
+    const struct quantity *passing, double speed, char **words)
+{
+	FREED double *fed = xdoubles(q->entry->site->n_run);
+	size_t n = predict_each_feed(s, q, passing, speed, fed);
+	double value = value_at(s, q, passing, speed), low = value,
+	       high = value;
+	for (size_t run = 0; run < n; run++) {
+		low = fmin(low, fed[run]);
+		high = fmax(high, fed[run]);
+	}
+	if (fmax(value - low, high - value) < FEEDS_TOLD)
+		return;
+	xappend(words,
+	    tr("; with each sampled feed instead of their mean from %.1f to "
+	       "%.1f"),
+	    units_pct(low), units_pct(high));
+}
+
 char *
 predict_certainty_words(const struct session *s, const struct question *q,
     const struct prediction *p)
@@ -354,16 +376,8 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	    units_mm(passing.x), chance, units_pct(p->low[i]),
 	    units_pct(p->high[i]), units_pct(sample.low),
 	    units_pct(sample.high));
-	double most = q->feed == SITE_MEAN_FEED
-			  ? predict_change_by_feeds(s, q, &passing, p->speed)
-			  : 0;
-	if (most >= FEEDS_TOLD) {
-		char *more = xasprintf(tr("%s; the feeds that were sampled "
-					  "change it by up to %.1f points"),
-		    words, 100 * most);
-		free(words);
-		words = more;
-	}
+	if (q->feed == SITE_MEAN_FEED)
+		add_each_feed(s, q, &passing, p->speed, &words);
 	forecast_close(f);
 	return words;
 }
