@@ -293,6 +293,16 @@ appearance_chart(
 	return chart;
 }
 
+/* Makes a chart in the theme that is set; *chart out, or NULL. */
+static void
+make_themed(plot_make *make, struct session *s, const struct plot_request *as,
+    struct chart **chart, struct error *error)
+{
+	*chart = make(s, as, error);
+	if (*chart != NULL)
+		(*chart)->theme = (enum theme)s->set.theme;
+}
+
 struct chart *
 plots_chart(
     struct session *s, const struct plot_request *request, struct error *error)
@@ -326,9 +336,8 @@ plots_chart(
 	struct plot_request as = *request;
 	if (as.entry == NULL && s->n_entry > 0)
 		as.entry = &s->entry[at];
-	struct chart *chart = KINDS[as.kind].make(s, &as, error);
-	if (chart != NULL)
-		chart->theme = (enum theme)s->set.theme;
+	struct chart *chart = NULL;
+	make_themed(KINDS[as.kind].make, s, &as, &chart, error);
 	return chart;
 }
 
