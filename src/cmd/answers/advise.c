@@ -128,14 +128,12 @@ static void
 note_feed(
     struct answer *r, const struct session *s, const struct advice_request *w)
 {
-	FREED double *fed = xdoubles(w->question->entry->site->n_run);
-	size_t n =
-	    predict_each_feed(s, w->question, &w->q, w->question->speed, fed);
-	double low = INFINITY, high = -INFINITY;
-	for (size_t i = 0; i < n; i++) {
-		low = fmin(low, quantities_shown(&w->q, fed[i]));
-		high = fmax(high, quantities_shown(&w->q, fed[i]));
-	}
+	double range[2];
+	if (!predict_feeds_range(
+		s, w->question, &w->q, w->question->speed, range))
+		return;
+	double low = quantities_shown(&w->q, range[0]),
+	       high = quantities_shown(&w->q, range[1]);
 	if (!(high > low))
 		return;
 	answer_say(r, ANSWER_REMARK,

@@ -322,16 +322,30 @@ predict_each_feed(const struct session *s, const struct question *q,
 	return n;
 }
 
+bool
+predict_feeds_range(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double range[static 2])
+{
+	FREED double *fed = xdoubles(q->entry->site->n_run);
+	size_t n = predict_each_feed(s, q, of, speed, fed);
+	range[0] = INFINITY;
+	range[1] = -INFINITY;
+	for (size_t run = 0; run < n; run++) {
+		range[0] = fmin(range[0], fed[run]);
+		range[1] = fmax(range[1], fed[run]);
+	}
+	return range[0] <= range[1];
+}
+
 double
 predict_change_by_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
-	FREED double *fed = xdoubles(q->entry->site->n_run);
-	size_t n = predict_each_feed(s, q, of, speed, fed);
-	double most = 0, value = value_at(s, q, of, speed);
-	for (size_t run = 0; run < n; run++)
-		most = fmax(most, fabs(fed[run] - value));
-	return most;
+	double range[2];
+	if (!predict_feeds_range(s, q, of, speed, range))
+		return 0;
+	double value = value_at(s, q, of, speed);
+	return fmax(fabs(range[0] - value), fabs(range[1] - value));
 }
 
 /* Adds what passes with each sampled feed in place of their mean, where that
@@ -340,20 +354,16 @@ static void
 add_each_feed(const struct session *s, const struct question *q,
     const struct quantity *passing, double speed, char **words)
 {
-	FREED double *fed = xdoubles(q->entry->site->n_run);
-	size_t n = predict_each_feed(s, q, passing, speed, fed);
-	double value = value_at(s, q, passing, speed), low = value,
-	       high = value;
-	for (size_t run = 0; run < n; run++) {
-		low = fmin(low, fed[run]);
-		high = fmax(high, fed[run]);
-	}
-	if (fmax(value - low, high - value) < FEEDS_TOLD)
+	double range[2];
+	if (!predict_feeds_range(s, q, passing, speed, range))
+		return;
+	double value = value_at(s, q, passing, speed);
+	if (fmax(value - range[0], range[1] - value) < FEEDS_TOLD)
 		return;
 	xappend(words,
 	    tr("; with each sampled feed instead of their mean from %.1f to "
 	       "%.1f"),
-	    units_pct(low), units_pct(high));
+	    units_pct(range[0]), units_pct(range[1]));
 }
 
 char *

@@ -22,6 +22,12 @@ bool predict_step(struct session *s, const struct entry *entry, double speed,
 size_t predict_each_feed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *value);
 
+/* Finds the range of a quantity, in its own unit, at a speed, m/s, over the
+ * feeds of the runs: range out.  Returns false if there are none, as
+ * predict_each_feed. */
+bool predict_feeds_range(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double range[static 2]);
+
 /* Returns the largest change of a quantity, in its own unit, at a speed, m/s,
  * when the question's feed is replaced with a sampled one: the band does not
  * include changes of the feed.  Returns 0 if the site has one feed or the
