@@ -45,15 +45,15 @@ ask_line(char **line)
 }
 
 bool
-ask_confirm(struct session *s, const char *question)
+ask_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
 	text_put(question, stderr);
-	fputs(" [y/N] ", stderr);
+	fputs(yes ? " [Y/n] " : " [y/N] ", stderr);
 	int c = ask_line(NULL);
 	if (c == EOF)
 		fputc('\n', stderr);
-	return c == 'y' || c == 'Y';
+	return c == 'y' || c == 'Y' || (yes && c == '\n');
 }
 
 /* Prints what stands above the questions about a table. */

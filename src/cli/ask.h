@@ -14,7 +14,7 @@ int ask_line(char **line);
 /* Ask at the prompt, for session->hooks.confirm and .question.  read: prompts
  * with a text and returns the line without its end, which the caller frees, or
  * NULL at the end of input or on a signal. */
-bool ask_confirm(struct session *s, const char *question);
+bool ask_confirm(struct session *s, const char *question, bool yes);
 char *ask_question(struct session *s, const struct inquiry *inquiry);
 char *ask_with(struct session *s, const struct inquiry *inquiry,
     char *(*read)(const char *text));

@@ -263,12 +263,12 @@ free_state(struct tui *t)
 }
 
 static bool
-control_confirm(struct session *s, const char *question)
+control_confirm(struct session *s, const char *question, bool yes)
 {
 	int code = 0;
 	bool special = false;
 	if (open->away)
-		return ask_confirm(s, question);
+		return ask_confirm(s, question, yes);
 	open->question = question;
 	bool got = open->callbacks->answer(open, &code, &special);
 	open->question = NULL;

@@ -210,7 +210,7 @@ confirm_replace_params(struct tui *t)
 			   : tr("%s has parameters: replace them by a "
 				"calibration?"),
 	    entry->key);
-	bool yes = s->hooks.confirm(s, asks);
+	bool yes = s->hooks.confirm(s, asks, false);
 	if (!yes)
 		tui_say(t, false, "not calibrated: the parameters stay");
 	return yes;

@@ -42,9 +42,9 @@ type(struct tui *t, const char *text)
 
 /* Answers a key that asks before it replaces something. */
 static bool
-says_yes(struct session *s, const char *question)
+says_yes(struct session *s, const char *question, bool yes)
 {
-	(void)s, (void)question;
+	(void)s, (void)question, (void)yes;
 	return true;
 }
 
@@ -1897,7 +1897,7 @@ a_question_is_answered_by_y_alone(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	struct session *s = t->session;
-	assert_false(s->hooks.confirm(s, "shall it?"));
+	assert_false(s->hooks.confirm(s, "shall it?", false));
 	assert_null(t->question);
 	/* It stands on the frame that was drawn. */
 	struct canvas *frame =

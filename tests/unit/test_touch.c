@@ -397,9 +397,9 @@ a_question_is_answered_by_the_mouse(void **state)
 	stage->t.callbacks = &BY_MOUSE;
 	asked_row = 0;
 	asked_column = -3;
-	assert_true(s->hooks.confirm(s, "shall it?"));
+	assert_true(s->hooks.confirm(s, "shall it?", false));
 	asked_column = -1;
-	assert_false(s->hooks.confirm(s, "shall it?"));
+	assert_false(s->hooks.confirm(s, "shall it?", false));
 }
 
 /* What a dozen questions cost, in keys, from the page that opens. */

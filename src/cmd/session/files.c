@@ -212,7 +212,7 @@ files_may_replace(struct session *s, const char *path, struct error *error)
 	    file.st_size == 0 || is_known(s, &file, true))
 		return true;
 	FREED char *question = xasprintf(tr("%s exists: replace it?"), path);
-	bool yes = s->hooks.confirm(s, question);
+	bool yes = s->hooks.confirm(s, question, false);
 	return yes || error_set(error, ERROR_USAGE,
 			  "%s was not replaced\n"
 			  "use another file name",

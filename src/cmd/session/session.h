@@ -35,8 +35,9 @@ struct hooks {
 	/* Runs the full screen until the user quits and returns an exit status;
 	 * NULL if not available. */
 	int (*run_screen)(struct session *);
-	/* Asks the user yes or no; NULL if not interactive. */
-	bool (*confirm)(struct session *s, const char *question);
+	/* Asks the user yes or no.  yes: Return alone means yes at the prompt;
+	 * the full screen waits for y.  NULL if not interactive. */
+	bool (*confirm)(struct session *s, const char *question, bool yes);
 	/* Asks the user for a line about a sheet, which the caller frees;
 	 * returns NULL if the user gives up.  NULL if not interactive. */
 	char *(*ask)(struct session *s, const struct inquiry *inquiry);

@@ -401,43 +401,94 @@ store_add_all(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
-/* Returns the first name in the list that the store already has, or NULL. */
-static const char *
-stored_already(struct session *s, const struct stored_list *list)
+/* Adds the user's material of that name to the list; true if there is one. */
+static bool
+store_has_own(struct session *s, const char *name, struct stored_list *own)
 {
-	const char *found = NULL;
-	for (size_t i = 0; i < list->n && found == NULL; i++) {
-		struct stored_list own = {0};
-		const struct store_query query = {.name = list->item[i].name};
-		if (store_find(s->store, &query, &own, NULL) && own.n > 0)
-			found = list->item[i].name;
-		stored_list_free(&own);
-	}
-	return found;
+	const struct store_query query = {.name = name};
+	return store_find(s->store, &query, own, NULL) && own->n > 0;
 }
 
-/* Asks the user whether to replace materials, and sets *replace.  In a script
- * store_put refuses instead. */
+/* Returns a name that the store does not have yet: "tierp-2". */
+static char *
+find_free_name(struct session *s, const char *name)
+{
+	char *other = NULL;
+	bool taken = true;
+	for (size_t i = 2; taken; i++) {
+		struct stored_list own = {0};
+		free(other);
+		other = xasprintf("%s-%zu", name, i);
+		taken = store_has_own(s, other, &own);
+		stored_list_free(&own);
+	}
+	return other;
+}
+
+/* Asks whether to replace a material.  If it is an earlier state of the entry,
+ * with the same settings and no run that the entry lacks, nothing is lost, and
+ * Return means yes. */
+static bool
+ask_replace_one(struct session *s, const struct entry *entry,
+    const struct stored *m, struct error *error)
+{
+	struct basis b;
+	bool runs = basis_from_material(m, &b, NULL);
+	const struct site *site = b.now != NULL ? b.now : b.then;
+	bool earlier =
+	    runs && entry->has_fit && has_runs(entry->site, site) &&
+	    model_settings_same(&b.fit.settings, &entry->fit.settings);
+	size_t n = runs ? site->n_run : 0, n_new = entry->site->n_run;
+	FREED char *old = runs ? xasprintf(tr_n("%zu run", "%zu runs", n), n)
+			       : xstrdup(tr("parameters"));
+	FREED char *new =
+	    entry->has_fit
+		? xasprintf(
+		      tr_n("this %zu run", "these %zu runs", n_new), n_new)
+		: xstrdup(tr("these parameters"));
+	FREED char *question =
+	    xasprintf(tr("replace %s (%s, remembered %s) by %s?"), m->name, old,
+		m->date, new);
+	basis_clear(&b);
+	if (s->hooks.confirm(s, question, earlier))
+		return true;
+	FREED char *free_name = find_free_name(s, m->name);
+	FREED char *line = xstrdup("remember");
+	journal_append_word(&line, free_name);
+	return error_set(error, ERROR_USAGE,
+	    "nothing was remembered now: the store still has %s with %s, "
+	    "remembered %s\n"
+	    "to keep both: %s",
+	    m->name, old, m->date, line);
+}
+
+/* Asks the user whether to replace materials that the store has, and sets
+ * *replace.  In a script store_put refuses instead. */
 static bool
 ask_replace(struct session *s, const struct stored_list *list, bool *replace,
     struct error *error)
 {
 	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
-	const char *name = asks && !*replace ? stored_already(s, list) : NULL;
-	if (name == NULL)
-		return true;
-	FREED char *question =
-	    list->n == 1
-		? xasprintf(tr("the store has %s: replace it?"), name)
-		: xasprintf(
-		      tr("the store has %s and maybe others of these: replace "
-			 "them?"),
-		      name);
-	*replace = s->hooks.confirm(s, question);
-	return *replace || error_set(error, ERROR_USAGE,
-			       "%s was not replaced\n"
-			       "use another name: remember NAME",
-			       name);
+	struct stored_list own = {0};
+	for (size_t i = 0; asks && i < list->n && own.n == 0; i++)
+		store_has_own(s, list->item[i].name, &own);
+	bool wanted = asks && !*replace && own.n > 0;
+	if (wanted && list->n == 1) {
+		*replace =
+		    ask_replace_one(s, session_entry(s), &own.item[0], error);
+	} else if (wanted) {
+		FREED char *question = xasprintf(
+		    tr("the store has %s and maybe others of these: replace "
+		       "them?"),
+		    own.item[0].name);
+		*replace = s->hooks.confirm(s, question, false) ||
+			   error_set(error, ERROR_USAGE,
+			       "nothing was remembered now: the store still "
+			       "has what it had\n"
+			       "to replace it: remember all replace=on");
+	}
+	stored_list_free(&own);
+	return !wanted || *replace;
 }
 
 bool
