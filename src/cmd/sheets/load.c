@@ -175,6 +175,33 @@ ask_user_about_load(struct session *s, struct load *l,
 	return good;
 }
 
+/* Names the line that takes products without a feed: as cuts of the site in use
+ * or, if none is, of one that was remembered. */
+static void
+hint_add(const struct session *s, const struct load *l, struct error *error)
+{
+	size_t own = 0;
+	char number[32];
+	const char *site = s->n_entry > 0 ? s->entry[s->current].key : NULL;
+	FREED char *line = xstrdup("add"),
+		   *options = journal_options(&l->request);
+	for (size_t i = 0; i < l->request.n; i++) {
+		FREED char *word = l->speed[i] > 0
+				       ? xasprintf("%s@%s", l->path[i],
+					     text_exact(l->speed[i], number))
+				       : xstrdup(l->path[i]);
+		journal_append_word(&line, word);
+	}
+	if (site != NULL)
+		error_hint(error, "add it to %s, which has a feed: %s%s", site,
+		    line, options);
+	else if (store_count(s->store, &own, NULL) && own > 0)
+		error_hint(error,
+		    "bring back the site that it belongs to, and add it: "
+		    "recall NAME; %s%s",
+		    line, options);
+}
+
 /* Reads the request as one site, asking the user if possible.  On failure,
  * returns NULL with an error. */
 static struct site *
@@ -188,12 +215,16 @@ read_site(struct session *s, struct load *l, struct error *error)
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
 			     ask_user_about_load(s, l, &ask, &errors);
+		bool cuts =
+		    ask.settle == NULL && ask.no_feed && !ask.no_product;
 		site_ask_clear(&ask);
 		if (site != NULL)
 			return site;
 		if (again)
 			continue;
 		session_report_faults(s, l->path[0], &errors, error);
+		if (cuts && !l->request.parts && !l->request.feed)
+			hint_add(s, l, error);
 		return NULL;
 	}
 }
