@@ -10,6 +10,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
@@ -347,6 +348,40 @@ detailed_answer(const struct session *s, const struct entry *entry,
 	return r;
 }
 
+struct former
+fit_former_answer(const struct session *s, const struct entry *entry)
+{
+	double speed =
+	    s->last_speed > 0 ? s->last_speed : answers_usual_speed(entry);
+	bool mean = s->set.feed[0] == '\0' || strcmp(s->set.feed, "mean") == 0;
+	if (!entry->has_fit || !mean || session_busy(s))
+		return (struct former){0};
+	struct prediction p =
+	    forecast_whole_product(s, entry, speed, SITE_MEAN_FEED);
+	size_t i = answers_usual_sieve(&p.product);
+	struct former former = {speed, p.product.size[i], p.product.passing[i]};
+	prediction_free(&p);
+	return former;
+}
+
+/* Notes by how much the answer moved from that of the former calibration. */
+static void
+note_moved_answer(
+    struct answer *r, const struct session *s, const struct entry *entry)
+{
+	const struct former *was = &s->job.former;
+	if (!(was->speed > 0))
+		return;
+	struct prediction p =
+	    forecast_whole_product(s, entry, was->speed, SITE_MEAN_FEED);
+	answer_note(r,
+	    "at %.*f m/s %.1f %% passes %g mm; before this calibration %.1f",
+	    units_speed_digits(was->speed), was->speed,
+	    units_pct(psd_at_sieve(&p.product, was->size)), units_mm(was->size),
+	    units_pct(was->passing));
+	prediction_free(&p);
+}
+
 struct answer *
 fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail)
@@ -362,6 +397,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 	answer_fill_for_programs(r);
 	add_params(r, s, fit, u, bounds);
 	add_summary(r, s, entry);
+	note_moved_answer(r, s, entry);
 	note_lowest(r, fit);
 	note_edits(r, fit);
 	add_warnings(r, entry);

@@ -12,6 +12,12 @@
 struct answer *fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail);
 
+/* Returns the passing of predict's first sentence at the speed last asked about
+ * or, if there was none, at the usual one of the site; all 0 if the entry is
+ * not calibrated or answers are about another feed. */
+struct former fit_former_answer(
+    const struct session *s, const struct entry *entry);
+
 /* Puts the JSON fields of an entry's fit, except its ranges. */
 void fit_put(struct fields *o, const struct entry *entry, const char *verdict,
     double seconds);

@@ -268,6 +268,8 @@ static void
 answer_fit(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
+	/* From now on answers are those of the fit, no longer of the search. */
+	s->job.fits = false;
 	if (s->job.detail)
 		session_note(s, "  done in %.2f s", seconds);
 	session_show_answer(s, fit_answer(s, &s->entry[s->job.entry],
@@ -870,6 +872,8 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	job.apart = all && !job.watch;
 	if (all)
 		job.of = all_fits_new(s, train_all, part, &job.options);
+	else
+		job.former = fit_former_answer(s, session_entry(s));
 	if (job_start(s, &job))
 		return true;
 	if (part.of == 0)

@@ -72,6 +72,11 @@ struct job {
 	double *run_weight; /* [n_run] of the site, or NULL */
 	struct params given;
 	double before; /* misfit of the site's former parameters, or INFINITY */
+	/* The former calibration's passing of a size, m, at a speed, m/s; 0:
+	 * there was none. */
+	struct former {
+		double speed, size, passing;
+	} former;
 };
 
 /* The terminal on which results are printed.  columns: 0 if not a terminal;

@@ -304,8 +304,9 @@ note_next(struct session *s, enum verdict worst, size_t n)
 			"they are right, 'calibrate train=all'")
 	       : worst == CUTS_OFF
 		   ? N_("  next: take one more cut before anything is changed")
-		   : N_("  next: nothing needs to be done; 'calibrate' also "
-			"takes new cuts into account"));
+		   : N_("  next: nothing needs to be done; answers stay as "
+			"they were until 'calibrate' takes new cuts into "
+			"account"));
 }
 
 static bool
