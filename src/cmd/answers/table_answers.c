@@ -464,7 +464,7 @@ const struct command TABLE_ANSWERS[] = {
 	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85\nwhy 69 79",
 	.answer = cmd_why},
     {.name = "drift",
-	.brief = "follow routine cuts on control charts",
+	.brief = "see whether later cuts drift from the prediction",
 	.flags = COMMAND_NEEDS_SITE,
 	.option = OPTION_LIST({NUMBER(k), "sd", 0, 5, NULL, "0.5",
 				  "allowance of the CUSUM: half of the shift "

@@ -315,7 +315,8 @@ routine_state_words(const struct routine *r)
 				 tr("back within the limits after a signal "
 				    "at cut %zu"),
 				 r->first + 1)
-			   : xstrdup(tr("no drift is signalled"));
+			   : xstrdup(tr("no drift: cuts and predictions differ "
+					"by no more than samples do"));
 	FREED char *most =
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
 		units_mm(r->worst), -100 * r->by);

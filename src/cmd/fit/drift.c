@@ -83,10 +83,23 @@ speeds_words_from(const struct routine *r, size_t from, size_t *n)
 /* Cuts that tell little of a drift, and for how many nobody waits. */
 enum { FEW = 5, LATE = 50 };
 
+/* When it began, if the last cut is beyond a limit. */
+static void
+say_beginning(struct answer *a, const struct routine *r)
+{
+	if (r->point[r->n - 1].state == DRIFT_NONE)
+		return;
+	FREED char *since = drift_name_of(r, r->since),
+		   *first = drift_name_of(r, r->first);
+	answer_note(a,
+	    "it began at about cut %s; by cut %s it was more than chance",
+	    since, first);
+}
+
 /* What to do now: when to calibrate anew, and with what. */
 static void
-say_what_next(
-    struct answer *a, const struct routine *r, const struct later *later)
+say_what_next(struct answer *a, const struct entry *entry,
+    const struct routine *r, const struct later *later)
 {
 	size_t n;
 	if (r->point[r->n - 1].state == DRIFT_NONE && later->missed) {
@@ -97,29 +110,25 @@ say_what_next(
 		return;
 	}
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
-		if (r->n < FEW)
-			answer_note(a,
-			    "next: nothing needs to be done, though fewer than "
-			    "%d cuts show only a large drift",
-			    FEW);
-		else
-			answer_note(a, "next: nothing needs to be done");
+		answer_note(a,
+		    entry->has_fit
+			? N_("next: nothing needs to be done; 'remember' keeps "
+			     "these cuts, and 'add' takes the next one")
+			: N_("next: nothing needs to be done; 'add' takes the "
+			     "next cut"));
 		return;
 	}
-	FREED char *since = drift_name_of(r, r->since),
-		   *first = drift_name_of(r, r->first);
+	FREED char *since = drift_name_of(r, r->since);
 	FREED char *speeds = speeds_words_from(r, r->since, &n);
 	answer_note(a,
-	    "it began at about cut %s and was signalled after cut %s", since,
-	    first);
-	answer_note(a,
-	    n > 1 ? N_("next: deal with that first; if the change lasts, "
-		       "'template speeds=%s > new.csv' starts a site file for "
-		       "a new calibration: the feed and the cuts from %s on")
-		  : N_("next: deal with that first; if the change lasts, "
-		       "'template speeds=%s > new.csv' starts a site file for "
-		       "a new calibration: the feed, the cuts from %s on and "
-		       "one at another speed"),
+	    n > 1 ? N_("next: find the cause; if the change is to stay, "
+		       "sample feed and product anew: 'template speeds=%s > "
+		       "new.csv' has the columns for them and for the cuts "
+		       "from %s on")
+		  : N_("next: find the cause; if the change is to stay, "
+		       "sample feed and product anew, also at another speed: "
+		       "'template speeds=%s > new.csv' has the columns for "
+		       "them and for the cuts from %s on"),
 	    speeds, since);
 }
 
@@ -133,8 +142,8 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
 	answer_say(a, ANSWER_REMARK,
-	    "mean, most: points, answer - measured: + where "
-	    "the cut is coarser");
+	    "in points, answer - measured, + where the cut is coarser: mean of "
+	    "all sieves; most, at the sieve in mm");
 	if (detail)
 		answer_note(a,
 		    "a signal: EWMA beyond its limit or a CUSUM above %g, of "
@@ -147,34 +156,41 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 		    r->rule.h, about);
 	else
 		answer_note(a,
-		    "by chance, without drift, one cut in about %.0f is "
-		    "signalled",
+		    "one cut in about %.0f is called a drift by mistake",
 		    about);
 	if (found <= LATE)
 		answer_note(a,
-		    "half of all shifts by %.1f points (mean of the sieves) "
-		    "are signalled within %g cuts",
+		    "a drift by %.1f points (mean of the sieves) is found "
+		    "within %g cuts in half of all cases",
 		    100 * shift, found);
 	else
 		answer_note(a,
-		    "shifts by %.1f points, in the mean of the sieves, are "
-		    "mostly not signalled: the errors of cuts hide them",
+		    "a drift by %.1f points (mean of the sieves) is mostly not "
+		    "found: cuts differ from one another by more",
 		    100 * shift);
+	if (r->n < FEW)
+		answer_note(
+		    a, "fewer than %d cuts show only a large drift", FEW);
 	fields_put(answer_fields(a), "false_signal_every %g found_after %g",
 	    quiet, isfinite(found) ? found : (double)NAN);
+}
+
+/* What the cuts are compared with, and in which order. */
+static void
+say_basis_of_charts(struct answer *a, const struct routine *r)
+{
 	if (!r->drawn)
 		answer_say(a, ANSWER_WARNING,
 		    "limits are from 'set noise' alone: parameter uncertainty "
 		    "is not included: expect more false alarms");
-	if (!r->dated)
+	if (!r->dated && r->n > 1)
 		answer_say(a, ANSWER_REMARK,
 		    "not every cut has a date: they are in the order in which "
-		    "they were added");
+		    "they were added; 'add FILE date=2026-05-03' gives one");
 	if (r->training_only)
 		answer_say(a, ANSWER_REMARK,
-		    "compared with what the training runs alone predict: some "
-		    "of the cuts were already in the site when it was "
-		    "calibrated");
+		    "some of these cuts were known to the calibration: all are "
+		    "compared with what the other runs alone predict");
 }
 
 static void
@@ -206,7 +222,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	if (r == NULL)
 		return false;
 	struct answer *a = answers_new(entry->site, "drift",
-	    tr_n("%zu routine cut against their predictions",
+	    tr_n("%zu routine cut against its prediction",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
 	drift_add_rows(a, r, args->detail, false);
@@ -219,9 +235,11 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 						   : ANSWER_WARNING,
 	    "%s", words);
 	struct later later = cut_compare_later(s, entry);
-	say_what_next(a, r, &later);
+	say_beginning(a, r);
 	say_limits(a, r, args->detail);
+	say_basis_of_charts(a, r);
 	answers_show_basis_of_fit(s, a, entry, false);
+	say_what_next(a, entry, r, &later);
 	routine_free(r);
 	return session_show_answer(s, a);
 }
