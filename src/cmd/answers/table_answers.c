@@ -465,7 +465,7 @@ const struct command TABLE_ANSWERS[] = {
 	.answer = cmd_why},
     {.name = "drift",
 	.brief = "see whether later cuts drift from the prediction",
-	.flags = COMMAND_NEEDS_SITE,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY,
 	.option = OPTION_LIST({NUMBER(k), "sd", 0, 5, NULL, "0.5",
 				  "allowance of the CUSUM: half of the shift "
 				  "to be found soonest"},

@@ -66,9 +66,10 @@ const struct command TABLE_DATA[] = {
 		   "3=product@69\"\nshow",
 	.run = cmd_load},
     {.name = "add",
-	.brief = "add belt cuts to the site in use",
+	.brief = "add belt cuts of later days to the site in use",
 	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
-	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_FILES,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_FILES |
+		 COMMAND_DAILY,
 	.option = OPTION_LIST(SHEET_OPTIONS,
 	    {TEXT(date), NULL, "",
 		"day of the cuts, such as 2026-05-03; not set from the clock"},

@@ -25,9 +25,9 @@ const struct command TABLE_STORE[] = {
 		   "store list table3/tierp",
 	.run = cmd_materials},
     {.name = "recall",
-	.brief = "bring back a calibration from the store",
+	.brief = "bring back what was remembered, on any day",
 	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 0, 2},
-	.flags = COMMAND_CHANGES,
+	.flags = COMMAND_CHANGES | COMMAND_DAILY,
 	.option = OPTION_LIST({TEXT(digest), NULL, "",
 	    "refuse a material that has changed; written by save"}),
 	.text = "Brings back what 'remember' stored. Without a site, or with "
@@ -41,9 +41,9 @@ const struct command TABLE_STORE[] = {
 	.example = "load data/sites/borlange.csv\nrecall tierp\npredict 74",
 	.run = cmd_recall},
     {.name = "remember",
-	.brief = "store the site's calibration",
+	.brief = "keep the site and its calibration for other days",
 	.operands = {"[NAME|all]", {"all"}, 0, 1},
-	.flags = COMMAND_NEEDS_SITE | COMMAND_UNSAVED,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_UNSAVED | COMMAND_DAILY,
 	.option = OPTION_LIST(
 	    {TEXT(date), NULL, "",
 		"date to store with it, such as 2026-11-21; default: today"},
@@ -54,8 +54,9 @@ const struct command TABLE_STORE[] = {
 		"hold-out RMSE, seed and options; or parameters set by 'params "
 		"set'. 'recall' brings it back. NAME is by default the name of "
 		"the site in 'sites'; all: every site "
-		"that was calibrated, by that name. When the result is "
-		"printed, it is on the disk.",
+		"that was calibrated, by that name. At the prompt it asks "
+		"before it replaces a material. When the result is printed, "
+		"it is on the disk.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "remember date=2026-11-21 note=\"after new liners\"\n"
 		   "store list origin=own",
