@@ -370,6 +370,19 @@ answers_offer(struct session *s, const char *typed, int *number)
 	return true;
 }
 
+/* Does what ^L does for a word that shells have, if the terminal can. */
+static bool
+clears_screen(const char *typed)
+{
+	FREED char *word = xstrdup(typed);
+	const char *clear = rl_get_termcap("cl");
+	if (clear == NULL || prompt.before[0] != '\0' ||
+	    strcmp(text_trim(word), "clear") != 0)
+		return false;
+	fputs(clear, rl_outstream);
+	return true;
+}
+
 /* --safe: no settings file, and no key for a function that reads one, lists
  * users or runs a shell. */
 static void
@@ -474,7 +487,8 @@ repl_run(struct session *s)
 		char *typed = read_line(text);
 		s->screen = terminal_describe();
 		if (typed != NULL) {
-			if (!answers_offer(s, typed, &number))
+			if (!clears_screen(typed) &&
+			    !answers_offer(s, typed, &number))
 				take_lines(s, typed, &number);
 			free(typed);
 		} else if (signals_pending() == 0) {
