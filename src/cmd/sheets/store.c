@@ -363,6 +363,11 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 		journal_append_word(&line, item->name);
 		answer_note(r, "'%s' brings it back on any day", line);
 	}
+	if (s->set.goal[0] != '\0')
+		answer_note(r,
+		    "the goal is not kept with it; type it again then: set "
+		    "goal \"%s\"",
+		    s->set.goal);
 	session_show_answer(s, r);
 }
 
