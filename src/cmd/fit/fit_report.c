@@ -321,9 +321,9 @@ add_summary(
 	if (isfinite(holdout))
 		xlist(&words, "; ",
 		    strchr(held, ',') != NULL
-			? tr("held-out %s m/s: up to %.2f")
-			: tr("held-out %s m/s: %.2f"),
-		    held, 100 * holdout);
+			? tr("up to %.2f at %s m/s, held out as a test")
+			: tr("%.2f at %s m/s, held out as a test"),
+		    100 * holdout, held);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
 		note_untested(r, entry);

@@ -31,8 +31,9 @@ note_job_begun(struct session *s)
 	FREED char *holdout =
 	    session_speeds(entry->site, ", ", s->job.train, false);
 	FREED char *words = xasprintf(
-	    holdout[0] != '\0' ? tr("calibrating %s on %s m/s (held out: %s)")
-			       : tr("calibrating %s on %s m/s%s"),
+	    holdout[0] != '\0'
+		? tr("calibrating %s on %s m/s (held out as a test: %s)")
+		: tr("calibrating %s on %s m/s%s"),
 	    entry->site->name, train, holdout);
 	if (model > 0)
 		xlist(&words, ", ", tr("model %s"), BREAKAGES[model]->name);

@@ -79,7 +79,8 @@ next_after_fit(const struct session *s, const struct entry *entry)
 	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
 	    isnan(session_answer_number(s, "validate", "sites")))
 		return (struct next){"validate",
-		    N_("validate at the speed held out?"), true, NEXT_VALIDATE};
+		    N_("validate: test it at the speeds held out?"), true,
+		    NEXT_VALIDATE};
 	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
 		    N_("next: 'check' and 'why' show the reasons to doubt it; "
