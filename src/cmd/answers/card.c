@@ -456,12 +456,14 @@ note_flow(struct answer *r, const struct card_request *all)
 
 /* That no row is likely to meet the limits; where one is, the rows say so. */
 static void
-note_unmet(struct answer *r, const struct card_row *row, size_t n)
+note_unmet(struct answer *r, const struct site *site,
+    const struct card_row *row, size_t n)
 {
 	size_t best = 0;
 	for (size_t i = 1; i < n; i++)
 		if (row[i].share > row[best].share)
 			best = i;
+	FREED char *rpm = answers_rpm(site, row[best].speed, NAN);
 	FREED char *share = conditions_percent(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
@@ -469,8 +471,8 @@ note_unmet(struct answer *r, const struct card_row *row, size_t n)
 	else if (row[best].share < 0.5)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page is likely to meet the limits: the "
-		    "surest, %g m/s, does with %s probability",
-		    row[best].speed, share);
+		    "surest, %g m/s%s, does with %s probability",
+		    row[best].speed, rpm, share);
 }
 
 static void
@@ -480,9 +482,25 @@ note_limits(struct answer *r, const struct card_request *all,
 	FREED char *words = conditions_list_words(&all->list);
 	if (all->list.n > 0) {
 		answer_note(r, "limits: %s", words);
-		note_unmet(r, row, n);
+		note_unmet(r, all->question->entry->site, row, n);
 	}
 	conditions_note_source(r, &all->list);
+}
+
+/* "66.19, 71.84, 78 m/s (1290, 1400, 1520 rpm)"; the caller frees. */
+static char *
+measured_words(const struct site *site)
+{
+	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	char *words = xasprintf(tr("%s m/s"), speeds);
+	FREED char *rpm = xstrdup("");
+	for (size_t r = 0; r < site->n_run && site->rotor > 0; r++)
+		if (site->run[r].product.n > 0 && !site_run_repeats(site, r))
+			xlist(&rpm, ", ", "%.0f",
+			    units_rpm(site->run[r].speed, site->rotor));
+	if (rpm[0] != '\0')
+		xappend(&words, tr(" (%s rpm)"), rpm);
+	return words;
 }
 
 /* What the figures are, of which machine, found how, and who answers for
@@ -493,7 +511,7 @@ note_basis(struct answer *r, const struct session *s,
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
-	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	FREED char *speeds = measured_words(site);
 	FREED char *feed = feed_words(site, q->feed);
 	bool fines = false;
 	for (size_t i = 0; i < all->n; i++)
@@ -522,7 +540,7 @@ note_basis(struct answer *r, const struct session *s,
 		answer_note(r, "feed: %s",
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
 	answer_note(r,
-	    "green: confirmed by measurements at %s m/s; amber: from the model "
+	    "green: confirmed by measurements at %s; amber: from the model "
 	    "alone, or doubtful; red: do not rely on it; ?: beyond the "
 	    "measured speeds",
 	    speeds);

@@ -222,9 +222,9 @@ static void
 append_window(char **words, const struct report_request *ask)
 {
 	const struct speed_search *w = ask->found;
-	FREED char *speeds = conditions_speeds_words(w);
+	FREED char *speeds = conditions_speeds_in_units(&ask->wanted, w);
 	if (w->n_inside > 0)
-		xlist(words, "; ", tr("met at %s m/s"), speeds);
+		xlist(words, "; ", tr("met at %s"), speeds);
 	if (w->n_inside > 0)
 		return;
 	xlist(words, "; ",

@@ -274,17 +274,17 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 		return;
 	double share = 1 - best.width / width;
 	FREED char *name = figure_name(of);
+	FREED char *rpm = answers_rpm(q->entry->site, best.speed, NAN);
 	answer_note(r,
 	    share < ADVISE_WORTH
-		? N_("what would help most: several samples, as at %.4g m/s; "
+		? N_("what would help most: several samples, as at %.4g m/s%s; "
 		     "one narrows the band of %s by %.0f %% only")
 	    : best.repeat
-		? N_("what would help most: another sample at %.4g m/s; it is "
-		     "expected to narrow the band of %s by %.0f %%")
-		: N_("what would help most: a sample at %.4g m/s; it is "
+		? N_("what would help most: another sample at %.4g m/s%s; it "
+		     "is expected to narrow the band of %s by %.0f %%")
+		: N_("what would help most: a sample at %.4g m/s%s; it is "
 		     "expected to narrow the band of %s by %.0f %%"),
-	    best.speed, name, 100 * fmax(share, 0));
-	answers_note_rpm(r, q->entry->site, best.speed, NAN, NAN);
+	    best.speed, rpm, name, 100 * fmax(share, 0));
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 

@@ -64,35 +64,40 @@ window_look(struct session *s, struct window_request *a, double from, double to)
 	forecast_at(a->wanted.forecast, a->w->best);
 }
 
-/* "passing 0.5 mm sets the lower end, 71.5, passing 0.063 mm the upper, 76.2
- * m/s"; one quantity may do both. */
+/* "passing 0.5 mm sets the lower end, 71.5 m/s, passing 0.063 mm the upper,
+ * 76.2 m/s"; one quantity may do both. */
 static void
 note_binding(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
+	const struct site *site = a->wanted.site;
+	FREED char *from = answers_rpm(site, in->from, NAN);
+	FREED char *to = answers_rpm(site, in->to, NAN);
+	FREED char *both = answers_rpm(site, in->from, in->to);
 	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		FREED char *q =
 		    quantities_words(&a->list.at[in->low.i].quantity);
 		if (in->high.i == in->low.i)
-			xappend(&words, tr("%s sets both ends: %.1f and %.1f"),
-			    q, in->from, in->to);
+			xappend(&words,
+			    tr("%s sets both ends: %.1f and %.1f m/s%s"), q,
+			    in->from, in->to, both);
 		else
-			xappend(&words, tr("%s sets the lower end, %.1f"), q,
-			    in->from);
+			xappend(&words, tr("%s sets the lower end, %.1f m/s%s"),
+			    q, in->from, from);
 	}
 	if (in->high.i != SIZE_MAX && in->high.i != in->low.i) {
 		FREED char *q =
 		    quantities_words(&a->list.at[in->high.i].quantity);
 		if (words[0] == '\0')
-			xappend(&words, tr("%s sets the upper end, %.1f"), q,
-			    in->to);
+			xappend(&words, tr("%s sets the upper end, %.1f m/s%s"),
+			    q, in->to, to);
 		else
-			xlist(
-			    &words, ", ", tr("%s the upper, %.1f"), q, in->to);
+			xlist(&words, ", ", tr("%s the upper, %.1f m/s%s"), q,
+			    in->to, to);
 	}
 	if (words[0] != '\0')
-		answer_note(r, "%s m/s", words);
+		answer_note(r, "%s", words);
 	else
 		answer_note(r, "no condition sets a limit from %g to %g m/s",
 		    a->wanted.from, a->wanted.to);
@@ -121,10 +126,10 @@ static void
 note_inside(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
-	FREED char *speeds = conditions_speeds_words(a->w);
+	FREED char *speeds = conditions_speeds_in_units(&a->wanted, a->w);
 	answer_note(r,
-	    a->list.n > 1 ? N_("the answer meets all conditions at %s m/s")
-			  : N_("the answer meets it at %s m/s"),
+	    a->list.n > 1 ? N_("the answer meets all conditions at %s")
+			  : N_("the answer meets it at %s"),
 	    speeds);
 	note_binding(r, a);
 	conditions_note_farther(r, &a->wanted,
@@ -147,20 +152,18 @@ note_certain_speeds(
 	const struct speed_search *w = a->w;
 	bool drawn = !isnan(w->best_certain);
 	FREED char *best = conditions_percent(w->best_certain);
+	FREED char *rpm = answers_rpm(a->wanted.site, w->best, NAN);
 	if (w->n_inside > 0 && drawn)
-		answer_note(
-		    r, "best %.1f m/s, with %s certainty", w->best, best);
+		answer_note(r, "best %.1f m/s%s, with %s certainty", w->best,
+		    rpm, best);
 	else if (w->n_inside > 0)
-		answer_note(r, "best %.1f m/s", w->best);
-	if (w->n_inside > 0)
-		answers_note_rpm(
-		    r, a->q->entry->site, w->best, w->sure[0], w->sure[1]);
+		answer_note(r, "best %.1f m/s%s", w->best, rpm);
 	if (w->n_inside > 0)
 		note_margin(r, a);
 	if (!drawn)
 		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
 	else
-		conditions_note_certain(r, w, a->wanted.level);
+		conditions_note_certain(r, &a->wanted, w);
 }
 
 static void
@@ -229,11 +232,13 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		window_look(s, &a, from, to);
+		FREED char *rpm = answers_rpm(entry->site, a.w->best, NAN);
 		struct answer *r =
-		    answers_new(entry->site, "window", "%s at %.1f m/s",
+		    answers_new(entry->site, "window", "%s at %.1f m/s%s",
 			a.list.n > 1 ? tr("conditions") : tr("the condition"),
-			a.w->best);
-		conditions_rows(r, answer_fields(r), &a.wanted, a.w);
+			a.w->best, rpm);
+		conditions_rows(r, &a.wanted, a.w);
+		conditions_put(answer_fields(r), &a.wanted, a.w);
 		if (a.w->n_inside > 0)
 			note_inside(r, &a);
 		else

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
@@ -561,6 +562,23 @@ conditions_speeds_words(const struct speed_search *found)
 	return words;
 }
 
+char *
+conditions_speeds_in_units(
+    const struct wanted *wanted, const struct speed_search *found)
+{
+	double rotor = wanted->site->rotor;
+	FREED char *mps = conditions_speeds_words(found);
+	FREED char *rpm = xstrdup("");
+	for (size_t k = 0; k < found->n_inside; k++) {
+		double from = units_rpm(found->inside[k].from, rotor),
+		       to = units_rpm(found->inside[k].to, rotor);
+		xlist(&rpm, tr(" and "),
+		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
+	}
+	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)"), mps, rpm)
+			 : xasprintf(tr("%s m/s"), mps);
+}
+
 double
 conditions_widths(const struct wanted *wanted, struct margin margin)
 {
@@ -569,52 +587,86 @@ conditions_widths(const struct wanted *wanted, struct margin margin)
 		   : NAN;
 }
 
-/* Of a condition a row, of an answer or for NULL of none, and fields. */
 static void
-add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
+put_condition(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
 	const struct quantity *q = &wanted->at[i].quantity;
 	struct margin margin = wanted_margin(wanted, i);
 	struct figure f = forecast_shown(wanted->forecast, i);
-	const double limit[] = {quantities_shown(q, wanted->at[i].least),
-	    quantities_shown(q, wanted->at[i].most)};
-	const double points = 100 * margin.passing, *alone = found->alone[i];
-	const char *unit = quantities_unit(q);
-	int decimals = quantities_decimals(q);
-	FREED char *words = quantities_words(q), *key = quantities_key(q);
+	FREED char *key = quantities_key(q);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
 	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, unit, limit[0], limit[1], f.value, f.low, f.high, points,
-	    conditions_widths(wanted, margin), alone[0], alone[1]);
-	if (unit[0] != '\0')
-		xappend(&words, ", %s", unit);
-	if (r != NULL) {
+	    key, quantities_unit(q), quantities_shown(q, wanted->at[i].least),
+	    quantities_shown(q, wanted->at[i].most), f.value, f.low, f.high,
+	    100 * margin.passing, conditions_widths(wanted, margin),
+	    found->alone[i][0], found->alone[i][1]);
+}
+
+void
+conditions_put(struct fields *o, const struct wanted *wanted,
+    const struct speed_search *found)
+{
+	struct fields *list = fields_list(o, "conditions");
+	for (size_t i = 0; i < wanted->n; i++)
+		put_condition(fields_object(list, NULL), wanted, found, i);
+}
+
+/* The cells of the speeds at which condition i holds by itself: for people in
+ * rpm where the site states the rotor, as wide as in m/s. */
+static void
+add_speeds_alone(struct answer *r, const double speed[static 2], double rotor)
+{
+	if (rotor > 0)
+		answer_cells(r, "%.0f %.0f", units_rpm(speed[0], rotor),
+		    units_rpm(speed[1], rotor));
+	else
+		answer_cells(r, "%.1f %.1f", speed[0], speed[1]);
+}
+
+/* A row a condition; rotor: its diameter, m, or 0 for speeds in m/s. */
+static void
+add_rows(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found, double rotor)
+{
+	bool drawn = forecast_draws(wanted->forecast, 0) != NULL;
+	answer_columns(r, "quantity: condition on, min, max, value");
+	if (drawn)
+		answer_columns(r, "low, high");
+	answer_columns(r, rotor > 0
+			      ? "margin_pct: points, holds_from: from rpm, "
+				"holds_to: to rpm"
+			      : "margin_pct: points, holds_from: from m/s, "
+				"holds_to: to m/s");
+	for (size_t i = 0; i < wanted->n; i++) {
+		const struct quantity *q = &wanted->at[i].quantity;
+		struct figure f = forecast_shown(wanted->forecast, i);
+		const char *unit = quantities_unit(q);
+		int digits = quantities_decimals(q);
+		FREED char *words = quantities_words(q);
+		FREED char *key = quantities_key(q);
+		if (unit[0] != '\0')
+			xappend(&words, ", %s", unit);
 		answer_name(r, key, words);
-		answer_cells(
-		    r, "%g %g %.*f", limit[0], limit[1], decimals, f.value);
-		if (forecast_draws(wanted->forecast, i) != NULL)
+		answer_cells(r, "%g %g %.*f",
+		    quantities_shown(q, wanted->at[i].least),
+		    quantities_shown(q, wanted->at[i].most), digits, f.value);
+		if (drawn)
 			answer_cells(
-			    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
-		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
+			    r, "%.*f %.*f", digits, f.low, digits, f.high);
+		answer_cells(r, "%.1f", 100 * wanted_margin(wanted, i).passing);
+		add_speeds_alone(r, found->alone[i], rotor);
 	}
 }
 
 void
-conditions_rows(struct answer *r, struct fields *o, const struct wanted *wanted,
+conditions_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	struct fields *list = fields_list(o, "conditions");
-	if (r != NULL) {
-		answer_columns(r, "quantity: condition on, min, max, value");
-		if (forecast_draws(wanted->forecast, 0) != NULL)
-			answer_columns(r, "low, high");
-		answer_columns(r, "margin_pct: points, holds_from: from m/s, "
-				  "holds_to: to m/s");
-	}
-	for (size_t i = 0; i < wanted->n; i++)
-		add_condition(r, fields_object(list, NULL), wanted, found, i);
+	add_rows(r, wanted, found, wanted->site->rotor);
+	answer_fill_for_programs(r);
+	add_rows(r, wanted, found, 0);
 }
 
 struct wanted
@@ -683,10 +735,11 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		    wanted->from, wanted->to, what, words,
 		    conditions_digits(misses), misses);
 	} else {
+		FREED char *rpm = answers_rpm(wanted->site, found->best, NAN);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
-		    "m/s, which misses by %.*f points",
-		    wanted->from, wanted->to, what, found->best,
+		    "m/s%s, which misses by %.*f points",
+		    wanted->from, wanted->to, what, found->best, rpm,
 		    conditions_digits(misses), misses);
 		note_ways(r, wanted, list, found);
 	}
@@ -707,13 +760,16 @@ conditions_note_farther(
 }
 
 static void
-note_none_certain(struct answer *r, const struct speed_search *w, double level)
+note_none_certain(
+    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
 {
+	double level = wanted->level;
 	size_t most = 0;
 	for (size_t k = 0; k < w->n; k++)
 		if (w->certain[k] > w->certain[most])
 			most = k;
 	FREED char *highest = conditions_percent(w->certain[most]);
+	FREED char *rpm = answers_rpm(wanted->site, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty: it is "
@@ -722,20 +778,22 @@ note_none_certain(struct answer *r, const struct speed_search *w, double level)
 	else
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty; most at "
-		    "%.1f m/s, with %s",
-		    100 * level, w->speed[most], highest);
+		    "%.1f m/s%s, with %s",
+		    100 * level, w->speed[most], rpm, highest);
 }
 
 void
-conditions_note_certain(
-    struct answer *r, const struct speed_search *found, double level)
+conditions_note_certain(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
 {
+	FREED char *rpm =
+	    answers_rpm(wanted->site, found->sure[0], found->sure[1]);
 	if (isfinite(found->sure[0]))
 		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
-		    100 * level, found->sure[0], found->sure[1]);
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s",
+		    100 * wanted->level, found->sure[0], found->sure[1], rpm);
 	else
-		note_none_certain(r, found, level);
+		note_none_certain(r, wanted, found);
 }
 
 char *

@@ -46,7 +46,8 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 		asked[i] = at[i].quantity;
 	for (size_t i = 0; i < n_more; i++)
 		asked[n + i] = more[i];
-	struct wanted w = {.n = n,
+	struct wanted w = {.site = q->entry->site,
+	    .n = n,
 	    .at = at,
 	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};

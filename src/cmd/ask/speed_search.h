@@ -18,9 +18,10 @@ struct condition {
  * concerns the next quantity: it is a value (both limits) to reach, or has no
  * limits if the largest or smallest value is sought.  from, to: range of
  * speeds, m/s; measured: the slowest and fastest of those that inform the
- * answer; level: of bands.  Unless stated otherwise, functions move the
- * forecast to other speeds. */
+ * answer; level: of bands; site: the one asked about.  Unless stated otherwise,
+ * functions move the forecast to other speeds. */
 struct wanted {
+	const struct site *site;
 	struct forecast *forecast;
 	size_t n;
 	const struct condition *at, *target;
