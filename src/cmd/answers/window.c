@@ -103,7 +103,7 @@ note_binding(struct answer *r, const struct window_request *a)
 		    a->wanted.from, a->wanted.to);
 }
 
-/* "1.2 points, 0.9 times the width of its band". */
+/* "1.2 points away, 0.9 times the width of its band". */
 static void
 note_margin(struct answer *r, const struct window_request *a)
 {
@@ -112,14 +112,15 @@ note_margin(struct answer *r, const struct window_request *a)
 	if (!isfinite(m->passing))
 		return;
 	FREED char *limit = conditions_limit(&a->list, m->limit);
+	FREED char *distance = conditions_distance(&a->wanted, *m);
 	if (isfinite(widths))
 		answer_note(r,
-		    "nearest limit there: %s, %.1f points away, %.1f times the "
-		    "width of the band",
-		    limit, 100 * m->passing, widths);
+		    "nearest limit there: %s, %s away, %.1f times the width of "
+		    "the band",
+		    limit, distance, widths);
 	else
-		answer_note(r, "nearest limit there: %s, %.1f points away",
-		    limit, 100 * m->passing);
+		answer_note(
+		    r, "nearest limit there: %s, %s away", limit, distance);
 }
 
 static void

@@ -587,6 +587,35 @@ conditions_widths(const struct wanted *wanted, struct margin margin)
 		   : NAN;
 }
 
+/* How far the value at the forecast's speed is from the limit of a margin, in
+ * the unit of its quantity; negative where that is missed. */
+static double
+margin_shown(const struct wanted *wanted, struct margin margin)
+{
+	size_t i = margin.limit.i;
+	if (i == SIZE_MAX || quantities_unit(&wanted->at[i].quantity)[0] == '%')
+		return 100 * margin.passing;
+	const struct condition *c = &wanted->at[i];
+	double value = forecast_shown(wanted->forecast, i).value;
+	return margin.limit.most
+		   ? quantities_shown(&c->quantity, c->most) - value
+		   : value - quantities_shown(&c->quantity, c->least);
+}
+
+char *
+conditions_distance(const struct wanted *wanted, struct margin margin)
+{
+	const struct quantity *q = &wanted->at[margin.limit.i].quantity;
+	double points = fabs(100 * margin.passing);
+	double distance = fabs(margin_shown(wanted, margin));
+	int digits = quantities_decimals(q);
+	if (isnan(distance) || quantities_unit(q)[0] == '%')
+		return xasprintf(
+		    tr("%.*f points"), conditions_digits(points), points);
+	digits += distance < pow(10, -digits);
+	return xasprintf("%.*f%s", digits, distance, quantities_unit_suffix(q));
+}
+
 static void
 put_condition(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
@@ -625,20 +654,22 @@ add_speeds_alone(struct answer *r, const double speed[static 2], double rotor)
 		answer_cells(r, "%.1f %.1f", speed[0], speed[1]);
 }
 
-/* A row a condition; rotor: its diameter, m, or 0 for speeds in m/s. */
+/* A row a condition: people see the margin in the quantity's unit, programs in
+ * points. */
 static void
 add_rows(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found, double rotor)
+    const struct speed_search *found, bool people)
 {
+	double rotor = people ? wanted->site->rotor : 0;
 	bool drawn = forecast_draws(wanted->forecast, 0) != NULL;
 	answer_columns(r, "quantity: condition on, min, max, value");
 	if (drawn)
 		answer_columns(r, "low, high");
 	answer_columns(r, rotor > 0
-			      ? "margin_pct: points, holds_from: from rpm, "
-				"holds_to: to rpm"
-			      : "margin_pct: points, holds_from: from m/s, "
-				"holds_to: to m/s");
+			      ? N_("margin_pct: margin, holds_from: from rpm, "
+				   "holds_to: to rpm")
+			      : N_("margin_pct: margin, holds_from: from m/s, "
+				   "holds_to: to m/s"));
 	for (size_t i = 0; i < wanted->n; i++) {
 		const struct quantity *q = &wanted->at[i].quantity;
 		struct figure f = forecast_shown(wanted->forecast, i);
@@ -655,7 +686,10 @@ add_rows(struct answer *r, const struct wanted *wanted,
 		if (drawn)
 			answer_cells(
 			    r, "%.*f %.*f", digits, f.low, digits, f.high);
-		answer_cells(r, "%.1f", 100 * wanted_margin(wanted, i).passing);
+		struct margin margin = wanted_margin(wanted, i);
+		answer_cells(r, "%.*f", people ? digits : 1,
+		    people ? margin_shown(wanted, margin)
+			   : 100 * margin.passing);
 		add_speeds_alone(r, found->alone[i], rotor);
 	}
 }
@@ -664,9 +698,9 @@ void
 conditions_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	add_rows(r, wanted, found, wanted->site->rotor);
+	add_rows(r, wanted, found, true);
 	answer_fill_for_programs(r);
-	add_rows(r, wanted, found, 0);
+	add_rows(r, wanted, found, false);
 }
 
 struct wanted
@@ -721,26 +755,27 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 {
 	const char *what =
 	    list->n > 1 ? tr("all conditions") : tr("the condition");
-	double misses = -100 * found->margin.passing;
-	if (!isfinite(misses)) {
+	if (!isfinite(found->margin.passing)) {
 		answer_note(r,
 		    "no speed from %g to %g m/s gives a value for every "
 		    "condition",
 		    wanted->from, wanted->to);
-	} else if (found->alike) {
+		return;
+	}
+	forecast_at(wanted->forecast, found->best);
+	FREED char *misses = conditions_distance(wanted, found->margin);
+	if (found->alike) {
 		FREED char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s: every speed misses "
-		    "%s alike, by %.*f points",
-		    wanted->from, wanted->to, what, words,
-		    conditions_digits(misses), misses);
+		    "%s alike, by %s",
+		    wanted->from, wanted->to, what, words, misses);
 	} else {
 		FREED char *rpm = answers_rpm(wanted->site, found->best, NAN);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
-		    "m/s%s, which misses by %.*f points",
-		    wanted->from, wanted->to, what, found->best, rpm,
-		    conditions_digits(misses), misses);
+		    "m/s%s, which misses by %s",
+		    wanted->from, wanted->to, what, found->best, rpm, misses);
 		note_ways(r, wanted, list, found);
 	}
 }

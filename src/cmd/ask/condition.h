@@ -109,6 +109,10 @@ char *conditions_speeds_in_units(
 /* Returns a margin in widths of the band, or NAN for a model alone. */
 double conditions_widths(const struct wanted *wanted, struct margin margin);
 
+/* Returns how far the value at the forecast's speed is from the limit of a
+ * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
+char *conditions_distance(const struct wanted *wanted, struct margin margin);
+
 /* Returns the words that find understands, "max 2/5", for words such as "most
  * 2/5"; NULL for others.  The caller frees it. */
 char *conditions_extreme(const char *text);
@@ -117,7 +121,8 @@ char *conditions_extreme(const char *text);
  * than 0.0. */
 int conditions_digits(double points);
 
-/* If no speed meets all conditions, notes which of them prevent it. */
+/* If no speed meets all conditions, notes which of them prevent it.  Moves the
+ * forecast to the best speed. */
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
 
