@@ -145,6 +145,37 @@ note_inside(struct answer *r, const struct window_request *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
+/* Why it is the best, and the slowest that will do. */
+static void
+note_best(struct answer *r, const struct window_request *a)
+{
+	const struct speed_search *w = a->w;
+	const struct site *site = a->wanted.site;
+	FREED char *rpm = answers_rpm(site, w->best, NAN);
+	FREED char *slow = answers_rpm(site, w->safe, NAN);
+	FREED char *words = xasprintf(
+	    answers_extrapolates(a->q->entry, w->best)
+		? tr("best %.1f m/s%s, beyond the measured speeds, none of "
+		     "which will do")
+		: tr("best %.1f m/s%s of the measured range"),
+	    w->best, rpm);
+	if (isnan(w->best_certain))
+		xappend(&words, tr(": it is farthest from the limits"));
+	else {
+		FREED char *times = conditions_times(w->best_certain);
+		xappend(&words,
+		    a->list.n > 1 ? tr(": they hold most surely there, %s")
+				  : tr(": it holds most surely there, %s"),
+		    times);
+	}
+	if (w->safe < w->best)
+		xappend(&words,
+		    tr("; the slowest that is safe, 95 times in 100 or more: "
+		       "%.1f m/s%s, for less energy and wear"),
+		    w->safe, slow);
+	answer_note(r, "%s", words);
+}
+
 /* The best speed, and how sure it and those about it are. */
 static void
 note_certain_speeds(
@@ -152,15 +183,10 @@ note_certain_speeds(
 {
 	const struct speed_search *w = a->w;
 	bool drawn = !isnan(w->best_certain);
-	FREED char *best = conditions_percent(w->best_certain);
-	FREED char *rpm = answers_rpm(a->wanted.site, w->best, NAN);
-	if (w->n_inside > 0 && drawn)
-		answer_note(r, "best %.1f m/s%s, with %s certainty", w->best,
-		    rpm, best);
-	else if (w->n_inside > 0)
-		answer_note(r, "best %.1f m/s%s", w->best, rpm);
-	if (w->n_inside > 0)
+	if (w->n_inside > 0) {
+		note_best(r, a);
 		note_margin(r, a);
+	}
 	if (!drawn)
 		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
 	else
@@ -175,8 +201,8 @@ put_certain(struct fields *o, const struct window_request *a)
 		answers_put_pair(o, "certain", w->sure[0], w->sure[1]);
 	else
 		fields_number(o, "certain", NAN);
-	fields_put(o, "certainty_pct %g level %g", 100 * w->best_certain,
-	    100 * a->wanted.level);
+	fields_put(o, "certainty_pct %g level %g slowest_safe %g",
+	    100 * w->best_certain, 100 * a->wanted.level, w->safe);
 }
 
 static void

@@ -801,7 +801,8 @@ note_none_certain(
 	double level = wanted->level;
 	size_t most = 0;
 	for (size_t k = 0; k < w->n; k++)
-		if (w->certain[k] > w->certain[most])
+		if (w->n_inside > 0 ? w->speed[k] == w->best
+				    : w->certain[k] > w->certain[most])
 			most = k;
 	FREED char *highest = conditions_percent(w->certain[most]);
 	FREED char *rpm = answers_rpm(wanted->site, w->speed[most], NAN);
@@ -812,8 +813,11 @@ note_none_certain(
 		    100 * level);
 	else
 		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; most at "
-		    "%.1f m/s%s, with %s",
+		    w->n_inside > 0
+			? N_("at no speed does it hold with %.0f %% certainty; "
+			     "at the best, %.1f m/s%s, with %s")
+			: N_("at no speed does it hold with %.0f %% certainty; "
+			     "most at %.1f m/s%s, with %s"),
 		    100 * level, w->speed[most], rpm, highest);
 }
 
@@ -837,6 +841,14 @@ conditions_percent(double share)
 	return share > 0.99   ? xstrdup(tr("over 99 %"))
 	       : share < 0.01 ? xstrdup(tr("under 1 %"))
 			      : xasprintf("%.0f %%", 100 * share);
+}
+
+char *
+conditions_times(double share)
+{
+	return share > 0.99   ? xstrdup(tr("over 99 times in 100"))
+	       : share < 0.01 ? xstrdup(tr("less than once in 100"))
+			      : xasprintf(tr("%.0f times in 100"), 100 * share);
 }
 
 char *

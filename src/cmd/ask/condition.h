@@ -141,6 +141,9 @@ void conditions_note_farther(
  * draws never prove certainty.  The caller frees it. */
 char *conditions_percent(double share);
 
+/* Returns "92 times in 100", "over 99 times in 100".  The caller frees it. */
+char *conditions_times(double share);
+
 /* Returns the probability that conditions are met, with a verdict: "over 99 %,
  * met", "47 %, as likely as not"; if share is NAN, "met" or "missed", according
  * to the answer.  The caller frees it. */
