@@ -561,7 +561,7 @@ answer_spec(struct session *s, const struct args *args,
 		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
 	}
 	grading_notes(r, &g);
-	answers_show_basis_at(s, r, goal->question, v, false);
+	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

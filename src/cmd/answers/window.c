@@ -276,7 +276,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
-		answers_show_basis_at(s, r, q, a.w->best, false);
+		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
 		s->last_speed = a.w->best;
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);

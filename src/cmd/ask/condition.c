@@ -15,6 +15,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/trust_light.h"
 #include "io/sitefile/units.h"
 
 static const char DIGITS[] = "0123456789";
@@ -562,21 +563,36 @@ conditions_speeds_words(const struct speed_search *found)
 	return words;
 }
 
+const char *
+conditions_ends(const struct wanted *wanted, double from, double to)
+{
+	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
+	return slowest && fastest ? N_(", all speeds asked")
+	       : slowest          ? N_(", from the slowest asked")
+	       : fastest          ? N_(", up to the fastest asked")
+				  : "";
+}
+
 char *
 conditions_speeds_in_units(
     const struct wanted *wanted, const struct speed_search *found)
 {
 	double rotor = wanted->site->rotor;
+	size_t n = found->n_inside;
+	const char *ends =
+	    n == 0 ? ""
+		   : tr(conditions_ends(wanted, found->inside[0].from,
+			 found->inside[n - 1].to));
 	FREED char *mps = conditions_speeds_words(found);
 	FREED char *rpm = xstrdup("");
-	for (size_t k = 0; k < found->n_inside; k++) {
+	for (size_t k = 0; k < n; k++) {
 		double from = units_rpm(found->inside[k].from, rotor),
 		       to = units_rpm(found->inside[k].to, rotor);
 		xlist(&rpm, tr(" and "),
 		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
 	}
-	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)"), mps, rpm)
-			 : xasprintf(tr("%s m/s"), mps);
+	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)%s"), mps, rpm, ends)
+			 : xasprintf(tr("%s m/s%s"), mps, ends);
 }
 
 double
@@ -780,6 +796,50 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 	}
 }
 
+/* The end of the range about the best speed that lies farthest beyond the
+ * measured speeds; NAN where none does. */
+static double
+farthest_end(const struct wanted *wanted, const struct speed_search *found)
+{
+	const struct speed_range *in = speed_search_around(found);
+	if (in == NULL)
+		return NAN;
+	double below = wanted->measured[0] - in->from,
+	       above = in->to - wanted->measured[1];
+	return fmax(below, above) <= 1e-9 ? NAN
+	       : above > below            ? in->to
+					  : in->from;
+}
+
+void
+conditions_show_basis(const struct session *s, struct answer *r,
+    const struct question *q, const struct wanted *wanted,
+    const struct speed_search *found, double speed)
+{
+	double end = farthest_end(wanted, found);
+	struct trust light = light_at(s, q->entry, speed, q->feed);
+	struct trust far = {0};
+	if (!isnan(end))
+		far = light_at(s, q->entry, end, q->feed);
+	if (far.light <= light.light) {
+		trust_free(&far);
+		answers_show_basis(s, r, q, speed, false, light);
+		return;
+	}
+	answers_note_basis(s, r, q, speed, NULL, &light);
+	const double at[] = {speed, end};
+	for (size_t k = 0; k < 2; k++) {
+		FREED char *words = light_words_at(s, q->entry, at[k], q->feed);
+		answer_say(r,
+		    k == 1 && far.light == LIGHT_RED ? ANSWER_WARNING
+						     : ANSWER_REMARK,
+		    "%s", words);
+	}
+	light_put(answer_fields(r), &far);
+	trust_free(&light);
+	trust_free(&far);
+}
+
 void
 conditions_note_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
@@ -829,8 +889,10 @@ conditions_note_certain(struct answer *r, const struct wanted *wanted,
 	    answers_rpm(wanted->site, found->sure[0], found->sure[1]);
 	if (isfinite(found->sure[0]))
 		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s",
-		    100 * wanted->level, found->sure[0], found->sure[1], rpm);
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s%s",
+		    100 * wanted->level, found->sure[0], found->sure[1], rpm,
+		    tr(conditions_ends(
+			wanted, found->sure[0], found->sure[1])));
 	else
 		note_none_certain(r, wanted, found);
 }

@@ -132,6 +132,18 @@ void conditions_note_missed(struct answer *r, const struct wanted *wanted,
 void conditions_note_certain(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found);
 
+/* Returns ", up to the fastest asked" and the like, to be translated, for a
+ * range with an end that is only that of the search; else "". */
+const char *conditions_ends(
+    const struct wanted *wanted, double from, double to);
+
+/* As answers_show_basis, for an answer at a speed in a range of speeds: if the
+ * light is worse at an end of the range beyond the measured speeds, it is that
+ * of the answer, and both are said. */
+void conditions_show_basis(const struct session *s, struct answer *r,
+    const struct question *q, const struct wanted *wanted,
+    const struct speed_search *found, double speed);
+
 /* Notes which slower or faster speeds were not searched, and how to search
  * them. */
 void conditions_note_farther(
