@@ -351,6 +351,12 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 		put_number(page, "rpm", "rpm", 0, NEEDED, units_rpm(v, rotor));
 	forecast_at(all->forecast, v);
 	put_figures(page, all);
+	struct trust light = light_at(s, entry, v, all->question->feed);
+	row->light = light.light;
+	light_worse(worst, light);
+	const char *name = tr(LIGHT_NAME[row->light]);
+	put_words(page, NULL, tr("trust"), NEEDED,
+	    xasprintf("%s%s", name, answers_extrapolates(entry, v) ? "?" : ""));
 	if (all->plant.circuit != NULL)
 		put_flow(page, all, v);
 	if (all->list.n > 0) {
@@ -359,12 +365,6 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 		row->share = wanted_certainty(&all->wanted);
 		put_limits(page, row);
 	}
-	struct trust light = light_at(s, entry, v, all->question->feed);
-	row->light = light.light;
-	light_worse(worst, light);
-	const char *name = tr(LIGHT_NAME[row->light]);
-	put_words(page, NULL, tr("trust"), NEEDED,
-	    xasprintf("%s%s", name, answers_extrapolates(entry, v) ? "?" : ""));
 	put_words(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
 }
@@ -382,6 +382,29 @@ page_free(struct page *page)
 		free(c->head);
 	}
 	free(page->column);
+}
+
+/* "hollow_lane (Hollow Lane Quarry): card of 2026-11-27": a site that has only
+ * the name of its file is known in the cabin by the first line of its sheet, up
+ * to a comma or a dash. */
+static void
+page_title(struct answer *r, const struct site *site, const char *today)
+{
+	const char *slash = strrchr(site->path, '/');
+	const char *file = slash != NULL ? slash + 1 : site->path;
+	bool of_file = strncmp(file, site->name, strlen(site->name)) == 0;
+	FREED char *label = session_site_label(site);
+	for (size_t i = 0; i < site->n_note && of_file; i++) {
+		if (site->note[i].value[0] != '\0')
+			continue;
+		FREED char *line = xstrdup(site->note[i].key);
+		char *dash = strstr(line, " - ");
+		if (dash != NULL)
+			*dash = '\0';
+		line[strcspn(line, ",")] = '\0';
+		answer_title(r, "%s (%s): card of %s", label, line, today);
+		return;
+	}
 }
 
 /* Leaves out what can be spared until a row is one line of 80; what that was,
@@ -534,15 +557,15 @@ note_basis(struct answer *r, const struct session *s,
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
-	    breakage_of(&q->entry->params)->name, origin_words(q->entry),
+	    breakage_of(&q->entry->params)->source, origin_words(q->entry),
 	    outlook_words(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
 	answer_note(r,
-	    "green: confirmed by measurements at %s; amber: from the model "
-	    "alone, or doubtful; red: do not rely on it; ?: beyond the "
-	    "measured speeds",
+	    "trust is in the figures, whether or not they meet limits; green: "
+	    "confirmed by measurements at %s; amber: from the model alone, or "
+	    "doubtful; red: do not rely on it; ?: beyond the measured speeds",
 	    speeds);
 }
 
@@ -582,6 +605,7 @@ card_answer(
 	FREED char *today = datetime_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
+	page_title(r, entry->site, today);
 	struct trust light = light_of_prediction(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
 	struct page page = {.rows = n};
