@@ -350,7 +350,8 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_spec},
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
-	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
+	.operands = {"[SPEED] [draws|next]", {"SPEED draws next", "draws next"},
+	    0, 2},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_CHANGES |
 		 COMMAND_APPEARANCE | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({LAST_SPEED},
