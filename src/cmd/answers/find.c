@@ -246,6 +246,67 @@ range_words(const struct find_request *goal, const double range[2])
 	return words;
 }
 
+/* The speed that gives the target with the feed of a run; 0 and INFINITY:
+ * beyond the speeds searched; NAN: the feed does not tell. */
+static double
+speed_with_feed(
+    const struct session *s, const struct find_request *goal, size_t run)
+{
+	const double close = 1e-6;
+	struct question own = *goal->question;
+	own.feed = run;
+	struct forecast *f = forecast_open(s, &own, &goal->target.quantity, 1);
+	double a = goal->wanted.from, b = goal->wanted.to;
+	forecast_at(f, a);
+	double slow = forecast_excess(f, 0, goal->target.least);
+	forecast_at(f, b);
+	double fast = forecast_excess(f, 0, goal->target.least);
+	bool rises = fast > slow, known = !isnan(slow) && !isnan(fast);
+	bool within = (slow >= 0) != (fast >= 0);
+	while (within && b - a > close) {
+		double v = (a + b) / 2;
+		forecast_at(f, v);
+		bool over = forecast_excess(f, 0, goal->target.least) >= 0;
+		*(over == rises ? &b : &a) = v;
+	}
+	forecast_close(f);
+	if (!known || within)
+		return known ? b : NAN;
+	return (slow >= 0) == rises ? 0 : INFINITY;
+}
+
+/* What the speed would be with each sampled feed in place of their mean, of
+ * what rises or falls with the speed throughout. */
+static void
+note_each_feed(struct answer *r, const struct session *s,
+    const struct find_request *goal, double found)
+{
+	const double tells = 0.05;
+	const struct question *q = goal->question;
+	const struct quantity *of = &goal->target.quantity;
+	double range[2] = {found, found};
+	const struct site *site = q->entry->site;
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	if (!site->individual_feeds || other || q->feed != SITE_MEAN_FEED ||
+	    fraction_screens(&of->fraction) ||
+	    (of->kind != QUANTITY_SIZE && of->kind != QUANTITY_PASSING))
+		return;
+	for (size_t run = 0; run < site->n_run; run++) {
+		double v = speed_with_feed(s, goal, run);
+		range[0] = fmin(range[0], v);
+		range[1] = fmax(range[1], v);
+	}
+	fields_put(answer_fields(r), "feeds_low %g feeds_high %g",
+	    find_within(range[0]), find_within(range[1]));
+	if (range[1] - range[0] < tells)
+		return;
+	FREED char *words = range_words(goal, range);
+	answer_note(r,
+	    "with each sampled feed instead of their mean the speed would be "
+	    "from %s",
+	    words);
+}
+
 /* The speed found with its range, and that in which a belt cut may show the
  * value. */
 static void
@@ -426,8 +487,9 @@ note_out_of_reach(
 }
 
 static void
-note_finding(struct answer *r, const struct find_request *goal,
-    const struct speed_search *f, const char *words)
+note_finding(struct answer *r, const struct session *s,
+    const struct find_request *goal, const struct speed_search *f,
+    const char *words)
 {
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
@@ -439,6 +501,8 @@ note_finding(struct answer *r, const struct find_request *goal,
 		find_note_speed(r, goal, f, words);
 	else
 		note_extreme(r, goal, f, v);
+	if (found && goal->kind == GOAL_VALUE)
+		note_each_feed(r, s, goal, v);
 	if (found && goal->wanted.n > 0)
 		note_others(r, goal, f, v);
 	conditions_note_source(r, &goal->others);
@@ -488,7 +552,7 @@ answer_goal(struct session *s, struct find_request *goal)
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(r, entry, p, n);
-	note_finding(r, goal, f, words);
+	note_finding(r, s, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
 	bool fast =
