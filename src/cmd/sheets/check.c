@@ -20,6 +20,10 @@
 /* Sampling error does not make a product this much coarser than its feed. */
 static const double COARSER_FAULT = 0.02;
 
+/* Two passings written with one decimal may differ by this without cause, and a
+ * little for the binary fractions. */
+static const double ROUNDING = 0.001 + 1e-9;
+
 /* If a product is this close to its feed on every sieve, nothing breaks. */
 static const double NOTHING = 0.01;
 
@@ -41,8 +45,7 @@ find_coarser(const struct run *run)
 		double by =
 		    psd_passing(&run->feed, x) - run->product.passing[i];
 		found.farthest = fmax(found.farthest, fabs(by));
-		/* Ignore what may come from rounding in the sheet. */
-		if (by <= 1e-9)
+		if (by <= ROUNDING)
 			continue;
 		found.sieves++;
 		if (by > found.most) {

@@ -920,7 +920,8 @@ ask_repeats(struct columns *all)
 		free(words[i]);
 }
 
-/* Drops the means of samples that are in the sheet themselves. */
+/* Drops the means of samples that are in the sheet themselves; "Feed (avg)"
+ * is the feed where there is no other. */
 static void
 drop_means(struct columns *all, struct site *site)
 {
@@ -937,7 +938,7 @@ drop_means(struct columns *all, struct site *site)
 		if (mean && others == 1 && c->speed > 0)
 			all->column[i].open = true;
 		if (!mean || (others < 2 && c->speed > 0) ||
-		    (others == 0 && all->n < 3))
+		    (others == 0 && (all->n < 3 || c->role == FEED)))
 			continue;
 		leave_out(site, c, "%s: the mean of samples that are read",
 		    c->head.text);

@@ -21,9 +21,10 @@ static const struct {
 } WORDS[] = {
     {WORD_FEED,
 	"feed infeed headfeed inlet input before ingaende inmatning inmatat "
-	"pamatning matning fore aufgabe aufgabegut aufgabematerial zulauf "
-	"beschickung vorher alimentation entree avant alimentacion entrada "
-	"antes alimentacao syote syotto ennen pagang tilgang"},
+	"pamatning padrag matning fore aufgabe aufgabegut "
+	"aufgabematerial zulauf beschickung vorher alimentation entree avant "
+	"alimentacion entrada antes alimentacao syote syotto ennen pagang "
+	"tilgang"},
     {WORD_PRODUCT,
 	"product products prod produkt produkte produkter krossprodukt "
 	"utgaende ut out output outlet discharge after crushed krossat krossad "

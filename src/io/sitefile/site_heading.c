@@ -164,6 +164,19 @@ next_pair(const struct row *row, size_t *at, struct cell *key,
 	return n;
 }
 
+bool
+site_heading_line_speed(const struct sheet *sheet, const struct row *row,
+    struct heading_speed *speed)
+{
+	struct cell key = {0}, value, third;
+	FREED char *left = NULL, *right = NULL;
+	size_t at = 0, n = next_pair(row, &at, &key, &value, &third);
+	if (n == 1 && split_colon(&key, &value, &left, &right))
+		n = 2;
+	return n > 1 && lexicon_key(key.text) == N_KEY &&
+	       site_heading_take_speed(sheet, key, value, speed);
+}
+
 /* True for "rock Granite", which lacks a separator. */
 static bool
 begins_with_key(const char *text)

@@ -15,6 +15,11 @@ struct heading_speed {
 void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
+/* Takes the speed that a line states with a key, "tip speed; 70".  False if it
+ * does not. */
+bool site_heading_line_speed(const struct sheet *sheet, const struct row *row,
+    struct heading_speed *speed);
+
 /* The rotor's diameter, mm, stated in lines outside the tables, and the first
  * of these; -1: they differ; 0: not stated. */
 struct heading_rotor {

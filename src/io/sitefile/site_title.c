@@ -16,15 +16,64 @@ has_speed(const struct head *head)
 	return head->speed > 0 || head->rpm > 0;
 }
 
-/* Whether cell c of a line may head a table: within three lines above it, over
- * its columns where the line has more cells, and no key with its value. */
-static bool
-can_head_table(const struct table *t, const struct row *row, size_t c)
+/* The line of a table's first heading, or of its first row. */
+static int
+top_line(const struct table *t)
 {
-	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
-	return row->line < top && row->line >= top - 3 &&
-	       lexicon_key(row->cell[0].text) == N_KEY &&
-	       (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
+	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
+}
+
+/* True if a row has one filled cell, which may be a title. */
+static bool
+has_one_cell(const struct row *row)
+{
+	size_t filled = 0;
+	for (size_t i = 0; i < row->n; i++)
+		filled += (size_t)(row->cell[i].text[0] != '\0');
+	return filled == 1;
+}
+
+/* Returns the last line of the tables above a table, with the remarks that
+ * follow them without a blank line; 0 if it is the first. */
+static int
+line_before(const struct layout *layout, const struct table *t)
+{
+	int last = 0;
+	for (size_t b = 0; b < layout->n; b++) {
+		const struct table *other = &layout->table[b];
+		const struct row *end = other->n_foot > 0
+					    ? &other->foot[other->n_foot - 1]
+					    : &other->row[other->n_row - 1];
+		if (end->line < top_line(t) && end->line > last)
+			last = end->line;
+	}
+	for (size_t i = 0; i < layout->n_heading && last > 0; i++)
+		if (layout->heading[i]->line == last + 1)
+			last++;
+	return last;
+}
+
+/* True for a line above a table and below those before it. */
+static bool
+stands_above(
+    const struct layout *layout, const struct table *t, const struct row *row)
+{
+	return !t->across && row->line < top_line(t) &&
+	       row->line > line_before(layout, t);
+}
+
+/* Whether cell c of a line may head a table: within three lines above it, over
+ * its columns where the line has more cells, or the only cell of a line further
+ * above, such as "Product, 67 m/s" over the date of a sample; and no key with
+ * its value. */
+static bool
+can_head_table(const struct layout *layout, const struct table *t,
+    const struct row *row, size_t c)
+{
+	bool near = row->line < top_line(t) && row->line >= top_line(t) - 3 &&
+		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
+	return lexicon_key(row->cell[0].text) == N_KEY &&
+	       (near || (has_one_cell(row) && stands_above(layout, t, row)));
 }
 
 /* True if the words state which sample a table has. */
@@ -38,24 +87,20 @@ is_title(const struct head *head)
 bool
 title_heads_any(const struct layout *layout, const struct row *row)
 {
-	for (size_t b = 0; b < layout->n; b++)
+	struct heading_speed speed;
+	for (size_t b = 0; b < layout->n; b++) {
+		const struct table *t = &layout->table[b];
+		if (stands_above(layout, t, row) &&
+		    site_heading_line_speed(t->sheet, row, &speed))
+			return true;
 		for (size_t c = 0; c < row->n; c++) {
 			struct head title = head_read(row->cell[c].text);
-			if (can_head_table(&layout->table[b], row, c) &&
+			if (can_head_table(layout, t, row, c) &&
 			    is_title(&title))
 				return true;
 		}
+	}
 	return false;
-}
-
-/* True if a row has one filled cell, which may be a title. */
-static bool
-has_one_cell(const struct row *row)
-{
-	size_t filled = 0;
-	for (size_t i = 0; i < row->n; i++)
-		filled += (size_t)(row->cell[i].text[0] != '\0');
-	return filled == 1;
 }
 
 /* Adds a line above a table to its title if it has no other cell. */
@@ -71,12 +116,45 @@ note_title(struct table *t, const struct row *row, const char *text,
 	    (title->means & (WORD_LIMIT | WORD_MEAN | WORD_MACHINE)) != 0;
 }
 
+/* Takes the speed that a line above a table states with a key, "tip speed; 70".
+ * False if none does. */
+static bool
+take_key_speed(const struct layout *layout, const struct table *t,
+    struct heading_speed *speed)
+{
+	bool found = false;
+	for (size_t i = 0; i < layout->n_heading; i++)
+		if (stands_above(layout, t, layout->heading[i]))
+			found = site_heading_line_speed(
+				    t->sheet, layout->heading[i], speed) ||
+				found;
+	return found;
+}
+
+/* Sets the speed of one table among several of a sheet where lines above each
+ * state it; those above the first are not about the others then. */
+static void
+take_own_speed(const struct layout *layout, const struct table *t,
+    struct surroundings *near)
+{
+	struct heading_speed own = {0}, other = {0};
+	bool any = false;
+	for (size_t b = 1; b < layout->n; b++)
+		any = take_key_speed(layout, &layout->table[b], &other) || any;
+	if (!any)
+		return;
+	take_key_speed(layout, t, &own);
+	near->speed = own.mps;
+	near->rpm = own.rpm;
+}
+
 uint64_t
 title_context(const struct layout *layout, struct table *t, const char *path,
     struct surroundings *near)
 {
 	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
 	struct head name = head_read(t->sheet->name);
+	take_own_speed(layout, t, near);
 	if (!(near->speed > 0)) {
 		near->speed = name.speed;
 		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
@@ -84,7 +162,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
-			if (!can_head_table(t, row, c))
+			if (!can_head_table(layout, t, row, c))
 				continue;
 			struct head title = head_read(row->cell[c].text);
 			note_title(t, row, row->cell[c].text, &title);
@@ -188,10 +266,24 @@ title_names_differ(const char *a, const char *b)
 	return has_other_name(one, other) && has_other_name(other, one);
 }
 
+/* Returns the last lines of a title, as many as another has: above the first
+ * table also stands what is said of all. */
+static const char *
+last_lines(const char *title, const char *other)
+{
+	size_t n = 1;
+	for (const char *p = other; (p = strchr(p, '\n')) != NULL; p++)
+		n++;
+	const char *from = title + strlen(title);
+	while (from > title && (from[-1] != '\n' || --n > 0))
+		from--;
+	return from;
+}
+
 bool
 title_is_like(const struct table *a, const struct table *b)
 {
-	FREED char *one = head_without_speeds(a->title);
+	FREED char *one = head_without_speeds(last_lines(a->title, b->title));
 	FREED char *other = head_without_speeds(b->title);
 	return strcmp(one, other) == 0;
 }
@@ -218,12 +310,14 @@ title_is_limit(const struct table *t)
 	return (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
-/* True if a table has one product, with its speed in the title. */
+/* True if a table has one product, with its speed in the title or in a line
+ * above. */
 static bool
 has_product(const struct table *t, const struct column *c)
 {
 	struct head head = head_read(t->title);
-	return c->role == PRODUCT && !c->said.several && has_speed(&head) &&
+	bool speed = has_speed(&head) || c->speed > 0 || c->rpm > 0;
+	return c->role == PRODUCT && !c->said.several && speed &&
 	       !head.several && !title_is_limit(t);
 }
 
@@ -271,11 +365,20 @@ title_is_series(
 	return one;
 }
 
+/* True if a word ends with the speed of a sample, as P72 does. */
+static bool
+ends_with_speed(const char *word, size_t letters, const struct column *c)
+{
+	char *end;
+	double number = strtod(word + letters, &end);
+	return end > word + letters && (number == c->speed || number == c->rpm);
+}
+
 /* Returns the folded text without what may differ from test to test: speeds,
- * dates, the number after "test", and default names of sheets.  The caller
- * frees it. */
+ * dates, the number after "test", and default names of sheets.  c: the product.
+ * The caller frees it. */
 static char *
-name_of_test(const char *text)
+name_of_test(const char *text, const struct column *c)
 {
 	static const char *const COUNTED[] = {"ark", "blad", "feuil", "hoja",
 	    "prov", "run", "sheet", "tabelle", "test", "trial", "versuch"};
@@ -293,8 +396,9 @@ name_of_test(const char *text)
 			named =
 			    named || (strlen(COUNTED[i]) == letters && n > 0 &&
 					 strncmp(p, COUNTED[i], letters) == 0);
-		if (n > 0 && !date && !named && !(number && counts))
-			xlist(&name, " ", "%.*s", (int)n, p);
+		size_t kept = ends_with_speed(p, letters, c) ? letters : n;
+		if (kept > 0 && !date && !named && !(number && counts))
+			xlist(&name, " ", "%.*s", (int)kept, p);
 		counts = n > 0 ? named : counts;
 		p += n + (p[n] != '\0');
 	}
@@ -302,9 +406,10 @@ name_of_test(const char *text)
 }
 
 static bool
-tests_alike(const char *a, const char *b)
+tests_alike(const char *a, const struct column *first, const char *b,
+    const struct column *c)
 {
-	FREED char *one = name_of_test(a), *other = name_of_test(b);
+	FREED char *one = name_of_test(a, first), *other = name_of_test(b, c);
 	return strcmp(one, other) == 0;
 }
 
@@ -337,10 +442,12 @@ title_is_tests(struct table *const *table, size_t n, const struct columns *all)
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k], *first = table[0];
 		const struct column *c = test_sample(all, t, &feed);
-		if (c == NULL || !(c->speed > 0 || c->rpm > 0) ||
+		const struct column *one = test_sample(all, first, &feed);
+		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_is_limit(t) ||
-		    !tests_alike(first->sheet->name, t->sheet->name) ||
-		    !tests_alike(first->title, t->title))
+		    !tests_alike(first->sheet->name, one, t->sheet->name, c) ||
+		    !tests_alike(
+			last_lines(first->title, t->title), one, t->title, c))
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =

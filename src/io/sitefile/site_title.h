@@ -5,7 +5,8 @@
 
 #include "io/sitefile/classify.h"
 
-/* True if a line states which sample one of the layout's tables has. */
+/* True if a line states which sample one of the layout's tables has, or its
+ * speed. */
 bool title_heads_any(const struct layout *layout, const struct row *row);
 
 /* Returns the meanings of the words around a table (its title, the name of its
@@ -18,7 +19,8 @@ uint64_t title_context(const struct layout *layout, struct table *t,
  * each has some that the other lacks. */
 bool title_names_differ(const char *a, const char *b);
 
-/* True if the titles of two tables differ only in speed. */
+/* True if the titles of two tables differ only in speed; the first may have
+ * lines above that are about all of a sheet. */
 bool title_is_like(const struct table *a, const struct table *b);
 
 /* True if a title mentions limits or a mean, so the table has no sample. */
