@@ -228,16 +228,17 @@ say_speed(const struct tui *t, struct part *part)
 	const struct entry *entry = tui_current_entry(t);
 	double v = t->ui.tenths / 10.0;
 	double rotor = entry != NULL ? entry->site->rotor : 0;
-	char *words =
+	FREED char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
 	FREED char *turns =
 	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
 		      : xstrdup("");
 	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
 	track_say(part, xasprintf("%s%s", words, turns));
-	track_say(part, words);
 	if (rotor > 0)
 		track_say(part, xasprintf(tr("%.1f m/s%s"), v, turns));
+	else
+		track_say(part, xstrdup(words));
 	track_say(part, xasprintf("%.1f m/s", v));
 	track_say(part, xasprintf("%.1f", v));
 }
